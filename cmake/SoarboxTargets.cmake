@@ -1,0 +1,62 @@
+# How every target of the project is built: language level, warnings, sanitizers,
+# and the two functions that the modules' CMakeLists.txt use.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(SOARBOX_CCACHE ccache)
+if(SOARBOX_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${SOARBOX_CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER "${SOARBOX_CCACHE}")
+endif()
+find_program(SOARBOX_MOLD mold)
+if(SOARBOX_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+add_library(soarbox_options INTERFACE)
+target_include_directories(soarbox_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
+target_compile_options(soarbox_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+  # Determinism is a public contract: no fused multiply-add, no machine-specific code.
+  -ffp-contract=off)
+if(SOARBOX_SANITIZE STREQUAL "address")
+  target_compile_options(soarbox_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(soarbox_options INTERFACE -fsanitize=address,undefined)
+elseif(SOARBOX_SANITIZE STREQUAL "thread")
+  target_compile_options(soarbox_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(soarbox_options INTERFACE -fsanitize=thread)
+elseif(SOARBOX_SANITIZE STREQUAL "fuzzer")
+  target_compile_options(soarbox_options INTERFACE -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all)
+  target_link_options(soarbox_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(SOARBOX_CHECK_INVARIANTS)
+  target_compile_definitions(soarbox_options INTERFACE SOARBOX_CHECK_INVARIANTS)
+endif()
+find_package(Threads REQUIRED)
+target_link_libraries(soarbox_options INTERFACE Threads::Threads)
+
+# soarbox_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# A static library soarbox_NAME (alias soarbox::NAME) of the sources listed.
+function(soarbox_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(soarbox_${name} STATIC ${arg_SOURCES})
+  add_library(soarbox::${name} ALIAS soarbox_${name})
+  target_link_libraries(soarbox_${name} PUBLIC soarbox_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
+endfunction()
+
+# soarbox_test(NAME SOURCES file... [DEPENDS target...] [LABELS label...])
+# A GoogleTest program whose cases become tests of CTest.
+function(soarbox_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  if(NOT SOARBOX_TESTS)
+    return()
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE soarbox_options ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE SOARBOX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 120)
+endfunction()

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox {
+
+enum class Severity : std::uint8_t { kNote, kWarning, kError };
+
+/// What is wrong with something that a user wrote, where, and what to do about it.
+/// The command line, the panels and the JSON output all show this same struct.
+struct Diagnostic {
+  Severity severity = Severity::kError;
+  std::string file;      ///< As the user named it; empty for typed input.
+  int line = 0;          ///< From 1; 0 if unknown.
+  int column = 0;        ///< From 1; 0 if unknown.
+  std::string message;   ///< One sentence without a full stop: what is wrong.
+  std::string excerpt;   ///< The offending source line, if known.
+  int excerpt_length = 1;  ///< How many characters of the excerpt to underline.
+  std::string hint;      ///< What to do, if we can say: "did you mean <target>?".
+};
+
+/// "file:line:column: error: message", the excerpt with a caret line, "   note: hint".
+/// Ends with a newline. Parts that are unknown are left out.
+std::string Format(const Diagnostic& diagnostic);
+
+/// The candidate that a misspelt word most likely meant, by edit distance; empty if none is near.
+std::string_view Suggest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace soarbox

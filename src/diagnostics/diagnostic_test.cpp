@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "diagnostics/diagnostic.h"
+
+#include <gtest/gtest.h>
+
+namespace soarbox {
+namespace {
+
+TEST(Diagnostic, ShowsThePlaceTheLineAndACaretUnderTheToken) {
+  Diagnostic diagnostic;
+  diagnostic.file = "scout.soar";
+  diagnostic.line = 14;
+  diagnostic.column = 5;
+  diagnostic.message = "variable <t> is not bound";
+  diagnostic.excerpt = "(<s> <t>)";
+  diagnostic.column = 6;
+  diagnostic.excerpt_length = 3;
+  diagnostic.hint = "did you mean <target>?";
+  EXPECT_EQ(Format(diagnostic),
+            "scout.soar:14:6: error: variable <t> is not bound\n"
+            "   (<s> <t>)\n"
+            "        ^~~\n"
+            "   note: did you mean <target>?\n");
+}
+
+TEST(Diagnostic, LeavesOutWhatIsUnknown) {
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::kWarning;
+  diagnostic.message = "no display";
+  EXPECT_EQ(Format(diagnostic), "warning: no display\n");
+}
+
+TEST(Suggest, FindsTheNearMissAndStaysSilentOnStrangers) {
+  EXPECT_EQ(Suggest("pirnt", {"print", "preferences", "run"}), "print");
+  EXPECT_EQ(Suggest("xyzzy", {"print", "preferences", "run"}), "");
+}
+
+}  // namespace
+}  // namespace soarbox
