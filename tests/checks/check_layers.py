@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-2-Clause
+"""Checks that includes follow the module order of docs/architecture.md.
+
+usage: check_layers.py SOURCE_DIR
+
+Every module may include itself and the modules listed for it; libraries that belong to one module only
+(Ogre, ImGui, SDL: viewer; Bullet: world; Lua: script) may be included nowhere else. Exit status 1 names each offence.
+"""
+import pathlib
+import re
+import sys
+
+ALLOWED = {
+    "diagnostics": set(),
+    "kernel": {"diagnostics"},
+    "cli": {"diagnostics", "kernel"},
+    "sml": {"diagnostics", "kernel", "cli"},
+    "world": {"diagnostics"},
+    "script": {"diagnostics", "world"},
+    # sim reaches the kernel through the public client API only, so that an official Soar can take its place.
+    "sim": {"diagnostics", "world", "script"},
+    "record": {"diagnostics", "world", "script", "sim"},
+    "debugger": {"diagnostics", "world", "sim", "record"},
+    "viewer": {"diagnostics", "world", "sim", "record", "debugger"},
+    "app": {"diagnostics", "kernel", "cli", "sml", "world", "script", "sim", "record", "debugger", "viewer"},
+}
+ONLY_IN = {
+    re.compile(r"^(Ogre|OGRE/|imgui|SDL)"): {"viewer"},
+    re.compile(r"^(bt[A-Z]|bullet/|Bullet|LinearMath/)"): {"world"},
+    re.compile(r"^(lua|lauxlib|lualib)"): {"script"},
+    re.compile(r"^(asio|pugixml)"): {"sml"},
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def offences(root):
+    for path in sorted(root.rglob("*")):
+        if path.suffix not in {".h", ".cpp"}:
+            continue
+        module = path.relative_to(root).parts[0]
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            target = match.group(1)
+            first = target.split("/")[0]
+            if first in ALLOWED and "/" in target and first != module and first not in ALLOWED[module]:
+                yield f"{path}:{number}: {module} may not include {first} ({target})"
+            for pattern, owners in ONLY_IN.items():
+                if pattern.match(target) and module not in owners:
+                    yield f"{path}:{number}: only {', '.join(sorted(owners))} may include {target}"
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print(__doc__)
+        return 2
+    found = list(offences(pathlib.Path(arguments[0])))
+    print("\n".join(found) or "all includes follow the module order")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
