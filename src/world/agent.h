@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "world/agent_motion.h"
+#include "world/ids.h"
+#include "world/math.h"
+#include "world/path.h"
+#include "world/random.h"
+#include "world/settings.h"
+#include "world/steer_wander.h"
+
+namespace soarbox::world {
+
+class AgentStore;
+class PhysicsWorld;
+enum class BodyId : std::uint32_t;
+
+/// Who an agent is; what it is made of comes from AgentDefaults.
+struct AgentDef {
+  std::string name;    ///< Shown in labels; "agent-<id>" if empty.
+  std::string kind;    ///< "lua", "soar seeking", ...
+  std::string script;  ///< File name of its body script.
+  AgentDefaults defaults;
+};
+
+/// One agent: an upright capsule that physics moves but never turns, and the properties that scripts read and write.
+///
+/// Owned by the World and never destroyed before it; found by id (World::FindAgent). Position is the centre of the
+/// capsule: the feet are at y - height / 2. All getters are current, also in the middle of a tick. Values that are not
+/// finite are refused (the setter returns false and changes nothing); sizes and positions are limited to what the
+/// physics can bear. Owned and touched by the simulation's thread only.
+class Agent {
+ public:
+  Agent(const Agent&) = delete;
+  Agent& operator=(const Agent&) = delete;
+
+  EntityId id() const { return id_; }
+  /// Its scene node: parent of its looks. Follows the body when World::SyncAgent is called.
+  NodeId node() const { return node_; }
+  const std::string& name() const { return name_; }
+  void set_name(std::string name) { name_ = std::move(name); }
+  const std::string& kind() const { return kind_; }
+  const std::string& script() const { return script_; }
+  /// The agent's own random stream, seeded from the world's seed and the agent's id.
+  RandomStream& random() { return random_; }
+
+  // Motion.
+  Vec3 Position() const { return motion().position; }
+  /// Moves body and node; the velocity stays.
+  bool SetPosition(Vec3 position);
+  Vec3 Forward() const { return motion().forward; }
+  Vec3 Left() const { return motion().left; }
+  Vec3 Up() const { return motion().up; }
+  Quat Orientation() const { return motion().orientation; }
+  /// Faces along forward (any length; may tilt). Zero and vertical vectors are refused.
+  bool SetForward(Vec3 forward);
+  /// m/s, vertical part included. Without a body: forward times the stored speed.
+  Vec3 Velocity() const { return motion().velocity; }
+  /// Without a body it only stores the horizontal speed.
+  bool SetVelocity(Vec3 velocity);
+  /// Horizontal speed in m/s.
+  float Speed() const { return motion().speed; }
+  /// Has no effect while the agent has a body.
+  bool SetSpeed(float speed);
+  /// Position after that many seconds (at least 0) at the present velocity.
+  Vec3 PredictFuturePosition(float seconds) const;
+  /// Newtons at the centre of mass, for the next step only; forces add up. Ignored without a body.
+  bool ApplyForce(Vec3 force_n);
+  /// Removes the body for good: nothing touches or moves the agent any more but SetPosition and SetForward.
+  void RemovePhysics();
+  bool HasBody() const;
+
+  // Properties. Lengths, speeds and forces are clamped to >= 0.
+  float Height() const { return height_m_; }
+  /// Rebuilds the capsule about the same centre: velocity and forces are lost.
+  bool SetHeight(float height_m);
+  float Radius() const { return motion().radius; }
+  /// Rebuilds the capsule likewise.
+  bool SetRadius(float radius_m);
+  float Mass() const { return mass_kg_; }
+  /// The body gets max(0, mass); 0 makes it immovable.
+  bool SetMass(float mass_kg);
+  float MaxForce() const { return max_force_n_; }
+  bool SetMaxForce(float newtons);
+  /// Not enforced: scripts clamp the velocity themselves.
+  float MaxSpeed() const { return max_speed_mps_; }
+  bool SetMaxSpeed(float mps);
+  float Health() const { return health_; }
+  /// Not clamped; health <= 0 makes others stop avoiding the agent, nothing else.
+  bool SetHealth(float health);
+  const std::string& Team() const { return team_; }
+  void SetTeam(std::string_view team) { team_ = team; }
+  Vec3 Target() const { return target_; }
+  bool SetTarget(Vec3 target);
+  float TargetRadius() const { return target_radius_m_; }
+  bool SetTargetRadius(float metres);
+  /// The agent that this one follows; kNoEntity if none.
+  EntityId Leader() const { return leader_; }
+  void SetLeader(EntityId leader) { leader_ = leader; }
+
+  // What its mind is about, for labels and panels only.
+  const std::string& LastCommand() const { return last_command_; }
+  void SetLastCommand(std::string_view command) { last_command_ = command; }
+  bool Failed() const { return failed_; }
+  void SetFailed(bool failed) { failed_ = failed; }
+
+  // Path.
+  /// The tube's radius is the agent's radius at this moment. Points that are not finite are skipped.
+  void SetPath(std::span<const Vec3> points, bool cyclic);
+  /// HasPath becomes false, but the path forces keep steering along the old points (spec 17, quirk 5).
+  void RemovePath() { has_path_ = false; }
+  bool HasPath() const { return has_path_; }
+  /// Points for scripts: empty if HasPath is false.
+  std::span<const Vec3> PathPoints() const;
+  /// These three: nothing without a path or with a path of no points.
+  std::optional<Vec3> NearestPointOnPath(Vec3 point) const;
+  std::optional<float> DistanceAlongPath(Vec3 point) const;
+  std::optional<Vec3> PointOnPath(float distance_m) const;
+
+  // Steering (spec 7). Each returns a vector to be scaled by the caller, none is limited to MaxForce unless said so.
+  // Look-ahead times are raised to at least 0.1 s.
+  static constexpr float kDefaultLookAhead_s = 0.1f;
+  Vec3 ForceToPosition(Vec3 target) const;
+  Vec3 ForceToFleePosition(Vec3 danger) const;
+  /// Seeks (flees) where the quarry will be after the time needed to reach it, at most max_prediction_s ahead.
+  Vec3 ForceToPursue(EntityId quarry, float max_prediction_s) const;
+  Vec3 ForceToEvade(EntityId menace, float max_prediction_s) const;
+  /// Along forward, limited to MaxForce.
+  Vec3 ForceToTargetSpeed(float speed_mps) const;
+  /// Draws two numbers from the agent's stream. The sandbox hands over milliseconds, which saturates (quirk 4).
+  Vec3 ForceToWander(float delta);
+  Vec3 ForceToFollowPath(float look_ahead_s = kDefaultLookAhead_s) const;
+  Vec3 ForceToStayOnPath(float look_ahead_s = kDefaultLookAhead_s) const;
+  Vec3 ForceToAvoidAgents(float look_ahead_s = kDefaultLookAhead_s) const;
+  Vec3 ForceToAvoidObjects(float look_ahead_s = kDefaultLookAhead_s) const;
+  /// Group forces: unit vectors, or zero without neighbours. The agent itself and unknown ids are skipped. Handing over
+  /// World::AgentIds() itself (not a copy) lets short distances use the spatial index; the result is the same.
+  Vec3 ForceToSeparate(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
+  Vec3 ForceToCombine(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
+  Vec3 ForceToAlign(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
+
+ private:
+  friend class AgentStore;
+  friend class World;
+  Agent(AgentStore& store, EntityId id, NodeId node, std::size_t index, const AgentDef& def, std::uint64_t seed);
+
+  AgentMotion& motion();
+  const AgentMotion& motion() const;
+  void MoveNode();
+  void RebuildBody();
+  Vec3 GroupForce(int kind, float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
+
+  AgentStore& store_;
+  EntityId id_;
+  NodeId node_;
+  std::size_t index_;
+  BodyId body_;
+  std::string name_, kind_, script_;
+  RandomStream random_;
+  float height_m_, mass_kg_, max_force_n_, max_speed_mps_, health_, target_radius_m_;
+  Vec3 target_;
+  std::string team_ = "team1";
+  EntityId leader_ = kNoEntity;
+  std::string last_command_;
+  bool failed_ = false;
+  bool has_path_ = false;
+  Path path_;
+  WanderState wander_;
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace soarbox::world {
+
+/// The sandbox itself (0), an agent or an object. Agents and objects draw from one counter that starts at 1 and never
+/// gives a number twice; scripts see the number.
+enum class EntityId : std::uint32_t { kSandbox = 0 };
+inline constexpr EntityId kNoEntity{0xffffffffu};
+
+/// A node of the scene tree. Numbers are never given twice; scripts see handles only.
+enum class NodeId : std::uint32_t { kNone = 0, kRoot = 1 };
+
+/// A user-interface component. Numbers are never given twice.
+enum class UiId : std::uint32_t { kNone = 0 };
+
+inline constexpr std::uint32_t Number(EntityId id) { return static_cast<std::uint32_t>(id); }
+inline constexpr std::uint32_t Number(NodeId id) { return static_cast<std::uint32_t>(id); }
+inline constexpr std::uint32_t Number(UiId id) { return static_cast<std::uint32_t>(id); }
+
+}  // namespace soarbox::world

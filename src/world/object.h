@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "world/ids.h"
+#include "world/math.h"
+
+namespace soarbox::world {
+
+class PhysicsWorld;
+class Scene;
+enum class BodyId : std::uint32_t;
+
+/// Shapes that objects come in. Sizes: see World::Create*.
+enum class ObjectKind : std::uint8_t { kBox, kCapsule, kPlane, kMesh, kPhysicsCapsule, kPhysicsSphere };
+
+/// One sandbox object: a body and a scene node that wears its looks (empty for the physics-only kinds).
+///
+/// Owned by the World; found by id (World::FindObject), gone after World::RemoveObject and the next BeginTick. Made at
+/// the origin, 1 kg, dynamic (planes: fixed). Mass 0 means fixed: it does not move but collides and can be teleported.
+/// Each setter and force wakes the body. Values that are not finite are refused: the call returns false and changes
+/// nothing.
+class Object {
+ public:
+  Object(const Object&) = delete;
+  Object& operator=(const Object&) = delete;
+
+  EntityId id() const { return id_; }
+  NodeId node() const { return node_; }
+  ObjectKind kind() const { return kind_; }
+
+  /// World position of the centre of mass (meshes: of the mesh's origin).
+  Vec3 Position() const;
+  /// Moves body and node at once; the velocity stays.
+  bool SetPosition(Vec3 position);
+  Quat Orientation() const;
+  bool SetOrientation(Quat orientation);
+  Vec3 Velocity() const;
+  bool SetVelocity(Vec3 velocity);
+  Vec3 AngularVelocity() const;
+  bool SetAngularVelocity(Vec3 radians_per_s);
+
+  /// kg; 0 for fixed bodies.
+  float Mass() const;
+  /// Negative counts as 0. Recomputes the inertia; 0 makes the body fixed, a positive value dynamic again.
+  bool SetMass(float mass_kg);
+  /// m/s^2; takes the place of the world's gravity for this object.
+  bool SetGravity(Vec3 gravity);
+  /// Fractions 0..1 of velocity lost per second.
+  bool SetDamping(float linear, float angular);
+
+  /// Newtons at the centre of mass, for the next step only; forces add up.
+  bool ApplyForce(Vec3 force_n);
+  /// The sandbox's impulse is such a force for one step (spec 17, quirk 1): 15000 on 15 kg gives 33.3 m/s.
+  bool ApplyImpulse(Vec3 force_n) { return ApplyForce(force_n); }
+  /// N m s; changes the angular velocity at once.
+  bool ApplyAngularImpulse(Vec3 impulse);
+
+  /// Half the diagonal of the body's axis-aligned bounding box, collision margins included; huge for a plane.
+  float Radius() const;
+  bool IsSleeping() const;
+  /// RemoveObject was called; it goes at the next BeginTick.
+  bool removal_requested() const { return removal_requested_; }
+
+ private:
+  friend class World;
+  Object(PhysicsWorld& physics, Scene& scene, EntityId id, NodeId node, ObjectKind kind, BodyId body)
+      : physics_(physics), scene_(scene), id_(id), node_(node), kind_(kind), body_(body) {}
+  void MoveNode();
+
+  PhysicsWorld& physics_;
+  Scene& scene_;
+  EntityId id_;
+  NodeId node_;
+  ObjectKind kind_;
+  BodyId body_;
+  bool removal_requested_ = false;
+};
+
+}  // namespace soarbox::world

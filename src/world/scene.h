@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/ids.h"
+#include "world/math.h"
+#include "world/media_catalog.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::world {
+
+/// The scene tree: what there is to see and where. The sandbox is the root; each agent and each object has a node of
+/// its own under the root, and scripts hang more under any node.
+///
+/// Each node has a transform relative to its parent and at most one content: a drawable, a ring, a light or a particle
+/// emitter. Calls with an unknown node return NodeId::kNone, false or nothing and change nothing; so do values that are
+/// not finite. Sizes below 0 count as 0. Meshes, materials and templates that the catalog does not know get a visible
+/// stand-in and are reported by the catalog, once per name.
+class Scene {
+ public:
+  explicit Scene(MediaCatalog& catalog);
+  ~Scene();
+
+  // Creation: a new child of parent, at the parent's origin, of material "White" unless it is a mesh.
+  /// Nothing to see. owner: the agent or object that this node and the nodes below it belong to.
+  NodeId CreateEmpty(NodeId parent, EntityId owner, bool owner_is_agent);
+  /// Centred box; width along x, height along y, length along z.
+  NodeId CreateBox(NodeId parent, float width_m, float height_m, float length_m, float u_tile = 1, float v_tile = 1);
+  /// Upright, centred; height is the total height.
+  NodeId CreateCapsule(NodeId parent, float height_m, float radius_m);
+  /// A thin horizontal ring.
+  NodeId CreateCircle(NodeId parent, float radius_m);
+  /// Upright; its base is at the node's origin.
+  NodeId CreateCylinder(NodeId parent, float height_m, float radius_m);
+  /// A thin cylinder from one point to another, in parent space.
+  NodeId CreateLine(NodeId parent, Vec3 from, Vec3 to);
+  NodeId CreateMesh(NodeId parent, std::string_view mesh);
+  /// Horizontal, facing up; length along z, width along x; the texture repeats every 2 m.
+  NodeId CreatePlane(NodeId parent, float length_m, float width_m);
+  NodeId CreateParticle(NodeId parent, std::string_view template_name);
+  /// Direction in parent space; the way that the light goes.
+  NodeId CreateDirectionalLight(NodeId parent, Vec3 direction);
+  /// The node is placed at position (parent space); range 30 m.
+  NodeId CreatePointLight(NodeId parent, Vec3 position);
+
+  /// Destroys the node and all below it. The root and the nodes of agents and objects cannot be removed this way.
+  bool Remove(NodeId node);
+  bool Contains(NodeId node) const;
+
+  // Transforms, relative to the parent.
+  Vec3 Position(NodeId node) const;
+  Quat Orientation(NodeId node) const;
+  bool SetPosition(NodeId node, Vec3 position);
+  bool SetOrientation(NodeId node, Quat orientation);
+  bool SetScale(NodeId node, Vec3 scale);
+  // In world space.
+  Vec3 WorldPosition(NodeId node) const;
+  Quat WorldOrientation(NodeId node) const;
+  /// Half the diagonal of the world-space bounding box of the node and all below it; 0 if there is nothing to see.
+  float Radius(NodeId node) const;
+
+  // Looks.
+  /// The material of the drawable that is attached to the node itself.
+  bool SetMaterial(NodeId node, std::string_view material);
+  bool IsVisible(NodeId node) const;
+  /// Applies to the node and all below it.
+  bool SetVisible(NodeId node, bool visible);
+  /// False if the node is not a line.
+  bool SetLineStartEnd(NodeId node, Vec3 from, Vec3 to);
+
+  // Lights; false if the node is none. Colours may exceed 1.
+  bool SetLightDiffuse(NodeId node, Vec3 color);
+  bool SetLightSpecular(NodeId node, Vec3 color);
+  /// Attenuation: constant 1, linear 4.5 / range, quadratic 75 / range^2.
+  bool SetLightRange(NodeId node, float range_m);
+
+  // Particles; false if the node is no emitter.
+  /// Plays the effect again from its start.
+  bool ResetParticle(NodeId node);
+  /// In the node's space; turns emission on.
+  bool SetParticleDirection(NodeId node, Vec3 direction);
+
+  // The whole.
+  void SetAmbient(Vec3 color);
+  Vec3 ambient() const { return ambient_; }
+  /// An unknown sky gives a plain one, and a warning. Replaces any earlier sky.
+  void SetSky(std::string_view name, Vec3 rotation_deg);
+
+  /// Adds drawables, lights and particles, and ambient light and sky.
+  void FillSnapshot(SceneSnapshot& snapshot) const;
+
+ private:
+  friend class World;
+  struct Node;
+
+  NodeId Add(NodeId parent, Node node);
+  Node* Find(NodeId node);
+  const Node* Find(NodeId node) const;
+  void RemoveTree(NodeId node);
+  void RemoveOwned(NodeId node);
+  void PlaceWorldNode(NodeId node, Vec3 position, Quat orientation);
+
+  MediaCatalog& catalog_;
+  std::map<NodeId, Node> nodes_;
+  std::uint32_t next_ = 1;
+  Vec3 ambient_;
+  std::string sky_;
+  Vec3 sky_rotation_deg_;
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "world/math.h"
+
+namespace soarbox::world {
+
+/// Everything that there is to see at the end of one tick, as plain data: what the viewer draws and the recording
+/// keeps. Whoever takes a snapshot owns it; nothing in it points into the world. Ids stay the same from tick to tick,
+/// so that a reader can keep what it built for an id.
+struct Color {
+  float r = 1, g = 1, b = 1, a = 1;
+  friend bool operator==(Color x, Color y) = default;
+};
+
+enum class ShapeKind : std::uint8_t {
+  // All shapes are centred at the drawable's position; a mesh has its own origin there.
+  kMesh,     ///< A named resource, "models/nobiax_modular/modular_block.mesh".
+  kBox,      ///< size = full extents in m.
+  kCapsule,  ///< Upright; size.x = radius, size.y = total height in m.
+  kCylinder, ///< Upright; size.x = radius, size.y = height in m.
+  kPlane,    ///< Horizontal, facing up; size.x by size.z m.
+  kSphere,   ///< size.x = radius in m.
+};
+
+/// One drawable thing, in world coordinates.
+struct DrawableSnapshot {
+  std::uint32_t id = 0;           ///< Unique among drawables for the life of the world.
+  std::uint32_t owner_id = 0;     ///< The sandbox object or agent that it belongs to.
+  bool belongs_to_agent = false;
+  ShapeKind shape = ShapeKind::kMesh;
+  std::string mesh;               ///< For kMesh only.
+  std::string material;           ///< Empty: the shape's or mesh's own.
+  Vec3 size;                      ///< See ShapeKind.
+  Vec3 texture_repeats{1, 1, 1};
+  Vec3 position;
+  Quat orientation;
+  Vec3 scale{1, 1, 1};
+  bool visible = true;
+};
+
+enum class LightKind : std::uint8_t { kDirectional, kPoint };
+
+struct LightSnapshot {
+  std::uint32_t id = 0;
+  LightKind kind = LightKind::kDirectional;
+  Vec3 position;             ///< Point lights.
+  Vec3 direction{0, -1, 0};  ///< Directional lights; the way that the light goes.
+  Vec3 diffuse{1, 1, 1};     ///< May exceed 1.
+  Vec3 specular{0, 0, 0};
+  float range_m = 0;         ///< Point lights; 0 = unlimited.
+  float attenuation[3] = {1, 0, 0};  ///< Point lights: constant, linear, quadratic.
+  bool casts_shadows = true;
+};
+
+/// A line that lasts for this tick only.
+struct LineSnapshot {
+  Vec3 from, to;
+  Color color;
+};
+
+/// A filled, translucent triangle of debug drawing that lasts for this tick only. Seen from both sides.
+struct TriangleSnapshot {
+  Vec3 a, b, c;
+  Color color;
+};
+
+/// A particle emitter made from a named template.
+struct ParticleSnapshot {
+  std::uint32_t id = 0;
+  std::string effect;       ///< "Bullet", "BulletImpact"; empty: unknown to the catalog, draw nothing.
+  Vec3 position;
+  Quat orientation;
+  bool has_direction = false;
+  Vec3 direction{0, 0, 1};  ///< World space; only if has_direction, else the template's own.
+  std::uint32_t restarts = 0;  ///< The effect plays from its start when this number changes.
+  bool visible = true;
+};
+
+/// An agent, for labels, picking and panels.
+struct AgentSnapshot {
+  std::uint32_t id = 0;
+  std::string name;
+  std::string kind;          ///< "lua", "soar seeking", ...
+  std::string script;        ///< File name of its body script.
+  Vec3 position;
+  Vec3 velocity;             ///< m/s
+  Vec3 forward{0, 0, 1};
+  float radius_m = 0.5f;
+  float height_m = 2.0f;
+  float health = 100;
+  bool alive = true;
+  std::string last_command;  ///< What its mind last said; empty for agents without one.
+  bool failed = false;       ///< Its script stopped on an error.
+};
+
+enum class UiFont : std::uint8_t { kSmall, kSmallMono, kMedium, kMediumMono, kLarge, kLargeMono };
+
+/// A two-dimensional box of text on the screen, with an optional gradient behind it. Pixels, origin top left.
+struct UiSnapshot {
+  std::uint32_t id = 0;
+  std::uint32_t parent_id = 0;  ///< 0: placed on the screen, else relative to the parent.
+  int layer = 0;
+  float x = 0, y = 0, width = 0, height = 0;
+  float margin_left = 0, margin_top = 0;
+  bool visible = true;
+  bool has_gradient = false;
+  bool gradient_is_vertical = true;
+  Color gradient_from, gradient_to;
+  UiFont font = UiFont::kSmall;
+  Color text_color;
+  bool is_markup = false;  ///< The text holds the sandbox's markup: %0..%9 colours, @nn fonts (spec: UI.SetMarkupText).
+  std::string text;
+  /// An image or material name, if any.
+  std::string material;
+  std::string caption;  ///< A plain text besides a markup text; empty unless the component has both.
+  bool gradient_is_diagonal = false;  ///< From the top left to the bottom right; gradient_is_vertical does not count then.
+  bool in_world = false;  ///< A panel in the world: 1 px = 0.005 m, x to its right, y down, facing its +z.
+  Vec3 world_position;    ///< Of the panel's top left corner; only if in_world.
+  Quat world_orientation;
+};
+
+struct CameraSnapshot {
+  Vec3 position{0, 5, 0};
+  Quat orientation;               ///< Looks along its -z.
+  float vertical_fov_deg = 45;
+};
+
+struct SceneSnapshot {
+  std::uint64_t tick = 0;
+  double time_s = 0;
+  std::vector<DrawableSnapshot> drawables;  ///< In creation order.
+  std::vector<LightSnapshot> lights;
+  std::vector<AgentSnapshot> agents;        ///< In creation order.
+  std::vector<UiSnapshot> ui;               ///< In creation order.
+  std::vector<LineSnapshot> lines;          ///< Debug lines of this tick, physics debug included if switched on.
+  std::vector<TriangleSnapshot> triangles;  ///< Debug fills of this tick.
+  std::vector<ParticleSnapshot> particles;  ///< In creation order.
+  /// What %0 to %9 mean in markup texts.
+  std::array<Color, 10> markup_palette{};
+  Vec3 ambient{0.5f, 0.5f, 0.5f};
+  std::string sky;                          ///< Name of the sky, "ThickCloudsWaterSkyBox"; empty: plain.
+  Vec3 sky_rotation_deg;
+  CameraSnapshot camera;                    ///< Where the scripts want it; `camera_moves` counts their orders.
+  std::uint32_t camera_moves = 0;           ///< The viewer takes the camera over when this number changes.
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "world/ids.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::world {
+
+/// Pixels; origin top left, y down.
+struct UiPoint {
+  float x = 0, y = 0;
+};
+
+enum class UiGradient : std::uint8_t { kNorthSouth, kWestEast, kDiagonal };
+
+/// The user-interface components of scripts: boxes with a background, a plain caption and a markup text (spec 10). Data
+/// only; whoever draws lays the text out. Calls with an unknown component return false or nothing.
+class Ui {
+ public:
+  Ui();
+
+  /// Layers 0 (lowest) to 15; others give UiId::kNone.
+  UiId Create(int layer);
+  /// A panel in the world: 1 px = 0.005 m, facing +z of its rotation.
+  UiId CreateInWorld(Vec3 position);
+  /// Same layer; placed relative to the parent, whose visibility it does not share.
+  UiId CreateChild(UiId parent);
+  bool Contains(UiId id) const { return components_.count(id) != 0; }
+
+  /// Relative to the parent.
+  UiPoint Position(UiId id) const;
+  /// The parent's screen position; (0, 0) at the top level.
+  UiPoint OffsetPosition(UiId id) const;
+  UiPoint ScreenPosition(UiId id) const;
+  UiPoint Dimensions(UiId id) const;
+  /// x = left, y = top.
+  UiPoint TextMargin(UiId id) const;
+  const std::string& Text(UiId id) const;
+  const std::string& MarkupText(UiId id) const;
+  UiFont Font(UiId id) const;
+  bool IsVisible(UiId id) const;
+
+  bool SetPosition(UiId id, float x, float y);
+  bool SetDimensions(UiId id, float width, float height);
+  bool SetTextMargin(UiId id, float top, float left);
+  bool SetText(UiId id, std::string_view text);
+  bool SetMarkupText(UiId id, std::string_view text);
+  bool SetFont(UiId id, UiFont font);
+  bool SetFontColor(UiId id, Color color);
+  /// A flat background; channels are clamped to 0..1. Replaces a gradient.
+  bool SetBackgroundColor(UiId id, Color color);
+  /// Replaces a flat background.
+  bool SetGradientColor(UiId id, UiGradient direction, Color from, Color to);
+  bool SetVisible(UiId id, bool visible);
+  /// Components in the world only; others return false.
+  bool SetWorldPosition(UiId id, Vec3 position);
+  bool SetWorldOrientation(UiId id, Quat orientation);
+
+  /// The palette of the markup's colours 0..9. Indices outside are ignored, and read as white.
+  void SetMarkupColor(int index, Color color);
+  Color MarkupColor(int index) const;
+
+  /// "small", "small_mono", "medium", "medium_mono", "large", "large_mono"; nothing for other names.
+  static std::optional<UiFont> FontByName(std::string_view name);
+  static std::string_view FontName(UiFont font);
+
+  void FillSnapshot(SceneSnapshot& snapshot) const;
+
+ private:
+  struct Component {
+    UiSnapshot view;
+    std::string caption;
+    std::string markup;
+  };
+  Component* Find(UiId id);
+  const Component* Find(UiId id) const;
+  UiId Add(Component component);
+
+  std::map<UiId, Component> components_;
+  std::array<Color, 10> palette_;
+  std::uint32_t next_ = 1;
+};
+
+}  // namespace soarbox::world

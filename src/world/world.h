@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+#include "world/agent.h"
+#include "world/camera.h"
+#include "world/collision.h"
+#include "world/debug_draw.h"
+#include "world/ids.h"
+#include "world/media_catalog.h"
+#include "world/object.h"
+#include "world/random.h"
+#include "world/scene.h"
+#include "world/scene_snapshot.h"
+#include "world/settings.h"
+#include "world/ui.h"
+
+namespace soarbox::world {
+
+/// The physical world of one sandbox: bodies, agents, scene, user interface, camera. It knows neither scripts nor minds.
+///
+/// One tick, in the order of spec 1.3:
+///   1. BeginTick(): time advances, debug lines of the last tick vanish, removed objects go.
+///   2. The caller delivers events, then updates each agent in creation order, each followed by SyncAgent().
+///   3. Step(): the nodes of objects follow their bodies, physics advances, collisions are gathered.
+///   4. The caller handles Collisions() and lets the sandbox update.
+///   5. Snapshot(), Hash(): what there is to see, and its hash.
+///
+/// Deterministic: the same settings and the same calls give the same state, bit for bit. A world belongs to one thread
+/// at a time; separate worlds may run on separate threads.
+class World {
+ public:
+  explicit World(const WorldSettings& settings = {});
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  const WorldSettings& settings() const;
+
+  // Time.
+  /// Ticks begun so far.
+  std::uint64_t tick() const;
+  /// Whole milliseconds per tick as scripts are told: 33 for 1/30 s.
+  int step_millis() const;
+  /// tick() times step_millis(): the scripts' clock.
+  std::uint64_t time_millis() const;
+  /// Returns the objects that went, in ascending id, so that callers can drop what they keep about them.
+  std::vector<EntityId> BeginTick();
+  /// The agent's node follows its body.
+  void SyncAgent(EntityId agent);
+  void Step();
+  /// The collisions of the last step.
+  std::span<const Collision> Collisions() const;
+  /// Hash of all that decides the future of the bodies, agents and random streams. The same on every run of one build.
+  std::uint64_t Hash() const;
+  RandomStream& random();
+
+  // Agents: never destroyed.
+  /// Made at the origin with a capsule body, half inside a floor at y = 0; physics lifts it.
+  EntityId CreateAgent(const AgentDef& def);
+  /// Null for unknown ids and ids of objects. Stays valid for the life of the world.
+  Agent* FindAgent(EntityId id);
+  const Agent* FindAgent(EntityId id) const;
+  /// In creation order. The span is invalid after the next CreateAgent.
+  std::span<const EntityId> AgentIds() const;
+
+  // Objects.
+  EntityId CreateBox(float width_m, float height_m, float length_m, float u_tile = 1, float v_tile = 1);
+  EntityId CreateCapsule(float height_m, float radius_m);
+  /// A mesh of the catalog with a body of its size. Unknown meshes: a box of 1 m and a warning.
+  EntityId CreateObject(std::string_view mesh);
+  /// A visible plane of that size on an infinite, fixed half-space.
+  EntityId CreatePlane(float length_m, float width_m);
+  /// Bodies without looks.
+  EntityId CreatePhysicsCapsule(float height_m, float radius_m);
+  EntityId CreatePhysicsSphere(float radius_m);
+  /// Null for unknown ids, ids of agents and objects that are gone.
+  Object* FindObject(EntityId id);
+  const Object* FindObject(EntityId id) const;
+  /// In ascending id, objects that wait for removal included. The span is invalid after the next creation or BeginTick.
+  std::span<const EntityId> ObjectIds() const;
+  /// The object goes at the next BeginTick; until then it still collides. Asking again is harmless. False if unknown.
+  bool RemoveObject(EntityId id);
+
+  /// The node of the sandbox, an agent or an object, as parent for Scene::Create*; kNone for unknown ids.
+  NodeId NodeOf(EntityId id) const;
+  /// The first body on the segment, agents and fixed bodies included; a body around its start is not hit.
+  std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
+
+  // Parts.
+  Scene& scene();
+  const Scene& scene() const;
+  Ui& ui();
+  Camera& camera();
+  DebugDraw& debug();
+  MediaCatalog& catalog();
+
+  // Screen, in pixels: at least 1 each.
+  int screen_width() const;
+  int screen_height() const;
+  void SetScreenSize(int width_px, int height_px);
+
+  /// Wireframes and bounding boxes of all bodies in the snapshot's lines.
+  void SetDrawPhysics(bool draw);
+  bool draw_physics() const;
+
+  /// Warnings since the last call (unknown meshes, materials, ...), each once per name.
+  std::vector<Diagnostic> TakeWarnings();
+
+  SceneSnapshot Snapshot() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace soarbox::world
