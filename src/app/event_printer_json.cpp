@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/event_printer.h"
+
+namespace soarbox::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(const world::Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json ToJson(const Diagnostic& diagnostic) {
+  static constexpr const char* kSeverities[] = {"note", "warning", "error"};
+  Json json;
+  json["severity"] = kSeverities[static_cast<int>(diagnostic.severity)];
+  if (!diagnostic.file.empty()) json["file"] = diagnostic.file;
+  if (diagnostic.line > 0) json["line"] = diagnostic.line;
+  if (diagnostic.column > 0) json["column"] = diagnostic.column;
+  json["message"] = diagnostic.message;
+  if (!diagnostic.excerpt.empty()) json["excerpt"] = diagnostic.excerpt;
+  if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
+  return json;
+}
+
+const char* NameOf(sim::EventKind kind) {
+  switch (kind) {
+    case sim::EventKind::kAgentCreated: return "agent";
+    case sim::EventKind::kCommand: return "command";
+    case sim::EventKind::kGap: return "gap";
+    case sim::EventKind::kLog: return "log";
+    case sim::EventKind::kDiagnostic: return "diagnostic";
+    case sim::EventKind::kAgentFailed: return "failed";
+    case sim::EventKind::kMindLost: return "lost";
+  }
+  return "unknown";
+}
+
+class JsonPrinter : public EventPrinter {
+ public:
+  explicit JsonPrinter(std::ostream& out) : out_(out) {}
+
+  void Begin(const RunHeader& header) override {
+    Json json;
+    json["event"] = "begin";
+    json["scenario"] = header.scenario;
+    json["seed"] = header.seed;
+    json["headless"] = header.headless;
+    Write(json);
+  }
+
+  void Print(const sim::Event& event) override {
+    Json json;
+    json["event"] = NameOf(event.kind);
+    json["tick"] = event.tick;
+    json["time"] = event.time_s;
+    if (!event.agent.empty()) json["agent"] = event.agent;
+    switch (event.kind) {
+      case sim::EventKind::kCommand:
+        json["command"] = event.text;
+        json["distance"] = event.perceived;
+        json["position"] = ToJson(event.position);
+        break;
+      case sim::EventKind::kDiagnostic:
+      case sim::EventKind::kAgentFailed: json["diagnostic"] = ToJson(event.diagnostic); break;
+      default: json["text"] = event.text; break;
+    }
+    Write(json);
+  }
+
+  void Report(const world::SceneSnapshot& snapshot) override {
+    Json json;
+    json["event"] = "state";
+    json["tick"] = snapshot.tick;
+    json["time"] = snapshot.time_s;
+    json["agents"] = Json::array();
+    for (const world::AgentSnapshot& agent : snapshot.agents) {
+      Json entry;
+      entry["name"] = agent.name;
+      entry["kind"] = agent.kind;
+      entry["position"] = ToJson(agent.position);
+      entry["velocity"] = ToJson(agent.velocity);
+      entry["radius"] = agent.radius_m;
+      entry["health"] = agent.health;
+      if (!agent.last_command.empty()) entry["command"] = agent.last_command;
+      if (agent.failed) entry["failed"] = true;
+      json["agents"].push_back(std::move(entry));
+    }
+    Write(json);
+  }
+
+  void End(const RunFooter& footer) override {
+    Json json;
+    json["event"] = "end";
+    json["ticks"] = footer.ticks;
+    json["time"] = footer.time_s;
+    json["agents"] = footer.agents;
+    json["soar_agents"] = footer.soar_agents;
+    json["problems"] = footer.problems;
+    json["state"] = fmt::format("{:016x}", footer.state_hash);
+    Write(json);
+    out_.flush();
+  }
+
+ private:
+  // Scripts may print any bytes; what is not UTF-8 is replaced rather than refused.
+  void Write(const Json& json) { out_ << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n'; }
+
+  std::ostream& out_;
+};
+
+}  // namespace
+
+std::unique_ptr<EventPrinter> EventPrinter::MakeJson(std::ostream& out) { return std::make_unique<JsonPrinter>(out); }
+
+}  // namespace soarbox::app

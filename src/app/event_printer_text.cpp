@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/event_printer.h"
+
+namespace soarbox::app {
+namespace {
+
+class TextPrinter : public EventPrinter {
+ public:
+  TextPrinter(std::ostream& out, std::ostream& errors) : out_(out), errors_(errors) {}
+
+  void Begin(const RunHeader& header) override {
+    out_ << fmt::format("soarbox: scenario {}, seed {}{}\n", header.scenario, header.seed, header.headless ? ", headless" : "");
+  }
+
+  void Print(const sim::Event& event) override {
+    switch (event.kind) {
+      case sim::EventKind::kAgentCreated: Line(event, "joins: " + event.text); break;
+      case sim::EventKind::kCommand:
+        Line(event, fmt::format("{:<14} perceives distance {:.2f}, stands at ({:.1f}, {:.1f})", event.text, event.perceived,
+                                event.position.x, event.position.z));
+        break;
+      case sim::EventKind::kGap: Line(event, "no command: " + event.text); break;
+      case sim::EventKind::kLog: Line(event, event.text); break;
+      case sim::EventKind::kMindLost: Line(event, "paused: " + event.text); break;
+      case sim::EventKind::kAgentFailed: Line(event, "stops: its script failed"); [[fallthrough]];
+      case sim::EventKind::kDiagnostic:
+        // Flushed first, so that a problem stands where it happened also when both streams share a terminal.
+        out_.flush();
+        errors_ << Format(event.diagnostic);
+        break;
+    }
+  }
+
+  void Report(const world::SceneSnapshot& snapshot) override {
+    for (const world::AgentSnapshot& agent : snapshot.agents) {
+      sim::Event event;
+      event.time_s = snapshot.time_s;
+      event.agent = agent.name;
+      Line(event, fmt::format("at ({:7.2f}, {:6.2f}, {:7.2f})  {:5.2f} m/s  {}", agent.position.x, agent.position.y,
+                              agent.position.z, world::Length(agent.velocity), agent.last_command));
+    }
+  }
+
+  void End(const RunFooter& footer) override {
+    out_ << fmt::format("soarbox: {} ticks, {:.1f} s simulated, {} agents ({} of them Soar), {} problems, state {:016x}\n",
+                        footer.ticks, footer.time_s, footer.agents, footer.soar_agents, footer.problems, footer.state_hash);
+    out_.flush();
+  }
+
+ private:
+  void Line(const sim::Event& event, const std::string& text) {
+    out_ << fmt::format("{:8.2f} s  {:<14} {}\n", event.time_s, event.agent.empty() ? "sandbox" : event.agent, text);
+  }
+
+  std::ostream& out_;
+  std::ostream& errors_;
+};
+
+}  // namespace
+
+std::unique_ptr<EventPrinter> EventPrinter::MakeText(std::ostream& out, std::ostream& errors) {
+  return std::make_unique<TextPrinter>(out, errors);
+}
+
+}  // namespace soarbox::app
