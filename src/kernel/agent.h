@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
+#include "diagnostics/result.h"
 #include "kernel/base/ids.h"
+#include "kernel/base/random.h"
 #include "kernel/base/symbol_table.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation.h"
+#include "kernel/io/input_link.h"
+#include "kernel/io/output_link.h"
 #include "kernel/match/rete.h"
+#include "kernel/memory/working_memory.h"
 #include "kernel/memory/wme.h"
 #include "kernel/observer.h"
 #include "kernel/rules/production.h"
@@ -20,6 +29,10 @@
 /// reading); nothing else of the program includes kernel/ at all.
 namespace soarbox::kernel {
 
+struct Engine;
+struct ExplorationSettings;
+
+/// What `soar` sets. Changes hold from the next phase on.
 struct AgentSettings {
   int max_elaborations = 100;         ///< Per phase.
   int max_goal_depth = 100;
@@ -36,9 +49,200 @@ enum class StopReason : std::uint8_t { kCompleted, kInterrupted, kHalted, kLimit
 
 struct RunResult {
   StopReason reason = StopReason::kCompleted;
-  std::uint64_t decisions = 0;        ///< Decision cycles completed by this run.
+  std::uint64_t decisions = 0;        ///< Decision cycles (output phases) completed by this run.
   std::uint64_t elaborations = 0;
   std::uint64_t firings = 0;
+};
+
+/// Counted since the agent was made or initialised (init-soar), for `stats`. Plain numbers; reading is free.
+struct AgentCounters {
+  std::uint64_t decision_phases = 0;     ///< The number in the trace's decision lines.
+  std::uint64_t decision_cycles = 0;     ///< Output phases completed.
+  std::uint64_t elaborations = 0;
+  std::uint64_t inner_elaborations = 0;
+  std::uint64_t pe_elaborations = 0;
+  std::uint64_t firings = 0;
+  std::uint64_t wme_additions = 0;
+  std::uint64_t wme_removals = 0;
+  std::uint64_t phases = 0;              ///< Samples of the working memory size: one after each phase.
+  std::uint64_t wm_size_sum = 0;         ///< Sum of the samples: the mean is wm_size_sum / phases.
+  std::uint64_t wm_size_maximum = 0;
+  std::uint64_t justifications = 0;      ///< Made so far.
+  std::uint64_t max_wme_changes = 0, max_wme_changes_cycle = 0;  ///< Of one decision cycle.
+  std::uint64_t max_firings = 0, max_firings_cycle = 0;
+  std::uint64_t inits = 0;               ///< How often init-soar ran. Not reset by it.
+};
+
+/// Where the text of a rule stands.
+struct SourcePlace {
+  std::string file;     ///< As the user named it; empty for typed rules.
+  int line = 0;         ///< Of the body's first character, from 1; 0 if unknown.
+  int column = 0;
+};
+
+/// What became of a rule's text.
+struct LoadOutcome {
+  bool loaded = false;
+  ProductionId production = ProductionId::kNone;  ///< The rule, if loaded.
+  std::string name;                               ///< As far as it could be read.
+  bool replaced = false;                          ///< A rule of that name was excised first ("#").
+  std::string duplicate_of;                       ///< "Ignoring X because it is a duplicate of Y".
+  std::vector<Diagnostic> messages;               ///< Warnings and errors, in the order of the text.
+};
+
+/// A function that rules can call: (exec name ...) or (name ...). Gets the arguments; gives a symbol, or none for no
+/// value. An error skips the action and is printed. Runs on the agent's thread in the middle of a phase: it must not run,
+/// initialise or change the agent, except for Stop().
+using UserFunction = std::function<Result<Symbol>(class Agent&, std::span<const Symbol> arguments)>;
+
+/// One Soar agent. Agents share nothing that changes: different agents may run on different threads at the same time;
+/// one agent is used by one thread at a time. Only RequestStop() may be called from any thread.
+///
+/// Calls that change the agent while it runs (from an observer or a RHS function) are refused, except RequestStop() and
+/// the input link's buffering calls; loading and excising are put off until the end of the phase.
+class Agent {
+ public:
+  explicit Agent(std::string name);
+  ~Agent();
+  Agent(const Agent&) = delete;
+  Agent& operator=(const Agent&) = delete;
+
+  const std::string& name() const;
+
+  // Rules -----------------------------------------------------------------------------------------------------------
+
+  /// Loads one rule: `body` is what stands between the braces of sp {...}. A rule with the same name is excised first.
+  LoadOutcome LoadProduction(std::string_view body, const SourcePlace& place = {});
+  /// Loads a rule that was built elsewhere with this agent's symbols.
+  LoadOutcome AddProduction(ProductionPtr production);
+  /// Removes the rule and everything that its matches support.
+  void Excise(ProductionId production);
+  ProductionId FindProduction(std::string_view name) const;  ///< kNone if there is none.
+  const Production& production(ProductionId id) const;
+  const ProductionPtr& production_ptr(ProductionId id) const;
+  /// All rules in loading order, oldest first (`print` lists them the other way round).
+  std::vector<ProductionId> Productions() const;
+  std::uint32_t CountProductions(ProductionType type) const;
+  std::uint64_t FiringCount(ProductionId id) const;
+  void ResetFiringCounts();
+  /// `production break`: the run is interrupted when the rule fires, as with :interrupt.
+  void SetBreak(ProductionId id, bool on);
+  bool HasBreak(ProductionId id) const;
+
+  // Running ---------------------------------------------------------------------------------------------------------
+
+  /// Runs this agent. For kDecision the run goes on to settings().stop_phase. `count` is ignored for kForever.
+  RunResult Run(RunUnit unit, std::uint64_t count = 1);
+  /// The finer steps, for schedulers that interleave agents. Each stops early when the agent halts or is asked to stop.
+  /// kElaboration: one elaboration, or one phase if the phase has none. kPhase: to the end of the current phase.
+  /// kDecision: to the end of the output phase. kOutput: to the end of an output phase that changed the output link, or
+  /// until max_nil_output_cycles output phases have passed without one. kForever is not a step.
+  RunResult Step(RunUnit unit);
+  /// Runs phase by phase until `phase` is next. Does nothing if it is.
+  RunResult RunToPhase(Phase phase);
+  /// The phase that runs next, or that the agent stands in the middle of.
+  Phase next_phase() const;
+  /// True between two elaborations of a phase that has begun and not ended.
+  bool in_middle_of_phase() const;
+  /// Asks the agent to stop at the next boundary (phase or elaboration). From any thread. The request is taken back by
+  /// ClearStopRequest(), which a run command calls first.
+  void RequestStop(std::string_view reason = {});
+  void ClearStopRequest();
+  bool stop_requested() const;
+  bool halted() const;       ///< (halt) ran: Run and Step do nothing until InitSoar.
+  bool running() const;      ///< In the middle of Run or Step.
+  /// A goal whose removal ends the run (`run -g`); the none symbol for none.
+  void SetGoalToWatch(Symbol goal);
+  bool watched_goal_gone() const;
+  /// Empties working memory and starts again with the first state; keeps the rules but justifications. Refused while
+  /// running.
+  void InitSoar();
+
+  // Settings --------------------------------------------------------------------------------------------------------
+
+  const AgentSettings& settings() const;
+  AgentSettings& mutable_settings();
+  const ExplorationSettings& exploration() const;   ///< decide/exploration.h
+  ExplorationSettings& mutable_exploration();
+  RandomStream& random();
+  /// `decide select`: the operator to select at the next decision of its goal, if it is proposed. Empty: none.
+  void SelectOperator(std::string_view identifier);
+  std::string_view selected_operator() const;
+  /// `decide predict`: what the next decide phase would do: an operator's name, "none", "tie", "conflict", "constraint".
+  std::string PredictDecision();
+  /// Whether (write ...) and (crlf) print (`output agent-writes`).
+  void SetAgentWrites(bool on);
+  bool agent_writes() const;
+
+  // Observing -------------------------------------------------------------------------------------------------------
+
+  /// Adds an observer, or changes the mask of one that is there. Not owned; remove it before it dies.
+  void AddObserver(Observer& observer, EventMask events);
+  void RemoveObserver(Observer& observer);
+  /// The events that anybody listens to.
+  EventMask observed() const;
+
+  // Inspecting ------------------------------------------------------------------------------------------------------
+
+  const SymbolTable& symbols() const;
+  /// For interning what a command names.
+  SymbolTable& mutable_symbols();
+  const WorkingMemory& memory() const;
+  const GoalStack& goals() const;
+  const Rete& rete() const;
+  const AgentCounters& counters() const;
+  const Instantiation& instantiation(InstantiationId id) const;
+  std::string_view ProductionName(InstantiationId id) const;   ///< "justify1" and the like included.
+  /// The elements that an instantiation's positive conditions matched, in condition order.
+  std::span<const WmeId> MatchedWmes(InstantiationId id) const;
+  WmeInfo Describe(WmeId id) const;
+  GoalInfo Describe(const Goal& goal) const;
+  /// The selected operator of a goal, or none.
+  Symbol OperatorOf(const Goal& goal) const;
+  /// The preferences of one type in a slot, in list order.
+  std::vector<PreferenceId> PreferencesOf(SlotId slot, PreferenceType type) const;
+  /// The candidates of a goal's operator slot with the chances that exploration gives them, in candidate order; empty if
+  /// the decision would be an impasse or need no choice.
+  struct CandidateChance {
+    PreferenceId preference = PreferenceId::kNone;
+    Symbol value;
+    double numeric_value = 0;
+    double probability = 0;
+  };
+  std::vector<CandidateChance> SelectionProbabilities(const Goal& goal) const;
+  /// Elements of the goal dependency set of a goal.
+  std::span<const WmeId> GoalDependencySet(const Goal& goal) const;
+
+  // Input and output ------------------------------------------------------------------------------------------------
+
+  InputLink& input();
+  const InputLink& input() const;
+  const OutputLink& output() const;
+  Symbol InputLinkIdentifier() const;
+  Symbol OutputLinkIdentifier() const;
+  /// `wm add`: an input element on any identifier, at once. Refused while running.
+  Result<WmeId> AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable = false);
+  /// A new identifier for `wm add` with value `*`.
+  Symbol NewIdentifier(char letter);
+  /// `wm remove`: any element, at once.
+  Result<void> RemoveWme(WmeId wme);
+
+  /// RHS functions of the host. A null function takes the name away. Names of built-in functions are refused.
+  Result<void> SetUserFunction(std::string_view name, UserFunction function);
+  /// Called for a name that nobody registered (arguments as given); without it such a call yields no value.
+  void SetFallbackFunction(std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function);
+  /// Reads a line for (accept).
+  void SetLineReader(std::function<std::string()> reader);
+
+  // Memory ----------------------------------------------------------------------------------------------------------
+
+  std::size_t MemoryBytes() const;          ///< This agent's own part.
+  std::size_t SharedMemoryBytes() const;    ///< Rules and network, shared by agents with equal rules.
+  /// Checks the invariants of support, links, slots and matches; the first violation in words, or empty.
+  std::string CheckInvariants() const;
+
+ private:
+  std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace soarbox::kernel

@@ -15,28 +15,173 @@ class Agent;
 
 enum class Phase : std::uint8_t { kInput, kPropose, kDecide, kApply, kOutput };
 
+/// Which rules an elaboration fires: those with i-support (IE) or those with o-support (PE).
+enum class FiringType : std::uint8_t { kIe, kPe };
+
+enum class ImpasseType : std::uint8_t { kNone, kTie, kConflict, kConstraintFailure, kNoChange };
+
 /// What an observer wants to hear, as a bit mask: the kernel builds nothing for an event that nobody listens to.
 enum class Event : std::uint32_t {
   kPhase = 1u << 0,           ///< Begin and end of each phase.
-  kElaboration = 1u << 1,     ///< Begin and end of each elaboration, and of each inner one.
-  kFiring = 1u << 2,          ///< Rules that fire and retract.
+  kElaboration = 1u << 1,     ///< Elaborations, inner elaborations, working memory phases.
+  kFiring = 1u << 2,          ///< Rules that fire, are inhibited and retract.
   kWme = 1u << 3,             ///< Elements added to and removed from working memory.
-  kPreference = 1u << 4,      ///< Preferences made by a firing.
+  kPreference = 1u << 4,      ///< Preferences that enter and leave their slots.
   kDecision = 1u << 5,        ///< Operators selected, states made and removed.
   kPrint = 1u << 6,           ///< Text that rules write and warnings of the architecture.
   kProduction = 1u << 7,      ///< Rules added and excised.
-  kRun = 1u << 8,             ///< Run control: start, stop, decision cycles.
+  kRun = 1u << 8,             ///< Decision cycles, halt, interrupts, init-soar.
   kOutput = 1u << 9,          ///< The output link changed.
+  kGds = 1u << 10,            ///< Goal dependency sets.
+  kAssertion = 1u << 11,      ///< Instantiations made and asserted; matches put into the match set.
+  kLearning = 1u << 12,       ///< Justifications and chunks.
+  kExploration = 1u << 13,    ///< Candidates and their values when exploration chooses.
+};
+
+using EventMask = std::uint32_t;
+constexpr EventMask Mask(Event event) { return static_cast<EventMask>(event); }
+constexpr EventMask operator|(Event a, Event b) { return Mask(a) | Mask(b); }
+constexpr EventMask operator|(EventMask a, Event b) { return a | Mask(b); }
+
+/// A rule that fires or retracts. Spans and references are valid during the callback only.
+struct FiringInfo {
+  InstantiationId instantiation = InstantiationId::kNone;
+  ProductionId production = ProductionId::kNone;  ///< kNone for justifications that are not in the net.
+  const Production* rule = nullptr;               ///< Null for architectural instantiations.
+  std::string_view name;                          ///< The rule's name.
+  Symbol goal;                                    ///< The goal that it matched; none if it touches no goal.
+  GoalLevel level = 0;
+  std::span<const WmeId> wmes;                    ///< One per positive condition, in match order.
+};
+
+/// An element, with the contents copied so that a listener need not look it up.
+struct WmeInfo {
+  WmeId wme = WmeId::kNone;
+  std::uint64_t timetag = 0;
+  Symbol id, attribute, value;
+  bool acceptable = false;
+};
+
+struct GoalInfo {
+  Symbol goal;
+  GoalLevel level = 0;
+  ImpasseType impasse = ImpasseType::kNone;  ///< The impasse that made the state; kNone for the top state.
+  bool on_operator = false;                  ///< ^attribute operator (else state); tie and the like are on operators.
+  Symbol op;                                 ///< The operator selected in it, or none.
+};
+
+enum class GoalRemoval : std::uint8_t {
+  kDecision,            ///< "because of a decision."
+  kWrongImpasseType,    ///< "because it's the wrong type of impasse."
+  kOperatorRemoval,     ///< "because of an operator removal."
+  kGdsChange,           ///< "because element in GDS changed. WME: (...)": see OnGdsViolation just before.
+  kInconsistent,        ///< The consistency check failed: see OnInconsistentDecision just before.
+  kInit,                ///< init-soar or the end of the agent. Not told to observers of kDecision.
+};
+
+enum class OperatorRemoval : std::uint8_t {
+  kProposalGone,        ///< "Operator from context slot (proposal no longer matches)": `wme` is the acceptable element.
+  kInconsistent, kReplaced,
+};
+
+enum class WarningKind : std::uint8_t {
+  kMaxElaborationsPropose, kMaxElaborationsApply, kGoalStackLimit, kMaxDecisionTime, kOther,
 };
 
 /// Sees what an agent does, in the order in which it happens. Callbacks run on the agent's thread, between steps of the
-/// cycle; they may read everything and change nothing, except that they may request a stop.
-///
-/// The engine's engineer completes this list with what the trace (cli_commands.md section 5), the client API's events
-/// (sml_client_api.md section 12) and the recording need.
+/// cycle; they may read everything and change nothing, except that they may request a stop. Each callback belongs to the
+/// event named in its comment and is called only if that bit is in the observer's mask.
 class Observer {
  public:
   virtual ~Observer() = default;
+
+  // kPhase
+  virtual void OnPhaseBegin(const Agent&, Phase) {}
+  virtual void OnPhaseEnd(const Agent&, Phase) {}
+
+  // kElaboration
+  /// Around one elaboration cycle (a preference phase and a working memory phase).
+  virtual void OnElaborationBegin(const Agent&) {}
+  virtual void OnElaborationEnd(const Agent&) {}
+  /// The preference phase of an elaboration: "--- Firing Productions (PE) For State At Depth 1 ---" in the apply phase.
+  virtual void OnPreferencePhase(const Agent&, FiringType, GoalLevel active_level) { (void)active_level; }
+  /// A pass of the waterfall: "--- Inner Elaboration Phase, active level 1 goal S1 ---".
+  virtual void OnInnerElaboration(const Agent&, GoalLevel, Symbol goal) { (void)goal; }
+  /// Before buffered changes are made: "--- Change Working Memory (PE) ---" in the apply phase.
+  virtual void OnWorkingMemoryPhase(const Agent&, FiringType) {}
+
+  // kFiring
+  /// Before the actions run: text that they write comes next.
+  virtual void OnFiring(const Agent&, const FiringInfo&) {}
+  /// After the actions have run; `preferences` in the order of FiringPreferences() of the instantiation.
+  virtual void OnFired(const Agent&, const FiringInfo&, std::span<const PreferenceId> preferences) { (void)preferences; }
+  /// A match that must wait, because a higher level changes in this elaboration.
+  virtual void OnInhibited(const Agent&, const FiringInfo&) {}
+  /// When the first i-supported preference of an instantiation that no longer matches is about to go. Not called for
+  /// instantiations that have none.
+  virtual void OnRetracting(const Agent&, const FiringInfo&) {}
+  /// Every instantiation that no longer matches, whether or not it has preferences left.
+  virtual void OnRetracted(const Agent&, const FiringInfo&) {}
+
+  // kWme
+  virtual void OnWmeAdded(const Agent&, const WmeInfo&) {}
+  virtual void OnWmeRemoved(const Agent&, const WmeInfo&) {}
+
+  // kPreference: look the preference up in agent.memory().preference(id).
+  virtual void OnPreferenceAdded(const Agent&, PreferenceId) {}
+  virtual void OnPreferenceRemoved(const Agent&, PreferenceId) {}
+
+  // kDecision
+  /// The decision's line in the trace: an operator was selected in `info.goal` (info.op), or a state was made (info.op
+  /// is none). Also once after init-soar for the top state, and each idle cycle with wait-snc on.
+  virtual void OnDecision(const Agent&, const GoalInfo&, std::uint64_t decision) { (void)decision; }
+  virtual void OnStateCreated(const Agent&, const GoalInfo&) {}
+  virtual void OnStateRemoved(const Agent&, const GoalInfo&, GoalRemoval) {}
+  virtual void OnOperatorRemoved(const Agent&, const GoalInfo&, OperatorRemoval, const WmeInfo&) {}
+  /// "Removing substates of S1 because the operator last selected in S1 is not consistent with ..."
+  virtual void OnInconsistentDecision(const Agent&, const GoalInfo&) {}
+
+  // kGds
+  virtual void OnGdsAdded(const Agent&, const GoalInfo&, const WmeInfo&) {}
+  /// The element left working memory (or changed) and the goal will be removed.
+  virtual void OnGdsViolation(const Agent&, const GoalInfo&, const WmeInfo&) {}
+
+  // kPrint
+  /// Text as rules write it.
+  virtual void OnPrint(const Agent&, std::string_view text) { (void)text; }
+  /// A warning of the architecture in its own words; `kind` lets the trace use the reference's layout.
+  virtual void OnWarning(const Agent&, WarningKind kind, std::string_view text) { (void)kind; (void)text; }
+
+  // kProduction
+  virtual void OnProductionAdded(const Agent&, ProductionId) {}
+  /// Before the rule goes.
+  virtual void OnProductionExcised(const Agent&, ProductionId) {}
+
+  // kRun
+  virtual void OnDecisionCycleBegin(const Agent&) {}
+  virtual void OnDecisionCycleEnd(const Agent&) {}
+  /// The run ended because of a request (command, rule, goal-stack limit); the text says why.
+  virtual void OnInterrupt(const Agent&, std::string_view reason) { (void)reason; }
+  virtual void OnHalt(const Agent&) {}
+  virtual void OnBeforeInit(const Agent&) {}
+  virtual void OnAfterInit(const Agent&) {}
+
+  // kOutput
+  /// In the output phase, if anything below the output link changed: read agent.output().changes().
+  virtual void OnOutput(const Agent&) {}
+
+  // kAssertion
+  virtual void OnInstantiationMade(const Agent&, const FiringInfo&) {}
+  virtual void OnInstantiationAsserted(const Agent&, const FiringInfo&) {}
+
+  // kLearning
+  virtual void OnLearned(const Agent&, const FiringInfo&) {}
+
+  // kExploration
+  /// One candidate with its value, when exploration chooses.
+  virtual void OnCandidate(const Agent&, Symbol candidate, double value, double probability) {
+    (void)candidate; (void)value; (void)probability;
+  }
 };
 
 }  // namespace soarbox::kernel

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/memory/preference.h"
+#include "kernel/observer.h"
+
+namespace soarbox::kernel {
+
+/// A state on the goal stack.
+struct Goal {
+  Symbol id;
+  GoalLevel level = 0;
+  SlotId operator_slot = SlotId::kNone;
+  Symbol reward_link;
+  ImpasseType impasse = ImpasseType::kNone;   ///< That made it; kNone for the top state.
+  bool impasse_on_operator = false;           ///< ^attribute operator, else state.
+  std::uint64_t created_in_decision = 0;
+  PreferenceId preferences = PreferenceId::kNone;  ///< Of all instantiations that matched it: newest first.
+  PreferenceId oldest_preference = PreferenceId::kNone;
+  std::vector<WmeId> items;                   ///< ^item, ^item-count, ^non-numeric, ^non-numeric-count elements.
+  bool has_gds = false;
+  std::vector<WmeId> gds;                     ///< Elements of higher goals that its o-supported facts rest on.
+  FiringType saved_firing = FiringType::kIe;  ///< Restored when elaboration comes down to it again.
+  bool has_saved_firing = false;
+};
+
+/// The states of an agent, top state first: goals()[n] has level n + 1. A goal's record is used again by later goals of
+/// that level, so that making and removing substates does not allocate.
+class GoalStack {
+ public:
+  std::size_t depth() const { return depth_; }
+  bool empty() const { return depth_ == 0; }
+  const Goal& top() const { return goals_[0]; }
+  const Goal& bottom() const { return goals_[depth_ - 1]; }
+  /// `level` from 1 to depth().
+  const Goal& at(GoalLevel level) const { return goals_[level - 1u]; }
+  Goal& at(GoalLevel level) { return goals_[level - 1u]; }
+  Goal& Push();
+  void Pop() { --depth_; }
+  void Clear() { depth_ = 0; }
+
+ private:
+  std::vector<Goal> goals_;
+  std::size_t depth_ = 0;
+};
+
+}  // namespace soarbox::kernel

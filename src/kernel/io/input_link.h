@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+
+namespace soarbox::kernel {
+
+/// An object on the input side: the input link, an identifier that the client makes, or one that the kernel knows.
+/// Handles are void after init-soar; using a void handle does nothing.
+enum class InputObject : std::uint32_t { kInputLink = 0, kNone = 0xFFFFFFFFu };
+/// An element that the client made. The number is never used again before init-soar.
+enum class InputElement : std::uint32_t { kNone = 0xFFFFFFFFu };
+
+/// The value of an input element: text, an integer, a float, or an object.
+using InputValue = std::variant<std::string_view, std::int64_t, double, InputObject>;
+
+struct Engine;
+
+/// What clients put on the input link. Calls only buffer: the changes are made in the next input phase, in call order,
+/// which gives the time tags. An element that is made and removed between two input phases never enters working
+/// memory; of several updates the last one counts. The link is not a set: equal triples from two calls are two elements.
+///
+/// The kernel's identifier of a new object is made when its first element enters; its letter is the first letter of
+/// that element's attribute (I if it is not a letter). Structure that loses its connection with the link is collected by
+/// working memory as usual; its handles are then void.
+class InputLink {
+ public:
+  explicit InputLink(Engine& engine) : engine_(engine) {}
+
+  /// A new object; it exists in working memory once an element has it as its value.
+  InputObject NewObject();
+  /// A handle for an identifier that exists in working memory already (a command on the output link).
+  InputObject ObjectFor(Symbol identifier);
+  InputElement Add(InputObject parent, std::string_view attribute, const InputValue& value);
+  /// Removes the element and adds one with the new value. The same handle goes on.
+  void Update(InputElement element, const InputValue& value);
+  void Remove(InputElement element);
+
+  /// The working memory element behind a handle; kNone before the input phase and after its removal.
+  WmeId Wme(InputElement element) const;
+  /// The kernel's identifier of an object; none before the input phase that makes it.
+  Symbol Identifier(InputObject object) const;
+  bool HasPendingChanges() const { return !pending_.empty(); }
+
+  /// For the engine: makes the buffered changes (input phase); forgets everything (init-soar); learns that working
+  /// memory dropped an element; marks the constants that buffered changes need.
+  void Apply();
+  void Reset();
+  void Forget(std::uint32_t element);
+  void MarkSymbols();
+
+ private:
+  enum class Change : std::uint8_t { kNone, kAdd, kRemove };
+  struct Element {
+    WmeId wme = WmeId::kNone;
+    std::uint32_t pending_add = 0xFFFFFFFFu;  ///< Index in pending_ of a buffered addition.
+    bool live = false;
+    InputObject parent = InputObject::kNone;
+    Symbol attribute;
+  };
+  struct Pending {
+    Change change = Change::kNone;
+    std::uint32_t element = 0;
+    WmeId wme = WmeId::kNone;       ///< kRemove.
+    Symbol constant;                ///< kAdd with a constant value.
+    InputObject object = InputObject::kNone;
+  };
+  struct Object {
+    Symbol identifier;
+  };
+
+  void BufferAdd(std::uint32_t element, const InputValue& value);
+  void CancelAdd(Element& element);
+  void MakeElement(const Pending& change);
+
+  Engine& engine_;
+  std::vector<Object> objects_{Object{}};
+  std::vector<Element> elements_;
+  std::vector<Pending> pending_;
+};
+
+}  // namespace soarbox::kernel

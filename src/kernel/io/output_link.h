@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// One change below the output link. Contents are copied, so that removed elements can be read.
+struct OutputChange {
+  bool added = true;
+  std::uint64_t timetag = 0;
+  Symbol id, attribute, value;
+};
+
+/// A command: an identifier-valued element directly on the output link.
+struct OutputCommand {
+  Symbol attribute;    ///< The command's name.
+  Symbol identifier;   ///< Its object: parameters are the elements of this identifier.
+  std::uint64_t timetag = 0;
+};
+
+/// What the agent says to its clients. In the output phase the structure reachable from the output link is compared
+/// with that of the last output phase, if any element in it changed; the differences stand here until the next output
+/// phase that finds a difference. Costs nothing while nothing below the output link changes.
+class OutputLink {
+ public:
+  explicit OutputLink(Engine& engine) : engine_(engine) {}
+
+  /// The output link's own identifier (I3), or none before the first state exists.
+  Symbol identifier() const { return identifier_; }
+  /// The differences that the last changing output phase found: removals first, then additions in time-tag order,
+  /// parents before the elements of their objects wherever the structure is a tree.
+  std::span<const OutputChange> changes() const { return changes_; }
+  /// Counts output phases that found a difference: a client compares it with what it saw last.
+  std::uint64_t generation() const { return generation_; }
+  /// Everything that is below the output link as of the last output phase, in time-tag order.
+  std::span<const OutputChange> current() const { return current_; }
+  /// The commands that changes() adds.
+  std::span<const OutputCommand> new_commands() const { return new_commands_; }
+
+  /// For the engine.
+  void SetIdentifier(Symbol identifier);
+  void NoteChange(Symbol id) {
+    if (id.index() < member_.size() && member_[id.index()] != 0) dirty_ = true;
+  }
+  void IdentifierFreed(Symbol id) {
+    if (id.index() < member_.size()) member_[id.index()] = 0;
+  }
+  /// The output phase: true if something changed.
+  bool Collect();
+  void Reset();
+
+ private:
+  void Traverse(Symbol id);
+
+  Engine& engine_;
+  Symbol identifier_;
+  bool dirty_ = false;
+  std::uint64_t generation_ = 0;
+  std::vector<std::uint8_t> member_;       ///< By identifier index: below the output link at the last collection.
+  std::vector<Symbol> members_;
+  std::vector<OutputChange> current_, next_, changes_;
+  std::vector<OutputCommand> new_commands_;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+/// A slot: the preferences and elements of one identifier and attribute.
+enum class SlotId : std::uint32_t { kNone = 0xFFFFFFFFu };
+
+/// A preference that an instantiation made. It lives while it stands in its slot or while a condition of a substate's
+/// instantiation names it as its creator (learning follows these).
+///
+/// Chains are indices into the same arena; kNone ends them.
+struct Preference {
+  Symbol id, attribute, value;
+  Symbol referent;                 ///< Of binary and numeric preferences, else none.
+  PreferenceType type = PreferenceType::kAcceptable;
+  bool o_supported = false;
+  bool in_slot = false;            ///< Counts for decisions; false before assertion and after retraction.
+  bool on_goal_list = false;
+  GoalLevel level = 0;             ///< Of the goal that its instantiation matched.
+  std::uint32_t references = 0;    ///< One for the slot, one per condition that names it.
+  InstantiationId instantiation = InstantiationId::kNone;
+  SlotId slot = SlotId::kNone;
+
+  PreferenceId next_in_slot = PreferenceId::kNone, previous_in_slot = PreferenceId::kNone;
+  PreferenceId next_of_instantiation = PreferenceId::kNone, previous_of_instantiation = PreferenceId::kNone;
+  /// The same result at other levels: each justification on the way up makes one.
+  PreferenceId next_clone = PreferenceId::kNone, previous_clone = PreferenceId::kNone;
+  /// All preferences that matches of one goal made: they go when the goal goes.
+  PreferenceId next_of_goal = PreferenceId::kNone, previous_of_goal = PreferenceId::kNone;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/memory/preference.h"
+#include "kernel/memory/slot_index.h"
+#include "kernel/memory/wme.h"
+
+namespace soarbox::kernel {
+
+/// Why an element is in working memory, and on which list of its identifier it stands.
+enum class WmeKind : std::uint8_t {
+  kFree,
+  kSlot,          ///< The value of a slot; of an operator slot: the selected operator.
+  kAcceptable,    ///< (S1 ^operator O1 +)
+  kArchitecture,  ///< Of a goal: type, superstate, impasse, item, ...
+  kInput,         ///< Made by the input link, or by a user's command.
+};
+
+/// What stands beside a Wme: everything that the match does not read.
+struct WmeRecord {
+  WmeKind kind = WmeKind::kFree;
+  bool in_match = false;                             ///< The matcher knows it.
+  bool removing = false;                             ///< Waits in the removal buffer.
+  GoalLevel gds = 0;                                 ///< Level of the goal whose dependency set holds it, or 0.
+  std::uint32_t references = 0;                      ///< Instantiations of substates that matched it.
+  PreferenceId preference = PreferenceId::kNone;     ///< The preference that put it here, if any.
+  SlotId slot = SlotId::kNone;                       ///< kSlot, kAcceptable.
+  WmeId next = WmeId::kNone, previous = WmeId::kNone;  ///< The list of the slot or of the identifier.
+};
+
+/// The preferences and elements of one (identifier, attribute).
+struct Slot {
+  Symbol id, attribute;
+  bool live = false;
+  bool is_operator = false;       ///< ^operator of a goal: decided in the decide phase only.
+  bool changed = false;           ///< Is on the list of changed slots.
+  std::uint32_t acceptable_count = 0;
+  WmeId wmes = WmeId::kNone;                          ///< Newest first.
+  WmeId acceptable_wmes = WmeId::kNone;               ///< kAcceptable elements of an operator slot, newest first.
+  PreferenceId acceptable = PreferenceId::kNone;      ///< Acceptable preferences: higher goals first, then newest first.
+  PreferenceId others = PreferenceId::kNone;          ///< All other types in one list, in the same order.
+  SlotId next = SlotId::kNone, previous = SlotId::kNone;  ///< Slots of the identifier, newest first.
+};
+
+/// What working memory knows of an identifier.
+struct IdentifierRecord {
+  bool live = false;
+  bool is_goal = false;
+  GoalLevel level = 0;                           ///< The highest goal (smallest number) that reaches it.
+  bool reached = false;                          ///< Has a parent in the tree of links, or is a goal.
+  SlotId slots = SlotId::kNone;
+  WmeId architecture_wmes = WmeId::kNone;        ///< Newest first.
+  WmeId input_wmes = WmeId::kNone;               ///< Newest first.
+  std::uint32_t first_link = 0xFFFFFFFFu;        ///< Links that lead here (see links.h).
+  std::uint32_t parent_link = 0xFFFFFFFFu;       ///< The link that gives it its level.
+  std::uint32_t first_child = 0xFFFFFFFFu;       ///< Links of which this is the source and that are parent links.
+  std::uint64_t lti = 0;                         ///< Long-term identifier that it is linked to, or 0.
+};
+
+/// Working memory of one agent as a data structure: elements, slots, preferences and identifiers in arenas with free
+/// lists. What to change and when is decided in decide/; this class keeps lists and counts right.
+///
+/// Invariants: an element stands on exactly one list, that of its kind; a slot's preferences are ordered by level, then
+/// newest first; a slot with nothing in it is freed at the end of a working memory phase; time tags only grow.
+/// Single-threaded: owned and touched by the agent's cycle only.
+class WorkingMemory {
+ public:
+  explicit WorkingMemory(SymbolTable& symbols);
+  ~WorkingMemory();
+  WorkingMemory(const WorkingMemory&) = delete;
+  WorkingMemory& operator=(const WorkingMemory&) = delete;
+
+  // Reading ---------------------------------------------------------------------------------------------------------
+
+  /// The table that the matcher reads.
+  const WmeTable& wmes() const { return wmes_; }
+  const Wme& wme(WmeId id) const { return wmes_[Index(id)]; }
+  const WmeRecord& record(WmeId id) const { return records_[Index(id)]; }
+  const Preference& preference(PreferenceId id) const { return preferences_[Index(id)]; }
+  const Slot& slot(SlotId id) const { return slots_[Index(id)]; }
+  /// The slot of an identifier and attribute, or kNone.
+  SlotId FindSlot(Symbol id, Symbol attribute) const;
+  /// Identifiers that working memory does not know have a record that is not live.
+  const IdentifierRecord& identifier(Symbol id) const;
+  GoalLevel level(Symbol id) const { return identifier(id).level; }
+  /// Elements of an identifier as `print` lists them: slot by slot (newest slot first; within a slot the values newest
+  /// first, then the acceptable ones newest first), then those of the architecture, then input.
+  std::vector<WmeId> WmesOf(Symbol id) const;
+  /// The first value of an attribute, whatever its kind, or the none symbol.
+  Symbol ValueOf(Symbol id, Symbol attribute) const;
+  /// The live element with a time tag, or kNone. Walks all elements: for commands only.
+  WmeId FindByTimetag(std::uint64_t timetag) const;
+  std::uint32_t wme_count() const { return live_wmes_; }
+  std::uint64_t last_timetag() const { return next_timetag_ - 1; }
+  std::uint32_t identifier_limit() const { return static_cast<std::uint32_t>(identifiers_.size()); }
+
+  // Elements --------------------------------------------------------------------------------------------------------
+
+  /// Makes an element with the next time tag and puts it at the head of its list. The caller tells match and observers.
+  WmeId Make(WmeKind kind, Symbol id, Symbol attribute, Symbol value, bool acceptable, SlotId slot = SlotId::kNone);
+  /// Takes the element off its list; its contents stay readable until Free.
+  void Unlink(WmeId wme);
+  /// Gives the index back once nothing refers to it.
+  void Free(WmeId wme);
+  void AddReference(WmeId wme) { ++records_[Index(wme)].references; }
+  void DropReference(WmeId wme);
+  WmeRecord& mutable_record(WmeId id) { return records_[Index(id)]; }
+
+  // Identifiers -----------------------------------------------------------------------------------------------------
+
+  Symbol NewIdentifier(char letter, GoalLevel level);
+  IdentifierRecord& mutable_identifier(Symbol id) { return identifiers_[id.index()]; }
+  void FreeIdentifier(Symbol id);
+
+  // Slots and preferences -------------------------------------------------------------------------------------------
+
+  SlotId FindOrMakeSlot(Symbol id, Symbol attribute, bool is_operator);
+  Slot& mutable_slot(SlotId id) { return slots_[Index(id)]; }
+  void FreeSlot(SlotId slot);
+  bool SlotIsEmpty(SlotId slot) const;
+
+  PreferenceId MakePreference();
+  Preference& mutable_preference(PreferenceId id) { return preferences_[Index(id)]; }
+  /// Links into its slot in the order of the class comment. The slot exists.
+  void InsertInSlot(PreferenceId preference, SlotId slot);
+  void RemoveFromSlot(PreferenceId preference);
+  /// Returns a preference that nothing refers to.
+  void FreePreference(PreferenceId preference);
+
+  /// Forgets everything (init-soar); keeps capacity.
+  void Clear();
+
+  std::size_t MemoryBytes() const;
+
+ private:
+  SymbolTable& symbols_;
+  WmeTable wmes_;
+  std::vector<WmeRecord> records_;
+  std::vector<WmeId> free_wmes_;
+  std::vector<Slot> slots_;
+  std::vector<SlotId> free_slots_;
+  std::vector<Preference> preferences_;
+  std::vector<PreferenceId> free_preferences_;
+  std::vector<IdentifierRecord> identifiers_;
+  SlotIndex slot_index_;
+  std::uint64_t next_timetag_ = 1;
+  std::uint32_t live_wmes_ = 0;
+};
+
+}  // namespace soarbox::kernel
