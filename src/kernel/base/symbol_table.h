@@ -11,6 +11,8 @@
 
 namespace soarbox::kernel {
 
+struct FrozenSymbols;
+
 /// The symbols of one agent: interned constants and variables, and the names of its identifiers.
 ///
 /// Constants have two layers: a frozen base, shared by agents that run the same rules, and the agent's own. Interning
@@ -21,7 +23,8 @@ namespace soarbox::kernel {
 /// phases (BeginMark, Mark..., Sweep), never in the middle of one; there are no reference counts. Identifiers are
 /// freed one by one by working memory.
 ///
-/// Every constant has a creation stamp, which grows with first use; the condition reorderer breaks ties by it.
+/// Every constant has a creation stamp, which grows with first use; the condition reorderer breaks ties by it. The words
+/// of words.h exist from the start.
 class SymbolTable {
  public:
   SymbolTable();
@@ -33,18 +36,19 @@ class SymbolTable {
   Symbol String(std::string_view text);
   Symbol Integer(std::int64_t value);
   Symbol Float(double value);
-  /// `name` with its brackets: "<s>".
+  /// `name` with its brackets: "<s>". Variables are always pinned.
   Symbol Variable(std::string_view name);
   /// The handle of a string that exists already, else the none symbol. Never interns.
   Symbol FindString(std::string_view text) const;
   Symbol FindVariable(std::string_view name) const;
 
-  /// Contents. The kind must fit.
+  /// Contents. The kind must fit. A text is valid until its symbol is swept or this table freezes or adopts a base.
   std::string_view Text(Symbol string_or_variable) const;
   std::int64_t IntegerValue(Symbol symbol) const;
   double FloatValue(Symbol symbol) const;
   /// The value of an integer or a float as a double.
   double NumberValue(Symbol symbol) const;
+  /// When the constant was created; 0 for variables, identifiers and integers that no rule mentions.
   std::uint32_t Stamp(Symbol constant) const;
 
   /// A new identifier with the next number of its letter (A to Z).
@@ -62,10 +66,10 @@ class SymbolTable {
   void ResetIdentifierCounters();
 
   /// Soar's ordering for < > <= >=: numbers by value, strings by bytes, identifiers by letter and number; any other
-  /// mix is "less".
+  /// mix, and anything compared with a float that is not a number, is "less".
   std::strong_ordering Compare(Symbol left, Symbol right) const;
 
-  /// Everything interned between PinScope's construction and destruction is pinned.
+  /// Everything interned between PinScope's construction and destruction is pinned. Scopes nest.
   class PinScope {
    public:
     explicit PinScope(SymbolTable& table);
@@ -85,12 +89,16 @@ class SymbolTable {
   /// How many unpinned constants live; the agent sweeps when this has doubled.
   std::size_t UnpinnedCount() const;
 
-  /// A running digest of everything interned and pinned so far. Equal digests: equal tables (used for sharing).
+  /// A digest of what has been pinned so far and under which handles. Tables with equal digests pinned the same.
   std::uint64_t Digest() const;
-  /// Moves all own pinned constants into a frozen base that other agents may share.
-  std::shared_ptr<const struct FrozenSymbols> Freeze();
-  /// Takes over an equal frozen base in place of its own. The handles stay valid.
-  void Adopt(std::shared_ptr<const struct FrozenSymbols> base);
+  /// Moves own pinned constants into a frozen base that other tables may adopt: of each kind all that precede the
+  /// first constant that is not pinned. Handles stay valid; views that Text() gave do not. A table that has only
+  /// read rules so far freezes all of them.
+  std::shared_ptr<const FrozenSymbols> Freeze();
+  /// Takes over a frozen base in place of its own constants, if they are the same under the same handles (or if this
+  /// table has none of its own yet). Handles stay valid; views that Text() gave do not. False if the two differ;
+  /// nothing has changed then.
+  bool Adopt(std::shared_ptr<const FrozenSymbols> base);
 
   /// Bytes used by this table alone (not the shared base).
   std::size_t MemoryBytes() const;
@@ -99,6 +107,9 @@ class SymbolTable {
   struct Contents;
   std::unique_ptr<Contents> contents_;
 };
+
+/// True if Soar's lexer reads `text`, written without bars, as this very string.
+bool ReadsAsPlainString(std::string_view text);
 
 /// How symbols look in print. `rereadable` puts bars where the lexer would read something else (as in `print`,
 /// rules and traces); without it the raw text is given (as in `write` and `concat`). Floats have six decimals.

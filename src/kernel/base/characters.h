@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+/// The characters and word shapes of the rule language, independent of the locale.
+namespace soarbox::kernel {
+
+constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+constexpr char ToUpper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr char ToLower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// A character that can be part of a symbol written without bars.
+constexpr bool IsConstituent(char c) {
+  return IsLetter(c) || IsDigit(c) || std::string_view("$%&*+-/:<=>?_@").find(c) != std::string_view::npos;
+}
+
+/// What separates symbols: blanks, line ends and, as Soar has it, the semicolon.
+constexpr bool IsBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ';'; }
+
+/// An optional sign, then digits only.
+constexpr bool LooksLikeInteger(std::string_view text) {
+  if (!text.empty() && (text[0] == '+' || text[0] == '-')) {
+    text.remove_prefix(1);
+  }
+  for (const char c : text) {
+    if (!IsDigit(c)) {
+      return false;
+    }
+  }
+  return !text.empty();
+}
+
+/// An optional sign, digits, a dot, digits, an optional exponent; digits on at least one side of the dot.
+constexpr bool LooksLikeFloat(std::string_view text) {
+  std::size_t i = 0;
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) {
+    ++i;
+  }
+  std::size_t digits = 0;
+  for (; i < text.size() && IsDigit(text[i]); ++i) {
+    ++digits;
+  }
+  if (i == text.size() || text[i] != '.') {
+    return false;
+  }
+  for (++i; i < text.size() && IsDigit(text[i]); ++i) {
+    ++digits;
+  }
+  if (digits == 0) {
+    return false;
+  }
+  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+    ++i;
+    if (i < text.size() && (text[i] == '+' || text[i] == '-')) {
+      ++i;
+    }
+    std::size_t exponent_digits = 0;
+    for (; i < text.size() && IsDigit(text[i]); ++i) {
+      ++exponent_digits;
+    }
+    if (exponent_digits == 0) {
+      return false;
+    }
+  }
+  return i == text.size();
+}
+
+/// "<x>": brackets around at least one constituent character.
+constexpr bool LooksLikeVariable(std::string_view text) {
+  if (text.size() < 3 || text.front() != '<' || text.back() != '>') {
+    return false;
+  }
+  for (const char c : text) {
+    if (!IsConstituent(c)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// "S1", "r22": one letter, then digits only.
+constexpr bool LooksLikeIdentifier(std::string_view text) {
+  if (text.size() < 2 || !IsLetter(text[0])) {
+    return false;
+  }
+  for (const char c : text.substr(1)) {
+    if (!IsDigit(c)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::kernel {
+
+/// What every interned constant carries beside its contents.
+struct PoolMarks {
+  static constexpr std::uint8_t kLive = 1, kPinned = 2, kMarked = 4;
+  std::uint8_t bits = 0;
+
+  bool Live() const { return (bits & kLive) != 0; }
+  bool Pinned() const { return (bits & kPinned) != 0; }
+};
+
+/// A text in a pool; the characters belong to an arena.
+struct TextEntry {
+  const char* text = nullptr;
+  std::uint32_t length = 0;
+  std::uint32_t hash = 0;
+  std::uint32_t stamp = 0;
+  PoolMarks marks;
+
+  std::string_view View() const { return {text, length}; }
+  bool Is(std::uint32_t other_hash, std::string_view key) const { return hash == other_hash && View() == key; }
+  std::uint32_t Hash() const { return hash; }
+};
+
+/// A 64-bit number in a pool: an integer, or the bits of a double.
+struct NumberEntry {
+  std::uint64_t bits = 0;
+  std::uint32_t stamp = 0;
+  PoolMarks marks;
+
+  static std::uint32_t HashOf(std::uint64_t bits) {
+    return static_cast<std::uint32_t>((bits * 0x9E3779B97F4A7C15ull) >> 32);
+  }
+  bool Is(std::uint32_t, std::uint64_t key) const { return bits == key; }
+  std::uint32_t Hash() const { return HashOf(bits); }
+};
+
+/// Interned constants of one kind: entries with stable indices from `first_index` on, found by contents through a
+/// hash index with open addressing. Freed entries are used again, last freed first.
+///
+/// Invariant: the index holds exactly the live entries, and is at most three quarters full.
+template <typename Entry>
+class ConstantPool {
+ public:
+  static constexpr std::uint32_t kNotFound = 0xFFFFFFFFu;
+
+  std::uint32_t first_index() const { return first_; }
+  std::uint32_t end_index() const { return first_ + static_cast<std::uint32_t>(entries_.size()); }
+  const std::vector<Entry>& entries() const { return entries_; }
+  std::size_t live() const { return live_; }
+
+  Entry& operator[](std::uint32_t index) { return entries_[index - first_]; }
+  const Entry& operator[](std::uint32_t index) const { return entries_[index - first_]; }
+
+  template <typename Key>
+  std::uint32_t Find(std::uint32_t hash, const Key& key) const {
+    if (slots_.empty()) {
+      return kNotFound;
+    }
+    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
+    for (std::uint32_t at = hash & mask; slots_[at] != 0; at = (at + 1) & mask) {
+      if (entries_[slots_[at] - 1].Is(hash, key)) {
+        return first_ + slots_[at] - 1;
+      }
+    }
+    return kNotFound;
+  }
+
+  /// Adds an entry that is not there yet and returns its index.
+  std::uint32_t Add(const Entry& entry) {
+    if ((live_ + 1) * 4 > slots_.size() * 3) {
+      Rehash(slots_.empty() ? 16 : slots_.size() * 2);
+    }
+    std::uint32_t local;
+    if (!free_.empty()) {
+      local = free_.back();
+      free_.pop_back();
+      entries_[local] = entry;
+    } else {
+      local = static_cast<std::uint32_t>(entries_.size());
+      entries_.push_back(entry);
+    }
+    Enter(local);
+    ++live_;
+    return first_ + local;
+  }
+
+  /// Frees an entry. The caller has given back what it refers to.
+  void Free(std::uint32_t index) {
+    const std::uint32_t local = index - first_;
+    Leave(local);
+    entries_[local] = Entry{};
+    free_.push_back(local);
+    --live_;
+  }
+
+  /// Starts over with `entries`, the first of which gets `first_index`.
+  void Reset(std::uint32_t first_index, std::vector<Entry> entries) {
+    first_ = first_index;
+    entries_ = std::move(entries);
+    free_.clear();
+    live_ = 0;
+    for (std::size_t local = entries_.size(); local-- > 0;) {
+      if (entries_[local].marks.Live()) {
+        ++live_;
+      } else {
+        free_.push_back(static_cast<std::uint32_t>(local));
+      }
+    }
+    std::size_t size = 16;
+    while (live_ * 4 > size * 3) {
+      size *= 2;
+    }
+    slots_.clear();
+    if (live_ > 0) {
+      Rehash(size);
+    }
+  }
+
+  std::size_t MemoryBytes() const {
+    return entries_.capacity() * sizeof(Entry) + (slots_.capacity() + free_.capacity()) * sizeof(std::uint32_t);
+  }
+
+ private:
+  void Enter(std::uint32_t local) {
+    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
+    std::uint32_t at = entries_[local].Hash() & mask;
+    while (slots_[at] != 0) {
+      at = (at + 1) & mask;
+    }
+    slots_[at] = local + 1;
+  }
+
+  /// Takes an entry out of the index and closes the gap, so that no tombstones are needed.
+  void Leave(std::uint32_t local) {
+    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
+    std::uint32_t gap = entries_[local].Hash() & mask;
+    while (slots_[gap] != local + 1) {
+      gap = (gap + 1) & mask;
+    }
+    for (std::uint32_t at = (gap + 1) & mask; slots_[at] != 0; at = (at + 1) & mask) {
+      const std::uint32_t home = entries_[slots_[at] - 1].Hash() & mask;
+      if (((at - home) & mask) >= ((at - gap) & mask)) {
+        slots_[gap] = slots_[at];
+        gap = at;
+      }
+    }
+    slots_[gap] = 0;
+  }
+
+  void Rehash(std::size_t size) {
+    slots_.assign(size, 0);
+    for (std::size_t local = 0; local < entries_.size(); ++local) {
+      if (entries_[local].marks.Live()) {
+        Enter(static_cast<std::uint32_t>(local));
+      }
+    }
+  }
+
+  std::uint32_t first_ = 0;
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> slots_;  ///< 1 + the local index of an entry, 0 if empty. A power of two.
+  std::vector<std::uint32_t> free_;
+  std::size_t live_ = 0;
+};
+
+}  // namespace soarbox::kernel

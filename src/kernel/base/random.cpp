@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/base/random.h"
+
+#include <bit>
+
+namespace soarbox::kernel {
+
+RandomStream::RandomStream(const RandomStream& other)
+    : seed_(other.seed_), engine_(other.engine_ ? std::make_unique<Engine>(*other.engine_) : nullptr) {}
+
+RandomStream& RandomStream::operator=(const RandomStream& other) {
+  if (this != &other) {
+    seed_ = other.seed_;
+    engine_ = other.engine_ ? std::make_unique<Engine>(*other.engine_) : nullptr;
+  }
+  return *this;
+}
+
+void RandomStream::Seed(std::uint32_t seed) {
+  seed_ = seed;
+  if (engine_) {
+    engine_->seed(seed);
+  }
+}
+
+std::uint32_t RandomStream::Next32() {
+  if (!engine_) {
+    engine_ = std::make_unique<Engine>(seed_);
+  }
+  return (*engine_)();
+}
+
+std::uint32_t RandomStream::Integer(std::uint32_t limit) {
+  // Draw as many bits as the limit has, again and again until the result is not above it.
+  const int bits = std::bit_width(limit);
+  const std::uint32_t mask = bits == 32 ? 0xFFFFFFFFu : (1u << bits) - 1;
+  for (;;) {
+    const std::uint32_t drawn = Next32() & mask;
+    if (drawn <= limit) {
+      return drawn;
+    }
+  }
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/base/symbol_table.h"
+
+#include <bit>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/constant_pool.h"
+#include "kernel/base/text_arena.h"
+#include "kernel/base/words.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+std::uint32_t HashText(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325ull;
+  for (const char c : text) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ull;
+  }
+  return static_cast<std::uint32_t>(hash ^ (hash >> 32));
+}
+
+bool FitsInHandle(std::int64_t value) {
+  constexpr std::int64_t kLimit = std::int64_t{1} << (Symbol::kIndexBits - 1);
+  return value >= -kLimit && value < kLimit;
+}
+
+std::int64_t SmallValue(Symbol symbol) {
+  constexpr std::uint32_t kSign = 1u << (Symbol::kIndexBits - 1);
+  return static_cast<std::int64_t>(symbol.index() ^ kSign) - static_cast<std::int64_t>(kSign);
+}
+
+}  // namespace
+
+/// The constants of a table, by kind. `small_integers` holds no values (those are in the handles) but the stamps of
+/// the small integers that rules mention; its indices mean nothing.
+struct ConstantPools {
+  ConstantPool<TextEntry> strings, variables;
+  ConstantPool<NumberEntry> large_integers, floats, small_integers;
+  std::uint32_t next_stamp = 1;
+};
+
+struct FrozenSymbols {
+  ConstantPools pools;
+  TextArena texts;
+};
+
+namespace {
+
+/// Every table starts from this one: the words of the architecture and the first integers.
+std::shared_ptr<const FrozenSymbols> Predefined() {
+  static const std::shared_ptr<const FrozenSymbols> kPredefined = [] {
+    auto frozen = std::make_shared<FrozenSymbols>();
+    ConstantPools& pools = frozen->pools;
+    const PoolMarks marks{PoolMarks::kLive | PoolMarks::kPinned};
+    for (std::size_t i = 0; i < kPredefinedWords.size(); ++i) {
+      if (i == kPredefinedBeforeIntegers) {
+        for (std::uint64_t value = 0; value <= 100; ++value) {
+          pools.small_integers.Add({value, pools.next_stamp++, marks});
+        }
+      }
+      const std::string_view word = kPredefinedWords[i];
+      pools.strings.Add({word.data(), static_cast<std::uint32_t>(word.size()), HashText(word), pools.next_stamp++, marks});
+    }
+    return frozen;
+  }();
+  return kPredefined;
+}
+
+/// The entries of `own` that a new base takes over: all before the first that is not pinned.
+template <typename Entry>
+std::size_t FreezablePrefix(const ConstantPool<Entry>& own) {
+  std::size_t count = 0;
+  while (count < own.entries().size() && own.entries()[count].marks.Pinned()) {
+    ++count;
+  }
+  return count;
+}
+
+bool Same(const TextEntry& a, const TextEntry& b) { return a.stamp == b.stamp && a.View() == b.View(); }
+bool Same(const NumberEntry& a, const NumberEntry& b) { return a.stamp == b.stamp && a.bits == b.bits; }
+
+/// True if every own entry is pinned and stands in `base` under the same index.
+template <typename Entry>
+bool CoveredBy(const ConstantPool<Entry>& own, const ConstantPool<Entry>& base) {
+  if (own.end_index() > base.end_index()) {
+    return false;
+  }
+  for (std::uint32_t index = own.first_index(); index < own.end_index(); ++index) {
+    if (!own[index].marks.Pinned() || !Same(own[index], base[index])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <typename Entry>
+ConstantPool<Entry> Joined(const ConstantPool<Entry>& base, const ConstantPool<Entry>& own, std::size_t count) {
+  std::vector<Entry> entries = base.entries();
+  entries.insert(entries.end(), own.entries().begin(), own.entries().begin() + static_cast<std::ptrdiff_t>(count));
+  ConstantPool<Entry> joined;
+  joined.Reset(0, std::move(entries));
+  return joined;
+}
+
+template <typename Entry>
+void DropFront(ConstantPool<Entry>& own, std::size_t count) {
+  std::vector<Entry> rest(own.entries().begin() + static_cast<std::ptrdiff_t>(count), own.entries().end());
+  own.Reset(own.first_index() + static_cast<std::uint32_t>(count), std::move(rest));
+}
+
+struct IdentifierEntry {
+  std::uint64_t number = 0;
+  char letter = 0;  ///< 0: free.
+};
+
+}  // namespace
+
+struct SymbolTable::Contents {
+  std::shared_ptr<const FrozenSymbols> base = Predefined();
+  ConstantPools own;
+  TextArena texts;
+  std::vector<IdentifierEntry> identifiers;
+  std::vector<std::uint32_t> free_identifiers;
+  std::uint64_t next_number[26];
+  std::size_t unpinned = 0;
+  std::uint64_t digest = 0;
+  bool pinning = false;
+
+  Contents() {
+    ResetNumbers();
+    RestartAboveBase();
+  }
+
+  void ResetNumbers() {
+    for (std::uint64_t& number : next_number) {
+      number = 1;
+    }
+  }
+
+  void RestartAboveBase() {
+    own.strings.Reset(base->pools.strings.end_index(), {});
+    own.variables.Reset(base->pools.variables.end_index(), {});
+    own.large_integers.Reset(base->pools.large_integers.end_index(), {});
+    own.floats.Reset(base->pools.floats.end_index(), {});
+    own.small_integers.Reset(base->pools.small_integers.end_index(), {});
+    own.next_stamp = base->pools.next_stamp;
+  }
+
+  template <typename Entry>
+  const Entry& At(const ConstantPool<Entry>& in_base, const ConstantPool<Entry>& in_own, std::uint32_t index) const {
+    return index < in_own.first_index() ? in_base[index] : in_own[index];
+  }
+  const TextEntry& Text(Symbol symbol) const {
+    return symbol.IsVariable() ? At(base->pools.variables, own.variables, symbol.index())
+                               : At(base->pools.strings, own.strings, symbol.index());
+  }
+
+  /// Notes in the digest that the entry is pinned from now on.
+  template <typename Entry>
+  void Pin(Entry& entry, Symbol::Tag tag, std::uint32_t index) {
+    if (entry.marks.Pinned()) {
+      return;
+    }
+    entry.marks.bits |= PoolMarks::kPinned;
+    const std::uint64_t what = (std::uint64_t{Symbol(tag, index).bits()} << 32) | entry.Hash();
+    digest = (std::rotl(digest, 5) ^ what) * 0x9E3779B97F4A7C15ull;
+  }
+
+  template <typename Entry, typename Key, typename Make>
+  Symbol Intern(const ConstantPool<Entry>& in_base, ConstantPool<Entry>& in_own, Symbol::Tag tag, std::uint32_t hash,
+                const Key& key, bool pin, Make make) {
+    std::uint32_t index = in_base.Find(hash, key);
+    if (index != ConstantPool<Entry>::kNotFound) {
+      return Symbol(tag, index);
+    }
+    index = in_own.Find(hash, key);
+    if (index == ConstantPool<Entry>::kNotFound) {
+      index = in_own.Add(make(own.next_stamp++));
+      ++unpinned;
+    }
+    if (pin && !in_own[index].marks.Pinned()) {
+      Pin(in_own[index], tag, index);
+      --unpinned;
+    }
+    return Symbol(tag, index);
+  }
+
+  Symbol InternText(const ConstantPool<TextEntry>& in_base, ConstantPool<TextEntry>& in_own, Symbol::Tag tag,
+                    std::string_view text, bool pin) {
+    const std::uint32_t hash = HashText(text);
+    return Intern(in_base, in_own, tag, hash, text, pin, [&](std::uint32_t stamp) {
+      return TextEntry{texts.Store(text), static_cast<std::uint32_t>(text.size()), hash, stamp, {PoolMarks::kLive}};
+    });
+  }
+
+  Symbol InternNumber(const ConstantPool<NumberEntry>& in_base, ConstantPool<NumberEntry>& in_own, Symbol::Tag tag,
+                      std::uint64_t bits, bool pin) {
+    return Intern(in_base, in_own, tag, NumberEntry::HashOf(bits), bits, pin, [&](std::uint32_t stamp) {
+      return NumberEntry{bits, stamp, {PoolMarks::kLive}};
+    });
+  }
+
+  /// Frees the entries that are neither pinned nor marked and clears the marks.
+  template <typename Entry, typename Release>
+  void Sweep(ConstantPool<Entry>& pool, Release release) {
+    for (std::uint32_t index = pool.first_index(); index < pool.end_index(); ++index) {
+      Entry& entry = pool[index];
+      if (!entry.marks.Live()) {
+        continue;
+      }
+      if ((entry.marks.bits & (PoolMarks::kPinned | PoolMarks::kMarked)) == 0) {
+        release(entry);
+        pool.Free(index);
+        --unpinned;
+      } else {
+        entry.marks.bits &= static_cast<std::uint8_t>(~PoolMarks::kMarked);
+      }
+    }
+  }
+};
+
+SymbolTable::SymbolTable() : contents_(std::make_unique<Contents>()) {}
+SymbolTable::~SymbolTable() = default;
+SymbolTable::SymbolTable(SymbolTable&&) noexcept = default;
+SymbolTable& SymbolTable::operator=(SymbolTable&&) noexcept = default;
+
+Symbol SymbolTable::String(std::string_view text) {
+  Contents& c = *contents_;
+  return c.InternText(c.base->pools.strings, c.own.strings, Symbol::Tag::kString, text, c.pinning);
+}
+
+Symbol SymbolTable::Variable(std::string_view name) {
+  Contents& c = *contents_;
+  return c.InternText(c.base->pools.variables, c.own.variables, Symbol::Tag::kVariable, name, true);
+}
+
+Symbol SymbolTable::Integer(std::int64_t value) {
+  Contents& c = *contents_;
+  const std::uint64_t bits = static_cast<std::uint64_t>(value);
+  if (!FitsInHandle(value)) {
+    return c.InternNumber(c.base->pools.large_integers, c.own.large_integers, Symbol::Tag::kLargeInteger, bits, c.pinning);
+  }
+  if (c.pinning) {
+    c.InternNumber(c.base->pools.small_integers, c.own.small_integers, Symbol::Tag::kSmallInteger, bits, true);
+  }
+  return Symbol(Symbol::Tag::kSmallInteger, static_cast<std::uint32_t>(bits));
+}
+
+Symbol SymbolTable::Float(double value) {
+  Contents& c = *contents_;
+  return c.InternNumber(c.base->pools.floats, c.own.floats, Symbol::Tag::kFloat, std::bit_cast<std::uint64_t>(value),
+                        c.pinning);
+}
+
+Symbol SymbolTable::FindString(std::string_view text) const {
+  const Contents& c = *contents_;
+  const std::uint32_t hash = HashText(text);
+  std::uint32_t index = c.base->pools.strings.Find(hash, text);
+  if (index == ConstantPool<TextEntry>::kNotFound) {
+    index = c.own.strings.Find(hash, text);
+  }
+  return index == ConstantPool<TextEntry>::kNotFound ? Symbol() : Symbol(Symbol::Tag::kString, index);
+}
+
+Symbol SymbolTable::FindVariable(std::string_view name) const {
+  const Contents& c = *contents_;
+  const std::uint32_t hash = HashText(name);
+  std::uint32_t index = c.base->pools.variables.Find(hash, name);
+  if (index == ConstantPool<TextEntry>::kNotFound) {
+    index = c.own.variables.Find(hash, name);
+  }
+  return index == ConstantPool<TextEntry>::kNotFound ? Symbol() : Symbol(Symbol::Tag::kVariable, index);
+}
+
+std::string_view SymbolTable::Text(Symbol symbol) const { return contents_->Text(symbol).View(); }
+
+std::int64_t SymbolTable::IntegerValue(Symbol symbol) const {
+  if (symbol.tag() == Symbol::Tag::kSmallInteger) {
+    return SmallValue(symbol);
+  }
+  const Contents& c = *contents_;
+  return static_cast<std::int64_t>(c.At(c.base->pools.large_integers, c.own.large_integers, symbol.index()).bits);
+}
+
+double SymbolTable::FloatValue(Symbol symbol) const {
+  const Contents& c = *contents_;
+  return std::bit_cast<double>(c.At(c.base->pools.floats, c.own.floats, symbol.index()).bits);
+}
+
+double SymbolTable::NumberValue(Symbol symbol) const {
+  return symbol.IsFloat() ? FloatValue(symbol) : static_cast<double>(IntegerValue(symbol));
+}
+
+std::uint32_t SymbolTable::Stamp(Symbol constant) const {
+  const Contents& c = *contents_;
+  switch (constant.tag()) {
+    case Symbol::Tag::kString: return c.Text(constant).stamp;
+    case Symbol::Tag::kLargeInteger:
+      return c.At(c.base->pools.large_integers, c.own.large_integers, constant.index()).stamp;
+    case Symbol::Tag::kFloat: return c.At(c.base->pools.floats, c.own.floats, constant.index()).stamp;
+    case Symbol::Tag::kSmallInteger: {
+      const std::uint64_t bits = static_cast<std::uint64_t>(SmallValue(constant));
+      const std::uint32_t hash = NumberEntry::HashOf(bits);
+      for (const ConstantPool<NumberEntry>* pool : {&c.base->pools.small_integers, &c.own.small_integers}) {
+        const std::uint32_t index = pool->Find(hash, bits);
+        if (index != ConstantPool<NumberEntry>::kNotFound) {
+          return (*pool)[index].stamp;
+        }
+      }
+      return 0;
+    }
+    default: return 0;
+  }
+}
+
+Symbol SymbolTable::NewIdentifier(char letter) {
+  return NewIdentifier(letter, contents_->next_number[letter - 'A']);
+}
+
+Symbol SymbolTable::NewIdentifier(char letter, std::uint64_t number) {
+  Contents& c = *contents_;
+  std::uint64_t& next = c.next_number[letter - 'A'];
+  if (number >= next) {
+    next = number + 1;
+  }
+  std::uint32_t index;
+  if (!c.free_identifiers.empty()) {
+    index = c.free_identifiers.back();
+    c.free_identifiers.pop_back();
+    c.identifiers[index] = {number, letter};
+  } else {
+    index = static_cast<std::uint32_t>(c.identifiers.size());
+    c.identifiers.push_back({number, letter});
+  }
+  return Symbol(Symbol::Tag::kIdentifier, index);
+}
+
+void SymbolTable::FreeIdentifier(Symbol identifier) {
+  contents_->identifiers[identifier.index()] = {};
+  contents_->free_identifiers.push_back(identifier.index());
+}
+
+char SymbolTable::Letter(Symbol identifier) const { return contents_->identifiers[identifier.index()].letter; }
+std::uint64_t SymbolTable::Number(Symbol identifier) const { return contents_->identifiers[identifier.index()].number; }
+
+Symbol SymbolTable::FindIdentifier(char letter, std::uint64_t number) const {
+  const std::vector<IdentifierEntry>& identifiers = contents_->identifiers;
+  for (std::size_t i = 0; i < identifiers.size(); ++i) {
+    if (identifiers[i].letter == letter && identifiers[i].number == number && letter != 0) {
+      return Symbol(Symbol::Tag::kIdentifier, static_cast<std::uint32_t>(i));
+    }
+  }
+  return {};
+}
+
+std::uint32_t SymbolTable::IdentifierLimit() const {
+  return static_cast<std::uint32_t>(contents_->identifiers.size());
+}
+
+void SymbolTable::ResetIdentifierCounters() {
+  contents_->ResetNumbers();
+  contents_->identifiers.clear();
+  contents_->free_identifiers.clear();
+}
+
+std::strong_ordering SymbolTable::Compare(Symbol left, Symbol right) const {
+  if (left.IsInteger() && right.IsInteger()) {
+    return IntegerValue(left) <=> IntegerValue(right);
+  }
+  if (left.IsNumber() && right.IsNumber()) {
+    const double a = NumberValue(left), b = NumberValue(right);
+    return a > b ? std::strong_ordering::greater : a == b ? std::strong_ordering::equal : std::strong_ordering::less;
+  }
+  if (left.kind() == right.kind() && (left.IsString() || left.IsVariable())) {
+    return Text(left).compare(Text(right)) <=> 0;
+  }
+  if (left.IsIdentifier() && right.IsIdentifier()) {
+    if (Letter(left) != Letter(right)) {
+      return Letter(left) <=> Letter(right);
+    }
+    return Number(left) <=> Number(right);
+  }
+  return std::strong_ordering::less;
+}
+
+SymbolTable::PinScope::PinScope(SymbolTable& table) : table_(table), before_(table.contents_->pinning) {
+  table.contents_->pinning = true;
+}
+SymbolTable::PinScope::~PinScope() { table_.contents_->pinning = before_; }
+
+void SymbolTable::BeginMark() {}
+
+void SymbolTable::Mark(Symbol symbol) {
+  Contents& c = *contents_;
+  const auto mark = [&](auto& pool) {
+    if (symbol.index() >= pool.first_index()) {
+      pool[symbol.index()].marks.bits |= PoolMarks::kMarked;
+    }
+  };
+  switch (symbol.tag()) {
+    case Symbol::Tag::kString: mark(c.own.strings); break;
+    case Symbol::Tag::kLargeInteger: mark(c.own.large_integers); break;
+    case Symbol::Tag::kFloat: mark(c.own.floats); break;
+    default: break;
+  }
+}
+
+void SymbolTable::Sweep() {
+  Contents& c = *contents_;
+  c.Sweep(c.own.strings, [&](const TextEntry& entry) { c.texts.Release(entry.text, entry.length); });
+  c.Sweep(c.own.large_integers, [](const NumberEntry&) {});
+  c.Sweep(c.own.floats, [](const NumberEntry&) {});
+}
+
+std::size_t SymbolTable::UnpinnedCount() const { return contents_->unpinned; }
+std::uint64_t SymbolTable::Digest() const { return contents_->digest; }
+
+std::shared_ptr<const FrozenSymbols> SymbolTable::Freeze() {
+  Contents& c = *contents_;
+  const std::size_t strings = FreezablePrefix(c.own.strings);
+  const std::size_t variables = FreezablePrefix(c.own.variables);
+  const std::size_t large = FreezablePrefix(c.own.large_integers);
+  const std::size_t floats = FreezablePrefix(c.own.floats);
+  const std::size_t small = FreezablePrefix(c.own.small_integers);
+  if (strings + variables + large + floats + small == 0) {
+    return c.base;
+  }
+  auto frozen = std::make_shared<FrozenSymbols>();
+  const ConstantPools& base = c.base->pools;
+  ConstantPools& pools = frozen->pools;
+  pools.next_stamp = c.own.next_stamp;
+
+  // The texts move into the frozen base; the old base may go away.
+  std::vector<TextEntry> entries;
+  const auto take_texts = [&](const ConstantPool<TextEntry>& from_base, ConstantPool<TextEntry>& own, std::size_t count,
+                              ConstantPool<TextEntry>& to) {
+    to = Joined(from_base, own, count);
+    for (std::uint32_t index = 0; index < to.end_index(); ++index) {
+      const std::string_view text = to[index].View();
+      to[index].text = frozen->texts.Store(text);
+      if (index >= own.first_index()) {
+        c.texts.Release(text.data(), text.size());
+      }
+    }
+    DropFront(own, count);
+  };
+  take_texts(base.strings, c.own.strings, strings, pools.strings);
+  take_texts(base.variables, c.own.variables, variables, pools.variables);
+  const auto take_numbers = [](const ConstantPool<NumberEntry>& from_base, ConstantPool<NumberEntry>& own,
+                               std::size_t count, ConstantPool<NumberEntry>& to) {
+    to = Joined(from_base, own, count);
+    DropFront(own, count);
+  };
+  take_numbers(base.large_integers, c.own.large_integers, large, pools.large_integers);
+  take_numbers(base.floats, c.own.floats, floats, pools.floats);
+  take_numbers(base.small_integers, c.own.small_integers, small, pools.small_integers);
+  c.base = frozen;
+  return frozen;
+}
+
+bool SymbolTable::Adopt(std::shared_ptr<const FrozenSymbols> base) {
+  Contents& c = *contents_;
+  const ConstantPools& pools = base->pools;
+  // Our own base must be a part of the new one: it is, if we still have the predefined one or they are the same.
+  if (c.base != base && c.base != Predefined()) {
+    return false;
+  }
+  if (c.base == base) {
+    return true;
+  }
+  if (!CoveredBy(c.own.strings, pools.strings) || !CoveredBy(c.own.variables, pools.variables) ||
+      !CoveredBy(c.own.large_integers, pools.large_integers) || !CoveredBy(c.own.floats, pools.floats) ||
+      !CoveredBy(c.own.small_integers, pools.small_integers)) {
+    return false;
+  }
+  c.base = std::move(base);
+  c.texts = TextArena();
+  c.unpinned = 0;
+  c.RestartAboveBase();
+  return true;
+}
+
+std::size_t SymbolTable::MemoryBytes() const {
+  const Contents& c = *contents_;
+  return sizeof(Contents) + c.texts.MemoryBytes() + c.own.strings.MemoryBytes() + c.own.variables.MemoryBytes() +
+         c.own.large_integers.MemoryBytes() + c.own.floats.MemoryBytes() + c.own.small_integers.MemoryBytes() +
+         c.identifiers.capacity() * sizeof(IdentifierEntry) + c.free_identifiers.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::kernel {
+
+/// Storage for short texts in size classes (powers of two from 8 bytes) with free lists, so that texts that come and
+/// go cost no allocation once the classes have filled. Texts stay where they are until released.
+class TextArena {
+ public:
+  /// Copies the text and returns the copy.
+  const char* Store(std::string_view text) {
+    const int size_class = ClassOf(text.size());
+    char* place = Take(size_class);
+    text.copy(place, text.size());
+    return place;
+  }
+
+  /// Gives the room of a text of this length back.
+  void Release(const char* text, std::size_t length) {
+    FreeText* free = reinterpret_cast<FreeText*>(const_cast<char*>(text));
+    const int size_class = ClassOf(length);
+    free->next = free_[static_cast<std::size_t>(size_class)];
+    free_[static_cast<std::size_t>(size_class)] = free;
+  }
+
+  std::size_t MemoryBytes() const { return bytes_; }
+
+ private:
+  struct FreeText {
+    FreeText* next;
+  };
+  static constexpr std::size_t kBlockBytes = 4096;
+
+  static int ClassOf(std::size_t length) {
+    int size_class = 0;
+    while ((std::size_t{8} << size_class) < length) {
+      ++size_class;
+    }
+    return size_class;
+  }
+
+  char* Take(int size_class) {
+    FreeText*& head = free_[static_cast<std::size_t>(size_class)];
+    if (head != nullptr) {
+      char* place = reinterpret_cast<char*>(head);
+      head = head->next;
+      return place;
+    }
+    const std::size_t size = std::size_t{8} << size_class;
+    if (size > kBlockBytes / 2) {
+      blocks_.push_back(std::make_unique<char[]>(size));
+      bytes_ += size;
+      return blocks_.back().get();
+    }
+    if (block_left_ < size) {
+      blocks_.push_back(std::make_unique<char[]>(kBlockBytes));
+      bytes_ += kBlockBytes;
+      block_next_ = blocks_.back().get();
+      block_left_ = kBlockBytes;
+    }
+    char* place = block_next_;
+    block_next_ += size;
+    block_left_ -= size;
+    return place;
+  }
+
+  std::array<FreeText*, 48> free_{};
+  std::vector<std::unique_ptr<char[]>> blocks_;
+  char* block_next_ = nullptr;
+  std::size_t block_left_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace soarbox::kernel
