@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "sml_ClientWMElement.h"
+
+namespace sml {
+
+/// A number with a fraction.
+class EXPORT FloatElement : public WMElement {
+ public:
+  ~FloatElement() override;
+
+  double GetValue() const { return value_; }
+
+  /// As Agent::Update(this, value).
+  void Update(double value);
+
+  char const* GetValueType() const override { return "double"; }
+  char const* GetValueAsString() const override;
+  char const* GetValueAsString(std::string& buf) const override;
+  FloatElement* ConvertToFloatElement() override { return this; }
+
+ private:
+  friend class WorkingMemory;
+  FloatElement() = default;
+
+  double value_ = 0.0;
+};
+
+}  // namespace sml

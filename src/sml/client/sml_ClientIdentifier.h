@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <list>
+#include <string>
+#include <vector>
+
+#include "sml_ClientFloatElement.h"
+#include "sml_ClientIntElement.h"
+#include "sml_ClientStringElement.h"
+#include "sml_ClientWMElement.h"
+
+namespace sml {
+
+class Identifier;
+class OutputDeltaList;
+
+/// An identifier and what hangs on it. Elements that share one identifier as their value share one such object; it
+/// goes when its last user does.
+class EXPORT IdentifierSymbol {
+ public:
+  IdentifierSymbol(IdentifierSymbol const&) = delete;
+  IdentifierSymbol& operator=(IdentifierSymbol const&) = delete;
+  ~IdentifierSymbol();
+
+  char const* GetIdentifierSymbol() { return name_.c_str(); }
+  void SetIdentifierSymbol(char const* pID) { name_ = pID ? pID : ""; }
+
+  /// True if children came or went since the list of output changes was last cleared.
+  bool AreChildrenModified() { return children_modified_; }
+  void SetAreChildrenModified(bool state) { children_modified_ = state; }
+
+  void UsedBy(Identifier* pIdentifier);
+  void NoLongerUsedBy(Identifier* pIdentifier);
+  bool IsFirstUser(Identifier* pIdentifier) { return !users_.empty() && users_.front() == pIdentifier; }
+  Identifier* GetFirstUser() { return users_.empty() ? nullptr : users_.front(); }
+  int GetNumberUsing() { return static_cast<int>(users_.size()); }
+
+  void AddChild(WMElement* pWME);
+  void RemoveChild(WMElement* pWME);
+  WMElement* GetChildByTimeTag(long long timeTag);
+  /// Moves all children of the other symbol here.
+  void TransferChildren(IdentifierSymbol* pFrom);
+  /// Forgets all children, without destroying them in the agent.
+  void DeleteAllChildren();
+
+  void DebugString(std::string& result);
+
+ private:
+  friend class Identifier;
+  friend class WorkingMemory;
+  IdentifierSymbol() = default;
+
+  WorkingMemory* memory_ = nullptr;
+  std::string name_;
+  std::vector<Identifier*> users_;
+  std::list<WMElement*> children_;
+  bool children_modified_ = false;
+};
+
+/// An element whose value is an identifier: a node of the input or output structure. A command on the output link is
+/// one of these.
+class EXPORT Identifier : public WMElement {
+ public:
+  typedef std::list<WMElement*>::iterator ChildrenIter;
+  typedef std::list<WMElement*>::const_iterator ChildrenConstIter;
+
+  ~Identifier() override;
+
+  /// The children in the order in which they came.
+  ChildrenIter GetChildrenBegin();
+  ChildrenIter GetChildrenEnd();
+  int GetNumberChildren() const;
+  /// NULL if there is no such child.
+  WMElement* GetChild(int index);
+
+  /// Searches everything below; NULL if it is not there.
+  WMElement* FindFromTimeTag(long long timeTag) const;
+  /// The index-th direct child with this attribute (case does not matter); NULL if there is none.
+  WMElement* FindByAttribute(char const* pAttribute, int index) const;
+  /// The value of the first child with this attribute as text; NULL if there is none.
+  char const* GetParameterValue(char const* pAttribute) const;
+
+  /// The command's name: the attribute of this element.
+  char const* GetCommandName() const { return GetAttribute(); }
+
+  /// Adds ^status complete below this command.
+  void AddStatusComplete();
+  /// Adds ^status error below this command.
+  void AddStatusError();
+  /// Adds ^error-code N below this command.
+  void AddErrorCode(int errorCode);
+
+  bool AreChildrenModified();
+  IdentifierSymbol* GetSymbol() const { return symbol_; }
+
+  /// As the functions of Agent with this identifier as the parent.
+  StringElement* CreateStringWME(char const* pAttribute, char const* pValue);
+  IntElement* CreateIntWME(char const* pAttribute, long long value);
+  FloatElement* CreateFloatWME(char const* pAttribute, double value);
+  Identifier* CreateIdWME(char const* pAttribute);
+  Identifier* CreateSharedIdWME(char const* pAttribute, Identifier* pSharedValue);
+
+  char const* GetValueType() const override { return "id"; }
+  char const* GetValueAsString() const override;
+  char const* GetValueAsString(std::string& buf) const override;
+  bool IsIdentifier() const override { return true; }
+  Identifier* ConvertToIdentifier() override { return this; }
+
+ private:
+  friend class WorkingMemory;
+  friend class IdentifierSymbol;
+  Identifier() = default;
+
+  IdentifierSymbol* symbol_ = nullptr;
+};
+
+}  // namespace sml

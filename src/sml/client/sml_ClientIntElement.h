@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "sml_ClientWMElement.h"
+
+namespace sml {
+
+/// A whole number of 64 bits.
+class EXPORT IntElement : public WMElement {
+ public:
+  ~IntElement() override;
+
+  long long GetValue() const { return value_; }
+
+  /// As Agent::Update(this, value).
+  void Update(long long value);
+
+  char const* GetValueType() const override { return "int"; }
+  char const* GetValueAsString() const override;
+  char const* GetValueAsString(std::string& buf) const override;
+  IntElement* ConvertToIntElement() override { return this; }
+
+ private:
+  friend class WorkingMemory;
+  IntElement() = default;
+
+  long long value_ = 0;
+};
+
+}  // namespace sml

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+#include "Export.h"
+
+namespace sml {
+
+class Agent;
+class Identifier;
+class IdentifierSymbol;
+class IntElement;
+class FloatElement;
+class StringElement;
+class WorkingMemory;
+
+/// An element of working memory as a client sees it: input that it made, or output that its agent made.
+///
+/// Objects belong to their agent. One that was destroyed, or removed from the output link, is kept for a while as a
+/// husk: calls on it and with it fail with an error of the agent, they do not crash.
+class EXPORT WMElement {
+ public:
+  virtual ~WMElement();
+
+  /// True for output that arrived since the list of changes was last cleared.
+  bool IsJustAdded() const { return just_added_; }
+
+  /// The identifier that this element hangs on; NULL for the input link and the output link themselves.
+  IdentifierSymbol* GetParent() const { return parent_; }
+  IdentifierSymbol* GetIdentifier() const { return parent_; }
+  /// Its name ("I2").
+  char const* GetIdentifierName() const;
+
+  char const* GetAttribute() const { return attribute_.c_str(); }
+
+  /// "string", "int", "double" or "id".
+  virtual char const* GetValueType() const = 0;
+  /// The value as text. Numbers: valid until the next call of this function for a number.
+  virtual char const* GetValueAsString() const = 0;
+  /// The same, written to the buffer and returned from there.
+  virtual char const* GetValueAsString(std::string& buf) const = 0;
+
+  /// Negative for elements that a client made, positive for those of the agent. Changes with every update.
+  long long GetTimeTag() const { return time_tag_; }
+
+  virtual bool IsIdentifier() const { return false; }
+  virtual Identifier* ConvertToIdentifier() { return nullptr; }
+  virtual IntElement* ConvertToIntElement() { return nullptr; }
+  virtual FloatElement* ConvertToFloatElement() { return nullptr; }
+  virtual StringElement* ConvertToStringElement() { return nullptr; }
+
+  Agent* GetAgent() { return agent_; }
+
+  /// As Agent::DestroyWME(this).
+  bool DestroyWME();
+
+  /// Appends a line for people.
+  void DebugString(std::string& result);
+
+  WMElement(WMElement const&) = delete;
+  WMElement& operator=(WMElement const&) = delete;
+
+ protected:
+  WMElement() = default;
+
+ private:
+  friend class WorkingMemory;
+  friend class IdentifierSymbol;
+
+  Agent* agent_ = nullptr;
+  IdentifierSymbol* parent_ = nullptr;
+  std::string attribute_;
+  long long time_tag_ = 0;
+  bool just_added_ = false;
+  bool live_ = false;    ///< False for husks.
+  bool output_ = false;  ///< Made by the agent.
+};
+
+}  // namespace sml

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "ElementXML.h"
+#include "Export.h"
+
+namespace sml {
+
+class ClientTraceXML;
+
+/// A piece of structured output. One that is handed to an event handler lives until the handler returns: copy it to
+/// keep it.
+class EXPORT ClientXML {
+ public:
+  ClientXML();
+  explicit ClientXML(ClientXML* pXML);
+  explicit ClientXML(soarxml::ElementXML const& element);
+  virtual ~ClientXML();
+
+  /// This object as a piece of trace.
+  virtual ClientTraceXML* ConvertToTraceXML();
+
+  char const* GetTagName() const;
+  bool IsTag(char const* pTag) const;
+  int GetNumberChildren() const;
+  /// Makes pChild the index-th child; false if there is none.
+  bool GetChild(ClientXML* pChild, int index) const;
+  int GetNumberAttributes() const;
+  char const* GetAttributeName(int index) const;
+  char const* GetAttributeValue(int index) const;
+  /// NULL if there is no such attribute.
+  char const* GetAttribute(char const* pName) const;
+  char const* GetCharacterData() const;
+  bool IsCharacterDataBinary() const;
+  bool ConvertCharacterDataToBinary();
+  int GetCharacterDataLength() const;
+  /// The piece as a document; give it back with DeleteString.
+  char* GenerateXMLString(bool includeChildren, bool insertNewLines = false) const;
+  int DetermineXMLStringLength(bool includeChildren, bool insertNewLines = false) const;
+
+  static char* AllocateString(int length);
+  static void DeleteString(char* pString);
+  static char* CopyString(char const* pString);
+  static char* CopyBuffer(char const* pBuffer, int length);
+
+ protected:
+  soarxml::ElementXML element_;
+};
+
+}  // namespace sml

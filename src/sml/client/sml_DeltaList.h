@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <vector>
+
+#include "Export.h"
+
+namespace sml {
+
+class WMElement;
+class WorkingMemory;
+
+/// A change of the input link that waits for Agent::Commit().
+struct TagWme {
+  bool remove = false;
+  long long time_tag = 0;
+  WMElement* wme = nullptr;  ///< The element to add; NULL for removals.
+};
+
+/// The changes of the input link that wait for Agent::Commit(), in the order in which they were made.
+class EXPORT DeltaList {
+ public:
+  int GetSize() const { return static_cast<int>(changes_.size()); }
+  /// NULL if there is no such change.
+  TagWme* GetDelta(int index);
+
+ private:
+  friend class WorkingMemory;
+  std::vector<TagWme> changes_;
+};
+
+}  // namespace sml
