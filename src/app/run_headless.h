@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "app/run_options.h"
+#include "app/run_session.h"
+
+namespace soarbox::app {
+
+/// Runs without a window: as fast as it goes, or at the speed asked for. Long runs show progress on stderr if that is a
+/// terminal. Returns an ExitCode.
+int RunHeadless(RunSession& session, const RunOptions& options);
+
+}  // namespace soarbox::app

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "app/run_options.h"
+#include "app/run_session.h"
+#include "sim/scenario.h"
+
+namespace soarbox::app {
+
+/// Whether this build can open a window at all (CMake option SOARBOX_VIEWER).
+extern const bool kHasWindow;
+
+/// Runs in a window until it is closed, the time is up or the screenshot is taken. Returns an ExitCode.
+int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data);
+
+}  // namespace soarbox::app
