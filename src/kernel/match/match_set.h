@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/memory/wme.h"
 
 namespace soarbox::kernel {
 
@@ -15,9 +18,153 @@ enum class MatchId : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 enum class MatchState : std::uint8_t {
   kFree,
-  kPendingAssertion,   ///< Matched, not fired yet.
+  kPendingAssertion,   ///< Matched, not fired yet. On a list.
+  kTaken,              ///< Taken from its list by TakeAssertion; MarkFired or PutBack comes next.
   kFired,              ///< Has an instantiation.
-  kPendingRetraction,  ///< No longer matches; its instantiation is to be retracted.
+  kPendingRetraction,  ///< No longer matches; its instantiation is to be retracted. On a list.
+  kRetracting,         ///< Taken by TakeRetraction; Release comes next.
+};
+
+/// What to know of a match to fire it or to show it.
+struct PendingMatch {
+  MatchId match = MatchId::kNone;
+  ProductionId production = ProductionId::kNone;
+  Symbol goal;              ///< The lowest goal among the matched elements' identifiers; none if there is none.
+  GoalLevel level = 0;      ///< Of that goal; 0 if there is none or it has gone.
+  bool o_support = false;   ///< The support that its actions get.
+
+  explicit operator bool() const { return match != MatchId::kNone; }
+};
+
+/// The conflict set: complete matches that wait to fire or to be retracted, per level of their goal.
+///
+/// Each level has a list of i-assertions, one of o-assertions and one of retractions; level 0 holds what belongs to no
+/// goal, or to a goal that has gone. New entries go to the head; lists are consumed from the head. A match's elements
+/// are kept here from the day it appears until it is released.
+///
+/// A match that appears while an equal one (same rule, same elements) waits for its retraction takes that one's place:
+/// nothing fires and nothing is retracted. Retractions that can come back are found by hash.
+///
+/// Filled by the Rete, consumed by the decision cycle. Single-threaded. No allocation in the steady state.
+class MatchSet {
+ public:
+  enum class List : std::uint8_t { kIAssertions, kOAssertions, kRetractions };
+
+  // For the decision cycle ------------------------------------------------------------------------------------------
+
+  bool HasAssertions(GoalLevel level, bool o_support) const {
+    return level < levels_.size() && levels_[level].head[o_support ? 1 : 0] != kNil;
+  }
+  bool HasRetractions(GoalLevel level) const { return level < levels_.size() && levels_[level].head[2] != kNil; }
+  /// Retractions of matches that touch no goal, or whose goal has gone.
+  bool HasNoGoalRetractions() const { return HasRetractions(0); }
+
+  /// Takes the newest assertion of a level; an empty PendingMatch if there is none. The match is then marked as fired,
+  /// put back, or dropped (Release).
+  PendingMatch TakeAssertion(GoalLevel level, bool o_support);
+  /// Returns taken matches to the head of their lists. `taken` in the order of taking; they will be taken again in it.
+  void PutBack(std::span<const MatchId> taken);
+  void MarkFired(MatchId match, InstantiationId instantiation);
+  InstantiationId InstantiationOf(MatchId match) const { return records_[Index(match)].instantiation; }
+
+  /// Takes the newest retraction of a level (0: the no-goal list), or kNone. Its elements, rule and instantiation stay
+  /// readable until Release.
+  MatchId TakeRetraction(GoalLevel level);
+  MatchId TakeNoGoalRetraction() { return TakeRetraction(0); }
+  /// Forgets a taken match. A fired match may be released as well (its instantiation ended otherwise); it stays matched
+  /// and silent.
+  void Release(MatchId match);
+
+  /// The goal of this level is going away: its retractions move to the no-goal list, its assertions too (they vanish
+  /// when the goal's elements leave the match; they never fire).
+  void GoalRemoved(GoalLevel level);
+
+  PendingMatch Describe(MatchId match) const;
+  MatchState StateOf(MatchId match) const { return records_[Index(match)].state; }
+  /// The elements of a match in condition order, one per positive top-level condition. Valid until the next change.
+  std::span<const WmeId> Wmes(MatchId match) const {
+    const Record& record = records_[Index(match)];
+    return {reinterpret_cast<const WmeId*>(elements_.data()) + record.elements, record.element_count};
+  }
+
+  /// For display: all entries of one kind over all levels, newest first.
+  std::vector<PendingMatch> Pending(List list) const;
+
+  std::size_t MemoryBytes() const;
+
+  // For the Rete ----------------------------------------------------------------------------------------------------
+
+  /// What a new match is.
+  struct Arrival {
+    std::uint32_t production = 0;
+    std::uint32_t token = 0;
+    std::span<const std::uint32_t> elements;
+    Symbol goal;
+    GoalLevel level = 0;
+    bool o_support = false;
+  };
+  /// An equal match that waits for its retraction and is now matched again by `arrival.token`; kNone if there is none.
+  MatchId Revive(const Arrival& arrival, const WmeTable& wmes);
+  /// A new pending assertion.
+  MatchId Assert(const Arrival& arrival);
+  /// A match that counts as fired from the start.
+  MatchId AddFired(const Arrival& arrival, InstantiationId instantiation);
+  /// The match's token is gone: a pending assertion vanishes, a fired match becomes a retraction. `can_return` is false
+  /// when one of its own elements left (then no equal match can appear); `last_timetag` is the largest given so far.
+  /// Returns false if the record is free now.
+  bool TokenGone(MatchId match, bool can_return, std::uint64_t last_timetag);
+  std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
+  std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
+  /// Records in use that belong to a rule; its number is used again when this is 0.
+  std::uint32_t LiveCount(std::uint32_t production) const {
+    return production < live_.size() ? live_[production] : 0;
+  }
+  void Clear();
+
+  static constexpr std::uint32_t kNil = 0xFFFFFFFFu;
+
+ private:
+  struct Record {
+    std::uint32_t token = kNil;
+    std::uint32_t production = 0;
+    std::uint32_t elements = 0;          ///< Where they begin in elements_.
+    std::uint16_t element_count = 0;
+    GoalLevel level = 0;
+    MatchState state = MatchState::kFree;
+    std::uint8_t list = 0;
+    bool o_support = false;
+    bool hashed = false;                 ///< Stands in the table of retractions that can come back.
+    Symbol goal;
+    InstantiationId instantiation = InstantiationId::kNone;
+    std::uint32_t next = kNil, previous = kNil;            ///< In its list; `next` also in the free list.
+    std::uint32_t hash = 0;
+    std::uint32_t hash_next = kNil, hash_previous = kNil;
+    std::uint64_t stamp = 0;             ///< Of an assertion or retraction: its running number. For display order.
+    std::uint64_t last_timetag = 0;      ///< When it became a retraction.
+  };
+  struct Level {
+    std::uint32_t head[3] = {kNil, kNil, kNil};
+  };
+
+  std::uint32_t NewRecord(const Arrival& arrival);
+  void FreeRecord(std::uint32_t match);
+  void Push(std::uint32_t match, std::uint8_t list);
+  void Unlink(std::uint32_t match);
+  void Hash(std::uint32_t match);
+  void Unhash(std::uint32_t match);
+  void GrowHash();
+  static std::uint32_t HashOf(std::uint32_t production, std::span<const std::uint32_t> elements);
+
+  std::vector<Record> records_;
+  std::uint32_t free_records_ = kNil;
+  std::vector<Level> levels_;
+  std::vector<std::uint32_t> elements_;
+  std::vector<std::uint32_t> free_elements_;    ///< Heads of free lists by number of elements.
+  std::vector<std::uint32_t> hash_buckets_;
+  std::uint32_t hash_count_ = 0;
+  std::vector<std::uint32_t> returnable_;       ///< By rule: retractions in the hash table.
+  std::vector<std::uint32_t> live_;             ///< By rule: records in use.
+  std::uint64_t next_stamp_ = 0;
 };
 
 }  // namespace soarbox::kernel

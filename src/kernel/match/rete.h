@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -17,15 +18,17 @@
 namespace soarbox::kernel {
 
 class SymbolTable;
+class Network;
 
 /// What the match needs to know of identifiers and goals; owned and kept up to date by working memory and the goal
-/// stack. Indexed by Symbol::index() of an identifier.
+/// stack. Indexed by Symbol::index() of an identifier; entries beyond the end count as 0.
 struct GoalView {
   std::span<const GoalLevel> level_of_goal;   ///< The level of an identifier that is a goal, else 0.
   std::span<const std::uint64_t> lti_of;      ///< The long-term identifier that it is linked to, else 0.
 };
 
-/// One agent's matcher: Rete with left and right unlinking, hashed joins, negation and conjunctive negation.
+/// One agent's matcher: Rete with left and right unlinking (Doorenbos, Production Matching for Large Learning Systems,
+/// 1995), hashed joins, negation and conjunctive negation.
 ///
 /// The topology (Network) is immutable once shared and common to all agents that run the same rules; the contents of
 /// memories, links and pending matches (this class) belong to the agent. Adding or excising a rule copies a shared
@@ -41,18 +44,39 @@ class Rete {
   struct Added {
     AddResult result = AddResult::kAdded;
     ProductionId production = ProductionId::kNone;  ///< The new rule, or the one it duplicates.
+    MatchId refracted = MatchId::kNone;             ///< See AddOptions; kNone if that match does not exist.
+  };
+  struct AddOptions {
+    /// Two RL rules that differ only in their number are duplicates (`rl chunk-stop on`).
+    bool ignore_rl_value = false;
+    /// A new rule's match of exactly these elements counts as fired from the start, by `instantiation` (chunks).
+    std::span<const WmeId> refracted;
+    InstantiationId instantiation = InstantiationId::kNone;
   };
 
   Rete(const SymbolTable& symbols, const WmeTable& wmes);
   ~Rete();
+  Rete(const Rete&) = delete;
+  Rete& operator=(const Rete&) = delete;
+
+  // Rules -----------------------------------------------------------------------------------------------------------
 
   /// Builds or shares nodes for the rule's conditions and matches it against working memory at once. A rule whose
   /// conditions end at the same node and whose actions are equal to another's is a duplicate and is not added.
-  Added AddProduction(ProductionPtr production);
+  Added AddProduction(ProductionPtr production, const GoalView& goals, const AddOptions& options);
+  Added AddProduction(ProductionPtr production, const GoalView& goals) {
+    return AddProduction(std::move(production), goals, AddOptions());
+  }
   /// Removes the rule and its unshared nodes. Its pending assertions vanish; its fired matches become retractions,
-  /// which the caller sees as usual.
+  /// which the caller sees as usual. The rule stays readable until the last of them is released.
   void ExciseProduction(ProductionId production);
+  /// Null for a number that is not in use.
   const ProductionPtr& production(ProductionId id) const;
+  /// Called when a match of a rule both elaborates and applies its operator; at most once per rule. The rule is then
+  /// i-supported.
+  void OnMixedSupport(std::function<void(ProductionId)> callback);
+
+  // Working memory --------------------------------------------------------------------------------------------------
 
   /// Adds to the match an element that the table holds already; removes one that it still holds.
   void AddWme(WmeId wme, const GoalView& goals);
@@ -60,29 +84,59 @@ class Rete {
   /// Forgets all elements and matches, keeps the rules (init-soar).
   void Clear();
 
-  // The match set -------------------------------------------------------------------------------------------------
-  // Pending work is kept per goal: the lowest goal (largest level) among the identifiers of the matched elements.
-  // Assertions are split by the support that the rule would give: i (proposals, elaborations) or o (applications).
-  // A list is consumed from its newest end.
+  /// A match without a rule in the network, fired from the start: it becomes a retraction as soon as one of the
+  /// elements leaves the match. This is all that a justification without negated conditions needs.
+  /// `production` of such a match is ProductionId::kNone.
+  MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
+  /// Ends it without a retraction.
+  void Unwatch(MatchId match);
 
-  struct PendingMatch {
-    MatchId match = MatchId::kNone;
-    ProductionId production = ProductionId::kNone;
-    Symbol goal;                       ///< None for matches that touch no goal.
-    bool o_support = false;
+  // The match set ---------------------------------------------------------------------------------------------------
+
+  MatchSet& matches() { return matches_; }
+  const MatchSet& matches() const { return matches_; }
+  std::span<const WmeId> Wmes(MatchId match) const { return matches_.Wmes(match); }
+
+  // Partial matches, for display ------------------------------------------------------------------------------------
+  // A condition is addressed by its path: {2} is the third top-level condition, {1, 0} the first one inside the
+  // conjunctive negation at place 1. A partial match lists the elements of the positive conditions from the first
+  // top-level condition to the one addressed (inside a conjunctive negation: those in front of it, then its own).
+
+  using PartialMatches = std::vector<std::vector<WmeId>>;
+  /// How many partial matches pass this condition (a negated one: are not blocked by it).
+  std::size_t CountAfter(ProductionId production, std::span<const std::uint16_t> path) const;
+  /// Oldest first.
+  PartialMatches MatchesAfter(ProductionId production, std::span<const std::uint16_t> path) const;
+  /// What reaches the condition, oldest first.
+  PartialMatches MatchesBefore(ProductionId production, std::span<const std::uint16_t> path) const;
+  /// Elements that pass the condition's constant tests, newest first. Empty for a conjunctive negation.
+  std::vector<WmeId> RightMatches(ProductionId production, std::span<const std::uint16_t> path) const;
+  /// Tokens in the memories of a rule (`production memory-usage`); shared ones count for each rule that uses them.
+  std::size_t CountTokens(ProductionId production) const;
+
+  // Sharing and measuring -------------------------------------------------------------------------------------------
+
+  const std::shared_ptr<const Network>& network() const;
+  /// A digest of all rules added and excised so far. Agents with equal digests, equal frozen symbols and equal rules
+  /// have equal topologies.
+  std::uint64_t NetworkDigest() const;
+  /// Uses `network` in place of its own if the two are equal; false (and no change) if not.
+  bool AdoptNetwork(const std::shared_ptr<const Network>& network);
+
+  struct Statistics {
+    std::size_t productions = 0, nodes = 0, alpha_memories = 0, tokens = 0, wmes = 0;
   };
-
-  /// The elements of a match in condition order, one per positive top-level condition. Valid until the next change.
-  std::span<const WmeId> Wmes(MatchId match) const;
-  // (The lists per goal, taking from them, marking as fired, goals that go away: see match_set.h and the .cpp; the
-  // engineer of match/ completes this part together with the engineer of decide/.)
-
+  Statistics statistics() const;
   std::size_t MemoryBytes() const;        ///< This agent's part.
   std::size_t NetworkBytes() const;       ///< The topology.
 
+  /// Checks links, counts, indices and unlinking; an empty text if all is well. Slow.
+  std::string CheckInvariants() const;
+
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  friend struct ReteState;
+  MatchSet matches_;
+  std::unique_ptr<struct ReteState> state_;
 };
 
 }  // namespace soarbox::kernel
