@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Runs the real soarbox command and reads what it says."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+COMMAND = os.environ["SOARBOX"]
+SHARED = pathlib.Path(os.environ.get("SOARBOX_SHARED_DIR", "/nonexistent"))
+
+
+class Run:
+    """One finished run of the command."""
+
+    def __init__(self, *arguments, display=False, limit_s=240, cwd=None):
+        environment = dict(os.environ)
+        if not display:
+            environment.pop("DISPLAY", None)
+        done = subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=limit_s,
+                              env=environment, cwd=cwd, check=False)
+        self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
+        self.events = [json.loads(line) for line in self.out.splitlines() if line.startswith("{")]
+
+    def of(self, kind, **fields):
+        """The events of a kind whose fields have these values."""
+        return [event for event in self.events
+                if event["event"] == kind and all(event.get(key) == value for key, value in fields.items())]
+
+    def diagnostics(self):
+        return [event["diagnostic"] for event in self.events if "diagnostic" in event]
+
+
+def run_json(scenario, *arguments, **options):
+    return Run("run", scenario, "--headless", "--json", *arguments, **options)
+
+
+class ScenarioCase(unittest.TestCase):
+    """Tests that write a scenario of their own into a temporary folder."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
