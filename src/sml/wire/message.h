@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "diagnostics/result.h"
+#include "sml/wire/element.h"
+
+namespace soarbox::wire {
+
+/// The version that stands in every message and that `version` answers.
+inline constexpr std::string_view kSmlVersion = "9.6.3";
+
+enum class DocType : std::uint8_t { kCall, kResponse, kNotify };
+
+/// A document: a call, the response to one, or a notice that nobody answers.
+struct Message {
+  DocType type = DocType::kCall;
+  std::string id;    ///< The sender's number, as text.
+  std::string ack;   ///< Of a response: the id of the call.
+  Element root;      ///< <sml>; its children are the contents.
+
+  const Element* Command() const { return root.Child("command"); }
+  const Element* ResultTag() const { return root.Child("result"); }
+  const Element* ErrorTag() const { return root.Child("error"); }
+};
+
+/// A call without contents; add <command> to root.
+Message MakeCall(std::string_view command);
+Message MakeResponse(std::string_view ack);
+/// Adds <result output="raw">text</result>.
+void AddRawResult(Message& response, std::string_view text);
+/// Adds the result and the error that a failed call gives; `code` may be empty.
+void AddError(Message& response, std::string_view text, std::string_view code = {});
+
+/// Puts doctype, id, ack and version into the root and writes the document.
+std::string ToDocument(const Message& message);
+/// Reads a document. An error for text that is not XML, or whose root is not <sml> with a doctype.
+Result<Message> ReadMessage(std::string_view document);
+
+/// A number in the shortest form that reads back as the same number, as `%g` with 16 digits prints it: 0, 100, 50.25, 1e-10.
+std::string ShortDouble(double value);
+/// A number with six decimals, as the kernel sends it.
+std::string FixedDouble(double value);
+
+}  // namespace soarbox::wire
