@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/preference_semantics.h"
+
+#include <algorithm>
+
+namespace soarbox::kernel {
+
+PreferenceSemantics::Outcome PreferenceSemantics::Decide(std::span<const SlotPreference> preferences, Symbol forced) {
+  bool types_present[static_cast<std::size_t>(PreferenceType::kWorse) + 1] = {};
+  for (const SlotPreference& p : preferences) types_present[static_cast<std::size_t>(p.type)] = true;
+  const auto has = [&](PreferenceType type) { return types_present[static_cast<std::size_t>(type)]; };
+
+  CollectCandidates(preferences);
+  if (forced) {
+    if (const std::uint32_t at = Find(forced); at != kNowhere) {
+      candidates_ = {candidates_[at]};
+      return {ImpasseType::kNone, candidates_};
+    }
+  }
+  if (has(PreferenceType::kRequire)) return DecideRequired(preferences);
+
+  if (has(PreferenceType::kProhibit) || has(PreferenceType::kReject)) {
+    MarkValuesOf(preferences, PreferenceType::kProhibit);
+    for (const SlotPreference& p : preferences) {
+      if (p.type != PreferenceType::kReject) continue;
+      if (const std::uint32_t at = Find(p.value); at != kNowhere) marks_[at] = 1;
+    }
+    Keep(false);
+  }
+  if (candidates_.size() > 1 && (has(PreferenceType::kBetter) || has(PreferenceType::kWorse)) && DropDominated(preferences)) {
+    AddNumbers(preferences);
+    return {ImpasseType::kConflict, candidates_};
+  }
+  if (candidates_.size() > 1 && has(PreferenceType::kBest)) KeepBest(preferences);
+  if (candidates_.size() > 1 && has(PreferenceType::kWorst)) DropWorst(preferences);
+  if (has(PreferenceType::kNumericIndifferent)) AddNumbers(preferences);
+  if (candidates_.size() <= 1 || AllIndifferent(preferences)) return {ImpasseType::kNone, candidates_};
+  return {ImpasseType::kTie, candidates_};
+}
+
+void PreferenceSemantics::CollectCandidates(std::span<const SlotPreference> preferences) {
+  candidates_.clear();
+  IndexCandidates();
+  // The list has the oldest first; candidates stand the other way round. A value is a candidate once, held by the
+  // preference that comes first in the list.
+  for (const SlotPreference& p : preferences) {
+    if (p.type != PreferenceType::kAcceptable) continue;
+    if (Find(p.value) != kNowhere) continue;
+    candidates_.push_back({p.value, p.preference});
+    if (p.value.IsIdentifier()) {
+      if (position_.size() <= p.value.index()) position_.resize(p.value.index() + 1, kNowhere);
+      position_[p.value.index()] = static_cast<std::uint32_t>(candidates_.size() - 1);
+      indexed_.push_back(p.value.index());
+    }
+  }
+  std::reverse(candidates_.begin(), candidates_.end());
+  IndexCandidates();
+}
+
+PreferenceSemantics::Outcome PreferenceSemantics::DecideRequired(std::span<const SlotPreference> preferences) {
+  candidates_.clear();
+  for (const SlotPreference& p : preferences) {
+    if (p.type != PreferenceType::kRequire) continue;
+    const bool known = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return c.value == p.value; });
+    if (!known) candidates_.push_back({p.value, p.preference});
+  }
+  std::reverse(candidates_.begin(), candidates_.end());
+  IndexCandidates();
+  AddNumbers(preferences);
+  if (candidates_.size() > 1) return {ImpasseType::kConstraintFailure, candidates_};
+  const Symbol required = candidates_.front().value;
+  const bool prohibited = std::any_of(preferences.begin(), preferences.end(), [&](const SlotPreference& p) {
+    return p.type == PreferenceType::kProhibit && p.value == required;
+  });
+  return {prohibited ? ImpasseType::kConstraintFailure : ImpasseType::kNone, candidates_};
+}
+
+bool PreferenceSemantics::DropDominated(std::span<const SlotPreference> preferences) {
+  // Only candidates dominate candidates; that a dominating one is dominated itself does not matter.
+  marks_.assign(candidates_.size(), 0);
+  for (const SlotPreference& p : preferences) {
+    const bool is_better = p.type == PreferenceType::kBetter;
+    if (!is_better && p.type != PreferenceType::kWorse) continue;
+    const std::uint32_t winner = Find(is_better ? p.value : p.referent);
+    const std::uint32_t loser = Find(is_better ? p.referent : p.value);
+    if (winner != kNowhere && loser != kNowhere && winner != loser) marks_[loser] = 1;
+  }
+  if (std::all_of(marks_.begin(), marks_.end(), [](std::uint8_t m) { return m != 0; })) return true;
+  Keep(false);
+  return false;
+}
+
+void PreferenceSemantics::KeepBest(std::span<const SlotPreference> preferences) {
+  MarkValuesOf(preferences, PreferenceType::kBest);
+  if (std::find(marks_.begin(), marks_.end(), 1) != marks_.end()) Keep(true);
+}
+
+void PreferenceSemantics::DropWorst(std::span<const SlotPreference> preferences) {
+  MarkValuesOf(preferences, PreferenceType::kWorst);
+  if (std::find(marks_.begin(), marks_.end(), 0) != marks_.end()) Keep(false);
+}
+
+bool PreferenceSemantics::AllIndifferent(std::span<const SlotPreference> preferences) {
+  MarkValuesOf(preferences, PreferenceType::kUnaryIndifferent);
+  bool all_marked = true;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (candidates_[i].is_numeric) marks_[i] = 1;
+    all_marked = all_marked && marks_[i] != 0;
+  }
+  if (all_marked) return true;
+
+  // The others need a binary preference with every other candidate: collect the pairs once, count them per candidate.
+  pairs_.clear();
+  for (const SlotPreference& p : preferences) {
+    if (p.type != PreferenceType::kBinaryIndifferent) continue;
+    const std::uint32_t a = Find(p.value), b = Find(p.referent);
+    if (a == kNowhere || b == kNowhere || a == b) continue;
+    pairs_.push_back(static_cast<std::uint64_t>(a) << 32 | b);
+    pairs_.push_back(static_cast<std::uint64_t>(b) << 32 | a);
+  }
+  std::sort(pairs_.begin(), pairs_.end());
+  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  auto pair = pairs_.begin();
+  for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    std::size_t partners = 0;
+    for (; pair != pairs_.end() && *pair >> 32 == i; ++pair) ++partners;
+    if (marks_[i] == 0 && partners + 1 < candidates_.size()) return false;
+  }
+  return true;
+}
+
+void PreferenceSemantics::AddNumbers(std::span<const SlotPreference> preferences) {
+  for (const SlotPreference& p : preferences) {
+    if (p.type != PreferenceType::kNumericIndifferent) continue;
+    const std::uint32_t at = Find(p.value);
+    if (at == kNowhere) continue;
+    candidates_[at].is_numeric = true;
+    candidates_[at].number_sum += p.number;
+    ++candidates_[at].number_count;
+  }
+}
+
+void PreferenceSemantics::MarkValuesOf(std::span<const SlotPreference> preferences, PreferenceType type) {
+  marks_.assign(candidates_.size(), 0);
+  for (const SlotPreference& p : preferences) {
+    if (p.type != type) continue;
+    if (const std::uint32_t at = Find(p.value); at != kNowhere) marks_[at] = 1;
+  }
+}
+
+void PreferenceSemantics::Keep(bool marked) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if ((marks_[i] != 0) == marked) candidates_[kept++] = candidates_[i];
+  }
+  candidates_.resize(kept);
+  IndexCandidates();
+}
+
+void PreferenceSemantics::IndexCandidates() {
+  for (const std::uint32_t index : indexed_) position_[index] = kNowhere;
+  indexed_.clear();
+  for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    if (!candidates_[i].value.IsIdentifier()) continue;
+    const std::uint32_t index = candidates_[i].value.index();
+    if (position_.size() <= index) position_.resize(index + 1, kNowhere);
+    position_[index] = i;
+    indexed_.push_back(index);
+  }
+}
+
+std::uint32_t PreferenceSemantics::Find(Symbol value) const {
+  if (value.IsIdentifier()) return value.index() < position_.size() ? position_[value.index()] : kNowhere;
+  // Operators that are constants are rare.
+  for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    if (candidates_[i].value == value) return i;
+  }
+  return kNowhere;
+}
+
+}  // namespace soarbox::kernel
