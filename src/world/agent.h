@@ -17,7 +17,7 @@
 namespace soarbox::world {
 
 class AgentStore;
-class PhysicsWorld;
+struct Neighbourhood;
 enum class BodyId : std::uint32_t;
 
 /// Who an agent is; what it is made of comes from AgentDefaults.
@@ -153,7 +153,10 @@ class Agent {
   const AgentMotion& motion() const;
   void MoveNode();
   void RebuildBody();
-  Vec3 GroupForce(int kind, float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
+  using GroupSteering = Vec3 (*)(std::size_t self_index, std::span<const AgentMotion> all,
+                                 std::span<const std::uint32_t> others, const Neighbourhood& neighbourhood);
+  Vec3 GroupForce(GroupSteering steer, float max_distance_m, float max_angle_deg,
+                  std::span<const EntityId> agents) const;
 
   AgentStore& store_;
   EntityId id_;

@@ -14,6 +14,8 @@
 
 namespace soarbox::world {
 
+struct WorldTransform;
+
 /// The scene tree: what there is to see and where. The sandbox is the root; each agent and each object has a node of
 /// its own under the root, and scripts hang more under any node.
 ///
@@ -95,6 +97,8 @@ class Scene {
   void FillSnapshot(SceneSnapshot& snapshot) const;
 
  private:
+  friend class Agent;
+  friend class Object;
   friend class World;
   struct Node;
 
@@ -103,6 +107,12 @@ class Scene {
   const Node* Find(NodeId node) const;
   void RemoveTree(NodeId node);
   void RemoveOwned(NodeId node);
+  WorldTransform Transform(NodeId node) const;
+  // Give a node its drawable; also for the nodes of objects, which wear theirs themselves.
+  void ShapeBox(Node& node, float width_m, float height_m, float length_m, float u_tile, float v_tile);
+  void ShapeCapsule(Node& node, float height_m, float radius_m);
+  void ShapeMesh(Node& node, std::string_view mesh);
+  void ShapePlane(Node& node, float length_m, float width_m);
   void PlaceWorldNode(NodeId node, Vec3 position, Quat orientation);
 
   MediaCatalog& catalog_;

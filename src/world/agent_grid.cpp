@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/agent_grid.h"
+
+#include <bit>
+#include <cmath>
+
+namespace soarbox::world {
+namespace {
+
+constexpr float kCell_m = 4.0f;
+constexpr std::size_t kMaxStrays = 64;
+
+// Positions are limited (PhysicsWorld::kMaxCoordinate_m); agents without a body are limited likewise.
+std::int32_t CellOf(float coordinate) { return static_cast<std::int32_t>(std::floor(coordinate / kCell_m)); }
+
+}  // namespace
+
+void AgentGrid::Moved(std::uint32_t index) {
+  if (!valid_ || index >= is_stray_.size() || is_stray_[index]) return;
+  if (strays_.size() >= kMaxStrays) {
+    valid_ = false;
+    return;
+  }
+  is_stray_[index] = true;
+  strays_.push_back(index);
+}
+
+std::uint32_t AgentGrid::Bucket(std::int32_t x, std::int32_t z) const {
+  const auto mask = static_cast<std::uint32_t>(starts_.size() - 2);
+  const std::uint32_t hash = static_cast<std::uint32_t>(x) * 0x8da6b343u ^ static_cast<std::uint32_t>(z) * 0xd8163841u;
+  return (hash ^ (hash >> 15)) & mask;
+}
+
+void AgentGrid::Rebuild(std::span<const AgentMotion> agents) {
+  const std::size_t buckets = std::bit_ceil(agents.size() * 2 + 2);
+  starts_.assign(buckets + 1, 0);
+  entries_.resize(agents.size());
+  for (const AgentMotion& agent : agents) ++starts_[Bucket(CellOf(agent.position.x), CellOf(agent.position.z)) + 1];
+  for (std::size_t i = 1; i <= buckets; ++i) starts_[i] += starts_[i - 1];
+  // Fill from the back, so that starts_ needs no second copy: afterwards each bucket's end has become its start.
+  for (std::size_t i = agents.size(); i-- > 0;) {
+    const std::int32_t x = CellOf(agents[i].position.x), z = CellOf(agents[i].position.z);
+    entries_[--starts_[Bucket(x, z) + 1]] = {x, z, static_cast<std::uint32_t>(i)};
+  }
+  for (std::size_t i = 0; i < buckets; ++i) starts_[i] = starts_[i + 1];
+  starts_[buckets] = static_cast<std::uint32_t>(agents.size());
+  strays_.clear();
+  is_stray_.assign(agents.size(), false);
+  valid_ = true;
+}
+
+void AgentGrid::Query(std::span<const AgentMotion> agents, Vec3 center, float range_m,
+                      std::vector<std::uint32_t>& found) {
+  if (!valid_ || is_stray_.size() != agents.size()) Rebuild(agents);
+
+  const float cells_across = 2 * range_m / kCell_m + 2;
+  if (!(cells_across * cells_across < static_cast<float>(agents.size()))) {
+    for (std::uint32_t i = 0; i < agents.size(); ++i) found.push_back(i);
+    return;
+  }
+  const std::int32_t x_last = CellOf(center.x + range_m), z_last = CellOf(center.z + range_m);
+  for (std::int32_t z = CellOf(center.z - range_m); z <= z_last; ++z) {
+    for (std::int32_t x = CellOf(center.x - range_m); x <= x_last; ++x) {
+      const std::uint32_t bucket = Bucket(x, z);
+      for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i) {
+        const Entry& entry = entries_[i];
+        if (entry.x == x && entry.z == z && !is_stray_[entry.agent]) found.push_back(entry.agent);
+      }
+    }
+  }
+  found.insert(found.end(), strays_.begin(), strays_.end());
+}
+
+}  // namespace soarbox::world

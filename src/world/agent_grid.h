@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "world/agent_motion.h"
+
+namespace soarbox::world {
+
+/// Finds the agents near a place: a hashed grid over the ground plane, sorted by counting.
+///
+/// Invariant: every agent is either in the cell of its position or on the list of strays, which every query looks at.
+/// Moved() puts an agent on that list; when it grows long, the next query rebuilds the grid. Queries return a superset
+/// of the agents within the range, each once; callers test the distance themselves.
+class AgentGrid {
+ public:
+  /// The number of agents or all their positions have changed.
+  void Invalidate() { valid_ = false; }
+  /// One agent has moved.
+  void Moved(std::uint32_t index);
+  /// Appends the indices of all agents within range_m of center, and perhaps of others, to found; order unspecified
+  /// but reproducible.
+  void Query(std::span<const AgentMotion> agents, Vec3 center, float range_m, std::vector<std::uint32_t>& found);
+
+ private:
+  struct Entry {
+    std::int32_t x, z;
+    std::uint32_t agent;
+  };
+  void Rebuild(std::span<const AgentMotion> agents);
+  std::uint32_t Bucket(std::int32_t x, std::int32_t z) const;
+
+  bool valid_ = false;
+  std::vector<Entry> entries_;           ///< Sorted by bucket.
+  std::vector<std::uint32_t> starts_;    ///< First entry of each bucket; one more than there are buckets.
+  std::vector<std::uint32_t> strays_;
+  std::vector<bool> is_stray_;
+};
+
+}  // namespace soarbox::world

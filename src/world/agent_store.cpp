@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/agent_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace soarbox::world {
+namespace {
+
+constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+Agent& AgentStore::Create(EntityId id, NodeId node, const AgentDef& def) {
+  const std::size_t index = agents_.size();
+  motions_.emplace_back();
+  ids_.push_back(id);
+  if (index_by_id_.size() <= Number(id)) index_by_id_.resize(Number(id) + 1, kNoIndex);
+  index_by_id_[Number(id)] = static_cast<std::uint32_t>(index);
+  agents_.push_back(std::unique_ptr<Agent>(new Agent(*this, id, node, index, def, seed_)));
+  SpeedOrRadiusChanged(index);
+  return *agents_.back();
+}
+
+Agent* AgentStore::Find(EntityId id) const {
+  if (Number(id) >= index_by_id_.size()) return nullptr;
+  const std::uint32_t index = index_by_id_[Number(id)];
+  return index == kNoIndex ? nullptr : agents_[index].get();
+}
+
+void AgentStore::ReadBodies() {
+  max_speed_ = 0;
+  max_radius_ = 0;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    AgentMotion& motion = motions_[i];
+    if (agents_[i]->HasBody()) {
+      motion.position = physics_.Position(agents_[i]->body_);
+      motion.velocity = physics_.Velocity(agents_[i]->body_);
+      motion.speed = std::sqrt(motion.velocity.x * motion.velocity.x + motion.velocity.z * motion.velocity.z);
+    }
+    SpeedOrRadiusChanged(i);
+  }
+  grid_.Invalidate();
+}
+
+void AgentStore::Moved(std::size_t index) { grid_.Moved(static_cast<std::uint32_t>(index)); }
+
+void AgentStore::SpeedOrRadiusChanged(std::size_t index) {
+  max_speed_ = std::max(max_speed_, std::abs(motions_[index].speed));
+  max_radius_ = std::max(max_radius_, motions_[index].radius);
+}
+
+std::span<const std::uint32_t> AgentStore::Near(Vec3 center, float range_m) {
+  scratch_.clear();
+  grid_.Query(motions_, center, range_m, scratch_);
+  return scratch_;
+}
+
+std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_m) {
+  Near(center, range_m);
+  std::sort(scratch_.begin(), scratch_.end());
+  return scratch_;
+}
+
+std::span<const std::uint32_t> AgentStore::Indices(std::span<const EntityId> ids) {
+  scratch_.clear();
+  for (const EntityId id : ids) {
+    if (Number(id) < index_by_id_.size() && index_by_id_[Number(id)] != kNoIndex) {
+      scratch_.push_back(index_by_id_[Number(id)]);
+    }
+  }
+  return scratch_;
+}
+
+}  // namespace soarbox::world

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "world/agent.h"
+#include "world/agent_grid.h"
+#include "world/agent_motion.h"
+#include "world/physics_world.h"
+#include "world/scene.h"
+#include "world/settings.h"
+#include "world/steer_avoid_objects.h"
+
+namespace soarbox::world {
+
+/// All agents of one world, their motions side by side for steering, and the index that finds neighbours.
+///
+/// Invariants: agent i (in creation order), motion i and id i belong together; a motion equals its body's state at
+/// all times; max_speed and max_radius are upper bounds.
+class AgentStore {
+ public:
+  AgentStore(const WorldSettings& settings, PhysicsWorld& physics, Scene& scene)
+      : seed_(settings.seed), physics_(physics), scene_(scene) {}
+
+  Agent& Create(EntityId id, NodeId node, const AgentDef& def);
+  /// Null for ids that are not agents'.
+  Agent* Find(EntityId id) const;
+  std::span<const EntityId> ids() const { return ids_; }
+  Agent& agent(std::size_t index) const { return *agents_[index]; }
+  std::size_t size() const { return agents_.size(); }
+
+  /// After a physics step: motions take over what happened to the bodies.
+  void ReadBodies();
+
+  PhysicsWorld& physics() { return physics_; }
+  Scene& scene() { return scene_; }
+  std::span<const AgentMotion> motions() const { return motions_; }
+  AgentMotion& motion(std::size_t index) { return motions_[index]; }
+  const AgentMotion& motion(std::size_t index) const { return motions_[index]; }
+  /// To be called after a change of position, speed or radius.
+  void Moved(std::size_t index);
+  void SpeedOrRadiusChanged(std::size_t index);
+  float max_speed() const { return max_speed_; }
+  float max_radius() const { return max_radius_; }
+
+  /// Indices of a superset of the agents within range_m; valid until the next call of Near or Indices.
+  std::span<const std::uint32_t> Near(Vec3 center, float range_m);
+  /// The same in ascending order.
+  std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m);
+  /// Indices of agents by id, in order; ids of others are left out.
+  std::span<const std::uint32_t> Indices(std::span<const EntityId> ids);
+
+ private:
+  std::uint64_t seed_;
+  PhysicsWorld& physics_;
+  Scene& scene_;
+  std::vector<std::unique_ptr<Agent>> agents_;
+  std::vector<EntityId> ids_;
+  std::vector<AgentMotion> motions_;
+  std::vector<std::uint32_t> index_by_id_;  ///< kNoIndex for ids that are not agents'.
+  AgentGrid grid_;
+  std::vector<std::uint32_t> scratch_;
+  float max_speed_ = 0;
+  float max_radius_ = 0;
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/debug_draw.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "world/rotation.h"
+
+namespace soarbox::world {
+namespace {
+
+constexpr int kCircleSegments = 10;
+constexpr float kFillAlpha = 0.5f;
+
+struct UnitSphere {
+  std::vector<std::array<Vec3, 3>> faces;
+  std::vector<std::pair<Vec3, Vec3>> edges;
+};
+
+// An icosahedron with each face split in four: 42 corners, 80 faces, 120 edges.
+UnitSphere MakeUnitSphere() {
+  const float g = std::numbers::phi_v<float>;
+  const std::array<Vec3, 12> corners{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
+                                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}};
+  // The edges of this icosahedron have length 2; three corners that are pairwise so far apart make a face.
+  const auto adjacent = [&corners](std::size_t a, std::size_t b) {
+    return std::abs(Distance(corners[a], corners[b]) - 2.0f) < 0.01f;
+  };
+  UnitSphere sphere;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      if (!adjacent(i, j)) continue;
+      const Vec3 a = Normalized(corners[i]), b = Normalized(corners[j]), ab = Normalized(a + b);
+      sphere.edges.emplace_back(a, ab);
+      sphere.edges.emplace_back(ab, b);
+      for (std::size_t k = j + 1; k < corners.size(); ++k) {
+        if (!adjacent(i, k) || !adjacent(j, k)) continue;
+        const Vec3 c = Normalized(corners[k]), bc = Normalized(b + c), ca = Normalized(c + a);
+        sphere.faces.push_back({a, ab, ca});
+        sphere.faces.push_back({b, bc, ab});
+        sphere.faces.push_back({c, ca, bc});
+        sphere.faces.push_back({ab, bc, ca});
+        sphere.edges.emplace_back(ab, bc);
+        sphere.edges.emplace_back(bc, ca);
+        sphere.edges.emplace_back(ca, ab);
+      }
+    }
+  }
+  return sphere;
+}
+
+Color Opaque(Vec3 color) { return {color.x, color.y, color.z, 1}; }
+
+}  // namespace
+
+void DebugDraw::Line(Vec3 from, Vec3 to, Vec3 color) {
+  if (IsFinite(from) && IsFinite(to) && IsFinite(color)) lines_.push_back({from, to, Opaque(color)});
+}
+
+void DebugDraw::Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color) {
+  if (!IsFinite(a) || !IsFinite(b) || !IsFinite(c) || !IsFinite(color)) return;
+  triangles_.push_back({a, b, c, {color.x, color.y, color.z, kFillAlpha}});
+}
+
+void DebugDraw::Circle(Vec3 center, float radius_m, Vec3 color) {
+  if (!(radius_m > 0)) return;
+  Vec3 last = center + Vec3{radius_m, 0, 0};
+  for (int i = 1; i <= kCircleSegments; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kCircleSegments;
+    const Vec3 next = center + Vec3{std::cos(angle), 0, std::sin(angle)} * radius_m;
+    Line(last, next, color);
+    last = next;
+  }
+}
+
+void DebugDraw::Sphere(Vec3 center, float radius_m, Vec3 color, bool filled) {
+  if (!(radius_m > 0)) return;
+  static const UnitSphere kSphere = MakeUnitSphere();
+  for (const auto& [from, to] : kSphere.edges) Line(center + from * radius_m, center + to * radius_m, color);
+  if (!filled) return;
+  for (const auto& face : kSphere.faces) {
+    Triangle(center + face[0] * radius_m, center + face[1] * radius_m, center + face[2] * radius_m, color);
+  }
+}
+
+void DebugDraw::Square(Vec3 center, float side_m, Vec3 color, bool filled) {
+  const float half = side_m / 2;
+  const std::array<Vec3, 4> corners{center + Vec3{-half, 0, -half}, center + Vec3{-half, 0, half},
+                                    center + Vec3{half, 0, half}, center + Vec3{half, 0, -half}};
+  for (std::size_t i = 0; i < 4; ++i) Line(corners[i], corners[(i + 1) % 4], color);
+  if (!filled) return;
+  Triangle(corners[0], corners[1], corners[2], color);
+  Triangle(corners[2], corners[3], corners[0], color);
+}
+
+void DebugDraw::Clear() {
+  lines_.clear();
+  triangles_.clear();
+}
+
+}  // namespace soarbox::world

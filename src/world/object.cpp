@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/object.h"
+
+#include <algorithm>
+
+#include "world/limits.h"
+#include "world/physics_world.h"
+#include "world/rotation.h"
+#include "world/scene.h"
+
+namespace soarbox::world {
+
+void Object::MoveNode() { scene_.PlaceWorldNode(node_, Position(), Orientation()); }
+
+Vec3 Object::Position() const { return physics_.Position(body_); }
+Quat Object::Orientation() const { return physics_.Orientation(body_); }
+Vec3 Object::Velocity() const { return physics_.Velocity(body_); }
+Vec3 Object::AngularVelocity() const { return physics_.AngularVelocity(body_); }
+float Object::Mass() const { return physics_.Mass(body_); }
+float Object::Radius() const { return physics_.Radius(body_); }
+bool Object::IsSleeping() const { return physics_.IsSleeping(body_); }
+
+bool Object::SetPosition(Vec3 position) {
+  if (!IsFinite(position)) return false;
+  physics_.SetPosition(body_, LimitPosition(position));
+  MoveNode();
+  return true;
+}
+
+bool Object::SetOrientation(Quat orientation) {
+  if (!IsFinite(orientation)) return false;
+  physics_.SetOrientation(body_, Normalized(orientation));
+  MoveNode();
+  return true;
+}
+
+bool Object::SetVelocity(Vec3 velocity) {
+  if (!IsFinite(velocity)) return false;
+  physics_.SetVelocity(body_, LimitVelocity(velocity));
+  return true;
+}
+
+bool Object::SetAngularVelocity(Vec3 radians_per_s) {
+  if (!IsFinite(radians_per_s)) return false;
+  physics_.SetAngularVelocity(body_, LimitVelocity(radians_per_s));
+  return true;
+}
+
+bool Object::SetMass(float mass_kg) {
+  if (!IsFinite(mass_kg)) return false;
+  physics_.SetMass(body_, std::max(0.0f, mass_kg));
+  return true;
+}
+
+bool Object::SetGravity(Vec3 gravity) {
+  if (!IsFinite(gravity)) return false;
+  physics_.SetGravity(body_, LimitVelocity(gravity));
+  return true;
+}
+
+bool Object::SetDamping(float linear, float angular) {
+  if (!IsFinite(linear) || !IsFinite(angular)) return false;
+  physics_.SetDamping(body_, linear, angular);
+  return true;
+}
+
+bool Object::ApplyForce(Vec3 force_n) {
+  if (!IsFinite(force_n)) return false;
+  physics_.ApplyForce(body_, LimitForce(force_n));
+  return true;
+}
+
+bool Object::ApplyAngularImpulse(Vec3 impulse) {
+  if (!IsFinite(impulse)) return false;
+  physics_.ApplyAngularImpulse(body_, LimitForce(impulse));
+  return true;
+}
+
+}  // namespace soarbox::world

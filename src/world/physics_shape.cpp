@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/physics_shape.h"
+
+#include <algorithm>
+
+#include "world/physics_bullet.h"
+
+namespace soarbox::world {
+namespace {
+
+float Usable(float size_m) { return std::clamp(size_m, PhysicsWorld::kMinSize_m, PhysicsWorld::kMaxSize_m); }
+
+PhysicsShape MakeMesh(const MeshBounds& bounds) {
+  PhysicsShape result;
+  const Vec3 extent = bounds.max - bounds.min;
+  result.child = std::make_unique<btBoxShape>(
+      btVector3(Usable(extent.x) / 2, Usable(extent.y) / 2, Usable(extent.z) / 2));
+  result.child->setMargin(0.01f);
+  auto compound = std::make_unique<btCompoundShape>();
+  compound->addChildShape(btTransform(btQuaternion::getIdentity(), ToBullet((bounds.min + bounds.max) / 2)),
+                          result.child.get());
+  result.shape = std::move(compound);
+  result.swept_radius_m = Length(bounds.max) / 2;
+  result.linear_sleeping_mps = 0.3f;
+  return result;
+}
+
+}  // namespace
+
+PhysicsShape MakeShape(const BodyDef& def) {
+  PhysicsShape result;
+  switch (def.shape) {
+    case BodyShape::kBox:
+      result.shape = std::make_unique<btBoxShape>(
+          btVector3(Usable(def.size.x) / 2, Usable(def.size.y) / 2, Usable(def.size.z) / 2));
+      result.swept_radius_m = Usable(def.size.x) / 2;
+      break;
+    case BodyShape::kCapsule: {
+      const float radius = Usable(def.size.x);
+      result.shape = std::make_unique<btCapsuleShape>(radius, std::max(0.0f, Usable(def.size.y) - 2 * radius));
+      result.rolling_friction = 0.2f;
+      result.swept_radius_m = radius;
+      break;
+    }
+    case BodyShape::kSphere:
+      result.shape = std::make_unique<btSphereShape>(Usable(def.size.x));
+      result.rolling_friction = 0.1f;
+      result.swept_radius_m = Usable(def.size.x);
+      break;
+    case BodyShape::kPlane:
+      result.shape = std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), 0.0f);
+      result.rolling_friction = 0.1f;
+      break;
+    case BodyShape::kMesh:
+      return MakeMesh(def.bounds);
+  }
+  return result;
+}
+
+}  // namespace soarbox::world

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <memory>
+
+#include <btBulletDynamicsCommon.h>
+
+#include "world/physics_world.h"
+
+// For the physics_*.cpp files only.
+namespace soarbox::world {
+
+/// A collision shape with what belongs to it.
+struct PhysicsShape {
+  std::unique_ptr<btCollisionShape> child;  ///< Of a compound; outlives it.
+  std::unique_ptr<btCollisionShape> shape;
+  float rolling_friction = 0;
+  float swept_radius_m = 0;                 ///< For continuous collision detection; 0: none.
+  float linear_sleeping_mps = 0.8f;
+};
+
+/// Sizes are clamped to what physics can bear.
+PhysicsShape MakeShape(const BodyDef& def);
+
+}  // namespace soarbox::world

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/physics_world.h"
+
+#include <algorithm>
+#include <cassert>
+#include <mutex>
+
+#include "world/physics_bullet.h"
+#include "world/physics_debug.h"
+#include "world/physics_shape.h"
+#include "world/rotation.h"
+
+namespace soarbox::world {
+namespace {
+
+// Half a body's length per step is as far as it may go without being swept (spec 6).
+constexpr float kSweepThreshold_m = 0.5f;
+constexpr float kFriction = 0.5f;
+constexpr float kPenetrationRecovery = 0.8f;
+
+btScalar ProductOfRollingFrictions(const btCollisionObject* a, const btCollisionObject* b) {
+  return a->getRollingFriction() * b->getRollingFriction();
+}
+
+// Bullet has one rule for all worlds of the process; the sandbox's constants want the product.
+void InstallFrictionRule() {
+  static std::once_flag once;
+  std::call_once(once, [] { gCalculateCombinedRollingFrictionCallback = ProductOfRollingFrictions; });
+}
+
+bool OutOfRange(Vec3 v, float limit) {
+  return !IsFinite(v) || std::abs(v.x) > limit || std::abs(v.y) > limit || std::abs(v.z) > limit;
+}
+
+float Within(float value, float limit) { return IsFinite(value) ? std::clamp(value, -limit, limit) : 0.0f; }
+
+}  // namespace
+
+struct PhysicsWorld::Body {
+  PhysicsShape shape;
+  std::unique_ptr<btRigidBody> rigid;
+  Vec3 gravity;
+  bool upright = false;
+};
+
+struct PhysicsWorld::Impl {
+  explicit Impl(const WorldSettings& settings)
+      : dispatcher(&configuration), world(&dispatcher, &broadphase, &solver, &configuration), gravity(settings.gravity) {
+    InstallFrictionRule();
+    // The scalar solver rows: the vector ones differ from processor to processor.
+    solver.setConstraintRowSolverGeneric(solver.getScalarConstraintRowSolverGeneric());
+    solver.setConstraintRowSolverLowerLimit(solver.getScalarConstraintRowSolverLowerLimit());
+    world.setGravity(ToBullet(gravity));
+    world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    btContactSolverInfo& info = world.getSolverInfo();
+    info.m_solverMode = SOLVER_USE_WARMSTARTING;
+    info.m_numIterations = std::clamp(settings.solver_iterations, 1, 1000);
+    info.m_splitImpulse = true;
+    info.m_erp2 = kPenetrationRecovery;
+    world.setForceUpdateAllAabbs(false);
+  }
+
+  void AddToWorld(Body& body) {
+    world.addRigidBody(body.rigid.get());
+    if (!body.rigid->isStaticObject()) body.rigid->setGravity(ToBullet(body.gravity));
+  }
+
+  // Keeps bounding boxes right for ray casts between steps, and for fixed bodies altogether.
+  void Moved(Body& body) {
+    body.rigid->setInterpolationWorldTransform(body.rigid->getWorldTransform());
+    world.updateSingleAabb(body.rigid.get());
+    Wake(body);
+    if (!body.upright) ++changes;
+  }
+
+  void Wake(Body& body) {
+    if (!body.rigid->isStaticObject()) body.rigid->activate(true);
+  }
+
+  void KeepInRange();
+  void GatherCollisions();
+
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher;
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world;
+  Vec3 gravity;
+  std::vector<std::unique_ptr<Body>> bodies{1};  // Index 0 is BodyId::kNone.
+  std::vector<BodyId> free;
+  std::vector<Collision> collisions;
+  /// Grows whenever a body that is not upright moves, comes, goes or changes its mass.
+  std::uint64_t changes = 0;
+  std::uint64_t obstacles_of = ~0ull;  ///< The value of changes that obstacles belong to.
+  std::vector<Obstacle> obstacles;
+};
+
+PhysicsWorld::PhysicsWorld(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+
+PhysicsWorld::~PhysicsWorld() {
+  for (const auto& body : impl_->bodies) {
+    if (body) impl_->world.removeRigidBody(body->rigid.get());
+  }
+}
+
+PhysicsWorld::Body& PhysicsWorld::Get(BodyId body) const {
+  const auto index = static_cast<std::size_t>(body);
+  assert(index < impl_->bodies.size() && impl_->bodies[index]);
+  return *impl_->bodies[index];
+}
+
+BodyId PhysicsWorld::Add(const BodyDef& def) {
+  auto body = std::make_unique<Body>();
+  body->shape = MakeShape(def);
+  body->gravity = impl_->gravity;
+  body->upright = def.upright;
+
+  const float mass = def.shape == BodyShape::kPlane ? 0.0f : std::clamp(def.mass_kg, 0.0f, kMaxMass_kg);
+  btVector3 inertia(0, 0, 0);
+  if (mass > 0) body->shape.shape->calculateLocalInertia(mass, inertia);
+  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, body->shape.shape.get(), inertia);
+  info.m_startWorldTransform = btTransform(ToBullet(def.orientation), ToBullet(def.position));
+  info.m_friction = kFriction;
+  info.m_rollingFriction = body->shape.rolling_friction;
+  info.m_restitution = 0;
+  info.m_linearSleepingThreshold = body->shape.linear_sleeping_mps;
+  info.m_angularSleepingThreshold = 1.0f;
+  body->rigid = std::make_unique<btRigidBody>(info);
+  if (body->shape.swept_radius_m > 0) {
+    body->rigid->setCcdMotionThreshold(kSweepThreshold_m);
+    body->rigid->setCcdSweptSphereRadius(body->shape.swept_radius_m);
+  }
+  if (def.upright) body->rigid->setAngularFactor(0);
+  body->rigid->setUserIndex(static_cast<int>(Number(def.owner)));
+  impl_->AddToWorld(*body);
+  if (!def.upright) ++impl_->changes;
+
+  if (impl_->free.empty()) {
+    impl_->bodies.push_back(std::move(body));
+    return static_cast<BodyId>(impl_->bodies.size() - 1);
+  }
+  const BodyId id = impl_->free.back();
+  impl_->free.pop_back();
+  impl_->bodies[static_cast<std::size_t>(id)] = std::move(body);
+  return id;
+}
+
+void PhysicsWorld::Remove(BodyId id) {
+  Body& body = Get(id);
+  // What leaned on it must not go on sleeping in the air.
+  for (int i = 0; i < impl_->dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold* manifold = impl_->dispatcher.getManifoldByIndexInternal(i);
+    const bool touches = manifold->getBody0() == body.rigid.get() || manifold->getBody1() == body.rigid.get();
+    if (!touches || manifold->getNumContacts() == 0) continue;
+    const btCollisionObject* other =
+        manifold->getBody0() == body.rigid.get() ? manifold->getBody1() : manifold->getBody0();
+    if (!other->isStaticObject()) other->activate(true);
+  }
+  if (!body.upright) ++impl_->changes;
+  impl_->world.removeRigidBody(body.rigid.get());
+  impl_->bodies[static_cast<std::size_t>(id)].reset();
+  impl_->free.push_back(id);
+}
+
+Vec3 PhysicsWorld::Position(BodyId body) const { return FromBullet(Get(body).rigid->getWorldTransform().getOrigin()); }
+Quat PhysicsWorld::Orientation(BodyId body) const {
+  return FromBullet(Get(body).rigid->getWorldTransform().getRotation());
+}
+Vec3 PhysicsWorld::Velocity(BodyId body) const { return FromBullet(Get(body).rigid->getLinearVelocity()); }
+Vec3 PhysicsWorld::AngularVelocity(BodyId body) const { return FromBullet(Get(body).rigid->getAngularVelocity()); }
+
+float PhysicsWorld::Mass(BodyId body) const {
+  const btScalar inverse = Get(body).rigid->getInvMass();
+  return inverse > 0 ? 1.0f / inverse : 0.0f;
+}
+
+bool PhysicsWorld::IsSleeping(BodyId body) const { return !Get(body).rigid->isActive(); }
+
+float PhysicsWorld::Radius(BodyId body) const {
+  btVector3 low, high;
+  Get(body).rigid->getAabb(low, high);
+  return (high - low).length() / 2;
+}
+
+void PhysicsWorld::SetPosition(BodyId id, Vec3 position) {
+  Body& body = Get(id);
+  body.rigid->getWorldTransform().setOrigin(ToBullet(position));
+  impl_->Moved(body);
+}
+
+void PhysicsWorld::SetOrientation(BodyId id, Quat orientation) {
+  Body& body = Get(id);
+  body.rigid->getWorldTransform().setRotation(ToBullet(orientation));
+  body.rigid->updateInertiaTensor();
+  impl_->Moved(body);
+}
+
+void PhysicsWorld::SetVelocity(BodyId id, Vec3 velocity) {
+  Body& body = Get(id);
+  body.rigid->setLinearVelocity(ToBullet(velocity));
+  impl_->Wake(body);
+}
+
+void PhysicsWorld::SetAngularVelocity(BodyId id, Vec3 velocity) {
+  Body& body = Get(id);
+  body.rigid->setAngularVelocity(ToBullet(velocity));
+  impl_->Wake(body);
+}
+
+void PhysicsWorld::SetMass(BodyId id, float mass_kg) {
+  Body& body = Get(id);
+  if (body.shape.shape->getShapeType() == STATIC_PLANE_PROXYTYPE) return;
+  const float mass = std::clamp(mass_kg, 0.0f, kMaxMass_kg);
+  const bool was_fixed = body.rigid->isStaticObject();
+  const bool fixed = mass == 0;
+  // Fixed and dynamic bodies live in different collision groups, so a change between them needs a new entry.
+  if (was_fixed != fixed) impl_->world.removeRigidBody(body.rigid.get());
+  btVector3 inertia(0, 0, 0);
+  if (!fixed) body.shape.shape->calculateLocalInertia(mass, inertia);
+  body.rigid->setMassProps(mass, inertia);
+  body.rigid->updateInertiaTensor();
+  if (fixed) {
+    body.rigid->setLinearVelocity(btVector3(0, 0, 0));
+    body.rigid->setAngularVelocity(btVector3(0, 0, 0));
+    body.rigid->clearForces();
+  }
+  if (was_fixed != fixed) {
+    impl_->AddToWorld(body);
+  } else if (!fixed) {
+    body.rigid->setGravity(ToBullet(body.gravity));
+  }
+  impl_->Wake(body);
+  if (!body.upright) ++impl_->changes;
+}
+
+void PhysicsWorld::SetGravity(BodyId id, Vec3 gravity) {
+  Body& body = Get(id);
+  body.gravity = gravity;
+  if (!body.rigid->isStaticObject()) body.rigid->setGravity(ToBullet(gravity));
+  impl_->Wake(body);
+}
+
+void PhysicsWorld::SetDamping(BodyId id, float linear, float angular) {
+  Body& body = Get(id);
+  body.rigid->setDamping(std::clamp(linear, 0.0f, 1.0f), std::clamp(angular, 0.0f, 1.0f));
+  impl_->Wake(body);
+}
+
+void PhysicsWorld::ApplyForce(BodyId id, Vec3 force_n) {
+  Body& body = Get(id);
+  body.rigid->applyCentralForce(ToBullet(force_n));
+  impl_->Wake(body);
+}
+
+void PhysicsWorld::ApplyAngularImpulse(BodyId id, Vec3 impulse) {
+  Body& body = Get(id);
+  if (!body.rigid->isStaticObject()) body.rigid->applyTorqueImpulse(ToBullet(impulse));
+  impl_->Wake(body);
+}
+
+void PhysicsWorld::Step(float step_s) {
+  impl_->world.stepSimulation(step_s, 0);
+  impl_->KeepInRange();
+  impl_->GatherCollisions();
+  ++impl_->changes;
+}
+
+void PhysicsWorld::Impl::KeepInRange() {
+  for (const auto& body : bodies) {
+    if (!body || body->rigid->isStaticObject()) continue;
+    btRigidBody& rigid = *body->rigid;
+    const Vec3 position = FromBullet(rigid.getWorldTransform().getOrigin());
+    const Vec3 velocity = FromBullet(rigid.getLinearVelocity());
+    const bool strayed = OutOfRange(position, kMaxCoordinate_m) || OutOfRange(velocity, kMaxSpeed_mps) ||
+                         OutOfRange(FromBullet(rigid.getAngularVelocity()), kMaxSpeed_mps) ||
+                         !IsFinite(FromBullet(rigid.getWorldTransform().getRotation()));
+    if (!strayed) continue;
+    const btVector3 edge(Within(position.x, kMaxCoordinate_m), Within(position.y, kMaxCoordinate_m),
+                         Within(position.z, kMaxCoordinate_m));
+    rigid.setWorldTransform(btTransform(btQuaternion::getIdentity(), edge));
+    rigid.setLinearVelocity(btVector3(0, 0, 0));
+    rigid.setAngularVelocity(btVector3(0, 0, 0));
+    rigid.clearForces();
+    Moved(*body);
+  }
+}
+
+void PhysicsWorld::Impl::GatherCollisions() {
+  collisions.clear();
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+    for (int point = 0; point < manifold->getNumContacts(); ++point) {
+      const btManifoldPoint& contact = manifold->getContactPoint(point);
+      if (contact.getDistance() >= 0) continue;
+      collisions.push_back({static_cast<EntityId>(manifold->getBody0()->getUserIndex()),
+                            static_cast<EntityId>(manifold->getBody1()->getUserIndex()),
+                            FromBullet(contact.getPositionWorldOnA()), FromBullet(contact.getPositionWorldOnB()),
+                            FromBullet(contact.m_normalWorldOnB)});
+      break;
+    }
+  }
+  std::stable_sort(collisions.begin(), collisions.end(),
+                   [](const Collision& x, const Collision& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+}
+
+const std::vector<Collision>& PhysicsWorld::Collisions() const { return impl_->collisions; }
+
+std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
+  if (from == to) return std::nullopt;
+  btCollisionWorld::ClosestRayResultCallback result(ToBullet(from), ToBullet(to));
+  result.m_collisionFilterGroup = btBroadphaseProxy::AllFilter;
+  result.m_collisionFilterMask = btBroadphaseProxy::AllFilter;
+  impl_->world.rayTest(ToBullet(from), ToBullet(to), result);
+  if (!result.hasHit()) return std::nullopt;
+  return RayHit{static_cast<EntityId>(result.m_collisionObject->getUserIndex()), FromBullet(result.m_hitPointWorld),
+                FromBullet(result.m_hitNormalWorld)};
+}
+
+std::span<const Obstacle> PhysicsWorld::Obstacles() {
+  Impl& impl = *impl_;
+  if (impl.obstacles_of == impl.changes) return impl.obstacles;
+  std::vector<std::pair<int, const Body*>> movable;
+  for (const auto& body : impl.bodies) {
+    if (body && !body->upright && !body->rigid->isStaticObject()) {
+      movable.emplace_back(body->rigid->getUserIndex(), body.get());
+    }
+  }
+  std::sort(movable.begin(), movable.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  impl.obstacles.clear();
+  for (const auto& [owner, body] : movable) {
+    btVector3 low, high;
+    body->rigid->getAabb(low, high);
+    impl.obstacles.push_back({FromBullet(body->rigid->getWorldTransform().getOrigin()), (high - low).length() / 2});
+  }
+  impl.obstacles_of = impl.changes;
+  return impl.obstacles;
+}
+
+void PhysicsWorld::AddDebugLines(std::vector<LineSnapshot>& lines) {
+  PhysicsLineCollector collector(lines);
+  impl_->world.setDebugDrawer(&collector);
+  impl_->world.debugDrawWorld();
+  impl_->world.setDebugDrawer(nullptr);
+}
+
+}  // namespace soarbox::world

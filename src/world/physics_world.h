@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "world/collision.h"
+#include "world/ids.h"
+#include "world/math.h"
+#include "world/media_catalog.h"
+#include "world/scene_snapshot.h"
+#include "world/settings.h"
+#include "world/steer_avoid_objects.h"
+
+namespace soarbox::world {
+
+enum class BodyId : std::uint32_t { kNone = 0 };
+
+enum class BodyShape : std::uint8_t {
+  kBox,      ///< size = full extents.
+  kCapsule,  ///< Upright; size.x = radius, size.y = total height.
+  kSphere,   ///< size.x = radius.
+  kPlane,    ///< The half-space below y = 0 of the body.
+  kMesh,     ///< The box bounds; the centre of mass is the mesh's origin.
+};
+
+struct BodyDef {
+  BodyShape shape = BodyShape::kBox;
+  Vec3 size{1, 1, 1};
+  MeshBounds bounds;      ///< kMesh only.
+  float mass_kg = 1;      ///< 0 = fixed.
+  bool upright = false;   ///< Contacts never turn it, and it may not be an obstacle: an agent.
+  Vec3 position;
+  Quat orientation;
+  EntityId owner = kNoEntity;
+};
+
+/// The rigid bodies of one world, on Bullet; the rest of the module does not see Bullet. Units are SI.
+///
+/// Deterministic: bodies, pairs and contacts are visited in an order that follows from the calls alone, the solver is
+/// scalar and keeps its order. Values handed in are finite (callers check); ids must be alive. A body id may be given
+/// again after Remove.
+class PhysicsWorld {
+ public:
+  explicit PhysicsWorld(const WorldSettings& settings);
+  ~PhysicsWorld();
+
+  BodyId Add(const BodyDef& def);
+  void Remove(BodyId body);
+
+  Vec3 Position(BodyId body) const;
+  Quat Orientation(BodyId body) const;
+  Vec3 Velocity(BodyId body) const;
+  Vec3 AngularVelocity(BodyId body) const;
+  float Mass(BodyId body) const;
+  bool IsSleeping(BodyId body) const;
+  /// Half the diagonal of the bounding box.
+  float Radius(BodyId body) const;
+
+  // All of these wake the body.
+  void SetPosition(BodyId body, Vec3 position);
+  void SetOrientation(BodyId body, Quat orientation);
+  void SetVelocity(BodyId body, Vec3 velocity);
+  void SetAngularVelocity(BodyId body, Vec3 velocity);
+  void SetMass(BodyId body, float mass_kg);
+  void SetGravity(BodyId body, Vec3 gravity);
+  void SetDamping(BodyId body, float linear, float angular);
+  void ApplyForce(BodyId body, Vec3 force_n);
+  void ApplyAngularImpulse(BodyId body, Vec3 impulse);
+
+  /// One step. Bodies that leave the range of the numbers are put back to its edge, at rest.
+  void Step(float step_s);
+  /// Sorted by (a, b).
+  const std::vector<Collision>& Collisions() const;
+  std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
+  /// Bounding spheres of the bodies that can move and are not upright, by ascending owner. Valid until the next call
+  /// that is not const.
+  std::span<const Obstacle> Obstacles();
+  void AddDebugLines(std::vector<LineSnapshot>& lines);
+
+  // What a body can bear; callers clamp to these.
+  static constexpr float kMaxCoordinate_m = 1e6f;
+  static constexpr float kMaxSpeed_mps = 1e5f;
+  static constexpr float kMaxForce_n = 1e12f;
+  static constexpr float kMaxMass_kg = 1e9f;
+  static constexpr float kMinSize_m = 0.001f;
+  static constexpr float kMaxSize_m = 1e5f;
+
+ private:
+  struct Body;
+  struct Impl;
+  Body& Get(BodyId body) const;
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace soarbox::world

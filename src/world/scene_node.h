@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "world/scene.h"
+
+// For the scene*.cpp files only.
+namespace soarbox::world {
+
+enum class NodeContent : std::uint8_t { kNone, kDrawable, kRing, kLight, kParticle };
+
+/// One node of the scene tree: a transform relative to the parent, and at most one thing to see.
+struct Scene::Node {
+  NodeId parent = NodeId::kNone;
+  std::vector<NodeId> children;
+  Vec3 position;
+  Quat orientation;
+  Vec3 scale{1, 1, 1};
+  EntityId owner = EntityId::kSandbox;
+  bool owner_is_agent = false;
+  bool belongs_to_entity = false;  ///< The node of an agent, an object or the sandbox; scripts cannot remove it.
+  bool visible = true;
+
+  NodeContent content = NodeContent::kNone;
+  // kDrawable and kRing; shape, mesh, material, size and texture only.
+  DrawableSnapshot drawable;
+  bool is_line = false;
+  Vec3 offset;        ///< Of the drawable's centre, in the node's space.
+  Quat offset_turn;   ///< Of the drawable, in the node's space.
+  MeshBounds bounds;  ///< Around the drawable, in its own space.
+  // kLight; position and direction in the node's space.
+  LightSnapshot light;
+  // kParticle; position and direction in the node's space.
+  ParticleSnapshot particle;
+};
+
+/// A transform in world space.
+struct WorldTransform {
+  Vec3 position;
+  Quat orientation;
+  Vec3 scale{1, 1, 1};
+  Vec3 Apply(Vec3 v) const { return position + Rotate(orientation, {v.x * scale.x, v.y * scale.y, v.z * scale.z}); }
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "world/agent_motion.h"
+
+namespace soarbox::world {
+
+/// Towards the target, less the present velocity (Reynolds, 1999, seek with the distance as desired speed). Grows
+/// with the distance; not limited.
+Vec3 SteerSeek(const AgentMotion& self, Vec3 target);
+
+/// Away from the danger, less the present velocity.
+Vec3 SteerFlee(const AgentMotion& self, Vec3 danger);
+
+}  // namespace soarbox::world

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/limits.h"
+#include "world/rotation.h"
+#include "world/world_impl.h"
+
+namespace soarbox::world {
+namespace {
+
+WorldSettings Checked(WorldSettings settings) {
+  const WorldSettings defaults;
+  settings.step_s = IsFinite(settings.step_s) ? std::clamp(settings.step_s, 0.001f, 0.1f) : defaults.step_s;
+  if (!IsFinite(settings.gravity)) settings.gravity = defaults.gravity;
+  settings.gravity = Limit(settings.gravity, 1000);
+  settings.screen_width_px = std::max(1, settings.screen_width_px);
+  settings.screen_height_px = std::max(1, settings.screen_height_px);
+  return settings;
+}
+
+}  // namespace
+
+World::Impl::Impl(const WorldSettings& wanted)
+    : settings(Checked(wanted)), random(settings.seed), physics(settings), agents(settings, physics, scene) {}
+
+void World::Impl::DeleteObject(EntityId id) {
+  const auto found = objects.find(id);
+  if (found == objects.end()) return;
+  physics.Remove(found->second->body_);
+  scene.RemoveOwned(found->second->node_);
+  objects.erase(found);
+  object_ids.erase(std::lower_bound(object_ids.begin(), object_ids.end(), id));
+}
+
+World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+World::~World() = default;
+
+const WorldSettings& World::settings() const { return impl_->settings; }
+std::uint64_t World::tick() const { return impl_->tick; }
+int World::step_millis() const {
+  // Whole milliseconds, rounded down; the nudge keeps 0.02 s from becoming 19.
+  return std::max(1, static_cast<int>(std::floor(impl_->settings.step_s * 1000.0f + 0.001f)));
+}
+std::uint64_t World::time_millis() const { return impl_->tick * static_cast<std::uint64_t>(step_millis()); }
+
+std::vector<EntityId> World::BeginTick() {
+  ++impl_->tick;
+  impl_->debug.Clear();
+  impl_->physics_lines.clear();
+  std::vector<EntityId> removed = std::move(impl_->to_remove);
+  impl_->to_remove.clear();
+  std::sort(removed.begin(), removed.end());
+  for (const EntityId id : removed) impl_->DeleteObject(id);
+  return removed;
+}
+
+void World::SyncAgent(EntityId id) {
+  if (Agent* agent = impl_->agents.Find(id)) agent->MoveNode();
+}
+
+void World::Step() {
+  for (const auto& [id, object] : impl_->objects) object->MoveNode();
+  impl_->physics.Step(impl_->settings.step_s);
+  impl_->agents.ReadBodies();
+  impl_->physics_lines.clear();
+  if (impl_->draw_physics) impl_->physics.AddDebugLines(impl_->physics_lines);
+}
+
+std::span<const Collision> World::Collisions() const { return impl_->physics.Collisions(); }
+RandomStream& World::random() { return impl_->random; }
+
+EntityId World::CreateAgent(const AgentDef& def) {
+  const EntityId id = impl_->NextEntity();
+  const NodeId node = impl_->scene.CreateEmpty(NodeId::kRoot, id, true);
+  impl_->agents.Create(id, node, def);
+  return id;
+}
+
+Agent* World::FindAgent(EntityId id) { return impl_->agents.Find(id); }
+const Agent* World::FindAgent(EntityId id) const { return impl_->agents.Find(id); }
+std::span<const EntityId> World::AgentIds() const { return impl_->agents.ids(); }
+
+Object* World::FindObject(EntityId id) {
+  const auto found = impl_->objects.find(id);
+  return found == impl_->objects.end() ? nullptr : found->second.get();
+}
+
+const Object* World::FindObject(EntityId id) const {
+  const auto found = impl_->objects.find(id);
+  return found == impl_->objects.end() ? nullptr : found->second.get();
+}
+
+std::span<const EntityId> World::ObjectIds() const { return impl_->object_ids; }
+
+bool World::RemoveObject(EntityId id) {
+  Object* object = FindObject(id);
+  if (!object) return false;
+  if (!object->removal_requested_) impl_->to_remove.push_back(id);
+  object->removal_requested_ = true;
+  return true;
+}
+
+NodeId World::NodeOf(EntityId id) const {
+  if (id == EntityId::kSandbox) return NodeId::kRoot;
+  if (const Agent* agent = FindAgent(id)) return agent->node();
+  const Object* object = FindObject(id);
+  return object ? object->node() : NodeId::kNone;
+}
+
+std::optional<RayHit> World::RayCast(Vec3 from, Vec3 to) const {
+  if (!IsFinite(from) || !IsFinite(to)) return std::nullopt;
+  return impl_->physics.RayCast(LimitPosition(from), LimitPosition(to));
+}
+
+Scene& World::scene() { return impl_->scene; }
+const Scene& World::scene() const { return impl_->scene; }
+Ui& World::ui() { return impl_->ui; }
+Camera& World::camera() { return impl_->camera; }
+DebugDraw& World::debug() { return impl_->debug; }
+MediaCatalog& World::catalog() { return impl_->catalog; }
+
+int World::screen_width() const { return impl_->settings.screen_width_px; }
+int World::screen_height() const { return impl_->settings.screen_height_px; }
+void World::SetScreenSize(int width_px, int height_px) {
+  impl_->settings.screen_width_px = std::max(1, width_px);
+  impl_->settings.screen_height_px = std::max(1, height_px);
+}
+
+void World::SetDrawPhysics(bool draw) {
+  impl_->draw_physics = draw;
+  if (!draw) impl_->physics_lines.clear();
+}
+bool World::draw_physics() const { return impl_->draw_physics; }
+
+std::vector<Diagnostic> World::TakeWarnings() { return impl_->catalog.TakeWarnings(); }
+
+}  // namespace soarbox::world

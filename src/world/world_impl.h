@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "world/agent_store.h"
+#include "world/physics_world.h"
+#include "world/world.h"
+
+// For the world*.cpp files only.
+namespace soarbox::world {
+
+struct World::Impl {
+  explicit Impl(const WorldSettings& wanted);
+
+  /// The next number of agents and objects.
+  EntityId NextEntity() { return EntityId{next_entity++}; }
+  Object& AddObject(EntityId id, NodeId node, ObjectKind kind, BodyDef def);
+  void DeleteObject(EntityId id);
+
+  WorldSettings settings;
+  RandomStream random;
+  MediaCatalog catalog;
+  Scene scene{catalog};
+  Ui ui;
+  Camera camera;
+  DebugDraw debug;
+  PhysicsWorld physics;
+  AgentStore agents;
+  std::map<EntityId, std::unique_ptr<Object>> objects;
+  std::vector<EntityId> object_ids;   ///< The keys of objects.
+  std::vector<EntityId> to_remove;    ///< In the order of the requests, each once.
+  std::vector<LineSnapshot> physics_lines;
+  std::uint64_t tick = 0;
+  std::uint32_t next_entity = 1;
+  bool draw_physics = false;
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/state_hash.h"
+#include "world/world.h"
+#include "world/world_impl.h"
+
+// What others keep of the world: its hash and its picture.
+namespace soarbox::world {
+
+std::uint64_t World::Hash() const {
+  StateHash hash;
+  hash.Add(impl_->tick);
+  hash.Add(impl_->random.state());
+  hash.Add(static_cast<std::uint64_t>(impl_->next_entity));
+  for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
+    Agent& agent = impl_->agents.agent(i);
+    const AgentMotion& motion = impl_->agents.motion(i);
+    hash.Add(motion.position);
+    hash.Add(motion.velocity);
+    hash.Add(motion.orientation);
+    hash.Add(motion.speed);
+    hash.Add(motion.radius);
+    hash.Add(agent.Height());
+    hash.Add(agent.Mass());
+    hash.Add(agent.MaxForce());
+    hash.Add(agent.MaxSpeed());
+    hash.Add(agent.Health());
+    hash.Add(agent.Target());
+    hash.Add(agent.TargetRadius());
+    hash.Add(std::string_view(agent.Team()));
+    hash.Add(static_cast<std::uint64_t>(Number(agent.Leader())));
+    hash.Add(static_cast<std::uint64_t>(agent.HasBody()));
+    hash.Add(agent.random().state());
+    hash.Add(static_cast<std::uint64_t>(agent.HasPath()));
+    for (const Vec3 point : agent.PathPoints()) hash.Add(point);
+  }
+  for (const auto& [id, object] : impl_->objects) {
+    hash.Add(static_cast<std::uint64_t>(Number(id)));
+    hash.Add(object->Position());
+    hash.Add(object->Orientation());
+    hash.Add(object->Velocity());
+    hash.Add(object->AngularVelocity());
+    hash.Add(object->Mass());
+  }
+  return hash.value();
+}
+
+SceneSnapshot World::Snapshot() const {
+  SceneSnapshot snapshot;
+  snapshot.tick = impl_->tick;
+  snapshot.time_s = static_cast<double>(time_millis()) / 1000.0;
+  impl_->scene.FillSnapshot(snapshot);
+  impl_->ui.FillSnapshot(snapshot);
+
+  const auto& lines = impl_->debug.lines();
+  snapshot.lines.insert(snapshot.lines.end(), lines.begin(), lines.end());
+  snapshot.lines.insert(snapshot.lines.end(), impl_->physics_lines.begin(), impl_->physics_lines.end());
+  snapshot.triangles = impl_->debug.triangles();
+  snapshot.camera = impl_->camera.state();
+  snapshot.camera_moves = impl_->camera.moves();
+
+  snapshot.agents.reserve(impl_->agents.size());
+  for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
+    const Agent& agent = impl_->agents.agent(i);
+    AgentSnapshot& seen = snapshot.agents.emplace_back();
+    seen.id = Number(agent.id());
+    seen.name = agent.name();
+    seen.kind = agent.kind();
+    seen.script = agent.script();
+    seen.position = agent.Position();
+    seen.velocity = agent.Velocity();
+    seen.forward = agent.Forward();
+    seen.radius_m = agent.Radius();
+    seen.height_m = agent.Height();
+    seen.health = agent.Health();
+    seen.alive = agent.Health() > 0;
+    seen.last_command = agent.LastCommand();
+    seen.failed = agent.Failed();
+  }
+  return snapshot;
+}
+
+}  // namespace soarbox::world
