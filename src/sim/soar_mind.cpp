@@ -5,25 +5,31 @@
 
 namespace soarbox::sim {
 
-SoarMind::SoarMind(sml::Agent& agent) : agent_(agent) { MakePercepts(); }
+SoarMind::SoarMind(sml::Agent& agent)
+    : agent_(agent), distance_(agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0)) {}
 
-void SoarMind::MakePercepts() { distance_ = agent_.CreateFloatWME(agent_.GetInputLink(), "distance", 0.0); }
-
-int SoarMind::Tick(float distance_squared_m2, const Perform& perform) {
+void SoarMind::Decide(float distance_squared_m2) {
   agent_.Update(distance_, distance_squared_m2);
   agent_.RunSelfTilOutput();
-  const int count = agent_.GetNumberCommands();
-  for (int i = 0; i < count; ++i) {
+  // Strings are assigned in place, so that a tick allocates nothing once the longest word has been seen.
+  std::size_t count = 0;
+  handles_.clear();
+  for (int i = 0; i < agent_.GetNumberCommands(); ++i) {
     sml::Identifier* command = agent_.GetCommand(i);
     if (command == nullptr) continue;
-    const std::string name = command->GetCommandName();
-    if (perform(name)) {
-      command->AddStatusComplete();
-    } else {
-      command->AddStatusError();
-    }
+    if (commands_.size() == count) commands_.emplace_back();
+    commands_[count++] = command->GetCommandName();
+    handles_.push_back(command);
   }
-  return count;
+  commands_.resize(count);
+}
+
+void SoarMind::Answer(std::size_t index, bool succeeded) {
+  if (succeeded) {
+    handles_[index]->AddStatusComplete();
+  } else {
+    handles_[index]->AddStatusError();
+  }
 }
 
 bool SoarMind::Halted() const { return agent_.GetRunState() == sml::sml_RUNSTATE_HALTED; }

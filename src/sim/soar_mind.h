@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <functional>
+#include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace sml {
 class Agent;
 class FloatElement;
+class Identifier;
 }  // namespace sml
 
 namespace soarbox::sim {
@@ -16,30 +17,30 @@ namespace soarbox::sim {
 ///
 /// The vocabulary is the thesis': `^io.input-link.distance` holds the squared distance in m^2 from the agent's centre to
 /// its target (or its leader's centre), and each attribute that the rules put on the output link is a command, marked
-/// `^status complete` (or `^status error`) once it has been carried out.
+/// `^status complete` or `^status error` once the body has done with it.
 ///
 /// Owned by the simulation; the kernel behind it must outlive it.
 class SoarMind {
  public:
   explicit SoarMind(sml::Agent& agent);
 
-  /// Does one command; false marks it with ^status error.
-  using Perform = std::function<bool(std::string_view command)>;
+  /// Perceives and decides until there is output or the decision budget is used up (max-nil-output-cycles). The new
+  /// commands are in commands(); none means a gap in the rules.
+  void Decide(float distance_squared_m2);
+  std::span<const std::string> commands() const { return commands_; }
+  /// Tells the program how its command number `index` went.
+  void Answer(std::size_t index, bool succeeded);
 
-  /// Perceives `distance_squared_m2` and decides until there is output or the decision budget is used up
-  /// (max-nil-output-cycles), then performs each new command. Returns how many there were; 0 is a gap in the rules.
-  int Tick(float distance_squared_m2, const Perform& perform);
-
-  /// True once the program has halted; it then does nothing more until it is initialised again.
+  /// True once the program has halted; it then does nothing more until it is restarted.
   bool Halted() const;
   /// Starts the program anew: working memory is cleared, the rules stay.
   void Restart();
 
  private:
-  void MakePercepts();
-
   sml::Agent& agent_;
-  sml::FloatElement* distance_ = nullptr;
+  sml::FloatElement* distance_;
+  std::vector<std::string> commands_;
+  std::vector<sml::Identifier*> handles_;  ///< Beside commands_; valid until the next Decide.
 };
 
 }  // namespace soarbox::sim
