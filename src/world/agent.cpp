@@ -14,7 +14,9 @@
 namespace soarbox::world {
 namespace {
 
-float HorizontalLength(Vec3 v) { return std::sqrt(v.x * v.x + v.z * v.z); }
+float HorizontalLength(Vec3 v) {
+  return std::sqrt(v.x * v.x + v.z * v.z);
+}
 
 bool SetAtLeastZero(float value, float& property) {
   if (!IsFinite(value)) return false;
@@ -45,11 +47,19 @@ Agent::Agent(AgentStore& store, EntityId id, NodeId node, std::size_t index, con
   RebuildBody();
 }
 
-AgentMotion& Agent::motion() { return store_.motion(index_); }
-const AgentMotion& Agent::motion() const { return store_.motion(index_); }
-bool Agent::HasBody() const { return body_ != BodyId::kNone; }
+AgentMotion& Agent::motion() {
+  return store_.motion(index_);
+}
+const AgentMotion& Agent::motion() const {
+  return store_.motion(index_);
+}
+bool Agent::HasBody() const {
+  return body_ != BodyId::kNone;
+}
 
-void Agent::MoveNode() { store_.scene().PlaceWorldNode(node_, motion().position, motion().orientation); }
+void Agent::MoveNode() {
+  store_.scene().PlaceWorldNode(node_, motion().position, motion().orientation);
+}
 
 void Agent::RebuildBody() {
   if (HasBody()) store_.physics().Remove(body_);
@@ -160,9 +170,15 @@ bool Agent::SetMass(float mass_kg) {
   return true;
 }
 
-bool Agent::SetMaxForce(float newtons) { return SetAtLeastZero(newtons, max_force_n_); }
-bool Agent::SetMaxSpeed(float mps) { return SetAtLeastZero(mps, max_speed_mps_); }
-bool Agent::SetTargetRadius(float metres) { return SetAtLeastZero(metres, target_radius_m_); }
+bool Agent::SetMaxForce(float newtons) {
+  return SetAtLeastZero(newtons, max_force_n_);
+}
+bool Agent::SetMaxSpeed(float mps) {
+  return SetAtLeastZero(mps, max_speed_mps_);
+}
+bool Agent::SetTargetRadius(float metres) {
+  return SetAtLeastZero(metres, target_radius_m_);
+}
 
 bool Agent::SetHealth(float health) {
   if (!IsFinite(health)) return false;

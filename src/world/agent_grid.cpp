@@ -11,7 +11,9 @@ constexpr float kCell_m = 4.0f;
 constexpr std::size_t kMaxStrays = 64;
 
 // Positions are limited (PhysicsWorld::kMaxCoordinate_m); agents without a body are limited likewise.
-std::int32_t CellOf(float coordinate) { return static_cast<std::int32_t>(std::floor(coordinate / kCell_m)); }
+std::int32_t CellOf(float coordinate) {
+  return static_cast<std::int32_t>(std::floor(coordinate / kCell_m));
+}
 
 }  // namespace
 

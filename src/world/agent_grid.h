@@ -33,8 +33,8 @@ class AgentGrid {
   std::uint32_t Bucket(std::int32_t x, std::int32_t z) const;
 
   bool valid_ = false;
-  std::vector<Entry> entries_;           ///< Sorted by bucket.
-  std::vector<std::uint32_t> starts_;    ///< First entry of each bucket; one more than there are buckets.
+  std::vector<Entry> entries_;         ///< Sorted by bucket.
+  std::vector<std::uint32_t> starts_;  ///< First entry of each bucket; one more than there are buckets.
   std::vector<std::uint32_t> strays_;
   std::vector<bool> is_stray_;
 };

@@ -9,14 +9,14 @@ namespace soarbox::world {
 /// axes; speed is the horizontal length of velocity, or the stored speed of an agent without a body.
 struct AgentMotion {
   Vec3 position;
-  Vec3 velocity;              ///< m/s
+  Vec3 velocity;  ///< m/s
   Vec3 forward{0, 0, 1};
   Vec3 left{1, 0, 0};
   Vec3 up{0, 1, 0};
   Quat orientation;
-  float speed = 0;            ///< m/s
-  float radius = 0;           ///< m
-  bool alive = true;          ///< Health above 0.
+  float speed = 0;    ///< m/s
+  float radius = 0;   ///< m
+  bool alive = true;  ///< Health above 0.
 };
 
 }  // namespace soarbox::world

@@ -25,8 +25,12 @@ float LookAhead(float seconds) {
 
 }  // namespace
 
-Vec3 Agent::ForceToPosition(Vec3 target) const { return SteerSeek(motion(), target); }
-Vec3 Agent::ForceToFleePosition(Vec3 danger) const { return SteerFlee(motion(), danger); }
+Vec3 Agent::ForceToPosition(Vec3 target) const {
+  return SteerSeek(motion(), target);
+}
+Vec3 Agent::ForceToFleePosition(Vec3 danger) const {
+  return SteerFlee(motion(), danger);
+}
 
 Vec3 Agent::ForceToPursue(EntityId quarry, float max_prediction_s) const {
   const Agent* other = store_.Find(quarry);
@@ -68,8 +72,8 @@ Vec3 Agent::GroupForce(GroupSteering steer, float max_distance_m, float max_angl
                        std::span<const EntityId> agents) const {
   const Neighbourhood neighbourhood{std::max(0.0f, max_distance_m), max_angle_deg};
   const bool everybody = agents.data() == store_.ids().data() && agents.size() == store_.ids().size();
-  const auto others = everybody ? store_.NearInOrder(Position(), NeighbourhoodRange(motion(), neighbourhood))
-                                : store_.Indices(agents);
+  const auto others =
+      everybody ? store_.NearInOrder(Position(), NeighbourhoodRange(motion(), neighbourhood)) : store_.Indices(agents);
   return steer(index_, store_.motions(), others, neighbourhood);
 }
 

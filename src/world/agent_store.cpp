@@ -44,7 +44,9 @@ void AgentStore::ReadBodies() {
   grid_.Invalidate();
 }
 
-void AgentStore::Moved(std::size_t index) { grid_.Moved(static_cast<std::uint32_t>(index)); }
+void AgentStore::Moved(std::size_t index) {
+  grid_.Moved(static_cast<std::uint32_t>(index));
+}
 
 void AgentStore::SpeedOrRadiusChanged(std::size_t index) {
   max_speed_ = std::max(max_speed_, std::abs(motions_[index].speed));

@@ -5,7 +5,9 @@
 
 namespace soarbox::world {
 
-Vec3 Camera::RotationVector() const { return ToRotationVector(state_.orientation); }
+Vec3 Camera::RotationVector() const {
+  return ToRotationVector(state_.orientation);
+}
 
 bool Camera::SetPosition(Vec3 position) {
   if (!IsFinite(position)) return false;

@@ -22,8 +22,18 @@ struct UnitSphere {
 // An icosahedron with each face split in four: 42 corners, 80 faces, 120 edges.
 UnitSphere MakeUnitSphere() {
   const float g = std::numbers::phi_v<float>;
-  const std::array<Vec3, 12> corners{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}};
+  const std::array<Vec3, 12> corners{{{-1, g, 0},
+                                      {1, g, 0},
+                                      {-1, -g, 0},
+                                      {1, -g, 0},
+                                      {0, -1, g},
+                                      {0, 1, g},
+                                      {0, -1, -g},
+                                      {0, 1, -g},
+                                      {g, 0, -1},
+                                      {g, 0, 1},
+                                      {-g, 0, -1},
+                                      {-g, 0, 1}}};
   // The edges of this icosahedron have length 2; three corners that are pairwise so far apart make a face.
   const auto adjacent = [&corners](std::size_t a, std::size_t b) {
     return std::abs(Distance(corners[a], corners[b]) - 2.0f) < 0.01f;
@@ -51,7 +61,9 @@ UnitSphere MakeUnitSphere() {
   return sphere;
 }
 
-Color Opaque(Vec3 color) { return {color.x, color.y, color.z, 1}; }
+Color Opaque(Vec3 color) {
+  return {color.x, color.y, color.z, 1};
+}
 
 }  // namespace
 

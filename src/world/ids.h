@@ -16,8 +16,14 @@ enum class NodeId : std::uint32_t { kNone = 0, kRoot = 1 };
 /// A user-interface component. Numbers are never given twice.
 enum class UiId : std::uint32_t { kNone = 0 };
 
-inline constexpr std::uint32_t Number(EntityId id) { return static_cast<std::uint32_t>(id); }
-inline constexpr std::uint32_t Number(NodeId id) { return static_cast<std::uint32_t>(id); }
-inline constexpr std::uint32_t Number(UiId id) { return static_cast<std::uint32_t>(id); }
+inline constexpr std::uint32_t Number(EntityId id) {
+  return static_cast<std::uint32_t>(id);
+}
+inline constexpr std::uint32_t Number(NodeId id) {
+  return static_cast<std::uint32_t>(id);
+}
+inline constexpr std::uint32_t Number(UiId id) {
+  return static_cast<std::uint32_t>(id);
+}
 
 }  // namespace soarbox::world

@@ -12,8 +12,14 @@ namespace soarbox::world {
 inline Vec3 Limit(Vec3 v, float limit) {
   return {std::clamp(v.x, -limit, limit), std::clamp(v.y, -limit, limit), std::clamp(v.z, -limit, limit)};
 }
-inline Vec3 LimitPosition(Vec3 v) { return Limit(v, PhysicsWorld::kMaxCoordinate_m); }
-inline Vec3 LimitVelocity(Vec3 v) { return Limit(v, PhysicsWorld::kMaxSpeed_mps); }
-inline Vec3 LimitForce(Vec3 v) { return Limit(v, PhysicsWorld::kMaxForce_n); }
+inline Vec3 LimitPosition(Vec3 v) {
+  return Limit(v, PhysicsWorld::kMaxCoordinate_m);
+}
+inline Vec3 LimitVelocity(Vec3 v) {
+  return Limit(v, PhysicsWorld::kMaxSpeed_mps);
+}
+inline Vec3 LimitForce(Vec3 v) {
+  return Limit(v, PhysicsWorld::kMaxForce_n);
+}
 
 }  // namespace soarbox::world

@@ -21,11 +21,21 @@ struct Vec3 {
   friend bool operator==(Vec3 a, Vec3 b) = default;
 };
 
-inline float Dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec3 Cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-inline float LengthSquared(Vec3 a) { return Dot(a, a); }
-inline float Length(Vec3 a) { return std::sqrt(Dot(a, a)); }
-inline float Distance(Vec3 a, Vec3 b) { return Length(b - a); }
+inline float Dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vec3 Cross(Vec3 a, Vec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline float LengthSquared(Vec3 a) {
+  return Dot(a, a);
+}
+inline float Length(Vec3 a) {
+  return std::sqrt(Dot(a, a));
+}
+inline float Distance(Vec3 a, Vec3 b) {
+  return Length(b - a);
+}
 /// The unit vector along a; the zero vector stays zero.
 inline Vec3 Normalized(Vec3 a) {
   const float length = Length(a);

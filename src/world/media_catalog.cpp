@@ -9,12 +9,35 @@ namespace soarbox::world {
 namespace {
 
 // What the sandbox's scripts may name without loading anything of their own (spec 11).
-constexpr const char* kMaterials[] = {
-    "White", "Red", "Green", "Blue", "RedGlow", "GreenGlow", "BlueGlow", "TransparentRed", "TransparentGreen",
-    "TransparentBlue", "TransparentYellow", "TransparentWhite", "Ground", "Ground2", "NobiaxModular", "base_material",
-    "base_animated_material", "SF_Soldier_Body", "SF_Soldier_Body_Dark", "SF_Soldier_HelmetVisor",
-    "SF_Soldier_HelmetVisor_Dark", "SF_Weapon_WeaponBody", "SF_Weapon_Holo", "SF_Weapon_Stabilization",
-    "SF_Weapon_Thursters", "Particles/Bullet", "Particles/Impact", "debug_draw", "debug_opaque_draw"};
+constexpr const char* kMaterials[] = {"White",
+                                      "Red",
+                                      "Green",
+                                      "Blue",
+                                      "RedGlow",
+                                      "GreenGlow",
+                                      "BlueGlow",
+                                      "TransparentRed",
+                                      "TransparentGreen",
+                                      "TransparentBlue",
+                                      "TransparentYellow",
+                                      "TransparentWhite",
+                                      "Ground",
+                                      "Ground2",
+                                      "NobiaxModular",
+                                      "base_material",
+                                      "base_animated_material",
+                                      "SF_Soldier_Body",
+                                      "SF_Soldier_Body_Dark",
+                                      "SF_Soldier_HelmetVisor",
+                                      "SF_Soldier_HelmetVisor_Dark",
+                                      "SF_Weapon_WeaponBody",
+                                      "SF_Weapon_Holo",
+                                      "SF_Weapon_Stabilization",
+                                      "SF_Weapon_Thursters",
+                                      "Particles/Bullet",
+                                      "Particles/Impact",
+                                      "debug_draw",
+                                      "debug_opaque_draw"};
 constexpr const char* kSkies[] = {"ThickCloudsWaterSkyBox"};
 constexpr const char* kParticles[] = {"Bullet", "BulletImpact"};
 
@@ -52,13 +75,25 @@ MediaCatalog::MediaCatalog() {
   for (const char* name : kParticles) AddParticle(name);
 }
 
-void MediaCatalog::AddMesh(std::string name, MeshBounds bounds) { meshes_[std::move(name)] = bounds; }
-void MediaCatalog::AddMaterial(std::string name) { materials_.insert(std::move(name)); }
-void MediaCatalog::AddSky(std::string name) { skies_.insert(std::move(name)); }
-void MediaCatalog::AddParticle(std::string name) { particles_.insert(std::move(name)); }
+void MediaCatalog::AddMesh(std::string name, MeshBounds bounds) {
+  meshes_[std::move(name)] = bounds;
+}
+void MediaCatalog::AddMaterial(std::string name) {
+  materials_.insert(std::move(name));
+}
+void MediaCatalog::AddSky(std::string name) {
+  skies_.insert(std::move(name));
+}
+void MediaCatalog::AddParticle(std::string name) {
+  particles_.insert(std::move(name));
+}
 
-bool MediaCatalog::HasMesh(std::string_view name) const { return meshes_.find(name) != meshes_.end(); }
-bool MediaCatalog::HasMaterial(std::string_view name) const { return materials_.find(name) != materials_.end(); }
+bool MediaCatalog::HasMesh(std::string_view name) const {
+  return meshes_.find(name) != meshes_.end();
+}
+bool MediaCatalog::HasMaterial(std::string_view name) const {
+  return materials_.find(name) != materials_.end();
+}
 
 MeshBounds MediaCatalog::LookUpMesh(std::string_view name) {
   const auto found = meshes_.find(name);
@@ -103,6 +138,8 @@ void MediaCatalog::Warn(std::string message, std::string hint) {
   warnings_.push_back(std::move(warning));
 }
 
-std::vector<Diagnostic> MediaCatalog::TakeWarnings() { return std::exchange(warnings_, {}); }
+std::vector<Diagnostic> MediaCatalog::TakeWarnings() {
+  return std::exchange(warnings_, {});
+}
 
 }  // namespace soarbox::world

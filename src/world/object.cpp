@@ -10,15 +10,31 @@
 
 namespace soarbox::world {
 
-void Object::MoveNode() { scene_.PlaceWorldNode(node_, Position(), Orientation()); }
+void Object::MoveNode() {
+  scene_.PlaceWorldNode(node_, Position(), Orientation());
+}
 
-Vec3 Object::Position() const { return physics_.Position(body_); }
-Quat Object::Orientation() const { return physics_.Orientation(body_); }
-Vec3 Object::Velocity() const { return physics_.Velocity(body_); }
-Vec3 Object::AngularVelocity() const { return physics_.AngularVelocity(body_); }
-float Object::Mass() const { return physics_.Mass(body_); }
-float Object::Radius() const { return physics_.Radius(body_); }
-bool Object::IsSleeping() const { return physics_.IsSleeping(body_); }
+Vec3 Object::Position() const {
+  return physics_.Position(body_);
+}
+Quat Object::Orientation() const {
+  return physics_.Orientation(body_);
+}
+Vec3 Object::Velocity() const {
+  return physics_.Velocity(body_);
+}
+Vec3 Object::AngularVelocity() const {
+  return physics_.AngularVelocity(body_);
+}
+float Object::Mass() const {
+  return physics_.Mass(body_);
+}
+float Object::Radius() const {
+  return physics_.Radius(body_);
+}
+bool Object::IsSleeping() const {
+  return physics_.IsSleeping(body_);
+}
 
 bool Object::SetPosition(Vec3 position) {
   if (!IsFinite(position)) return false;

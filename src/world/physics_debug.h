@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <vector>
-
 #include <btBulletDynamicsCommon.h>
+
+#include <vector>
 
 #include "world/scene_snapshot.h"
 

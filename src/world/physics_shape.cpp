@@ -8,13 +8,15 @@
 namespace soarbox::world {
 namespace {
 
-float Usable(float size_m) { return std::clamp(size_m, PhysicsWorld::kMinSize_m, PhysicsWorld::kMaxSize_m); }
+float Usable(float size_m) {
+  return std::clamp(size_m, PhysicsWorld::kMinSize_m, PhysicsWorld::kMaxSize_m);
+}
 
 PhysicsShape MakeMesh(const MeshBounds& bounds) {
   PhysicsShape result;
   const Vec3 extent = bounds.max - bounds.min;
-  result.child = std::make_unique<btBoxShape>(
-      btVector3(Usable(extent.x) / 2, Usable(extent.y) / 2, Usable(extent.z) / 2));
+  result.child =
+      std::make_unique<btBoxShape>(btVector3(Usable(extent.x) / 2, Usable(extent.y) / 2, Usable(extent.z) / 2));
   result.child->setMargin(0.01f);
   auto compound = std::make_unique<btCompoundShape>();
   compound->addChildShape(btTransform(btQuaternion::getIdentity(), ToBullet((bounds.min + bounds.max) / 2)),

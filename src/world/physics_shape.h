@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <memory>
-
 #include <btBulletDynamicsCommon.h>
+
+#include <memory>
 
 #include "world/physics_world.h"
 
@@ -15,7 +15,7 @@ struct PhysicsShape {
   std::unique_ptr<btCollisionShape> child;  ///< Of a compound; outlives it.
   std::unique_ptr<btCollisionShape> shape;
   float rolling_friction = 0;
-  float swept_radius_m = 0;                 ///< For continuous collision detection; 0: none.
+  float swept_radius_m = 0;  ///< For continuous collision detection; 0: none.
   float linear_sleeping_mps = 0.8f;
 };
 

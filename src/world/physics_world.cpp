@@ -32,7 +32,9 @@ bool OutOfRange(Vec3 v, float limit) {
   return !IsFinite(v) || std::abs(v.x) > limit || std::abs(v.y) > limit || std::abs(v.z) > limit;
 }
 
-float Within(float value, float limit) { return IsFinite(value) ? std::clamp(value, -limit, limit) : 0.0f; }
+float Within(float value, float limit) {
+  return IsFinite(value) ? std::clamp(value, -limit, limit) : 0.0f;
+}
 
 }  // namespace
 
@@ -45,7 +47,9 @@ struct PhysicsWorld::Body {
 
 struct PhysicsWorld::Impl {
   explicit Impl(const WorldSettings& settings)
-      : dispatcher(&configuration), world(&dispatcher, &broadphase, &solver, &configuration), gravity(settings.gravity) {
+      : dispatcher(&configuration),
+        world(&dispatcher, &broadphase, &solver, &configuration),
+        gravity(settings.gravity) {
     InstallFrictionRule();
     // The scalar solver rows: the vector ones differ from processor to processor.
     solver.setConstraintRowSolverGeneric(solver.getScalarConstraintRowSolverGeneric());
@@ -162,19 +166,27 @@ void PhysicsWorld::Remove(BodyId id) {
   impl_->free.push_back(id);
 }
 
-Vec3 PhysicsWorld::Position(BodyId body) const { return FromBullet(Get(body).rigid->getWorldTransform().getOrigin()); }
+Vec3 PhysicsWorld::Position(BodyId body) const {
+  return FromBullet(Get(body).rigid->getWorldTransform().getOrigin());
+}
 Quat PhysicsWorld::Orientation(BodyId body) const {
   return FromBullet(Get(body).rigid->getWorldTransform().getRotation());
 }
-Vec3 PhysicsWorld::Velocity(BodyId body) const { return FromBullet(Get(body).rigid->getLinearVelocity()); }
-Vec3 PhysicsWorld::AngularVelocity(BodyId body) const { return FromBullet(Get(body).rigid->getAngularVelocity()); }
+Vec3 PhysicsWorld::Velocity(BodyId body) const {
+  return FromBullet(Get(body).rigid->getLinearVelocity());
+}
+Vec3 PhysicsWorld::AngularVelocity(BodyId body) const {
+  return FromBullet(Get(body).rigid->getAngularVelocity());
+}
 
 float PhysicsWorld::Mass(BodyId body) const {
   const btScalar inverse = Get(body).rigid->getInvMass();
   return inverse > 0 ? 1.0f / inverse : 0.0f;
 }
 
-bool PhysicsWorld::IsSleeping(BodyId body) const { return !Get(body).rigid->isActive(); }
+bool PhysicsWorld::IsSleeping(BodyId body) const {
+  return !Get(body).rigid->isActive();
+}
 
 float PhysicsWorld::Radius(BodyId body) const {
   btVector3 low, high;
@@ -303,7 +315,9 @@ void PhysicsWorld::Impl::GatherCollisions() {
                    [](const Collision& x, const Collision& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
 }
 
-const std::vector<Collision>& PhysicsWorld::Collisions() const { return impl_->collisions; }
+const std::vector<Collision>& PhysicsWorld::Collisions() const {
+  return impl_->collisions;
+}
 
 std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
   if (from == to) return std::nullopt;

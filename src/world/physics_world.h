@@ -30,9 +30,9 @@ enum class BodyShape : std::uint8_t {
 struct BodyDef {
   BodyShape shape = BodyShape::kBox;
   Vec3 size{1, 1, 1};
-  MeshBounds bounds;      ///< kMesh only.
-  float mass_kg = 1;      ///< 0 = fixed.
-  bool upright = false;   ///< Contacts never turn it, and it may not be an obstacle: an agent.
+  MeshBounds bounds;     ///< kMesh only.
+  float mass_kg = 1;     ///< 0 = fixed.
+  bool upright = false;  ///< Contacts never turn it, and it may not be an obstacle: an agent.
   Vec3 position;
   Quat orientation;
   EntityId owner = kNoEntity;

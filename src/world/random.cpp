@@ -41,7 +41,9 @@ std::uint32_t RandomStream::Below(std::uint32_t bound) {
   return number % bound;
 }
 
-float RandomStream::Unit() { return static_cast<float>(Next() >> 8) * 0x1p-24f; }
+float RandomStream::Unit() {
+  return static_cast<float>(Next() >> 8) * 0x1p-24f;
+}
 
 double RandomStream::UnitDouble() {
   const std::uint64_t high = Next() >> 5;

@@ -17,9 +17,15 @@ Quat About(Vec3 axis, float angle_rad) {
 
 }  // namespace
 
-bool IsFinite(float value) { return std::isfinite(value); }
-bool IsFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool IsFinite(Quat q) { return std::isfinite(q.w) && IsFinite(Vec3{q.x, q.y, q.z}); }
+bool IsFinite(float value) {
+  return std::isfinite(value);
+}
+bool IsFinite(Vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+bool IsFinite(Quat q) {
+  return std::isfinite(q.w) && IsFinite(Vec3{q.x, q.y, q.z});
+}
 
 Quat Normalized(Quat q) {
   const float length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);

@@ -26,11 +26,14 @@ Quat FromAxes(Vec3 x, Vec3 y, Vec3 z);
 /// directions turn 180 degrees about an axis perpendicular to from. Zero vectors give the identity.
 Quat ShortestArc(Vec3 from, Vec3 to);
 
-/// Agents: z along forward, x horizontal (up cross z). False, and rotation untouched, if forward is zero, vertical or not finite.
+/// Agents: z along forward, x horizontal (up cross z). False, and rotation untouched, if forward is zero, vertical or
+/// not finite.
 bool FacingAlong(Vec3 forward, Quat& rotation);
 
 Quat Normalized(Quat q);
-inline Quat Conjugate(Quat q) { return {q.w, -q.x, -q.y, -q.z}; }
+inline Quat Conjugate(Quat q) {
+  return {q.w, -q.x, -q.y, -q.z};
+}
 
 bool IsFinite(float value);
 bool IsFinite(Vec3 v);

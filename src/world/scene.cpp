@@ -27,7 +27,9 @@ const Scene::Node* Scene::Find(NodeId node) const {
   return found == nodes_.end() ? nullptr : &found->second;
 }
 
-bool Scene::Contains(NodeId node) const { return Find(node) != nullptr; }
+bool Scene::Contains(NodeId node) const {
+  return Find(node) != nullptr;
+}
 
 NodeId Scene::Add(NodeId parent, Node node) {
   Node* above = Find(parent);
@@ -120,8 +122,12 @@ WorldTransform Scene::Transform(NodeId node) const {
   return result;
 }
 
-Vec3 Scene::WorldPosition(NodeId node) const { return Transform(node).position; }
-Quat Scene::WorldOrientation(NodeId node) const { return Transform(node).orientation; }
+Vec3 Scene::WorldPosition(NodeId node) const {
+  return Transform(node).position;
+}
+Quat Scene::WorldOrientation(NodeId node) const {
+  return Transform(node).orientation;
+}
 
 float Scene::Radius(NodeId node) const {
   constexpr float kFar = std::numeric_limits<float>::max();

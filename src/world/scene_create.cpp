@@ -13,9 +13,13 @@ constexpr float kTextureRepeat_m = 2.0f;
 constexpr float kLightRange_m = 30.0f;
 
 // Sizes below zero, and those that are no numbers, count as zero.
-float Size(float metres) { return std::isfinite(metres) ? std::clamp(metres, 0.0f, 1e6f) : 0.0f; }
+float Size(float metres) {
+  return std::isfinite(metres) ? std::clamp(metres, 0.0f, 1e6f) : 0.0f;
+}
 
-MeshBounds Around(Vec3 half) { return {-half, half}; }
+MeshBounds Around(Vec3 half) {
+  return {-half, half};
+}
 
 }  // namespace
 

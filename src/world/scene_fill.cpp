@@ -42,7 +42,8 @@ void Scene::FillSnapshot(SceneSnapshot& snapshot) const {
     if (node.content == NodeContent::kNone) continue;
     const WorldTransform transform = Transform(id);
     switch (node.content) {
-      case NodeContent::kNone: break;
+      case NodeContent::kNone:
+        break;
       case NodeContent::kDrawable: {
         DrawableSnapshot& drawable = snapshot.drawables.emplace_back(node.drawable);
         drawable.id = Number(id);

@@ -20,23 +20,23 @@ struct Color {
 
 enum class ShapeKind : std::uint8_t {
   // All shapes are centred at the drawable's position; a mesh has its own origin there.
-  kMesh,     ///< A named resource, "models/nobiax_modular/modular_block.mesh".
-  kBox,      ///< size = full extents in m.
-  kCapsule,  ///< Upright; size.x = radius, size.y = total height in m.
-  kCylinder, ///< Upright; size.x = radius, size.y = height in m.
-  kPlane,    ///< Horizontal, facing up; size.x by size.z m.
-  kSphere,   ///< size.x = radius in m.
+  kMesh,      ///< A named resource, "models/nobiax_modular/modular_block.mesh".
+  kBox,       ///< size = full extents in m.
+  kCapsule,   ///< Upright; size.x = radius, size.y = total height in m.
+  kCylinder,  ///< Upright; size.x = radius, size.y = height in m.
+  kPlane,     ///< Horizontal, facing up; size.x by size.z m.
+  kSphere,    ///< size.x = radius in m.
 };
 
 /// One drawable thing, in world coordinates.
 struct DrawableSnapshot {
-  std::uint32_t id = 0;           ///< Unique among drawables for the life of the world.
-  std::uint32_t owner_id = 0;     ///< The sandbox object or agent that it belongs to.
+  std::uint32_t id = 0;        ///< Unique among drawables for the life of the world.
+  std::uint32_t owner_id = 0;  ///< The sandbox object or agent that it belongs to.
   bool belongs_to_agent = false;
   ShapeKind shape = ShapeKind::kMesh;
-  std::string mesh;               ///< For kMesh only.
-  std::string material;           ///< Empty: the shape's or mesh's own.
-  Vec3 size;                      ///< See ShapeKind.
+  std::string mesh;      ///< For kMesh only.
+  std::string material;  ///< Empty: the shape's or mesh's own.
+  Vec3 size;             ///< See ShapeKind.
   Vec3 texture_repeats{1, 1, 1};
   Vec3 position;
   Quat orientation;
@@ -53,7 +53,7 @@ struct LightSnapshot {
   Vec3 direction{0, -1, 0};  ///< Directional lights; the way that the light goes.
   Vec3 diffuse{1, 1, 1};     ///< May exceed 1.
   Vec3 specular{0, 0, 0};
-  float range_m = 0;         ///< Point lights; 0 = unlimited.
+  float range_m = 0;                 ///< Point lights; 0 = unlimited.
   float attenuation[3] = {1, 0, 0};  ///< Point lights: constant, linear, quadratic.
   bool casts_shadows = true;
 };
@@ -73,11 +73,11 @@ struct TriangleSnapshot {
 /// A particle emitter made from a named template.
 struct ParticleSnapshot {
   std::uint32_t id = 0;
-  std::string effect;       ///< "Bullet", "BulletImpact"; empty: unknown to the catalog, draw nothing.
+  std::string effect;  ///< "Bullet", "BulletImpact"; empty: unknown to the catalog, draw nothing.
   Vec3 position;
   Quat orientation;
   bool has_direction = false;
-  Vec3 direction{0, 0, 1};  ///< World space; only if has_direction, else the template's own.
+  Vec3 direction{0, 0, 1};     ///< World space; only if has_direction, else the template's own.
   std::uint32_t restarts = 0;  ///< The effect plays from its start when this number changes.
   bool visible = true;
 };
@@ -86,10 +86,10 @@ struct ParticleSnapshot {
 struct AgentSnapshot {
   std::uint32_t id = 0;
   std::string name;
-  std::string kind;          ///< "lua", "soar seeking", ...
-  std::string script;        ///< File name of its body script.
+  std::string kind;    ///< "lua", "soar seeking", ...
+  std::string script;  ///< File name of its body script.
   Vec3 position;
-  Vec3 velocity;             ///< m/s
+  Vec3 velocity;  ///< m/s
   Vec3 forward{0, 0, 1};
   float radius_m = 0.5f;
   float height_m = 2.0f;
@@ -119,7 +119,8 @@ struct UiSnapshot {
   /// An image or material name, if any.
   std::string material;
   std::string caption;  ///< A plain text besides a markup text; empty unless the component has both.
-  bool gradient_is_diagonal = false;  ///< From the top left to the bottom right; gradient_is_vertical does not count then.
+  bool gradient_is_diagonal =
+      false;              ///< From the top left to the bottom right; gradient_is_vertical does not count then.
   bool in_world = false;  ///< A panel in the world: 1 px = 0.005 m, x to its right, y down, facing its +z.
   Vec3 world_position;    ///< Of the panel's top left corner; only if in_world.
   Quat world_orientation;
@@ -127,7 +128,7 @@ struct UiSnapshot {
 
 struct CameraSnapshot {
   Vec3 position{0, 5, 0};
-  Quat orientation;               ///< Looks along its -z.
+  Quat orientation;  ///< Looks along its -z.
   float vertical_fov_deg = 45;
 };
 
@@ -144,10 +145,10 @@ struct SceneSnapshot {
   /// What %0 to %9 mean in markup texts.
   std::array<Color, 10> markup_palette{};
   Vec3 ambient{0.5f, 0.5f, 0.5f};
-  std::string sky;                          ///< Name of the sky, "ThickCloudsWaterSkyBox"; empty: plain.
+  std::string sky;  ///< Name of the sky, "ThickCloudsWaterSkyBox"; empty: plain.
   Vec3 sky_rotation_deg;
-  CameraSnapshot camera;                    ///< Where the scripts want it; `camera_moves` counts their orders.
-  std::uint32_t camera_moves = 0;           ///< The viewer takes the camera over when this number changes.
+  CameraSnapshot camera;           ///< Where the scripts want it; `camera_moves` counts their orders.
+  std::uint32_t camera_moves = 0;  ///< The viewer takes the camera over when this number changes.
 };
 
 }  // namespace soarbox::world

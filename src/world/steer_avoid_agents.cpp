@@ -14,7 +14,9 @@ struct Threat {
   float time_s = 0;
 };
 
-Vec3 Ahead(const AgentMotion& agent, float time_s) { return agent.position + agent.forward * (agent.speed * time_s); }
+Vec3 Ahead(const AgentMotion& agent, float time_s) {
+  return agent.position + agent.forward * (agent.speed * time_s);
+}
 
 // When the two come nearest at their present velocities; 0 if they keep their distance.
 float NearestApproachTime(const AgentMotion& self, const AgentMotion& other) {
@@ -36,8 +38,8 @@ std::uint32_t FirstTouching(std::size_t self_index, std::span<const AgentMotion>
   return first;
 }
 
-Threat MostImminent(std::size_t self_index, std::span<const AgentMotion> all,
-                    std::span<const std::uint32_t> candidates, float look_ahead_s) {
+Threat MostImminent(std::size_t self_index, std::span<const AgentMotion> all, std::span<const std::uint32_t> candidates,
+                    float look_ahead_s) {
   const AgentMotion& self = all[self_index];
   const float clearance_squared = 4 * self.radius * self.radius;
   Threat threat{kNobody, look_ahead_s};
@@ -45,14 +47,17 @@ Threat MostImminent(std::size_t self_index, std::span<const AgentMotion> all,
     const AgentMotion& other = all[i];
     if (i == self_index || !other.alive) continue;
     const float time_s = NearestApproachTime(self, other);
-    const bool sooner = time_s < threat.time_s || (time_s == threat.time_s && i < threat.index && threat.index != kNobody);
+    const bool sooner =
+        time_s < threat.time_s || (time_s == threat.time_s && i < threat.index && threat.index != kNobody);
     if (time_s < 0 || !sooner) continue;
     if (LengthSquared(Ahead(self, time_s) - Ahead(other, time_s)) < clearance_squared) threat = {i, time_s};
   }
   return threat;
 }
 
-float AwayFrom(float leftness) { return leftness > 0 ? -1.0f : 1.0f; }
+float AwayFrom(float leftness) {
+  return leftness > 0 ? -1.0f : 1.0f;
+}
 
 // +1: to the left, -1: to the right, 0: the other one will have to give way.
 float DodgingSide(const AgentMotion& self, const AgentMotion& threat, float time_s) {

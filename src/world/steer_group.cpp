@@ -43,10 +43,10 @@ float NeighbourhoodRange(const AgentMotion& self, const Neighbourhood& neighbour
 Vec3 SteerSeparate(std::size_t self_index, std::span<const AgentMotion> all, std::span<const std::uint32_t> others,
                    const Neighbourhood& neighbourhood) {
   Vec3 sum;
-  const int count = ForEachNeighbour(self_index, all, others, neighbourhood,
-                                     [&sum](const AgentMotion&, Vec3 offset, float squared) {
-                                       if (squared > 0) sum -= offset / squared;
-                                     });
+  const int count =
+      ForEachNeighbour(self_index, all, others, neighbourhood, [&sum](const AgentMotion&, Vec3 offset, float squared) {
+        if (squared > 0) sum -= offset / squared;
+      });
   return count > 0 ? Normalized(sum / static_cast<float>(count)) : Vec3{};
 }
 

@@ -20,8 +20,8 @@ Vec3 SteerFollowPath(const AgentMotion& self, const Path& path, float look_ahead
   const Path::Nearest now = path.NearestTo(self.position);
   const Path::Nearest then = path.NearestTo(future);
 
-  const bool right_way = offset_m > 0 ? now.distance_along_m < then.distance_along_m
-                                      : now.distance_along_m > then.distance_along_m;
+  const bool right_way =
+      offset_m > 0 ? now.distance_along_m < then.distance_along_m : now.distance_along_m > then.distance_along_m;
   const bool in_tube = Distance(future, then.point) < path.radius_m();
   if (right_way && in_tube) return {};
   return SteerSeek(self, path.PointAt(now.distance_along_m + offset_m));

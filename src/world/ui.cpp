@@ -10,17 +10,29 @@ namespace soarbox::world {
 namespace {
 
 constexpr int kLayers = 16;
-constexpr std::array<std::string_view, 6> kFontNames{"small", "small_mono", "medium", "medium_mono", "large", "large_mono"};
+constexpr std::array<std::string_view, 6> kFontNames{"small",       "small_mono", "medium",
+                                                     "medium_mono", "large",      "large_mono"};
 
 // The palette before any script sets its own (spec 10), 0..255.
-constexpr std::array<std::array<int, 3>, 10> kPalette{{{255, 255, 255}, {0, 0, 0}, {204, 204, 204}, {254, 220, 129},
-                                                       {254, 138, 129}, {123, 236, 110}, {44, 192, 171}, {199, 93, 142},
-                                                       {254, 254, 254}, {13, 13, 13}}};
+constexpr std::array<std::array<int, 3>, 10> kPalette{{{255, 255, 255},
+                                                       {0, 0, 0},
+                                                       {204, 204, 204},
+                                                       {254, 220, 129},
+                                                       {254, 138, 129},
+                                                       {123, 236, 110},
+                                                       {44, 192, 171},
+                                                       {199, 93, 142},
+                                                       {254, 254, 254},
+                                                       {13, 13, 13}}};
 
 const std::string kNoText;
 
-float Channel(float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.0f; }
-Color Clamped(Color c) { return {Channel(c.r), Channel(c.g), Channel(c.b), Channel(c.a)}; }
+float Channel(float value) {
+  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.0f;
+}
+Color Clamped(Color c) {
+  return {Channel(c.r), Channel(c.g), Channel(c.b), Channel(c.a)};
+}
 
 }  // namespace
 
@@ -215,7 +227,8 @@ bool Ui::SetWorldOrientation(UiId id, Quat orientation) {
 }
 
 void Ui::SetMarkupColor(int index, Color color) {
-  if (index >= 0 && index < static_cast<int>(palette_.size())) palette_[static_cast<std::size_t>(index)] = Clamped(color);
+  if (index >= 0 && index < static_cast<int>(palette_.size()))
+    palette_[static_cast<std::size_t>(index)] = Clamped(color);
 }
 
 Color Ui::MarkupColor(int index) const {
@@ -228,7 +241,9 @@ std::optional<UiFont> Ui::FontByName(std::string_view name) {
   return static_cast<UiFont>(found - kFontNames.begin());
 }
 
-std::string_view Ui::FontName(UiFont font) { return kFontNames[static_cast<std::size_t>(font)]; }
+std::string_view Ui::FontName(UiFont font) {
+  return kFontNames[static_cast<std::size_t>(font)];
+}
 
 void Ui::FillSnapshot(SceneSnapshot& snapshot) const {
   snapshot.markup_palette = palette_;

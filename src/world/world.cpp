@@ -38,13 +38,19 @@ void World::Impl::DeleteObject(EntityId id) {
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
 World::~World() = default;
 
-const WorldSettings& World::settings() const { return impl_->settings; }
-std::uint64_t World::tick() const { return impl_->tick; }
+const WorldSettings& World::settings() const {
+  return impl_->settings;
+}
+std::uint64_t World::tick() const {
+  return impl_->tick;
+}
 int World::step_millis() const {
   // Whole milliseconds, rounded down; the nudge keeps 0.02 s from becoming 19.
   return std::max(1, static_cast<int>(std::floor(impl_->settings.step_s * 1000.0f + 0.001f)));
 }
-std::uint64_t World::time_millis() const { return impl_->tick * static_cast<std::uint64_t>(step_millis()); }
+std::uint64_t World::time_millis() const {
+  return impl_->tick * static_cast<std::uint64_t>(step_millis());
+}
 
 std::vector<EntityId> World::BeginTick() {
   ++impl_->tick;
@@ -69,8 +75,12 @@ void World::Step() {
   if (impl_->draw_physics) impl_->physics.AddDebugLines(impl_->physics_lines);
 }
 
-std::span<const Collision> World::Collisions() const { return impl_->physics.Collisions(); }
-RandomStream& World::random() { return impl_->random; }
+std::span<const Collision> World::Collisions() const {
+  return impl_->physics.Collisions();
+}
+RandomStream& World::random() {
+  return impl_->random;
+}
 
 EntityId World::CreateAgent(const AgentDef& def) {
   const EntityId id = impl_->NextEntity();
@@ -79,9 +89,15 @@ EntityId World::CreateAgent(const AgentDef& def) {
   return id;
 }
 
-Agent* World::FindAgent(EntityId id) { return impl_->agents.Find(id); }
-const Agent* World::FindAgent(EntityId id) const { return impl_->agents.Find(id); }
-std::span<const EntityId> World::AgentIds() const { return impl_->agents.ids(); }
+Agent* World::FindAgent(EntityId id) {
+  return impl_->agents.Find(id);
+}
+const Agent* World::FindAgent(EntityId id) const {
+  return impl_->agents.Find(id);
+}
+std::span<const EntityId> World::AgentIds() const {
+  return impl_->agents.ids();
+}
 
 Object* World::FindObject(EntityId id) {
   const auto found = impl_->objects.find(id);
@@ -93,7 +109,9 @@ const Object* World::FindObject(EntityId id) const {
   return found == impl_->objects.end() ? nullptr : found->second.get();
 }
 
-std::span<const EntityId> World::ObjectIds() const { return impl_->object_ids; }
+std::span<const EntityId> World::ObjectIds() const {
+  return impl_->object_ids;
+}
 
 bool World::RemoveObject(EntityId id) {
   Object* object = FindObject(id);
@@ -115,15 +133,31 @@ std::optional<RayHit> World::RayCast(Vec3 from, Vec3 to) const {
   return impl_->physics.RayCast(LimitPosition(from), LimitPosition(to));
 }
 
-Scene& World::scene() { return impl_->scene; }
-const Scene& World::scene() const { return impl_->scene; }
-Ui& World::ui() { return impl_->ui; }
-Camera& World::camera() { return impl_->camera; }
-DebugDraw& World::debug() { return impl_->debug; }
-MediaCatalog& World::catalog() { return impl_->catalog; }
+Scene& World::scene() {
+  return impl_->scene;
+}
+const Scene& World::scene() const {
+  return impl_->scene;
+}
+Ui& World::ui() {
+  return impl_->ui;
+}
+Camera& World::camera() {
+  return impl_->camera;
+}
+DebugDraw& World::debug() {
+  return impl_->debug;
+}
+MediaCatalog& World::catalog() {
+  return impl_->catalog;
+}
 
-int World::screen_width() const { return impl_->settings.screen_width_px; }
-int World::screen_height() const { return impl_->settings.screen_height_px; }
+int World::screen_width() const {
+  return impl_->settings.screen_width_px;
+}
+int World::screen_height() const {
+  return impl_->settings.screen_height_px;
+}
 void World::SetScreenSize(int width_px, int height_px) {
   impl_->settings.screen_width_px = std::max(1, width_px);
   impl_->settings.screen_height_px = std::max(1, height_px);
@@ -133,8 +167,12 @@ void World::SetDrawPhysics(bool draw) {
   impl_->draw_physics = draw;
   if (!draw) impl_->physics_lines.clear();
 }
-bool World::draw_physics() const { return impl_->draw_physics; }
+bool World::draw_physics() const {
+  return impl_->draw_physics;
+}
 
-std::vector<Diagnostic> World::TakeWarnings() { return impl_->catalog.TakeWarnings(); }
+std::vector<Diagnostic> World::TakeWarnings() {
+  return impl_->catalog.TakeWarnings();
+}
 
 }  // namespace soarbox::world

@@ -24,7 +24,8 @@
 
 namespace soarbox::world {
 
-/// The physical world of one sandbox: bodies, agents, scene, user interface, camera. It knows neither scripts nor minds.
+/// The physical world of one sandbox: bodies, agents, scene, user interface, camera. It knows neither scripts nor
+/// minds.
 ///
 /// One tick, in the order of spec 1.3:
 ///   1. BeginTick(): time advances, debug lines of the last tick vanish, removed objects go.

@@ -30,8 +30,8 @@ struct World::Impl {
   PhysicsWorld physics;
   AgentStore agents;
   std::map<EntityId, std::unique_ptr<Object>> objects;
-  std::vector<EntityId> object_ids;   ///< The keys of objects.
-  std::vector<EntityId> to_remove;    ///< In the order of the requests, each once.
+  std::vector<EntityId> object_ids;  ///< The keys of objects.
+  std::vector<EntityId> to_remove;   ///< In the order of the requests, each once.
   std::vector<LineSnapshot> physics_lines;
   std::uint64_t tick = 0;
   std::uint32_t next_entity = 1;

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "world/rotation.h"
+#include "world/world.h"
+
+// The numbers are those measured on the sandbox (spec 6 and 18).
+namespace soarbox::world {
+namespace {
+
+void Tick(World& world, int times = 1) {
+  for (int i = 0; i < times; ++i) {
+    world.BeginTick();
+    for (const EntityId id : world.AgentIds()) world.SyncAgent(id);
+    world.Step();
+  }
+}
+
+TEST(WorldPhysics, ABoxFallsAsSemiImplicitEulerSays) {
+  World world;
+  Object& box = *world.FindObject(world.CreateBox(1, 1, 1));
+  box.SetPosition({0, 10, 0});
+  const float expected[] = {9.98911f, 9.96733f, 9.93467f, 9.89111f};
+  for (const float y : expected) {
+    Tick(world);
+    EXPECT_NEAR(box.Position().y, y, 2e-5f);
+  }
+  Tick(world, 26);
+  EXPECT_NEAR(box.Position().y, 4.93667f, 1e-4f);
+}
+
+TEST(WorldPhysics, AnAgentMadeInsideTheFloorIsLiftedOntoIt) {
+  World world;
+  world.CreatePlane(200, 200);
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  EXPECT_EQ(agent.Position(), (Vec3{0, 0, 0}));
+  Tick(world);
+  EXPECT_NEAR(agent.Position().y, 0.640f, 0.002f);
+  Tick(world);
+  EXPECT_NEAR(agent.Position().y, 0.768f, 0.002f);
+  Tick(world, 28);
+  EXPECT_NEAR(agent.Position().y, 0.800f, 0.001f);
+}
+
+TEST(WorldPhysics, AConstantForceOvercomesFrictionAsMeasured) {
+  World world;
+  world.CreatePlane(200, 200);
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  const auto push = [&](int times) {
+    for (int i = 0; i < times; ++i) {
+      agent.ApplyForce({1000, 0, 0});
+      Tick(world);
+    }
+  };
+  push(1);
+  EXPECT_NEAR(agent.Velocity().x, 0.286f, 0.002f);
+  push(1);
+  EXPECT_NEAR(agent.Velocity().x, 0.572f, 0.004f);
+  push(28);
+  EXPECT_NEAR(agent.Velocity().x, 8.575f, 0.02f);
+  EXPECT_NEAR(agent.Speed(), 8.575f, 0.02f);
+}
+
+TEST(WorldPhysics, AnImpulseIsAForceForOneStep) {
+  World world;
+  Object& block = *world.FindObject(world.CreateObject("models/nobiax_modular/modular_block.mesh"));
+  block.SetMass(15);
+  block.SetPosition({0, 100, 0});
+  block.ApplyImpulse({15000, 0, 0});
+  Tick(world);
+  EXPECT_NEAR(block.Velocity().x, 33.33f, 0.01f);
+  Tick(world);
+  EXPECT_NEAR(block.Velocity().x, 33.33f, 0.01f);
+  EXPECT_TRUE(world.TakeWarnings().empty());
+}
+
+TEST(WorldPhysics, AnAngularImpulseSpinsAtOnce) {
+  World world;
+  Object& box = *world.FindObject(world.CreateBox(1, 1, 1));
+  box.ApplyAngularImpulse({0, 1, 0});
+  // A 1 kg cube of 1 m has a moment of inertia of 1/6.
+  EXPECT_NEAR(box.AngularVelocity().y, 6.0f, 0.01f);
+}
+
+TEST(WorldPhysics, MassZeroFixesABodyAndAPositiveMassFreesItAgain) {
+  World world;
+  Object& box = *world.FindObject(world.CreateBox(1, 1, 1));
+  box.SetPosition({0, 5, 0});
+  box.SetMass(0);
+  Tick(world, 10);
+  EXPECT_FLOAT_EQ(box.Position().y, 5);
+  EXPECT_EQ(box.Mass(), 0);
+  box.SetPosition({3, 6, 0});
+  EXPECT_EQ(world.RayCast({3, 10, 0}, {3, 0, 0})->entity, box.id());
+  box.SetMass(2);
+  EXPECT_FLOAT_EQ(box.Mass(), 2);
+  Tick(world, 10);
+  EXPECT_LT(box.Position().y, 5.9f);
+}
+
+TEST(WorldPhysics, AnObjectMayHaveItsOwnGravity) {
+  World world;
+  Object& ball = *world.FindObject(world.CreatePhysicsSphere(0.5f));
+  ball.SetGravity({0, 0, 3});
+  Tick(world, 30);
+  EXPECT_NEAR(ball.Velocity().z, 3, 0.001f);
+  EXPECT_NEAR(ball.Velocity().y, 0, 0.001f);
+}
+
+TEST(WorldPhysics, PiecesStandOnTheirLowestPointAfterBeingPushedOutOfTheFloor) {
+  World world;
+  world.CreatePlane(200, 200);
+  Object& pillar = *world.FindObject(world.CreateObject("models/nobiax_modular/modular_pillar_brick_1.mesh"));
+  Tick(world, 600);
+  EXPECT_NEAR(pillar.Position().y, 1.28f, 0.01f);
+  EXPECT_NEAR(pillar.Position().x, 0, 0.05f);
+  EXPECT_NEAR(Rotate(pillar.Orientation(), {0, 1, 0}).y, 1, 0.001f);
+  EXPECT_TRUE(pillar.IsSleeping());
+}
+
+TEST(WorldPhysics, TheHangarDoorTopplesBecauseItsOriginIsOutsideItsEdge) {
+  World world;
+  world.CreatePlane(200, 200);
+  Object& door = *world.FindObject(world.CreateObject("models/nobiax_modular/modular_hangar_door.mesh"));
+  door.SetPosition({0, 0, 5});
+  Tick(world, 600);
+  EXPECT_LT(door.Position().y, 0.2f);
+}
+
+TEST(WorldPhysics, RaysHitTheNearestBodyFromOutsideOnly) {
+  World world;
+  const EntityId plane = world.CreatePlane(200, 200);
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  agent.SetPosition({10, 0.8f, 0});
+
+  const auto hit = world.RayCast({10, 5, 0}, {10, -5, 0});
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_EQ(hit->entity, agent.id());
+  EXPECT_NEAR(hit->point.y, 1.6f, 0.01f);
+
+  EXPECT_EQ(world.RayCast({0, 5, 0}, {0, -5, 0})->entity, plane);
+  EXPECT_EQ(world.RayCast({0, -5, 0}, {0, 5, 0})->entity, plane);
+  EXPECT_FALSE(world.RayCast({10, 0.8f, 0}, {20, 0.8f, 0}).has_value()) << "starts inside the agent";
+  EXPECT_FALSE(world.RayCast({0, 1, 0}, {0, 1, 0}).has_value()) << "no length";
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(world.RayCast({nan, 1, 0}, {0, 1, 0}).has_value());
+}
+
+TEST(WorldPhysics, AFastBulletDoesNotPassThroughAnAgent) {
+  World world;
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  agent.SetMass(0);
+  agent.SetPosition({0, 0.8f, 20});
+  Object& bullet = *world.FindObject(world.CreatePhysicsCapsule(0.3f, 0.01f));
+  bullet.SetMass(0.1f);
+  bullet.SetGravity({0, -0.01f, 0});
+  bullet.SetPosition({0, 0.9f, 0});
+  bullet.ApplyImpulse({0, 0, 750});
+  bool touched = false;
+  for (int i = 0; i < 30; ++i) {
+    Tick(world);
+    for (const Collision& collision : world.Collisions()) {
+      touched |= (collision.a == bullet.id() && collision.b == agent.id()) ||
+                 (collision.b == bullet.id() && collision.a == agent.id());
+    }
+  }
+  EXPECT_TRUE(touched);
+  EXPECT_LT(bullet.Position().z, 20);
+}
+
+TEST(WorldPhysics, ResizingAnAgentRebuildsItsBodyAboutTheSameCentre) {
+  World world;
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  agent.SetPosition({1, 5, 2});
+  agent.SetVelocity({3, 0, 4});
+  EXPECT_FLOAT_EQ(agent.Speed(), 5);
+  agent.SetHeight(1.3f);
+  EXPECT_EQ(agent.Position(), (Vec3{1, 5, 2}));
+  EXPECT_EQ(agent.Velocity(), (Vec3{0, 0, 0}));
+  EXPECT_NEAR(world.RayCast({1, 9, 2}, {1, 0, 2})->point.y, 5.65f, 0.01f);
+}
+
+TEST(WorldPhysics, AnAgentWithoutPhysicsStaysWhereItIsPut) {
+  World world;
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  agent.SetPosition({0, 5, 0});
+  agent.RemovePhysics();
+  agent.RemovePhysics();
+  agent.SetVelocity({0, 0, 3});
+  agent.SetForward({1, 0, 0});
+  Tick(world, 10);
+  EXPECT_EQ(agent.Position(), (Vec3{0, 5, 0}));
+  EXPECT_NEAR(Distance(agent.Velocity(), {3, 0, 0}), 0, 1e-5f) << "forward times stored speed";
+  EXPECT_FALSE(world.RayCast({0, 9, 0}, {0, 0, 0}).has_value());
+  EXPECT_TRUE(agent.SetPosition({7, 8, 9}));
+  EXPECT_EQ(world.scene().WorldPosition(agent.node()), (Vec3{7, 8, 9}));
+}
+
+TEST(WorldPhysics, RemovingABodyDuringItsCollisionTakesEffectAtTheNextTick) {
+  World world;
+  world.CreatePlane(200, 200);
+  const EntityId box = world.CreateBox(1, 1, 1);
+  Tick(world);
+  ASSERT_EQ(world.Collisions().size(), 1u);
+  const Collision collision = world.Collisions()[0];
+  EXPECT_NEAR(std::abs(collision.normal_on_b.y), 1, 1e-4f);
+
+  EXPECT_TRUE(world.RemoveObject(box));
+  EXPECT_TRUE(world.RemoveObject(box)) << "asking again is harmless";
+  EXPECT_NE(world.FindObject(box), nullptr);
+  EXPECT_EQ(world.ObjectIds().size(), 2u);
+  EXPECT_EQ(world.BeginTick(), std::vector<EntityId>{box});
+  EXPECT_EQ(world.FindObject(box), nullptr);
+  EXPECT_FALSE(world.RemoveObject(box));
+  EXPECT_EQ(world.NodeOf(box), NodeId::kNone);
+  world.Step();
+  EXPECT_TRUE(world.Collisions().empty());
+  EXPECT_TRUE(world.BeginTick().empty());
+}
+
+TEST(WorldPhysics, WhatLeansOnARemovedBodyWakesAndFalls) {
+  World world;
+  world.CreatePlane(200, 200);
+  const EntityId below = world.CreateBox(2, 2, 2);
+  world.FindObject(below)->SetPosition({0, 1, 0});
+  Object& above = *world.FindObject(world.CreateBox(1, 1, 1));
+  above.SetPosition({0, 2.5f, 0});
+  Tick(world, 200);
+  ASSERT_TRUE(above.IsSleeping());
+  world.RemoveObject(below);
+  Tick(world, 60);
+  EXPECT_NEAR(above.Position().y, 0.5f, 0.02f);
+}
+
+TEST(WorldPhysics, ValuesThatPhysicsCannotBearAreRefusedOrLimited) {
+  World world;
+  world.CreatePlane(200, 200);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float huge = std::numeric_limits<float>::max();
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  Object& box = *world.FindObject(world.CreateBox(-1, nan, huge));
+  EXPECT_FALSE(agent.SetPosition({nan, 0, 0}));
+  EXPECT_FALSE(agent.SetVelocity({0, nan, 0}));
+  EXPECT_FALSE(agent.ApplyForce({0, 0, nan}));
+  EXPECT_FALSE(agent.SetForward({0, 1, 0}));
+  EXPECT_FALSE(agent.SetForward({0, 0, 0}));
+  EXPECT_FALSE(agent.SetRadius(nan));
+  EXPECT_FALSE(box.SetOrientation({nan, 0, 0, 0}));
+  EXPECT_TRUE(agent.SetHeight(0));
+  EXPECT_TRUE(agent.SetRadius(-3));
+  EXPECT_TRUE(agent.SetPosition({huge, -huge, 0}));
+  EXPECT_TRUE(agent.SetVelocity({huge, huge, huge}));
+  EXPECT_TRUE(box.SetMass(huge));
+  for (int i = 0; i < 20; ++i) {
+    agent.ApplyForce({huge, huge, -huge});
+    box.ApplyForce({huge, huge, -huge});
+    box.ApplyAngularImpulse({huge, huge, -huge});
+    Tick(world);
+    EXPECT_TRUE(IsFinite(agent.Position()));
+    EXPECT_TRUE(IsFinite(box.Position()));
+    EXPECT_TRUE(IsFinite(box.Orientation()));
+  }
+}
+
+}  // namespace
+}  // namespace soarbox::world
