@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "app/diagnostic_json.h"
 #include "app/event_printer.h"
 
 namespace soarbox::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json ToJson(const world::Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-Json ToJson(const Diagnostic& diagnostic) {
-  static constexpr const char* kSeverities[] = {"note", "warning", "error"};
-  Json json;
-  json["severity"] = kSeverities[static_cast<int>(diagnostic.severity)];
-  if (!diagnostic.file.empty()) json["file"] = diagnostic.file;
-  if (diagnostic.line > 0) json["line"] = diagnostic.line;
-  if (diagnostic.column > 0) json["column"] = diagnostic.column;
-  json["message"] = diagnostic.message;
-  if (!diagnostic.excerpt.empty()) json["excerpt"] = diagnostic.excerpt;
-  if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
-  return json;
-}
 
 const char* NameOf(sim::EventKind kind) {
   switch (kind) {
@@ -106,8 +91,7 @@ class JsonPrinter : public EventPrinter {
   }
 
  private:
-  // Scripts may print any bytes; what is not UTF-8 is replaced rather than refused.
-  void Write(const Json& json) { out_ << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n'; }
+  void Write(const Json& json) { out_ << ToLine(json) << '\n'; }
 
   std::ostream& out_;
 };

@@ -7,11 +7,13 @@
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/run_options.h"
+#include "app/soar_shell.h"
 #include "sim/scenario.h"
 
 namespace {
 
 using soarbox::app::RunOptions;
+using soarbox::app::SoarShellOptions;
 
 void AddRun(CLI::App& program, RunOptions& options) {
   CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
@@ -39,6 +41,12 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_option("--kernel", options.kernel, "HOST:PORT of a Soar kernel in another process to use instead of our own");
 }
 
+void AddSoar(CLI::App& program, SoarShellOptions& options) {
+  CLI::App* soar = program.add_subcommand("soar", "The interactive shell of the Soar command language");
+  soar->add_option("files", options.files, "Sourced first, in order");
+  soar->add_flag("--json", options.json, "Answer each command with a line of JSON");
+}
+
 int List() {
   const soarbox::Result<soarbox::sim::DataFolders> data = soarbox::app::FindDataFolders();
   if (!data) {
@@ -55,6 +63,8 @@ int Main(int argc, char** argv) {
   program.require_subcommand(1);
   RunOptions run;
   AddRun(program, run);
+  SoarShellOptions soar;
+  AddSoar(program, soar);
   program.add_subcommand("list", "List the scenarios that come with the program");
   try {
     program.parse(argc, argv);
@@ -63,6 +73,7 @@ int Main(int argc, char** argv) {
     return program.exit(error) == 0 ? soarbox::app::kOk : soarbox::app::kUsage;
   }
   if (program.got_subcommand("run")) return soarbox::app::Run(run);
+  if (program.got_subcommand("soar")) return soarbox::app::RunSoarShell(soar);
   return List();
 }
 
