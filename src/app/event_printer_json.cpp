@@ -9,7 +9,7 @@
 namespace soarbox::app {
 namespace {
 
-Json ToJson(const world::Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json Components(const world::Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 const char* NameOf(sim::EventKind kind) {
   switch (kind) {
@@ -47,7 +47,7 @@ class JsonPrinter : public EventPrinter {
       case sim::EventKind::kCommand:
         json["command"] = event.text;
         json["distance"] = event.perceived;
-        json["position"] = ToJson(event.position);
+        json["position"] = Components(event.position);
         break;
       case sim::EventKind::kDiagnostic:
       case sim::EventKind::kAgentFailed: json["diagnostic"] = ToJson(event.diagnostic); break;
@@ -66,8 +66,8 @@ class JsonPrinter : public EventPrinter {
       Json entry;
       entry["name"] = agent.name;
       entry["kind"] = agent.kind;
-      entry["position"] = ToJson(agent.position);
-      entry["velocity"] = ToJson(agent.velocity);
+      entry["position"] = Components(agent.position);
+      entry["velocity"] = Components(agent.velocity);
       entry["radius"] = agent.radius_m;
       entry["health"] = agent.health;
       if (!agent.last_command.empty()) entry["command"] = agent.last_command;
