@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#version 330 core
+#include "scene.glsl"
+
+uniform vec4 base_colour;
+uniform vec4 finish;
+
+// How much of a pixel a line at every multiple of `step_m` covers, without shimmer in the distance.
+float GridLine(vec2 place, float step_m, float width_m)
+{
+    vec2 scaled = place / step_m;
+    vec2 blur = max(fwidth(scaled), vec2(1e-5));
+    vec2 half_width = vec2(0.5 * width_m / step_m);
+    vec2 away = abs(fract(scaled - 0.5) - 0.5);
+    vec2 line = clamp((half_width + blur - away) / blur, 0.0, 1.0);
+    line *= clamp(2.0 * half_width / blur + 0.15, 0.0, 1.0);
+    vec2 faded = line * (1.0 - smoothstep(0.25, 0.6, blur));
+    return max(faded.x, faded.y);
+}
+
+void main()
+{
+    vec2 place = world_position.xz;
+    vec3 fine = texture(paint, place * 0.31).rgb;
+    vec3 broad = texture(paint, place * 0.023 + 0.37).rgb;
+    vec3 broader = texture(paint, place.yx * 0.0061 + 0.11).rgb;
+    float grain = 0.45 * fine.r + 0.30 * broad.g + 0.25 * broader.b;
+
+    // Pale and darker tiles of ten metres, hardly apart.
+    vec2 tile_place = place / 10.0;
+    vec2 tile_blur = max(fwidth(tile_place), vec2(1e-5));
+    vec2 tile = clamp((abs(fract(tile_place * 0.5) - 0.5) - 0.25) / tile_blur, -0.5, 0.5);
+    float checker = 4.0 * tile.x * tile.y * (1.0 - smoothstep(0.3, 1.0, max(tile_blur.x, tile_blur.y)));
+
+    vec3 colour = base_colour.rgb * (0.74 + 0.52 * grain) * (1.0 + 0.045 * checker);
+    colour = mix(colour, colour * vec3(0.88, 1.02, 0.84), smoothstep(0.42, 0.68, broader.r) * 0.7);
+    float fine_line = GridLine(place, 2.0, 0.035) * 0.22;
+    float strong_line = GridLine(place, 10.0, 0.07) * 0.42;
+    colour *= 1.0 - max(fine_line, strong_line) * 0.55;
+
+    vec3 light = Shade(ToLinear(colour), normalize(world_normal), 0.05, 1.0);
+    fragment = vec4(ToScreen(light), 1.0);
+}

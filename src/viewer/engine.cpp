@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/engine.h"
+
+#include <SDL.h>
+#include <SDL_syswm.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "viewer/ogre_headers.h"
+#include "viewer/viewer.h"
+
+namespace soarbox::viewer {
+namespace {
+
+constexpr const char* kPictureTexture = "Soarbox/Picture";
+
+Diagnostic Failure(std::string message, std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  return diagnostic;
+}
+
+constexpr const char* kNoDisplayHint =
+    "start it from a desktop session, run it without a window (--headless), or put 'xvfb-run -a' before the command";
+
+}  // namespace
+
+Result<std::unique_ptr<Engine>> Engine::Start(const ViewerOptions& options) {
+  if (Ogre::Root::getSingletonPtr() != nullptr) return Failure("a window is already open in this process", "close it first");
+  std::unique_ptr<Engine> engine(new Engine);
+  if (Result<void> opened = engine->OpenWindow(options); !opened) return opened.error();
+  try {
+    engine->StartOgre(options);
+  } catch (const std::exception& error) {
+    return Failure(std::string("the renderer cannot start: ") + error.what(),
+                   "it needs OpenGL 3.3; 'glxinfo -B' shows what the display offers");
+  }
+  return engine;
+}
+
+Result<void> Engine::OpenWindow(const ViewerOptions& options) {
+  width_ = options.width;
+  height_ = options.height;
+  hidden_ = options.hidden;
+  if (width_ < 64 || height_ < 64 || width_ > 16384 || height_ > 16384) {
+    return Failure("a window of " + std::to_string(width_) + "x" + std::to_string(height_) + " pixels cannot be opened",
+                   "choose between 64 and 16384 pixels each way");
+  }
+  const char* display = std::getenv("DISPLAY");
+  if (display == nullptr || *display == '\0') {
+    return Failure("there is no display: the environment variable DISPLAY is not set", kNoDisplayHint);
+  }
+  SDL_SetMainReady();
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+    return Failure("the display '" + std::string(display) + "' cannot be opened: " + SDL_GetError(), kNoDisplayHint);
+  }
+  sdl_started_ = true;
+  const Uint32 flags = hidden_ ? SDL_WINDOW_HIDDEN : SDL_WINDOW_SHOWN | SDL_WINDOW_RESIZABLE;
+  sdl_window_ = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width_, height_, flags);
+  if (sdl_window_ == nullptr) {
+    return Failure("no window can be opened on the display '" + std::string(display) + "': " + SDL_GetError(), kNoDisplayHint);
+  }
+  return {};
+}
+
+void Engine::StartOgre(const ViewerOptions& options) {
+  log_ = std::make_unique<Ogre::LogManager>();
+  log_->createLog(options.log_file.empty() ? "soarbox-renderer" : options.log_file, true, false, options.log_file.empty());
+  root_ = std::make_unique<Ogre::Root>("", "", "");
+  root_->loadPlugin(SOARBOX_OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus");
+  root_->loadPlugin(SOARBOX_OGRE_PLUGIN_DIR "/Codec_STBI");
+  if (root_->getAvailableRenderers().empty()) throw std::runtime_error("no OpenGL render system is installed");
+  root_->setRenderSystem(root_->getAvailableRenderers().front());
+  root_->initialise(false);
+  overlays_ = std::make_unique<Ogre::OverlaySystem>();
+
+  SDL_SysWMinfo info;
+  SDL_VERSION(&info.version);
+  if (SDL_GetWindowWMInfo(sdl_window_, &info) == SDL_FALSE) throw std::runtime_error(SDL_GetError());
+  const auto handle = std::to_string(static_cast<unsigned long>(info.info.x11.window));
+  const auto make_window = [&](int samples) {
+    Ogre::NameValuePairList settings{{"parentWindowHandle", handle},
+                                     {"vsync", options.vsync && !hidden_ ? "true" : "false"},
+                                     {"FSAA", std::to_string(samples)}};
+    return root_->createRenderWindow(options.title, static_cast<unsigned>(width_), static_cast<unsigned>(height_), false, &settings);
+  };
+  const int wanted = options.antialiasing < 0 ? 4 : options.antialiasing;
+  render_window_ = make_window(hidden_ ? 0 : wanted);
+  render_window_->setAutoUpdated(false);
+  const std::string device = root_->getRenderSystem()->getCapabilities()->getDeviceName();
+  is_software_ = device.find("llvmpipe") != std::string::npos || device.find("softpipe") != std::string::npos ||
+                 device.find("swrast") != std::string::npos;
+  if (!root_->getRenderSystem()->getCapabilities()->isShaderProfileSupported("glsl330")) {
+    throw std::runtime_error("the display offers less than OpenGL 3.3 (" + device + ")");
+  }
+  // Ogre asks for these programs before it draws any kind of shadow, although only stencil shadows use them.
+  Ogre::ResourceGroupManager::getSingleton().addResourceLocation(SOARBOX_OGRE_MEDIA_DIR "/ShadowVolume", "FileSystem",
+                                                                 Ogre::RGN_INTERNAL);
+  Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
+  Ogre::MaterialManager::getSingleton().setDefaultTextureFiltering(Ogre::TFO_TRILINEAR);
+
+  scene_ = root_->createSceneManager();
+  scene_->addRenderQueueListener(overlays_.get());
+  camera_ = scene_->createCamera("Soarbox/Camera");
+  camera_node_ = scene_->getRootSceneNode()->createChildSceneNode();
+  camera_node_->attachObject(camera_);
+  camera_->setNearClipDistance(0.1f);
+  camera_->setFarClipDistance(2000);
+  camera_->setAutoAspectRatio(true);
+  if (hidden_) {
+    MakePictureTarget(options.antialiasing < 0 ? 4 : options.antialiasing);
+  } else {
+    render_window_->addViewport(camera_)->setBackgroundColour(Ogre::ColourValue(0.6f, 0.7f, 0.8f));
+  }
+}
+
+Ogre::RenderTarget* Engine::MakePictureTarget(int samples) {
+  Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
+      kPictureTexture, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(width_), static_cast<unsigned>(height_), 0,
+      Ogre::PF_BYTE_RGB, Ogre::TU_RENDERTARGET, nullptr, false, static_cast<unsigned>(samples));
+  Ogre::RenderTarget* target = texture->getBuffer()->getRenderTarget();
+  target->setAutoUpdated(false);
+  Ogre::Viewport* viewport = target->addViewport(camera_);
+  viewport->setBackgroundColour(Ogre::ColourValue(0.6f, 0.7f, 0.8f));
+  viewport->setOverlaysEnabled(true);
+  return target;
+}
+
+void Engine::DropPictureTarget() {
+  if (Ogre::TexturePtr old = Ogre::TextureManager::getSingleton().getByName(kPictureTexture, kGroup)) {
+    old->getBuffer()->getRenderTarget()->removeAllViewports();
+    Ogre::TextureManager::getSingleton().remove(old);
+  }
+}
+
+void Engine::Resize(int width, int height) {
+  if (hidden_ || (width == width_ && height == height_) || width < 1 || height < 1) return;
+  width_ = width;
+  height_ = height;
+  render_window_->resize(static_cast<unsigned>(width), static_cast<unsigned>(height));
+  render_window_->windowMovedOrResized();
+}
+
+void Engine::Draw() {
+  root_->_fireFrameStarted();
+  if (hidden_) {
+    Ogre::TextureManager::getSingleton().getByName(kPictureTexture, kGroup)->getBuffer()->getRenderTarget()->update();
+  } else {
+    render_window_->update(true);
+  }
+  root_->_fireFrameRenderingQueued();
+  root_->_fireFrameEnded();
+}
+
+void Engine::WritePicture(const std::filesystem::path& path) {
+  if (!hidden_) MakePictureTarget(4);
+  const auto restore = [this] {
+    if (!hidden_) DropPictureTarget();
+  };
+  try {
+    const Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().getByName(kPictureTexture, kGroup);
+    texture->getBuffer()->getRenderTarget()->update();
+    Ogre::Image image;
+    texture->convertToImage(image);
+    image.save(path.string());
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+  if (!std::filesystem::exists(path)) throw std::runtime_error("nothing was written to " + path.string());
+}
+
+Engine::~Engine() {
+  if (scene_ != nullptr) {
+    scene_->removeRenderQueueListener(overlays_.get());
+    DropPictureTarget();
+    if (render_window_ != nullptr) render_window_->removeAllViewports();
+    root_->destroySceneManager(scene_);
+  }
+  overlays_.reset();
+  root_.reset();
+  log_.reset();
+  if (sdl_window_ != nullptr) SDL_DestroyWindow(sdl_window_);
+  if (sdl_started_) SDL_QuitSubSystem(SDL_INIT_VIDEO);
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "diagnostics/result.h"
+
+struct SDL_Window;
+namespace Ogre {
+class Camera;
+class ImGuiOverlay;
+class LogManager;
+class OverlaySystem;
+class RenderTarget;
+class RenderWindow;
+class Root;
+class SceneManager;
+class SceneNode;
+class Viewport;
+}  // namespace Ogre
+
+namespace soarbox::viewer {
+
+struct ViewerOptions;
+
+/// Brings up SDL (window and input) and Ogre (drawing), and takes them down in the right order.
+///
+/// The render system is chosen here, in code: Ogre's own configuration would open a dialog. A hidden window draws into
+/// a texture of its size, because a window that is not on the screen has no pixels of its own.
+class Engine {
+ public:
+  static Result<std::unique_ptr<Engine>> Start(const ViewerOptions& options);
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// Follows the window's size. Does nothing if that did not change.
+  void Resize(int width, int height);
+
+  /// Draws once; for a visible window, onto the screen.
+  void Draw();
+
+  /// Draws once into a texture and writes it as a PNG. Throws Ogre::Exception, or std::runtime_error naming the path.
+  void WritePicture(const std::filesystem::path& path);
+
+  SDL_Window* window() const { return sdl_window_; }
+  Ogre::SceneManager& scene() const { return *scene_; }
+  Ogre::Camera& camera() const { return *camera_; }
+  Ogre::SceneNode& camera_node() const { return *camera_node_; }
+  bool is_software() const { return is_software_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  Engine() = default;
+  Result<void> OpenWindow(const ViewerOptions& options);
+  void StartOgre(const ViewerOptions& options);
+  Ogre::RenderTarget* MakePictureTarget(int samples);
+  void DropPictureTarget();
+
+  SDL_Window* sdl_window_ = nullptr;
+  bool sdl_started_ = false;
+  std::unique_ptr<Ogre::LogManager> log_;
+  std::unique_ptr<Ogre::Root> root_;
+  std::unique_ptr<Ogre::OverlaySystem> overlays_;
+  Ogre::RenderWindow* render_window_ = nullptr;
+  Ogre::SceneManager* scene_ = nullptr;
+  Ogre::Camera* camera_ = nullptr;
+  Ogre::SceneNode* camera_node_ = nullptr;
+  bool hidden_ = false;
+  bool is_software_ = false;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cmath>
+
+#include "world/math.h"
+
+namespace soarbox::viewer {
+
+/// Between two ticks: a straight way for positions, the short way round for orientations. What jumped further than
+/// any body moves in a tick was put there, and is drawn there at once.
+
+inline constexpr float kJump_m = 4;
+
+inline bool IsFinite(world::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+inline world::Vec3 BetweenPositions(world::Vec3 from, world::Vec3 to, float blend) {
+  if (world::LengthSquared(to - from) > kJump_m * kJump_m) return to;
+  return from + (to - from) * blend;
+}
+
+inline world::Quat BetweenOrientations(world::Quat from, world::Quat to, float blend) {
+  const float dot = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
+  const float a = 1 - blend, b = dot < 0 ? -blend : blend;
+  const world::Quat q{a * from.w + b * to.w, a * from.x + b * to.x, a * from.y + b * to.y, a * from.z + b * to.z};
+  const float length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return length > 1e-6f ? world::Quat{q.w / length, q.x / length, q.y / length, q.z / length} : to;
+}
+
+}  // namespace soarbox::viewer

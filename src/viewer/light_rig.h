@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <memory>
+
+#include "viewer/ogre_headers.h"
+#include "viewer/shaders.h"
+
+namespace soarbox::viewer {
+
+/// Sun, ambient light, further lights and shadow maps.
+///
+/// The first directional light of a snapshot is the sun; it alone casts shadows, through two maps: a fine one around
+/// what is in front of the camera and a coarse one around that. Up to four further lights shine without shadows.
+class LightRig {
+ public:
+  LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre::MaterialPtr& caster);
+
+  void Update(const world::SceneSnapshot& snapshot);
+
+  /// Turns the sky's picture against the world.
+  void SetSkyRotation(world::Vec3 degrees);
+
+ private:
+  Ogre::GpuSharedParameters& values_;
+  Ogre::SceneNode* sun_node_;
+  Ogre::Light* sun_;
+};
+
+}  // namespace soarbox::viewer

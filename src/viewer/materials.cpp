@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/materials.h"
+
+namespace soarbox::viewer {
+namespace {
+
+constexpr const char* kSkyTexture = "Soarbox/SkyPicture";
+
+Ogre::Vector4 Four(world::Color c) { return {c.r, c.g, c.b, c.a}; }
+
+Ogre::PixelBox Box(const Image& image) {
+  // Ogre reads from this box only.
+  return Ogre::PixelBox(static_cast<unsigned>(image.width), static_cast<unsigned>(image.height), 1, Ogre::PF_BYTE_RGBA,
+                        const_cast<std::uint8_t*>(image.pixels.data()));
+}
+
+const char* PaintTexture(Look::Paint paint) {
+  switch (paint) {
+    case Look::Paint::kGround: return "Soarbox/Grain";
+    case Look::Paint::kConcrete: return "Soarbox/ConcretePicture";
+    case Look::Paint::kBrick: return "Soarbox/BrickPicture";
+    case Look::Paint::kCrate: return "Soarbox/CratePicture";
+    case Look::Paint::kMissing: return "Soarbox/Checker";
+    case Look::Paint::kPlain: break;
+  }
+  return "Soarbox/WhitePicture";
+}
+
+Ogre::TexturePtr MakeTexture(const char* name, const Image& image) {
+  auto texture = Ogre::TextureManager::getSingleton().createManual(
+      name, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(image.width), static_cast<unsigned>(image.height),
+      Ogre::MIP_UNLIMITED, Ogre::PF_BYTE_RGBA, Ogre::TU_AUTOMIPMAP);
+  texture->getBuffer()->blitFromMemory(Box(image));
+  return texture;
+}
+
+Ogre::Pass& NewPass(const std::string& name, Ogre::MaterialPtr& material) {
+  material = Ogre::MaterialManager::getSingleton().create(name, kGroup);
+  return *material->getTechnique(0)->getPass(0);
+}
+
+void AddTexture(Ogre::Pass& pass, const char* texture, bool repeats) {
+  Ogre::TextureUnitState* unit = pass.createTextureUnitState();
+  unit->setTextureName(texture, std::string_view(texture) == kSkyTexture ? Ogre::TEX_TYPE_CUBE_MAP : Ogre::TEX_TYPE_2D);
+  unit->setTextureFiltering(Ogre::TFO_TRILINEAR);
+  unit->setTextureAddressingMode(repeats ? Ogre::TextureUnitState::TAM_WRAP : Ogre::TextureUnitState::TAM_CLAMP);
+}
+
+void AddShadowMap(Ogre::Pass& pass) {
+  Ogre::TextureUnitState* unit = pass.createTextureUnitState();
+  unit->setContentType(Ogre::TextureUnitState::CONTENT_SHADOW);
+  unit->setTextureAddressingMode(Ogre::TextureUnitState::TAM_BORDER);
+  unit->setTextureBorderColour(Ogre::ColourValue::White);
+  unit->setTextureFiltering(Ogre::FO_LINEAR, Ogre::FO_LINEAR, Ogre::FO_NONE);
+  unit->setTextureCompareEnabled(true);
+  unit->setTextureCompareFunction(Ogre::CMPF_LESS_EQUAL);
+}
+
+}  // namespace
+
+Materials::Materials(const Shaders& shaders) : shaders_(shaders) {
+  MakeTexture("Soarbox/WhitePicture", WhiteImage());
+  MakeTexture("Soarbox/Checker", CheckerImage());
+  MakeTexture("Soarbox/Grain", GrainImage());
+  MakeTexture("Soarbox/ConcretePicture", ConcreteImage());
+  MakeTexture("Soarbox/BrickPicture", BrickImage());
+  MakeTexture("Soarbox/CratePicture", CrateImage());
+}
+
+Materials::Found Materials::Make(const std::string& name, const Look& look) {
+  Found found;
+  Ogre::Pass& pass = NewPass("Soarbox/Look/" + name, found.material);
+  AddTexture(pass, PaintTexture(look.paint), true);
+  AddShadowMap(pass);
+  AddShadowMap(pass);
+  AddTexture(pass, kSkyTexture, false);
+  const bool ground = look.paint == Look::Paint::kGround;
+  shaders_.Use(pass, "surface.vert", ground ? "ground.frag" : "surface.frag", {"paint", "shadow_near", "shadow_far", "sky"});
+  const auto params = pass.getFragmentProgramParameters();
+  params->setNamedConstant("base_colour", Four(look.base));
+  params->setNamedConstant("trim_colour", Four(look.trim));
+  params->setNamedConstant("finish", Ogre::Vector4(look.gloss, look.glow, look.repeats, 0));
+  found.is_opaque = look.base.a >= 1;
+  if (!found.is_opaque) {
+    pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
+    pass.setDepthWriteEnabled(false);
+  }
+  return found;
+}
+
+const Materials::Found& Materials::Named(const std::string& name) {
+  const auto known = materials_.find(name);
+  if (known != materials_.end()) return known->second;
+  Look look;
+  const bool exists = FindLook(name, look);
+  if (!exists) FindLook("Soarbox/Missing", look);
+  Found found = Make(name, look);
+  found.is_stand_in = !exists;
+  return materials_.emplace(name, std::move(found)).first->second;
+}
+
+const Materials::Found& Materials::AgentBody(std::string_view kind, bool alive, bool failed) {
+  std::string name = "agent/" + std::string(kind) + (alive ? "" : "/dead") + (failed ? "/failed" : "");
+  const auto known = materials_.find(name);
+  if (known != materials_.end()) return known->second;
+  Look look;
+  look.base = AgentColor(kind);
+  look.gloss = 0.42f;
+  const auto dull = [&look](float keep, float grey) {
+    for (float* channel : {&look.base.r, &look.base.g, &look.base.b}) *channel = *channel * keep + grey * (1 - keep);
+  };
+  if (failed) dull(0.35f, 0.25f);
+  if (!alive) dull(0.0f, 0.30f);
+  return materials_.emplace(name, Make(name, look)).first->second;
+}
+
+void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
+  auto& textures = Ogre::TextureManager::getSingleton();
+  Ogre::TexturePtr texture = textures.getByName(kSkyTexture, kGroup);
+  if (!texture) {
+    const auto size = static_cast<unsigned>(faces[0].width);
+    texture = textures.createManual(kSkyTexture, kGroup, Ogre::TEX_TYPE_CUBE_MAP, size, size, Ogre::MIP_UNLIMITED,
+                                    Ogre::PF_BYTE_RGBA, Ogre::TU_AUTOMIPMAP);
+  }
+  for (std::size_t face = 0; face < faces.size(); ++face) texture->getBuffer(face)->blitFromMemory(Box(faces[face]));
+}
+
+Ogre::MaterialPtr Materials::SkyMaterial() {
+  Ogre::MaterialPtr material;
+  Ogre::Pass& pass = NewPass("Soarbox/Sky", material);
+  AddTexture(pass, kSkyTexture, false);
+  shaders_.Use(pass, "sky.vert", "sky.frag", {"sky"});
+  pass.setDepthWriteEnabled(false);
+  pass.setDepthCheckEnabled(false);
+  pass.setCullingMode(Ogre::CULL_NONE);
+  return material;
+}
+
+Ogre::MaterialPtr Materials::LineMaterial(float width_px) {
+  Ogre::MaterialPtr material;
+  Ogre::Pass& pass = NewPass("Soarbox/Lines/" + std::to_string(width_px), material);
+  shaders_.Use(pass, "line.vert", "line.frag", {});
+  pass.getVertexProgramParameters()->setNamedConstant("width_px", Ogre::Vector4(width_px, 0, 0, 0));
+  pass.getFragmentProgramParameters()->setNamedConstant("width_px", Ogre::Vector4(width_px, 0, 0, 0));
+  pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
+  pass.setDepthWriteEnabled(false);
+  pass.setCullingMode(Ogre::CULL_NONE);
+  return material;
+}
+
+Ogre::MaterialPtr Materials::FillMaterial() {
+  Ogre::MaterialPtr material;
+  Ogre::Pass& pass = NewPass("Soarbox/Fills", material);
+  shaders_.Use(pass, "fill.vert", "fill.frag", {});
+  pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
+  pass.setDepthWriteEnabled(false);
+  pass.setCullingMode(Ogre::CULL_NONE);
+  return material;
+}
+
+void Materials::AdoptPanelMaterial(const Ogre::MaterialPtr& material) {
+  shaders_.Use(*material->getTechnique(0)->getPass(0), "panel.vert", "panel.frag", {"paint"});
+  material->load();
+}
+
+Ogre::MaterialPtr Materials::ShadowCaster() {
+  Ogre::MaterialPtr material;
+  Ogre::Pass& pass = NewPass("Soarbox/ShadowCaster", material);
+  shaders_.Use(pass, "shadow.vert", "shadow.frag", {});
+  return material;
+}
+
+}  // namespace soarbox::viewer

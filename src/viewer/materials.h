@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "viewer/images.h"
+#include "viewer/ogre_headers.h"
+#include "viewer/palette.h"
+#include "viewer/shaders.h"
+
+namespace soarbox::viewer {
+
+/// Materials by the names that scripts use, and the textures behind them, all made here and shared.
+class Materials {
+ public:
+  explicit Materials(const Shaders& shaders);
+
+  struct Found {
+    Ogre::MaterialPtr material;
+    bool is_opaque = true;
+    bool is_stand_in = false;  ///< The name is unknown; this is the magenta checker.
+  };
+  const Found& Named(const std::string& name);
+
+  /// The body of an agent: its kind's colour, dull if it failed, grey if it died.
+  const Found& AgentBody(std::string_view kind, bool alive, bool failed);
+
+  /// Replaces the picture of the sky, which surfaces mirror too.
+  void SetSkyPicture(const std::array<Image, 6>& faces);
+  Ogre::MaterialPtr SkyMaterial();
+
+  /// Lines that lie on top of surfaces, `width_px` wide.
+  Ogre::MaterialPtr LineMaterial(float width_px);
+
+  /// Translucent triangles, seen from both sides.
+  Ogre::MaterialPtr FillMaterial();
+
+  /// Draws what ImGui produced with our own shader; call once, after the overlay was first shown.
+  void AdoptPanelMaterial(const Ogre::MaterialPtr& material);
+
+  /// Renders depth only, for shadow maps.
+  Ogre::MaterialPtr ShadowCaster();
+
+ private:
+  Found Make(const std::string& name, const Look& look);
+
+  const Shaders& shaders_;
+  std::unordered_map<std::string, Found> materials_;
+};
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/mesh_library.h"
+
+#include <cstdio>
+
+#include "viewer/modular_meshes.h"
+#include "viewer/shape_meshes.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using world::DrawableSnapshot;
+using world::ShapeKind;
+
+std::string Key(const DrawableSnapshot& d, bool agent_body) {
+  if (d.shape == ShapeKind::kMesh) return "mesh/" + d.mesh;
+  char text[160];
+  std::snprintf(text, sizeof text, "shape/%d/%d/%.4g/%.4g/%.4g/%.3g/%.3g", static_cast<int>(d.shape), agent_body ? 1 : 0,
+                d.size.x, d.size.y, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
+  return text;
+}
+
+MeshData Build(const DrawableSnapshot& d, bool agent_body, bool& is_stand_in) {
+  switch (d.shape) {
+    case ShapeKind::kBox:
+      return BoxMesh(d.size * -0.5f, d.size * 0.5f,
+                     {.repeats_u = d.texture_repeats.x, .repeats_v = d.texture_repeats.y});
+    case ShapeKind::kCapsule:
+      return agent_body ? AgentMesh(d.size.x, d.size.y) : CapsuleMesh(d.size.x, d.size.y);
+    case ShapeKind::kCylinder: return CylinderMesh(d.size.x, d.size.y);
+    case ShapeKind::kPlane: return PlaneMesh(d.size.x, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
+    case ShapeKind::kSphere: return SphereMesh(d.size.x);
+    case ShapeKind::kMesh: break;
+  }
+  if (auto modular = ModularMesh(d.mesh)) return *modular;
+  is_stand_in = true;
+  MeshData box = BoxMesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
+  box.material = "Soarbox/Missing";
+  return box;
+}
+
+Ogre::MeshPtr Upload(const std::string& name, const MeshData& data) {
+  struct GpuVertex {
+    float position[3], normal[3], uv[2];
+    std::uint8_t paint[4];
+  };
+  const auto byte = [](float value) { return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f); };
+  std::vector<GpuVertex> vertices;
+  vertices.reserve(data.vertices.size());
+  for (const MeshVertex& v : data.vertices) {
+    vertices.push_back({{v.position.x, v.position.y, v.position.z},
+                        {v.normal.x, v.normal.y, v.normal.z},
+                        {v.u, v.v},
+                        {byte(v.tint), byte(v.light), byte(v.gloss), 255}});
+  }
+
+  Ogre::MeshPtr mesh = Ogre::MeshManager::getSingleton().createManual(name, kGroup);
+  Ogre::SubMesh* part = mesh->createSubMesh();
+  part->useSharedVertices = false;
+  part->vertexData = new Ogre::VertexData();  // Ogre's sub-mesh owns it.
+  part->vertexData->vertexCount = vertices.size();
+  Ogre::VertexDeclaration* layout = part->vertexData->vertexDeclaration;
+  layout->addElement(0, offsetof(GpuVertex, position), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
+  layout->addElement(0, offsetof(GpuVertex, normal), Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
+  layout->addElement(0, offsetof(GpuVertex, uv), Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES);
+  layout->addElement(0, offsetof(GpuVertex, paint), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
+  auto& buffers = Ogre::HardwareBufferManager::getSingleton();
+  auto vertex_buffer = buffers.createVertexBuffer(sizeof(GpuVertex), vertices.size(), Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
+  vertex_buffer->writeData(0, vertex_buffer->getSizeInBytes(), vertices.data(), true);
+  part->vertexData->vertexBufferBinding->setBinding(0, vertex_buffer);
+  auto index_buffer = buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, data.indices.size(),
+                                                Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
+  index_buffer->writeData(0, index_buffer->getSizeInBytes(), data.indices.data(), true);
+  part->indexData->indexBuffer = index_buffer;
+  part->indexData->indexCount = data.indices.size();
+
+  const Bounds bounds = BoundsOf(data);
+  mesh->_setBounds(Ogre::AxisAlignedBox(ToOgre(bounds.min), ToOgre(bounds.max)), false);
+  mesh->_setBoundingSphereRadius(std::max(world::Length(bounds.min), world::Length(bounds.max)));
+  mesh->load();
+  return mesh;
+}
+
+}  // namespace
+
+const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, bool agent_body) {
+  const std::string key = Key(drawable, agent_body);
+  const auto known = meshes_.find(key);
+  if (known != meshes_.end()) return known->second;
+  Found found;
+  const MeshData data = Build(drawable, agent_body, found.is_stand_in);
+  found.material = data.material;
+  found.mesh = Upload("Soarbox/" + key, data);
+  return meshes_.emplace(key, std::move(found)).first->second;
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/modular_meshes.h"
+
+#include <algorithm>
+
+#include "viewer/shape_meshes.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using world::Vec3;
+
+bool Has(std::string_view name, std::string_view part) { return name.find(part) != std::string_view::npos; }
+
+MeshData Box(Vec3 min, Vec3 max) { return BoxMesh(min, max, {.chamfer_m = 0.02f, .metric_uv = true}); }
+
+void Paint(MeshData& mesh, float tint, float light, float gloss) {
+  for (MeshVertex& vertex : mesh.vertices) {
+    vertex.tint = tint;
+    vertex.light = light;
+    vertex.gloss = gloss;
+  }
+}
+
+/// An opening in a wall, as fractions of its width and height.
+struct Opening {
+  float left, right, bottom, top;
+};
+
+/// A wall with openings beside each other, left to right: sills, lintels and posts around them, glass or a door within.
+MeshData WallWith(Vec3 min, Vec3 max, const std::vector<Opening>& openings, bool glass) {
+  const Vec3 size = max - min;
+  const auto at = [&](float x, float y, float z) { return Vec3{min.x + x * size.x, min.y + y * size.y, min.z + z * size.z}; };
+  MeshData mesh;
+  float left = 0;
+  for (const Opening& hole : openings) {
+    mesh.Append(Box(at(left, 0, 0), at(hole.left, 1, 1)));
+    mesh.Append(Box(at(hole.left, hole.top, 0), at(hole.right, 1, 1)));
+    if (hole.bottom > 0) mesh.Append(Box(at(hole.left, 0, 0), at(hole.right, hole.bottom, 1)));
+    MeshData pane = Box(at(hole.left, hole.bottom, 0.42f), at(hole.right, hole.top, 0.58f));
+    Paint(pane, 0, glass ? 1.0f : 0.8f, glass ? 1.0f : 0.2f);
+    mesh.Append(pane);
+    left = hole.right;
+  }
+  mesh.Append(Box(at(left, 0, 0), at(1, 1, 1)));
+  return mesh;
+}
+
+/// A slab with raised bands: roofs, doors of hangars, coolers.
+MeshData Ribbed(Vec3 min, Vec3 max, int ribs) {
+  const Vec3 size = max - min;
+  MeshData mesh = Box({min.x, min.y, min.z}, {max.x, max.y, max.z - 0.25f * size.z});
+  for (int i = 0; i < ribs; ++i) {
+    const float low = min.y + size.y * (static_cast<float>(i) + 0.1f) / static_cast<float>(ribs);
+    const float high = min.y + size.y * (static_cast<float>(i) + 0.9f) / static_cast<float>(ribs);
+    mesh.Append(Box({min.x, low, max.z - 0.3f * size.z}, {max.x, high, max.z}));
+  }
+  return mesh;
+}
+
+/// A shaft between a wider foot and head.
+MeshData Pillar(Vec3 min, Vec3 max) {
+  const Vec3 size = max - min;
+  const float inset = 0.08f * size.x, cap = std::min(0.16f, 0.12f * size.y);
+  MeshData mesh = Box({min.x + inset, min.y, min.z + inset}, {max.x - inset, max.y, max.z - inset});
+  mesh.Append(Box(min, {max.x, min.y + cap, max.z}));
+  mesh.Append(Box({min.x, max.y - cap, min.z}, max));
+  return mesh;
+}
+
+/// A crate: a box that is set back a little behind a frame along its edges.
+MeshData Crate(Vec3 min, Vec3 max) {
+  const Vec3 size = max - min;
+  const float beam = 0.13f * std::min({size.x, size.y, size.z}), depth = 0.045f * size.x;
+  const Vec3 set_back{depth, depth, depth};
+  MeshData mesh = Box(min + set_back, max - set_back);
+  for (MeshVertex& vertex : mesh.vertices) vertex.light = 0.82f;
+  for (const bool high_a : {false, true}) {
+    for (const bool high_b : {false, true}) {
+      const auto span = [&](bool high, float lo, float hi) {
+        return high ? std::pair{hi - beam, hi} : std::pair{lo, lo + beam};
+      };
+      const auto [x0, x1] = span(high_a, min.x, max.x);
+      const auto [z0, z1] = span(high_b, min.z, max.z);
+      const auto [ya0, ya1] = span(high_a, min.y, max.y);
+      const auto [yb0, yb1] = span(high_b, min.y, max.y);
+      mesh.Append(Box({x0, min.y, z0}, {x1, max.y, z1}));
+      mesh.Append(Box({min.x + beam, ya0, z0}, {max.x - beam, ya1, z1}));
+      mesh.Append(Box({x0, yb0, min.z + beam}, {x1, yb1, max.z - beam}));
+    }
+  }
+  return mesh;
+}
+
+MeshData Build(const ModularPiece& piece) {
+  const std::string_view name = piece.name;
+  const Vec3 min = piece.min, max = piece.max;
+  if (Has(name, "block")) return Crate(min, max);
+  if (Has(name, "pillar")) return Pillar(min, max);
+  if (Has(name, "cooling")) return Ribbed(min, max, 6);
+  if (Has(name, "hangar")) return Ribbed(min, max, 8);
+  if (Has(name, "small_double_window")) return WallWith(min, max, {{0.14f, 0.44f, 0.5f, 0.8f}, {0.56f, 0.86f, 0.5f, 0.8f}}, true);
+  if (Has(name, "double_window")) return WallWith(min, max, {{0.1f, 0.45f, 0.3f, 0.82f}, {0.55f, 0.9f, 0.3f, 0.82f}}, true);
+  if (Has(name, "small_window")) return WallWith(min, max, {{0.3f, 0.7f, 0.5f, 0.8f}}, true);
+  if (Has(name, "window")) return WallWith(min, max, {{0.22f, 0.78f, 0.3f, 0.82f}}, true);
+  if (Has(name, "door")) return WallWith(min, max, {{0.3f, 0.7f, 0.0f, 0.8f}}, false);
+  return Box(min, max);
+}
+
+}  // namespace
+
+const std::vector<ModularPiece>& ModularPieces() {
+  static const std::vector<ModularPiece> pieces{
+      {"modular_block", {-0.41f, -0.32f, -0.40f}, {0.39f, 0.32f, 0.40f}},
+      {"modular_brick_door", {-1.28f, -0.77f, -0.16f}, {1.28f, 1.79f, 0.16f}},
+      {"modular_brick_double_window", {-1.28f, -1.29f, -0.16f}, {1.28f, 1.27f, 0.16f}},
+      {"modular_brick_small_double_window", {-1.29f, -1.27f, -0.16f}, {1.27f, 1.29f, 0.16f}},
+      {"modular_brick_small_window_1", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0.16f}},
+      {"modular_brick_small_window_2", {-0.64f, -1.27f, -0.16f}, {0.64f, 1.29f, 0.16f}},
+      {"modular_brick_window_1", {-1.29f, -1.28f, -0.16f}, {1.27f, 1.28f, 0.16f}},
+      {"modular_brick_window_2", {-0.65f, -1.26f, -0.16f}, {0.63f, 1.30f, 0.16f}},
+      {"modular_concrete_door", {-1.28f, -1.29f, -0.16f}, {1.28f, 1.27f, 0.16f}},
+      {"modular_concrete_double_window", {-1.29f, -1.28f, -0.16f}, {1.27f, 1.28f, 0.16f}},
+      {"modular_concrete_small_double_window", {-1.28f, -1.27f, -0.16f}, {1.28f, 1.29f, 0.16f}},
+      {"modular_concrete_small_window_1", {-1.28f, -1.30f, -0.16f}, {1.28f, 1.26f, 0.16f}},
+      {"modular_concrete_small_window_2", {-0.63f, -1.29f, -0.16f}, {0.65f, 1.27f, 0.16f}},
+      {"modular_concrete_window_1", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0.16f}},
+      {"modular_concrete_window_2", {-0.64f, -1.27f, -0.16f}, {0.64f, 1.29f, 0.16f}},
+      {"modular_cooling", {-0.44f, -0.39f, 0}, {0.44f, 0.41f, 0.40f}},
+      {"modular_hangar_door", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0}},
+      {"modular_pillar_brick_1", {-0.32f, -1.28f, -0.32f}, {0.32f, 1.28f, 0.32f}},
+      {"modular_pillar_brick_2", {-0.31f, -0.97f, -0.32f}, {0.33f, 0.95f, 0.32f}},
+      {"modular_pillar_brick_3", {-0.31f, -0.64f, -0.32f}, {0.33f, 0.64f, 0.32f}},
+      {"modular_pillar_concrete_1", {-0.31f, -1.29f, -0.32f}, {0.33f, 1.27f, 0.32f}},
+      {"modular_pillar_concrete_2", {-0.32f, -0.96f, -0.32f}, {0.32f, 0.96f, 0.32f}},
+      {"modular_pillar_concrete_3", {-0.32f, -0.63f, -0.32f}, {0.32f, 0.65f, 0.32f}},
+      {"modular_roof", {-1.61f, -0.16f, -1.59f}, {1.56f, 0.16f, 1.58f}},
+      {"modular_wall_brick_1", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0.16f}},
+      {"modular_wall_brick_2", {-0.64f, -1.27f, -0.16f}, {0.64f, 1.29f, 0.16f}},
+      {"modular_wall_brick_3", {-0.63f, -0.66f, -0.16f}, {0.65f, 0.62f, 0.16f}},
+      {"modular_wall_brick_4", {-1.29f, -0.31f, -0.16f}, {1.27f, 0.33f, 0.16f}},
+      {"modular_wall_brick_5", {-0.64f, -0.31f, -0.16f}, {0.64f, 0.33f, 0.16f}},
+      {"modular_wall_concrete_1", {-1.28f, -1.27f, -0.16f}, {1.28f, 1.29f, 0.16f}},
+      {"modular_wall_concrete_2", {-0.63f, -1.28f, -0.16f}, {0.65f, 1.28f, 0.16f}},
+      {"modular_wall_concrete_3", {-0.63f, -0.63f, -0.16f}, {0.65f, 0.65f, 0.16f}},
+      {"modular_wall_concrete_4", {-1.28f, -0.30f, -0.16f}, {1.28f, 0.34f, 0.16f}},
+      {"modular_wall_concrete_5", {-0.63f, -0.31f, -0.16f}, {0.65f, 0.33f, 0.16f}},
+  };
+  return pieces;
+}
+
+std::optional<MeshData> ModularMesh(std::string_view resource_name) {
+  constexpr std::string_view kFolder = "models/nobiax_modular/", kSuffix = ".mesh";
+  if (!resource_name.starts_with(kFolder) || !resource_name.ends_with(kSuffix)) return std::nullopt;
+  resource_name.remove_prefix(kFolder.size());
+  resource_name.remove_suffix(kSuffix.size());
+  const auto& pieces = ModularPieces();
+  const auto found = std::find_if(pieces.begin(), pieces.end(), [&](const ModularPiece& p) { return p.name == resource_name; });
+  if (found == pieces.end()) return std::nullopt;
+  MeshData mesh = Build(*found);
+  const bool metal = Has(found->name, "block") || Has(found->name, "cooling") || Has(found->name, "hangar");
+  mesh.material = Has(found->name, "brick") ? "Soarbox/Brick" : metal ? "Soarbox/Crate" : "Soarbox/Concrete";
+  return mesh;
+}
+
+}  // namespace soarbox::viewer

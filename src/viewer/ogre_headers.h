@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+/// All that we use of Ogre, for the few files that draw. CMakeLists.txt precompiles the large ones.
+#include <Ogre.h>
+#include <OgreGpuProgramManager.h>
+#include <OgreHardwareBufferManager.h>
+#include <OgreHighLevelGpuProgramManager.h>
+#include <OgreImGuiOverlay.h>
+#include <OgreOverlayManager.h>
+#include <OgreOverlaySystem.h>
+#include <OgreShadowCameraSetup.h>
+#include <OgreSimpleRenderable.h>
+#include <imgui.h>
+
+#include "world/math.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::viewer {
+
+inline Ogre::Vector3 ToOgre(world::Vec3 v) { return {v.x, v.y, v.z}; }
+inline Ogre::Quaternion ToOgre(world::Quat q) { return {q.w, q.x, q.y, q.z}; }
+inline world::Vec3 FromOgre(const Ogre::Vector3& v) { return {v.x, v.y, v.z}; }
+
+/// The one resource group that everything of ours lives in.
+inline const char* const kGroup = "General";
+
+}  // namespace soarbox::viewer

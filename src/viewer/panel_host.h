@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+
+#include "viewer/materials.h"
+#include "viewer/ogre_headers.h"
+
+namespace soarbox::viewer {
+
+/// Owns ImGui's overlay, its fonts and its input. Only one exists at a time, as ImGui has one context.
+class PanelHost {
+ public:
+  explicit PanelHost(Materials& materials);
+  ~PanelHost();
+  PanelHost(const PanelHost&) = delete;
+  PanelHost& operator=(const PanelHost&) = delete;
+
+  /// Begins the panels of one frame: draw them with ImGui's own calls after this.
+  void BeginFrame(int width, int height, float seconds);
+  /// Ends them; the next drawing of the scene shows them on top.
+  void EndFrame();
+
+  ImFont* FontFor(world::UiFont font) const { return script_fonts_[static_cast<std::size_t>(font)]; }
+  ImFont* panel_font() const { return panel_font_; }
+  ImFont* bold_font() const { return bold_font_; }
+
+ private:
+  void LoadFonts();
+
+  Ogre::ImGuiOverlay* overlay_;  // The overlay manager owns it.
+  std::array<ImFont*, 6> script_fonts_{};
+  ImFont* panel_font_ = nullptr;
+  ImFont* bold_font_ = nullptr;
+};
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "viewer/panel_host.h"
+#include "viewer/picking.h"
+#include "viewer/viewer.h"
+
+namespace soarbox::viewer {
+
+/// The window's own panels, drawn anew each frame.
+
+/// A slim bar along the top: running or paused, time, tick, speed, agents, frames per second.
+void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene, float frames_per_second);
+
+/// The list of keys, in the middle of the window.
+void DrawKeyHelp(const PanelHost& host);
+
+/// What is known about the selected agent, at the bottom left.
+void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed);
+
+/// The names of agents above their heads, the nearest ones if there are very many; the selected one always.
+void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents, const world::CameraSnapshot& camera,
+                     const Projection& projection, std::uint32_t selected);
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "world/scene_snapshot.h"
+
+namespace soarbox::viewer {
+
+struct ScreenPoint {
+  float x = 0, y = 0;  ///< px from the top left.
+};
+
+/// The straight way between the camera and the picture: which ray a pixel shows, where a point appears, and which
+/// agent a click means. Pure arithmetic, no drawing.
+class Projection {
+ public:
+  Projection(const world::CameraSnapshot& camera, int width_px, int height_px);
+
+  /// Unit direction from the camera through a pixel.
+  world::Vec3 RayThrough(ScreenPoint pixel) const;
+
+  /// Where a point appears; nothing for points behind the camera.
+  std::optional<ScreenPoint> Project(world::Vec3 point) const;
+
+  /// The nearest agent under a pixel, with a little tolerance for small, distant ones; 0 if there is none.
+  std::uint32_t AgentAt(ScreenPoint pixel, const std::vector<world::AgentSnapshot>& agents) const;
+
+ private:
+  world::Vec3 eye_, forward_, right_, up_;
+  float width_, height_;
+  float pixels_per_slope_;  ///< Pixels from the centre for a slope of 1.
+};
+
+}  // namespace soarbox::viewer

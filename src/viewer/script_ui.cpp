@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/script_ui.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "viewer/markup.h"
+#include "viewer/palette.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using world::Color;
+using world::UiSnapshot;
+
+constexpr float kMetresPerPixel = 0.005f;
+
+ImU32 Packed(Color c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a}); }
+
+Color Middle(Color a, Color b) { return {(a.r + b.r) / 2, (a.g + b.g) / 2, (a.b + b.b) / 2, (a.a + b.a) / 2}; }
+
+/// The part of a box that text may use.
+struct TextArea {
+  float left, top, right, bottom;
+};
+
+void DrawBackground(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner) {
+  const ImVec2 end{corner.x + ui.width, corner.y + ui.height};
+  if (!ui.material.empty()) {
+    Look look;
+    if (FindLook(ui.material, look)) out.AddRectFilled(corner, end, Packed(look.base));
+  }
+  if (!ui.has_gradient) return;
+  const ImU32 from = Packed(ui.gradient_from), to = Packed(ui.gradient_to);
+  if (ui.gradient_is_diagonal) {
+    const ImU32 middle = Packed(Middle(ui.gradient_from, ui.gradient_to));
+    out.AddRectFilledMultiColor(corner, end, from, middle, to, middle);
+  } else if (ui.gradient_is_vertical) {
+    out.AddRectFilledMultiColor(corner, end, from, from, to, to);
+  } else {
+    out.AddRectFilledMultiColor(corner, end, from, to, to, from);
+  }
+}
+
+/// Draws a run from x on and returns where it ends; characters that do not fit are left out.
+float DrawRun(ImDrawList& out, const TextRun& run, ImFont* font, ImU32 color, float x, float y, const TextArea& area) {
+  const float size = LineHeight(run.font);
+  if (!run.fixed_width) {
+    const char* begin = run.text.data();
+    const char* end = begin + run.text.size();
+    const char* fits = end;
+    float width = font->CalcTextSizeA(size, area.right - x, 0, begin, end, &fits).x;
+    if (fits < end) width = font->CalcTextSizeA(size, FLT_MAX, 0, begin, fits).x;
+    out.AddText(font, size, {x, y}, color, begin, fits);
+    return fits < end ? area.right : x + width;
+  }
+  for (const char& c : run.text) {
+    const float step = FixedWidth(run.font);
+    if (x + step > area.right) return area.right;
+    const float own = font->CalcTextSizeA(size, FLT_MAX, 0, &c, &c + 1).x;
+    out.AddText(font, size, {x + std::max(0.0f, (step - own) / 2), y}, color, &c, &c + 1);
+    x += step;
+  }
+  return x;
+}
+
+void DrawLines(ImDrawList& out, const std::vector<TextLine>& lines, const PanelHost& host, const TextArea& area,
+               const auto& color_of) {
+  float y = area.top;
+  for (const TextLine& line : lines) {
+    float height = line.empty() ? LineHeight(world::UiFont::kSmall) : 0;
+    for (const TextRun& run : line) height = std::max(height, LineHeight(run.font));
+    if (y + height > area.bottom + 0.5f) return;
+    float x = area.left;
+    for (const TextRun& run : line) {
+      // Runs of smaller fonts stand on the same ground as the tallest.
+      const float lowered = y + (height - LineHeight(run.font)) * 0.8f;
+      x = DrawRun(out, run, host.FontFor(run.font), color_of(run), x, lowered, area);
+    }
+    y += height;
+  }
+}
+
+std::vector<TextLine> PlainLines(const std::string& text, world::UiFont font) {
+  std::vector<TextLine> lines(1);
+  TextRun run;
+  run.font = font;
+  for (const char c : text + "\n") {
+    if (c != '\n') {
+      run.text.push_back(c);
+      continue;
+    }
+    lines.back().push_back(run);
+    lines.emplace_back();
+    run.text.clear();
+  }
+  lines.pop_back();
+  return lines;
+}
+
+void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world::SceneSnapshot& snapshot, const PanelHost& host) {
+  DrawBackground(out, ui, corner);
+  const TextArea area{corner.x + ui.margin_left, corner.y + ui.margin_top, corner.x + ui.width - ui.margin_left,
+                      corner.y + ui.height - ui.margin_top};
+  const ImU32 plain = Packed(ui.text_color);
+  const auto plain_color = [plain](const TextRun&) { return plain; };
+  const auto markup_color = [&](const TextRun& run) {
+    return Packed(snapshot.markup_palette[static_cast<std::size_t>(run.palette_index)]);
+  };
+  if (ui.is_markup) {
+    DrawLines(out, ParseMarkup(ui.text), host, area, markup_color);
+    if (!ui.caption.empty()) DrawLines(out, PlainLines(ui.caption, ui.font), host, area, plain_color);
+  } else if (!ui.text.empty()) {
+    DrawLines(out, PlainLines(ui.text, ui.font), host, area, plain_color);
+  }
+}
+
+/// Moves what was drawn since `first` from the panel's pixels to where the panel stands in the world. Drops it if a
+/// part of it is behind the camera.
+void MoveIntoWorld(ImDrawList& out, int first, const UiSnapshot& ui, const Projection& projection) {
+  const world::Vec3 right = Rotate(ui.world_orientation, {kMetresPerPixel, 0, 0});
+  const world::Vec3 down = Rotate(ui.world_orientation, {0, -kMetresPerPixel, 0});
+  bool visible = true;
+  for (int i = first; i < out.VtxBuffer.Size; ++i) {
+    ImVec2& at = out.VtxBuffer[i].pos;
+    const auto pixel = projection.Project(ui.world_position + right * at.x + down * at.y);
+    visible = visible && pixel.has_value();
+    if (pixel) at = {pixel->x, pixel->y};
+  }
+  if (visible) return;
+  for (int i = first; i < out.VtxBuffer.Size; ++i) out.VtxBuffer[i].col = 0;
+}
+
+}  // namespace
+
+void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host) {
+  if (snapshot.ui.empty()) return;
+  std::unordered_map<std::uint32_t, const UiSnapshot*> by_id;
+  std::vector<const UiSnapshot*> order;
+  for (const UiSnapshot& ui : snapshot.ui) {
+    by_id[ui.id] = &ui;
+    order.push_back(&ui);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const UiSnapshot* a, const UiSnapshot* b) { return a->layer < b->layer; });
+  ImDrawList& out = *ImGui::GetBackgroundDrawList();
+  for (const UiSnapshot* ui : order) {
+    if (!ui->visible) continue;
+    ImVec2 corner{ui->x, ui->y};
+    const UiSnapshot* top = ui;
+    // A family is never deeper than there are panels.
+    for (std::size_t depth = 0; top->parent_id != 0 && depth < order.size(); ++depth) {
+      const auto parent = by_id.find(top->parent_id);
+      if (parent == by_id.end()) break;
+      top = parent->second;
+      corner = {corner.x + top->x, corner.y + top->y};
+    }
+    const int first = out.VtxBuffer.Size;
+    if (top->in_world) out.PushClipRectFullScreen();
+    DrawPanel(out, *ui, corner, snapshot, host);
+    if (top->in_world) {
+      MoveIntoWorld(out, first, *top, projection);
+      out.PopClipRect();
+    }
+  }
+}
+
+}  // namespace soarbox::viewer

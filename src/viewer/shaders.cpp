@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/shaders.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace soarbox::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using Params = Ogre::GpuProgramParameters;
+
+constexpr const char* kSceneValues = "SoarboxScene";
+
+struct BoundValue {
+  const char* name;
+  Params::AutoConstantType source;
+  std::size_t extra;
+};
+
+/// What Ogre fills in by itself, wherever a program declares it.
+constexpr BoundValue kBoundValues[] = {
+    {"world", Params::ACT_WORLD_MATRIX, 0},
+    {"view_projection", Params::ACT_VIEWPROJ_MATRIX, 0},
+    {"world_view_projection", Params::ACT_WORLDVIEWPROJ_MATRIX, 0},
+    {"shadow_near_matrix", Params::ACT_TEXTURE_VIEWPROJ_MATRIX, 0},
+    {"shadow_far_matrix", Params::ACT_TEXTURE_VIEWPROJ_MATRIX, 1},
+    {"camera_place", Params::ACT_CAMERA_POSITION, 0},
+    {"viewport", Params::ACT_VIEWPORT_SIZE, 0},
+};
+
+/// The text of a shader with its includes in place; empty if a file cannot be read, which is named in `missing`.
+std::string ReadShader(const fs::path& file, fs::path& missing) {
+  std::ifstream in(file);
+  if (!in) {
+    missing = file;
+    return {};
+  }
+  std::ostringstream text;
+  constexpr std::string_view kInclude = "#include \"";
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(kInclude)) {
+      const std::string name = line.substr(kInclude.size(), line.rfind('"') - kInclude.size());
+      text << ReadShader(file.parent_path() / name, missing);
+    } else {
+      text << line << '\n';
+    }
+  }
+  return text.str();
+}
+
+void Bind(const Ogre::GpuProgramParametersSharedPtr& params) {
+  params->setIgnoreMissingParams(true);
+  for (const BoundValue& value : kBoundValues) params->setNamedAutoConstant(value.name, value.source, value.extra);
+  params->addSharedParameters(kSceneValues);
+}
+
+}  // namespace
+
+Result<Shaders> Shaders::Load(const fs::path& folder) {
+  struct File {
+    const char* name;
+    Ogre::GpuProgramType type;
+  };
+  constexpr File kFiles[] = {
+      {"surface.vert", Ogre::GPT_VERTEX_PROGRAM}, {"surface.frag", Ogre::GPT_FRAGMENT_PROGRAM},
+      {"ground.frag", Ogre::GPT_FRAGMENT_PROGRAM}, {"shadow.vert", Ogre::GPT_VERTEX_PROGRAM},
+      {"shadow.frag", Ogre::GPT_FRAGMENT_PROGRAM}, {"sky.vert", Ogre::GPT_VERTEX_PROGRAM},
+      {"sky.frag", Ogre::GPT_FRAGMENT_PROGRAM},    {"line.vert", Ogre::GPT_VERTEX_PROGRAM},
+      {"line.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"panel.vert", Ogre::GPT_VERTEX_PROGRAM},
+      {"panel.frag", Ogre::GPT_FRAGMENT_PROGRAM},
+      {"fill.vert", Ogre::GPT_VERTEX_PROGRAM},     {"fill.frag", Ogre::GPT_FRAGMENT_PROGRAM}};
+
+  Shaders shaders;
+  for (const File& file : kFiles) {
+    fs::path missing;
+    const std::string source = ReadShader(folder / file.name, missing);
+    if (!missing.empty()) {
+      Diagnostic error;
+      error.file = missing.string();
+      error.message = "this shader cannot be read, so nothing can be drawn";
+      error.hint = "the media folder of Soarbox belongs beside its library; name another one if it was moved";
+      return error;
+    }
+    auto program = Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(file.name, kGroup, "glsl", file.type);
+    program->setSource(source);
+  }
+  auto values = Ogre::GpuProgramManager::getSingleton().createSharedParameters(kSceneValues);
+  for (const char* name : {"sun_direction", "sun_colour", "ambient_colour", "haze"}) {
+    values->addConstantDefinition(name, Ogre::GCT_FLOAT4);
+  }
+  for (const char* name : {"light_place", "light_colour", "light_fade"}) {
+    values->addConstantDefinition(name, Ogre::GCT_FLOAT4, 4);
+  }
+  values->addConstantDefinition("sky_turn", Ogre::GCT_MATRIX_4X4);
+  shaders.scene_values_ = values;
+  return shaders;
+}
+
+void Shaders::Use(Ogre::Pass& pass, const std::string& vertex, const std::string& fragment,
+                  const std::vector<std::string>& samplers) const {
+  pass.setVertexProgram(vertex);
+  pass.setFragmentProgram(fragment);
+  Bind(pass.getVertexProgramParameters());
+  const auto params = pass.getFragmentProgramParameters();
+  Bind(params);
+  for (std::size_t i = 0; i < samplers.size(); ++i) params->setNamedConstant(samplers[i], static_cast<int>(i));
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "diagnostics/result.h"
+#include "viewer/ogre_headers.h"
+
+namespace soarbox::viewer {
+
+/// The shader programs of media/shaders, compiled on first use, and the values that all of them share.
+///
+/// All drawing goes through shaders of our own: what a material looks like stands in four short files and nowhere else.
+class Shaders {
+ public:
+  /// Fails if the folder or one of its files is missing, naming the path.
+  static Result<Shaders> Load(const std::filesystem::path& folder);
+
+  /// Makes `pass` draw with the two programs ("surface" or "ground" and so on), and binds what Ogre knows: matrices,
+  /// camera, viewport, shadow maps. Textures are bound by name in the order of `samplers`.
+  void Use(Ogre::Pass& pass, const std::string& vertex, const std::string& fragment,
+           const std::vector<std::string>& samplers) const;
+
+  /// Values that are the same for the whole scene: sun, haze and so on. Set them once per frame.
+  Ogre::GpuSharedParameters& scene_values() const { return *scene_values_; }
+
+ private:
+  Ogre::GpuSharedParametersPtr scene_values_;
+};
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/shape_meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace soarbox::viewer {
+namespace {
+
+using world::Vec3;
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr int kSegments = 28;
+
+float Sane(float size) { return std::isfinite(size) && size > 0 ? size : 0.0f; }
+
+/// One ring of a body of revolution.
+struct Ring {
+  float radius, y;
+  float tint = 1, light = 1, gloss = 0;
+};
+
+/// Turns a profile, from bottom to top, about the y axis. Normals follow the profile's slope.
+MeshData Revolve(const std::vector<Ring>& profile) {
+  MeshData mesh;
+  const std::size_t count = profile.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Ring& below = profile[i > 0 ? i - 1 : i];
+    const Ring& above = profile[i + 1 < count ? i + 1 : i];
+    const float dr = above.radius - below.radius, dy = above.y - below.y;
+    const float length = std::max(std::sqrt(dr * dr + dy * dy), 1e-6f);
+    float out = dy / length, up = -dr / length;
+    if (profile[i].radius < 1e-5f) {
+      out = 0;
+      up = i == 0 ? -1.0f : 1.0f;
+    }
+    for (int s = 0; s <= kSegments; ++s) {
+      const float turn = static_cast<float>(s) / kSegments;
+      const float x = std::sin(2 * kPi * turn), z = std::cos(2 * kPi * turn);
+      MeshVertex vertex;
+      vertex.position = {profile[i].radius * x, profile[i].y, profile[i].radius * z};
+      vertex.normal = {out * x, up, out * z};
+      vertex.u = turn;
+      vertex.v = 1 - static_cast<float>(i) / static_cast<float>(count - 1);
+      vertex.tint = profile[i].tint;
+      vertex.light = profile[i].light;
+      vertex.gloss = profile[i].gloss;
+      mesh.vertices.push_back(vertex);
+    }
+  }
+  const std::uint32_t row = kSegments + 1;
+  for (std::uint32_t i = 0; i + 1 < count; ++i) {
+    for (std::uint32_t s = 0; s < kSegments; ++s) {
+      const std::uint32_t a = i * row + s;
+      mesh.AddQuad(a, a + 1, a + row + 1, a + row);
+    }
+  }
+  return mesh;
+}
+
+/// Rings of an arc of an ellipse, angles from the horizontal, both ends included.
+void AddArc(std::vector<Ring>& profile, float radius, float height, float centre_y, float from, float to, int steps) {
+  for (int i = 0; i <= steps; ++i) {
+    const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps);
+    profile.push_back({std::max(0.0f, radius * std::cos(angle)), centre_y + height * std::sin(angle)});
+  }
+}
+
+/// Radius of a profile at a height, between its rings.
+float RadiusAt(const std::vector<Ring>& profile, float y) {
+  for (std::size_t i = 1; i < profile.size(); ++i) {
+    if (y > profile[i].y) continue;
+    const float span = std::max(profile[i].y - profile[i - 1].y, 1e-6f);
+    const float t = std::clamp((y - profile[i - 1].y) / span, 0.0f, 1.0f);
+    return profile[i - 1].radius + (profile[i].radius - profile[i - 1].radius) * t;
+  }
+  return 0;
+}
+
+/// A raised patch on the front (+z) of the profile, with the outline of a superellipse; its border sinks into the body.
+MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, float half_angle, float radius) {
+  constexpr int kColumns = 24, kRows = 14;
+  const auto point = [&](float a, float b) {
+    const float y = (low_y + high_y) / 2 + (high_y - low_y) / 2 * b;
+    const float inside = 1 - std::pow(std::abs(a), 4.0f) - std::pow(std::abs(b), 4.0f);
+    const float r = RadiusAt(profile, y) + radius * (inside > 0 ? 0.075f * std::sqrt(inside) : -0.10f * std::min(1.0f, -inside));
+    return Vec3{r * std::sin(a * half_angle), y, r * std::cos(a * half_angle)};
+  };
+  MeshData mesh;
+  for (int row = 0; row <= kRows; ++row) {
+    for (int column = 0; column <= kColumns; ++column) {
+      const float a = 2.0f * static_cast<float>(column) / kColumns - 1, b = 2.0f * static_cast<float>(row) / kRows - 1;
+      MeshVertex vertex;
+      vertex.position = point(a, b);
+      const Vec3 across = point(a + 0.02f, b) - point(a - 0.02f, b), up = point(a, b + 0.02f) - point(a, b - 0.02f);
+      vertex.normal = world::Normalized(Cross(across, up));
+      vertex.tint = 0;
+      vertex.gloss = 1;
+      mesh.vertices.push_back(vertex);
+    }
+  }
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+      const std::uint32_t a = row * (kColumns + 1) + column;
+      mesh.AddQuad(a, a + 1, a + kColumns + 2, a + kColumns + 1);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
+  const Vec3 size{Sane(max.x - min.x), Sane(max.y - min.y), Sane(max.z - min.z)};
+  const float chamfer = std::min(style.chamfer_m, 0.2f * std::min({size.x, size.y, size.z}));
+  const std::array<float, 3> lo{min.x, min.y, min.z};
+  const std::array<float, 3> hi{min.x + size.x, min.y + size.y, min.z + size.z};
+
+  // Face (axis, side) has four corners, at indices 4 * face + (2 * high_v + high_u), where u and v are the next axes.
+  MeshData mesh;
+  const auto index = [](int axis, bool high, bool high_u, bool high_v) {
+    return static_cast<std::uint32_t>(4 * (2 * axis + (high ? 1 : 0)) + (high_v ? 2 : 0) + (high_u ? 1 : 0));
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t n = axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool high : {false, true}) {
+      for (const bool high_v : {false, true}) {
+        for (const bool high_u : {false, true}) {
+          std::array<float, 3> p{}, normal{};
+          p[n] = high ? hi[n] : lo[n];
+          p[u] = high_u ? hi[u] - chamfer : lo[u] + chamfer;
+          p[v] = high_v ? hi[v] - chamfer : lo[v] + chamfer;
+          normal[n] = high ? 1.0f : -1.0f;
+          MeshVertex vertex;
+          vertex.position = {p[0], p[1], p[2]};
+          vertex.normal = {normal[0], normal[1], normal[2]};
+          // Upright faces keep the texture's v along the world's y.
+          const std::size_t across = n == 0 ? 2 : 0, upward = n == 1 ? 2 : 1;
+          if (style.metric_uv) {
+            vertex.u = p[across];
+            vertex.v = -p[upward];
+          } else {
+            vertex.u = style.repeats_u * (p[across] - lo[across]) / std::max(hi[across] - lo[across], 1e-6f);
+            vertex.v = style.repeats_v * (1 - (p[upward] - lo[upward]) / std::max(hi[upward] - lo[upward], 1e-6f));
+          }
+          mesh.vertices.push_back(vertex);
+        }
+      }
+      const auto a = index(axis, high, false, false), b = index(axis, high, true, false);
+      const auto c = index(axis, high, true, true), d = index(axis, high, false, true);
+      if (high) mesh.AddQuad(a, b, c, d);
+      else mesh.AddQuad(a, d, c, b);
+    }
+  }
+  if (chamfer <= 0) return mesh;
+
+  // Twelve chamfers: between the faces of axis n and axis u, along axis v.
+  for (int n = 0; n < 3; ++n) {
+    const int u = (n + 1) % 3;
+    for (const bool high_n : {false, true}) {
+      for (const bool high_u : {false, true}) {
+        // Face n sees u as its first coordinate and v as its second; face u sees v first and n second.
+        const auto a = index(n, high_n, high_u, false), b = index(n, high_n, high_u, true);
+        const auto c = index(u, high_u, true, high_n), d = index(u, high_u, false, high_n);
+        if (high_n == high_u) mesh.AddQuad(a, d, c, b);
+        else mesh.AddQuad(a, b, c, d);
+      }
+    }
+  }
+  // Eight corners.
+  for (const bool x : {false, true}) {
+    for (const bool y : {false, true}) {
+      for (const bool z : {false, true}) {
+        const auto a = index(0, x, y, z), b = index(1, y, z, x), c = index(2, z, x, y);
+        if (x ^ y ^ z) mesh.AddTriangle(a, b, c);
+        else mesh.AddTriangle(a, c, b);
+      }
+    }
+  }
+  return mesh;
+}
+
+MeshData CapsuleMesh(float radius_m, float height_m) {
+  const float radius = Sane(radius_m), half = std::max(0.0f, Sane(height_m) / 2 - radius);
+  std::vector<Ring> profile;
+  AddArc(profile, radius, radius, -half, -kPi / 2, 0, 8);
+  AddArc(profile, radius, radius, half, 0, kPi / 2, 8);
+  return Revolve(profile);
+}
+
+MeshData AgentMesh(float radius_m, float height_m) {
+  const float r = Sane(radius_m), height = std::max(Sane(height_m), 2 * r), bottom = -height / 2, top = height / 2;
+  const float neck = top - 0.36f * height;  // Where the head begins.
+
+  // Foot: a dark, rounded base. Torso: a slight taper. Groove: the neck. Head: a dome that fills the capsule's cap.
+  std::vector<Ring> profile;
+  AddArc(profile, 0.86f * r, 0.42f * r, bottom + 0.42f * r, -kPi / 2, 0, 6);
+  for (Ring& ring : profile) ring.light = 0.75f;
+  profile.push_back({0.90f * r, bottom + 0.55f * r});
+  profile.push_back({0.95f * r, bottom + 0.85f * r});
+  profile.push_back({0.985f * r, (bottom + 0.85f * r + neck) / 2});
+  profile.push_back({0.99f * r, neck - 0.14f * r});
+  profile.push_back({0.965f * r, neck - 0.06f * r});
+  profile.push_back({0.915f * r, neck - 0.015f * r, 1, 0.7f});
+  profile.push_back({0.885f * r, neck + 0.005f * r, 0, 0.6f});
+  profile.push_back({0.885f * r, neck + 0.055f * r, 0, 0.6f});
+  profile.push_back({0.915f * r, neck + 0.075f * r, 1, 0.7f});
+  profile.push_back({0.965f * r, neck + 0.12f * r});
+  const float dome = std::max(top - r, neck + 0.20f * r);
+  AddArc(profile, r, top - dome, dome, 0, kPi / 2, 10);
+
+  MeshData mesh = Revolve(profile);
+  const float low = neck + 0.26f * r, high = std::max(low + 0.3f * r, dome + 0.50f * (top - dome));
+  mesh.Append(Visor(profile, low, high, 1.05f, r));
+  return mesh;
+}
+
+MeshData CylinderMesh(float radius_m, float height_m) {
+  const float radius = Sane(radius_m), half = Sane(height_m) / 2;
+  const float rim = std::min({0.03f, 0.2f * radius, 0.4f * half});
+  std::vector<Ring> profile{{0, -half}, {0.5f * (radius - rim), -half}};
+  AddArc(profile, rim, rim, -half + rim, -kPi / 2, 0, 3);
+  for (std::size_t i = 2; i < profile.size(); ++i) profile[i].radius += radius - rim;
+  const std::size_t lower = profile.size();
+  AddArc(profile, rim, rim, half - rim, 0, kPi / 2, 3);
+  for (std::size_t i = lower; i < profile.size(); ++i) profile[i].radius += radius - rim;
+  profile.push_back({0.5f * (radius - rim), half});
+  profile.push_back({0, half});
+  return Revolve(profile);
+}
+
+MeshData SphereMesh(float radius_m) {
+  std::vector<Ring> profile;
+  AddArc(profile, Sane(radius_m), Sane(radius_m), 0, -kPi / 2, kPi / 2, 18);
+  return Revolve(profile);
+}
+
+MeshData PlaneMesh(float size_x_m, float size_z_m, float repeats_u, float repeats_v) {
+  const float x = Sane(size_x_m) / 2, z = Sane(size_z_m) / 2;
+  MeshData mesh;
+  const Vec3 up{0, 1, 0};
+  mesh.vertices = {{{-x, 0, -z}, up, 0, 0},
+                   {{-x, 0, z}, up, 0, repeats_v},
+                   {{x, 0, z}, up, repeats_u, repeats_v},
+                   {{x, 0, -z}, up, repeats_u, 0}};
+  mesh.AddQuad(0, 1, 2, 3);
+  return mesh;
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "viewer/input_event.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::viewer {
+
+/// How the window opens.
+struct ViewerOptions {
+  int width = 1280, height = 720;  ///< Of the picture, in pixels; at least 64 by 64.
+  std::string title = "Soarbox";
+  std::filesystem::path media_dir;  ///< Holds `shaders/`; empty: where the build found it.
+  bool hidden = false;              ///< Draws without a visible window (it still needs a display), for pictures.
+  int antialiasing = -1;            ///< Samples per pixel; -1: four, and none on a software renderer.
+  bool vsync = true;
+  bool show_labels = true;          ///< Names above agents at the start (L toggles).
+  bool show_help = false;           ///< The list of keys at the start (H toggles).
+  bool show_status_bar = true;
+  std::string log_file;             ///< The renderer's log; empty: none is written.
+  /// Hears of what is missing and had to be replaced, once per name, and of a renderer that fails.
+  std::function<void(const Diagnostic&)> on_diagnostic;
+};
+
+/// What the status bar says about the run; the application owns the clock.
+struct RunStatus {
+  bool paused = false;
+  double speed = 1;      ///< Simulated seconds per second that the user asked for.
+  std::string message;   ///< A short remark, "recording to run.rec"; may be empty.
+};
+
+/// The window: it shows the newest snapshot of a world and reports what the user does.
+///
+/// One viewer at a time per process, used by the thread that opened it. It never changes the world: keys and mouse
+/// events come out as a list for the scripts, and what the user asks of the run as commands for the application.
+///
+///   auto viewer = Viewer::Open({.title = "Soarbox"});
+///   if (!viewer) ...                       // No display, no OpenGL 3.3, no media: the diagnostic says which.
+///   while ((*viewer)->RenderFrame()) {
+///     ... (*viewer)->TakeEvents(), TakeCommands(), step the world ...
+///     (*viewer)->Show(newest, &previous, blend);
+///   }
+class Viewer {
+ public:
+  /// Opens the window. Fails without a display (naming it), without OpenGL 3.3, or if the media folder is missing.
+  static Result<std::unique_ptr<Viewer>> Open(const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  /// Hands over the newest snapshot. With the one before it and a blend from 0 (previous) to 1 (newest), bodies are
+  /// drawn between the two, so that a world of 30 ticks per second looks smooth at any frame rate. Call it each frame.
+  void Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous = nullptr, double blend = 1);
+
+  void SetStatus(const RunStatus& status);
+
+  /// Draws one frame and reads the user's input; false once the window was closed or can no longer be drawn.
+  bool RenderFrame();
+
+  /// What happened since the last call, in order. All keys are here, also those that the window itself uses.
+  std::vector<InputEvent> TakeEvents();
+  std::vector<ViewerCommand> TakeCommands();
+
+  /// Where the user looks from now; scripts ask for it (Sandbox.GetCameraPosition and its siblings).
+  world::CameraSnapshot Camera() const;
+
+  /// The picture's size in pixels; scripts place their panels by it. Changes when the user resizes the window.
+  int width() const;
+  int height() const;
+
+  /// Selects an agent as a click on it would, or none with id 0.
+  void SelectAgent(std::uint32_t agent_id);
+  std::uint32_t selected_agent() const;
+
+  /// Draws the current scene once more and writes it as a PNG.
+  Result<void> SaveScreenshot(const std::filesystem::path& path);
+
+ private:
+  struct Impl;
+  explicit Viewer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace soarbox::viewer
