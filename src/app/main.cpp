@@ -6,12 +6,14 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/kernel_server.h"
 #include "app/run_options.h"
 #include "app/soar_shell.h"
 #include "sim/scenario.h"
 
 namespace {
 
+using soarbox::app::KernelServerOptions;
 using soarbox::app::RunOptions;
 using soarbox::app::SoarShellOptions;
 
@@ -47,6 +49,12 @@ void AddSoar(CLI::App& program, SoarShellOptions& options) {
   soar->add_flag("--json", options.json, "Answer each command with a line of JSON");
 }
 
+void AddKernel(CLI::App& program, KernelServerOptions& options) {
+  CLI::App* kernel = program.add_subcommand("kernel", "Serve a Soar kernel to clients and debuggers on this machine");
+  kernel->add_option("agents", options.agents, "One agent per file of rules");
+  kernel->add_option("--port", options.port, "TCP port; 0: any free one")->capture_default_str()->check(CLI::Range(0, 65535));
+}
+
 int List() {
   const soarbox::Result<soarbox::sim::DataFolders> data = soarbox::app::FindDataFolders();
   if (!data) {
@@ -65,6 +73,8 @@ int Main(int argc, char** argv) {
   AddRun(program, run);
   SoarShellOptions soar;
   AddSoar(program, soar);
+  KernelServerOptions kernel;
+  AddKernel(program, kernel);
   program.add_subcommand("list", "List the scenarios that come with the program");
   try {
     program.parse(argc, argv);
@@ -74,6 +84,7 @@ int Main(int argc, char** argv) {
   }
   if (program.got_subcommand("run")) return soarbox::app::Run(run);
   if (program.got_subcommand("soar")) return soarbox::app::RunSoarShell(soar);
+  if (program.got_subcommand("kernel")) return soarbox::app::ServeKernel(kernel);
   return List();
 }
 

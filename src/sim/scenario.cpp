@@ -108,8 +108,11 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
   scenario.rule_folders = scenario.script_folders;
   // What a scenario does not have itself comes from the Lua library, and agents and rules from the thesis' world.
   scenario.script_folders.push_back(data.media / "scripts");
-  scenario.script_folders.push_back(data.scenarios / "thesis");
-  scenario.rule_folders.push_back(data.scenarios / "thesis");
+  const fs::path fallback = data.scenarios / "thesis";
+  if (!fs::equivalent(own, fallback, error)) {
+    scenario.script_folders.push_back(fallback);
+    scenario.rule_folders.push_back(fallback);
+  }
   return scenario;
 }
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/kernel_server.h"
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "app/exit_codes.h"
+#include "app/run_session.h"
+#include "diagnostics/diagnostic.h"
+#include "sml_Client.h"
+
+namespace soarbox::app {
+namespace {
+
+constexpr auto kPollInterval = std::chrono::milliseconds(2);
+
+int CannotStart(std::string message, std::string hint = {}) {
+  Diagnostic problem;
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  std::cerr << Format(problem);
+  return kCannotStart;
+}
+
+/// The file's stem, with a number behind it if another agent has that name.
+std::string NameFor(const std::filesystem::path& file, std::set<std::string>& taken) {
+  const std::string stem = file.stem().empty() ? "agent" : file.stem().string();
+  std::string name = stem;
+  for (int n = 2; !taken.insert(name).second; ++n) name = stem + "-" + std::to_string(n);
+  return name;
+}
+
+/// Makes one agent and loads its rules; problems are told and counted. False if there is no such file.
+bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<std::string>& names) {
+  if (!std::ifstream(file)) {
+    CannotStart(file.string() + " cannot be read", "name files of Soar rules");
+    return false;
+  }
+  const std::string name = NameFor(file, names);
+  sml::Agent* agent = kernel.CreateAgent(name.c_str());
+  if (agent == nullptr) {
+    CannotStart("the kernel refuses an agent named " + name);
+    return false;
+  }
+  std::cout << "agent " << name << ": " << file.string() << std::endl;
+  if (!agent->LoadProductions(std::filesystem::absolute(file).string().c_str())) {
+    const char* why = agent->GetLastErrorDescription();
+    std::cerr << (why == nullptr ? "" : why) << std::flush;
+  }
+  return true;
+}
+
+}  // namespace
+
+int ServeKernel(const KernelServerOptions& options) {
+  CatchInterrupts();
+  const int port = options.port == 0 ? static_cast<int>(sml::Kernel::kUseAnyPort) : options.port;
+  const std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(false, port));
+  if (kernel->HadError()) {
+    const char* why = kernel->GetLastErrorDescription();
+    return CannotStart("port " + std::to_string(options.port) + " cannot be opened" + (why == nullptr ? "" : std::string(" (") + why + ")"),
+                       "another program holds it; choose another with --port N, or any free one with --port 0");
+  }
+  std::set<std::string> names;
+  for (const std::filesystem::path& file : options.agents) {
+    if (!AddAgent(*kernel, file, names)) {
+      kernel->Shutdown();
+      return kCannotStart;
+    }
+  }
+  std::cout << "a Soar kernel listens on 127.0.0.1:" << kernel->GetListenerPort() << " (end with Ctrl-C)" << std::endl;
+  while (!WasInterrupted() && !kernel->IsConnectionClosed()) {
+    if (!kernel->CheckForIncomingCommands()) std::this_thread::sleep_for(kPollInterval);
+  }
+  kernel->Shutdown();
+  return kOk;
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace soarbox::app {
+
+/// What `soarbox kernel` was asked for.
+struct KernelServerOptions {
+  int port = 12121;  ///< On this machine only; 0: any free one, which is printed.
+  std::vector<std::filesystem::path> agents;  ///< One agent per file of rules, named after it.
+};
+
+/// Serves a Soar kernel to clients and debuggers until Ctrl-C or a client shuts it down. Returns an ExitCode.
+int ServeKernel(const KernelServerOptions& options);
+
+}  // namespace soarbox::app
