@@ -15,7 +15,8 @@ struct ModularMesh {
 };
 
 /// The 34 building pieces of the sandbox, "models/nobiax_modular/<name>.mesh".
-/// The hangar door ends just behind its origin, so that it cannot stand.
+/// Origins near an edge: the cooling unit reaches a little behind its own and stands, the hangar door ends just behind
+/// its own and topples.
 inline constexpr std::array<ModularMesh, 34> kModularMeshes{{
     {"modular_block", {-0.41f, -0.32f, -0.40f}, {0.39f, 0.32f, 0.40f}},
     {"modular_brick_door", {-1.28f, -0.77f, -0.16f}, {1.28f, 1.79f, 0.16f}},
@@ -32,7 +33,7 @@ inline constexpr std::array<ModularMesh, 34> kModularMeshes{{
     {"modular_concrete_small_window_2", {-0.63f, -1.29f, -0.16f}, {0.65f, 1.27f, 0.16f}},
     {"modular_concrete_window_1", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0.16f}},
     {"modular_concrete_window_2", {-0.64f, -1.27f, -0.16f}, {0.64f, 1.29f, 0.16f}},
-    {"modular_cooling", {-0.44f, -0.39f, 0}, {0.44f, 0.41f, 0.40f}},
+    {"modular_cooling", {-0.44f, -0.39f, -0.05f}, {0.44f, 0.41f, 0.40f}},
     {"modular_hangar_door", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, -0.005f}},
     {"modular_pillar_brick_1", {-0.32f, -1.28f, -0.32f}, {0.32f, 1.28f, 0.32f}},
     {"modular_pillar_brick_2", {-0.31f, -0.97f, -0.32f}, {0.33f, 0.95f, 0.32f}},

@@ -51,6 +51,8 @@ struct PhysicsWorld::Impl {
         world(&dispatcher, &broadphase, &solver, &configuration),
         gravity(settings.gravity) {
     InstallFrictionRule();
+    // Finds several corners of a box on a plane in one step; with one corner per step small boxes rock for ever.
+    configuration.setPlaneConvexMultipointIterations(3, 3);
     // The scalar solver rows: the vector ones differ from processor to processor.
     solver.setConstraintRowSolverGeneric(solver.getScalarConstraintRowSolverGeneric());
     solver.setConstraintRowSolverLowerLimit(solver.getScalarConstraintRowSolverLowerLimit());
