@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <lua.hpp>
+#include <span>
+#include <vector>
+
+#include "script/bind_api.h"
+#include "script/bind_arguments.h"
+#include "script/binding.h"
+#include "script/lua_order.h"
+
+// Agent: steering forces (spec 7).
+
+namespace soarbox::script {
+namespace {
+
+using world::Agent;
+using world::EntityId;
+using world::Vec3;
+
+/// The agent at the stack's top, or an error that names the list's place.
+EntityId ListedAgent(lua_State* state, int list_index) {
+  const Handle* handle = ToHandle(state, -1);
+  if (!handle || handle->kind != ValueKind::kAgent)
+    luaL_argerror(state, list_index,
+                  lua_pushfstring(state, "a table of agents expected; it holds a %s", NameOfValue(state, -1)));
+  return EntityId{handle->number};
+}
+
+/// The agents in the table at `index`, in its order. Answers with the world's own list where it is the same: the
+/// world finds near neighbours faster then.
+std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vector<EntityId>& buffer) {
+  luaL_checktype(state, index, LUA_TTABLE);
+  buffer.clear();
+  int count = 0;
+  if (IsPlainArray(state, index, count)) {
+    for (int i = 1; i <= count; ++i) {
+      lua_rawgeti(state, index, i);
+      buffer.push_back(ListedAgent(state, index));
+      lua_pop(state, 1);
+    }
+  } else {
+    PushOrderedKeys(state, index);
+    const int keys = static_cast<int>(lua_objlen(state, -1));
+    for (int i = 1; i <= keys; ++i) {
+      lua_rawgeti(state, -1, i);
+      lua_rawget(state, index);
+      buffer.push_back(ListedAgent(state, index));
+      lua_pop(state, 1);
+    }
+    lua_pop(state, 1);
+  }
+  const auto all = ContextOf(state).world.AgentIds();
+  return std::ranges::equal(buffer, all) ? all : std::span<const EntityId>(buffer);
+}
+
+using GroupForce = Vec3 (Agent::*)(float, float, std::span<const EntityId>) const;
+
+/// (agent, max distance, max angle in degrees, agents)
+template <GroupForce Force>
+int PushGroupForce(lua_State* state) {
+  static thread_local std::vector<EntityId> buffer;
+  const Agent& agent = AgentArgument(state, 1);
+  const float distance = CheckFloat(state, 2), angle = CheckFloat(state, 3);
+  PushVector(state, (agent.*Force)(distance, angle, AgentsArgument(state, 4, buffer)));
+  return 1;
+}
+
+/// (agent [, seconds])
+template <Vec3 (Agent::*Force)(float) const>
+int PushLookAheadForce(lua_State* state) {
+  const Agent& agent = AgentArgument(state, 1);
+  const float seconds = lua_gettop(state) > 1 ? CheckFloat(state, 2) : Agent::kDefaultLookAhead_s;
+  PushVector(state, (agent.*Force)(seconds));
+  return 1;
+}
+
+template <Vec3 (Agent::*Force)(Vec3) const>
+int PushPositionForce(lua_State* state) {
+  const Vec3 position = CheckVector(state, 2);
+  PushVector(state, (AgentArgument(state, 1).*Force)(position));
+  return 1;
+}
+
+/// (agent, other agent [, longest prediction in seconds]): beyond the sandbox's own forces.
+template <Vec3 (Agent::*Force)(EntityId, float) const>
+int PushChaseForce(lua_State* state) {
+  const Agent& agent = AgentArgument(state, 1);
+  const EntityId other = AgentArgument(state, 2).id();
+  PushVector(state, (agent.*Force)(other, lua_gettop(state) > 2 ? CheckFloat(state, 3) : 1.0f));
+  return 1;
+}
+
+int ForceToTargetSpeed(lua_State* state) {
+  const float speed = CheckFloat(state, 2);
+  PushVector(state, AgentArgument(state, 1).ForceToTargetSpeed(speed));
+  return 1;
+}
+
+int ForceToWander(lua_State* state) {
+  const float delta = CheckFloat(state, 2);
+  PushVector(state, AgentArgument(state, 1).ForceToWander(delta));
+  return 1;
+}
+
+constexpr Binding kBindings[] = {
+    {"ForceToAlign", PushGroupForce<&Agent::ForceToAlign>, 4, 4, WrongCount::kIgnored},
+    {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored},
+    {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored},
+    {"ForceToCombine", PushGroupForce<&Agent::ForceToCombine>, 4, 4, WrongCount::kIgnored},
+    {"ForceToEvade", PushChaseForce<&Agent::ForceToEvade>, 2, 3, WrongCount::kError},
+    {"ForceToFleePosition", PushPositionForce<&Agent::ForceToFleePosition>, 2, 2, WrongCount::kError},
+    {"ForceToFollowPath", PushLookAheadForce<&Agent::ForceToFollowPath>, 1, 3, WrongCount::kError},
+    {"ForceToPosition", PushPositionForce<&Agent::ForceToPosition>, 2, 2, WrongCount::kError},
+    {"ForceToPursue", PushChaseForce<&Agent::ForceToPursue>, 2, 3, WrongCount::kError},
+    {"ForceToSeparate", PushGroupForce<&Agent::ForceToSeparate>, 4, 4, WrongCount::kError},
+    {"ForceToStayOnPath", PushLookAheadForce<&Agent::ForceToStayOnPath>, 1, 3, WrongCount::kError},
+    {"ForceToTargetSpeed", ForceToTargetSpeed, 2, 2, WrongCount::kError},
+    {"ForceToWander", ForceToWander, 2, 2, WrongCount::kError},
+};
+
+}  // namespace
+
+void BindAgentSteering(lua_State* state) { RegisterTable(state, "Agent", kBindings); }
+
+}  // namespace soarbox::script

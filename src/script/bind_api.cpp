@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/bind_api.h"
+
+#include <lua.hpp>
+
+#include "script/bind_vector.h"
+#include "script/lua_machine.h"
+#include "script/lua_values.h"
+
+namespace soarbox::script {
+namespace {
+
+/// Copies the table Agent as it is now: what agent:Name() finds, whatever scripts add to Agent later.
+void KeepAgentMethods(lua_State* state) {
+  lua_newtable(state);
+  lua_getglobal(state, "Agent");
+  lua_pushnil(state);
+  while (lua_next(state, -2) != 0) {
+    lua_pushvalue(state, -2);
+    lua_insert(state, -2);
+    lua_rawset(state, -5);
+  }
+  lua_pop(state, 1);
+  lua_setfield(state, LUA_REGISTRYINDEX, "soarbox.agent_methods");
+}
+
+}  // namespace
+
+void BindApi(lua_State* state, ApiSide side) {
+  InstallValues(state);
+  BindVector(state);
+  BindCoreCreate(state);
+  BindCoreScene(state);
+  BindCorePhysics(state);
+  BindCoreDraw(state);
+  BindSandboxCreate(state);
+  BindSandboxView(state);
+  BindSandboxEvents(state);
+  BindSandboxNavigation(state);
+  BindAgentProperties(state);
+  BindAgentSteering(state);
+  BindAnimation(state);
+  if (side == ApiSide::kSandbox) BindUi(state);
+  KeepAgentMethods(state);
+
+  const char* kind = side == ApiSide::kSandbox ? "Sandbox" : "Agent";
+  lua_pushfstring(state, "AI %s VM - \"%s\"", kind, LuaMachine::Of(state).script().c_str());
+  lua_setglobal(state, "decoda_name");
+}
+
+}  // namespace soarbox::script

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+struct lua_State;
+
+namespace soarbox::script {
+
+/// The tables of the sandbox's API (spec 5). Each function registers one table or a part of one.
+void BindCoreCreate(lua_State* state);
+void BindCoreScene(lua_State* state);
+void BindCorePhysics(lua_State* state);
+void BindCoreDraw(lua_State* state);
+void BindSandboxCreate(lua_State* state);
+void BindSandboxView(lua_State* state);
+void BindSandboxEvents(lua_State* state);
+void BindSandboxNavigation(lua_State* state);
+void BindAgentProperties(lua_State* state);
+void BindAgentSteering(lua_State* state);
+void BindAnimation(lua_State* state);
+void BindUi(lua_State* state);
+
+/// Which machine the API is for: only the sandbox's own has the table UI.
+enum class ApiSide { kSandbox, kAgent };
+
+/// Registers all of the above, Vector, and the metatables. Call inside a protected call, in a machine with a context.
+void BindApi(lua_State* state, ApiSide side);
+
+}  // namespace soarbox::script

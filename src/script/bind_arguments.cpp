@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/bind_arguments.h"
+
+#include <lua.hpp>
+
+#include "script/binding.h"
+#include "script/lua_order.h"
+
+namespace soarbox::script {
+namespace {
+
+constexpr std::uint64_t kCreationPrice = 5'000;
+
+void WarnKind(lua_State* state, int index, const char* wanted) {
+  WarnIgnored(state,
+              lua_pushfstring(state, "argument %d is not %s but %s", index, wanted, NameOfValue(state, index)));
+  lua_pop(state, 1);
+}
+
+void RaiseGone(lua_State* state, int index, const char* what) {
+  luaL_argerror(state, index, lua_pushfstring(state, "this %s was removed", what));
+}
+
+}  // namespace
+
+bool SandboxArgument(lua_State* state, int index) {
+  const Handle* handle = ToHandle(state, index);
+  if (handle && handle->kind == ValueKind::kSandbox) return true;
+  WarnKind(state, index, "the sandbox");
+  return false;
+}
+
+world::Agent& AgentArgument(lua_State* state, int index) {
+  const world::EntityId id{CheckHandle(state, index, ValueKind::kAgent)};
+  world::Agent* agent = ContextOf(state).world.FindAgent(id);
+  if (!agent) RaiseGone(state, index, "agent");
+  return *agent;
+}
+
+world::Object* ObjectArgument(lua_State* state, int index) {
+  const Handle* handle = ToHandle(state, index);
+  if (!handle || handle->kind != ValueKind::kObject) {
+    WarnKind(state, index, "a sandbox object");
+    return nullptr;
+  }
+  world::Object* object = ContextOf(state).world.FindObject(world::EntityId{handle->number});
+  if (!object) RaiseGone(state, index, "sandbox object");
+  return object;
+}
+
+world::NodeId NodeArgument(lua_State* state, int index, bool agents_too) {
+  const Handle* handle = ToHandle(state, index);
+  world::World& world = ContextOf(state).world;
+  if (handle && handle->kind == ValueKind::kNode) {
+    const world::NodeId node{handle->number};
+    if (!world.scene().Contains(node)) RaiseGone(state, index, "scene node");
+    return node;
+  }
+  const bool has_node = handle && (handle->kind == ValueKind::kSandbox || handle->kind == ValueKind::kObject ||
+                                   (agents_too && handle->kind == ValueKind::kAgent));
+  if (!has_node) {
+    WarnKind(state, index, agents_too ? "a thing with a scene node" : "a scene node, an object or the sandbox");
+    return world::NodeId::kNone;
+  }
+  const world::NodeId node = world.NodeOf(world::EntityId{handle->number});
+  if (node == world::NodeId::kNone) RaiseGone(state, index, "sandbox object");
+  return node;
+}
+
+world::UiId UiArgument(lua_State* state, int index) {
+  const world::UiId id{CheckHandle(state, index, ValueKind::kUi)};
+  if (!ContextOf(state).world.ui().Contains(id)) RaiseGone(state, index, "UI component");
+  return id;
+}
+
+std::string_view TextArgument(lua_State* state, int index) {
+  std::size_t length = 0;
+  const char* text = luaL_checklstring(state, index, &length);
+  return {text, length};
+}
+
+bool TruthArgument(lua_State* state, int index) { return lua_toboolean(state, index) != 0; }
+
+std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {
+  luaL_checktype(state, index, LUA_TTABLE);
+  int count = 0;
+  const bool plain = IsPlainArray(state, index, count);
+  if (!plain) {
+    PushOrderedKeys(state, index);
+    count = static_cast<int>(lua_objlen(state, -1));
+  }
+  std::vector<world::Vec3> vectors;
+  for (int i = 1; i <= count; ++i) {
+    if (plain) {
+      lua_rawgeti(state, index, i);
+    } else {
+      lua_rawgeti(state, -1, i);
+      lua_rawget(state, index);
+    }
+    if (const world::Vec3* vector = ToVector(state, -1)) vectors.push_back(*vector);
+    lua_pop(state, 1);
+  }
+  if (!plain) lua_pop(state, 1);
+  return vectors;
+}
+
+void WarnUnless(lua_State* state, bool accepted) {
+  if (!accepted) WarnIgnored(state, "a value is not a finite number or does not fit here");
+}
+
+void ChargeForCreation(lua_State* state) { LuaMachine::Of(state).Charge(kCreationPrice); }
+
+void PushPoint(lua_State* state, float x, float y) {
+  lua_createtable(state, 0, 2);
+  lua_pushnumber(state, x);
+  lua_setfield(state, -2, "x");
+  lua_pushnumber(state, y);
+  lua_setfield(state, -2, "y");
+}
+
+}  // namespace soarbox::script

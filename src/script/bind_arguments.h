@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "script/lua_values.h"
+#include "script/script_context.h"
+
+namespace soarbox::script {
+
+/// Arguments of the sandbox's API. Unless stated otherwise a wrong type raises a Lua error, and a handle of something
+/// that was removed does too. "Refused" means: null, none or false, after a warning that the call is ignored.
+
+/// True if the argument is the sandbox; else refused.
+bool SandboxArgument(lua_State* state, int index);
+world::Agent& AgentArgument(lua_State* state, int index);
+/// An object; other values are refused.
+world::Object* ObjectArgument(lua_State* state, int index);
+/// The scene node of the sandbox, an object, a node or (if allowed) an agent; other values are refused.
+world::NodeId NodeArgument(lua_State* state, int index, bool agents_too);
+world::UiId UiArgument(lua_State* state, int index);
+std::string_view TextArgument(lua_State* state, int index);
+/// Lua's truth: everything but nil and false.
+bool TruthArgument(lua_State* state, int index);
+/// The vectors in a table, in its order; others are skipped.
+std::vector<world::Vec3> VectorsArgument(lua_State* state, int index);
+
+/// Says so if the world refused a value; for the results of setters.
+void WarnUnless(lua_State* state, bool accepted);
+/// Takes the price of making a thing off the script's budget, so that an endless loop cannot fill the world.
+void ChargeForCreation(lua_State* state);
+/// Pushes {x=, y=}.
+void PushPoint(lua_State* state, float x, float y);
+
+}  // namespace soarbox::script

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/bind_vector.h"
+
+#include <cstdio>
+#include <lua.hpp>
+
+#include "script/binding.h"
+#include "script/lua_values.h"
+#include "world/rotation.h"
+
+namespace soarbox::script {
+namespace {
+
+using world::Vec3;
+
+/// Vector.new: no argument, a vector, one number for all three, or three numbers; anything else gives nil.
+int New(lua_State* state) {
+  const int count = lua_gettop(state);
+  if (count == 0) {
+    PushVector(state, {});
+    return 1;
+  }
+  if (count == 1) {
+    if (const Vec3* vector = ToVector(state, 1)) {
+      PushVector(state, *vector);
+      return 1;
+    }
+    if (lua_isnumber(state, 1)) {
+      const float number = CheckFloat(state, 1);
+      PushVector(state, {number, number, number});
+      return 1;
+    }
+  }
+  if (count == 3 && lua_isnumber(state, 1) && lua_isnumber(state, 2) && lua_isnumber(state, 3)) {
+    PushVector(state, {CheckFloat(state, 1), CheckFloat(state, 2), CheckFloat(state, 3)});
+    return 1;
+  }
+  lua_pushnil(state);
+  return 1;
+}
+
+int CrossProduct(lua_State* state) {
+  PushVector(state, Cross(CheckVector(state, 1), CheckVector(state, 2)));
+  return 1;
+}
+
+int Distance(lua_State* state) {
+  lua_pushnumber(state, Distance(CheckVector(state, 1), CheckVector(state, 2)));
+  return 1;
+}
+
+int DistanceSquared(lua_State* state) {
+  lua_pushnumber(state, LengthSquared(CheckVector(state, 1) - CheckVector(state, 2)));
+  return 1;
+}
+
+int DotProduct(lua_State* state) {
+  lua_pushnumber(state, Dot(CheckVector(state, 1), CheckVector(state, 2)));
+  return 1;
+}
+
+int Length(lua_State* state) {
+  const Vec3* vector = ToVector(state, 1);
+  if (!vector) return 0;
+  lua_pushnumber(state, Length(*vector));
+  return 1;
+}
+
+int LengthSquared(lua_State* state) {
+  const Vec3* vector = ToVector(state, 1);
+  if (!vector) return 0;
+  lua_pushnumber(state, LengthSquared(*vector));
+  return 1;
+}
+
+int Normalize(lua_State* state) {
+  PushVector(state, world::Normalized(CheckVector(state, 1)));
+  return 1;
+}
+
+int Rotate(lua_State* state) {
+  const Vec3 vector = CheckVector(state, 1);
+  PushVector(state, Rotate(world::FromRotationVector(CheckVector(state, 2)), vector));
+  return 1;
+}
+
+int RotationTo(lua_State* state) {
+  const Vec3 from = CheckVector(state, 1);
+  PushVector(state, world::ToRotationVector(world::ShortestArc(from, CheckVector(state, 2))));
+  return 1;
+}
+
+constexpr Binding kBindings[] = {
+    {"new", New, 0, kAnyCount, WrongCount::kIgnored},
+    {"CrossProduct", CrossProduct, 2, 2, WrongCount::kIgnored},
+    {"Distance", Distance, 2, 2, WrongCount::kIgnored},
+    {"DistanceSquared", DistanceSquared, 2, 2, WrongCount::kIgnored},
+    {"DotProduct", DotProduct, 2, 2, WrongCount::kIgnored},
+    {"Length", Length, 1, 1, WrongCount::kIgnored},
+    {"LengthSquared", LengthSquared, 1, 1, WrongCount::kIgnored},
+    {"Normalize", Normalize, 1, 1, WrongCount::kIgnored},
+    {"Rotate", Rotate, 2, 2, WrongCount::kIgnored},
+    {"RotationTo", RotationTo, 2, 2, WrongCount::kIgnored},
+};
+
+/// v op w and v op s, component by component; nil if the left side is no vector or the right side is neither.
+template <class Operation>
+int Componentwise(lua_State* state, Operation operation) {
+  const Vec3* left = ToVector(state, 1);
+  const Vec3* right = ToVector(state, 2);
+  Vec3 operand;
+  if (right) {
+    operand = *right;
+  } else if (lua_type(state, 2) == LUA_TNUMBER) {
+    const float number = CheckFloat(state, 2);
+    operand = {number, number, number};
+  } else {
+    left = nullptr;
+  }
+  if (!left) {
+    lua_pushnil(state);
+  } else {
+    PushVector(state, {operation(left->x, operand.x), operation(left->y, operand.y), operation(left->z, operand.z)});
+  }
+  return 1;
+}
+
+int Add(lua_State* state) {
+  return Componentwise(state, [](float a, float b) { return a + b; });
+}
+int Subtract(lua_State* state) {
+  return Componentwise(state, [](float a, float b) { return a - b; });
+}
+int Multiply(lua_State* state) {
+  return Componentwise(state, [](float a, float b) { return a * b; });
+}
+int Divide(lua_State* state) {
+  return Componentwise(state, [](float a, float b) { return a / b; });
+}
+
+int Negate(lua_State* state) {
+  PushVector(state, -CheckVector(state, 1));
+  return 1;
+}
+
+int IsEqual(lua_State* state) {
+  const Vec3* left = ToVector(state, 1);
+  const Vec3* right = ToVector(state, 2);
+  lua_pushboolean(state, left && right && *left == *right);
+  return 1;
+}
+
+float* Component(Vec3& vector, lua_State* state, int key_index) {
+  if (lua_type(state, key_index) != LUA_TSTRING) return nullptr;
+  std::size_t length = 0;
+  const char* key = lua_tolstring(state, key_index, &length);
+  if (length != 1) return nullptr;
+  switch (*key) {
+    case 'x':
+      return &vector.x;
+    case 'y':
+      return &vector.y;
+    case 'z':
+      return &vector.z;
+    default:
+      return nullptr;
+  }
+}
+
+int Index(lua_State* state) {
+  Vec3* vector = ToVector(state, 1);
+  const float* component = vector ? Component(*vector, state, 2) : nullptr;
+  if (!component) return 0;
+  lua_pushnumber(state, *component);
+  return 1;
+}
+
+int NewIndex(lua_State* state) {
+  Vec3* vector = ToVector(state, 1);
+  float* component = vector ? Component(*vector, state, 2) : nullptr;
+  if (component) *component = CheckFloat(state, 3);
+  return 0;
+}
+
+int ToText(lua_State* state) {
+  const Vec3 vector = CheckVector(state, 1);
+  char text[160];
+  std::snprintf(text, sizeof text, "{ x=%f, y=%f, z=%f }", static_cast<double>(vector.x), static_cast<double>(vector.y),
+                static_cast<double>(vector.z));
+  lua_pushstring(state, text);
+  return 1;
+}
+
+}  // namespace
+
+void BindVector(lua_State* state) { RegisterTable(state, "Vector", kBindings); }
+
+void InstallVectorMetamethods(lua_State* state) {
+  static constexpr luaL_Reg kMetamethods[] = {
+      {"__add", Add},          {"__sub", Subtract}, {"__mul", Multiply},      {"__div", Divide},     {"__unm", Negate},
+      {"__eq", IsEqual},       {"__index", Index},  {"__newindex", NewIndex}, {"__tostring", ToText}, {nullptr, nullptr},
+  };
+  luaL_register(state, nullptr, kMetamethods);
+  lua_pushliteral(state, "Vector3Type");
+  lua_setfield(state, -2, "__metatable");
+}
+
+}  // namespace soarbox::script

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+struct lua_State;
+
+namespace soarbox::script {
+
+/// The table Vector (spec 5.1). Needs no world.
+void BindVector(lua_State* state);
+
+/// Fills the metatable on top of the stack with the operators of vectors (spec 2.2).
+void InstallVectorMetamethods(lua_State* state);
+
+}  // namespace soarbox::script

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/event_queue.h"
+
+#include <lua.hpp>
+#include <utility>
+
+namespace soarbox::script {
+namespace {
+
+/// Puts the value on top of the stack into the event if it can travel.
+void CopyField(lua_State* state, std::string key, ScriptEvent& event) {
+  if (lua_isnumber(state, -1)) {
+    event.fields[std::move(key)] = static_cast<float>(lua_tonumber(state, -1));
+  } else if (lua_isboolean(state, -1)) {
+    event.fields[std::move(key)] = lua_toboolean(state, -1) != 0;
+  } else if (lua_isstring(state, -1)) {
+    std::size_t length = 0;
+    const char* text = lua_tolstring(state, -1, &length);
+    event.fields[std::move(key)] = std::string(text, length);
+  } else if (const world::Vec3* vector = ToVector(state, -1)) {
+    event.fields[std::move(key)] = *vector;
+  } else if (const Handle* handle = ToHandle(state, -1)) {
+    if (handle->kind == ValueKind::kAgent || handle->kind == ValueKind::kObject || handle->kind == ValueKind::kSandbox)
+      event.fields[std::move(key)] = *handle;
+  }
+}
+
+struct PushValue {
+  lua_State* state;
+  void operator()(float number) const { lua_pushnumber(state, number); }
+  void operator()(bool truth) const { lua_pushboolean(state, truth); }
+  void operator()(const std::string& text) const { lua_pushlstring(state, text.data(), text.size()); }
+  void operator()(world::Vec3 vector) const { PushVector(state, vector); }
+  void operator()(Handle handle) const { PushHandle(state, handle); }
+};
+
+}  // namespace
+
+ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index) {
+  ScriptEvent event{std::string(type), {}};
+  if (!lua_istable(state, index)) return event;
+  lua_pushnil(state);
+  while (lua_next(state, index) != 0) {
+    const int key_type = lua_type(state, -2);
+    if (key_type == LUA_TSTRING || key_type == LUA_TNUMBER) {
+      // A copy of the key is turned to text: changing the key itself would confuse lua_next.
+      lua_pushvalue(state, -2);
+      std::string key = lua_tostring(state, -1);
+      lua_pop(state, 1);
+      CopyField(state, std::move(key), event);
+    }
+    lua_pop(state, 1);
+  }
+  return event;
+}
+
+void PushEvent(lua_State* state, const ScriptEvent& event) {
+  lua_newtable(state);
+  for (const auto& [key, value] : event.fields) {
+    lua_pushlstring(state, key.data(), key.size());
+    std::visit(PushValue{state}, value);
+    lua_rawset(state, -3);
+  }
+}
+
+void EventQueue::SetCallback(Handle target, LuaMachine& machine, int function) {
+  RemoveTarget(target.number);
+  callbacks_[target.number] = {target, &machine, function};
+}
+
+void EventQueue::RemoveTarget(std::uint32_t number) {
+  const auto it = callbacks_.find(number);
+  if (it == callbacks_.end()) return;
+  it->second.machine->Release(it->second.function);
+  callbacks_.erase(it);
+}
+
+void EventQueue::Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnError& on_error) {
+  const std::vector<ScriptEvent> events = std::exchange(waiting_, {});
+  for (const ScriptEvent& event : events) {
+    // Callbacks may set and replace callbacks: walk the numbers, not the map's nodes.
+    auto it = callbacks_.begin();
+    while (it != callbacks_.end()) {
+      const std::uint32_t number = it->first;
+      const Callback callback = it->second;
+      if (may_run(*callback.machine)) {
+        const auto error = callback.machine->CallKept(callback.function, [&](lua_State* state) {
+          PushSandbox(state);
+          PushHandle(state, callback.target);
+          lua_pushlstring(state, event.type.data(), event.type.size());
+          PushEvent(state, event);
+          return 4;
+        });
+        if (error) on_error(*callback.machine, *error);
+      }
+      it = callbacks_.upper_bound(number);
+    }
+  }
+}
+
+}  // namespace soarbox::script

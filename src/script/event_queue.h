@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "script/lua_machine.h"
+#include "script/lua_values.h"
+
+namespace soarbox::script {
+
+/// One field of a custom event on its way between machines.
+using EventValue = std::variant<float, bool, std::string, world::Vec3, Handle>;
+
+/// A custom event (spec 4.4): a type and the fields that can travel.
+struct ScriptEvent {
+  std::string type;
+  std::map<std::string, EventValue> fields;
+};
+
+/// Copies what can travel of the table at `index`: keys that are strings or numbers; values that are numbers or numeric
+/// strings, booleans, strings, vectors, and handles of agents, objects and the sandbox.
+ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index);
+/// Pushes a new table with the fields of the event.
+void PushEvent(lua_State* state, const ScriptEvent& event);
+
+/// Events that wait for the next step, and who wants to hear of them. Every callback hears of every event.
+class EventQueue {
+ public:
+  /// What to do about an error in a callback of that machine.
+  using OnError = std::function<void(LuaMachine&, const ScriptError&)>;
+
+  void Add(ScriptEvent event) { waiting_.push_back(std::move(event)); }
+
+  /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces.
+  void SetCallback(Handle target, LuaMachine& machine, int function);
+  /// Drops the callback of an object that is gone.
+  void RemoveTarget(std::uint32_t number);
+
+  /// Calls every callback for every waiting event: events in the order of their sending, callbacks in ascending
+  /// number of their target. Events that are added meanwhile wait for the next step. `may_run` skips machines.
+  void Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnError& on_error);
+
+ private:
+  struct Callback {
+    Handle target;
+    LuaMachine* machine;
+    int function;
+  };
+  std::vector<ScriptEvent> waiting_;
+  std::map<std::uint32_t, Callback> callbacks_;
+};
+
+}  // namespace soarbox::script

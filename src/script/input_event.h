@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+namespace soarbox::script {
+
+/// A key or mouse event as scripts see it (spec 4.1, 4.2). Names are the sandbox's: "space_key", "left_button".
+struct InputEvent {
+  enum class Source { kKeyboard, kMouse };
+  Source source = Source::kKeyboard;
+  bool pressed = false;  ///< Keys and buttons; not for mouse motion.
+  std::string key;       ///< Keyboard only.
+  std::string button;    ///< Mouse buttons only; empty: the mouse moved.
+  float x = 0, y = 0;    ///< Mouse: pixels from the window's top left.
+  float dx = 0, dy = 0;  ///< Mouse motion.
+  float wheel = 0;       ///< Mouse wheel steps.
+};
+
+inline InputEvent KeyEvent(std::string key, bool pressed) {
+  InputEvent event;
+  event.pressed = pressed;
+  event.key = std::move(key);
+  return event;
+}
+
+}  // namespace soarbox::script

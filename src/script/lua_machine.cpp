@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/lua_machine.h"
+
+#include <algorithm>
+#include <cassert>
+#include <lua.hpp>
+#include <utility>
+
+#include "script/lua_library.h"
+#include "script/script_path.h"
+
+namespace soarbox::script {
+namespace {
+
+constexpr std::uint64_t kCountInterval = 1000;
+
+}  // namespace
+
+LuaMachine::LuaMachine(MachineSetup setup) : setup_(std::move(setup)), memory_(setup_.limits.memory_bytes) {
+  assert(setup_.path && setup_.random && setup_.print);
+  state_ = lua_newstate(Allocate, this);
+  if (!state_) return;
+  luaJIT_setmode(state_, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
+  // Everything below may run out of memory, so it runs protected; without these two kept functions nothing can run.
+  const int status = lua_cpcall(
+      state_,
+      [](lua_State* state) {
+        LuaMachine& machine = Of(state);
+        lua_pushcfunction(state, RunBody);
+        machine.run_body_ = machine.Keep(-1);
+        lua_pushcfunction(state, OnError);
+        machine.on_error_ = machine.Keep(-1);
+        InstallLibrary(state);
+        return 0;
+      },
+      nullptr);
+  if (status != 0) {
+    lua_close(state_);
+    state_ = nullptr;
+  }
+}
+
+LuaMachine::~LuaMachine() {
+  if (state_) lua_close(state_);
+}
+
+void* LuaMachine::Allocate(void* machine, void* block, std::size_t old_size, std::size_t new_size) {
+  return static_cast<LuaMachine*>(machine)->memory_.Reallocate(block, old_size, new_size);
+}
+
+LuaMachine& LuaMachine::Of(lua_State* state) {
+  void* machine = nullptr;
+  lua_getallocf(state, &machine);
+  return *static_cast<LuaMachine*>(machine);
+}
+
+std::optional<ScriptError> LuaMachine::RunFile(std::string_view name) {
+  const Result<const ScriptSource*> source = path().Load(name);
+  if (!source.ok()) return ScriptError{source.error(), {}};
+  return RunText(source.value()->content, name);
+}
+
+std::optional<ScriptError> LuaMachine::RunText(std::string_view text, std::string_view name) {
+  return Protected([&](lua_State* state) { RunChunk(state, text, name); });
+}
+
+std::optional<ScriptError> LuaMachine::RunProtected(RawBody body, void* data) {
+  if (!state_) {
+    Diagnostic error;
+    error.file = script();
+    error.message = "not enough memory to start a Lua machine: the limit is " +
+                    std::to_string(memory_.limit_bytes() >> 10) + " KB";
+    return ScriptError{std::move(error), {}};
+  }
+  const RawBody outer_body = std::exchange(body_, body);
+  void* const outer_data = std::exchange(body_data_, data);
+  if (depth_++ == 0) ArmBudget();
+  const int top = lua_gettop(state_);
+  lua_rawgeti(state_, LUA_REGISTRYINDEX, on_error_);
+  lua_rawgeti(state_, LUA_REGISTRYINDEX, run_body_);
+  const int status = lua_pcall(state_, 0, 0, top + 1);
+  std::optional<ScriptError> error;
+  if (status != 0) error = TakeError(status);
+  lua_settop(state_, top);
+  --depth_;
+  body_ = outer_body;
+  body_data_ = outer_data;
+  return error;
+}
+
+ScriptError LuaMachine::TakeError(int status) {
+  std::optional<ScriptError> error;
+  error_.swap(error);
+  if (status == LUA_ERRMEM) {
+    error = ScriptError{};
+    error->diagnostic.file = path().PathOf(script());
+    error->diagnostic.message =
+        "the script needs more than its limit of " + std::to_string(memory_.limit_bytes() >> 10) + " KB of memory";
+    // What the script held is garbage now; without this the next call would fail at once.
+    lua_gc(state_, LUA_GCCOLLECT, 0);
+  } else if (!error) {
+    const char* message = lua_tostring(state_, -1);
+    error = DescribeMessage(message ? message : "unknown error", script(), path());
+  }
+  return std::move(*error);
+}
+
+void LuaMachine::ArmBudget() {
+  instructions_left_ = setup_.limits.instructions;
+  lua_sethook(state_, OnCount, LUA_MASKCOUNT, kCountInterval);
+}
+
+void LuaMachine::Charge(std::uint64_t instructions) {
+  instructions_left_ -= std::min(instructions, instructions_left_);
+}
+
+void LuaMachine::OnCount(lua_State* state, lua_Debug*) {
+  LuaMachine& machine = Of(state);
+  if (machine.instructions_left_ > kCountInterval) {
+    machine.instructions_left_ -= kCountInterval;
+    return;
+  }
+  machine.instructions_left_ = 0;
+  // From here on each instruction fails, so that a script cannot catch the error with pcall and go on.
+  lua_sethook(state, OnCount, LUA_MASKCOUNT, 1);
+  lua_pushfstring(state, "the script ran for more than %d thousand instructions in one call: is there an endless loop?",
+                  static_cast<int>(machine.setup_.limits.instructions / 1000));
+  lua_error(state);
+}
+
+int LuaMachine::RunBody(lua_State* state) {
+  LuaMachine& machine = Of(state);
+  luaL_checkstack(state, 40, "too many nested calls");
+  machine.body_(state, machine.body_data_);
+  return 0;
+}
+
+int LuaMachine::OnError(lua_State* state) {
+  LuaMachine& machine = Of(state);
+  machine.error_ = DescribeError(state, machine.path());
+  return 1;
+}
+
+bool LuaMachine::PushGlobalFunction(lua_State* state, const char* name) {
+  lua_getglobal(state, name);
+  if (lua_isfunction(state, -1)) return true;
+  lua_pop(state, 1);
+  return false;
+}
+
+void LuaMachine::PushKept(lua_State* state, int reference) { lua_rawgeti(state, LUA_REGISTRYINDEX, reference); }
+
+void LuaMachine::Call(lua_State* state, int argument_count) { lua_call(state, argument_count, 0); }
+
+int LuaMachine::Keep(int index) {
+  lua_pushvalue(state_, index);
+  return luaL_ref(state_, LUA_REGISTRYINDEX);
+}
+
+void LuaMachine::Release(int reference) {
+  if (state_) luaL_unref(state_, LUA_REGISTRYINDEX, reference);
+}
+
+}  // namespace soarbox::script

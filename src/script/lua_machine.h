@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "script/script_error.h"
+#include "script/script_memory.h"
+
+struct lua_State;
+struct lua_Debug;
+
+namespace soarbox::script {
+
+class ScriptPath;
+struct ScriptContext;
+
+/// What a machine may use up.
+struct MachineLimits {
+  std::size_t memory_bytes = std::size_t{64} << 20;
+  /// Virtual-machine instructions per call from outside (one Agent_Update, one chunk, ...). A script that uses more is
+  /// stopped with an error. Counted, not timed, so that a run ends the same way on a slow computer.
+  std::uint64_t instructions = 50'000'000;
+};
+
+/// The numbers behind math.random in one machine.
+class RandomSource {
+ public:
+  virtual ~RandomSource() = default;
+  /// [0, 1)
+  virtual double Unit() = 0;
+  /// Restarts the stream at a place that the number and the run's seed decide.
+  virtual void Reseed(std::int64_t number) = 0;
+};
+
+/// Where print goes.
+class PrintSink {
+ public:
+  virtual ~PrintSink() = default;
+  /// `script`: the main script of the machine that prints.
+  virtual void OnPrint(std::string_view script, std::string_view text) = 0;
+};
+
+/// What a machine is made with. All that is pointed to must outlive it.
+struct MachineSetup {
+  std::string script;            ///< Its main script's file name, for messages.
+  std::uint32_t owner = 0;       ///< Number of the agent that it belongs to; 0: the sandbox.
+  MachineLimits limits;
+  ScriptPath* path = nullptr;    ///< For chunks and require.
+  RandomSource* random = nullptr;
+  PrintSink* print = nullptr;
+  ScriptContext* context = nullptr;  ///< What the bindings of the sandbox's API work on; null for bare machines.
+};
+
+/// One Lua machine: LuaJIT with the language of Lua 5.1, its standard library without what reaches outside (io, os,
+/// debug, ffi, bytecode), stable iteration order, seeded random numbers and limits on memory and instructions.
+///
+/// The just-in-time compiler stays off: compiled loops do not pass the instruction count, so an endless loop could not
+/// be stopped, and what gets compiled depends on more than the script. The interpreter alone is deterministic.
+///
+/// All that runs Lua goes through a protected call; errors come back as values. One thread at a time.
+class LuaMachine {
+ public:
+  explicit LuaMachine(MachineSetup setup);
+  ~LuaMachine();
+  LuaMachine(const LuaMachine&) = delete;
+  LuaMachine& operator=(const LuaMachine&) = delete;
+
+  /// The machine that a Lua state belongs to.
+  static LuaMachine& Of(lua_State* state);
+
+  /// Loads and runs a script file of the search path.
+  std::optional<ScriptError> RunFile(std::string_view name);
+  /// Runs a text as the chunk `name`.
+  std::optional<ScriptError> RunText(std::string_view text, std::string_view name);
+
+  /// Runs body(lua_State*) protected and with a fresh instruction budget (a nested run shares the outer one's).
+  template <class Body>
+  std::optional<ScriptError> Protected(Body&& body) {
+    using Plain = std::remove_reference_t<Body>;
+    return RunProtected([](lua_State* state, void* data) { (*static_cast<Plain*>(data))(state); },
+                        const_cast<void*>(static_cast<const void*>(&body)));
+  }
+
+  /// Calls the global function of this name with the arguments that push(lua_State*) pushes and counts. Nothing
+  /// happens if there is no such function; `called`, if given, tells.
+  template <class Push>
+  std::optional<ScriptError> CallGlobal(const char* name, Push&& push, bool* called = nullptr) {
+    return Protected([&](lua_State* state) {
+      const bool found = PushGlobalFunction(state, name);
+      if (called) *called = found;
+      if (found) Call(state, push(state));
+    });
+  }
+
+  /// Calls a function that was kept with Keep.
+  template <class Push>
+  std::optional<ScriptError> CallKept(int reference, Push&& push) {
+    return Protected([&](lua_State* state) {
+      PushKept(state, reference);
+      Call(state, push(state));
+    });
+  }
+  /// Keeps the value at `index` alive; inside a protected call only.
+  int Keep(int index);
+  void Release(int reference);
+
+  /// Takes instructions off the budget of the present call, for work done on a script's behalf.
+  void Charge(std::uint64_t instructions);
+
+  const std::string& script() const { return setup_.script; }
+  std::uint32_t owner() const { return setup_.owner; }
+  ScriptContext* context() const { return setup_.context; }
+  ScriptPath& path() const { return *setup_.path; }
+  RandomSource& random() const { return *setup_.random; }
+  PrintSink& print() const { return *setup_.print; }
+  const ScriptMemory& memory() const { return memory_; }
+
+ private:
+  using RawBody = void (*)(lua_State*, void*);
+
+  std::optional<ScriptError> RunProtected(RawBody body, void* data);
+  ScriptError TakeError(int status);
+  void ArmBudget();
+  static void* Allocate(void* machine, void* block, std::size_t old_size, std::size_t new_size);
+  static bool PushGlobalFunction(lua_State* state, const char* name);
+  static void PushKept(lua_State* state, int reference);
+  static void Call(lua_State* state, int argument_count);
+  static int RunBody(lua_State* state);
+  static int OnError(lua_State* state);
+  static void OnCount(lua_State* state, lua_Debug* frame);
+
+  MachineSetup setup_;
+  ScriptMemory memory_;
+  lua_State* state_ = nullptr;
+  int run_body_ = 0;  // Kept functions, so that a call needs no memory before it is protected.
+  int on_error_ = 0;
+  int depth_ = 0;     // Of protected calls within each other.
+  std::uint64_t instructions_left_ = 0;
+  RawBody body_ = nullptr;
+  void* body_data_ = nullptr;
+  std::optional<ScriptError> error_;  // From the message handler.
+};
+
+}  // namespace soarbox::script

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "diagnostics/result.h"
+#include "script/collision_callbacks.h"
+#include "script/event_queue.h"
+#include "script/mind_factory.h"
+#include "script/script_reporter.h"
+#include "world/world.h"
+
+namespace soarbox::script {
+
+/// Times for the performance panel, in microseconds. The simulation may set them; they are the only numbers that
+/// scripts see which need not be the same in every run, so a run that is to be replayed leaves the defaults.
+struct ProfileTimes {
+  double render_us = 33'333;
+  double simulation_us = 0;
+  double total_simulation_us = 33'333;
+};
+
+/// Makes an agent with its own machine; implemented by the ScriptHost.
+class AgentMaker {
+ public:
+  virtual ~AgentMaker() = default;
+  virtual Result<world::EntityId> MakeAgent(const AgentCreationRequest& request) = 0;
+};
+
+/// All that the functions of the sandbox's API work on. One for all machines of a sandbox.
+struct ScriptContext {
+  world::World& world;
+  ScriptReporter& reporter;
+  AgentMaker& agents;
+  EventQueue events{};
+  CollisionCallbacks collisions{};
+  ProfileTimes times{};
+};
+
+/// The context of the machine that a state belongs to. The API is bound only in machines that have one.
+ScriptContext& ContextOf(lua_State* state);
+
+}  // namespace soarbox::script

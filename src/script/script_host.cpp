@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/script_host.h"
+
+#include <algorithm>
+#include <lua.hpp>
+
+#include "script/bind_api.h"
+#include "script/lua_values.h"
+#include "world/state_hash.h"
+
+namespace soarbox::script {
+namespace {
+
+using world::EntityId;
+
+/// Agents whose initialisation makes agents whose initialisation makes agents ...
+constexpr int kMaxCreationDepth = 16;
+
+/// Hands a stream of the world to a machine.
+class WorldRandom final : public RandomSource {
+ public:
+  WorldRandom(world::RandomStream& stream, std::uint64_t seed, std::uint64_t number)
+      : stream_(stream), seed_(seed), number_(number) {}
+
+  double Unit() override { return stream_.UnitDouble(); }
+  void Reseed(std::int64_t number) override {
+    world::StateHash mixed;
+    mixed.Add(seed_);
+    mixed.Add(number_);
+    mixed.Add(static_cast<std::uint64_t>(number));
+    stream_.Reseed(mixed.value());
+  }
+
+ private:
+  world::RandomStream& stream_;
+  std::uint64_t seed_, number_;
+};
+
+std::string StemOf(const AgentCreationRequest& request) {
+  if (request.kind == "seeking") return "seeker";
+  if (request.kind == "follower" || request.kind == "waypoint") return request.kind;
+  if (request.kind == "soar") return "agent";
+  std::string stem = request.script.substr(0, request.script.rfind(".lua"));
+  return stem.empty() ? "agent" : stem;
+}
+
+void PushInput(lua_State* state, const InputEvent& event, const world::World& world) {
+  lua_createtable(state, 0, 9);
+  const auto set_number = [&](const char* name, double value) {
+    lua_pushnumber(state, value);
+    lua_setfield(state, -2, name);
+  };
+  const auto set_text = [&](const char* name, const std::string& value) {
+    lua_pushlstring(state, value.data(), value.size());
+    lua_setfield(state, -2, name);
+  };
+  const bool is_key = event.source == InputEvent::Source::kKeyboard;
+  set_text("source", is_key ? "keyboard" : "mouse");
+  if (is_key) set_text("key", event.key);
+  if (!event.button.empty()) set_text("button", event.button);
+  if (is_key || !event.button.empty()) {
+    lua_pushboolean(state, event.pressed);
+    lua_setfield(state, -2, "pressed");
+  }
+  if (is_key) return;
+  set_number("width", world.screen_width());
+  set_number("height", world.screen_height());
+  set_number("x", event.x);
+  set_number("y", event.y);
+  set_number("dx", event.dx);
+  set_number("dy", event.dy);
+  set_number("wheel", event.wheel);
+}
+
+}  // namespace
+
+/// An agent's script: its machine lives as long as the host, so that callbacks stay valid.
+struct ScriptHost::AgentScript {
+  EntityId id;
+  AgentCreationRequest request;
+  std::unique_ptr<RandomSource> random;
+  std::unique_ptr<LuaMachine> machine;
+  bool runs = false;  ///< Its chunk ran, and nothing failed since.
+};
+
+ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener)
+    : world_(world),
+      settings_(std::move(settings)),
+      minds_(minds),
+      path_(settings_.script_folders),
+      reporter_(listener),
+      context_{world, reporter_, *this} {}
+
+ScriptHost::~ScriptHost() = default;
+
+std::unique_ptr<LuaMachine> ScriptHost::MakeMachine(std::string_view script, EntityId owner, MachineLimits limits,
+                                                    RandomSource& random) {
+  return std::make_unique<LuaMachine>(
+      MachineSetup{std::string(script), Number(owner), limits, &path_, &random, &reporter_, &context_});
+}
+
+bool ScriptHost::LoadSandbox(std::string_view script) {
+  sandbox_random_ = std::make_unique<WorldRandom>(world_.random(), world_.settings().seed, 0);
+  sandbox_ = MakeMachine(script, EntityId::kSandbox, settings_.sandbox_limits, *sandbox_random_);
+  auto error = sandbox_->Protected([](lua_State* state) { BindApi(state, ApiSide::kSandbox); });
+  if (!error) error = sandbox_->RunFile(script);
+  if (error) reporter_.Error(EntityId::kSandbox, *error);
+  return !error;
+}
+
+bool ScriptHost::Initialize() {
+  if (!sandbox_) return false;
+  const auto error = sandbox_->CallGlobal("Sandbox_Initialize", [](lua_State* state) {
+    PushSandbox(state);
+    return 1;
+  });
+  if (error) reporter_.Error(EntityId::kSandbox, *error);
+  return !error;
+}
+
+void ScriptHost::BeginTick(std::span<const EntityId> removed_objects) {
+  for (const EntityId id : removed_objects) {
+    context_.events.RemoveTarget(Number(id));
+    context_.collisions.RemoveObject(id);
+  }
+}
+
+void ScriptHost::HandleInput(const InputEvent& event) {
+  if (sandbox_) {
+    const auto error = sandbox_->CallGlobal("Sandbox_HandleEvent", [&](lua_State* state) {
+      PushSandbox(state);
+      PushInput(state, event, world_);
+      return 2;
+    });
+    if (error) reporter_.Error(EntityId::kSandbox, *error);
+  }
+  const std::size_t count = agents_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    AgentScript& script = *agents_[i];
+    if (!script.runs) continue;
+    const auto error = script.machine->CallGlobal("Agent_HandleEvent", [&](lua_State* state) {
+      PushAgent(state, script.id);
+      PushInput(state, event, world_);
+      return 2;
+    });
+    if (error) FailAgent(script, *error, false);
+  }
+}
+
+void ScriptHost::DeliverEvents() {
+  context_.events.Deliver([this](const LuaMachine& machine) { return MayRun(machine); },
+                          [this](LuaMachine& machine, const ScriptError& error) { OnCallbackError(machine, error); });
+}
+
+void ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> command) {
+  AgentScript* script = Find(agent);
+  if (!script || !script->runs) return;
+  const auto error = script->machine->CallGlobal("Agent_Update", [&](lua_State* state) {
+    PushAgent(state, agent);
+    lua_pushinteger(state, world_.step_millis());
+    if (!command) return 2;
+    lua_pushlstring(state, command->data(), command->size());
+    return 3;
+  });
+  if (error) FailAgent(*script, *error, false);
+}
+
+void ScriptHost::HandleCollisions() {
+  context_.collisions.Deliver(
+      world_.Collisions(), [this](EntityId id) { return world_.FindAgent(id) != nullptr; },
+      [this](const LuaMachine& machine) { return MayRun(machine); },
+      [this](LuaMachine& machine, const ScriptError& error) { OnCallbackError(machine, error); });
+}
+
+void ScriptHost::UpdateSandbox() { CallSandbox("Sandbox_Update", true); }
+
+void ScriptHost::Cleanup() {
+  for (const auto& script : agents_) {
+    if (!script->runs) continue;
+    const auto error = script->machine->CallGlobal("Agent_Cleanup", [&](lua_State* state) {
+      PushAgent(state, script->id);
+      return 1;
+    });
+    if (error) reporter_.Error(script->id, *error);
+  }
+  CallSandbox("Sandbox_Cleanup", false);
+}
+
+void ScriptHost::CallSandbox(const char* function, bool with_time) {
+  if (!sandbox_) return;
+  const auto error = sandbox_->CallGlobal(function, [&](lua_State* state) {
+    PushSandbox(state);
+    if (!with_time) return 1;
+    lua_pushinteger(state, world_.step_millis());
+    return 2;
+  });
+  if (error) reporter_.Error(EntityId::kSandbox, *error);
+}
+
+Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
+  Diagnostic refusal;
+  if (const auto source = path_.Load(request.script); !source.ok()) return source.error();
+  if (agents_.size() >= settings_.max_agents) {
+    refusal.message = "there are " + std::to_string(agents_.size()) + " agents already: no more are made";
+    return refusal;
+  }
+  if (creation_depth_ >= kMaxCreationDepth) {
+    refusal.message = "agents make agents without end: \"" + request.script + "\" is not made";
+    return refusal;
+  }
+  if (request.HasMind() && !minds_) {
+    refusal.message = "agents with Soar rules cannot be made here";
+    return refusal;
+  }
+
+  world::AgentDef def;
+  def.name = NameFor(request);
+  def.kind = !request.HasMind() ? "lua" : request.kind == "soar" ? "soar" : "soar " + request.kind;
+  def.script = request.script;
+  const EntityId id = world_.CreateAgent(def);
+  if (id == world::kNoEntity) {
+    refusal.message = "the world cannot take another agent";
+    return refusal;
+  }
+  agents_.push_back(std::make_unique<AgentScript>());
+  AgentScript& script = *agents_.back();
+  script.id = id;
+  script.request = request;
+  script.random = std::make_unique<WorldRandom>(world_.FindAgent(id)->random(), world_.settings().seed, Number(id));
+  script.machine = MakeMachine(request.script, id, settings_.agent_limits, *script.random);
+  ++creation_depth_;
+  InitializeAgent(script);
+  --creation_depth_;
+  return id;
+}
+
+/// The order of spec 16.2: chunk, target, Agent_Initialize, mind.
+void ScriptHost::InitializeAgent(AgentScript& script) {
+  auto error = script.machine->Protected([](lua_State* state) { BindApi(state, ApiSide::kAgent); });
+  if (!error) error = script.machine->RunFile(script.request.script);
+  if (error) {
+    FailAgent(script, *error, true);
+    return;
+  }
+  script.runs = true;
+  if (script.request.HasMind()) world_.FindAgent(script.id)->SetTarget({0, 0, 10});
+  error = script.machine->CallGlobal("Agent_Initialize", [&](lua_State* state) {
+    PushAgent(state, script.id);
+    return 1;
+  });
+  if (error) FailAgent(script, *error, false);
+  if (!script.runs || !script.request.HasMind()) return;
+  if (const Result<void> made = minds_->MakeMind(script.id, script.request); !made.ok())
+    FailAgent(script, ScriptError{made.error(), {}}, true);
+}
+
+std::string ScriptHost::NameFor(const AgentCreationRequest& request) {
+  if (const auto it = request.options.find("name"); it != request.options.end()) {
+    if (const auto* name = std::get_if<std::string>(&it->second); name && !name->empty()) {
+      const int count = ++names_[*name];
+      return count == 1 ? *name : *name + "-" + std::to_string(count);
+    }
+  }
+  const std::string stem = StemOf(request);
+  return stem + "-" + std::to_string(++names_[stem + "-"]);
+}
+
+ScriptHost::AgentScript* ScriptHost::Find(EntityId agent) {
+  return const_cast<AgentScript*>(static_cast<const ScriptHost*>(this)->Find(agent));
+}
+
+const ScriptHost::AgentScript* ScriptHost::Find(EntityId agent) const {
+  const auto it = std::lower_bound(agents_.begin(), agents_.end(), agent, [](const auto& script, EntityId id) {
+    return Number(script->id) < Number(id);
+  });
+  return it != agents_.end() && (*it)->id == agent ? it->get() : nullptr;
+}
+
+bool ScriptHost::MayRun(const LuaMachine& machine) const {
+  const AgentScript* script = Find(EntityId{machine.owner()});
+  return !script || script->runs;
+}
+
+void ScriptHost::OnCallbackError(LuaMachine& machine, const ScriptError& error) {
+  if (AgentScript* script = Find(EntityId{machine.owner()})) {
+    FailAgent(*script, error, false);
+  } else {
+    reporter_.Error(EntityId::kSandbox, error);
+  }
+}
+
+void ScriptHost::FailAgent(AgentScript& script, const ScriptError& error, bool for_good) {
+  if (for_good || !settings_.agents_survive_errors) {
+    script.runs = false;
+    world_.FindAgent(script.id)->SetFailed(true);
+  }
+  reporter_.Error(script.id, error);
+}
+
+bool ScriptHost::IsLuaAgent(EntityId agent) const {
+  const AgentScript* script = Find(agent);
+  return script && !script->request.HasMind();
+}
+
+const AgentCreationRequest* ScriptHost::RequestOf(EntityId agent) const {
+  const AgentScript* script = Find(agent);
+  return script ? &script->request : nullptr;
+}
+
+std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::string_view text) {
+  AgentScript* script = Find(agent_or_sandbox);
+  LuaMachine* machine = script ? script->machine.get() : agent_or_sandbox == EntityId::kSandbox ? sandbox_.get() : nullptr;
+  if (machine) return machine->RunText(text, "console");
+  Diagnostic error;
+  error.message = "no such agent: " + std::to_string(Number(agent_or_sandbox));
+  return ScriptError{error, {}};
+}
+
+void ScriptHost::SetProfileTimes(const ProfileTimes& times) { context_.times = times; }
+
+}  // namespace soarbox::script

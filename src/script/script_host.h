@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "script/input_event.h"
+#include "script/mind_factory.h"
+#include "script/script_context.h"
+#include "script/script_path.h"
+#include "script/script_reporter.h"
+#include "world/world.h"
+
+namespace soarbox::script {
+
+struct ScriptHostSettings {
+  /// Where scripts are looked for: the scenario's folder first, the library's last.
+  std::vector<std::filesystem::path> script_folders;
+  MachineLimits sandbox_limits{std::size_t{256} << 20, 200'000'000};
+  MachineLimits agent_limits{std::size_t{64} << 20, 20'000'000};
+  std::size_t max_agents = 20'000;
+  /// An agent whose script fails in a callback stops (false) or only loses that call (true). A script that does not
+  /// compile stops its agent in any case.
+  bool agents_survive_errors = false;
+};
+
+/// All scripts of one world: the sandbox's machine and one machine for each agent, with the API between them and the
+/// world. It knows no minds: agents that have one are made through the MindFactory, and whoever runs the simulation
+/// hands their commands to UpdateAgent.
+///
+/// One tick, in the sandbox's order:
+///   host.BeginTick(world.BeginTick());   // objects that went lose their callbacks
+///   host.HandleInput(event) ...          // keys and mouse
+///   host.DeliverEvents();                // custom events
+///   for each agent, in creation order (a copy of world.AgentIds(): scripts may create more):
+///     host.UpdateAgent(id[, command]);  world.SyncAgent(id);
+///   world.Step();
+///   host.HandleCollisions();
+///   host.UpdateSandbox();
+///
+/// Nothing that a script does ends the world: errors go to the listener, once for each distinct message, and an agent
+/// whose script failed is marked (world::Agent::Failed) and no longer updated. One thread at a time, the world's.
+class ScriptHost final : private AgentMaker {
+ public:
+  /// `minds` may be null: then asking for an agent with a mind is a Lua error. All must outlive the host.
+  ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener);
+  ~ScriptHost() override;
+  ScriptHost(const ScriptHost&) = delete;
+  ScriptHost& operator=(const ScriptHost&) = delete;
+
+  /// Runs the sandbox's main script ("Sandbox.lua"). False if it is missing or fails; the listener hears why.
+  bool LoadSandbox(std::string_view script);
+  /// Calls Sandbox_Initialize. False if it failed; what it made before that stays.
+  bool Initialize();
+
+  void BeginTick(std::span<const world::EntityId> removed_objects);
+  /// First the sandbox, then each agent hears of it.
+  void HandleInput(const InputEvent& event);
+  void DeliverEvents();
+  /// Agent_Update(agent, milliseconds [, command]). Nothing happens for agents that failed.
+  void UpdateAgent(world::EntityId agent, std::optional<std::string_view> command = std::nullopt);
+  void HandleCollisions();
+  /// Sandbox_Update(sandbox, milliseconds).
+  void UpdateSandbox();
+  /// Agent_Cleanup for each agent in creation order, then Sandbox_Cleanup.
+  void Cleanup();
+
+  /// True if the agent is driven by its script alone, false if a mind decides.
+  bool IsLuaAgent(world::EntityId agent) const;
+  /// How the agent was asked for; null for unknown ids.
+  const AgentCreationRequest* RequestOf(world::EntityId agent) const;
+  /// Runs a text in the machine of the sandbox, or of an agent: for consoles and tests.
+  std::optional<ScriptError> RunText(world::EntityId agent_or_sandbox, std::string_view text);
+  void SetProfileTimes(const ProfileTimes& times);
+  ScriptPath& path() { return path_; }
+
+ private:
+  struct AgentScript;
+
+  Result<world::EntityId> MakeAgent(const AgentCreationRequest& request) override;
+  void InitializeAgent(AgentScript& script);
+  AgentScript* Find(world::EntityId agent);
+  const AgentScript* Find(world::EntityId agent) const;
+  std::string NameFor(const AgentCreationRequest& request);
+  bool MayRun(const LuaMachine& machine) const;
+  void OnCallbackError(LuaMachine& machine, const ScriptError& error);
+  void FailAgent(AgentScript& script, const ScriptError& error, bool for_good);
+  std::unique_ptr<LuaMachine> MakeMachine(std::string_view script, world::EntityId owner, MachineLimits limits, RandomSource& random);
+  void CallSandbox(const char* function, bool with_time);
+
+  world::World& world_;
+  ScriptHostSettings settings_;
+  MindFactory* minds_;
+  ScriptPath path_;
+  ScriptReporter reporter_;
+  ScriptContext context_;
+  std::unique_ptr<RandomSource> sandbox_random_;
+  std::unique_ptr<LuaMachine> sandbox_;
+  std::vector<std::unique_ptr<AgentScript>> agents_;  // In creation order, thus in ascending id.
+  std::map<std::string, int> names_;                  // How many agents of each name's stem there are.
+  int creation_depth_ = 0;
+};
+
+}  // namespace soarbox::script

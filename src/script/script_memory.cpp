@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/script_memory.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <new>
+
+namespace soarbox::script {
+namespace {
+
+constexpr std::size_t kLargestSharedChunk = std::size_t{1024} * 1024;
+
+}  // namespace
+
+std::size_t ScriptMemory::ClassOf(std::size_t size) {
+  if (size <= kSmallLimit) return (size + kSmallStep - 1) / kSmallStep - 1;
+  return kSmallClasses + static_cast<std::size_t>(std::bit_width((size - 1) / kSmallLimit)) - 1;
+}
+
+std::size_t ScriptMemory::SizeOfClass(std::size_t size_class) {
+  if (size_class < kSmallClasses) return (size_class + 1) * kSmallStep;
+  return kSmallLimit << (size_class - kSmallClasses + 1);
+}
+
+void* ScriptMemory::Take(std::size_t size_class) {
+  if (FreeBlock* block = free_[size_class]) {
+    free_[size_class] = block->next;
+    return block;
+  }
+  const std::size_t size = SizeOfClass(size_class);
+  if (rest_ < size) {
+    const bool own_chunk = size > next_chunk_size_ / 4;
+    const std::size_t chunk_size = own_chunk ? size : next_chunk_size_;
+    Chunk chunk{std::unique_ptr<std::byte[]>(new (std::nothrow) std::byte[chunk_size]), chunk_size};
+    if (!chunk.bytes) return nullptr;
+    chunks_.push_back(std::move(chunk));
+    std::byte* start = chunks_.back().bytes.get();
+    if (own_chunk) return start;
+    next_ = start;
+    rest_ = chunk_size;
+    next_chunk_size_ = std::min(next_chunk_size_ * 2, kLargestSharedChunk);
+  }
+  void* block = next_;
+  next_ += size;
+  rest_ -= size;
+  return block;
+}
+
+void ScriptMemory::GiveBack(void* block, std::size_t size_class) {
+  auto* free_block = static_cast<FreeBlock*>(block);
+  free_block->next = free_[size_class];
+  free_[size_class] = free_block;
+}
+
+void* ScriptMemory::Reallocate(void* block, std::size_t old_size, std::size_t new_size) {
+  if (!block) old_size = 0;
+  if (new_size == 0) {
+    if (block && old_size > 0) {
+      GiveBack(block, ClassOf(old_size));
+      used_bytes_ -= old_size;
+    }
+    return nullptr;
+  }
+  // Shrinking must always succeed, even above the limit.
+  if (new_size > old_size && new_size - old_size + used_bytes_ > limit_bytes_) return nullptr;
+  const std::size_t new_class = ClassOf(new_size);
+  if (new_class >= kClasses) return nullptr;
+  if (old_size == 0 || ClassOf(old_size) != new_class) {
+    void* moved = Take(new_class);
+    if (!moved) return new_size <= old_size ? block : nullptr;
+    if (old_size > 0) {
+      std::memcpy(moved, block, std::min(old_size, new_size));
+      GiveBack(block, ClassOf(old_size));
+    }
+    block = moved;
+  }
+  used_bytes_ += new_size - old_size;
+  return block;
+}
+
+std::uint64_t ScriptMemory::OrderOf(const void* address) const {
+  const auto* byte = static_cast<const std::byte*>(address);
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    const std::byte* start = chunks_[i].bytes.get();
+    // Addresses of different chunks compare as integers.
+    const auto offset = reinterpret_cast<std::uintptr_t>(byte) - reinterpret_cast<std::uintptr_t>(start);
+    if (reinterpret_cast<std::uintptr_t>(byte) >= reinterpret_cast<std::uintptr_t>(start) && offset < chunks_[i].size)
+      return (static_cast<std::uint64_t>(i + 1) << 32) + offset;
+  }
+  return 0;
+}
+
+}  // namespace soarbox::script

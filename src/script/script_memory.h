@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace soarbox::script {
+
+/// The memory of one Lua machine: size classes with free lists over a few large chunks, up to a limit.
+///
+/// Where a block lies is decided by the sequence of requests alone, never by what else the process does. So the
+/// order of two blocks (`OrderOf`) is the same in every process, which is what lets `pairs` visit keys that are
+/// tables or functions in a stable order. Used by one thread at a time.
+class ScriptMemory {
+ public:
+  explicit ScriptMemory(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+  ScriptMemory(const ScriptMemory&) = delete;
+  ScriptMemory& operator=(const ScriptMemory&) = delete;
+
+  /// lua_Alloc's contract: grows, shrinks or frees a block; null if the limit forbids it.
+  void* Reallocate(void* block, std::size_t old_size, std::size_t new_size);
+
+  /// The place of a block in the order of this memory; 0 for addresses that are not of this memory.
+  std::uint64_t OrderOf(const void* address) const;
+
+  std::size_t used_bytes() const { return used_bytes_; }
+  std::size_t limit_bytes() const { return limit_bytes_; }
+
+ private:
+  static constexpr std::size_t kSmallStep = 16;
+  static constexpr std::size_t kSmallLimit = 1024;
+  static constexpr std::size_t kSmallClasses = kSmallLimit / kSmallStep;
+  static constexpr std::size_t kClasses = kSmallClasses + 40;
+
+  struct FreeBlock {
+    FreeBlock* next;
+  };
+  struct Chunk {
+    std::unique_ptr<std::byte[]> bytes;
+    std::size_t size = 0;
+  };
+
+  static std::size_t ClassOf(std::size_t size);
+  static std::size_t SizeOfClass(std::size_t size_class);
+  void* Take(std::size_t size_class);
+  void GiveBack(void* block, std::size_t size_class);
+
+  std::size_t limit_bytes_;
+  std::size_t used_bytes_ = 0;
+  std::array<FreeBlock*, kClasses> free_{};
+  std::vector<Chunk> chunks_;  // In the order of their making.
+  std::byte* next_ = nullptr;  // The unused rest of the newest shared chunk.
+  std::size_t rest_ = 0;
+  std::size_t next_chunk_size_ = std::size_t{32} * 1024;
+};
+
+}  // namespace soarbox::script

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/script_path.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace soarbox::script {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string Lowered(std::string_view text) {
+  std::string lowered(text);
+  std::transform(lowered.begin(), lowered.end(), lowered.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lowered;
+}
+
+bool LeadsOutside(const fs::path& name) {
+  return name.is_absolute() || std::any_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".."; });
+}
+
+/// The names of the Lua files in a folder, sorted, so that the answer does not depend on the file system.
+std::vector<std::string> FileNames(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    names.push_back(it->path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::optional<fs::path> FindIn(const fs::path& folder, const fs::path& name) {
+  std::error_code error;
+  if (fs::is_regular_file(folder / name, error)) return folder / name;
+  const fs::path parent = folder / name.parent_path();
+  const std::string wanted = Lowered(name.filename().string());
+  for (const std::string& candidate : FileNames(parent))
+    if (Lowered(candidate) == wanted && fs::is_regular_file(parent / candidate, error)) return parent / candidate;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
+  if (const auto it = cache_.find(name); it != cache_.end()) return &it->second;
+
+  Diagnostic error;
+  error.file = std::string(name);
+  if (name.empty() || name.find('\0') != std::string_view::npos || LeadsOutside(fs::path(name))) {
+    error.message = "a script is named relative to the scenario's folder, without \"..\"";
+    return error;
+  }
+  std::optional<fs::path> found;
+  for (const fs::path& folder : folders_) {
+    found = FindIn(folder, fs::path(name));
+    if (found) break;
+  }
+  if (!found) {
+    error.message = "no such script file: \"" + std::string(name) + "\"";
+    std::vector<std::string> names;
+    std::string searched;
+    for (const fs::path& folder : folders_) {
+      for (std::string& candidate : FileNames(folder)) names.push_back(std::move(candidate));
+      searched += (searched.empty() ? "" : ", ") + folder.string();
+    }
+    const std::string_view near = Suggest(name, {names.begin(), names.end()});
+    error.hint = near.empty() ? "searched in " + searched : "did you mean \"" + std::string(near) + "\"?";
+    return error;
+  }
+  std::ifstream file(*found, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file) {
+    error.message = "cannot read script file " + found->string();
+    return error;
+  }
+  ScriptSource source{std::string(name), found->string(), std::move(content).str()};
+  return &cache_.emplace(std::string(name), std::move(source)).first->second;
+}
+
+std::string ScriptPath::LineOf(std::string_view name, int line) const {
+  const auto it = cache_.find(name);
+  if (it == cache_.end() || line < 1) return {};
+  std::string_view rest = it->second.content;
+  for (; line > 1; --line) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) return {};
+    rest.remove_prefix(end + 1);
+  }
+  std::string text(rest.substr(0, rest.find('\n')));
+  if (!text.empty() && text.back() == '\r') text.pop_back();
+  return text;
+}
+
+std::string ScriptPath::PathOf(std::string_view name) const {
+  const auto it = cache_.find(name);
+  return it == cache_.end() ? std::string(name) : it->second.path;
+}
+
+}  // namespace soarbox::script
