@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <thread>
 #include <vector>
 
 #include "world/rotation.h"
@@ -79,6 +81,16 @@ TEST(WorldDeterminism, TheSameSeedGivesTheSameHashesTickByTick) {
   std::vector<std::unique_ptr<Crowd>> clutter;
   for (int i = 1; i < 4; ++i) clutter.push_back(std::make_unique<Crowd>(static_cast<std::uint64_t>(i), 7 * i));
   EXPECT_EQ(first, Hashes(42, 60, 300));
+}
+
+TEST(WorldDeterminism, WorldsOnSeparateThreadsDoNotDisturbEachOther) {
+  std::vector<std::uint64_t> first, second;
+  std::thread one([&first] { first = Hashes(42, 40, 150); });
+  std::thread two([&second] { second = Hashes(42, 40, 150); });
+  one.join();
+  two.join();
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(first, Hashes(42, 40, 150));
 }
 
 TEST(WorldDeterminism, TwoSeedsDiffer) {

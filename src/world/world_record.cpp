@@ -30,8 +30,11 @@ std::uint64_t World::Hash() const {
     hash.Add(static_cast<std::uint64_t>(Number(agent.Leader())));
     hash.Add(static_cast<std::uint64_t>(agent.HasBody()));
     hash.Add(agent.random().state());
+    hash.Add(agent.wander_.side);
+    hash.Add(agent.wander_.up);
+    // Path steering goes on along the old points after RemovePath, so they count either way.
     hash.Add(static_cast<std::uint64_t>(agent.HasPath()));
-    for (const Vec3 point : agent.PathPoints()) hash.Add(point);
+    for (const Vec3 point : agent.path_.points()) hash.Add(point);
   }
   for (const auto& [id, object] : impl_->objects) {
     hash.Add(static_cast<std::uint64_t>(Number(id)));
