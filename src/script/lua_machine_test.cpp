@@ -80,8 +80,8 @@ TEST_F(MachineTest, SpeaksLua51) {
       {"local t = {1}; table.insert(t, nil); print(#t)", "1"},
       {"local function f(a, a) return a end print(f(1, 2))", "2"},
       {"print(unpack({1, 2}))", "1\t2"},
-      {"print(1e15, 0.1, -0, 10/2)", "1e+15\t0.1\t0\t5"},
-      {"print(string.find('numpad_3_key', '^[numpad_]*3_key$'), string.find('f3_key', '^[numpad_]*3_key$'))", "1\t12\tnil"},
+      {"print(1e15, 0.1, 10/2)", "1e+15\t0.1\t5"},
+      {"print(string.find('numpad_3_key', '^[numpad_]*3_key$'), string.find('f3_key', '^[numpad_]*3_key$'))", "1\tnil"},
       {"print(pcall(error, 'x'))", "false\tx"},
       {"print(math.random(3, 3), math.random(1))", "3\t1"},
       {"local c = coroutine.wrap(function() coroutine.yield(1) end) print(c())", "1"},
@@ -94,7 +94,6 @@ TEST_F(MachineTest, OffersNothingThatReachesOutside) {
             "nil\tnil\tnil\tnil\tnil\tnil\tnil\tnil\tnil\tnil");
   EXPECT_EQ(Run("print(loadstring('return 1')(), load(function() return nil end)())"), "1");
   EXPECT_EQ(Run("print((loadstring('\\27LJ')))"), "nil");
-  EXPECT_EQ(Run("print(pcall(require, 'ffi'))"), Run("print(pcall(require, 'ffi'))"));
   EXPECT_NE(Run("require 'os'").find("error: no such script file: \"os.lua\""), std::string::npos);
   EXPECT_EQ(Run("print(getmetatable('').__index == string, package.path)"), "true\tnil");
 }
@@ -104,7 +103,7 @@ TEST_F(MachineTest, VisitsTablesInTheOrderOfTheirKeys) {
   EXPECT_EQ(Run(std::string(mixed) + "for k in pairs(t) do print(k) end"), "1|2|2.5|10|ape|zebra|false|true");
   EXPECT_EQ(Run(std::string(mixed) + "for k in next, t do print(k) end"), "1|2|2.5|10|ape|zebra|false|true");
   EXPECT_EQ(Run(std::string(mixed) + "table.foreach(t, function(k) print(k) end)"), "1|2|2.5|10|ape|zebra|false|true");
-  EXPECT_EQ(Run("print(next({}), next({5}), type(next))"), "nil\t1\t5\tfunction");
+  EXPECT_EQ(Run("print(next({}), next({5}), type(next))"), "nil\t1\tfunction");
 }
 
 TEST_F(MachineTest, VisitsKeysThatAreObjectsInTheOrderOfTheirMaking) {
@@ -193,7 +192,7 @@ TEST_F(MachineTest, RequiresEachModuleOncePreferringTheOwnFolderAndIgnoringCase)
   Write("library/Both.lua", "print('library')");
   Write("library/Utilities.lua", "Value = 7");
   EXPECT_EQ(Run("require 'Both' require 'Both'"), "own");
-  EXPECT_EQ(Run("print(require 'utilities', Value)"), "7");
+  EXPECT_EQ(Run("print(require 'utilities', Value)"), "nil\t7");
 }
 
 TEST_F(MachineTest, ReportsErrorsOfModulesInTheirOwnFile) {
@@ -227,6 +226,7 @@ TEST_F(MachineTest, DoesNotLetAScriptCatchTheEndOfItsBudget) {
             std::string::npos);
   EXPECT_NE(Run("coroutine.wrap(function() while true do end end)()").find("endless loop"), std::string::npos);
   EXPECT_EQ(Run("print('still works')"), "still works");
+  EXPECT_EQ(Run("print(xpcall(error, function(e) return 'handled ' .. e end, 'x'))"), "false\thandled x");
 }
 
 TEST_F(MachineTest, LimitsMemoryAndRecovers) {
