@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,6 +24,7 @@
 #include "kernel/memory/working_memory.h"
 #include "kernel/memory/wme.h"
 #include "kernel/observer.h"
+#include "kernel/rules/parser.h"
 #include "kernel/rules/production.h"
 
 /// The face of the library. cli/ and sml/ use this header (and the headers of the parts that it hands out for
@@ -73,25 +75,20 @@ struct AgentCounters {
   std::uint64_t inits = 0;               ///< How often init-soar ran. Not reset by it.
 };
 
-/// Where the text of a rule stands.
-struct SourcePlace {
-  std::string file;     ///< As the user named it; empty for typed rules.
-  int line = 0;         ///< Of the body's first character, from 1; 0 if unknown.
-  int column = 0;
-};
-
 /// What became of a rule's text.
 struct LoadOutcome {
   bool loaded = false;
   ProductionId production = ProductionId::kNone;  ///< The rule, if loaded.
   std::string name;                               ///< As far as it could be read.
+  /// What Soar prints while it reads the rule, before and after it tells ("#") that an older one was excised.
+  std::vector<RuleMessage> printed, printed_late;
   bool replaced = false;                          ///< A rule of that name was excised first ("#").
   std::string duplicate_of;                       ///< "Ignoring X because it is a duplicate of Y".
-  std::vector<Diagnostic> messages;               ///< Warnings and errors, in the order of the text.
+  std::vector<Diagnostic> messages;               ///< Our own diagnostics: places and hints, in the order of the text.
 };
 
-/// A function that rules can call: (exec name ...) or (name ...). Gets the arguments; gives a symbol, or none for no
-/// value. An error skips the action and is printed. Runs on the agent's thread in the middle of a phase: it must not run,
+/// A function that rules can call: (exec name ...) or (name ...). Gets one argument, a string of all that the rule gave
+/// without blanks between; gives a symbol, or none for no value. An error skips the action and is printed. Runs on the agent's thread in the middle of a phase: it must not run,
 /// initialise or change the agent, except for Stop().
 using UserFunction = std::function<Result<Symbol>(class Agent&, std::span<const Symbol> arguments)>;
 
@@ -195,6 +192,8 @@ class Agent {
   std::string_view ProductionName(InstantiationId id) const;   ///< "justify1" and the like included.
   /// The elements that an instantiation's positive conditions matched, in condition order.
   std::span<const WmeId> MatchedWmes(InstantiationId id) const;
+  /// The justifications that live, oldest first, as rules with literal conditions (`print --justifications`).
+  std::vector<Production> Justifications() const;
   WmeInfo Describe(WmeId id) const;
   GoalInfo Describe(const Goal& goal) const;
   /// The selected operator of a goal, or none.
@@ -229,8 +228,12 @@ class Agent {
 
   /// RHS functions of the host. A null function takes the name away. Names of built-in functions are refused.
   Result<void> SetUserFunction(std::string_view name, UserFunction function);
-  /// Called for a name that nobody registered (arguments as given); without it such a call yields no value.
+  /// Called for a name that nobody registered; without it such a call yields the empty string.
   void SetFallbackFunction(std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function);
+  /// Runs a command line for (cmd ...) and gives its text.
+  void SetCommandRunner(std::function<std::string(Agent&, std::string_view line)> runner);
+  /// Counters of the RHS function `count` (stats --agent).
+  const std::map<std::string, std::uint64_t, std::less<>>& rule_counters() const;
   /// Reads a line for (accept).
   void SetLineReader(std::function<std::string()> reader);
 

@@ -149,6 +149,11 @@ class Observer {
   // kPrint
   /// Text as rules write it.
   virtual void OnPrint(const Agent&, std::string_view text) { (void)text; }
+  /// A message of the architecture about a rule's action. Starts on a fresh line; ends with a line end.
+  virtual void OnError(const Agent&, std::string_view text) { (void)text; }
+  /// (log n ...) and (trace n ...): printed if that channel or level is on.
+  virtual void OnLog(const Agent&, int channel, std::string_view text) { (void)channel; (void)text; }
+  virtual void OnTraceText(const Agent&, int level, std::string_view text) { (void)level; (void)text; }
   /// A warning of the architecture in its own words; `kind` lets the trace use the reference's layout.
   virtual void OnWarning(const Agent&, WarningKind kind, std::string_view text) { (void)kind; (void)text; }
 

@@ -26,6 +26,7 @@ struct Instantiation {
   Symbol goal;                                      ///< The lowest goal that it matched.
   GoalLevel level = 0;
   bool live = false;
+  bool held = false;                                ///< It is being made or asserted: not to be freed yet.
   bool o_support = false;                           ///< It fired with the o-supported rules.
   bool reliable = true;                             ///< False if a result must become a justification at most.
   std::uint32_t serial = 0;                         ///< Counts instantiations; for explanations and learning.

@@ -1,4 +1,17 @@
 list(APPEND SOARBOX_KERNEL_SOURCES
+  decide/decision.cpp
+  decide/elaboration.cpp
+  decide/engine.cpp
   decide/exploration.cpp
-  decide/preference_semantics.cpp)
+  decide/firing.cpp
+  decide/goal_changes.cpp
+  decide/goal_dependency_set.cpp
+  decide/goal_stack.cpp
+  decide/instantiation_table.cpp
+  decide/invariants.cpp
+  decide/preference_changes.cpp
+  decide/preference_semantics.cpp
+  decide/rule_context.cpp
+  decide/run_control.cpp
+  decide/slot_decision.cpp)
 soarbox_kernel_test(kernel_decide_test SOURCES decide/exploration_test.cpp decide/preference_semantics_test.cpp)

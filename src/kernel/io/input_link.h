@@ -15,7 +15,8 @@ namespace soarbox::kernel {
 /// An object on the input side: the input link, an identifier that the client makes, or one that the kernel knows.
 /// Handles are void after init-soar; using a void handle does nothing.
 enum class InputObject : std::uint32_t { kInputLink = 0, kNone = 0xFFFFFFFFu };
-/// An element that the client made. The number is never used again before init-soar.
+/// An element that the client made. A handle of an element that is gone is void; its place is used again by others, whose
+/// handles differ (until 1,000 generations have passed).
 enum class InputElement : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 /// The value of an input element: text, an integer, a float, or an object.
@@ -50,18 +51,32 @@ class InputLink {
   bool HasPendingChanges() const { return !pending_.empty(); }
 
   /// For the engine: makes the buffered changes (input phase); forgets everything (init-soar); learns that working
-  /// memory dropped an element; marks the constants that buffered changes need.
+  /// memory dropped an element or an identifier; calls `mark` for each symbol that is needed.
   void Apply();
   void Reset();
   void Forget(std::uint32_t element);
-  void MarkSymbols();
+  void IdentifierGone(Symbol identifier);
+  template <typename MarkSymbol>
+  void Mark(MarkSymbol mark) const {
+    for (const Pending& change : pending_) {
+      if (change.constant) mark(change.constant);
+    }
+    for (const Element& element : elements_) {
+      if (element.live) mark(element.attribute);
+    }
+    for (const Object& object : objects_) {
+      if (object.identifier) mark(object.identifier);
+    }
+  }
 
  private:
   enum class Change : std::uint8_t { kNone, kAdd, kRemove };
   struct Element {
     WmeId wme = WmeId::kNone;
-    std::uint32_t pending_add = 0xFFFFFFFFu;  ///< Index in pending_ of a buffered addition.
+    std::uint32_t pending_add = kNoPlace;     ///< Index in pending_ of a buffered addition.
     bool live = false;
+    bool doomed = false;                      ///< Its removal is buffered.
+    std::uint32_t generation = 0;
     InputObject parent = InputObject::kNone;
     Symbol attribute;
   };
@@ -74,16 +89,32 @@ class InputLink {
   };
   struct Object {
     Symbol identifier;
+    bool live = false;
+    std::uint32_t generation = 0;
   };
+  static constexpr std::uint32_t kNoPlace = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kPlaceBits = 22;
+  static constexpr std::uint32_t kPlaceMask = (1u << kPlaceBits) - 1;
+  static constexpr std::uint32_t kGenerationMask = (1u << (32 - kPlaceBits)) - 1;
 
-  void BufferAdd(std::uint32_t element, const InputValue& value);
+  Element* Find(InputElement element);
+  const Element* Find(InputElement element) const;
+  Object* Find(InputObject object);
+  const Object* Find(InputObject object) const;
+  InputObject MakeObject(Symbol identifier);
+  void BufferAdd(std::uint32_t place, const InputValue& value);
   void CancelAdd(Element& element);
+  void BufferRemove(std::uint32_t place);
   void MakeElement(const Pending& change);
+  void Release(std::uint32_t place);
 
   Engine& engine_;
-  std::vector<Object> objects_{Object{}};
+  std::vector<Object> objects_;
+  std::vector<std::uint32_t> free_objects_;
   std::vector<Element> elements_;
+  std::vector<std::uint32_t> free_elements_;
   std::vector<Pending> pending_;
+  std::vector<std::uint32_t> object_of_;   ///< By identifier index: place of its object, or kNoPlace.
 };
 
 }  // namespace soarbox::kernel

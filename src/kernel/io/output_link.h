@@ -55,6 +55,19 @@ class OutputLink {
   }
   /// The output phase: true if something changed.
   bool Collect();
+  /// Calls `mark` for each symbol that the lists mention.
+  template <typename MarkSymbol>
+  void Mark(MarkSymbol mark) const {
+    for (const std::vector<OutputChange>* list : {&current_, &changes_}) {
+      for (const OutputChange& change : *list) {
+        mark(change.id);
+        mark(change.attribute);
+        mark(change.value);
+      }
+    }
+    for (const Symbol id : members_) mark(id);
+  }
+  std::span<const Symbol> members() const { return members_; }
   void Reset();
 
  private:
@@ -66,7 +79,7 @@ class OutputLink {
   std::uint64_t generation_ = 0;
   std::vector<std::uint8_t> member_;       ///< By identifier index: below the output link at the last collection.
   std::vector<Symbol> members_;
-  std::vector<OutputChange> current_, next_, changes_;
+  std::vector<OutputChange> current_, next_, changes_, added_, removed_;
   std::vector<OutputCommand> new_commands_;
 };
 

@@ -23,10 +23,12 @@ struct Preference {
   bool o_supported = false;
   bool in_slot = false;            ///< Counts for decisions; false before assertion and after retraction.
   bool on_goal_list = false;
+  bool live = false;
   GoalLevel level = 0;             ///< Of the goal that its instantiation matched.
   std::uint32_t references = 0;    ///< One for the slot, one per condition that names it.
   InstantiationId instantiation = InstantiationId::kNone;
   SlotId slot = SlotId::kNone;
+  std::uint32_t value_link = 0xFFFFFFFFu, referent_link = 0xFFFFFFFFu;  ///< See links.h; none for constants.
 
   PreferenceId next_in_slot = PreferenceId::kNone, previous_in_slot = PreferenceId::kNone;
   PreferenceId next_of_instantiation = PreferenceId::kNone, previous_of_instantiation = PreferenceId::kNone;

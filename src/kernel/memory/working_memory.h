@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/base/ids.h"
@@ -30,7 +32,8 @@ struct WmeRecord {
   GoalLevel gds = 0;                                 ///< Level of the goal whose dependency set holds it, or 0.
   std::uint32_t references = 0;                      ///< Instantiations of substates that matched it.
   PreferenceId preference = PreferenceId::kNone;     ///< The preference that put it here, if any.
-  SlotId slot = SlotId::kNone;                       ///< kSlot, kAcceptable.
+  SlotId slot = SlotId::kNone;                       ///< kSlot, kAcceptable. For kInput: the input link's element.
+  std::uint32_t link = 0xFFFFFFFFu;                  ///< kArchitecture, kInput with an identifier as value.
   WmeId next = WmeId::kNone, previous = WmeId::kNone;  ///< The list of the slot or of the identifier.
 };
 
@@ -53,14 +56,13 @@ struct IdentifierRecord {
   bool live = false;
   bool is_goal = false;
   GoalLevel level = 0;                           ///< The highest goal (smallest number) that reaches it.
-  bool reached = false;                          ///< Has a parent in the tree of links, or is a goal.
+  bool queued = false;                           ///< Waits for its level to be worked out.
   SlotId slots = SlotId::kNone;
   WmeId architecture_wmes = WmeId::kNone;        ///< Newest first.
   WmeId input_wmes = WmeId::kNone;               ///< Newest first.
   std::uint32_t first_link = 0xFFFFFFFFu;        ///< Links that lead here (see links.h).
   std::uint32_t parent_link = 0xFFFFFFFFu;       ///< The link that gives it its level.
   std::uint32_t first_child = 0xFFFFFFFFu;       ///< Links of which this is the source and that are parent links.
-  std::uint64_t lti = 0;                         ///< Long-term identifier that it is linked to, or 0.
 };
 
 /// Working memory of one agent as a data structure: elements, slots, preferences and identifiers in arenas with free
@@ -99,6 +101,13 @@ class WorkingMemory {
   std::uint32_t wme_count() const { return live_wmes_; }
   std::uint64_t last_timetag() const { return next_timetag_ - 1; }
   std::uint32_t identifier_limit() const { return static_cast<std::uint32_t>(identifiers_.size()); }
+  std::uint32_t preference_limit() const { return static_cast<std::uint32_t>(preferences_.size()); }
+  std::uint32_t slot_limit() const { return static_cast<std::uint32_t>(slots_.size()); }
+  std::uint32_t identifier_count() const { return live_identifiers_; }
+  /// By identifier index: the level of an identifier that is a goal, else 0; and the long-term identifier that it is
+  /// linked to, else 0. What the matcher is told of identifiers.
+  std::span<const GoalLevel> goal_levels() const { return goal_levels_; }
+  std::span<const std::uint64_t> long_term_identifiers() const { return long_term_; }
 
   // Elements --------------------------------------------------------------------------------------------------------
 
@@ -108,13 +117,14 @@ class WorkingMemory {
   void Unlink(WmeId wme);
   /// Gives the index back once nothing refers to it.
   void Free(WmeId wme);
-  void AddReference(WmeId wme) { ++records_[Index(wme)].references; }
-  void DropReference(WmeId wme);
   WmeRecord& mutable_record(WmeId id) { return records_[Index(id)]; }
 
   // Identifiers -----------------------------------------------------------------------------------------------------
 
   Symbol NewIdentifier(char letter, GoalLevel level);
+  void SetGoal(Symbol id, GoalLevel level);
+  void ClearGoal(Symbol id);
+  void SetLongTerm(Symbol id, std::uint64_t lti) { long_term_[id.index()] = lti; }
   IdentifierRecord& mutable_identifier(Symbol id) { return identifiers_[id.index()]; }
   void FreeIdentifier(Symbol id);
 
@@ -139,6 +149,8 @@ class WorkingMemory {
   std::size_t MemoryBytes() const;
 
  private:
+  WmeId& ListHead(const WmeRecord& record, const Wme& content);
+
   SymbolTable& symbols_;
   WmeTable wmes_;
   std::vector<WmeRecord> records_;
@@ -149,8 +161,11 @@ class WorkingMemory {
   std::vector<PreferenceId> free_preferences_;
   std::vector<IdentifierRecord> identifiers_;
   SlotIndex slot_index_;
+  std::vector<GoalLevel> goal_levels_;
+  std::vector<std::uint64_t> long_term_;
   std::uint64_t next_timetag_ = 1;
   std::uint32_t live_wmes_ = 0;
+  std::uint32_t live_identifiers_ = 0;
 };
 
 }  // namespace soarbox::kernel

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/agent.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/decide/invariants.h"
+#include "kernel/rules/functions/builtin_functions.h"
+
+namespace soarbox::kernel {
+namespace {
+
+Diagnostic Refusal(std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.message = std::move(message);
+  return diagnostic;
+}
+
+}  // namespace
+
+Agent::Agent(std::string name) : engine_(std::make_unique<Engine>(*this, std::move(name))) { engine_->Initialize(); }
+Agent::~Agent() = default;
+
+const std::string& Agent::name() const { return engine_->name; }
+
+// Rules ---------------------------------------------------------------------------------------------------------------
+
+LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& place) {
+  ParseOutcome parsed = ParseProduction(body, place, engine_->symbols);
+  LoadOutcome outcome;
+  outcome.name = parsed.name;
+  outcome.printed = std::move(parsed.messages);
+  outcome.printed_late = std::move(parsed.late_messages);
+  outcome.messages = std::move(parsed.diagnostics);
+  if (parsed.syntax_ok && !parsed.name.empty()) {
+    const ProductionId older = FindProduction(parsed.name);
+    if (older != ProductionId::kNone) {
+      Excise(older);
+      outcome.replaced = true;
+    }
+  }
+  if (parsed.production == nullptr) return outcome;
+  LoadOutcome added = AddProduction(std::move(parsed.production));
+  outcome.loaded = added.loaded;
+  outcome.production = added.production;
+  outcome.duplicate_of = std::move(added.duplicate_of);
+  outcome.replaced = outcome.replaced || added.replaced;
+  return outcome;
+}
+
+LoadOutcome Agent::AddProduction(ProductionPtr production) {
+  LoadOutcome outcome;
+  outcome.name = production->name;
+  const ProductionId older = FindProduction(production->name);
+  if (older != ProductionId::kNone) {
+    Excise(older);
+    outcome.replaced = true;
+  }
+  const Rete::Added added = engine_->rete.AddProduction(production, engine_->goal_view());
+  outcome.production = added.production;
+  if (added.result == Rete::AddResult::kDuplicate) {
+    outcome.duplicate_of = engine_->rete.production(added.production)->name;
+    return outcome;
+  }
+  outcome.loaded = true;
+  const std::uint32_t index = Index(added.production);
+  if (engine_->productions.size() <= index) engine_->productions.resize(index + 1u);
+  engine_->productions[index] = Engine::ProductionRecord{};
+  engine_->productions[index].live = true;
+  engine_->loading_order.push_back(added.production);
+  ++engine_->type_counts[static_cast<std::size_t>(production->type)];
+  engine_->production_names.emplace(production->name, added.production);
+  engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, added.production); });
+  return outcome;
+}
+
+void Agent::Excise(ProductionId id) {
+  if (Index(id) >= engine_->productions.size() || !engine_->productions[Index(id)].live) return;
+  engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(*this, id); });
+  const ProductionPtr rule = engine_->rete.production(id);
+  engine_->productions[Index(id)].live = false;
+  std::erase(engine_->loading_order, id);
+  --engine_->type_counts[static_cast<std::size_t>(rule->type)];
+  engine_->production_names.erase(rule->name);
+  engine_->rete.ExciseProduction(id);
+}
+
+ProductionId Agent::FindProduction(std::string_view name) const {
+  const auto found = engine_->production_names.find(name);
+  return found == engine_->production_names.end() ? ProductionId::kNone : found->second;
+}
+
+const Production& Agent::production(ProductionId id) const { return *engine_->rete.production(id); }
+const ProductionPtr& Agent::production_ptr(ProductionId id) const { return engine_->rete.production(id); }
+std::vector<ProductionId> Agent::Productions() const { return engine_->loading_order; }
+
+std::uint32_t Agent::CountProductions(ProductionType type) const {
+  if (type == ProductionType::kJustification) return static_cast<std::uint32_t>(engine_->justifier.Live().size());
+  return engine_->type_counts[static_cast<std::size_t>(type)];
+}
+
+std::uint64_t Agent::FiringCount(ProductionId id) const { return engine_->productions[Index(id)].firings; }
+
+void Agent::ResetFiringCounts() {
+  for (Engine::ProductionRecord& record : engine_->productions) record.firings = 0;
+}
+
+void Agent::SetBreak(ProductionId id, bool on) { engine_->productions[Index(id)].breaks = on; }
+bool Agent::HasBreak(ProductionId id) const { return engine_->productions[Index(id)].breaks; }
+
+// Running -------------------------------------------------------------------------------------------------------------
+
+RunResult Agent::Run(RunUnit unit, std::uint64_t count) { return engine_->run.Run(unit, count); }
+RunResult Agent::Step(RunUnit unit) { return engine_->run.Step(unit); }
+RunResult Agent::RunToPhase(Phase phase) { return engine_->run.RunToPhase(phase); }
+Phase Agent::next_phase() const { return engine_->run.phase(); }
+bool Agent::in_middle_of_phase() const { return engine_->run.in_middle(); }
+void Agent::RequestStop(std::string_view reason) { engine_->run.RequestStop(reason); }
+void Agent::ClearStopRequest() { engine_->run.ClearStop(); }
+bool Agent::stop_requested() const { return engine_->run.stop_requested(); }
+bool Agent::halted() const { return engine_->run.halted(); }
+bool Agent::running() const { return engine_->run.running(); }
+void Agent::SetGoalToWatch(Symbol goal) { engine_->run.WatchGoal(goal); }
+bool Agent::watched_goal_gone() const { return engine_->run.watched_goal_gone(); }
+
+void Agent::InitSoar() {
+  if (running()) return;
+  engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnBeforeInit(*this); });
+  ++engine_->counters.inits;
+  engine_->Initialize();
+  if (engine_->observers.Wants(Event::kDecision)) {
+    const GoalInfo top = engine_->Describe(engine_->goals.top());
+    engine_->observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(*this, top, 0); });
+  }
+  engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnAfterInit(*this); });
+}
+
+// Settings ------------------------------------------------------------------------------------------------------------
+
+const AgentSettings& Agent::settings() const { return engine_->settings; }
+AgentSettings& Agent::mutable_settings() { return engine_->settings; }
+const ExplorationSettings& Agent::exploration() const { return engine_->exploration; }
+ExplorationSettings& Agent::mutable_exploration() { return engine_->exploration; }
+RandomStream& Agent::random() { return engine_->random; }
+
+void Agent::SelectOperator(std::string_view identifier) {
+  engine_->forced_operator = identifier;
+  if (!engine_->forced_operator.empty()) {
+    char& letter = engine_->forced_operator.front();
+    letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  }
+}
+
+std::string_view Agent::selected_operator() const { return engine_->forced_operator; }
+std::string Agent::PredictDecision() { return engine_->decision.Predict(); }
+void Agent::SetAgentWrites(bool on) { engine_->agent_writes = on; }
+bool Agent::agent_writes() const { return engine_->agent_writes; }
+
+// Observing -----------------------------------------------------------------------------------------------------------
+
+void Agent::AddObserver(Observer& observer, EventMask events) { engine_->observers.Add(observer, events); }
+void Agent::RemoveObserver(Observer& observer) { engine_->observers.Remove(observer); }
+EventMask Agent::observed() const { return engine_->observers.mask(); }
+
+// Inspecting ----------------------------------------------------------------------------------------------------------
+
+const SymbolTable& Agent::symbols() const { return engine_->symbols; }
+SymbolTable& Agent::mutable_symbols() { return engine_->symbols; }
+const WorkingMemory& Agent::memory() const { return engine_->memory; }
+const GoalStack& Agent::goals() const { return engine_->goals; }
+const Rete& Agent::rete() const { return engine_->rete; }
+const AgentCounters& Agent::counters() const { return engine_->counters; }
+const Instantiation& Agent::instantiation(InstantiationId id) const { return engine_->instantiations[id]; }
+std::string_view Agent::ProductionName(InstantiationId id) const { return engine_->ProductionName(id); }
+
+std::span<const WmeId> Agent::MatchedWmes(InstantiationId id) const {
+  const Instantiation& instantiation = engine_->instantiations[id];
+  if (instantiation.match == MatchId::kNone) return {};
+  return engine_->rete.Wmes(instantiation.match);
+}
+
+std::vector<Production> Agent::Justifications() const {
+  std::vector<Production> rules;
+  for (const std::uint32_t index : engine_->justifier.Live()) rules.push_back(engine_->justifier.AsRule(index));
+  return rules;
+}
+
+WmeInfo Agent::Describe(WmeId id) const { return engine_->Describe(id); }
+GoalInfo Agent::Describe(const Goal& goal) const { return engine_->Describe(goal); }
+Symbol Agent::OperatorOf(const Goal& goal) const { return engine_->OperatorOf(goal); }
+
+std::vector<PreferenceId> Agent::PreferencesOf(SlotId slot, PreferenceType type) const {
+  std::vector<PreferenceId> found;
+  const WorkingMemory& memory = engine_->memory;
+  const Slot& record = memory.slot(slot);
+  for (PreferenceId p = type == PreferenceType::kAcceptable ? record.acceptable : record.others;
+       p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    if (memory.preference(p).type == type) found.push_back(p);
+  }
+  return found;
+}
+
+std::vector<Agent::CandidateChance> Agent::SelectionProbabilities(const Goal& goal) const {
+  std::vector<CandidateChance> chances;
+  const PreferenceSemantics::Outcome outcome = engine_->decision.Evaluate(goal);
+  if (outcome.impasse != ImpasseType::kNone || outcome.candidates.empty()) return chances;
+  const std::vector<double> probabilities =
+      outcome.candidates.size() == 1 ? std::vector<double>{1.0}
+                                     : SelectionChances(outcome.candidates, engine_->exploration);
+  for (std::size_t n = 0; n < outcome.candidates.size(); ++n) {
+    const Candidate& candidate = outcome.candidates[n];
+    chances.push_back(
+        {candidate.preference, candidate.value, NumericValue(candidate, engine_->exploration), probabilities[n]});
+  }
+  return chances;
+}
+
+std::span<const WmeId> Agent::GoalDependencySet(const Goal& goal) const { return goal.gds; }
+
+// Input and output ----------------------------------------------------------------------------------------------------
+
+InputLink& Agent::input() { return engine_->input; }
+const InputLink& Agent::input() const { return engine_->input; }
+const OutputLink& Agent::output() const { return engine_->output; }
+Symbol Agent::InputLinkIdentifier() const { return engine_->goal_changes.input_link(); }
+Symbol Agent::OutputLinkIdentifier() const { return engine_->goal_changes.output_link(); }
+
+Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable) {
+  if (running()) return Refusal("working memory cannot be changed while the agent runs");
+  if (acceptable) return Refusal("an element of an acceptable preference comes from a rule only");
+  if (!id.IsIdentifier() || !engine_->memory.identifier(id).live) {
+    return Refusal("the element's identifier is not in working memory");
+  }
+  const WmeId wme = engine_->changes.Add(WmeKind::kInput, id, attribute, value);
+  engine_->elaboration.ApplyWorkingMemoryChanges();
+  return wme;
+}
+
+Symbol Agent::NewIdentifier(char letter) { return engine_->memory.NewIdentifier(letter, 1); }
+
+Result<void> Agent::RemoveWme(WmeId wme) {
+  if (running()) return Refusal("working memory cannot be changed while the agent runs");
+  WorkingMemory& memory = engine_->memory;
+  if (Index(wme) >= memory.wmes().size() || !memory.wme(wme).live) {
+    return Refusal("there is no such element");
+  }
+  const WmeRecord& record = memory.record(wme);
+  // A value that rules made goes with the preferences for it.
+  if (record.kind == WmeKind::kSlot && memory.slot(record.slot).is_operator) {
+    return Refusal("the selected operator cannot be removed by hand");
+  }
+  if (record.preference != PreferenceId::kNone) {
+    const SlotId slot = record.slot;
+    const Symbol value = memory.wme(wme).value;
+    PreferenceId next;
+    for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = next) {
+      next = memory.preference(p).next_in_slot;
+      if (memory.preference(p).value == value) engine_->preferences.Retract(p);
+    }
+  } else {
+    engine_->changes.Remove(wme);
+    engine_->gds.RemoveViolated();
+  }
+  engine_->elaboration.ApplyWorkingMemoryChanges();
+  return {};
+}
+
+Result<void> Agent::SetUserFunction(std::string_view name, UserFunction function) {
+  if (FindBuiltinFunction(name) != RhsValue::kUserFunction) {
+    return Refusal("there is a built-in function of the name '" + std::string(name) + "'");
+  }
+  if (function) {
+    engine_->user_functions.insert_or_assign(std::string(name), std::move(function));
+  } else if (const auto found = engine_->user_functions.find(name); found != engine_->user_functions.end()) {
+    engine_->user_functions.erase(found);
+  }
+  return {};
+}
+
+void Agent::SetFallbackFunction(
+    std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> function) {
+  engine_->fallback_function = std::move(function);
+}
+
+void Agent::SetCommandRunner(std::function<std::string(Agent&, std::string_view)> runner) {
+  engine_->command_runner = std::move(runner);
+}
+
+const std::map<std::string, std::uint64_t, std::less<>>& Agent::rule_counters() const {
+  return engine_->rule_counters;
+}
+
+void Agent::SetLineReader(std::function<std::string()> reader) { engine_->line_reader = std::move(reader); }
+
+// Memory --------------------------------------------------------------------------------------------------------------
+
+std::size_t Agent::MemoryBytes() const {
+  return sizeof(Engine) + engine_->symbols.MemoryBytes() + engine_->memory.MemoryBytes() +
+         engine_->links.MemoryBytes() + engine_->instantiations.MemoryBytes() + engine_->rete.MemoryBytes();
+}
+
+std::size_t Agent::SharedMemoryBytes() const { return engine_->rete.NetworkBytes(); }
+std::string Agent::CheckInvariants() const { return FindViolation(*engine_); }
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/decision.h"
+
+#include <algorithm>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/decide/exploration.h"
+
+namespace soarbox::kernel {
+
+PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced) {
+  const WorkingMemory& memory = engine_.memory;
+  const Slot& slot = memory.slot(goal.operator_slot);
+  slot_preferences_.clear();
+  for (const PreferenceId first : {slot.acceptable, slot.others}) {
+    for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+      const Preference& preference = memory.preference(p);
+      SlotPreference view;
+      view.type = preference.type;
+      view.value = preference.value;
+      view.referent = preference.referent;
+      view.preference = p;
+      if (preference.referent.IsNumber()) view.number = engine_.symbols.NumberValue(preference.referent);
+      slot_preferences_.push_back(view);
+    }
+  }
+  return engine_.semantics.Decide(slot_preferences_, forced);
+}
+
+Symbol Decision::ForcedOperator(const Goal& goal) const {
+  if (engine_.forced_operator.size() < 2) return {};
+  const WorkingMemory& memory = engine_.memory;
+  for (PreferenceId p = memory.slot(goal.operator_slot).acceptable; p != PreferenceId::kNone;
+       p = memory.preference(p).next_in_slot) {
+    if (ToString(engine_.symbols, memory.preference(p).value) == engine_.forced_operator) {
+      return memory.preference(p).value;
+    }
+  }
+  return {};
+}
+
+// The decide phase ----------------------------------------------------------------------------------------------------
+
+void Decision::Decide() {
+  if (engine_.goals.empty()) return;
+  const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(engine_.goals.depth());
+  changed_from_ = 0;
+  for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
+    engine_.memory.mutable_slot(engine_.goals.at(level).operator_slot).changed = false;
+    if (DecideGoal(level)) break;
+  }
+  changed_from_ = 0;
+  engine_.exploration.ReduceAutomatically();
+}
+
+bool Decision::DecideGoal(GoalLevel level) {
+  const Goal& goal = engine_.goals.at(level);
+  if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) {
+    return EnterImpasse(level, ImpasseType::kNoChange, true, {});
+  }
+  const PreferenceSemantics::Outcome outcome = Evaluate(goal, ForcedOperator(goal));
+  if (outcome.impasse != ImpasseType::kNone) return EnterImpasse(level, outcome.impasse, true, outcome.candidates);
+  if (outcome.candidates.empty()) return EnterImpasse(level, ImpasseType::kNoChange, false, {});
+  Install(level, Pick(outcome));
+  return true;
+}
+
+const Candidate& Decision::Pick(const PreferenceSemantics::Outcome& outcome) {
+  if (outcome.candidates.size() == 1) return outcome.candidates.front();
+  if (engine_.observers.Wants(Event::kExploration)) {
+    const std::vector<double> chances = SelectionChances(outcome.candidates, engine_.exploration);
+    for (std::size_t n = 0; n < outcome.candidates.size(); ++n) {
+      const Candidate& candidate = outcome.candidates[n];
+      const double value = NumericValue(candidate, engine_.exploration);
+      engine_.observers.Notify(Event::kExploration, [&](Observer& o) {
+        o.OnCandidate(engine_.agent, candidate.value, value, chances[n]);
+      });
+    }
+  }
+  return outcome.candidates[Choose(outcome.candidates, engine_.exploration, engine_.random)];
+}
+
+void Decision::Install(GoalLevel level, const Candidate& winner) {
+  if (engine_.goals.depth() > level) {
+    engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kDecision);
+  }
+  const Goal& goal = engine_.goals.at(level);
+  engine_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
+  if (!engine_.forced_operator.empty() && ToString(engine_.symbols, winner.value) == engine_.forced_operator) {
+    engine_.forced_operator.clear();
+  }
+}
+
+bool Decision::EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operator,
+                            std::span<const Candidate> candidates) {
+  if (engine_.goals.depth() > level) {
+    const Goal& below = engine_.goals.at(static_cast<GoalLevel>(level + 1));
+    if (below.impasse == impasse && below.impasse_on_operator == on_operator) {
+      if (impasse != ImpasseType::kNoChange) engine_.goal_changes.UpdateItems(level, candidates);
+      return false;
+    }
+    engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kWrongImpasseType);
+  }
+  if (impasse == ImpasseType::kNoChange && !on_operator && engine_.settings.wait_snc) return true;
+  if (impasse == ImpasseType::kNoChange && engine_.goals.depth() >= static_cast<std::size_t>(engine_.settings.max_goal_depth)) {
+    engine_.run.GoalStackLimit();
+  }
+  engine_.goal_changes.MakeSubstate(impasse, on_operator, candidates);
+  return true;
+}
+
+// Decisions that no longer stand --------------------------------------------------------------------------------------
+
+void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable) {
+  const Goal& goal = engine_.goals.at(level);
+  if (engine_.observers.Wants(Event::kDecision)) {
+    const GoalInfo info = engine_.Describe(goal);
+    WmeInfo wme;
+    if (acceptable != WmeId::kNone) wme = engine_.Describe(acceptable);
+    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
+  }
+  if (engine_.goals.depth() > level) {
+    const GoalRemoval why =
+        reason == OperatorRemoval::kInconsistent ? GoalRemoval::kInconsistent : GoalRemoval::kOperatorRemoval;
+    engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), why);
+  }
+  const SlotId slot = goal.operator_slot;
+  while (engine_.memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(engine_.memory.slot(slot).wmes);
+}
+
+/// The existing decision of a goal: none if an operator is installed (or nothing is decided yet), else the impasse below.
+bool Decision::Stands(const Goal& goal) {
+  const Slot& slot = engine_.memory.slot(goal.operator_slot);
+  const bool has_operator = slot.wmes != WmeId::kNone;
+  const bool has_substate = engine_.goals.depth() > goal.level;
+  ImpasseType existing = ImpasseType::kNone;
+  if (!has_operator && has_substate) existing = engine_.goals.at(static_cast<GoalLevel>(goal.level + 1)).impasse;
+  const PreferenceSemantics::Outcome outcome = Evaluate(goal);
+  if (outcome.impasse != existing) return false;
+  if (existing != ImpasseType::kNone) return true;
+  const Symbol selected = engine_.memory.wme(slot.wmes).value;
+  return std::any_of(outcome.candidates.begin(), outcome.candidates.end(),
+                     [&](const Candidate& candidate) { return candidate.value == selected; });
+}
+
+bool Decision::CheckConsistency(GoalLevel level) {
+  if (changed_from_ == 0) return true;
+  for (GoalLevel current = changed_from_; current <= level && current <= engine_.goals.depth(); ++current) {
+    const Goal& goal = engine_.goals.at(current);
+    const Slot& slot = engine_.memory.slot(goal.operator_slot);
+    const bool has_operator = slot.wmes != WmeId::kNone;
+    if (!slot.changed || (!has_operator && engine_.goals.depth() == current)) continue;
+    if (Stands(goal)) continue;
+    if (engine_.observers.Wants(Event::kDecision)) {
+      const GoalInfo info = engine_.Describe(goal);
+      engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnInconsistentDecision(engine_.agent, info); });
+    }
+    if (has_operator) {
+      RemoveOperator(current, OperatorRemoval::kInconsistent);
+    } else {
+      engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(current + 1), GoalRemoval::kInconsistent);
+    }
+    engine_.elaboration.ApplyWorkingMemoryChanges();
+    return false;
+  }
+  return true;
+}
+
+std::string Decision::Predict() {
+  if (engine_.goals.empty()) return "none";
+  const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(engine_.goals.depth());
+  for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
+    const Goal& goal = engine_.goals.at(level);
+    if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) continue;
+    const PreferenceSemantics::Outcome outcome = Evaluate(goal, ForcedOperator(goal));
+    switch (outcome.impasse) {
+      case ImpasseType::kTie: return "tie";
+      case ImpasseType::kConflict: return "conflict";
+      case ImpasseType::kConstraintFailure: return "constraint";
+      case ImpasseType::kNoChange:
+      case ImpasseType::kNone: break;
+    }
+    if (outcome.candidates.empty()) continue;
+    // What is foretold will happen: the choice is made now and enforced in the next decision.
+    engine_.forced_operator = ToString(engine_.symbols, Pick(outcome).value);
+    return engine_.forced_operator;
+  }
+  return "none";
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/match/match_set.h"
+#include "kernel/observer.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// The elaboration loop of the propose and apply phases: which level is active, what fires in a pass, and the working
+/// memory phase after it. Goals higher up go first (the waterfall): a lower goal's rules fire in the same elaboration
+/// only if their actions stay below the level that is changing.
+class Elaboration {
+ public:
+  explicit Elaboration(Engine& engine) : engine_(engine) {}
+
+  enum class Next : std::uint8_t { kElaborate, kPhaseEnds, kInconsistent };
+
+  /// At the beginning of a propose or apply phase.
+  void BeginPhase();
+  /// What comes next in the propose or apply phase: another elaboration at the active level, or the end of the phase.
+  Next Determine(bool apply);
+  /// One elaboration: the preference phase at the active level, then the working memory phase.
+  void Run(bool apply);
+
+  /// Decides changed slots, settles links and hands the changes to the match.
+  void ApplyWorkingMemoryChanges();
+  std::uint32_t count() const { return count_; }
+  FiringType firing_type() const { return firing_; }
+  GoalLevel active_level() const { return active_; }
+  void Clear();
+
+ private:
+  bool HasWork(GoalLevel level, bool apply) const;
+  bool HasIeWork(GoalLevel level) const;
+  /// The highest goal from `from` down with something to do; 0 if there is none.
+  GoalLevel HighestActive(GoalLevel from, bool apply) const;
+  Next DetermineApply(GoalLevel previous);
+  FiringType TypeAt(GoalLevel level) const;
+  void PreferencePhase(bool apply);
+  void FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_level);
+  void AssertNew();
+  void RetractLevel(GoalLevel level);
+  void Retract(MatchId match);
+
+  Engine& engine_;
+  GoalLevel active_ = 0;
+  FiringType firing_ = FiringType::kIe;
+  std::uint32_t count_ = 0;             ///< Elaborations of this phase.
+  std::vector<MatchId> put_back_;
+  std::vector<Symbol> garbage_;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/engine.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include "kernel/decide/invariants.h"
+
+namespace soarbox::kernel {
+
+Engine::Engine(Agent& owner, std::string agent_name)
+    : agent(owner),
+      name(std::move(agent_name)),
+      memory(symbols),
+      links(memory),
+      rete(symbols, memory.wmes()),
+      input(*this),
+      output(*this),
+      changes(*this),
+      preferences(*this),
+      context(*this),
+      firing(*this),
+      justifier(*this),
+      slot_decision(*this),
+      gds(*this),
+      goal_changes(*this),
+      decision(*this),
+      elaboration(*this),
+      run(*this) {
+  rete.OnMixedSupport([this](ProductionId production) {
+    const std::string& rule = rete.production(production)->name;
+    Print("\nWARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " + rule +
+          "\n");
+  });
+}
+
+// Describing ----------------------------------------------------------------------------------------------------------
+
+WmeInfo Engine::Describe(WmeId id) const {
+  const Wme& wme = memory.wme(id);
+  return {id, wme.timetag, wme.id, wme.attribute, wme.value, wme.acceptable};
+}
+
+GoalInfo Engine::Describe(const Goal& goal) const {
+  return {goal.id, goal.level, goal.impasse, goal.impasse_on_operator, OperatorOf(goal)};
+}
+
+Symbol Engine::OperatorOf(const Goal& goal) const {
+  const WmeId selected = memory.slot(goal.operator_slot).wmes;
+  return selected == WmeId::kNone ? Symbol() : memory.wme(selected).value;
+}
+
+std::string_view Engine::ProductionName(InstantiationId id) const {
+  const Instantiation& instantiation = instantiations[id];
+  if (instantiation.justification != 0xFFFFFFFFu) return justifier.record(instantiation.justification).name;
+  if (instantiation.production == ProductionId::kNone) return "[architecture]";
+  const ProductionPtr& rule = rete.production(instantiation.production);
+  return rule == nullptr ? std::string_view("[excised]") : std::string_view(rule->name);
+}
+
+FiringInfo Engine::DescribeInstantiation(InstantiationId id) const {
+  const Instantiation& instantiation = instantiations[id];
+  FiringInfo info;
+  info.instantiation = id;
+  info.production = instantiation.production;
+  if (instantiation.production != ProductionId::kNone) info.rule = rete.production(instantiation.production).get();
+  info.name = ProductionName(id);
+  info.goal = instantiation.goal;
+  info.level = instantiation.level;
+  if (instantiation.match != MatchId::kNone) info.wmes = rete.Wmes(instantiation.match);
+  return info;
+}
+
+void Engine::Print(std::string_view text) {
+  observers.Notify(Event::kPrint, [&](Observer& o) { o.OnPrint(agent, text); });
+}
+
+void Engine::Warn(WarningKind kind, std::string_view text) {
+  observers.Notify(Event::kPrint, [&](Observer& o) { o.OnWarning(agent, kind, text); });
+}
+
+// Sweeping ------------------------------------------------------------------------------------------------------------
+
+void Engine::SweepSymbols() {
+  const bool identifiers_due = memory.identifier_count() >= sweep_identifiers_at;
+  const bool constants_due = symbols.UnpinnedCount() >= sweep_constants_at;
+  if (!identifiers_due && !constants_due) return;
+  if (!changes.empty() || links.HasWork()) return;
+  for (GoalLevel level = 0; level <= goals.depth(); ++level) {
+    if (rete.matches().HasRetractions(level)) return;  // Their elements are readable until they are released.
+  }
+  identifier_marks.assign(memory.identifier_limit(), 0);
+  symbols.BeginMark();
+  const auto mark = [&](Symbol symbol) {
+    if (symbol.IsIdentifier()) {
+      if (symbol.index() < identifier_marks.size()) identifier_marks[symbol.index()] = 1;
+    } else if (symbol) {
+      symbols.Mark(symbol);
+    }
+  };
+  for (std::uint32_t index = 0; index < memory.wmes().size(); ++index) {
+    const Wme& wme = memory.wmes()[index];
+    if (!wme.live && memory.record(static_cast<WmeId>(index)).references == 0) continue;
+    mark(wme.id);
+    mark(wme.attribute);
+    mark(wme.value);
+  }
+  for (std::uint32_t index = 0; index < memory.preference_limit(); ++index) {
+    const Preference& preference = memory.preference(static_cast<PreferenceId>(index));
+    if (!preference.live) continue;
+    mark(preference.id);
+    mark(preference.attribute);
+    mark(preference.value);
+    mark(preference.referent);
+  }
+  for (std::uint32_t index = 0; index < memory.slot_limit(); ++index) {
+    const Slot& slot = memory.slot(static_cast<SlotId>(index));
+    if (!slot.live) continue;
+    mark(slot.id);
+    mark(slot.attribute);
+  }
+  for (GoalLevel level = 1; level <= goals.depth(); ++level) mark(goals.at(level).id);
+  for (std::uint32_t index = 0; index < instantiations.limit(); ++index) {
+    const Instantiation& instantiation = instantiations[static_cast<InstantiationId>(index)];
+    if (instantiation.live) mark(instantiation.goal);
+  }
+  input.Mark(mark);
+  output.Mark(mark);
+  for (std::uint32_t index = 0; index < memory.identifier_limit(); ++index) {
+    const Symbol id(Symbol::Tag::kIdentifier, index);
+    if (!memory.identifier(id).live || identifier_marks[index] != 0) continue;
+    input.IdentifierGone(id);
+    output.IdentifierFreed(id);
+    memory.FreeIdentifier(id);
+  }
+  symbols.Sweep();
+  sweep_identifiers_at = std::max<std::size_t>(1024, 2 * memory.identifier_count());
+  sweep_constants_at = std::max<std::size_t>(4096, 2 * symbols.UnpinnedCount());
+}
+
+// Beginning -----------------------------------------------------------------------------------------------------------
+
+void Engine::Initialize() {
+  rete.Clear();
+  goals.Clear();
+  instantiations.Clear();
+  justifier.Clear();
+  preferences.Clear();
+  changes.Clear();
+  links.Clear();
+  gds.Clear();
+  decision.Clear();
+  elaboration.Clear();
+  run.Clear();
+  output.Reset();
+  firing.made().clear();
+  memory.Clear();
+  symbols.ResetIdentifierCounters();
+  const std::uint64_t inits = counters.inits;
+  counters = AgentCounters{};
+  counters.inits = inits;
+  goal_changes.MakeTopState();
+  input.Reset();
+  elaboration.ApplyWorkingMemoryChanges();
+  counters.wm_size_maximum = memory.wme_count();
+}
+
+void Engine::CheckAfterPhase() const {
+#ifdef SOARBOX_CHECK_INVARIANTS
+  const std::string violation = FindViolation(*this);
+  if (violation.empty()) return;
+  std::fprintf(stderr, "soarbox: agent %s: invariant violated: %s\n", name.c_str(), violation.c_str());
+  std::abort();
+#endif
+}
+
+}  // namespace soarbox::kernel

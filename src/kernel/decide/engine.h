@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kernel/agent.h"
+#include "kernel/base/random.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/decide/decision.h"
+#include "kernel/decide/elaboration.h"
+#include "kernel/decide/exploration.h"
+#include "kernel/decide/firing.h"
+#include "kernel/decide/goal_changes.h"
+#include "kernel/decide/goal_dependency_set.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/decide/preference_semantics.h"
+#include "kernel/decide/rule_context.h"
+#include "kernel/decide/run_control.h"
+#include "kernel/decide/slot_decision.h"
+#include "kernel/io/input_link.h"
+#include "kernel/io/output_link.h"
+#include "kernel/learn/justification.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/links.h"
+#include "kernel/memory/wme_changes.h"
+#include "kernel/memory/working_memory.h"
+
+namespace soarbox::kernel {
+
+/// Everything that one agent consists of. The parts know each other through this struct; each part's header says what it
+/// is for. Not visible outside the kernel: Agent is its face.
+struct Engine {
+  Engine(Agent& owner, std::string agent_name);
+
+  Agent& agent;
+  std::string name;
+
+  // Data.
+  SymbolTable symbols;
+  WorkingMemory memory;
+  LinkGraph links;
+  InstantiationTable instantiations;
+  GoalStack goals;
+  Rete rete;
+
+  AgentSettings settings;
+  AgentCounters counters;
+  ExplorationSettings exploration;
+  RandomStream random;
+  Observers observers;
+
+  /// What the agent knows of each rule beside the rule itself, by ProductionId.
+  struct ProductionRecord {
+    std::uint64_t firings = 0;
+    bool breaks = false;
+    bool live = false;
+  };
+  std::vector<ProductionRecord> productions;
+  std::vector<ProductionId> loading_order;        ///< Live rules, oldest first.
+  std::map<std::string, ProductionId, std::less<>> production_names;
+  std::array<std::uint32_t, 5> type_counts{};     ///< Live rules by ProductionType.
+
+  // What happens, in the order of the cycle.
+  InputLink input;
+  OutputLink output;
+  WmeChanges changes;
+  PreferenceChanges preferences;
+  RuleContext context;
+  Firing firing;
+  Justifier justifier;
+  SlotDecision slot_decision;
+  GoalDependencySets gds;
+  GoalChanges goal_changes;
+  PreferenceSemantics semantics;
+  Decision decision;
+  Elaboration elaboration;
+  RunControl run;
+
+  // Host.
+  std::map<std::string, UserFunction, std::less<>> user_functions;
+  std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> fallback_function;
+  std::function<std::string(Agent&, std::string_view)> command_runner;
+  std::function<std::string()> line_reader;
+  std::map<std::string, std::uint64_t, std::less<>> rule_counters;
+  bool agent_writes = true;
+  std::string forced_operator;
+
+  // Sweeping of symbols and identifiers.
+  std::size_t sweep_identifiers_at = 1024;
+  std::size_t sweep_constants_at = 4096;
+  std::vector<std::uint8_t> identifier_marks;
+
+  GoalView goal_view() const { return {memory.goal_levels(), memory.long_term_identifiers()}; }
+  WmeInfo Describe(WmeId wme) const;
+  GoalInfo Describe(const Goal& goal) const;
+  FiringInfo DescribeInstantiation(InstantiationId id) const;
+  std::string_view ProductionName(InstantiationId id) const;
+  /// The operator selected in a goal, or none.
+  Symbol OperatorOf(const Goal& goal) const;
+  void Print(std::string_view text);
+  void Warn(WarningKind kind, std::string_view text);
+
+  /// Between phases: frees constants and identifiers that nothing mentions, when their number has doubled.
+  void SweepSymbols();
+  /// Empties everything but the rules and makes the first state.
+  void Initialize();
+  /// Checks, in builds with SOARBOX_CHECK_INVARIANTS, that the parts agree; aborts with the reason if not.
+  void CheckAfterPhase() const;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/firing.h"
+
+#include <cctype>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/rules/functions/builtin_functions.h"
+
+namespace soarbox::kernel {
+namespace {
+
+Symbol FieldOf(const Wme& wme, Field field) {
+  switch (field) {
+    case Field::kId: return wme.id;
+    case Field::kAttribute: return wme.attribute;
+    case Field::kValue: break;
+  }
+  return wme.value;
+}
+
+/// What the trace prints of a preference that cannot be made.
+std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Production& rule) {
+  std::string text = "\nError: RHS makes a preference for " + ToString(symbols, id) + " (not an identifier)";
+  text += " in rule " + rule.name + "\n";
+  return text;
+}
+
+}  // namespace
+
+char Firing::LetterFor(std::string_view name) {
+  if (!name.empty() && name.front() == '<') name.remove_prefix(1);
+  if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0) return 'I';
+  const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  return letter == 'S' ? 'I' : letter;
+}
+
+bool Firing::Touches(const PendingMatch& match, GoalLevel level) const {
+  const Production& rule = *engine_.rete.production(match.production);
+  if (rule.type == ProductionType::kTemplate) return false;
+  const std::span<const WmeId> wmes = engine_.rete.Wmes(match.match);
+  for (const Action& action : rule.actions) {
+    if (action.is_function_call || action.id.kind != RhsValueKind::kBound) continue;
+    const Wme& wme = engine_.memory.wme(wmes[action.id.site.positive_condition]);
+    const Symbol id = FieldOf(wme, action.id.site.field);
+    if (id.IsIdentifier() && engine_.memory.level(id) <= level) return true;
+  }
+  return false;
+}
+
+void Firing::Fire(const PendingMatch& match) {
+  // The rule stays alive through this pointer even if an action excises it.
+  const ProductionPtr rule = engine_.rete.production(match.production);
+  const InstantiationId id = engine_.instantiations.Make();
+  {
+    Instantiation& instantiation = engine_.instantiations[id];
+    instantiation.production = match.production;
+    instantiation.match = match.match;
+    instantiation.goal = match.goal;
+    instantiation.level = match.level;
+    instantiation.o_support = match.o_support;
+    instantiation.held = true;
+  }
+  const std::span<const WmeId> wmes = engine_.rete.Wmes(match.match);
+  wmes_.assign(wmes.begin(), wmes.end());
+  engine_.rete.matches().MarkFired(match.match, id);
+  if (match.level > 1) TraceConditions(id, wmes_);
+
+  ++engine_.counters.firings;
+  Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
+  ++record.firings;
+  const bool interrupt = rule->interrupt || record.breaks;
+
+  if (engine_.observers.Wants(Event::kAssertion)) {
+    const FiringInfo info = engine_.DescribeInstantiation(id);
+    engine_.observers.Notify(Event::kAssertion, [&](Observer& o) { o.OnInstantiationMade(engine_.agent, info); });
+  }
+  if (engine_.observers.Wants(Event::kFiring)) {
+    const FiringInfo info = engine_.DescribeInstantiation(id);
+    engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFiring(engine_.agent, info); });
+  }
+  RunActions(*rule, id);
+  if (engine_.observers.Wants(Event::kFiring)) {
+    std::vector<PreferenceId> made;
+    for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
+         p = engine_.memory.preference(p).next_of_instantiation) {
+      made.push_back(p);
+    }
+    const FiringInfo info = engine_.DescribeInstantiation(id);
+    engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFired(engine_.agent, info, made); });
+  }
+  made_.push_back(id);
+  if (interrupt) engine_.run.InterruptByRule(rule->name);
+  if (match.level > 1) engine_.justifier.Consider(id);
+}
+
+void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
+  const GoalLevel level = engine_.instantiations[id].level;
+  const std::span<ConditionTrace> traces = engine_.instantiations.MakeTrace(id, wmes.size());
+  for (std::size_t n = 0; n < wmes.size(); ++n) {
+    const WmeId wme = wmes[n];
+    PreferenceId preference = engine_.memory.record(wme).preference;
+    if (preference != PreferenceId::kNone) preference = CloneAtLevel(preference, level);
+    traces[n] = {wme, engine_.memory.level(engine_.memory.wme(wme).id), preference};
+    engine_.changes.AddReference(wme);
+    if (preference != PreferenceId::kNone) engine_.preferences.AddReference(preference);
+  }
+}
+
+PreferenceId Firing::CloneAtLevel(PreferenceId preference, GoalLevel level) const {
+  const WorkingMemory& memory = engine_.memory;
+  if (memory.preference(preference).level == level) return preference;
+  for (PreferenceId p = memory.preference(preference).next_clone; p != PreferenceId::kNone;
+       p = memory.preference(p).next_clone) {
+    if (memory.preference(p).level == level) return p;
+  }
+  for (PreferenceId p = memory.preference(preference).previous_clone; p != PreferenceId::kNone;
+       p = memory.preference(p).previous_clone) {
+    if (memory.preference(p).level == level) return p;
+  }
+  return PreferenceId::kNone;
+}
+
+void Firing::RunActions(const Production& rule, InstantiationId id) {
+  if (rule.type == ProductionType::kTemplate) return;
+  new_identifiers_.assign(rule.new_identifiers.size(), Symbol());
+  rule_ = &rule;
+  level_ = engine_.instantiations[id].level;
+  goal_ = engine_.instantiations[id].goal;
+  engine_.context.SetFiring(id);
+  for (const Action& action : rule.actions) RunAction(action, id);
+  engine_.context.SetFiring(InstantiationId::kNone);
+  rule_ = nullptr;
+}
+
+void Firing::RunAction(const Action& action, InstantiationId id) {
+  if (action.is_function_call) {
+    Evaluate(action.value);
+    return;
+  }
+  Preference preference;
+  preference.id = Evaluate(action.id);
+  if (!preference.id) return;
+  if (!preference.id.IsIdentifier()) {
+    engine_.Print(BadIdentifier(engine_.symbols, preference.id, *rule_));
+    return;
+  }
+  preference.attribute = Evaluate(action.attribute);
+  if (!preference.attribute) return;
+  preference.value = Evaluate(action.value);
+  if (!preference.value) return;
+  preference.type = action.preference;
+  if (action.HasReferent()) {
+    preference.referent = Evaluate(action.referent);
+    if (!preference.referent) return;
+    // `= x` is read as binary; what x is shows only now.
+    if (preference.type == PreferenceType::kBinaryIndifferent && preference.referent.IsNumber()) {
+      preference.type = PreferenceType::kNumericIndifferent;
+    }
+  }
+  const bool is_operator = preference.attribute == words::kOperator && engine_.memory.identifier(preference.id).is_goal;
+  if (!is_operator && preference.type != PreferenceType::kAcceptable && preference.type != PreferenceType::kReject) {
+    return;
+  }
+  preference.o_supported = engine_.instantiations[id].o_support;
+  engine_.preferences.Make(id, preference);
+}
+
+Symbol Firing::Evaluate(const RhsValue& value) {
+  switch (value.kind) {
+    case RhsValueKind::kConstant: return value.symbol;
+    case RhsValueKind::kBound:
+      return FieldOf(engine_.memory.wme(wmes_[value.site.positive_condition]), value.site.field);
+    case RhsValueKind::kNew: {
+      Symbol& made = new_identifiers_[value.new_index];
+      if (!made) made = engine_.memory.NewIdentifier(LetterFor(engine_.symbols.Text(value.symbol)), level_);
+      return made;
+    }
+    case RhsValueKind::kFunction: break;
+  }
+  // Arguments stand on a stack, so that calls may nest without allocating.
+  const std::size_t base = argument_stack_.size();
+  for (const RhsValue& argument : value.arguments) {
+    const Symbol symbol = Evaluate(argument);
+    if (!symbol) {
+      argument_stack_.resize(base);
+      return {};
+    }
+    argument_stack_.push_back(symbol);
+  }
+  const std::span<const Symbol> arguments(argument_stack_.data() + base, argument_stack_.size() - base);
+  const Symbol result = kernel::Evaluate(engine_.context, value.function_index, arguments);
+  argument_stack_.resize(base);
+  return result;
+}
+
+}  // namespace soarbox::kernel

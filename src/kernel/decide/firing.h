@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/decide/instantiation.h"
+#include "kernel/match/match_set.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Fires rules: makes the instantiation of a match and runs the rule's actions, which make preferences (not asserted yet)
+/// and call functions. New identifiers are made in the order in which the actions name them.
+class Firing {
+ public:
+  explicit Firing(Engine& engine) : engine_(engine) {}
+
+  /// Fires a match that was taken from the match set.
+  void Fire(const PendingMatch& match);
+  /// True if the actions would touch an identifier whose level is `level` or higher up (a smaller number).
+  bool Touches(const PendingMatch& match, GoalLevel level) const;
+  /// Instantiations made in this pass and not asserted yet, oldest first. Held until asserted.
+  std::vector<InstantiationId>& made() { return made_; }
+  /// What learning follows: for each matched element the preference that made it at this level.
+  void TraceConditions(InstantiationId id, std::span<const WmeId> wmes);
+  /// The preference of the same result at a level, or kNone.
+  PreferenceId CloneAtLevel(PreferenceId preference, GoalLevel level) const;
+  /// A new identifier's letter for a variable's or attribute's name: I unless it begins with a letter other than S.
+  static char LetterFor(std::string_view name);
+
+ private:
+  void RunActions(const Production& rule, InstantiationId id);
+  void RunAction(const Action& action, InstantiationId id);
+  /// The value of a right-hand-side term; none if a function failed or gives nothing.
+  Symbol Evaluate(const RhsValue& value);
+
+  Engine& engine_;
+  std::vector<InstantiationId> made_;
+  std::vector<WmeId> wmes_;              ///< Of the match that fires: working memory may grow while it does.
+  std::vector<Symbol> new_identifiers_;
+  std::vector<Symbol> argument_stack_;
+  GoalLevel level_ = 0;
+  Symbol goal_;
+  const Production* rule_ = nullptr;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/goal_changes.h"
+
+#include <algorithm>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+namespace {
+
+bool HasItems(ImpasseType impasse) { return impasse != ImpasseType::kNoChange && impasse != ImpasseType::kNone; }
+
+Symbol ImpasseName(ImpasseType impasse) {
+  switch (impasse) {
+    case ImpasseType::kTie: return words::kTie;
+    case ImpasseType::kConflict: return words::kConflict;
+    case ImpasseType::kConstraintFailure: return words::kConstraintFailure;
+    case ImpasseType::kNoChange: return words::kNoChange;
+    case ImpasseType::kNone: break;
+  }
+  return words::kNone;
+}
+
+}  // namespace
+
+// Making states -------------------------------------------------------------------------------------------------------
+
+WmeId GoalChanges::AddSlotWme(Symbol id, Symbol attribute, Symbol value) {
+  const SlotId slot = engine_.memory.FindOrMakeSlot(id, attribute, false);
+  return engine_.changes.Add(WmeKind::kSlot, id, attribute, value, slot);
+}
+
+WmeId GoalChanges::AddArchitecture(Symbol id, Symbol attribute, Symbol value) {
+  return engine_.changes.Add(WmeKind::kArchitecture, id, attribute, value);
+}
+
+Symbol GoalChanges::AddModule(Symbol owner, Symbol attribute, char letter) {
+  const Symbol module = engine_.memory.NewIdentifier(letter, engine_.memory.level(owner));
+  AddSlotWme(owner, attribute, module);
+  return module;
+}
+
+Goal& GoalChanges::PushGoal() {
+  Goal& goal = engine_.goals.Push();
+  goal.id = engine_.memory.NewIdentifier('S', goal.level);
+  engine_.memory.SetGoal(goal.id, goal.level);
+  goal.operator_slot = engine_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
+  goal.created_in_decision = engine_.counters.decision_phases;
+  return goal;
+}
+
+void GoalChanges::AddMemoryLinks(Goal& goal) {
+  goal.reward_link = AddModule(goal.id, words::kRewardLink, 'R');
+  const Symbol epmem = AddModule(goal.id, words::kEpmem, 'E');
+  AddModule(epmem, words::kCommand, 'C');
+  AddModule(epmem, words::kResult, 'R');
+  AddSlotWme(epmem, words::kPresentId, engine_.symbols.Integer(1));
+  const Symbol smem = AddModule(goal.id, words::kSmem, 'L');
+  AddModule(smem, words::kCommand, 'C');
+  AddModule(smem, words::kResult, 'R');
+}
+
+void GoalChanges::MakeTopState() {
+  Goal& goal = PushGoal();
+  AddArchitecture(goal.id, words::kType, words::kState);
+  AddArchitecture(goal.id, words::kSuperstate, words::kNil);
+  AddMemoryLinks(goal);
+  const Symbol io = engine_.memory.NewIdentifier('I', 1);
+  input_link_ = engine_.memory.NewIdentifier('I', 1);
+  output_link_ = engine_.memory.NewIdentifier('I', 1);
+  engine_.changes.Add(WmeKind::kInput, goal.id, words::kIo, io);
+  engine_.changes.Add(WmeKind::kInput, io, words::kInputLink, input_link_);
+  engine_.changes.Add(WmeKind::kInput, io, words::kOutputLink, output_link_);
+  engine_.output.SetIdentifier(output_link_);
+}
+
+void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates) {
+  const Symbol superstate = engine_.goals.bottom().id;
+  Goal& goal = PushGoal();
+  goal.impasse = impasse;
+  goal.impasse_on_operator = on_operator;
+  AddArchitecture(goal.id, words::kType, words::kState);
+  AddArchitecture(goal.id, words::kSuperstate, superstate);
+  AddMemoryLinks(goal);
+  AddArchitecture(goal.id, words::kAttribute, on_operator ? words::kOperator : words::kState);
+  AddArchitecture(goal.id, words::kImpasse, ImpasseName(impasse));
+  const bool multiple = impasse == ImpasseType::kTie || impasse == ImpasseType::kConflict;
+  AddArchitecture(goal.id, words::kChoices, multiple ? words::kMultiple : words::kNone);
+  AddArchitecture(goal.id, words::kQuiescence, words::kT);
+  if (HasItems(impasse)) UpdateItems(static_cast<GoalLevel>(goal.level - 1), candidates);
+  if (engine_.observers.Wants(Event::kDecision)) {
+    const GoalInfo info = engine_.Describe(engine_.goals.bottom());
+    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateCreated(engine_.agent, info); });
+  }
+}
+
+// Items ---------------------------------------------------------------------------------------------------------------
+
+void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candidates) {
+  Goal& goal = engine_.goals.at(static_cast<GoalLevel>(level + 1));
+  WorkingMemory& memory = engine_.memory;
+  std::int64_t non_numeric = 0;
+  for (const Candidate& candidate : candidates) non_numeric += candidate.is_numeric ? 0 : 1;
+  const Symbol item_count = engine_.symbols.Integer(static_cast<std::int64_t>(candidates.size()));
+  const Symbol non_numeric_count = engine_.symbols.Integer(non_numeric);
+
+  const auto wanted = [&](const Wme& wme) {
+    if (wme.attribute == words::kItemCount) return wme.value == item_count;
+    if (wme.attribute == words::kNonNumericCount) return wme.value == non_numeric_count;
+    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+      return candidate.value == wme.value && (wme.attribute == words::kItem || !candidate.is_numeric);
+    });
+  };
+  kept_items_.clear();
+  for (const WmeId item : goal.items) {
+    if (wanted(memory.wme(item))) {
+      kept_items_.push_back(item);
+    } else {
+      engine_.changes.Remove(item);
+    }
+  }
+  goal.items = kept_items_;
+  const auto add = [&](Symbol attribute, Symbol value) {
+    const bool present = std::any_of(kept_items_.begin(), kept_items_.end(), [&](WmeId item) {
+      return memory.wme(item).attribute == attribute && memory.wme(item).value == value;
+    });
+    if (!present) goal.items.push_back(AddArchitecture(goal.id, attribute, value));
+  };
+  for (const Candidate& candidate : candidates) add(words::kItem, candidate.value);
+  add(words::kItemCount, item_count);
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.is_numeric) add(words::kNonNumeric, candidate.value);
+  }
+  add(words::kNonNumericCount, non_numeric_count);
+}
+
+// Removing states -----------------------------------------------------------------------------------------------------
+
+void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
+  while (engine_.goals.depth() >= level && !engine_.goals.empty()) {
+    if (engine_.observers.Wants(Event::kDecision) && reason != GoalRemoval::kInit) {
+      const GoalInfo info = engine_.Describe(engine_.goals.bottom());
+      engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateRemoved(engine_.agent, info, reason); });
+    }
+    RemoveBottom();
+  }
+}
+
+void GoalChanges::RemoveBottom() {
+  WorkingMemory& memory = engine_.memory;
+  Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
+  engine_.run.GoalRemoved(goal.id);
+  while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.Retract(goal.oldest_preference);
+  const SlotId slot = goal.operator_slot;
+  while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
+  while (memory.slot(slot).acceptable_wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).acceptable_wmes);
+  for (const WmeId item : goal.items) engine_.changes.Remove(item);
+  goal.items.clear();
+  while (memory.identifier(goal.id).architecture_wmes != WmeId::kNone) {
+    engine_.changes.Remove(memory.identifier(goal.id).architecture_wmes);
+  }
+  engine_.gds.GoalRemoved(goal.level);
+  engine_.decision.GoalRemoved(goal.level);
+  engine_.rete.matches().GoalRemoved(goal.level);
+  memory.mutable_slot(slot).is_operator = false;
+  memory.mutable_slot(slot).changed = false;
+  engine_.preferences.MarkChanged(slot);
+  memory.ClearGoal(goal.id);
+  engine_.links.GoalGone(goal.id);
+  engine_.goals.Pop();
+}
+
+void GoalChanges::CollectGarbage(Symbol id) {
+  WorkingMemory& memory = engine_.memory;
+  engine_.input.IdentifierGone(id);
+  while (memory.identifier(id).input_wmes != WmeId::kNone) engine_.changes.Remove(memory.identifier(id).input_wmes);
+  for (SlotId slot = memory.identifier(id).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
+    while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
+    while (memory.slot(slot).acceptable != PreferenceId::kNone) engine_.preferences.Retract(memory.slot(slot).acceptable);
+    while (memory.slot(slot).others != PreferenceId::kNone) engine_.preferences.Retract(memory.slot(slot).others);
+    engine_.preferences.empty_slots().push_back(slot);
+  }
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/preference_semantics.h"
+#include "kernel/observer.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Makes and removes states with the structure that the architecture gives them, in the order that time tags show:
+/// type, superstate, reward-link, epmem, smem, (top state: io,) attribute, impasse, choices, quiescence, items.
+class GoalChanges {
+ public:
+  explicit GoalChanges(Engine& engine) : engine_(engine) {}
+
+  void MakeTopState();
+  /// A substate of the bottom goal. `candidates` are the items of a tie, conflict or constraint failure.
+  void MakeSubstate(ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);
+  /// Brings the items of the substate below `level` up to date: elements that stay keep their time tags.
+  void UpdateItems(GoalLevel level, std::span<const Candidate> candidates);
+  /// Removes the goal of this level and all below, the lowest first.
+  void RemoveFrom(GoalLevel level, GoalRemoval reason);
+  /// Removes what an identifier that no goal reaches owns.
+  void CollectGarbage(Symbol id);
+
+  Symbol input_link() const { return input_link_; }
+  Symbol output_link() const { return output_link_; }
+
+ private:
+  Goal& PushGoal();
+  void AddMemoryLinks(Goal& goal);
+  Symbol AddModule(Symbol owner, Symbol attribute, char letter);
+  WmeId AddSlotWme(Symbol id, Symbol attribute, Symbol value);
+  WmeId AddArchitecture(Symbol id, Symbol attribute, Symbol value);
+  void RemoveBottom();
+
+  Engine& engine_;
+  Symbol input_link_, output_link_;
+  std::vector<WmeId> kept_items_;
+};
+
+}  // namespace soarbox::kernel

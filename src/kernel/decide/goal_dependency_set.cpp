@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/goal_dependency_set.h"
+
+#include <algorithm>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+void GoalDependencySets::NoteNewFact(WmeId wme) {
+  if (engine_.goals.depth() < 2) return;
+  const WorkingMemory& memory = engine_.memory;
+  const SlotId slot = memory.record(wme).slot;
+  const Symbol value = memory.wme(wme).value;
+  ++collection_;
+  for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    const Preference& preference = memory.preference(p);
+    if (!preference.o_supported || preference.value != value || preference.level < 2) continue;
+    const GoalLevel level = preference.level;
+    if (level > engine_.goals.depth()) continue;
+    engine_.goals.at(level).has_gds = true;
+    Queue(preference.instantiation);
+    while (!queue_.empty()) {
+      const InstantiationId next = queue_.back();
+      queue_.pop_back();
+      Collect(next, level);
+    }
+  }
+}
+
+void GoalDependencySets::Queue(InstantiationId id) {
+  if (visited_.size() <= Index(id)) visited_.resize(Index(id) + 1u, 0);
+  if (visited_[Index(id)] == collection_) return;
+  visited_[Index(id)] = collection_;
+  queue_.push_back(id);
+}
+
+void GoalDependencySets::Collect(InstantiationId id, GoalLevel level) {
+  const WorkingMemory& memory = engine_.memory;
+  for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
+    const WmeRecord& record = memory.record(trace.wme);
+    if (record.removing || !memory.wme(trace.wme).live) continue;
+    const PreferenceId preference = record.preference;
+    const bool given = preference == PreferenceId::kNone;  // By the architecture, by input, or by a memory.
+    if (given || memory.level(memory.wme(trace.wme).id) < level) {
+      AddMember(trace.wme, level);
+      continue;
+    }
+    // A fact of this goal that is not held by o-support passes its own dependencies on.
+    const SlotId slot = record.slot;
+    for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone;
+         p = memory.preference(p).next_in_slot) {
+      const Preference& supporter = memory.preference(p);
+      if (supporter.value == memory.wme(trace.wme).value && supporter.level == level && !supporter.o_supported) {
+        Queue(supporter.instantiation);
+      }
+    }
+  }
+}
+
+void GoalDependencySets::AddMember(WmeId wme, GoalLevel level) {
+  WmeRecord& record = engine_.memory.mutable_record(wme);
+  if (record.gds != 0 && record.gds <= level) return;
+  if (record.gds != 0) std::erase(engine_.goals.at(record.gds).gds, wme);
+  record.gds = level;
+  engine_.goals.at(level).gds.push_back(wme);
+  if (engine_.observers.Wants(Event::kGds)) {
+    const GoalInfo goal = engine_.Describe(engine_.goals.at(level));
+    const WmeInfo info = engine_.Describe(wme);
+    engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsAdded(engine_.agent, goal, info); });
+  }
+}
+
+void GoalDependencySets::NoteRemoval(WmeId wme) { violated_.push_back(wme); }
+
+void GoalDependencySets::RemoveViolated() {
+  while (!violated_.empty()) {
+    const WmeId wme = violated_.front();
+    violated_.erase(violated_.begin());
+    const GoalLevel level = engine_.memory.record(wme).gds;
+    if (level == 0) continue;  // Its goal has gone already.
+    const Goal& goal = engine_.goals.at(level);
+    if (engine_.observers.Wants(Event::kGds)) {
+      const GoalInfo info = engine_.Describe(goal);
+      const WmeInfo member = engine_.Describe(wme);
+      engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsViolation(engine_.agent, info, member); });
+    }
+    engine_.goal_changes.RemoveFrom(level, GoalRemoval::kGdsChange);
+  }
+}
+
+void GoalDependencySets::GoalRemoved(GoalLevel level) {
+  Goal& goal = engine_.goals.at(level);
+  for (const WmeId wme : goal.gds) engine_.memory.mutable_record(wme).gds = 0;
+  goal.gds.clear();
+  goal.has_gds = false;
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Goal dependency sets (Soar manual 2.7.1): for each substate the elements of higher states that its o-supported facts
+/// rest on. When one of them leaves, the substate goes.
+///
+/// An element belongs to at most one set: that of the highest goal that needs it.
+class GoalDependencySets {
+ public:
+  explicit GoalDependencySets(Engine& engine) : engine_(engine) {}
+
+  /// An element was made for a preference: if an o-supported preference of a substate is behind it, what that rests on
+  /// enters the substate's set.
+  void NoteNewFact(WmeId wme);
+  /// A member of a set is being removed. Its goal goes with RemoveViolated.
+  void NoteRemoval(WmeId wme);
+  /// Removes the goals whose sets lost a member.
+  void RemoveViolated();
+  /// The goal is going: its members are free.
+  void GoalRemoved(GoalLevel level);
+  void Clear() { violated_.clear(); }
+
+ private:
+  void Collect(InstantiationId instantiation, GoalLevel level);
+  void AddMember(WmeId wme, GoalLevel level);
+  void Queue(InstantiationId instantiation);
+
+  Engine& engine_;
+  std::vector<WmeId> violated_;
+  std::vector<InstantiationId> queue_;
+  std::vector<std::uint32_t> visited_;   ///< By instantiation: the last collection that queued it.
+  std::uint32_t collection_ = 0;
+};
+
+}  // namespace soarbox::kernel

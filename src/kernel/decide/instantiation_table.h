@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/decide/instantiation.h"
+
+namespace soarbox::kernel {
+
+/// The instantiations of an agent and the traces of their conditions, in arenas with free lists.
+class InstantiationTable {
+ public:
+  InstantiationId Make();
+  /// Gives the record and its trace back; the caller has dropped what the trace refers to.
+  void Free(InstantiationId id);
+  Instantiation& operator[](InstantiationId id) { return records_[Index(id)]; }
+  const Instantiation& operator[](InstantiationId id) const { return records_[Index(id)]; }
+
+  /// Room for the trace of an instantiation.
+  std::span<ConditionTrace> MakeTrace(InstantiationId id, std::size_t count);
+  std::span<const ConditionTrace> Trace(InstantiationId id) const;
+  std::span<ConditionTrace> MutableTrace(InstantiationId id);
+
+  std::uint32_t limit() const { return static_cast<std::uint32_t>(records_.size()); }
+  std::uint32_t live_count() const { return live_; }
+  void Clear();
+  std::size_t MemoryBytes() const;
+
+ private:
+  std::vector<Instantiation> records_;
+  std::vector<InstantiationId> free_;
+  std::vector<ConditionTrace> traces_;
+  std::vector<std::vector<std::uint32_t>> free_traces_;  ///< By length.
+  std::uint32_t live_ = 0;
+  std::uint32_t next_serial_ = 1;
+};
+
+}  // namespace soarbox::kernel

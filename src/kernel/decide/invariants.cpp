@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/invariants.h"
+
+#include <set>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+namespace {
+
+std::string Name(const Engine& engine, WmeId wme) {
+  const Wme& content = engine.memory.wme(wme);
+  return "(" + std::to_string(content.timetag) + ": " + ToString(engine.symbols, content.id) + " ^" +
+         ToString(engine.symbols, content.attribute) + " " + ToString(engine.symbols, content.value) + ")";
+}
+
+std::string CheckSlot(const Engine& engine, SlotId id) {
+  const WorkingMemory& memory = engine.memory;
+  const Slot& slot = memory.slot(id);
+  if (memory.FindSlot(slot.id, slot.attribute) != id) return "a slot is not found by its identifier and attribute";
+  std::set<std::uint32_t> accepted, rejected, values;
+  std::uint32_t count = 0;
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot, ++count) {
+    if (!memory.preference(p).live || !memory.preference(p).in_slot) return "a slot holds a preference that is gone";
+    accepted.insert(memory.preference(p).value.bits());
+  }
+  if (count != slot.acceptable_count) return "a slot miscounts its acceptable preferences";
+  for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    if (!memory.preference(p).live || !memory.preference(p).in_slot) return "a slot holds a preference that is gone";
+    const PreferenceType type = memory.preference(p).type;
+    if (type == PreferenceType::kReject || type == PreferenceType::kProhibit) {
+      rejected.insert(memory.preference(p).value.bits());
+    }
+  }
+  for (WmeId wme = slot.wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
+    if (!memory.wme(wme).live) return "a slot holds an element that is gone";
+    values.insert(memory.wme(wme).value.bits());
+    const PreferenceId preference = memory.record(wme).preference;
+    if (preference == PreferenceId::kNone || slot.is_operator || slot.changed) continue;
+    if (!memory.preference(preference).in_slot) return "no preference supports " + Name(engine, wme);
+  }
+  if (slot.is_operator || slot.changed) return {};
+  for (const std::uint32_t value : accepted) {
+    if (rejected.count(value) == 0 && values.count(value) == 0) {
+      return "an accepted value of " + ToString(engine.symbols, slot.id) + " ^" +
+             ToString(engine.symbols, slot.attribute) + " has no element";
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string FindViolation(const Engine& engine) {
+  const WorkingMemory& memory = engine.memory;
+  for (std::uint32_t index = 0; index < memory.slot_limit(); ++index) {
+    if (!memory.slot(static_cast<SlotId>(index)).live) continue;
+    std::string violation = CheckSlot(engine, static_cast<SlotId>(index));
+    if (!violation.empty()) return violation;
+  }
+  std::uint32_t live = 0;
+  for (std::uint32_t index = 0; index < memory.wmes().size(); ++index) {
+    const WmeId wme = static_cast<WmeId>(index);
+    if (!memory.wme(wme).live) continue;
+    ++live;
+    if (!memory.record(wme).in_match && engine.changes.empty()) return Name(engine, wme) + " is not in the match";
+    const GoalLevel gds = memory.record(wme).gds;
+    if (gds > engine.goals.depth()) return Name(engine, wme) + " is in the dependency set of a goal that is gone";
+  }
+  if (live != memory.wme_count()) return "the number of elements is wrong";
+  for (GoalLevel level = 1; level <= engine.goals.depth(); ++level) {
+    const Goal& goal = engine.goals.at(level);
+    if (memory.level(goal.id) != level || !memory.identifier(goal.id).is_goal) return "a goal has the wrong level";
+  }
+  std::string violation = engine.links.CheckInvariants(engine.symbols);
+  if (!violation.empty()) return violation;
+  return engine.rete.CheckInvariants();
+}
+
+}  // namespace soarbox::kernel

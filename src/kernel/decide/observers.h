@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "kernel/observer.h"
+
+namespace soarbox::kernel {
+
+/// The observers of an agent. `Wants` is one test, so that an event nobody hears costs nothing.
+class Observers {
+ public:
+  void Add(Observer& observer, EventMask events) {
+    Remove(observer);
+    entries_.push_back({&observer, events});
+    mask_ |= events;
+  }
+  void Remove(Observer& observer) {
+    std::erase_if(entries_, [&](const Entry& entry) { return entry.observer == &observer; });
+    mask_ = 0;
+    for (const Entry& entry : entries_) mask_ |= entry.events;
+  }
+  EventMask mask() const { return mask_; }
+  bool Wants(Event event) const { return (mask_ & Mask(event)) != 0; }
+  /// Calls `tell(observer)` for each that listens to the event. Test Wants first where arguments cost something.
+  template <typename Tell>
+  void Notify(Event event, Tell tell) const {
+    if (!Wants(event)) return;
+    for (std::size_t index = 0; index < entries_.size(); ++index) {
+      const Entry entry = entries_[index];
+      if ((entry.events & Mask(event)) != 0) tell(*entry.observer);
+    }
+  }
+
+ private:
+  struct Entry {
+    Observer* observer;
+    EventMask events;
+  };
+  std::vector<Entry> entries_;
+  EventMask mask_ = 0;
+};
+
+}  // namespace soarbox::kernel

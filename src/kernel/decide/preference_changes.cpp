@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/preference_changes.h"
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, const Preference& content) {
+  const PreferenceId id = engine_.memory.MakePreference();
+  Preference& preference = engine_.memory.mutable_preference(id);
+  preference = content;
+  preference.live = true;
+  Instantiation& instantiation = engine_.instantiations[instantiation_id];
+  preference.instantiation = instantiation_id;
+  preference.level = instantiation.level;
+  preference.next_of_instantiation = instantiation.preferences;
+  if (instantiation.preferences != PreferenceId::kNone) {
+    engine_.memory.mutable_preference(instantiation.preferences).previous_of_instantiation = id;
+  }
+  instantiation.preferences = id;
+  return id;
+}
+
+bool PreferenceChanges::Assert(PreferenceId id) {
+  WorkingMemory& memory = engine_.memory;
+  Preference& preference = memory.mutable_preference(id);
+  const bool is_operator = preference.attribute == words::kOperator && memory.identifier(preference.id).is_goal;
+  const SlotId slot = memory.FindOrMakeSlot(preference.id, preference.attribute, is_operator);
+  if (preference.o_supported && preference.type == PreferenceType::kAcceptable && preference.level == 1 &&
+      !is_operator && !engine_.settings.keep_all_top_o_preferences) {
+    for (PreferenceId other = memory.slot(slot).acceptable; other != PreferenceId::kNone;
+         other = memory.preference(other).next_in_slot) {
+      if (memory.preference(other).o_supported && memory.preference(other).value == preference.value) return false;
+    }
+  }
+  memory.InsertInSlot(id, slot);
+  if (preference.value.IsIdentifier()) preference.value_link = engine_.links.Add(preference.id, preference.value);
+  if (preference.referent.IsIdentifier()) {
+    preference.referent_link = engine_.links.Add(preference.id, preference.referent);
+  }
+  if (preference.level > 1) LinkToGoal(id);
+  MarkChanged(slot);
+  if (is_operator &&
+      (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
+    changed_acceptables_.push_back(slot);
+  }
+  engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceAdded(engine_.agent, id); });
+  return true;
+}
+
+void PreferenceChanges::Retract(PreferenceId id) {
+  WorkingMemory& memory = engine_.memory;
+  Preference& preference = memory.mutable_preference(id);
+  if (!preference.in_slot) return;
+  engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceRemoved(engine_.agent, id); });
+  const SlotId slot = preference.slot;
+  engine_.links.Remove(preference.value_link);
+  engine_.links.Remove(preference.referent_link);
+  preference.value_link = preference.referent_link = LinkGraph::kNone;
+  if (preference.on_goal_list) UnlinkFromGoal(id);
+  memory.RemoveFromSlot(id);
+  MarkChanged(slot);
+  if (memory.slot(slot).is_operator &&
+      (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
+    changed_acceptables_.push_back(slot);
+  }
+  FreeIfUnused(id);
+}
+
+void PreferenceChanges::ApplyOReject(PreferenceId reject) {
+  WorkingMemory& memory = engine_.memory;
+  const Preference content = memory.preference(reject);
+  const SlotId slot = memory.FindSlot(content.id, content.attribute);
+  if (slot == SlotId::kNone) return;
+  for (const bool acceptable : {true, false}) {
+    PreferenceId next;
+    for (PreferenceId p = acceptable ? memory.slot(slot).acceptable : memory.slot(slot).others;
+         p != PreferenceId::kNone; p = next) {
+      next = memory.preference(p).next_in_slot;
+      if (memory.preference(p).value == content.value) Retract(p);
+    }
+  }
+}
+
+void PreferenceChanges::AddReference(PreferenceId id) { ++engine_.memory.mutable_preference(id).references; }
+
+void PreferenceChanges::DropReference(PreferenceId id) {
+  --engine_.memory.mutable_preference(id).references;
+  FreeIfUnused(id);
+}
+
+void PreferenceChanges::FreeIfUnused(PreferenceId id) {
+  if (engine_.memory.preference(id).references != 0) return;
+  unused_.push_back(id);
+  Drain();
+}
+
+void PreferenceChanges::FreeIfUnused(InstantiationId id) {
+  FreeInstantiation(id);
+  Drain();
+}
+
+/// Freeing a preference may free its instantiation, whose conditions let go of other preferences: a chain as long as the
+/// reasoning in a substate was, so it is worked off here and not by recursion.
+void PreferenceChanges::Drain() {
+  if (draining_) return;
+  draining_ = true;
+  while (!unused_.empty()) {
+    const PreferenceId id = unused_.back();
+    unused_.pop_back();
+    const InstantiationId instantiation = engine_.memory.preference(id).instantiation;
+    UnlinkFromChains(id);
+    engine_.memory.FreePreference(id);
+    FreeInstantiation(instantiation);
+  }
+  draining_ = false;
+}
+
+void PreferenceChanges::UnlinkFromChains(PreferenceId id) {
+  WorkingMemory& memory = engine_.memory;
+  Preference& preference = memory.mutable_preference(id);
+  if (preference.previous_of_instantiation != PreferenceId::kNone) {
+    memory.mutable_preference(preference.previous_of_instantiation).next_of_instantiation =
+        preference.next_of_instantiation;
+  } else {
+    engine_.instantiations[preference.instantiation].preferences = preference.next_of_instantiation;
+  }
+  if (preference.next_of_instantiation != PreferenceId::kNone) {
+    memory.mutable_preference(preference.next_of_instantiation).previous_of_instantiation =
+        preference.previous_of_instantiation;
+  }
+  if (preference.previous_clone != PreferenceId::kNone) {
+    memory.mutable_preference(preference.previous_clone).next_clone = preference.next_clone;
+  }
+  if (preference.next_clone != PreferenceId::kNone) {
+    memory.mutable_preference(preference.next_clone).previous_clone = preference.previous_clone;
+  }
+}
+
+void PreferenceChanges::FreeInstantiation(InstantiationId id) {
+  const Instantiation& instantiation = engine_.instantiations[id];
+  if (!instantiation.live || instantiation.held || instantiation.match != MatchId::kNone ||
+      instantiation.preferences != PreferenceId::kNone) {
+    return;
+  }
+  engine_.justifier.InstantiationFreed(id);
+  for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
+    engine_.changes.DropReference(trace.wme);
+    if (trace.preference == PreferenceId::kNone) continue;
+    if (--engine_.memory.mutable_preference(trace.preference).references == 0) unused_.push_back(trace.preference);
+  }
+  engine_.instantiations.Free(id);
+}
+
+void PreferenceChanges::LinkToGoal(PreferenceId id) {
+  Preference& preference = engine_.memory.mutable_preference(id);
+  Goal& goal = engine_.goals.at(preference.level);
+  preference.on_goal_list = true;
+  preference.previous_of_goal = PreferenceId::kNone;
+  preference.next_of_goal = goal.preferences;
+  if (goal.preferences != PreferenceId::kNone) {
+    engine_.memory.mutable_preference(goal.preferences).previous_of_goal = id;
+  } else {
+    goal.oldest_preference = id;
+  }
+  goal.preferences = id;
+}
+
+void PreferenceChanges::UnlinkFromGoal(PreferenceId id) {
+  WorkingMemory& memory = engine_.memory;
+  Preference& preference = memory.mutable_preference(id);
+  Goal& goal = engine_.goals.at(preference.level);
+  preference.on_goal_list = false;
+  if (preference.previous_of_goal != PreferenceId::kNone) {
+    memory.mutable_preference(preference.previous_of_goal).next_of_goal = preference.next_of_goal;
+  } else {
+    goal.preferences = preference.next_of_goal;
+  }
+  if (preference.next_of_goal != PreferenceId::kNone) {
+    memory.mutable_preference(preference.next_of_goal).previous_of_goal = preference.previous_of_goal;
+  } else {
+    goal.oldest_preference = preference.previous_of_goal;
+  }
+}
+
+void PreferenceChanges::MarkChanged(SlotId id) {
+  Slot& slot = engine_.memory.mutable_slot(id);
+  if (slot.is_operator) {
+    engine_.decision.NoteContextChanged(engine_.memory.level(slot.id));
+    slot.changed = true;
+    return;
+  }
+  if (slot.changed) return;
+  slot.changed = true;
+  changed_slots_.push_back(id);
+}
+
+void PreferenceChanges::FreeEmptySlots() {
+  for (const SlotId slot : empty_slots_) {
+    const Slot& record = engine_.memory.slot(slot);
+    if (record.live && !record.changed && !record.is_operator && engine_.memory.SlotIsEmpty(slot)) {
+      engine_.memory.FreeSlot(slot);
+    }
+  }
+  empty_slots_.clear();
+}
+
+void PreferenceChanges::Clear() {
+  changed_slots_.clear();
+  changed_acceptables_.clear();
+  empty_slots_.clear();
+  unused_.clear();
+}
+
+}  // namespace soarbox::kernel

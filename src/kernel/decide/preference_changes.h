@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/memory/preference.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Preferences enter and leave slots here, and slots are marked for decision. Keeps the lists of preferences per
+/// instantiation and per goal, the links that preferences make, and frees preferences and instantiations that nothing
+/// refers to.
+class PreferenceChanges {
+ public:
+  explicit PreferenceChanges(Engine& engine) : engine_(engine) {}
+
+  /// A preference of an instantiation, at the head of its list; not in a slot yet.
+  PreferenceId Make(InstantiationId instantiation, const Preference& content);
+  /// Puts it in its slot, unless the top state has the same o-supported fact already. False if it was not added.
+  bool Assert(PreferenceId preference);
+  /// Takes it out of its slot and drops the slot's reference.
+  void Retract(PreferenceId preference);
+  /// Removes every preference for the same value from the slot of an o-supported reject.
+  void ApplyOReject(PreferenceId reject);
+  void AddReference(PreferenceId preference);
+  void DropReference(PreferenceId preference);
+  /// Frees the preference if nothing refers to it.
+  void FreeIfUnused(PreferenceId preference);
+  /// Frees the instantiation if it no longer matches and has no preferences.
+  void FreeIfUnused(InstantiationId instantiation);
+
+  /// Marks a slot for decision in this working memory phase, or its goal for the decide phase.
+  void MarkChanged(SlotId slot);
+  /// Slots to decide, in order of change; the newest is decided first.
+  std::vector<SlotId>& changed_slots() { return changed_slots_; }
+  /// Operator slots whose acceptable or require preferences changed.
+  std::vector<SlotId>& changed_acceptables() { return changed_acceptables_; }
+  /// Slots to free at the end of the phase if they are empty.
+  std::vector<SlotId>& empty_slots() { return empty_slots_; }
+  void FreeEmptySlots();
+  void Clear();
+
+ private:
+  void LinkToGoal(PreferenceId preference);
+  void UnlinkFromGoal(PreferenceId preference);
+  void UnlinkFromChains(PreferenceId preference);
+  void FreeInstantiation(InstantiationId instantiation);
+  void Drain();
+
+  Engine& engine_;
+  std::vector<SlotId> changed_slots_, changed_acceptables_, empty_slots_;
+  std::vector<PreferenceId> unused_;
+  bool draining_ = false;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/rule_context.h"
+
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <thread>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+SymbolTable& RuleContext::symbols() { return engine_.symbols; }
+RandomStream& RuleContext::random() { return engine_.random; }
+
+void RuleContext::PrintError(std::string_view text) {
+  engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(engine_.agent, text); });
+}
+
+void RuleContext::Write(std::string_view text) {
+  if (engine_.agent_writes) engine_.Print(text);
+}
+
+void RuleContext::Log(int channel, std::string_view text) {
+  engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnLog(engine_.agent, channel, text); });
+}
+
+void RuleContext::Trace(int level, std::string_view text) {
+  engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnTraceText(engine_.agent, level, text); });
+}
+
+void RuleContext::RequestHalt() { engine_.run.Halt(); }
+void RuleContext::RequestInterrupt() { engine_.run.RequestStop("interrupt"); }
+
+void RuleContext::WaitMilliseconds(std::int64_t milliseconds) {
+  if (milliseconds > 0) std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+std::string RuleContext::ReadLine() { return engine_.line_reader ? engine_.line_reader() : std::string(); }
+
+std::string RuleContext::Timestamp() {
+  const auto now = std::chrono::system_clock::now();
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(now);
+  const auto milliseconds =
+      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count() % 1000;
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  char date[32];
+  std::strftime(date, sizeof date, "%Y-%m-%d %H:%M:%S", &local);
+  char text[48];
+  std::snprintf(text, sizeof text, "%s.%03d", date, static_cast<int>(milliseconds));
+  return text;
+}
+
+std::uint64_t RuleContext::DecisionCycle() const { return engine_.counters.decision_phases; }
+std::uint64_t RuleContext::NextConstantNumber() { return next_constant_++; }
+
+void RuleContext::Count(std::string_view counter) {
+  const auto found = engine_.rule_counters.find(counter);
+  if (found != engine_.rule_counters.end()) {
+    ++found->second;
+  } else {
+    engine_.rule_counters.emplace(std::string(counter), 1);
+  }
+}
+
+std::string RuleContext::RunCommand(std::string_view line) {
+  return engine_.command_runner ? engine_.command_runner(engine_.agent, line) : std::string();
+}
+
+bool RuleContext::CallUserFunction(std::string_view name, std::string_view argument, std::string& result) {
+  const Symbol text = engine_.symbols.String(argument);
+  const auto found = engine_.user_functions.find(name);
+  if (found == engine_.user_functions.end() && !engine_.fallback_function) return false;
+  const Result<Symbol> answer = found != engine_.user_functions.end()
+                                    ? found->second(engine_.agent, {&text, 1})
+                                    : engine_.fallback_function(engine_.agent, name, {&text, 1});
+  if (!answer.ok()) {
+    PrintError(answer.error().message + "\n");
+    return false;
+  }
+  if (answer.value()) result = ToString(engine_.symbols, answer.value(), false);
+  return true;
+}
+
+void RuleContext::SlotChildren(Symbol identifier, std::vector<Child>& out) const {
+  const WorkingMemory& memory = engine_.memory;
+  for (SlotId slot = memory.identifier(identifier).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
+    for (WmeId wme = memory.slot(slot).wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
+      out.push_back({memory.wme(wme).attribute, memory.wme(wme).value});
+    }
+  }
+}
+
+void RuleContext::AllChildren(Symbol identifier, std::vector<Child>& out) const {
+  for (const WmeId wme : engine_.memory.WmesOf(identifier)) {
+    if (engine_.memory.wme(wme).acceptable) continue;
+    out.push_back({engine_.memory.wme(wme).attribute, engine_.memory.wme(wme).value});
+  }
+}
+
+Symbol RuleContext::NewIdentifier(char letter) {
+  const GoalLevel level = firing_ == InstantiationId::kNone ? GoalLevel{1} : engine_.instantiations[firing_].level;
+  return engine_.memory.NewIdentifier(letter, level);
+}
+
+void RuleContext::MakePreference(Symbol identifier, Symbol attribute, Symbol value) {
+  if (firing_ == InstantiationId::kNone) return;
+  Preference preference;
+  preference.id = identifier;
+  preference.attribute = attribute;
+  preference.value = value;
+  preference.o_supported = engine_.instantiations[firing_].o_support;
+  engine_.preferences.Make(firing_, preference);
+}
+
+bool RuleContext::IsGoal(Symbol identifier) const { return engine_.memory.identifier(identifier).is_goal; }
+
+std::uint64_t RuleContext::LongTermIdentifier(Symbol identifier) const {
+  const auto linked = engine_.memory.long_term_identifiers();
+  return identifier.IsIdentifier() && identifier.index() < linked.size() ? linked[identifier.index()] : 0;
+}
+
+void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) { engine_.memory.SetLongTerm(identifier, lti); }
+
+void RuleContext::SetLearning(Symbol state, bool learn) { engine_.justifier.SetLearning(state, learn); }
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/decide/instantiation.h"
+#include "kernel/rules/functions/function_context.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// What functions on right-hand sides may see and do of the agent that fires.
+class RuleContext final : public FunctionContext {
+ public:
+  explicit RuleContext(Engine& engine) : engine_(engine) {}
+
+  /// The instantiation that runs its actions.
+  void SetFiring(InstantiationId id) { firing_ = id; }
+
+  SymbolTable& symbols() override;
+  RandomStream& random() override;
+  void PrintError(std::string_view text) override;
+  void Write(std::string_view text) override;
+  void Log(int channel, std::string_view text) override;
+  void Trace(int level, std::string_view text) override;
+  void RequestHalt() override;
+  void RequestInterrupt() override;
+  void WaitMilliseconds(std::int64_t milliseconds) override;
+  std::string ReadLine() override;
+  std::string Timestamp() override;
+  std::uint64_t DecisionCycle() const override;
+  std::uint64_t NextConstantNumber() override;
+  void Count(std::string_view counter) override;
+  std::string RunCommand(std::string_view line) override;
+  bool CallUserFunction(std::string_view name, std::string_view argument, std::string& result) override;
+  void SlotChildren(Symbol identifier, std::vector<Child>& out) const override;
+  void AllChildren(Symbol identifier, std::vector<Child>& out) const override;
+  Symbol NewIdentifier(char letter) override;
+  void MakePreference(Symbol identifier, Symbol attribute, Symbol value) override;
+  bool IsGoal(Symbol identifier) const override;
+  std::uint64_t LongTermIdentifier(Symbol identifier) const override;
+  void LinkToLongTerm(Symbol identifier, std::uint64_t lti) override;
+  void SetLearning(Symbol state, bool learn) override;
+
+ private:
+  Engine& engine_;
+  InstantiationId firing_ = InstantiationId::kNone;
+  std::uint64_t next_constant_ = 1;
+};
+
+}  // namespace soarbox::kernel

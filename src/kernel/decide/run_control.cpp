@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/run_control.h"
+
+#include <algorithm>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+// Phases --------------------------------------------------------------------------------------------------------------
+
+void RunControl::BeginPhase() {
+  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseBegin(engine_.agent, phase_); });
+}
+
+void RunControl::EndPhase(Phase next) {
+  const Phase ended = phase_;
+  in_middle_ = false;
+  phase_ = next;
+  AgentCounters& counters = engine_.counters;
+  ++counters.phases;
+  const std::uint64_t size = engine_.memory.wme_count();
+  counters.wm_size_sum += size;
+  counters.wm_size_maximum = std::max(counters.wm_size_maximum, size);
+  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseEnd(engine_.agent, ended); });
+  engine_.SweepSymbols();
+  engine_.CheckAfterPhase();
+}
+
+void RunControl::InputPhase() {
+  AgentCounters& counters = engine_.counters;
+  cycle_wme_changes_ = counters.wme_additions + counters.wme_removals;
+  cycle_firings_ = counters.firings;
+  if (engine_.settings.max_decision_time_us > 0) cycle_began_ = std::chrono::steady_clock::now();
+  engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnDecisionCycleBegin(engine_.agent); });
+  BeginPhase();
+  engine_.input.Apply();
+  engine_.elaboration.ApplyWorkingMemoryChanges();
+  EndPhase(Phase::kPropose);
+}
+
+bool RunControl::ElaboratePhase(bool apply) {
+  Elaboration& elaboration = engine_.elaboration;
+  Elaboration::Next next = Elaboration::Next::kElaborate;
+  if (!in_middle_) {
+    in_middle_ = true;
+    BeginPhase();
+    elaboration.BeginPhase();
+    next = elaboration.Determine(apply);
+  }
+  if (next == Elaboration::Next::kElaborate) {
+    elaboration.Run(apply);
+    next = elaboration.Determine(apply);
+  }
+  if (next == Elaboration::Next::kElaborate && !halt_requested_) return false;
+  EndPhase(apply ? Phase::kOutput : Phase::kDecide);
+  return true;
+}
+
+void RunControl::DecidePhase() {
+  BeginPhase();
+  ++engine_.counters.decision_phases;
+  engine_.decision.Decide();
+  engine_.elaboration.ApplyWorkingMemoryChanges();
+  if (engine_.observers.Wants(Event::kDecision)) {
+    const GoalInfo info = engine_.Describe(engine_.goals.bottom());
+    const std::uint64_t number = engine_.counters.decision_phases;
+    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(engine_.agent, info, number); });
+  }
+  EndPhase(Phase::kApply);
+}
+
+void RunControl::OutputPhase() {
+  BeginPhase();
+  output_changed_ = engine_.output.Collect();
+  if (output_changed_) engine_.observers.Notify(Event::kOutput, [&](Observer& o) { o.OnOutput(engine_.agent); });
+  AgentCounters& counters = engine_.counters;
+  ++counters.decision_cycles;
+  const std::uint64_t changes = counters.wme_additions + counters.wme_removals - cycle_wme_changes_;
+  if (changes > counters.max_wme_changes) {
+    counters.max_wme_changes = changes;
+    counters.max_wme_changes_cycle = counters.decision_cycles;
+  }
+  if (counters.firings - cycle_firings_ > counters.max_firings) {
+    counters.max_firings = counters.firings - cycle_firings_;
+    counters.max_firings_cycle = counters.decision_cycles;
+  }
+  EndPhase(Phase::kInput);
+  engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnDecisionCycleEnd(engine_.agent); });
+  const std::int64_t limit = engine_.settings.max_decision_time_us;
+  if (limit > 0) {
+    const auto spent = std::chrono::steady_clock::now() - cycle_began_;
+    if (std::chrono::duration_cast<std::chrono::microseconds>(spent).count() > limit) {
+      engine_.Warn(WarningKind::kMaxDecisionTime, "the decision cycle took longer than max-dc-time");
+      RequestStop("max-dc-time");
+    }
+  }
+}
+
+bool RunControl::Advance() {
+  switch (phase_) {
+    case Phase::kInput: InputPhase(); return true;
+    case Phase::kPropose: return ElaboratePhase(false);
+    case Phase::kDecide: DecidePhase(); return true;
+    case Phase::kApply: return ElaboratePhase(true);
+    case Phase::kOutput: break;
+  }
+  OutputPhase();
+  return true;
+}
+
+// Stopping ------------------------------------------------------------------------------------------------------------
+
+void RunControl::RequestStop(std::string_view reason) {
+  {
+    const std::lock_guard<std::mutex> lock(reason_mutex_);
+    reason_ = reason;
+  }
+  stop_.store(true, std::memory_order_relaxed);
+}
+
+void RunControl::ClearStop() { stop_.store(false, std::memory_order_relaxed); }
+
+void RunControl::InterruptByRule(const std::string& rule) {
+  RequestStop("*** Production interrupt: " + rule + " ***");
+}
+
+void RunControl::GoalStackLimit() {
+  goal_stack_limit_ = true;
+  engine_.Warn(WarningKind::kGoalStackLimit, "Goal stack depth exceeded");
+}
+
+void RunControl::WatchGoal(Symbol goal) {
+  watched_goal_ = goal;
+  watched_goal_gone_ = false;
+}
+
+bool RunControl::CheckStop() {
+  if (halt_requested_) {
+    halt_requested_ = false;
+    halted_ = true;
+    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnHalt(engine_.agent); });
+    return true;
+  }
+  if (goal_stack_limit_) {
+    goal_stack_limit_ = false;
+    ended_ = true;
+    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, "goal stack limit"); });
+    return true;
+  }
+  if (stop_.load(std::memory_order_relaxed)) {
+    std::string reason;
+    {
+      const std::lock_guard<std::mutex> lock(reason_mutex_);
+      reason = reason_;
+    }
+    ClearStop();
+    ended_ = true;
+    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, reason); });
+    return true;
+  }
+  return watched_goal_gone_;
+}
+
+// Running -------------------------------------------------------------------------------------------------------------
+
+RunControl::Start RunControl::Begin() {
+  running_ = true;
+  ended_ = false;
+  return {engine_.counters.decision_cycles, engine_.counters.elaborations, engine_.counters.firings};
+}
+
+RunResult RunControl::Finish(const Start& start) {
+  running_ = false;
+  RunResult result;
+  result.reason = halted_ ? StopReason::kHalted : ended_ ? StopReason::kInterrupted : StopReason::kCompleted;
+  result.decisions = engine_.counters.decision_cycles - start.decisions;
+  result.elaborations = engine_.counters.elaborations - start.elaborations;
+  result.firings = engine_.counters.firings - start.firings;
+  return result;
+}
+
+void RunControl::RunOneDecision() {
+  do {
+    Advance();
+    if (CheckStop()) return;
+  } while (phase_ != Phase::kInput || in_middle_);
+}
+
+void RunControl::RunOneOutput() {
+  for (int idle = 0; idle < std::max(1, engine_.settings.max_nil_output_cycles); ++idle) {
+    RunOneDecision();
+    if (MustEnd() || watched_goal_gone_ || output_changed_) return;
+  }
+}
+
+RunResult RunControl::Step(RunUnit unit) {
+  if (running_ || halted_) {
+    RunResult refused;
+    refused.reason = halted_ ? StopReason::kHalted : StopReason::kInterrupted;
+    return refused;
+  }
+  const Start start = Begin();
+  switch (unit) {
+    case RunUnit::kElaboration:
+      Advance();
+      CheckStop();
+      break;
+    case RunUnit::kPhase:
+      while (!Advance()) {
+        if (CheckStop()) return Finish(start);
+      }
+      CheckStop();
+      break;
+    case RunUnit::kDecision: RunOneDecision(); break;
+    case RunUnit::kOutput: RunOneOutput(); break;
+    case RunUnit::kForever:
+      do {
+        RunOneDecision();
+      } while (!MustEnd() && !watched_goal_gone_);
+      break;
+  }
+  return Finish(start);
+}
+
+RunResult RunControl::RunToPhase(Phase phase) {
+  if (running_ || halted_) return Step(RunUnit::kPhase);
+  const Start start = Begin();
+  while (phase_ != phase || in_middle_) {
+    Advance();
+    if (CheckStop()) break;
+  }
+  return Finish(start);
+}
+
+RunResult RunControl::Run(RunUnit unit, std::uint64_t count) {
+  if (running_ || halted_) return Step(unit);
+  RunResult total;
+  const auto add = [&](const RunResult& part) {
+    total.reason = part.reason;
+    total.decisions += part.decisions;
+    total.elaborations += part.elaborations;
+    total.firings += part.firings;
+    return part.reason == StopReason::kCompleted && !watched_goal_gone_;
+  };
+  if (unit == RunUnit::kForever) {
+    add(Step(RunUnit::kForever));
+    return total;
+  }
+  if (unit != RunUnit::kDecision) {
+    while (count-- > 0 && add(Step(unit))) {
+    }
+    return total;
+  }
+  // A decision run ends in front of the stop phase; one that begins there goes once round.
+  const Phase stop = engine_.settings.stop_phase;
+  for (; count > 0; --count) {
+    if (phase_ == stop && !in_middle_ && !add(Step(RunUnit::kPhase))) return total;
+    if (!add(RunToPhase(stop))) return total;
+  }
+  return total;
+}
+
+void RunControl::Clear() {
+  phase_ = Phase::kInput;
+  in_middle_ = false;
+  halted_ = halt_requested_ = goal_stack_limit_ = ended_ = output_changed_ = false;
+  watched_goal_ = Symbol();
+  watched_goal_gone_ = false;
+  ClearStop();
+}
+
+}  // namespace soarbox::kernel

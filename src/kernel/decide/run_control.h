@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "kernel/agent.h"
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/observer.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// The cycle as a machine that can stop between any two elaborations: input, propose, decide, apply, output. Knows what
+/// is next, counts, and ends runs.
+class RunControl {
+ public:
+  explicit RunControl(Engine& engine) : engine_(engine) {}
+
+  RunResult Run(RunUnit unit, std::uint64_t count);
+  RunResult Step(RunUnit unit);
+  RunResult RunToPhase(Phase phase);
+
+  Phase phase() const { return phase_; }
+  bool in_middle() const { return in_middle_; }
+  bool halted() const { return halted_; }
+  bool running() const { return running_; }
+
+  /// From any thread.
+  void RequestStop(std::string_view reason);
+  void ClearStop();
+  bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
+
+  /// (halt): the current elaboration finishes, then the run ends.
+  void Halt() { halt_requested_ = true; }
+  void InterruptByRule(const std::string& rule);
+  /// The goal stack is at its limit: the run ends as if halted, but may go on.
+  void GoalStackLimit();
+  void WatchGoal(Symbol goal);
+  bool watched_goal_gone() const { return watched_goal_gone_; }
+  void GoalRemoved(Symbol goal) {
+    if (goal == watched_goal_) watched_goal_gone_ = true;
+  }
+  void Clear();
+
+ private:
+  /// One elaboration, or a whole phase that has none. Returns true if a phase ended.
+  bool Advance();
+  void InputPhase();
+  void DecidePhase();
+  void OutputPhase();
+  bool ElaboratePhase(bool apply);
+  void BeginPhase();
+  void EndPhase(Phase next);
+  /// After each elaboration and phase: halts or interrupts that were asked for. True if the run must end.
+  bool CheckStop();
+  struct Start {
+    std::uint64_t decisions, elaborations, firings;
+  };
+  Start Begin();
+  RunResult Finish(const Start& start);
+  bool MustEnd() const { return halted_ || ended_; }
+  void RunOneDecision();
+  void RunOneOutput();
+
+  Engine& engine_;
+  Phase phase_ = Phase::kInput;
+  bool in_middle_ = false;
+  bool running_ = false;
+  bool halted_ = false;
+  bool halt_requested_ = false;
+  bool goal_stack_limit_ = false;
+  bool ended_ = false;                 ///< This run was interrupted.
+  bool output_changed_ = false;        ///< By the last output phase.
+  Symbol watched_goal_;
+  bool watched_goal_gone_ = false;
+  std::uint64_t cycle_wme_changes_ = 0, cycle_firings_ = 0;
+  std::chrono::steady_clock::time_point cycle_began_;
+  std::atomic<bool> stop_{false};
+  std::mutex reason_mutex_;
+  std::string reason_;
+};
+
+}  // namespace soarbox::kernel

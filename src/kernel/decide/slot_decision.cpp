@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/slot_decision.h"
+
+#include <algorithm>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+namespace {
+
+std::uint32_t HashValue(Symbol value) {
+  return static_cast<std::uint32_t>((value.bits() * 0x9E3779B97F4A7C15ull) >> 32);
+}
+
+}  // namespace
+
+// Values of the slot at hand ------------------------------------------------------------------------------------------
+
+void SlotDecision::ResetValues() {
+  if (indexed_ > 0) std::fill(table_.begin(), table_.end(), kNowhere);
+  indexed_ = 0;
+  values_.clear();
+  excluded_.clear();
+}
+
+std::uint32_t SlotDecision::FindValue(Symbol value) const {
+  if (values_.size() <= kLinearLimit) {
+    for (std::uint32_t place = 0; place < values_.size(); ++place) {
+      if (values_[place].value == value) return place;
+    }
+    return kNowhere;
+  }
+  const std::uint32_t mask = static_cast<std::uint32_t>(table_.size()) - 1;
+  for (std::uint32_t slot = HashValue(value) & mask;; slot = (slot + 1) & mask) {
+    if (table_[slot] == kNowhere) return kNowhere;
+    if (values_[table_[slot]].value == value) return table_[slot];
+  }
+}
+
+void SlotDecision::IndexValue(std::uint32_t place) {
+  const std::uint32_t mask = static_cast<std::uint32_t>(table_.size()) - 1;
+  std::uint32_t slot = HashValue(values_[place].value) & mask;
+  while (table_[slot] != kNowhere) slot = (slot + 1) & mask;
+  table_[slot] = place;
+}
+
+void SlotDecision::AddValue(Symbol value, PreferenceId preference) {
+  if (FindValue(value) != kNowhere) return;
+  if (!excluded_.empty() && std::find(excluded_.begin(), excluded_.end(), value) != excluded_.end()) return;
+  values_.push_back({value, preference, false});
+  if (values_.size() <= kLinearLimit) return;
+  if (values_.size() * 2 > table_.size()) {
+    table_.assign(std::max<std::size_t>(32, table_.size() * 2), kNowhere);
+    indexed_ = 0;
+  }
+  for (; indexed_ < values_.size(); ++indexed_) IndexValue(static_cast<std::uint32_t>(indexed_));
+}
+
+// Ordinary slots ------------------------------------------------------------------------------------------------------
+
+void SlotDecision::DecideChangedSlots() {
+  std::vector<SlotId>& changed = engine_.preferences.changed_slots();
+  while (!changed.empty()) {
+    const SlotId slot = changed.back();
+    changed.pop_back();
+    if (!engine_.memory.slot(slot).live || !engine_.memory.slot(slot).changed) continue;
+    engine_.memory.mutable_slot(slot).changed = false;
+    Decide(slot);
+    engine_.gds.RemoveViolated();
+  }
+}
+
+void SlotDecision::Decide(SlotId slot_id) {
+  WorkingMemory& memory = engine_.memory;
+  ResetValues();
+  const Slot& slot = memory.slot(slot_id);
+  for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    const PreferenceType type = memory.preference(p).type;
+    if (type == PreferenceType::kReject || type == PreferenceType::kProhibit) {
+      excluded_.push_back(memory.preference(p).value);
+    }
+  }
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    AddValue(memory.preference(p).value, p);
+  }
+  // Keep the elements that still have a value, let the others go.
+  WmeId next;
+  for (WmeId wme = slot.wmes; wme != WmeId::kNone; wme = next) {
+    next = memory.record(wme).next;
+    const std::uint32_t place = FindValue(memory.wme(wme).value);
+    if (place == kNowhere) {
+      engine_.changes.Remove(wme);
+    } else {
+      values_[place].present = true;
+      memory.mutable_record(wme).preference = values_[place].preference;
+    }
+  }
+  // New ones are made in candidate order, the reverse of the list of preferences.
+  for (std::size_t n = values_.size(); n-- > 0;) {
+    if (values_[n].present) continue;
+    const Value value = values_[n];
+    const WmeId wme = engine_.changes.Add(WmeKind::kSlot, memory.slot(slot_id).id, memory.slot(slot_id).attribute,
+                                          value.value, slot_id, value.preference);
+    engine_.gds.NoteNewFact(wme);
+  }
+  if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);
+}
+
+// Operator slots ------------------------------------------------------------------------------------------------------
+
+void SlotDecision::UpdateAcceptables() {
+  std::vector<SlotId>& changed = engine_.preferences.changed_acceptables();
+  for (std::size_t n = changed.size(); n-- > 0;) {
+    const SlotId slot = changed[n];
+    // A slot may stand in the list more than once; later visits find nothing to do.
+    if (engine_.memory.slot(slot).live && engine_.memory.slot(slot).is_operator) UpdateAcceptables(slot);
+  }
+  changed.clear();
+}
+
+void SlotDecision::UpdateAcceptables(SlotId slot_id) {
+  WorkingMemory& memory = engine_.memory;
+  ResetValues();
+  const Slot& slot = memory.slot(slot_id);
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    AddValue(memory.preference(p).value, p);
+  }
+  for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    if (memory.preference(p).type == PreferenceType::kRequire) AddValue(memory.preference(p).value, p);
+  }
+  WmeId next;
+  for (WmeId wme = slot.acceptable_wmes; wme != WmeId::kNone; wme = next) {
+    next = memory.record(wme).next;
+    const std::uint32_t place = FindValue(memory.wme(wme).value);
+    if (place != kNowhere) {
+      values_[place].present = true;
+      memory.mutable_record(wme).preference = values_[place].preference;
+      continue;
+    }
+    if (slot.wmes != WmeId::kNone && memory.wme(slot.wmes).value == memory.wme(wme).value) {
+      engine_.decision.RemoveOperator(memory.level(slot.id), OperatorRemoval::kProposalGone, wme);
+    }
+    engine_.changes.Remove(wme);
+  }
+  const std::size_t count = values_.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    if (values_[n].present) continue;
+    const Value value = values_[n];
+    const WmeId wme = engine_.changes.AddAcceptable(slot_id, value.value, value.preference);
+    engine_.gds.NoteNewFact(wme);
+  }
+  engine_.gds.RemoveViolated();
+}
+
+}  // namespace soarbox::kernel

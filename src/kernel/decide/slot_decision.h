@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/memory/preference.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Turns preferences into elements once per working memory phase: ordinary slots get every acceptable value that is not
+/// rejected; operator slots get the elements of their acceptable and required values (their decision comes later).
+class SlotDecision {
+ public:
+  explicit SlotDecision(Engine& engine) : engine_(engine) {}
+
+  /// Decides all changed ordinary slots, the one that changed last first.
+  void DecideChangedSlots();
+  /// Updates the acceptable elements of all operator slots that changed. Removes a selected operator whose own went.
+  void UpdateAcceptables();
+  void Clear() {}
+
+ private:
+  struct Value {
+    Symbol value;
+    PreferenceId preference = PreferenceId::kNone;
+    bool present = false;   ///< Has an element.
+  };
+
+  void Decide(SlotId slot);
+  void UpdateAcceptables(SlotId slot);
+  /// Adds the value if it is not among values_ and not excluded.
+  void AddValue(Symbol value, PreferenceId preference);
+  /// The place of a value in values_, or kNowhere.
+  std::uint32_t FindValue(Symbol value) const;
+  void IndexValue(std::uint32_t place);
+  void ResetValues();
+
+  static constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;
+  static constexpr std::size_t kLinearLimit = 8;
+
+  Engine& engine_;
+  std::vector<Value> values_;
+  std::vector<Symbol> excluded_;
+  std::vector<std::uint32_t> table_;   ///< Open addressing over values_ when there are many.
+  std::size_t indexed_ = 0;            ///< How many of values_ are in the table.
+};
+
+}  // namespace soarbox::kernel

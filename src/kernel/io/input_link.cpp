@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/io/input_link.h"
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+// Handles -------------------------------------------------------------------------------------------------------------
+
+InputLink::Element* InputLink::Find(InputElement element) {
+  return const_cast<Element*>(static_cast<const InputLink*>(this)->Find(element));
+}
+
+const InputLink::Element* InputLink::Find(InputElement element) const {
+  const std::uint32_t handle = static_cast<std::uint32_t>(element);
+  const std::uint32_t place = handle & kPlaceMask;
+  if (place >= elements_.size()) return nullptr;
+  const Element& found = elements_[place];
+  return found.live && found.generation == handle >> kPlaceBits ? &found : nullptr;
+}
+
+InputLink::Object* InputLink::Find(InputObject object) {
+  return const_cast<Object*>(static_cast<const InputLink*>(this)->Find(object));
+}
+
+const InputLink::Object* InputLink::Find(InputObject object) const {
+  const std::uint32_t handle = static_cast<std::uint32_t>(object);
+  const std::uint32_t place = handle & kPlaceMask;
+  if (object == InputObject::kNone || place >= objects_.size()) return nullptr;
+  const Object& found = objects_[place];
+  return found.live && found.generation == handle >> kPlaceBits ? &found : nullptr;
+}
+
+InputObject InputLink::MakeObject(Symbol identifier) {
+  std::uint32_t place;
+  if (!free_objects_.empty()) {
+    place = free_objects_.back();
+    free_objects_.pop_back();
+  } else {
+    place = static_cast<std::uint32_t>(objects_.size());
+    objects_.emplace_back();
+  }
+  Object& object = objects_[place];
+  object.live = true;
+  object.identifier = identifier;
+  if (identifier) {
+    if (object_of_.size() <= identifier.index()) object_of_.resize(identifier.index() + 1u, kNoPlace);
+    object_of_[identifier.index()] = place;
+  }
+  return static_cast<InputObject>(place | object.generation << kPlaceBits);
+}
+
+InputObject InputLink::NewObject() { return MakeObject({}); }
+
+InputObject InputLink::ObjectFor(Symbol identifier) {
+  if (!identifier.IsIdentifier() || !engine_.memory.identifier(identifier).live) return InputObject::kNone;
+  if (identifier.index() < object_of_.size() && object_of_[identifier.index()] != kNoPlace) {
+    const std::uint32_t place = object_of_[identifier.index()];
+    return static_cast<InputObject>(place | objects_[place].generation << kPlaceBits);
+  }
+  return MakeObject(identifier);
+}
+
+WmeId InputLink::Wme(InputElement element) const {
+  const Element* found = Find(element);
+  return found == nullptr ? WmeId::kNone : found->wme;
+}
+
+Symbol InputLink::Identifier(InputObject object) const {
+  const Object* found = Find(object);
+  return found == nullptr ? Symbol() : found->identifier;
+}
+
+// Buffering -----------------------------------------------------------------------------------------------------------
+
+InputElement InputLink::Add(InputObject parent, std::string_view attribute, const InputValue& value) {
+  if (Find(parent) == nullptr) return InputElement::kNone;
+  if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr) {
+    return InputElement::kNone;
+  }
+  std::uint32_t place;
+  if (!free_elements_.empty()) {
+    place = free_elements_.back();
+    free_elements_.pop_back();
+  } else {
+    place = static_cast<std::uint32_t>(elements_.size());
+    elements_.emplace_back();
+  }
+  Element& element = elements_[place];
+  element.live = true;
+  element.doomed = false;
+  element.wme = WmeId::kNone;
+  element.pending_add = kNoPlace;
+  element.parent = parent;
+  element.attribute = engine_.symbols.String(attribute);
+  BufferAdd(place, value);
+  return static_cast<InputElement>(place | element.generation << kPlaceBits);
+}
+
+void InputLink::BufferAdd(std::uint32_t place, const InputValue& value) {
+  Pending change;
+  change.change = Change::kAdd;
+  change.element = place;
+  if (const auto* text = std::get_if<std::string_view>(&value)) change.constant = engine_.symbols.String(*text);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) change.constant = engine_.symbols.Integer(*integer);
+  if (const auto* number = std::get_if<double>(&value)) change.constant = engine_.symbols.Float(*number);
+  if (const auto* object = std::get_if<InputObject>(&value)) change.object = *object;
+  elements_[place].pending_add = static_cast<std::uint32_t>(pending_.size());
+  pending_.push_back(change);
+}
+
+void InputLink::CancelAdd(Element& element) {
+  if (element.pending_add == kNoPlace) return;
+  pending_[element.pending_add].change = Change::kNone;
+  element.pending_add = kNoPlace;
+}
+
+void InputLink::BufferRemove(std::uint32_t place) {
+  Element& element = elements_[place];
+  if (element.wme == WmeId::kNone || element.doomed) return;
+  element.doomed = true;
+  Pending change;
+  change.change = Change::kRemove;
+  change.element = place;
+  change.wme = element.wme;
+  pending_.push_back(change);
+}
+
+void InputLink::Update(InputElement handle, const InputValue& value) {
+  Element* element = Find(handle);
+  if (element == nullptr) return;
+  if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr) return;
+  const std::uint32_t place = static_cast<std::uint32_t>(handle) & kPlaceMask;
+  CancelAdd(*element);
+  BufferRemove(place);
+  BufferAdd(place, value);
+}
+
+void InputLink::Remove(InputElement handle) {
+  Element* element = Find(handle);
+  if (element == nullptr) return;
+  const std::uint32_t place = static_cast<std::uint32_t>(handle) & kPlaceMask;
+  CancelAdd(*element);
+  if (element->wme == WmeId::kNone) {
+    Release(place);
+    return;
+  }
+  BufferRemove(place);
+}
+
+void InputLink::Release(std::uint32_t place) {
+  Element& element = elements_[place];
+  element.live = false;
+  element.generation = (element.generation + 1) & kGenerationMask;
+  free_elements_.push_back(place);
+}
+
+// The input phase -----------------------------------------------------------------------------------------------------
+
+void InputLink::Apply() {
+  for (std::size_t n = 0; n < pending_.size(); ++n) {
+    const Pending change = pending_[n];
+    if (change.change == Change::kAdd) MakeElement(change);
+    // The element of a buffered removal may have gone with the structure that it hung on.
+    if (change.change == Change::kRemove && elements_[change.element].doomed &&
+        elements_[change.element].wme == change.wme) {
+      engine_.changes.Remove(change.wme);
+      engine_.gds.RemoveViolated();
+    }
+  }
+  pending_.clear();
+}
+
+void InputLink::MakeElement(const Pending& change) {
+  Element& element = elements_[change.element];
+  element.pending_add = kNoPlace;
+  const Object* parent = Find(element.parent);
+  Object* object = change.object == InputObject::kNone ? nullptr : Find(change.object);
+  if (parent == nullptr || !parent->identifier || (object == nullptr && !change.constant)) {
+    if (element.wme == WmeId::kNone) Release(change.element);
+    return;
+  }
+  Symbol value = change.constant;
+  if (object != nullptr) {
+    if (!object->identifier) {
+      const char letter = Firing::LetterFor(engine_.symbols.Text(element.attribute));
+      object->identifier = engine_.memory.NewIdentifier(letter, engine_.memory.level(parent->identifier));
+      const std::uint32_t index = object->identifier.index();
+      if (object_of_.size() <= index) object_of_.resize(index + 1u, kNoPlace);
+      object_of_[index] = static_cast<std::uint32_t>(change.object) & kPlaceMask;
+    }
+    value = object->identifier;
+  }
+  const WmeId wme = engine_.changes.Add(WmeKind::kInput, parent->identifier, element.attribute, value);
+  engine_.memory.mutable_record(wme).slot = static_cast<SlotId>(change.element);
+  element.wme = wme;
+  element.doomed = false;
+}
+
+void InputLink::Forget(std::uint32_t place) {
+  Element& element = elements_[place];
+  element.wme = WmeId::kNone;
+  element.doomed = false;
+  if (element.pending_add == kNoPlace) Release(place);
+}
+
+void InputLink::IdentifierGone(Symbol identifier) {
+  if (identifier.index() >= object_of_.size() || object_of_[identifier.index()] == kNoPlace) return;
+  const std::uint32_t place = object_of_[identifier.index()];
+  object_of_[identifier.index()] = kNoPlace;
+  if (place == 0) return;  // The input link itself.
+  Object& object = objects_[place];
+  object.live = false;
+  object.identifier = Symbol();
+  object.generation = (object.generation + 1) & kGenerationMask;
+  free_objects_.push_back(place);
+}
+
+void InputLink::Reset() {
+  objects_.clear();
+  free_objects_.clear();
+  elements_.clear();
+  free_elements_.clear();
+  pending_.clear();
+  object_of_.clear();
+  MakeObject(engine_.goal_changes.input_link());
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/justification.h"
+
+#include <algorithm>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+namespace {
+
+/// Marks `index` for this trace; false if it was marked already.
+bool Mark(std::vector<std::uint32_t>& marks, std::uint32_t index, std::uint32_t trace) {
+  if (marks.size() <= index) marks.resize(index + 1u, 0);
+  if (marks[index] == trace) return false;
+  marks[index] = trace;
+  return true;
+}
+
+Test EqualTo(Symbol symbol) {
+  Test test;
+  test.kind = TestKind::kEqual;
+  test.referent = symbol;
+  return test;
+}
+
+RhsValue Constant(Symbol symbol) {
+  RhsValue value;
+  value.symbol = symbol;
+  return value;
+}
+
+}  // namespace
+
+void Justifier::Consider(InstantiationId id) {
+  for (InstantiationId current = id; engine_.instantiations[current].level > 1;) {
+    level_ = engine_.instantiations[current].level;
+    ++trace_number_;
+    results_.clear();
+    if (!CollectResults(current)) return;
+    Backtrace(current);
+    current = Build(current);
+    if (current == InstantiationId::kNone) return;
+  }
+}
+
+// Results -------------------------------------------------------------------------------------------------------------
+
+bool Justifier::CollectResults(InstantiationId id) {
+  const WorkingMemory& memory = engine_.memory;
+  for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
+       p = memory.preference(p).next_of_instantiation) {
+    if (memory.level(memory.preference(p).id) < level_) AddResult(p, id);
+  }
+  return !results_.empty();
+}
+
+void Justifier::AddResult(PreferenceId preference, InstantiationId base) {
+  if (engine_.memory.preference(preference).level != level_) {
+    preference = engine_.firing.CloneAtLevel(preference, level_);
+    if (preference == PreferenceId::kNone) return;
+  }
+  if (!Mark(seen_results_, Index(preference), trace_number_)) return;
+  results_.push_back(preference);
+  const Preference content = engine_.memory.preference(preference);
+  AddResultsBelow(content.value, base);
+  AddResultsBelow(content.referent, base);
+}
+
+/// An object of the substate that becomes part of a result brings all it consists of.
+void Justifier::AddResultsBelow(Symbol id, InstantiationId base) {
+  const WorkingMemory& memory = engine_.memory;
+  if (!id.IsIdentifier() || memory.level(id) < level_ || memory.identifier(id).is_goal) return;
+  if (!Mark(seen_identifiers_, id.index(), trace_number_)) return;
+  const IdentifierRecord& record = memory.identifier(id);
+  for (WmeId wme = record.input_wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
+    AddResultsBelow(memory.wme(wme).value, base);
+  }
+  for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
+    for (const PreferenceId first : {memory.slot(slot).acceptable, memory.slot(slot).others}) {
+      for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+        AddResult(p, base);
+      }
+    }
+    for (WmeId wme = memory.slot(slot).wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
+      if (memory.record(wme).preference == PreferenceId::kNone) AddResultsBelow(memory.wme(wme).value, base);
+    }
+  }
+  // What the same firing says of it is not in its slots yet.
+  for (PreferenceId p = engine_.instantiations[base].preferences; p != PreferenceId::kNone;
+       p = memory.preference(p).next_of_instantiation) {
+    if (memory.preference(p).id == id) AddResult(p, base);
+  }
+}
+
+// What they rest on ---------------------------------------------------------------------------------------------------
+
+void Justifier::Backtrace(InstantiationId base) {
+  grounds_.clear();
+  negations_.clear();
+  queue_.clear();
+  VisitInstantiation(base);
+  for (const PreferenceId result : results_) VisitInstantiation(engine_.memory.preference(result).instantiation);
+  while (!queue_.empty()) {
+    const InstantiationId id = queue_.back();
+    queue_.pop_back();
+    for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) VisitCondition(trace);
+    CollectNegations(id);
+  }
+}
+
+void Justifier::VisitInstantiation(InstantiationId id) {
+  Instantiation& instantiation = engine_.instantiations[id];
+  if (instantiation.backtrace == trace_number_) return;
+  instantiation.backtrace = trace_number_;
+  queue_.push_back(id);
+}
+
+void Justifier::VisitCondition(const ConditionTrace& trace) {
+  if (trace.level < level_) {
+    if (Mark(seen_wmes_, Index(trace.wme), trace_number_)) grounds_.push_back(trace.wme);
+    return;
+  }
+  if (trace.preference == PreferenceId::kNone) return;  // Of the architecture: it came with the substate.
+  const WorkingMemory& memory = engine_.memory;
+  const Preference& made_by = memory.preference(trace.preference);
+  VisitInstantiation(made_by.instantiation);
+  // The selected operator also rests on what made it better than others.
+  if (made_by.attribute != words::kOperator || memory.wme(trace.wme).acceptable || made_by.slot == SlotId::kNone) return;
+  for (PreferenceId p = memory.slot(made_by.slot).others; p != PreferenceId::kNone;
+       p = memory.preference(p).next_in_slot) {
+    const Preference& evaluation = memory.preference(p);
+    const PreferenceId local = engine_.firing.CloneAtLevel(p, level_);
+    if (local == PreferenceId::kNone) continue;
+    const bool decided = evaluation.type == PreferenceType::kProhibit || evaluation.type == PreferenceType::kReject ||
+                         evaluation.value == made_by.value || evaluation.referent == made_by.value;
+    if (decided) VisitInstantiation(memory.preference(local).instantiation);
+  }
+}
+
+// Negated conditions --------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The value that the instantiation gave a variable, or the none symbol.
+Symbol ValueOfVariable(const Production& rule, Symbol variable, std::span<const ConditionTrace> traces,
+                       const WorkingMemory& memory) {
+  std::size_t positive = 0;
+  for (const Condition& condition : rule.conditions) {
+    if (condition.kind != ConditionKind::kPositive) continue;
+    if (positive >= traces.size()) break;
+    const Wme& wme = memory.wme(traces[positive++].wme);
+    const auto binds = [&](const Test& test) {
+      if (test.kind == TestKind::kEqual) return test.referent == variable;
+      return std::any_of(test.parts.begin(), test.parts.end(), [&](const Test& part) {
+        return part.kind == TestKind::kEqual && part.referent == variable;
+      });
+    };
+    if (binds(condition.id)) return wme.id;
+    if (binds(condition.attribute)) return wme.attribute;
+    if (binds(condition.value)) return wme.value;
+  }
+  return {};
+}
+
+void InstantiateTest(Test& test, const Production& rule, std::span<const ConditionTrace> traces,
+                     const WorkingMemory& memory) {
+  if (test.referent.IsVariable()) {
+    const Symbol value = ValueOfVariable(rule, test.referent, traces, memory);
+    if (value) test.referent = value;
+  }
+  for (Test& part : test.parts) InstantiateTest(part, rule, traces, memory);
+}
+
+void InstantiateCondition(Condition& condition, const Production& rule, std::span<const ConditionTrace> traces,
+                          const WorkingMemory& memory) {
+  InstantiateTest(condition.id, rule, traces, memory);
+  InstantiateTest(condition.attribute, rule, traces, memory);
+  InstantiateTest(condition.value, rule, traces, memory);
+  for (Condition& inner : condition.conditions) InstantiateCondition(inner, rule, traces, memory);
+}
+
+Symbol EqualityOf(const Test& test) {
+  if (test.kind == TestKind::kEqual) return test.referent;
+  for (const Test& part : test.parts) {
+    if (part.kind == TestKind::kEqual) return part.referent;
+  }
+  return {};
+}
+
+}  // namespace
+
+Condition Justifier::Instantiate(const Condition& condition, InstantiationId id) const {
+  Condition copy = condition;
+  const Production& rule = *engine_.rete.production(engine_.instantiations[id].production);
+  InstantiateCondition(copy, rule, engine_.instantiations.Trace(id), engine_.memory);
+  return copy;
+}
+
+bool Justifier::RefersToHigherOnly(const Condition& condition) const {
+  if (condition.kind == ConditionKind::kConjunctiveNegation) {
+    return std::all_of(condition.conditions.begin(), condition.conditions.end(),
+                       [&](const Condition& inner) { return RefersToHigherOnly(inner); });
+  }
+  const Symbol id = EqualityOf(condition.id);
+  return !id.IsIdentifier() || engine_.memory.level(id) < level_;
+}
+
+void Justifier::CollectNegations(InstantiationId id) {
+  const Instantiation& instantiation = engine_.instantiations[id];
+  if (instantiation.production == ProductionId::kNone) {
+    if (instantiation.justification != 0xFFFFFFFFu) {
+      for (const Condition& negation : records_[instantiation.justification].negations) {
+        if (RefersToHigherOnly(negation)) negations_.push_back(negation);
+      }
+    }
+    return;
+  }
+  const ProductionPtr& rule = engine_.rete.production(instantiation.production);
+  if (rule == nullptr) return;
+  for (const Condition& condition : rule->conditions) {
+    if (condition.kind == ConditionKind::kPositive) continue;
+    Condition literal = Instantiate(condition, id);
+    if (!RefersToHigherOnly(literal)) continue;
+    if (std::find(negations_.begin(), negations_.end(), literal) == negations_.end()) {
+      negations_.push_back(std::move(literal));
+    }
+  }
+}
+
+// The justification ---------------------------------------------------------------------------------------------------
+
+bool Justifier::IsOSupported(GoalLevel goal_level, const Preference& result) const {
+  const WorkingMemory& memory = engine_.memory;
+  const Goal& goal = engine_.goals.at(goal_level);
+  // Operator preferences are proposals and evaluations, whatever else the rule says.
+  for (const PreferenceId id : results_) {
+    const Preference& preference = memory.preference(id);
+    if (preference.attribute == words::kOperator && memory.identifier(preference.id).is_goal) return false;
+  }
+  for (const WmeId ground : grounds_) {
+    const Wme& wme = memory.wme(ground);
+    if (wme.acceptable || wme.id != goal.id || wme.attribute != words::kOperator) continue;
+    bool elaborates = false, applies = false;
+    for (const PreferenceId id : results_) {
+      (memory.preference(id).id == wme.value ? elaborates : applies) = true;
+    }
+    return applies && !elaborates && result.id != wme.value;
+  }
+  return false;
+}
+
+std::uint32_t Justifier::NewRecord() {
+  std::uint32_t index;
+  if (!free_records_.empty()) {
+    index = free_records_.back();
+    free_records_.pop_back();
+    records_[index].grounds.clear();
+    records_[index].negations.clear();
+  } else {
+    index = static_cast<std::uint32_t>(records_.size());
+    records_.emplace_back();
+  }
+  Record& record = records_[index];
+  record.live = true;
+  record.production = ProductionId::kNone;
+  record.number = next_number_++;
+  record.name = "justify" + std::to_string(record.number);
+  record_order_.push_back(index);
+  return index;
+}
+
+InstantiationId Justifier::Build(InstantiationId base) {
+  WorkingMemory& memory = engine_.memory;
+  GoalLevel goal_level = 0;
+  for (const WmeId ground : grounds_) {
+    const IdentifierRecord& id = memory.identifier(memory.wme(ground).id);
+    if (id.is_goal) goal_level = std::max(goal_level, id.level);
+  }
+  if (goal_level == 0) {
+    if (grounds_.empty()) return InstantiationId::kNone;
+    goal_level = static_cast<GoalLevel>(level_ - 1);
+  }
+  const std::uint32_t index = NewRecord();
+  const InstantiationId id = engine_.instantiations.Make();
+  Instantiation& instantiation = engine_.instantiations[id];
+  instantiation.goal = engine_.goals.at(goal_level).id;
+  instantiation.level = goal_level;
+  instantiation.held = true;
+  instantiation.justification = index;
+  Record& record = records_[index];
+  record.instantiation = id;
+  record.grounds = grounds_;
+  record.negations = negations_;
+  ++engine_.counters.justifications;
+  if (goal_level > 1) engine_.firing.TraceConditions(id, grounds_);
+
+  // Clones of the results, one level up. The list is newest first, so the last result is made first.
+  bool o_support = false;
+  for (std::size_t n = results_.size(); n-- > 0;) {
+    const PreferenceId result = results_[n];
+    Preference copy = memory.preference(result);
+    copy = Preference{};
+    const Preference& original = memory.preference(result);
+    copy.id = original.id;
+    copy.attribute = original.attribute;
+    copy.value = original.value;
+    copy.referent = original.referent;
+    copy.type = original.type;
+    copy.o_supported = IsOSupported(goal_level, original);
+    o_support = o_support || copy.o_supported;
+    const PreferenceId clone = engine_.preferences.Make(id, copy);
+    Preference& made = memory.mutable_preference(clone);
+    Preference& source = memory.mutable_preference(result);
+    made.next_clone = source.next_clone;
+    made.previous_clone = result;
+    if (source.next_clone != PreferenceId::kNone) memory.mutable_preference(source.next_clone).previous_clone = clone;
+    source.next_clone = clone;
+  }
+  engine_.instantiations[id].o_support = o_support;
+  engine_.instantiations[id].match =
+      engine_.rete.Watch(record.grounds, engine_.instantiations[id].goal, goal_level, id);
+  engine_.firing.made().push_back(id);
+  (void)base;
+  if (engine_.observers.Wants(Event::kLearning)) {
+    const FiringInfo info = engine_.DescribeInstantiation(id);
+    engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(engine_.agent, info); });
+  }
+  return id;
+}
+
+void Justifier::InstantiationFreed(InstantiationId id) {
+  const std::uint32_t index = engine_.instantiations[id].justification;
+  if (index == 0xFFFFFFFFu) return;
+  records_[index].live = false;
+  std::erase(record_order_, index);
+  free_records_.push_back(index);
+}
+
+void Justifier::SetLearning(Symbol state, bool learn) {
+  std::vector<Symbol>& states = learn ? force_learn_ : dont_learn_;
+  if (std::find(states.begin(), states.end(), state) == states.end()) states.push_back(state);
+}
+
+std::vector<std::uint32_t> Justifier::Live() const { return record_order_; }
+
+Production Justifier::AsRule(std::uint32_t index) const {
+  const Record& record = records_[index];
+  const WorkingMemory& memory = engine_.memory;
+  Production rule;
+  rule.name = record.name;
+  rule.type = ProductionType::kJustification;
+  for (const WmeId ground : record.grounds) {
+    const Wme& wme = memory.wme(ground);
+    Condition condition;
+    condition.id = EqualTo(wme.id);
+    condition.attribute = EqualTo(wme.attribute);
+    condition.value = EqualTo(wme.value);
+    condition.tests_acceptable = wme.acceptable;
+    rule.conditions.push_back(std::move(condition));
+  }
+  rule.conditions.insert(rule.conditions.end(), record.negations.begin(), record.negations.end());
+  for (PreferenceId p = engine_.instantiations[record.instantiation].preferences; p != PreferenceId::kNone;
+       p = memory.preference(p).next_of_instantiation) {
+    const Preference& preference = memory.preference(p);
+    Action action;
+    action.preference = preference.type;
+    action.id = Constant(preference.id);
+    action.attribute = Constant(preference.attribute);
+    action.value = Constant(preference.value);
+    action.referent = Constant(preference.referent);
+    rule.actions.push_back(std::move(action));
+  }
+  return rule;
+}
+
+void Justifier::Clear() {
+  records_.clear();
+  free_records_.clear();
+  record_order_.clear();
+  next_number_ = 1;
+  dont_learn_.clear();
+  force_learn_.clear();
+  seen_identifiers_.clear();
+  seen_wmes_.clear();
+  seen_results_.clear();
+  trace_number_ = 0;
+}
+
+}  // namespace soarbox::kernel

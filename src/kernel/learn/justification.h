@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/decide/instantiation.h"
+#include "kernel/memory/preference.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Keeps the results of substates: a rule that fired in a substate and made a preference for an object of a higher state
+/// gets a justification, an instantiation at the level of what the result rests on. It holds the result when the
+/// substate goes, and lets go of it when one of those elements goes.
+///
+/// The elements are found by following each condition of the rule that fired back to the preference that made its
+/// element, down to elements of higher states. Nothing like a rule is built: the matcher only watches the elements
+/// (Rete::Watch), or, if negated conditions matter, matches the literal conditions.
+class Justifier {
+ public:
+  explicit Justifier(Engine& engine) : engine_(engine) {}
+
+  /// Called for each instantiation of a substate right after it fired; goes on upwards as long as there are results.
+  void Consider(InstantiationId id);
+  void InstantiationFreed(InstantiationId id);
+  /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
+  void SetLearning(Symbol state, bool learn);
+  void Clear();
+
+  struct Record {
+    bool live = false;
+    std::uint32_t number = 0;                             ///< justify<number>
+    std::string name;
+    InstantiationId instantiation = InstantiationId::kNone;
+    ProductionId production = ProductionId::kNone;        ///< If it stands in the network.
+    std::vector<WmeId> grounds;
+    std::vector<Condition> negations;
+  };
+  const Record& record(std::uint32_t index) const { return records_[index]; }
+  /// Indices of the live records, oldest first.
+  std::vector<std::uint32_t> Live() const;
+  /// The justification as a rule, for printing: literal conditions and actions.
+  Production AsRule(std::uint32_t index) const;
+
+ private:
+  bool CollectResults(InstantiationId id);
+  void AddResult(PreferenceId preference, InstantiationId base);
+  void AddResultsBelow(Symbol id, InstantiationId base);
+  void Backtrace(InstantiationId id);
+  void VisitInstantiation(InstantiationId id);
+  void VisitCondition(const ConditionTrace& trace);
+  void CollectNegations(InstantiationId id);
+  /// Makes the justification of the collected results; kNone if they rest on nothing above.
+  InstantiationId Build(InstantiationId base);
+  bool IsOSupported(GoalLevel goal_level, const Preference& result) const;
+  std::uint32_t NewRecord();
+  Condition Instantiate(const Condition& condition, InstantiationId id) const;
+  bool RefersToHigherOnly(const Condition& condition) const;
+
+  Engine& engine_;
+  std::vector<Record> records_;
+  std::vector<std::uint32_t> free_records_;
+  std::vector<std::uint32_t> record_order_;
+  std::vector<Symbol> dont_learn_, force_learn_;
+  std::uint32_t next_number_ = 1;
+  // Scratch of one backtrace.
+  GoalLevel level_ = 0;
+  std::uint32_t trace_number_ = 0;
+  std::vector<PreferenceId> results_;
+  std::vector<WmeId> grounds_;
+  std::vector<InstantiationId> queue_;
+  std::vector<Condition> negations_;
+  std::vector<std::uint32_t> seen_identifiers_, seen_wmes_, seen_results_;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,1 @@
+list(APPEND SOARBOX_KERNEL_SOURCES learn/justification.cpp)

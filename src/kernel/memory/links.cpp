@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/memory/links.h"
+
+#include <algorithm>
+#include <string>
+
+#include "kernel/base/symbol_table.h"
+
+namespace soarbox::kernel {
+
+// Adding and removing -------------------------------------------------------------------------------------------------
+
+std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
+  if (memory_.identifier(to).is_goal || from == to) return kNone;
+  std::uint32_t id;
+  if (!free_links_.empty()) {
+    id = free_links_.back();
+    free_links_.pop_back();
+  } else {
+    id = static_cast<std::uint32_t>(links_.size());
+    links_.emplace_back();
+  }
+  IdentifierRecord& target = At(to);
+  Link& link = links_[id];
+  link = Link{};
+  link.from = from;
+  link.to = to;
+  link.next_in = target.first_link;
+  if (target.first_link != kNone) links_[target.first_link].previous_in = id;
+  target.first_link = id;
+
+  const IdentifierRecord& source = At(from);
+  if (target.parent_link == kNone) {
+    // An identifier without children cannot be above `from`.
+    if (target.first_child == kNone || Trace(from, to) != Ancestry::kBelow) SetParent(to, id);
+    if (source.level != target.level) Queue(to);
+  } else if (source.level < target.level) {
+    Queue(to);
+  }
+  return id;
+}
+
+void LinkGraph::Remove(std::uint32_t id) {
+  if (id == kNone) return;
+  Link& link = links_[id];
+  IdentifierRecord& target = At(link.to);
+  if (target.parent_link == id) {
+    DropParent(link.to);
+    Queue(link.to);
+  }
+  if (link.previous_in != kNone) {
+    links_[link.previous_in].next_in = link.next_in;
+  } else {
+    target.first_link = link.next_in;
+  }
+  if (link.next_in != kNone) links_[link.next_in].previous_in = link.previous_in;
+  link = Link{};
+  free_links_.push_back(id);
+}
+
+void LinkGraph::Queue(Symbol id) {
+  IdentifierRecord& record = At(id);
+  if (record.queued) return;
+  record.queued = true;
+  queue_.push_back(id);
+}
+
+void LinkGraph::SetParent(Symbol id, std::uint32_t link_id) {
+  At(id).parent_link = link_id;
+  Link& link = links_[link_id];
+  IdentifierRecord& source = At(link.from);
+  link.previous_child = kNone;
+  link.next_child = source.first_child;
+  if (source.first_child != kNone) links_[source.first_child].previous_child = link_id;
+  source.first_child = link_id;
+}
+
+void LinkGraph::DropParent(Symbol id) {
+  IdentifierRecord& record = At(id);
+  Link& link = links_[record.parent_link];
+  if (link.previous_child != kNone) {
+    links_[link.previous_child].next_child = link.next_child;
+  } else {
+    At(link.from).first_child = link.next_child;
+  }
+  if (link.next_child != kNone) links_[link.next_child].previous_child = link.previous_child;
+  link.next_child = link.previous_child = kNone;
+  record.parent_link = kNone;
+}
+
+LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
+  for (Symbol id = from;;) {
+    if (id == stop) return Ancestry::kBelow;
+    const IdentifierRecord& record = memory_.identifier(id);
+    if (record.is_goal) return Ancestry::kRooted;
+    if (record.parent_link == kNone) return Ancestry::kFloating;
+    id = links_[record.parent_link].from;
+  }
+}
+
+void LinkGraph::GoalGone(Symbol goal) {
+  // The goal's own identifier stops being a root; its children find another way in, or none, in Settle.
+  std::uint32_t child = At(goal).first_child;
+  while (child != kNone) {
+    const Symbol target = links_[child].to;
+    const std::uint32_t next = links_[child].next_child;
+    DropParent(target);
+    Queue(target);
+    child = next;
+  }
+  Queue(goal);
+}
+
+// Settling ------------------------------------------------------------------------------------------------------------
+
+void LinkGraph::Settle(std::vector<Symbol>& garbage) {
+  work_.swap(queue_);
+  queue_.clear();
+  for (const Symbol id : work_) At(id).queued = false;
+  for (const Symbol id : work_) Promote(id);
+  for (const Symbol id : work_) {
+    const IdentifierRecord& record = At(id);
+    if (record.live && !record.is_goal && record.parent_link == kNone) Reattach(id, garbage);
+  }
+  work_.clear();
+}
+
+/// If a link from a higher level leads to the identifier, gives it and what it reaches that level.
+void LinkGraph::Promote(Symbol id) {
+  IdentifierRecord& record = At(id);
+  if (!record.live || record.is_goal) return;
+  std::uint32_t best = kNone;
+  GoalLevel level = record.level;
+  for (std::uint32_t link = record.first_link; link != kNone; link = links_[link].next_in) {
+    const Symbol from = links_[link].from;
+    const GoalLevel source_level = memory_.level(from);
+    if (source_level >= level) continue;
+    const Ancestry ancestry = Trace(from, id);
+    if (ancestry == Ancestry::kBelow || (ancestry == Ancestry::kFloating && best != kNone)) continue;
+    best = link;
+    level = source_level;
+  }
+  if (best == kNone) return;
+  if (record.parent_link != best) {
+    if (record.parent_link != kNone) DropParent(id);
+    SetParent(id, best);
+  }
+  record.level = level;
+  stack_.push_back(id);
+  while (!stack_.empty()) {
+    const Symbol current = stack_.back();
+    stack_.pop_back();
+    ForEachLinkFrom(current, [&](std::uint32_t link) {
+      const Symbol target = links_[link].to;
+      IdentifierRecord& below = At(target);
+      if (below.level <= level) return;
+      if (below.parent_link != kNone) DropParent(target);
+      SetParent(target, link);
+      below.level = level;
+      stack_.push_back(target);
+    });
+  }
+}
+
+/// Finds the identifier a new parent, or takes what only it reaches apart.
+void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
+  IdentifierRecord& record = At(id);
+  for (std::uint32_t link = record.first_link; link != kNone; link = links_[link].next_in) {
+    const Symbol from = links_[link].from;
+    if (memory_.level(from) == record.level && Trace(from, id) == Ancestry::kRooted) {
+      SetParent(id, link);
+      return;
+    }
+  }
+  // The tree below hangs in the air: find every link that enters it from outside, highest level first, and grow from
+  // there.
+  if (suspended_.size() < memory_.identifier_limit()) suspended_.resize(memory_.identifier_limit(), 0);
+  subtree_.clear();
+  subtree_.push_back(id);
+  suspended_[id.index()] = 1;
+  for (std::size_t next = 0; next < subtree_.size(); ++next) {
+    for (std::uint32_t child = At(subtree_[next]).first_child; child != kNone; child = links_[child].next_child) {
+      subtree_.push_back(links_[child].to);
+      suspended_[links_[child].to.index()] = 1;
+    }
+  }
+  const auto lower = [](const Candidate& a, const Candidate& b) { return a.level > b.level; };
+  heap_.clear();
+  for (const Symbol member : subtree_) {
+    for (std::uint32_t link = At(member).first_link; link != kNone; link = links_[link].next_in) {
+      const Symbol from = links_[link].from;
+      if (suspended_[from.index()] == 0 && Trace(from, id) == Ancestry::kRooted) {
+        heap_.push_back({memory_.level(from), link});
+      }
+    }
+  }
+  std::make_heap(heap_.begin(), heap_.end(), lower);
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end(), lower);
+    const Candidate candidate = heap_.back();
+    heap_.pop_back();
+    const Symbol target = links_[candidate.link].to;
+    if (suspended_[target.index()] == 0) continue;
+    suspended_[target.index()] = 0;
+    IdentifierRecord& rescued = At(target);
+    if (rescued.parent_link != kNone) DropParent(target);
+    SetParent(target, candidate.link);
+    rescued.level = candidate.level;
+    ForEachLinkFrom(target, [&](std::uint32_t link) {
+      const Symbol below = links_[link].to;
+      if (suspended_[below.index()] == 0) return;
+      heap_.push_back({candidate.level, link});
+      std::push_heap(heap_.begin(), heap_.end(), lower);
+    });
+  }
+  for (const Symbol member : subtree_) {
+    if (suspended_[member.index()] == 0) continue;
+    suspended_[member.index()] = 0;
+    garbage.push_back(member);
+  }
+}
+
+/// Visits the links that the identifier's preferences and elements make.
+template <typename Visit>
+void LinkGraph::ForEachLinkFrom(Symbol id, Visit visit) const {
+  const auto visit_link = [&](std::uint32_t link) {
+    if (link != kNone) visit(link);
+  };
+  const IdentifierRecord& record = memory_.identifier(id);
+  for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
+    for (const PreferenceId first : {memory_.slot(slot).acceptable, memory_.slot(slot).others}) {
+      for (PreferenceId p = first; p != PreferenceId::kNone; p = memory_.preference(p).next_in_slot) {
+        visit_link(memory_.preference(p).value_link);
+        visit_link(memory_.preference(p).referent_link);
+      }
+    }
+  }
+  for (const WmeId first : {record.architecture_wmes, record.input_wmes}) {
+    for (WmeId wme = first; wme != WmeId::kNone; wme = memory_.record(wme).next) visit_link(memory_.record(wme).link);
+  }
+}
+
+// The rest ------------------------------------------------------------------------------------------------------------
+
+void LinkGraph::Clear() {
+  links_.clear();
+  free_links_.clear();
+  queue_.clear();
+  work_.clear();
+  suspended_.clear();
+}
+
+std::size_t LinkGraph::MemoryBytes() const {
+  return links_.capacity() * sizeof(Link) + free_links_.capacity() * sizeof(std::uint32_t) +
+         (queue_.capacity() + work_.capacity() + subtree_.capacity() + stack_.capacity()) * sizeof(Symbol) +
+         suspended_.capacity() + heap_.capacity() * sizeof(Candidate);
+}
+
+std::string LinkGraph::CheckInvariants(const SymbolTable& symbols) const {
+  if (HasWork()) return {};
+  for (std::uint32_t index = 0; index < memory_.identifier_limit(); ++index) {
+    const Symbol id(Symbol::Tag::kIdentifier, index);
+    const IdentifierRecord& record = memory_.identifier(id);
+    if (!record.live || record.is_goal) continue;
+    if (record.parent_link != kNone && memory_.level(links_[record.parent_link].from) != record.level) {
+      return "the level of " + ToString(symbols, id) + " is not that of its parent";
+    }
+    Symbol up = id;
+    for (std::uint32_t steps = 0; memory_.identifier(up).parent_link != kNone; ++steps) {
+      if (steps > memory_.identifier_limit()) return "the parents of " + ToString(symbols, id) + " go round in a circle";
+      up = links_[memory_.identifier(up).parent_link].from;
+    }
+    if (!memory_.identifier(up).is_goal) continue;
+    for (std::uint32_t link = record.first_link; link != kNone; link = links_[link].next_in) {
+      const Symbol from = links_[link].from;
+      if (memory_.level(from) < record.level && Trace(from, id) == Ancestry::kRooted) {
+        return ToString(symbols, id) + " is linked from a higher level but was not promoted";
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/memory/working_memory.h"
+
+namespace soarbox::kernel {
+
+/// Which identifiers hang on which goals: the links between identifiers, the level that each identifier has, and what is
+/// garbage.
+///
+/// A link is a preference in a slot whose value (or referent) is an identifier, or an element of the architecture or of
+/// input whose value is one. Each identifier that a goal reaches has one parent link; the parent links form a tree under
+/// every goal, and the level of an identifier is that of the goal at the root. Removing any other link changes nothing.
+/// Removing a parent link looks for another way in, first among the links that lead to the identifier itself, and only
+/// then for the rest of the tree below it. So the cost is that of the structure cut off, never that of working memory.
+///
+/// Invariants, after Settle(): an identifier with a parent link has the level of the link's source, and following parents
+/// ends at a goal (or at an identifier that was never linked); no link leads from a smaller level to a larger one.
+class LinkGraph {
+ public:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+  explicit LinkGraph(WorkingMemory& memory) : memory_(memory) {}
+
+  /// Both must be identifiers that live; links to goals are not kept (the result is then kNone).
+  std::uint32_t Add(Symbol from, Symbol to);
+  void Remove(std::uint32_t link);
+
+  /// True if links changed in a way that can move levels.
+  bool HasWork() const { return !queue_.empty(); }
+  /// Works out the levels of the identifiers that changed: promotions first, then what lost its parent. Identifiers that
+  /// no goal reaches any more are appended to `garbage` (each once, an identifier before what hangs on it); the caller
+  /// removes what they own, which may make more work: call again until HasWork() is false.
+  void Settle(std::vector<Symbol>& garbage);
+  /// The goal is going away: what hangs on it loses its parent.
+  void GoalGone(Symbol goal);
+
+  void Clear();
+  std::size_t MemoryBytes() const;
+  /// The first violation of the class's invariants in words, or empty.
+  std::string CheckInvariants(const SymbolTable& symbols) const;
+
+ private:
+  struct Link {
+    Symbol from, to;
+    std::uint32_t next_in = kNone, previous_in = kNone;        ///< Links to `to`.
+    std::uint32_t next_child = kNone, previous_child = kNone;  ///< Parent links from `from`.
+  };
+  enum class Ancestry : std::uint8_t { kRooted, kBelow, kFloating };
+
+  IdentifierRecord& At(Symbol id) { return memory_.mutable_identifier(id); }
+  void Queue(Symbol id);
+  void SetParent(Symbol id, std::uint32_t link);
+  void DropParent(Symbol id);
+  /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
+  Ancestry Trace(Symbol from, Symbol stop) const;
+  void Promote(Symbol id);
+  void Reattach(Symbol id, std::vector<Symbol>& garbage);
+  template <typename Visit>
+  void ForEachLinkFrom(Symbol id, Visit visit) const;
+
+  WorkingMemory& memory_;
+  std::vector<Link> links_;
+  std::vector<std::uint32_t> free_links_;
+  std::vector<Symbol> queue_, work_, subtree_, stack_;
+  std::vector<std::uint8_t> suspended_;   ///< By identifier index, while Reattach works.
+  struct Candidate {
+    GoalLevel level;
+    std::uint32_t link;
+  };
+  std::vector<Candidate> heap_;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,5 @@
+list(APPEND SOARBOX_KERNEL_SOURCES
+  memory/links.cpp
+  memory/slot_index.cpp
+  memory/wme_changes.cpp
+  memory/working_memory.cpp)

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/memory/wme_changes.h"
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, SlotId slot, PreferenceId preference) {
+  const WmeId wme = engine_.memory.Make(kind, id, attribute, value, false, slot);
+  WmeRecord& record = engine_.memory.mutable_record(wme);
+  record.preference = preference;
+  // Elements with a preference are linked through it.
+  if (preference == PreferenceId::kNone && value.IsIdentifier()) {
+    const std::uint32_t link = engine_.links.Add(id, value);
+    engine_.memory.mutable_record(wme).link = link;
+  }
+  return Record(wme);
+}
+
+WmeId WmeChanges::AddAcceptable(SlotId slot, Symbol value, PreferenceId preference) {
+  const Symbol id = engine_.memory.slot(slot).id;
+  const WmeId wme = engine_.memory.Make(WmeKind::kAcceptable, id, words::kOperator, value, true, slot);
+  engine_.memory.mutable_record(wme).preference = preference;
+  return Record(wme);
+}
+
+WmeId WmeChanges::Record(WmeId wme) {
+  added_.push_back(wme);
+  engine_.output.NoteChange(engine_.memory.wme(wme).id);
+  return wme;
+}
+
+void WmeChanges::Remove(WmeId wme) {
+  WmeRecord& record = engine_.memory.mutable_record(wme);
+  if (record.link != LinkGraph::kNone) {
+    engine_.links.Remove(record.link);
+    record.link = LinkGraph::kNone;
+  }
+  if (record.kind == WmeKind::kInput && record.slot != SlotId::kNone) {
+    engine_.input.Forget(static_cast<std::uint32_t>(record.slot));
+  }
+  engine_.output.NoteChange(engine_.memory.wme(wme).id);
+  if (record.gds != 0) engine_.gds.NoteRemoval(wme);
+  engine_.memory.Unlink(wme);
+  removed_.push_back(wme);
+}
+
+void WmeChanges::Flush() {
+  if (empty()) return;
+  flushing_added_.swap(added_);
+  flushing_removed_.swap(removed_);
+  const bool tell = engine_.observers.Wants(Event::kWme);
+  const GoalView goals = engine_.goal_view();
+  for (std::size_t n = flushing_added_.size(); n-- > 0;) {
+    const WmeId wme = flushing_added_[n];
+    // An element that came and went within the phase never enters the match.
+    if (engine_.memory.wme(wme).live) {
+      engine_.memory.mutable_record(wme).in_match = true;
+      engine_.rete.AddWme(wme, goals);
+    }
+    ++engine_.counters.wme_additions;
+    if (tell) {
+      const WmeInfo info = engine_.Describe(wme);
+      engine_.observers.Notify(Event::kWme, [&](Observer& o) { o.OnWmeAdded(engine_.agent, info); });
+    }
+  }
+  for (std::size_t n = flushing_removed_.size(); n-- > 0;) {
+    const WmeId wme = flushing_removed_[n];
+    WmeRecord& record = engine_.memory.mutable_record(wme);
+    if (record.in_match) engine_.rete.RemoveWme(wme, goals);
+    record.in_match = false;
+    record.removing = true;
+    ++engine_.counters.wme_removals;
+    if (tell) {
+      const WmeInfo info = engine_.Describe(wme);
+      engine_.observers.Notify(Event::kWme, [&](Observer& o) { o.OnWmeRemoved(engine_.agent, info); });
+    }
+    if (record.references == 0) dead_.push_back(wme);
+  }
+  flushing_added_.clear();
+  flushing_removed_.clear();
+}
+
+void WmeChanges::AddReference(WmeId wme) { ++engine_.memory.mutable_record(wme).references; }
+
+void WmeChanges::DropReference(WmeId wme) {
+  WmeRecord& record = engine_.memory.mutable_record(wme);
+  if (--record.references == 0 && record.removing) dead_.push_back(wme);
+}
+
+void WmeChanges::Bury() {
+  for (const WmeId wme : dead_) engine_.memory.Free(wme);
+  dead_.clear();
+}
+
+void WmeChanges::Clear() {
+  added_.clear();
+  removed_.clear();
+  dead_.clear();
+}
+
+}  // namespace soarbox::kernel

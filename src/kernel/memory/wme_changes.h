@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/memory/working_memory.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Changes of working memory on their way to the matcher. Elements get their time tags when they are added here; the
+/// match hears of them in Flush, newest first and all additions before all removals, as traces and firing orders show.
+class WmeChanges {
+ public:
+  explicit WmeChanges(Engine& engine) : engine_(engine) {}
+
+  WmeId Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, SlotId slot = SlotId::kNone,
+            PreferenceId preference = PreferenceId::kNone);
+  /// The element of an acceptable preference.
+  WmeId AddAcceptable(SlotId slot, Symbol value, PreferenceId preference);
+  void Remove(WmeId wme);
+  /// Hands everything to the match.
+  void Flush();
+  bool empty() const { return added_.empty() && removed_.empty(); }
+
+  void AddReference(WmeId wme);
+  /// Frees an element that has left the match when nothing refers to it any more.
+  void DropReference(WmeId wme);
+  /// Gives back the indices of removed elements. Only when no retraction is pending, whose elements may be shown.
+  void Bury();
+  void Clear();
+
+ private:
+  WmeId Record(WmeId wme);
+
+  Engine& engine_;
+  std::vector<WmeId> added_, removed_, dead_, flushing_added_, flushing_removed_;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/memory/working_memory.h"
+
+#include <cassert>
+
+namespace soarbox::kernel {
+namespace {
+
+const IdentifierRecord kUnknownIdentifier{};
+
+/// Takes an index from the free list, or makes one at the end of the arena.
+template <typename Id, typename T>
+Id Allocate(std::vector<T>& arena, std::vector<Id>& free_list) {
+  if (!free_list.empty()) {
+    const Id id = free_list.back();
+    free_list.pop_back();
+    arena[Index(id)] = T{};
+    return id;
+  }
+  arena.emplace_back();
+  return static_cast<Id>(arena.size() - 1);
+}
+
+}  // namespace
+
+WorkingMemory::WorkingMemory(SymbolTable& symbols) : symbols_(symbols) {}
+WorkingMemory::~WorkingMemory() = default;
+
+// Reading -------------------------------------------------------------------------------------------------------------
+
+SlotId WorkingMemory::FindSlot(Symbol id, Symbol attribute) const { return slot_index_.Find(id, attribute); }
+
+const IdentifierRecord& WorkingMemory::identifier(Symbol id) const {
+  if (!id.IsIdentifier() || id.index() >= identifiers_.size()) return kUnknownIdentifier;
+  return identifiers_[id.index()];
+}
+
+std::vector<WmeId> WorkingMemory::WmesOf(Symbol id) const {
+  std::vector<WmeId> found;
+  const auto append = [&](WmeId first) {
+    for (WmeId wme = first; wme != WmeId::kNone; wme = record(wme).next) found.push_back(wme);
+  };
+  const IdentifierRecord& identifier = this->identifier(id);
+  for (SlotId slot = identifier.slots; slot != SlotId::kNone; slot = this->slot(slot).next) {
+    append(this->slot(slot).wmes);
+    append(this->slot(slot).acceptable_wmes);
+  }
+  append(identifier.architecture_wmes);
+  append(identifier.input_wmes);
+  return found;
+}
+
+Symbol WorkingMemory::ValueOf(Symbol id, Symbol attribute) const {
+  const SlotId slot = FindSlot(id, attribute);
+  if (slot != SlotId::kNone && this->slot(slot).wmes != WmeId::kNone) return wme(this->slot(slot).wmes).value;
+  const IdentifierRecord& identifier = this->identifier(id);
+  for (const WmeId first : {identifier.architecture_wmes, identifier.input_wmes}) {
+    for (WmeId wme = first; wme != WmeId::kNone; wme = record(wme).next) {
+      if (this->wme(wme).attribute == attribute) return this->wme(wme).value;
+    }
+  }
+  return {};
+}
+
+WmeId WorkingMemory::FindByTimetag(std::uint64_t timetag) const {
+  for (std::uint32_t index = 0; index < wmes_.size(); ++index) {
+    if (wmes_[index].live && wmes_[index].timetag == timetag) return static_cast<WmeId>(index);
+  }
+  return WmeId::kNone;
+}
+
+// Elements ------------------------------------------------------------------------------------------------------------
+
+WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol value, bool acceptable, SlotId slot) {
+  WmeId wme;
+  if (!free_wmes_.empty()) {
+    wme = free_wmes_.back();
+    free_wmes_.pop_back();
+    records_[Index(wme)] = WmeRecord{};
+  } else {
+    wme = static_cast<WmeId>(wmes_.size());
+    wmes_.emplace_back();
+    records_.emplace_back();
+  }
+  Wme& content = wmes_[Index(wme)];
+  content.id = id;
+  content.attribute = attribute;
+  content.value = value;
+  content.acceptable = acceptable;
+  content.live = true;
+  content.timetag = next_timetag_++;
+  ++live_wmes_;
+
+  WmeRecord& record = records_[Index(wme)];
+  record.kind = kind;
+  record.slot = slot;
+  WmeId& head = ListHead(record, content);
+  record.next = head;
+  if (head != WmeId::kNone) records_[Index(head)].previous = wme;
+  head = wme;
+  return wme;
+}
+
+WmeId& WorkingMemory::ListHead(const WmeRecord& record, const Wme& content) {
+  switch (record.kind) {
+    case WmeKind::kSlot: return slots_[Index(record.slot)].wmes;
+    case WmeKind::kAcceptable: return slots_[Index(record.slot)].acceptable_wmes;
+    case WmeKind::kArchitecture: return identifiers_[content.id.index()].architecture_wmes;
+    case WmeKind::kInput:
+    case WmeKind::kFree: break;
+  }
+  return identifiers_[content.id.index()].input_wmes;
+}
+
+void WorkingMemory::Unlink(WmeId wme) {
+  WmeRecord& record = records_[Index(wme)];
+  if (record.previous != WmeId::kNone) {
+    records_[Index(record.previous)].next = record.next;
+  } else {
+    ListHead(record, wmes_[Index(wme)]) = record.next;
+  }
+  if (record.next != WmeId::kNone) records_[Index(record.next)].previous = record.previous;
+  record.next = record.previous = WmeId::kNone;
+  record.kind = WmeKind::kFree;
+  wmes_[Index(wme)].live = false;
+  --live_wmes_;
+}
+
+void WorkingMemory::Free(WmeId wme) {
+  assert(!wmes_[Index(wme)].live && records_[Index(wme)].references == 0);
+  free_wmes_.push_back(wme);
+}
+
+// Identifiers ---------------------------------------------------------------------------------------------------------
+
+Symbol WorkingMemory::NewIdentifier(char letter, GoalLevel level) {
+  const Symbol id = symbols_.NewIdentifier(letter);
+  if (id.index() >= identifiers_.size()) {
+    identifiers_.resize(id.index() + 1);
+    goal_levels_.resize(id.index() + 1, 0);
+    long_term_.resize(id.index() + 1, 0);
+  }
+  IdentifierRecord& record = identifiers_[id.index()];
+  record = IdentifierRecord{};
+  record.live = true;
+  record.level = level;
+  ++live_identifiers_;
+  return id;
+}
+
+void WorkingMemory::SetGoal(Symbol id, GoalLevel level) {
+  identifiers_[id.index()].is_goal = true;
+  goal_levels_[id.index()] = level;
+}
+
+void WorkingMemory::ClearGoal(Symbol id) {
+  identifiers_[id.index()].is_goal = false;
+  goal_levels_[id.index()] = 0;
+}
+
+void WorkingMemory::FreeIdentifier(Symbol id) {
+  identifiers_[id.index()] = IdentifierRecord{};
+  goal_levels_[id.index()] = 0;
+  long_term_[id.index()] = 0;
+  symbols_.FreeIdentifier(id);
+  --live_identifiers_;
+}
+
+// Slots ---------------------------------------------------------------------------------------------------------------
+
+SlotId WorkingMemory::FindOrMakeSlot(Symbol id, Symbol attribute, bool is_operator) {
+  const SlotId found = slot_index_.Find(id, attribute);
+  if (found != SlotId::kNone) return found;
+  const SlotId made = Allocate(slots_, free_slots_);
+  Slot& slot = slots_[Index(made)];
+  slot.id = id;
+  slot.attribute = attribute;
+  slot.live = true;
+  slot.is_operator = is_operator;
+  IdentifierRecord& owner = identifiers_[id.index()];
+  slot.next = owner.slots;
+  if (owner.slots != SlotId::kNone) slots_[Index(owner.slots)].previous = made;
+  owner.slots = made;
+  slot_index_.Insert(id, attribute, made);
+  return made;
+}
+
+void WorkingMemory::FreeSlot(SlotId id) {
+  Slot& slot = slots_[Index(id)];
+  assert(slot.live && SlotIsEmpty(id));
+  if (slot.previous != SlotId::kNone) {
+    slots_[Index(slot.previous)].next = slot.next;
+  } else {
+    identifiers_[slot.id.index()].slots = slot.next;
+  }
+  if (slot.next != SlotId::kNone) slots_[Index(slot.next)].previous = slot.previous;
+  slot_index_.Erase(slot.id, slot.attribute);
+  slot.live = false;
+  free_slots_.push_back(id);
+}
+
+bool WorkingMemory::SlotIsEmpty(SlotId id) const {
+  const Slot& slot = slots_[Index(id)];
+  return slot.wmes == WmeId::kNone && slot.acceptable_wmes == WmeId::kNone && slot.acceptable == PreferenceId::kNone &&
+         slot.others == PreferenceId::kNone;
+}
+
+// Preferences ---------------------------------------------------------------------------------------------------------
+
+PreferenceId WorkingMemory::MakePreference() {
+  const PreferenceId made = Allocate(preferences_, free_preferences_);
+  preferences_[Index(made)].live = true;
+  return made;
+}
+
+void WorkingMemory::InsertInSlot(PreferenceId id, SlotId slot_id) {
+  Preference& preference = preferences_[Index(id)];
+  Slot& slot = slots_[Index(slot_id)];
+  preference.slot = slot_id;
+  preference.in_slot = true;
+  ++preference.references;
+  PreferenceId& head = preference.type == PreferenceType::kAcceptable ? slot.acceptable : slot.others;
+  if (preference.type == PreferenceType::kAcceptable) ++slot.acceptable_count;
+  // In front of the first one that is not of a higher goal.
+  PreferenceId before = head, after = PreferenceId::kNone;
+  while (before != PreferenceId::kNone && preferences_[Index(before)].level < preference.level) {
+    after = before;
+    before = preferences_[Index(before)].next_in_slot;
+  }
+  preference.next_in_slot = before;
+  preference.previous_in_slot = after;
+  if (before != PreferenceId::kNone) preferences_[Index(before)].previous_in_slot = id;
+  if (after != PreferenceId::kNone) {
+    preferences_[Index(after)].next_in_slot = id;
+  } else {
+    head = id;
+  }
+}
+
+void WorkingMemory::RemoveFromSlot(PreferenceId id) {
+  Preference& preference = preferences_[Index(id)];
+  Slot& slot = slots_[Index(preference.slot)];
+  if (preference.previous_in_slot != PreferenceId::kNone) {
+    preferences_[Index(preference.previous_in_slot)].next_in_slot = preference.next_in_slot;
+  } else if (preference.type == PreferenceType::kAcceptable) {
+    slot.acceptable = preference.next_in_slot;
+  } else {
+    slot.others = preference.next_in_slot;
+  }
+  if (preference.next_in_slot != PreferenceId::kNone) {
+    preferences_[Index(preference.next_in_slot)].previous_in_slot = preference.previous_in_slot;
+  }
+  if (preference.type == PreferenceType::kAcceptable) --slot.acceptable_count;
+  preference.next_in_slot = preference.previous_in_slot = PreferenceId::kNone;
+  preference.slot = SlotId::kNone;
+  preference.in_slot = false;
+  --preference.references;
+}
+
+void WorkingMemory::FreePreference(PreferenceId id) {
+  assert(preferences_[Index(id)].references == 0 && !preferences_[Index(id)].in_slot);
+  preferences_[Index(id)].live = false;
+  free_preferences_.push_back(id);
+}
+
+void WorkingMemory::Clear() {
+  for (std::uint32_t index = 0; index < identifiers_.size(); ++index) {
+    if (identifiers_[index].live) symbols_.FreeIdentifier(Symbol(Symbol::Tag::kIdentifier, index));
+  }
+  wmes_.clear();
+  records_.clear();
+  free_wmes_.clear();
+  slots_.clear();
+  free_slots_.clear();
+  preferences_.clear();
+  free_preferences_.clear();
+  identifiers_.clear();
+  goal_levels_.clear();
+  long_term_.clear();
+  slot_index_.Clear();
+  next_timetag_ = 1;
+  live_wmes_ = 0;
+  live_identifiers_ = 0;
+}
+
+std::size_t WorkingMemory::MemoryBytes() const {
+  return wmes_.capacity() * sizeof(Wme) + records_.capacity() * sizeof(WmeRecord) +
+         free_wmes_.capacity() * sizeof(WmeId) + slots_.capacity() * sizeof(Slot) +
+         free_slots_.capacity() * sizeof(SlotId) + preferences_.capacity() * sizeof(Preference) +
+         free_preferences_.capacity() * sizeof(PreferenceId) + identifiers_.capacity() * sizeof(IdentifierRecord) +
+         goal_levels_.capacity() * sizeof(GoalLevel) + long_term_.capacity() * sizeof(std::uint64_t) +
+         slot_index_.MemoryBytes();
+}
+
+}  // namespace soarbox::kernel
