@@ -206,6 +206,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindAgentProperties(lua_State* state) { RegisterTable(state, "Agent", kBindings); }
+void BindAgentProperties(lua_State* state) {
+  RegisterTable(state, "Agent", kBindings);
+}
 
 }  // namespace soarbox::script

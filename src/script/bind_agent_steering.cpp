@@ -121,6 +121,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindAgentSteering(lua_State* state) { RegisterTable(state, "Agent", kBindings); }
+void BindAgentSteering(lua_State* state) {
+  RegisterTable(state, "Agent", kBindings);
+}
 
 }  // namespace soarbox::script

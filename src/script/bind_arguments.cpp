@@ -12,8 +12,7 @@ namespace {
 constexpr std::uint64_t kCreationPrice = 5'000;
 
 void WarnKind(lua_State* state, int index, const char* wanted) {
-  WarnIgnored(state,
-              lua_pushfstring(state, "argument %d is not %s but %s", index, wanted, NameOfValue(state, index)));
+  WarnIgnored(state, lua_pushfstring(state, "argument %d is not %s but %s", index, wanted, NameOfValue(state, index)));
   lua_pop(state, 1);
 }
 
@@ -79,7 +78,9 @@ std::string_view TextArgument(lua_State* state, int index) {
   return {text, length};
 }
 
-bool TruthArgument(lua_State* state, int index) { return lua_toboolean(state, index) != 0; }
+bool TruthArgument(lua_State* state, int index) {
+  return lua_toboolean(state, index) != 0;
+}
 
 std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {
   luaL_checktype(state, index, LUA_TTABLE);
@@ -108,7 +109,9 @@ void WarnUnless(lua_State* state, bool accepted) {
   if (!accepted) WarnIgnored(state, "a value is not a finite number or does not fit here");
 }
 
-void ChargeForCreation(lua_State* state) { LuaMachine::Of(state).Charge(kCreationPrice); }
+void ChargeForCreation(lua_State* state) {
+  LuaMachine::Of(state).Charge(kCreationPrice);
+}
 
 void PushPoint(lua_State* state, float x, float y) {
   lua_createtable(state, 0, 2);

@@ -36,28 +36,24 @@ int CreateBox(lua_State* state) {
 
 int CreateCapsule(lua_State* state) {
   const float height = CheckFloat(state, 2), radius = CheckFloat(state, 3);
-  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) {
-    return scene.CreateCapsule(parent, height, radius);
-  });
+  return MakeNode(
+      state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateCapsule(parent, height, radius); });
 }
 
 int CreateCircle(lua_State* state) {
   const float radius = CheckFloat(state, 2);
-  return MakeNode(state,
-                  [&](world::Scene& scene, world::NodeId parent) { return scene.CreateCircle(parent, radius); });
+  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateCircle(parent, radius); });
 }
 
 int CreateCylinder(lua_State* state) {
   const float height = CheckFloat(state, 2), radius = CheckFloat(state, 3);
-  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) {
-    return scene.CreateCylinder(parent, height, radius);
-  });
+  return MakeNode(
+      state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateCylinder(parent, height, radius); });
 }
 
 int CreateLine(lua_State* state) {
   const world::Vec3 from = CheckVector(state, 2), to = CheckVector(state, 3);
-  return MakeNode(state,
-                  [&](world::Scene& scene, world::NodeId parent) { return scene.CreateLine(parent, from, to); });
+  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateLine(parent, from, to); });
 }
 
 int CreateMesh(lua_State* state) {
@@ -67,15 +63,13 @@ int CreateMesh(lua_State* state) {
 
 int CreatePlane(lua_State* state) {
   const float length = CheckFloat(state, 2), width = CheckFloat(state, 3);
-  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) {
-    return scene.CreatePlane(parent, length, width);
-  });
+  return MakeNode(state,
+                  [&](world::Scene& scene, world::NodeId parent) { return scene.CreatePlane(parent, length, width); });
 }
 
 int CreateParticle(lua_State* state) {
   const std::string_view name = TextArgument(state, 2);
-  return MakeNode(state,
-                  [&](world::Scene& scene, world::NodeId parent) { return scene.CreateParticle(parent, name); });
+  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateParticle(parent, name); });
 }
 
 int CreateDirectionalLight(lua_State* state) {
@@ -87,9 +81,8 @@ int CreateDirectionalLight(lua_State* state) {
 
 int CreatePointLight(lua_State* state) {
   const world::Vec3 position = CheckVector(state, 2);
-  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) {
-    return scene.CreatePointLight(parent, position);
-  });
+  return MakeNode(state,
+                  [&](world::Scene& scene, world::NodeId parent) { return scene.CreatePointLight(parent, position); });
 }
 
 constexpr Binding kBindings[] = {
@@ -107,6 +100,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindCoreCreate(lua_State* state) { RegisterTable(state, "Core", kBindings); }
+void BindCoreCreate(lua_State* state) {
+  RegisterTable(state, "Core", kBindings);
+}
 
 }  // namespace soarbox::script

@@ -31,7 +31,9 @@ int DrawLine(lua_State* state) {
 }
 
 /// The fourth argument counts only if it is the last one.
-bool Filled(lua_State* state) { return lua_gettop(state) == 4 && TruthArgument(state, 4); }
+bool Filled(lua_State* state) {
+  return lua_gettop(state) == 4 && TruthArgument(state, 4);
+}
 
 int DrawSphere(lua_State* state) {
   const Vec3 center = CheckVector(state, 1);
@@ -56,6 +58,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindCoreDraw(lua_State* state) { RegisterTable(state, "Core", kBindings); }
+void BindCoreDraw(lua_State* state) {
+  RegisterTable(state, "Core", kBindings);
+}
 
 }  // namespace soarbox::script

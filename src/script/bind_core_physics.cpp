@@ -60,6 +60,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindCorePhysics(lua_State* state) { RegisterTable(state, "Core", kBindings); }
+void BindCorePhysics(lua_State* state) {
+  RegisterTable(state, "Core", kBindings);
+}
 
 }  // namespace soarbox::script

@@ -14,7 +14,9 @@ namespace {
 using world::NodeId;
 using world::Vec3;
 
-world::Scene& SceneOf(lua_State* state) { return ContextOf(state).world.scene(); }
+world::Scene& SceneOf(lua_State* state) {
+  return ContextOf(state).world.scene();
+}
 
 bool IsObject(lua_State* state, int index) {
   const Handle* handle = ToHandle(state, index);
@@ -25,8 +27,8 @@ bool IsObject(lua_State* state, int index) {
 NodeId PlainNode(lua_State* state, int index) {
   const Handle* handle = ToHandle(state, index);
   if (!handle || handle->kind != ValueKind::kNode) {
-    WarnIgnored(state, lua_pushfstring(state, "argument %d is not a scene node but %s", index,
-                                       NameOfValue(state, index)));
+    WarnIgnored(state,
+                lua_pushfstring(state, "argument %d is not a scene node but %s", index, NameOfValue(state, index)));
     return NodeId::kNone;
   }
   return NodeArgument(state, index, false);
@@ -208,6 +210,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindCoreScene(lua_State* state) { RegisterTable(state, "Core", kBindings); }
+void BindCoreScene(lua_State* state) {
+  RegisterTable(state, "Core", kBindings);
+}
 
 }  // namespace soarbox::script

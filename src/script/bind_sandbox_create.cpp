@@ -64,11 +64,21 @@ int MakeAgent(lua_State* state, const char* kind) {
   return PushMadeAgent(state, request);
 }
 
-int CreateAgent(lua_State* state) { return MakeAgent(state, "lua"); }
-int CreateSoarSeekingAgent(lua_State* state) { return MakeAgent(state, "seeking"); }
-int CreateSoarFollowerAgent(lua_State* state) { return MakeAgent(state, "follower"); }
-int CreateSoarWaypointAgent(lua_State* state) { return MakeAgent(state, "waypoint"); }
-int CreateSoarAgent(lua_State* state) { return MakeAgent(state, "soar"); }
+int CreateAgent(lua_State* state) {
+  return MakeAgent(state, "lua");
+}
+int CreateSoarSeekingAgent(lua_State* state) {
+  return MakeAgent(state, "seeking");
+}
+int CreateSoarFollowerAgent(lua_State* state) {
+  return MakeAgent(state, "follower");
+}
+int CreateSoarWaypointAgent(lua_State* state) {
+  return MakeAgent(state, "waypoint");
+}
+int CreateSoarAgent(lua_State* state) {
+  return MakeAgent(state, "soar");
+}
 
 template <class Create>
 int MakeObject(lua_State* state, Create create) {
@@ -87,8 +97,7 @@ int CreateBox(lua_State* state) {
   const float width = CheckFloat(state, 2), height = CheckFloat(state, 3), length = CheckFloat(state, 4);
   const bool tiled = lua_gettop(state) >= 6;
   const float u_tile = tiled ? CheckFloat(state, 5) : 1, v_tile = tiled ? CheckFloat(state, 6) : 1;
-  return MakeObject(state,
-                    [&](world::World& world) { return world.CreateBox(width, height, length, u_tile, v_tile); });
+  return MakeObject(state, [&](world::World& world) { return world.CreateBox(width, height, length, u_tile, v_tile); });
 }
 
 int CreateCapsule(lua_State* state) {
@@ -190,6 +199,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindSandboxCreate(lua_State* state) { RegisterTable(state, "Sandbox", kBindings); }
+void BindSandboxCreate(lua_State* state) {
+  RegisterTable(state, "Sandbox", kBindings);
+}
 
 }  // namespace soarbox::script

@@ -54,6 +54,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindSandboxEvents(lua_State* state) { RegisterTable(state, "Sandbox", kBindings); }
+void BindSandboxEvents(lua_State* state) {
+  RegisterTable(state, "Sandbox", kBindings);
+}
 
 }  // namespace soarbox::script

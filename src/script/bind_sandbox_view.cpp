@@ -13,7 +13,9 @@ namespace {
 
 using world::Vec3;
 
-world::World& WorldOf(lua_State* state) { return ContextOf(state).world; }
+world::World& WorldOf(lua_State* state) {
+  return ContextOf(state).world;
+}
 
 template <class Value>
 int PushOfCamera(lua_State* state, Value value) {
@@ -79,9 +81,8 @@ int GetTimeInMillis(lua_State* state) {
   return PushOfSandbox(state, [](const ScriptContext& context) { return context.world.time_millis(); });
 }
 int GetTimeInSeconds(lua_State* state) {
-  return PushOfSandbox(state, [](const ScriptContext& context) {
-    return static_cast<double>(context.world.time_millis()) / 1000.0;
-  });
+  return PushOfSandbox(
+      state, [](const ScriptContext& context) { return static_cast<double>(context.world.time_millis()) / 1000.0; });
 }
 int GetScreenWidth(lua_State* state) {
   return PushOfSandbox(state, [](const ScriptContext& context) { return context.world.screen_width(); });
@@ -182,6 +183,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindSandboxView(lua_State* state) { RegisterTable(state, "Sandbox", kBindings); }
+void BindSandboxView(lua_State* state) {
+  RegisterTable(state, "Sandbox", kBindings);
+}
 
 }  // namespace soarbox::script

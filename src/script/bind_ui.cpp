@@ -14,7 +14,9 @@ namespace {
 using world::Ui;
 using world::UiId;
 
-Ui& UiOf(lua_State* state) { return ContextOf(state).world.ui(); }
+Ui& UiOf(lua_State* state) {
+  return ContextOf(state).world.ui();
+}
 
 template <world::UiPoint (Ui::*Getter)(UiId) const>
 int GetPoint(lua_State* state) {
@@ -149,6 +151,8 @@ constexpr Binding kBindings[] = {
 
 }  // namespace
 
-void BindUi(lua_State* state) { RegisterTable(state, "UI", kBindings); }
+void BindUi(lua_State* state) {
+  RegisterTable(state, "UI", kBindings);
+}
 
 }  // namespace soarbox::script

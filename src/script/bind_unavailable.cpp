@@ -15,10 +15,10 @@ int RaiseUnavailable(lua_State* state) {
 }
 
 constexpr const char* kAnimation[] = {
-    "AttachToBone",   "GetAnimation", "GetBoneNames", "GetBonePosition",    "GetBoneRotation",
-    "GetLength",      "GetName",      "GetTime",      "GetNormalizedTime",  "GetWeight",
-    "IsEnabled",      "IsLooping",    "Reset",        "SetDisplaySkeleton", "SetEnabled",
-    "SetLooping",     "SetTime",      "SetWeight",    "SetNormalizedTime",  "StepAnimation",
+    "AttachToBone", "GetAnimation", "GetBoneNames", "GetBonePosition",    "GetBoneRotation",
+    "GetLength",    "GetName",      "GetTime",      "GetNormalizedTime",  "GetWeight",
+    "IsEnabled",    "IsLooping",    "Reset",        "SetDisplaySkeleton", "SetEnabled",
+    "SetLooping",   "SetTime",      "SetWeight",    "SetNormalizedTime",  "StepAnimation",
 };
 
 constexpr const char* kNavigation[] = {
@@ -26,8 +26,8 @@ constexpr const char* kNavigation[] = {
 };
 
 constexpr const char* kInfluence[] = {
-    "ClearInfluenceMap", "CreateInfluenceMap", "DrawInfluenceMap", "GetInertia",   "GetInfluence",
-    "SetDrawInfluenceMap", "SetFalloff",       "SetInertia",       "SetInfluence", "SpreadInfluenceMap",
+    "ClearInfluenceMap",   "CreateInfluenceMap", "DrawInfluenceMap", "GetInertia",   "GetInfluence",
+    "SetDrawInfluenceMap", "SetFalloff",         "SetInertia",       "SetInfluence", "SpreadInfluenceMap",
 };
 
 /// Registers functions that this build of the world cannot serve: each raises a Lua error that names it.
@@ -51,7 +51,9 @@ void RegisterUnavailable(lua_State* state, const char* table, const char* what, 
 
 }  // namespace
 
-void BindAnimation(lua_State* state) { RegisterUnavailable(state, "Animation", "animated meshes", kAnimation); }
+void BindAnimation(lua_State* state) {
+  RegisterUnavailable(state, "Animation", "animated meshes", kAnimation);
+}
 
 void BindSandboxNavigation(lua_State* state) {
   RegisterUnavailable(state, "Sandbox", "navigation meshes", kNavigation);

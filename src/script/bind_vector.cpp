@@ -193,12 +193,14 @@ int ToText(lua_State* state) {
 
 }  // namespace
 
-void BindVector(lua_State* state) { RegisterTable(state, "Vector", kBindings); }
+void BindVector(lua_State* state) {
+  RegisterTable(state, "Vector", kBindings);
+}
 
 void InstallVectorMetamethods(lua_State* state) {
   static constexpr luaL_Reg kMetamethods[] = {
-      {"__add", Add},          {"__sub", Subtract}, {"__mul", Multiply},      {"__div", Divide},     {"__unm", Negate},
-      {"__eq", IsEqual},       {"__index", Index},  {"__newindex", NewIndex}, {"__tostring", ToText}, {nullptr, nullptr},
+      {"__add", Add},    {"__sub", Subtract}, {"__mul", Multiply},      {"__div", Divide},      {"__unm", Negate},
+      {"__eq", IsEqual}, {"__index", Index},  {"__newindex", NewIndex}, {"__tostring", ToText}, {nullptr, nullptr},
   };
   luaL_register(state, nullptr, kMetamethods);
   lua_pushliteral(state, "Vector3Type");

@@ -134,7 +134,8 @@ int Require(lua_State* state) {
 }
 
 /// xpcall whose handler runs after the failed call is unwound. The built-in one runs it in the middle, where
-/// instructions are not counted: a handler could loop for ever. Scripts see no difference, as they have no debug library.
+/// instructions are not counted: a handler could loop for ever. Scripts see no difference, as they have no debug
+/// library.
 constexpr std::string_view kXpcall = R"(
 local pcall = pcall
 local function finish(handler, ok, ...)

@@ -68,8 +68,8 @@ std::optional<ScriptError> LuaMachine::RunProtected(RawBody body, void* data) {
   if (!state_) {
     Diagnostic error;
     error.file = script();
-    error.message = "not enough memory to start a Lua machine: the limit is " +
-                    std::to_string(memory_.limit_bytes() >> 10) + " KB";
+    error.message =
+        "not enough memory to start a Lua machine: the limit is " + std::to_string(memory_.limit_bytes() >> 10) + " KB";
     return ScriptError{std::move(error), {}};
   }
   const RawBody outer_body = std::exchange(body_, body);
@@ -148,9 +148,13 @@ bool LuaMachine::PushGlobalFunction(lua_State* state, const char* name) {
   return false;
 }
 
-void LuaMachine::PushKept(lua_State* state, int reference) { lua_rawgeti(state, LUA_REGISTRYINDEX, reference); }
+void LuaMachine::PushKept(lua_State* state, int reference) {
+  lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
+}
 
-void LuaMachine::Call(lua_State* state, int argument_count) { lua_call(state, argument_count, 0); }
+void LuaMachine::Call(lua_State* state, int argument_count) {
+  lua_call(state, argument_count, 0);
+}
 
 int LuaMachine::Keep(int index) {
   lua_pushvalue(state_, index);

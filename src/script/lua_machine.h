@@ -47,10 +47,10 @@ class PrintSink {
 
 /// What a machine is made with. All that is pointed to must outlive it.
 struct MachineSetup {
-  std::string script;            ///< Its main script's file name, for messages.
-  std::uint32_t owner = 0;       ///< Number of the agent that it belongs to; 0: the sandbox.
+  std::string script;       ///< Its main script's file name, for messages.
+  std::uint32_t owner = 0;  ///< Number of the agent that it belongs to; 0: the sandbox.
   MachineLimits limits;
-  ScriptPath* path = nullptr;    ///< For chunks and require.
+  ScriptPath* path = nullptr;  ///< For chunks and require.
   RandomSource* random = nullptr;
   PrintSink* print = nullptr;
   ScriptContext* context = nullptr;  ///< What the bindings of the sandbox's API work on; null for bare machines.
@@ -139,7 +139,7 @@ class LuaMachine {
   lua_State* state_ = nullptr;
   int run_body_ = 0;  // Kept functions, so that a call needs no memory before it is protected.
   int on_error_ = 0;
-  int depth_ = 0;     // Of protected calls within each other.
+  int depth_ = 0;  // Of protected calls within each other.
   std::uint64_t instructions_left_ = 0;
   RawBody body_ = nullptr;
   void* body_data_ = nullptr;

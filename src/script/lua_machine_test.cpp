@@ -156,18 +156,20 @@ TEST_F(MachineTest, ReportsCompileErrorsWithFileLineAndSource) {
 }
 
 TEST_F(MachineTest, ReportsRunTimeErrorsWithTheirCalls) {
-  Write("own/Fails.lua", "local function Inner(x)\n  return x.field\nend\nfunction Outer()\n  Inner(nil)\n  return 1\nend\nOuter()\n");
+  Write("own/Fails.lua",
+        "local function Inner(x)\n  return x.field\nend\nfunction Outer()\n  Inner(nil)\n  return 1\nend\nOuter()\n");
   const auto error = machine_->RunFile("Fails.lua");
   ASSERT_TRUE(error);
   EXPECT_EQ(error->diagnostic.line, 2);
   EXPECT_EQ(error->diagnostic.message, "attempt to index local 'x' (a nil value)");
-  EXPECT_EQ(error->traceback,
-            "  Fails.lua:2: in function 'Inner'\n  Fails.lua:5: in function 'Outer'\n  Fails.lua:8: in the main chunk\n");
+  EXPECT_EQ(
+      error->traceback,
+      "  Fails.lua:2: in function 'Inner'\n  Fails.lua:5: in function 'Outer'\n  Fails.lua:8: in the main chunk\n");
 }
 
 TEST_F(MachineTest, ReportsErrorsWithoutAPlaceWhereTheyWereRaised) {
-  for (const auto& [script, message] : {std::pair{"\n\nerror('plain', 0)", "plain"},
-                                        std::pair{"\n\nerror({})", "the error is a table value"}}) {
+  for (const auto& [script, message] :
+       {std::pair{"\n\nerror('plain', 0)", "plain"}, std::pair{"\n\nerror({})", "the error is a table value"}}) {
     const auto error = machine_->RunText(script, "test.lua");
     ASSERT_TRUE(error) << script;
     EXPECT_EQ(error->diagnostic.line, 3);

@@ -144,7 +144,9 @@ std::uint32_t CheckHandle(lua_State* state, int index, ValueKind kind) {
   return 0;
 }
 
-float CheckFloat(lua_State* state, int index) { return static_cast<float>(luaL_checknumber(state, index)); }
+float CheckFloat(lua_State* state, int index) {
+  return static_cast<float>(luaL_checknumber(state, index));
+}
 
 const char* NameOf(ValueKind kind) {
   switch (kind) {

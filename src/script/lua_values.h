@@ -32,10 +32,18 @@ void InstallValues(lua_State* state);
 
 void PushVector(lua_State* state, world::Vec3 vector);
 void PushHandle(lua_State* state, Handle handle);
-inline void PushAgent(lua_State* state, world::EntityId id) { PushHandle(state, {ValueKind::kAgent, Number(id)}); }
-inline void PushObject(lua_State* state, world::EntityId id) { PushHandle(state, {ValueKind::kObject, Number(id)}); }
-inline void PushSandbox(lua_State* state) { PushHandle(state, {ValueKind::kSandbox, 0}); }
-inline void PushNode(lua_State* state, world::NodeId id) { PushHandle(state, {ValueKind::kNode, Number(id)}); }
+inline void PushAgent(lua_State* state, world::EntityId id) {
+  PushHandle(state, {ValueKind::kAgent, Number(id)});
+}
+inline void PushObject(lua_State* state, world::EntityId id) {
+  PushHandle(state, {ValueKind::kObject, Number(id)});
+}
+inline void PushSandbox(lua_State* state) {
+  PushHandle(state, {ValueKind::kSandbox, 0});
+}
+inline void PushNode(lua_State* state, world::NodeId id) {
+  PushHandle(state, {ValueKind::kNode, Number(id)});
+}
 
 /// The vector at `index`; null for everything else.
 world::Vec3* ToVector(lua_State* state, int index);

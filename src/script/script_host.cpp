@@ -172,7 +172,9 @@ void ScriptHost::HandleCollisions() {
       [this](LuaMachine& machine, const ScriptError& error) { OnCallbackError(machine, error); });
 }
 
-void ScriptHost::UpdateSandbox() { CallSandbox("Sandbox_Update", true); }
+void ScriptHost::UpdateSandbox() {
+  CallSandbox("Sandbox_Update", true);
+}
 
 void ScriptHost::Cleanup() {
   for (const auto& script : agents_) {
@@ -270,9 +272,8 @@ ScriptHost::AgentScript* ScriptHost::Find(EntityId agent) {
 }
 
 const ScriptHost::AgentScript* ScriptHost::Find(EntityId agent) const {
-  const auto it = std::lower_bound(agents_.begin(), agents_.end(), agent, [](const auto& script, EntityId id) {
-    return Number(script->id) < Number(id);
-  });
+  const auto it = std::lower_bound(agents_.begin(), agents_.end(), agent,
+                                   [](const auto& script, EntityId id) { return Number(script->id) < Number(id); });
   return it != agents_.end() && (*it)->id == agent ? it->get() : nullptr;
 }
 
@@ -309,13 +310,17 @@ const AgentCreationRequest* ScriptHost::RequestOf(EntityId agent) const {
 
 std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::string_view text) {
   AgentScript* script = Find(agent_or_sandbox);
-  LuaMachine* machine = script ? script->machine.get() : agent_or_sandbox == EntityId::kSandbox ? sandbox_.get() : nullptr;
+  LuaMachine* machine = script                                   ? script->machine.get()
+                        : agent_or_sandbox == EntityId::kSandbox ? sandbox_.get()
+                                                                 : nullptr;
   if (machine) return machine->RunText(text, "console");
   Diagnostic error;
   error.message = "no such agent: " + std::to_string(Number(agent_or_sandbox));
   return ScriptError{error, {}};
 }
 
-void ScriptHost::SetProfileTimes(const ProfileTimes& times) { context_.times = times; }
+void ScriptHost::SetProfileTimes(const ProfileTimes& times) {
+  context_.times = times;
+}
 
 }  // namespace soarbox::script

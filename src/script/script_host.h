@@ -90,7 +90,8 @@ class ScriptHost final : private AgentMaker {
   bool MayRun(const LuaMachine& machine) const;
   void OnCallbackError(LuaMachine& machine, const ScriptError& error);
   void FailAgent(AgentScript& script, const ScriptError& error, bool for_good);
-  std::unique_ptr<LuaMachine> MakeMachine(std::string_view script, world::EntityId owner, MachineLimits limits, RandomSource& random);
+  std::unique_ptr<LuaMachine> MakeMachine(std::string_view script, world::EntityId owner, MachineLimits limits,
+                                          RandomSource& random);
   void CallSandbox(const char* function, bool with_time);
 
   world::World& world_;

@@ -13,8 +13,8 @@ namespace soarbox::script {
 
 /// One script file as it was read: bytes, not text in any encoding.
 struct ScriptSource {
-  std::string name;     ///< As the script that wanted it called it, with the case that the file has.
-  std::string path;     ///< Where it was found; for messages.
+  std::string name;  ///< As the script that wanted it called it, with the case that the file has.
+  std::string path;  ///< Where it was found; for messages.
   std::string content;
 };
 

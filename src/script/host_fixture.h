@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "script/script_host.h"
+
+namespace soarbox::script {
+
+/// Keeps what scripts print and what goes wrong in them.
+class Recorder final : public ScriptListener {
+ public:
+  void OnPrint(std::string_view, std::string_view text) override { prints.emplace_back(text); }
+  void OnScriptError(world::EntityId agent, const ScriptError& error) override { errors.emplace_back(agent, error); }
+  void OnScriptWarning(const Diagnostic& warning) override { warnings.push_back(warning); }
+
+  std::vector<std::string> prints;
+  std::vector<std::pair<world::EntityId, ScriptError>> errors;
+  std::vector<Diagnostic> warnings;
+};
+
+/// A test double at the border to the simulation: minds that say a fixed command.
+class FixedMinds final : public MindFactory {
+ public:
+  Result<void> MakeMind(world::EntityId agent, const AgentCreationRequest& request) override {
+    if (request.rules == "missing.soar") {
+      Diagnostic error;
+      error.message = "no such file: \"missing.soar\"";
+      return error;
+    }
+    made.emplace_back(agent, request);
+    return {};
+  }
+  std::vector<std::pair<world::EntityId, AgentCreationRequest>> made;
+};
+
+/// A world with scripts in a folder of its own, before our library.
+class HostTest : public testing::Test {
+ protected:
+  HostTest() {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("soarbox_host_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    settings_.script_folders = {folder_, std::filesystem::path(SOARBOX_SOURCE_DIR) / "media" / "scripts"};
+    settings_.sandbox_limits.instructions = 5'000'000;
+    settings_.agent_limits.instructions = 1'000'000;
+  }
+  ~HostTest() override { std::filesystem::remove_all(folder_); }
+
+  void Write(const std::string& name, std::string_view text) { std::ofstream(folder_ / name) << text; }
+
+  /// A fresh world; runs the sandbox's main script and Sandbox_Initialize.
+  void Start(std::string_view main = "Sandbox.lua", std::uint64_t seed = 1) {
+    host_.reset();
+    recorder_ = {};
+    minds_ = {};
+    world::WorldSettings world_settings;
+    world_settings.seed = seed;
+    world_ = std::make_unique<world::World>(world_settings);
+    host_ = std::make_unique<ScriptHost>(*world_, settings_, &minds_, recorder_);
+    loaded_ = host_->LoadSandbox(main);
+    if (loaded_) host_->Initialize();
+  }
+  void StartWith(std::string_view text, std::uint64_t seed = 1) {
+    Write("Sandbox.lua", text);
+    Start("Sandbox.lua", seed);
+  }
+
+  /// One tick as the simulation sequences it.
+  void Tick() {
+    host_->BeginTick(world_->BeginTick());
+    host_->DeliverEvents();
+    const auto ids = world_->AgentIds();
+    for (const world::EntityId id : std::vector(ids.begin(), ids.end())) {
+      if (host_->IsLuaAgent(id)) {
+        host_->UpdateAgent(id);
+      } else {
+        host_->UpdateAgent(id, CommandFor(id));
+      }
+      world_->SyncAgent(id);
+    }
+    world_->Step();
+    host_->HandleCollisions();
+    host_->UpdateSandbox();
+  }
+  void Ticks(int count) {
+    for (int i = 0; i < count; ++i) Tick();
+  }
+  std::string CommandFor(world::EntityId id) const {
+    const auto it = commands_.find(host_->RequestOf(id)->kind);
+    return it == commands_.end() ? "none" : it->second;
+  }
+
+  /// What the text printed in the sandbox's (or an agent's) machine, lines joined by "|"; "error: ..." if it failed.
+  std::string Run(std::string_view text, world::EntityId who = world::EntityId::kSandbox) {
+    recorder_.prints.clear();
+    const auto error = host_->RunText(who, text);
+    if (error) return "error: " + error->diagnostic.message;
+    return Printed();
+  }
+  std::string Printed() const {
+    std::string joined;
+    for (const std::string& line : recorder_.prints) joined += (joined.empty() ? "" : "|") + line;
+    return joined;
+  }
+  std::string Errors() const {
+    std::string text;
+    for (const auto& [agent, error] : recorder_.errors) text += Format(error);
+    return text;
+  }
+
+  std::filesystem::path folder_;
+  ScriptHostSettings settings_;
+  Recorder recorder_;
+  FixedMinds minds_;
+  std::map<std::string, std::string> commands_;
+  std::unique_ptr<world::World> world_;
+  std::unique_ptr<ScriptHost> host_;
+  bool loaded_ = false;
+};
+
+}  // namespace soarbox::script

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/host_fixture.h"
+
+// Whole scenarios: the thesis' own scripts with minds that always say the same, and agents in the manner of the book's
+// chapters 1 and 2, over our Lua library.
+
+namespace soarbox::script {
+namespace {
+
+using world::EntityId;
+using world::Vec3;
+
+class ThesisScriptsTest : public HostTest {
+ protected:
+  void SetUp() override {
+    thesis_ = std::filesystem::path(SOARBOX_SHARED_DIR) / "thesis" / "scripts";
+    if (!std::filesystem::exists(thesis_ / "Sandbox.lua")) GTEST_SKIP() << "no thesis scripts at " << thesis_;
+    settings_.script_folders.insert(settings_.script_folders.begin() + 1, thesis_);
+    commands_ = {{"seeking", "sametarget"}, {"follower", "follow"}, {"waypoint", "samewaypoint"}};
+  }
+  std::filesystem::path thesis_;
+};
+
+TEST_F(ThesisScriptsTest, RunUnmodifiedForThreeHundredTicks) {
+  Start();
+  ASSERT_TRUE(loaded_);
+  ASSERT_EQ(world_->AgentIds().size(), 6u);
+  EXPECT_EQ(minds_.made.size(), 5u);
+  Ticks(300);
+  EXPECT_EQ(Errors(), "");
+  EXPECT_TRUE(recorder_.warnings.empty()) << recorder_.warnings[0].message;
+  const Vec3 leader = world_->FindAgent(EntityId{2})->Position();
+  EXPECT_GT(Length(leader), 10.0f) << "the leader runs";
+  const world::Agent* waypoint = world_->FindAgent(EntityId{7});
+  EXPECT_LT(Distance(waypoint->Position(), {50, 0.8f, 0}), 8.0f) << "the waypoint agent keeps to its first target";
+  for (std::uint32_t id = 3; id <= 6; ++id) {
+    EXPECT_EQ(world_->FindAgent(EntityId{id})->Leader(), EntityId{2});
+    EXPECT_NEAR(world_->FindAgent(EntityId{id})->Position().y, 0.8f, 0.05f);
+  }
+}
+
+TEST_F(ThesisScriptsTest, FollowCommandsAndAnswerKeys) {
+  Start();
+  ASSERT_TRUE(loaded_);
+  commands_["waypoint"] = "nextwaypoint";
+  Tick();
+  EXPECT_EQ(world_->FindAgent(EntityId{7})->Target(), (Vec3{0, 0, 0}));
+  Tick();
+  EXPECT_EQ(world_->FindAgent(EntityId{7})->Target(), (Vec3{20, 0, 0}));
+
+  host_->HandleInput(KeyEvent("f7_key", true));
+  EXPECT_TRUE(world_->draw_physics());
+  host_->HandleInput(KeyEvent("space_key", true));
+  ASSERT_EQ(world_->ObjectIds().size(), 2u);
+  Tick();
+  EXPECT_NEAR(Length(world_->FindObject(world_->ObjectIds()[1])->Velocity()), 33.3f, 1.0f);
+
+  const auto visible = [&] {
+    std::vector<bool> flags;
+    for (const world::UiSnapshot& ui : world_->Snapshot().ui) flags.push_back(ui.visible);
+    return flags;
+  };
+  EXPECT_EQ(visible(), (std::vector<bool>{false, false, true}));
+  for (const char* key : {"f2_key", "f5_key", "f6_key"}) host_->HandleInput(KeyEvent(key, true));
+  Tick();
+  EXPECT_EQ(visible(), (std::vector<bool>{true, true, false}));
+  EXPECT_NE(world_->Snapshot().ui[0].text.find("position"), std::string::npos);
+  EXPECT_NE(world_->Snapshot().ui[1].text.find("steps"), std::string::npos);
+  EXPECT_EQ(Errors(), "");
+}
+
+TEST_F(ThesisScriptsTest, AreTheSameForOneSeedAndDifferForTwo) {
+  std::uint64_t hashes[3];
+  for (int run = 0; run < 3; ++run) {
+    Start("Sandbox.lua", run < 2 ? 7 : 8);
+    Ticks(100);
+    hashes[run] = world_->Hash();
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_NE(hashes[0], hashes[2]);
+}
+
+TEST_F(HostTest, AShowroomOfAllPiecesComesToRestOnTheGround) {
+  StartWith(
+      "require 'SandboxUtilities' require 'GUI'\n"
+      "function Sandbox_Initialize(s)\n"
+      "  GUI_CreateUI(s) SandboxUtilities_CreateLights(s)\n"
+      "  Core.SetMaterial(Sandbox.CreatePlane(s, 200, 200), 'Ground2')\n"
+      "  local x = 0\n"
+      "  for name in pairs(SandboxUtilities.Objects) do\n"
+      "    assert(SandboxUtilities_CreateObject(s, name, Vector.new(x, 0, 0))) x = x + 5\n"
+      "  end\n"
+      "  print(SandboxUtilities_CreateObject(s, 'modular_nothing'))\n"
+      "end\n"
+      "function Sandbox_HandleEvent(s, e) GUI_HandleEvent(s, e)\n"
+      "  if e.key == 'space_key' and e.pressed then SandboxUtilities_ShootBox(s) SandboxUtilities_ShootBullet(s) end "
+      "end");
+  ASSERT_EQ(Errors(), "");
+  EXPECT_EQ(Printed(), "nil");
+  EXPECT_EQ(world_->ObjectIds().size(), 35u);
+  Ticks(150);
+  for (const EntityId id : world_->ObjectIds())
+    EXPECT_LT(Length(world_->FindObject(id)->Velocity()), 0.5f) << Number(id);
+  host_->HandleInput(KeyEvent("space_key", true));
+  EXPECT_EQ(world_->ObjectIds().size(), 37u);
+  Ticks(60);
+  EXPECT_EQ(world_->ObjectIds().size(), 36u) << "the bullet went with its first hit";
+  EXPECT_EQ(Errors(), "");
+}
+
+/// A seeker, a pursuer, followers and path walkers, as the second chapter has them.
+constexpr const char* kPursuer = R"(
+require "AgentUtilities"
+local enemy
+function Agent_Initialize(agent)
+  AgentUtilities_CreateAgentRepresentation(agent, agent:GetHeight(), agent:GetRadius())
+  agent:SetPosition(Vector.new(math.random(-50, 50), 0, math.random(-50, 50)))
+  for _, other in ipairs(Sandbox.GetAgents(agent:GetSandbox())) do
+    if other ~= agent then enemy = other break end
+  end
+  agent:SetMaxSpeed(enemy:GetMaxSpeed() * 0.8)
+end
+function Agent_Update(agent, deltaTimeInMillis)
+  agent:SetTarget(enemy:PredictFuturePosition(1))
+  AgentUtilities_ApplyPhysicsSteeringForce(agent, agent:ForceToPosition(agent:GetTarget()), deltaTimeInMillis / 1000)
+  AgentUtilities_ClampHorizontalSpeed(agent)
+  distance = Vector.Distance(agent:GetPosition(), enemy:GetPosition())
+end
+)";
+
+constexpr const char* kPathWalker = R"(
+require "AgentUtilities"
+require "DebugUtilities"
+function Agent_Initialize(agent)
+  AgentUtilities_CreateAgentRepresentation(agent, agent:GetHeight(), agent:GetRadius())
+  agent:SetPosition(Vector.new(math.random(-50, 50), 0, math.random(-50, 50)))
+end
+function Agent_Update(agent, deltaTimeInMillis)
+  local force = Vector.Normalize(agent:ForceToFollowPath(1.25)) + Vector.Normalize(agent:ForceToStayOnPath(1)) * 0.25 +
+      agent:ForceToWander(deltaTimeInMillis) * 0.25
+  if agent:GetSpeed() < 3 then force = force + Vector.Normalize(agent:ForceToTargetSpeed(3)) end
+  AgentUtilities_ApplyPhysicsSteeringForce(agent, force, deltaTimeInMillis / 1000)
+  AgentUtilities_ClampHorizontalSpeed(agent)
+  DebugUtilities_DrawPath(agent:GetPath(), false, Vector.new(0, 0.02, 0))
+end
+)";
+
+constexpr const char* kMovement = R"(
+require "DebugUtilities"
+function Sandbox_Initialize(sandbox)
+  Sandbox.CreatePlane(sandbox, 200, 200)
+  seeker = Sandbox.CreateAgent(sandbox, "SeekingLuaAgent.lua")
+  Sandbox.CreateAgent(sandbox, "Pursuer.lua")
+  for i = 1, 5 do Sandbox.CreateAgent(sandbox, "FollowerLuaAgent.lua") end
+  local path = { Vector.new(0, 0, 0), Vector.new(30, 0, 0), Vector.new(30, 0, 50), Vector.new(-30, 0, 0), Vector.new(-30, 0, 20) }
+  for i = 1, 20 do
+    local agent = Sandbox.CreateAgent(sandbox, "PathWalker.lua")
+    agent:SetPath(path, true)
+    agent:SetMaxSpeed(math.random(agent:GetMaxSpeed() * 0.85, agent:GetMaxSpeed() * 1.15))
+  end
+end
+function Sandbox_Update(sandbox)
+  DebugUtilities_DrawDynamicBoundingSpheres(Sandbox.GetObjects(sandbox))
+end
+)";
+
+TEST_F(HostTest, SeekersPursuersFollowersAndPathWalkersMoveAsTheBookHasThem) {
+  Write("Pursuer.lua", kPursuer);
+  Write("PathWalker.lua", kPathWalker);
+  StartWith(kMovement);
+  ASSERT_EQ(world_->AgentIds().size(), 27u);
+  EXPECT_EQ(world_->FindAgent(EntityId{20})->PathPoints().size(), 6u);
+  Ticks(60);
+  for (const EntityId id : world_->AgentIds()) EXPECT_NEAR(world_->FindAgent(id)->Position().y, 0.8f, 0.02f);
+
+  // The seeker reaches its first target between the seventh and the ninth second.
+  world::Agent* seeker = world_->FindAgent(EntityId{2});
+  int ticks = 60;
+  while (seeker->Target() == Vec3{50, 0, 0} && ticks < 400) {
+    Tick();
+    ++ticks;
+  }
+  EXPECT_NEAR(static_cast<float>(ticks) / 30.0f, 7.85f, 0.8f);
+  EXPECT_LE(std::abs(seeker->Target().x), 50.0f);
+
+  float nearest = 1000, fastest = 0;
+  while (ticks < 1200) {
+    Tick();
+    ++ticks;
+    nearest = std::min(nearest, Distance(seeker->Position(), world_->FindAgent(EntityId{3})->Position()));
+    for (const EntityId id : world_->AgentIds()) fastest = std::max(fastest, world_->FindAgent(id)->Speed());
+  }
+  EXPECT_LT(nearest, 1.0f);
+  EXPECT_LT(fastest, 8.5f);
+  float distance = 0;
+  for (std::uint32_t id = 4; id <= 8; ++id)
+    distance += Distance(seeker->Position(), world_->FindAgent(EntityId{id})->Position()) / 5;
+  EXPECT_LT(distance, 9.0f);
+  for (std::uint32_t id = 9; id <= 28; ++id) {
+    const world::Agent* walker = world_->FindAgent(EntityId{id});
+    const Vec3 on_path = *walker->NearestPointOnPath(walker->Position());
+    EXPECT_LT(Distance(on_path, walker->Position()), 3.0f) << id;
+  }
+  EXPECT_EQ(Errors(), "");
+}
+
+}  // namespace
+}  // namespace soarbox::script
