@@ -33,7 +33,6 @@ struct Simulation::Impl final : script::ScriptListener {
   void ReportCommand(Minds::Mind& mind, const world::Agent& body, const std::string& command);
   /// Carries out what the agent's mind decided, or just updates an agent that its script alone drives.
   void Act(world::EntityId id);
-  double time_s() const { return static_cast<double>(world.tick()) * world.settings().step_s; }
 
   const Scenario scenario;
   const SimulationSettings settings;
@@ -71,7 +70,7 @@ void Simulation::Impl::OnScriptWarning(const Diagnostic& warning) { ReportDiagno
 
 void Simulation::Impl::Report(Event event) {
   event.tick = world.tick();
-  event.time_s = time_s();
+  event.time_s = world.time_s();
   events.push_back(std::move(event));
 }
 
@@ -191,7 +190,7 @@ void Simulation::Tick() {
 void Simulation::Idle() { impl_->soar->ServeClients(); }
 
 std::uint64_t Simulation::tick() const { return impl_->world.tick(); }
-double Simulation::time_s() const { return impl_->time_s(); }
+double Simulation::time_s() const { return impl_->world.time_s(); }
 world::World& Simulation::world() { return impl_->world; }
 const world::World& Simulation::world() const { return impl_->world; }
 world::SceneSnapshot Simulation::Snapshot() const { return impl_->world.Snapshot(); }

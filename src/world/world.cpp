@@ -48,6 +48,10 @@ int World::step_millis() const {
   // Whole milliseconds, rounded down; the nudge keeps 0.02 s from becoming 19.
   return std::max(1, static_cast<int>(std::floor(impl_->settings.step_s * 1000.0f + 0.001f)));
 }
+double World::time_s() const {
+  return static_cast<double>(impl_->tick) * static_cast<double>(impl_->settings.step_s);
+}
+
 std::uint64_t World::time_millis() const {
   return impl_->tick * static_cast<std::uint64_t>(step_millis());
 }

@@ -52,6 +52,8 @@ class World {
   int step_millis() const;
   /// tick() times step_millis(): the scripts' clock.
   std::uint64_t time_millis() const;
+  /// Physical time: tick() times the step. The scripts' clock falls behind it by 1 % at 1/30 s.
+  double time_s() const;
   /// Returns the objects that went, in ascending id, so that callers can drop what they keep about them.
   std::vector<EntityId> BeginTick();
   /// The agent's node follows its body.

@@ -50,7 +50,7 @@ std::uint64_t World::Hash() const {
 SceneSnapshot World::Snapshot() const {
   SceneSnapshot snapshot;
   snapshot.tick = impl_->tick;
-  snapshot.time_s = static_cast<double>(time_millis()) / 1000.0;
+  snapshot.time_s = time_s();
   impl_->scene.FillSnapshot(snapshot);
   impl_->ui.FillSnapshot(snapshot);
 
