@@ -21,7 +21,11 @@ float GridLine(vec2 place, float step_m, float width_m)
 void main()
 {
     vec2 place = world_position.xz;
+#ifdef LOW_DETAIL
+    vec3 fine = vec3(0.5);
+#else
     vec3 fine = texture(paint, place * 0.31).rgb;
+#endif
     vec3 broad = texture(paint, place * 0.023 + 0.37).rgb;
     vec3 broader = texture(paint, place.yx * 0.0061 + 0.11).rgb;
     float grain = 0.45 * fine.r + 0.30 * broad.g + 0.25 * broader.b;

@@ -5,7 +5,9 @@ uniform vec4 sun_direction;   // Towards the sun.
 uniform vec4 sun_colour;      // a: 1 if it casts shadows.
 uniform vec4 ambient_colour;
 uniform vec4 camera_place;
-uniform vec4 haze;            // x: density per metre, y: level of the sky's blur.
+uniform vec4 haze;            // x: density per metre, y: level of the sky's blur, z: how many further lights.
+uniform vec4 sky_mean;        // Light from the sky above, on average.
+uniform vec4 haze_colour;     // Light over the horizon, on average.
 uniform vec4 light_place[4];  // Further lights; w: 1 a point, 0 a direction (towards the light).
 uniform vec4 light_colour[4]; // a: range in metres, 0 unlimited.
 uniform vec4 light_fade[4];   // Constant, linear, quadratic.
@@ -25,14 +27,20 @@ in vec4 shadow_place_far;
 
 out vec4 fragment;
 
+#ifdef LOW_DETAIL
+vec3 ToLinear(vec3 colour) { return colour * colour; }
+vec3 FromLinear(vec3 light) { return sqrt(light); }
+#else
 vec3 ToLinear(vec3 colour) { return pow(colour, vec3(2.2)); }
+vec3 FromLinear(vec3 light) { return pow(light, vec3(1.0 / 2.2)); }
+#endif
 
 vec3 ToScreen(vec3 light)
 {
     // A filmic shoulder that keeps mid tones where they are.
     vec3 x = light * 0.92;
     vec3 curved = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
-    return pow(clamp(curved, 0.0, 1.0), vec3(1.0 / 2.2));
+    return FromLinear(clamp(curved, 0.0, 1.0));
 }
 
 vec3 SkyAt(vec3 direction, float blur)
@@ -44,10 +52,15 @@ float Lit(sampler2DShadow map, vec3 place, float texel, float spread, float bias
 {
     const vec2 kTaps[8] = vec2[8](vec2(-0.33, -0.88), vec2(0.62, -0.69), vec2(-0.93, -0.21), vec2(0.14, -0.25),
                                   vec2(0.93, 0.18), vec2(-0.44, 0.35), vec2(0.36, 0.62), vec2(-0.32, 0.93));
+#ifdef LOW_DETAIL
+    const int kCount = 2;
+#else
+    const int kCount = 8;
+#endif
     float lit = 0.0;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < kCount; ++i)
         lit += texture(map, vec3(place.xy + kTaps[i] * texel * spread, place.z - bias));
-    return lit / 8.0;
+    return lit / float(kCount);
 }
 
 // 1 in the sun, 0 in shadow: a fine map near the camera, a coarse one further out, none beyond.
@@ -59,11 +72,12 @@ float SunLit()
     vec2 far_edge = abs(far_place.xy - 0.5);
     float in_near = 1.0 - smoothstep(0.42, 0.49, max(near_edge.x, near_edge.y));
     float in_far = 1.0 - smoothstep(0.40, 0.49, max(far_edge.x, far_edge.y));
+    float texel = 1.0 / float(textureSize(shadow_near, 0).x);
     float lit = 1.0;
     if (in_near < 1.0 && in_far > 0.0)
-        lit = mix(1.0, Lit(shadow_far, far_place, 1.0 / 2048.0, 1.3, 0.0006), in_far);
+        lit = mix(1.0, Lit(shadow_far, far_place, texel, 1.3, 0.0006), in_far);
     if (in_near > 0.0)
-        lit = mix(lit, Lit(shadow_near, near_place, 1.0 / 2048.0, 2.2, 0.0004), in_near);
+        lit = mix(lit, Lit(shadow_near, near_place, texel, 2.2, 0.0004), in_near);
     return mix(1.0, lit, sun_colour.a);
 }
 
@@ -77,7 +91,7 @@ vec3 Shade(vec3 albedo, vec3 normal, float gloss, float occlusion)
     float facing = dot(normal, sun);
     float lit = facing > 0.0 ? SunLit() : 0.0;
 
-    vec3 from_above = SkyAt(vec3(0.0, 1.0, 0.0), 6.0) * 0.55 + 0.45;
+    vec3 from_above = sky_mean.rgb * 0.55 + 0.45;
     vec3 from_below = vec3(0.46, 0.42, 0.37);
     vec3 around = ambient_colour.rgb * mix(from_below, from_above, normal.y * 0.5 + 0.5) * 1.25;
     vec3 light = albedo * (around * occlusion + sun_colour.rgb * max(facing, 0.0) * lit * 0.95);
@@ -87,11 +101,15 @@ vec3 Shade(vec3 albedo, vec3 normal, float gloss, float occlusion)
     float fresnel = pow(1.0 - max(dot(normal, view), 0.0), 5.0);
     float shine = pow(max(dot(normal, halfway), 0.0), power) * mix(0.05, 0.9, gloss) * lit;
     light += sun_colour.rgb * shine;
+#ifdef LOW_DETAIL
+    vec3 mirrored = mix(from_below * 0.5, haze_colour.rgb, clamp(reflect(-view, normal).y * 2.0 + 0.5, 0.0, 1.0));
+#else
     vec3 mirrored = SkyAt(reflect(-view, normal), mix(6.0, 2.0, gloss));
+#endif
     light += mirrored * (0.03 + 0.97 * fresnel) * mix(0.06, 0.5, gloss) * occlusion;
 
-    for (int i = 0; i < 4; ++i) {
-        if (light_colour[i].rgb == vec3(0.0)) continue;
+    int further_lights = int(haze.z + 0.5);
+    for (int i = 0; i < further_lights; ++i) {
         vec3 to_light = light_place[i].w > 0.5 ? light_place[i].xyz - world_position : light_place[i].xyz;
         float away = length(to_light);
         if (light_place[i].w > 0.5 && light_colour[i].a > 0.0 && away > light_colour[i].a) continue;
@@ -101,6 +119,10 @@ vec3 Shade(vec3 albedo, vec3 normal, float gloss, float occlusion)
     }
 
     float hazed = 1.0 - exp(-pow(distance_m * haze.x, 1.5));
+#ifdef LOW_DETAIL
+    vec3 beyond = haze_colour.rgb;
+#else
     vec3 beyond = SkyAt(normalize(vec3(-view.x, max(-view.y, 0.015), -view.z)), haze.y);
+#endif
     return mix(light, beyond, hazed);
 }

@@ -34,7 +34,7 @@ void AddCircle(SceneSnapshot& scene, Vec3 centre, float radius, Color color, int
 
 DrawableSnapshot Thing(SceneSnapshot& scene, ShapeKind shape, Vec3 position, Vec3 size) {
   DrawableSnapshot thing;
-  thing.id = static_cast<std::uint32_t>(1000 + scene.drawables.size());
+  thing.id = static_cast<std::uint32_t>(100000 + scene.drawables.size());
   thing.owner_id = thing.id;
   thing.shape = shape;
   thing.position = position;
@@ -121,7 +121,7 @@ void DemoScene::AddAgents(SceneSnapshot& scene, double time_s) const {
   for (int i = 0; i < agents_; ++i) {
     const int kind = agents_ <= 6 ? i : i % 6;
     const float phase = 1.3f * static_cast<float>(i), turn = 0.35f * t + phase;
-    Vec3 home{-19.0f + 2.0f * static_cast<float>(i % 3), 0, 4.0f + 3.0f * static_cast<float>(i / 3)};
+    Vec3 home{-20.0f + 4.4f * static_cast<float>(i % 3), 0, 2.5f + 5.4f * static_cast<float>(i / 3)};
     if (agents_ > 6) home = {2.2f * static_cast<float>(i % columns - columns / 2), 0, 2.2f * static_cast<float>(i / columns - columns / 2)};
     const float radius = agents_ > 6 ? 0.5f : 1.6f;
     world::AgentSnapshot agent;

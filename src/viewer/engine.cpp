@@ -25,6 +25,27 @@ Diagnostic Failure(std::string message, std::string hint) {
 constexpr const char* kNoDisplayHint =
     "start it from a desktop session, run it without a window (--headless), or put 'xvfb-run -a' before the command";
 
+/// Whether OpenGL is done by the processor here. Asked before the real window exists, because the number of samples per
+/// pixel is settled when it is made.
+bool DrawsInSoftware() {
+  bool software = false;
+  SDL_Window* window = SDL_CreateWindow("", 0, 0, 16, 16, SDL_WINDOW_OPENGL | SDL_WINDOW_HIDDEN);
+  SDL_GLContext context = window != nullptr ? SDL_GL_CreateContext(window) : nullptr;
+  if (context != nullptr) {
+    constexpr unsigned kRendererName = 0x1F01;  // GL_RENDERER
+    using GetString = const unsigned char* (*)(unsigned);
+    const auto get_string = reinterpret_cast<GetString>(SDL_GL_GetProcAddress("glGetString"));
+    const unsigned char* text = get_string != nullptr ? get_string(kRendererName) : nullptr;
+    const std::string name = text != nullptr ? reinterpret_cast<const char*>(text) : "";
+    for (const char* processor : {"llvmpipe", "softpipe", "swrast", "Software Rasterizer"}) {
+      software = software || name.find(processor) != std::string::npos;
+    }
+    SDL_GL_DeleteContext(context);
+  }
+  if (window != nullptr) SDL_DestroyWindow(window);
+  return software;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Engine>> Engine::Start(const ViewerOptions& options) {
@@ -83,20 +104,16 @@ void Engine::StartOgre(const ViewerOptions& options) {
   SDL_VERSION(&info.version);
   if (SDL_GetWindowWMInfo(sdl_window_, &info) == SDL_FALSE) throw std::runtime_error(SDL_GetError());
   const auto handle = std::to_string(static_cast<unsigned long>(info.info.x11.window));
-  const auto make_window = [&](int samples) {
-    Ogre::NameValuePairList settings{{"parentWindowHandle", handle},
-                                     {"vsync", options.vsync && !hidden_ ? "true" : "false"},
-                                     {"FSAA", std::to_string(samples)}};
-    return root_->createRenderWindow(options.title, static_cast<unsigned>(width_), static_cast<unsigned>(height_), false, &settings);
-  };
-  const int wanted = options.antialiasing < 0 ? 4 : options.antialiasing;
-  render_window_ = make_window(hidden_ ? 0 : wanted);
+  low_detail_ = options.detail == Detail::kLow || (options.detail == Detail::kAuto && !hidden_ && DrawsInSoftware());
+  Ogre::NameValuePairList settings{{"parentWindowHandle", handle},
+                                   {"vsync", options.vsync && !hidden_ ? "true" : "false"},
+                                   {"FSAA", hidden_ || low_detail_ ? "0" : "4"}};
+  render_window_ = root_->createRenderWindow(options.title, static_cast<unsigned>(width_), static_cast<unsigned>(height_),
+                                             false, &settings);
   render_window_->setAutoUpdated(false);
-  const std::string device = root_->getRenderSystem()->getCapabilities()->getDeviceName();
-  is_software_ = device.find("llvmpipe") != std::string::npos || device.find("softpipe") != std::string::npos ||
-                 device.find("swrast") != std::string::npos;
   if (!root_->getRenderSystem()->getCapabilities()->isShaderProfileSupported("glsl330")) {
-    throw std::runtime_error("the display offers less than OpenGL 3.3 (" + device + ")");
+    throw std::runtime_error("the display offers less than OpenGL 3.3 (" +
+                             root_->getRenderSystem()->getCapabilities()->getDeviceName() + ")");
   }
   // Ogre asks for these programs before it draws any kind of shadow, although only stencil shadows use them.
   Ogre::ResourceGroupManager::getSingleton().addResourceLocation(SOARBOX_OGRE_MEDIA_DIR "/ShadowVolume", "FileSystem",
@@ -113,22 +130,21 @@ void Engine::StartOgre(const ViewerOptions& options) {
   camera_->setFarClipDistance(2000);
   camera_->setAutoAspectRatio(true);
   if (hidden_) {
-    MakePictureTarget(options.antialiasing < 0 ? 4 : options.antialiasing);
+    MakePictureTarget();
   } else {
     render_window_->addViewport(camera_)->setBackgroundColour(Ogre::ColourValue(0.6f, 0.7f, 0.8f));
   }
 }
 
-Ogre::RenderTarget* Engine::MakePictureTarget(int samples) {
+void Engine::MakePictureTarget() {
   Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
       kPictureTexture, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(width_), static_cast<unsigned>(height_), 0,
-      Ogre::PF_BYTE_RGB, Ogre::TU_RENDERTARGET, nullptr, false, static_cast<unsigned>(samples));
+      Ogre::PF_BYTE_RGB, Ogre::TU_RENDERTARGET, nullptr, false, low_detail_ ? 0u : 4u);
   Ogre::RenderTarget* target = texture->getBuffer()->getRenderTarget();
   target->setAutoUpdated(false);
   Ogre::Viewport* viewport = target->addViewport(camera_);
   viewport->setBackgroundColour(Ogre::ColourValue(0.6f, 0.7f, 0.8f));
   viewport->setOverlaysEnabled(true);
-  return target;
 }
 
 void Engine::DropPictureTarget() {
@@ -158,7 +174,7 @@ void Engine::Draw() {
 }
 
 void Engine::WritePicture(const std::filesystem::path& path) {
-  if (!hidden_) MakePictureTarget(4);
+  if (!hidden_) MakePictureTarget();
   const auto restore = [this] {
     if (!hidden_) DropPictureTarget();
   };

@@ -49,7 +49,7 @@ class Engine {
   Ogre::SceneManager& scene() const { return *scene_; }
   Ogre::Camera& camera() const { return *camera_; }
   Ogre::SceneNode& camera_node() const { return *camera_node_; }
-  bool is_software() const { return is_software_; }
+  bool low_detail() const { return low_detail_; }
   int width() const { return width_; }
   int height() const { return height_; }
 
@@ -57,7 +57,7 @@ class Engine {
   Engine() = default;
   Result<void> OpenWindow(const ViewerOptions& options);
   void StartOgre(const ViewerOptions& options);
-  Ogre::RenderTarget* MakePictureTarget(int samples);
+  void MakePictureTarget();
   void DropPictureTarget();
 
   SDL_Window* sdl_window_ = nullptr;
@@ -70,7 +70,7 @@ class Engine {
   Ogre::Camera* camera_ = nullptr;
   Ogre::SceneNode* camera_node_ = nullptr;
   bool hidden_ = false;
-  bool is_software_ = false;
+  bool low_detail_ = false;
   int width_ = 0, height_ = 0;
 };
 

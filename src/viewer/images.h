@@ -34,7 +34,7 @@ struct SkyStyle {
   std::array<float, 3> cloud_light{0.985f, 0.98f, 0.97f};
   std::array<float, 3> cloud_dark{0.60f, 0.655f, 0.72f};
   std::array<float, 3> water{0.10f, 0.30f, 0.39f};
-  float cloud_cover = 0.5f;  ///< 0 clear, 1 overcast.
+  float cloud_cover = 0.6f;  ///< 0 clear, 1 overcast.
   float stars = 0;           ///< 0..1
 };
 std::array<Image, 6> SkyImages(const SkyStyle& style, int size);

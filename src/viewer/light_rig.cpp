@@ -7,7 +7,7 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr std::uint16_t kShadowMapSize = 2048;
+constexpr std::uint16_t kShadowMapSize = 2048, kSmallShadowMapSize = 1024;
 constexpr std::size_t kFurtherLights = 4;
 
 /// Half the width of what each shadow map covers when the camera is near the ground, in m.
@@ -17,6 +17,8 @@ constexpr float kCovered[2] = {20, 95};
 /// shadows do not crawl when the camera moves.
 class SunView : public Ogre::ShadowCameraSetup {
  public:
+  explicit SunView(std::uint16_t map_size) : map_size_(map_size) {}
+
   void getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera* camera, const Ogre::Viewport*, const Ogre::Light* light,
                        Ogre::Camera* sun_eye, std::size_t map) const override {
     const Ogre::Vector3 eye = camera->getDerivedPosition();
@@ -35,7 +37,7 @@ class SunView : public Ogre::ShadowCameraSetup {
     const Ogre::Vector3 right = direction.crossProduct(up).normalisedCopy();
     const Ogre::Vector3 upright = right.crossProduct(direction);
     const Ogre::Quaternion turn(right, upright, -direction);
-    const float texel = 2 * covered / kShadowMapSize;
+    const float texel = 2 * covered / static_cast<float>(map_size_);
     Ogre::Vector3 seen = turn.Inverse() * centre;
     seen.x = std::floor(seen.x / texel) * texel;
     seen.y = std::floor(seen.y / texel) * texel;
@@ -47,21 +49,25 @@ class SunView : public Ogre::ShadowCameraSetup {
     sun_eye->setNearClipDistance(1);
     sun_eye->setFarClipDistance(2 * range);
   }
+
+ private:
+  std::uint16_t map_size_;
 };
 
 Ogre::Vector4 Four(world::Vec3 v, float w) { return {v.x, v.y, v.z, w}; }
 
 }  // namespace
 
-LightRig::LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre::MaterialPtr& caster)
+LightRig::LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre::MaterialPtr& caster, bool low_detail)
     : values_(shaders.scene_values()) {
   scene.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
   scene.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 2);
-  scene.setShadowTextureSettings(kShadowMapSize, 2, Ogre::PF_DEPTH32);
+  const std::uint16_t map_size = low_detail ? kSmallShadowMapSize : kShadowMapSize;
+  scene.setShadowTextureSettings(map_size, 2, Ogre::PF_DEPTH32);
   scene.setShadowTextureSelfShadow(true);
   scene.setShadowCasterRenderBackFaces(false);
   scene.setShadowTextureCasterMaterial(caster);
-  scene.setShadowCameraSetup(std::make_shared<SunView>());
+  scene.setShadowCameraSetup(std::make_shared<SunView>(map_size));
   scene.setShadowFarDistance(2000);
   sun_ = scene.createLight("Soarbox/Sun");
   sun_->setType(Ogre::Light::LT_DIRECTIONAL);
@@ -98,7 +104,7 @@ void LightRig::Update(const world::SceneSnapshot& snapshot) {
   values_.setNamedConstant("sun_direction", Four(-direction, 0));
   values_.setNamedConstant("sun_colour", Four(diffuse, sun == nullptr || sun->casts_shadows ? 1.0f : 0.0f));
   values_.setNamedConstant("ambient_colour", Four(snapshot.ambient, 0));
-  values_.setNamedConstant("haze", Ogre::Vector4(1.0f / 420.0f, 4.0f, 0, 0));
+  values_.setNamedConstant("haze", Ogre::Vector4(1.0f / 420.0f, 4.0f, static_cast<float>(further), 0));
   values_.setNamedConstant("light_place", place[0].ptr(), 4 * kFurtherLights);
   values_.setNamedConstant("light_colour", colour[0].ptr(), 4 * kFurtherLights);
   values_.setNamedConstant("light_fade", fade[0].ptr(), 4 * kFurtherLights);

@@ -14,7 +14,7 @@ namespace soarbox::viewer {
 /// what is in front of the camera and a coarse one around that. Up to four further lights shine without shadows.
 class LightRig {
  public:
-  LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre::MaterialPtr& caster);
+  LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre::MaterialPtr& caster, bool low_detail);
 
   void Update(const world::SceneSnapshot& snapshot);
 

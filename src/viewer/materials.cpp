@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/materials.h"
 
+#include <cmath>
+
 namespace soarbox::viewer {
 namespace {
 
@@ -12,6 +14,20 @@ Ogre::PixelBox Box(const Image& image) {
   // Ogre reads from this box only.
   return Ogre::PixelBox(static_cast<unsigned>(image.width), static_cast<unsigned>(image.height), 1, Ogre::PF_BYTE_RGBA,
                         const_cast<std::uint8_t*>(image.pixels.data()));
+}
+
+/// The mean of some rows of a picture, as linear light.
+Ogre::Vector4 MeanLight(const Image& image, int first_row, int end_row) {
+  double sum[3] = {0, 0, 0};
+  int count = 0;
+  for (int y = first_row; y < end_row; y += 2) {
+    for (int x = 0; x < image.width; x += 4, ++count) {
+      const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += std::pow(image.pixels[at + c] / 255.0, 2.2);
+    }
+  }
+  const double scale = 1.0 / std::max(count, 1);
+  return {static_cast<float>(sum[0] * scale), static_cast<float>(sum[1] * scale), static_cast<float>(sum[2] * scale), 0};
 }
 
 const char* PaintTexture(Look::Paint paint) {
@@ -122,6 +138,9 @@ void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
     texture = textures.createManual(kSkyTexture, kGroup, Ogre::TEX_TYPE_CUBE_MAP, size, size, Ogre::MIP_UNLIMITED,
                                     Ogre::PF_BYTE_RGBA, Ogre::TU_AUTOMIPMAP);
   }
+  // What the shaders need to know of the sky as a whole: the light from above, and the haze over the horizon.
+  shaders_.scene_values().setNamedConstant("sky_mean", MeanLight(faces[2], 0, faces[2].height));
+  shaders_.scene_values().setNamedConstant("haze_colour", MeanLight(faces[4], faces[4].height * 46 / 100, faces[4].height / 2));
   for (std::size_t face = 0; face < faces.size(); ++face) texture->getBuffer(face)->blitFromMemory(Box(faces[face]));
 }
 

@@ -91,6 +91,24 @@ const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, boo
   const MeshData data = Build(drawable, agent_body, found.is_stand_in);
   found.material = data.material;
   found.mesh = Upload("Soarbox/" + key, data);
+  if (agent_body && drawable.shape == ShapeKind::kCapsule) {
+    // Crowds: further away, coarser bodies.
+    struct Level {
+      float from_m;
+      AgentDetail detail;
+      const char* suffix;
+    };
+    constexpr Level kLevels[] = {{16, AgentDetail::kMiddle, "/middle"}, {40, AgentDetail::kCoarse, "/coarse"}};
+    found.mesh->_setLodInfo(static_cast<unsigned short>(1 + std::size(kLevels)));
+    for (std::size_t i = 0; i < std::size(kLevels); ++i) {
+      Ogre::MeshLodUsage usage;
+      usage.manualName = "Soarbox/" + key + kLevels[i].suffix;
+      usage.userValue = kLevels[i].from_m;
+      usage.value = found.mesh->getLodStrategy()->transformUserValue(usage.userValue);
+      usage.manualMesh = Upload(usage.manualName, AgentMesh(drawable.size.x, drawable.size.y, kLevels[i].detail));
+      found.mesh->_setLodUsage(static_cast<unsigned short>(i + 1), usage);
+    }
+  }
   return meshes_.emplace(key, std::move(found)).first->second;
 }
 

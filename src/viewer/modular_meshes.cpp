@@ -158,8 +158,11 @@ std::optional<MeshData> ModularMesh(std::string_view resource_name) {
   const auto found = std::find_if(pieces.begin(), pieces.end(), [&](const ModularPiece& p) { return p.name == resource_name; });
   if (found == pieces.end()) return std::nullopt;
   MeshData mesh = Build(*found);
-  const bool metal = Has(found->name, "block") || Has(found->name, "cooling") || Has(found->name, "hangar");
-  mesh.material = Has(found->name, "brick") ? "Soarbox/Brick" : metal ? "Soarbox/Crate" : "Soarbox/Concrete";
+  const bool metal = Has(found->name, "cooling") || Has(found->name, "hangar");
+  mesh.material = Has(found->name, "brick")   ? "Soarbox/Brick"
+                  : Has(found->name, "block") ? "Soarbox/Crate"
+                  : metal                     ? "Soarbox/Metal"
+                                              : "Soarbox/Concrete";
   return mesh;
 }
 

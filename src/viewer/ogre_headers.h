@@ -6,6 +6,7 @@
 #include <OgreGpuProgramManager.h>
 #include <OgreHardwareBufferManager.h>
 #include <OgreHighLevelGpuProgramManager.h>
+#include <OgreLodStrategy.h>
 #include <OgreImGuiOverlay.h>
 #include <OgreOverlayManager.h>
 #include <OgreOverlaySystem.h>

@@ -37,7 +37,7 @@ const std::vector<NamedLook>& Looks() {
       {"TransparentYellow", {Clear(kYellow), kDark, 0.4f, 0, Paint::kPlain, 1}},
       {"TransparentWhite", {Clear(kWhite), kDark, 0.4f, 0, Paint::kPlain, 1}},
       {"Ground", {{0.55f, 0.52f, 0.47f, 1}, kDark, 0.05f, 0, Paint::kGround, 1}},
-      {"Ground2", {{0.58f, 0.575f, 0.52f, 1}, kDark, 0.05f, 0, Paint::kGround, 1}},
+      {"Ground2", {{0.60f, 0.605f, 0.56f, 1}, kDark, 0.05f, 0, Paint::kGround, 1}},
       {"NobiaxModular", {{0.80f, 0.79f, 0.76f, 1}, {0.10f, 0.13f, 0.16f, 1}, 0.1f, 0, Paint::kConcrete, 0.39f}},
       {"base_material", {kWhite, kDark, 0.2f, 0, Paint::kPlain, 1}},
       {"base_animated_material", {kWhite, kDark, 0.2f, 0, Paint::kPlain, 1}},
@@ -56,6 +56,7 @@ const std::vector<NamedLook>& Looks() {
       {"Soarbox/Brick", {{0.98f, 0.97f, 0.95f, 1}, {0.10f, 0.14f, 0.17f, 1}, 0.06f, 0, Paint::kBrick, 0.78f}},
       {"Soarbox/Concrete", {{0.80f, 0.79f, 0.76f, 1}, {0.10f, 0.13f, 0.16f, 1}, 0.1f, 0, Paint::kConcrete, 0.39f}},
       {"Soarbox/Crate", {{0.90f, 0.66f, 0.38f, 1}, {0.20f, 0.19f, 0.18f, 1}, 0.14f, 0, Paint::kCrate, 1.25f}},
+      {"Soarbox/Metal", {{0.62f, 0.66f, 0.70f, 1}, {0.15f, 0.16f, 0.17f, 1}, 0.38f, 0, Paint::kConcrete, 0.5f}},
       {"Soarbox/Missing", {{1, 1, 1, 1}, kDark, 0.1f, 0.35f, Paint::kMissing, 1}},
   };
   return looks;

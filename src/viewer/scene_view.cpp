@@ -80,6 +80,9 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
       own_color ? materials_.AgentBody(agent->kind, agent->alive, agent->failed) : materials_.Named(name);
   if (found.is_stand_in) WarnOnce("material", name, "magenta squares stand in for it");
   thing.entity->setMaterial(found.material);
+  for (std::size_t i = 0; i < thing.entity->getNumManualLodLevels(); ++i) {
+    thing.entity->getManualLodLevel(i)->setMaterial(found.material);
+  }
   thing.entity->setCastShadows(found.is_opaque && drawable.shape != ShapeKind::kPlane);
 }
 

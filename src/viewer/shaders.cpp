@@ -57,7 +57,7 @@ void Bind(const Ogre::GpuProgramParametersSharedPtr& params) {
 
 }  // namespace
 
-Result<Shaders> Shaders::Load(const fs::path& folder) {
+Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
   struct File {
     const char* name;
     Ogre::GpuProgramType type;
@@ -74,7 +74,8 @@ Result<Shaders> Shaders::Load(const fs::path& folder) {
   Shaders shaders;
   for (const File& file : kFiles) {
     fs::path missing;
-    const std::string source = ReadShader(folder / file.name, missing);
+    std::string source = ReadShader(folder / file.name, missing);
+    if (low_detail && missing.empty()) source.insert(source.find('\n', source.find("#version")) + 1, "#define LOW_DETAIL 1\n");
     if (!missing.empty()) {
       Diagnostic error;
       error.file = missing.string();
@@ -86,7 +87,7 @@ Result<Shaders> Shaders::Load(const fs::path& folder) {
     program->setSource(source);
   }
   auto values = Ogre::GpuProgramManager::getSingleton().createSharedParameters(kSceneValues);
-  for (const char* name : {"sun_direction", "sun_colour", "ambient_colour", "haze"}) {
+  for (const char* name : {"sun_direction", "sun_colour", "ambient_colour", "haze", "sky_mean", "haze_colour"}) {
     values->addConstantDefinition(name, Ogre::GCT_FLOAT4);
   }
   for (const char* name : {"light_place", "light_colour", "light_fade"}) {

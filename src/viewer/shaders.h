@@ -15,7 +15,8 @@ namespace soarbox::viewer {
 class Shaders {
  public:
   /// Fails if the folder or one of its files is missing, naming the path.
-  static Result<Shaders> Load(const std::filesystem::path& folder);
+  /// Low detail leaves out what costs most per pixel.
+  static Result<Shaders> Load(const std::filesystem::path& folder, bool low_detail);
 
   /// Makes `pass` draw with the two programs ("surface" or "ground" and so on), and binds what Ogre knows: matrices,
   /// camera, viewport, shadow maps. Textures are bound by name in the order of `samplers`.

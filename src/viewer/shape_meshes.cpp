@@ -23,7 +23,7 @@ struct Ring {
 };
 
 /// Turns a profile, from bottom to top, about the y axis. Normals follow the profile's slope.
-MeshData Revolve(const std::vector<Ring>& profile) {
+MeshData Revolve(const std::vector<Ring>& profile, int segments = kSegments) {
   MeshData mesh;
   const std::size_t count = profile.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -36,8 +36,8 @@ MeshData Revolve(const std::vector<Ring>& profile) {
       out = 0;
       up = i == 0 ? -1.0f : 1.0f;
     }
-    for (int s = 0; s <= kSegments; ++s) {
-      const float turn = static_cast<float>(s) / kSegments;
+    for (int s = 0; s <= segments; ++s) {
+      const float turn = static_cast<float>(s) / static_cast<float>(segments);
       const float x = std::sin(2 * kPi * turn), z = std::cos(2 * kPi * turn);
       MeshVertex vertex;
       vertex.position = {profile[i].radius * x, profile[i].y, profile[i].radius * z};
@@ -50,9 +50,9 @@ MeshData Revolve(const std::vector<Ring>& profile) {
       mesh.vertices.push_back(vertex);
     }
   }
-  const std::uint32_t row = kSegments + 1;
+  const auto row = static_cast<std::uint32_t>(segments) + 1;
   for (std::uint32_t i = 0; i + 1 < count; ++i) {
-    for (std::uint32_t s = 0; s < kSegments; ++s) {
+    for (std::uint32_t s = 0; s + 1 < row; ++s) {
       const std::uint32_t a = i * row + s;
       mesh.AddQuad(a, a + 1, a + row + 1, a + row);
     }
@@ -80,8 +80,8 @@ float RadiusAt(const std::vector<Ring>& profile, float y) {
 }
 
 /// A raised patch on the front (+z) of the profile, with the outline of a superellipse; its border sinks into the body.
-MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, float half_angle, float radius) {
-  constexpr int kColumns = 24, kRows = 14;
+MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, float half_angle, float radius,
+               int columns, int rows) {
   const auto point = [&](float a, float b) {
     const float y = (low_y + high_y) / 2 + (high_y - low_y) / 2 * b;
     const float inside = 1 - std::pow(std::abs(a), 4.0f) - std::pow(std::abs(b), 4.0f);
@@ -89,9 +89,9 @@ MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, floa
     return Vec3{r * std::sin(a * half_angle), y, r * std::cos(a * half_angle)};
   };
   MeshData mesh;
-  for (int row = 0; row <= kRows; ++row) {
-    for (int column = 0; column <= kColumns; ++column) {
-      const float a = 2.0f * static_cast<float>(column) / kColumns - 1, b = 2.0f * static_cast<float>(row) / kRows - 1;
+  for (int row = 0; row <= rows; ++row) {
+    for (int column = 0; column <= columns; ++column) {
+      const float a = 2.0f * static_cast<float>(column) / static_cast<float>(columns) - 1, b = 2.0f * static_cast<float>(row) / static_cast<float>(rows) - 1;
       MeshVertex vertex;
       vertex.position = point(a, b);
       const Vec3 across = point(a + 0.02f, b) - point(a - 0.02f, b), up = point(a, b + 0.02f) - point(a, b - 0.02f);
@@ -101,10 +101,11 @@ MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, floa
       mesh.vertices.push_back(vertex);
     }
   }
-  for (std::uint32_t row = 0; row < kRows; ++row) {
-    for (std::uint32_t column = 0; column < kColumns; ++column) {
-      const std::uint32_t a = row * (kColumns + 1) + column;
-      mesh.AddQuad(a, a + 1, a + kColumns + 2, a + kColumns + 1);
+  const auto width = static_cast<std::uint32_t>(columns) + 1;
+  for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row) {
+    for (std::uint32_t column = 0; column + 1 < width; ++column) {
+      const std::uint32_t a = row * width + column;
+      mesh.AddQuad(a, a + 1, a + width + 1, a + width);
     }
   }
   return mesh;
@@ -190,30 +191,35 @@ MeshData CapsuleMesh(float radius_m, float height_m) {
   return Revolve(profile);
 }
 
-MeshData AgentMesh(float radius_m, float height_m) {
+MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail) {
   const float r = Sane(radius_m), height = std::max(Sane(height_m), 2 * r), bottom = -height / 2, top = height / 2;
   const float neck = top - 0.36f * height;  // Where the head begins.
 
+  const bool fine = detail == AgentDetail::kFine, coarse = detail == AgentDetail::kCoarse;
+  const int arc = fine ? 10 : coarse ? 3 : 5;
+
   // Foot: a dark, rounded base. Torso: a slight taper. Groove: the neck. Head: a dome that fills the capsule's cap.
   std::vector<Ring> profile;
-  AddArc(profile, 0.86f * r, 0.42f * r, bottom + 0.42f * r, -kPi / 2, 0, 6);
+  AddArc(profile, 0.86f * r, 0.42f * r, bottom + 0.42f * r, -kPi / 2, 0, fine ? 6 : coarse ? 2 : 3);
   for (Ring& ring : profile) ring.light = 0.75f;
   profile.push_back({0.90f * r, bottom + 0.55f * r});
   profile.push_back({0.95f * r, bottom + 0.85f * r});
-  profile.push_back({0.985f * r, (bottom + 0.85f * r + neck) / 2});
-  profile.push_back({0.99f * r, neck - 0.14f * r});
-  profile.push_back({0.965f * r, neck - 0.06f * r});
-  profile.push_back({0.915f * r, neck - 0.015f * r, 1, 0.7f});
-  profile.push_back({0.885f * r, neck + 0.005f * r, 0, 0.6f});
-  profile.push_back({0.885f * r, neck + 0.055f * r, 0, 0.6f});
-  profile.push_back({0.915f * r, neck + 0.075f * r, 1, 0.7f});
-  profile.push_back({0.965f * r, neck + 0.12f * r});
+  if (!coarse) {
+    profile.push_back({0.985f * r, (bottom + 0.85f * r + neck) / 2});
+    profile.push_back({0.99f * r, neck - 0.14f * r});
+    profile.push_back({0.965f * r, neck - 0.06f * r});
+    profile.push_back({0.915f * r, neck - 0.015f * r, 1, 0.7f});
+    profile.push_back({0.885f * r, neck + 0.005f * r, 0, 0.6f});
+    profile.push_back({0.885f * r, neck + 0.055f * r, 0, 0.6f});
+    profile.push_back({0.915f * r, neck + 0.075f * r, 1, 0.7f});
+    profile.push_back({0.965f * r, neck + 0.12f * r});
+  }
   const float dome = std::max(top - r, neck + 0.20f * r);
-  AddArc(profile, r, top - dome, dome, 0, kPi / 2, 10);
+  AddArc(profile, r, top - dome, dome, 0, kPi / 2, arc);
 
-  MeshData mesh = Revolve(profile);
+  MeshData mesh = Revolve(profile, fine ? kSegments : coarse ? 8 : 14);
   const float low = neck + 0.26f * r, high = std::max(low + 0.3f * r, dome + 0.50f * (top - dome));
-  mesh.Append(Visor(profile, low, high, 1.05f, r));
+  mesh.Append(Visor(profile, low, high, 1.05f, r, fine ? 24 : coarse ? 4 : 10, fine ? 14 : coarse ? 3 : 6));
   return mesh;
 }
 

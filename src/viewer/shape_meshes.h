@@ -20,8 +20,9 @@ MeshData BoxMesh(world::Vec3 min, world::Vec3 max, const BoxStyle& style = {});
 MeshData CapsuleMesh(float radius_m, float height_m);
 
 /// The body of an agent within the same capsule: a rounded torso, a groove for a neck, a domed head, and a dark visor
-/// that faces +z.
-MeshData AgentMesh(float radius_m, float height_m);
+/// that faces +z. Coarse ones are for agents far away.
+enum class AgentDetail : std::uint8_t { kFine, kMiddle, kCoarse };
+MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail = AgentDetail::kFine);
 
 /// Upright, centred on the origin, with rounded rims.
 MeshData CylinderMesh(float radius_m, float height_m);

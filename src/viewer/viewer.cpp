@@ -86,12 +86,12 @@ struct Viewer::Impl {
 
 Result<void> Viewer::Impl::Build() {
   const fs::path media = options.media_dir.empty() ? fs::path(SOARBOX_MEDIA_DIR) : options.media_dir;
-  auto loaded = Shaders::Load(media / "shaders");
+  auto loaded = Shaders::Load(media / "shaders", engine->low_detail());
   if (!loaded) return loaded.error();
   shaders = *loaded;
   Ogre::SceneManager& scene_manager = engine->scene();
   materials.emplace(*shaders);
-  lights.emplace(scene_manager, *shaders, materials->ShadowCaster());
+  lights.emplace(scene_manager, *shaders, materials->ShadowCaster(), engine->low_detail());
   sky.emplace(scene_manager, *materials);
   things.emplace(scene_manager, *materials, options.on_diagnostic);
   lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px));

@@ -13,20 +13,27 @@
 
 namespace soarbox::viewer {
 
+/// How much work goes into each pixel.
+enum class Detail : std::uint8_t {
+  kAuto,  ///< Full, but low for a visible window on a software renderer.
+  kLow,   ///< Coarser shadows, no reflections, no smoothed edges.
+  kFull,
+};
+
 /// How the window opens.
 struct ViewerOptions {
   int width = 1280, height = 720;  ///< Of the picture, in pixels; at least 64 by 64.
   std::string title = "Soarbox";
-  std::filesystem::path media_dir;  ///< Holds `shaders/`; empty: where the build found it.
+  std::filesystem::path media_dir = {};  ///< Holds `shaders/`; empty: where the build found it.
   bool hidden = false;              ///< Draws without a visible window (it still needs a display), for pictures.
-  int antialiasing = -1;            ///< Samples per pixel; -1: four, and none on a software renderer.
+  Detail detail = Detail::kAuto;
   bool vsync = true;
   bool show_labels = true;          ///< Names above agents at the start (L toggles).
   bool show_help = false;           ///< The list of keys at the start (H toggles).
   bool show_status_bar = true;
-  std::string log_file;             ///< The renderer's log; empty: none is written.
+  std::string log_file = {};             ///< The renderer's log; empty: none is written.
   /// Hears of what is missing and had to be replaced, once per name, and of a renderer that fails.
-  std::function<void(const Diagnostic&)> on_diagnostic;
+  std::function<void(const Diagnostic&)> on_diagnostic = {};
 };
 
 /// What the status bar says about the run; the application owns the clock.

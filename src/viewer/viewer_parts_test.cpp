@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What the window is made of and needs no display: meshes, pictures, camera, picking, markup.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "viewer/free_camera.h"
+#include "viewer/images.h"
+#include "viewer/interpolate.h"
+#include "viewer/markup.h"
+#include "viewer/modular_meshes.h"
+#include "viewer/palette.h"
+#include "viewer/picking.h"
+#include "viewer/shape_meshes.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using world::Vec3;
+
+/// Each triangle must be seen from the side that its vertices' normals point to; degenerate ones are left out.
+void ExpectOutwardTriangles(const MeshData& mesh) {
+  ASSERT_FALSE(mesh.indices.empty());
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const MeshVertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
+                     &c = mesh.vertices[mesh.indices[i + 2]];
+    const Vec3 facing = Cross(b.position - a.position, c.position - a.position);
+    if (world::Length(facing) < 1e-7f) continue;
+    ASSERT_GT(Dot(facing, a.normal + b.normal + c.normal), 0) << "triangle " << i / 3;
+  }
+}
+
+TEST(ShapeMeshes, AllTrianglesFaceOutwards) {
+  ExpectOutwardTriangles(BoxMesh({-1, -2, -3}, {1, 2, 3}));
+  ExpectOutwardTriangles(CapsuleMesh(0.3f, 1.6f));
+  ExpectOutwardTriangles(CylinderMesh(0.5f, 1));
+  ExpectOutwardTriangles(SphereMesh(2));
+  ExpectOutwardTriangles(PlaneMesh(10, 20, 1, 1));
+}
+
+TEST(ShapeMeshes, AgentsFillTheirCapsuleAndWearAVisorInFrontOnly) {
+  for (const AgentDetail detail : {AgentDetail::kFine, AgentDetail::kMiddle, AgentDetail::kCoarse}) {
+    const MeshData mesh = AgentMesh(0.3f, 1.6f, detail);
+    const Bounds bounds = BoundsOf(mesh);
+    EXPECT_NEAR(bounds.min.y, -0.8f, 0.01f);
+    EXPECT_NEAR(bounds.max.y, 0.8f, 0.01f);
+    EXPECT_NEAR(bounds.max.x, 0.3f, 0.03f);
+    float visor_z = 0;
+    int visor_vertices = 0;
+    for (const MeshVertex& vertex : mesh.vertices) {
+      if (vertex.gloss < 0.5f) continue;
+      visor_z += vertex.position.z;
+      ++visor_vertices;
+    }
+    ASSERT_GT(visor_vertices, 0);
+    EXPECT_GT(visor_z / static_cast<float>(visor_vertices), 0.1f);
+  }
+}
+
+TEST(ShapeMeshes, SizesThatMakeNoSenseGiveHarmlessMeshes) {
+  for (const float size : {0.0f, -3.0f, std::nanf("")}) {
+    for (const MeshData& mesh : {BoxMesh({0, 0, 0}, {size, size, size}), CapsuleMesh(size, size), AgentMesh(size, size),
+                                 CylinderMesh(size, size), SphereMesh(size), PlaneMesh(size, size, 1, 1)}) {
+      for (const MeshVertex& vertex : mesh.vertices) ASSERT_TRUE(IsFinite(vertex.position) && IsFinite(vertex.normal));
+    }
+  }
+}
+
+TEST(ModularMeshes, AllThirtyFourPiecesFillTheirBounds) {
+  ASSERT_EQ(ModularPieces().size(), 34u);
+  for (const ModularPiece& piece : ModularPieces()) {
+    const auto mesh = ModularMesh("models/nobiax_modular/" + std::string(piece.name) + ".mesh");
+    ASSERT_TRUE(mesh.has_value()) << piece.name;
+    ExpectOutwardTriangles(*mesh);
+    const Bounds bounds = BoundsOf(*mesh);
+    EXPECT_LT(world::Distance(bounds.min, piece.min), 0.001f) << piece.name;
+    EXPECT_LT(world::Distance(bounds.max, piece.max), 0.001f) << piece.name;
+  }
+}
+
+TEST(ModularMeshes, UnknownNamesAreNotFound) {
+  EXPECT_FALSE(ModularMesh("models/nobiax_modular/modular_castle.mesh").has_value());
+  EXPECT_FALSE(ModularMesh("modular_block.mesh").has_value());
+  EXPECT_FALSE(ModularMesh("").has_value());
+}
+
+TEST(Palette, NamesThatScriptsUseHaveALook) {
+  Look look;
+  for (const char* name : {"White", "Red", "Ground2", "NobiaxModular", "TransparentYellow", "SF_Soldier_Body"}) {
+    EXPECT_TRUE(FindLook(name, look)) << name;
+  }
+  EXPECT_FALSE(FindLook("Mahogany", look));
+}
+
+TEST(Palette, KindsOfAgentsDifferInColour) {
+  const std::vector<std::string> kinds{"lua", "soar seeking", "soar follower", "soar waypoint", "soar"};
+  for (const auto& a : kinds) {
+    for (const auto& b : kinds) EXPECT_EQ(a == b, AgentColor(a) == AgentColor(b)) << a << ", " << b;
+  }
+}
+
+TEST(SkyImages, CloudsAreAboveAndWaterIsBelow) {
+  const auto faces = SkyImages({}, 32);
+  const auto mean = [](const Image& image, std::size_t channel) {
+    double sum = 0;
+    for (std::size_t i = channel; i < image.pixels.size(); i += 4) sum += image.pixels[i];
+    return sum / (image.width * image.height);
+  };
+  EXPECT_GT(mean(faces[2], 2), mean(faces[3], 2));        // Brighter above than below.
+  EXPECT_GT(mean(faces[3], 2), 1.5 * mean(faces[3], 0));  // Water is blue.
+  EXPECT_EQ(SkyImages({}, 32)[0].pixels, faces[0].pixels);
+}
+
+TEST(Markup, SwitchesColoursAndFontsAndCutsLines) {
+  const auto lines = ParseMarkup("%0%@91%W/A/S/D: to %3move\n100%% sure");
+  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines[0].size(), 2u);
+  EXPECT_EQ(lines[0][0].text, "W/A/S/D: to ");
+  EXPECT_EQ(lines[0][0].font, world::UiFont::kSmallMono);
+  EXPECT_EQ(lines[0][1].text, "move");
+  EXPECT_EQ(lines[0][1].palette_index, 3);
+  EXPECT_EQ(lines[1][0].text, "100% sure");
+  EXPECT_EQ(lines[1][0].palette_index, 3);
+}
+
+TEST(Markup, BadCommandsSwallowTextAsTheSandboxDoes) {
+  EXPECT_EQ(ParseMarkup("a%?b").at(0).at(0).text, "ab");
+  EXPECT_EQ(ParseMarkup("a%@77%b").at(0).at(0).text, "a");
+  EXPECT_EQ(ParseMarkup("a%@9").at(0).at(0).text, "a");
+  EXPECT_TRUE(ParseMarkup("%").at(0).empty());
+  EXPECT_EQ(ParseMarkup("a%:tick%b").at(0).at(0).text, "ab");
+  EXPECT_TRUE(ParseMarkup("%Mx").at(0).at(0).fixed_width);
+}
+
+world::CameraSnapshot CameraAt(Vec3 position) {
+  world::CameraSnapshot camera;
+  camera.position = position;
+  return camera;
+}
+
+TEST(Projection, RaysAndPointsAgree) {
+  const Projection view(CameraAt({1, 2, 10}), 1280, 720);
+  const auto centre = view.Project({1, 2, 0});
+  ASSERT_TRUE(centre.has_value());
+  EXPECT_NEAR(centre->x, 640, 0.01);
+  EXPECT_NEAR(centre->y, 360, 0.01);
+  const Vec3 ray = view.RayThrough({200, 600});
+  const auto back = view.Project(Vec3{1, 2, 10} + ray * 25);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_NEAR(back->x, 200, 0.05);
+  EXPECT_NEAR(back->y, 600, 0.05);
+  EXPECT_FALSE(view.Project({1, 2, 20}).has_value());
+}
+
+TEST(Projection, AClickMeansTheNearestAgentUnderIt) {
+  const Projection view(CameraAt({0, 1, 10}), 1280, 720);
+  std::vector<world::AgentSnapshot> agents(3);
+  const Vec3 places[] = {{0, 0.8f, 0}, {0.1f, 0.8f, 4}, {3, 0.8f, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    agents[i].id = static_cast<std::uint32_t>(7 + i);
+    agents[i].position = places[i];
+    agents[i].radius_m = 0.3f;
+    agents[i].height_m = 1.6f;
+  }
+  EXPECT_EQ(view.AgentAt({640, 360}, agents), 8u);
+  const auto aside = view.Project({3, 1.4f, 0});
+  EXPECT_EQ(view.AgentAt(*aside, agents), 9u);
+  EXPECT_EQ(view.AgentAt({20, 20}, agents), 0u);
+}
+
+TEST(FreeCamera, ReachesItsSpeedAndTwentyTimesThatWithShift) {
+  for (const bool fast : {false, true}) {
+    FreeCamera camera;
+    camera.MoveTo(CameraAt({0, 1, 0}));
+    for (int i = 0; i < 120; ++i) camera.Update({.forward = 1, .fast = fast}, 1.0f / 60);
+    const float gone = -camera.pose().position.z;
+    EXPECT_NEAR(gone, fast ? 190 : 9.5f, fast ? 6 : 0.3f);
+    for (int i = 0; i < 120; ++i) camera.Update({}, 1.0f / 60);
+    const Vec3 rest = camera.pose().position;
+    camera.Update({}, 1.0f / 60);
+    EXPECT_EQ(camera.pose().position, rest);
+  }
+}
+
+TEST(FreeCamera, TheMouseTurnsItOnlyWhileTheRightButtonIsHeldAndNeverOverTheTop) {
+  FreeCamera camera;
+  camera.MoveTo(CameraAt({0, 1, 0}));
+  camera.Update({.mouse_dx = 100, .mouse_dy = 50}, 0.016f);
+  EXPECT_EQ(camera.forward(), (Vec3{0, 0, -1}));
+  camera.Update({.looking = true, .mouse_dx = 600}, 0.016f);  // 600 px of 0.15 degrees: a quarter turn to the right.
+  EXPECT_NEAR(camera.forward().x, 1, 1e-3);
+  for (int i = 0; i < 100; ++i) camera.Update({.looking = true, .mouse_dy = -40}, 0.016f);
+  EXPECT_GT(camera.forward().y, 0.98f);
+  EXPECT_GT(camera.forward().x, 0);
+}
+
+TEST(FreeCamera, FollowsABodyUntilTheUserMovesIt) {
+  FreeCamera camera;
+  camera.MoveTo(CameraAt({0, 5, 20}));
+  for (int i = 0; i < 30; ++i) {
+    camera.Update({}, 1.0f / 60);
+    camera.Follow({static_cast<float>(i), 1, 0});
+  }
+  EXPECT_TRUE(camera.following());
+  EXPECT_NEAR(world::Distance(camera.pose().position, {29, 1, 0}), 12, 0.5);
+  camera.Update({.left = 1}, 1.0f / 60);
+  EXPECT_FALSE(camera.following());
+}
+
+TEST(Interpolate, GoesStraightButNeverThroughATeleport) {
+  EXPECT_EQ(BetweenPositions({0, 0, 0}, {1, 0, 0}, 0.25f), (Vec3{0.25f, 0, 0}));
+  EXPECT_EQ(BetweenPositions({0, 0, 0}, {50, 0, 0}, 0.25f), (Vec3{50, 0, 0}));
+  const world::Quat turn{std::sqrt(0.5f), 0, std::sqrt(0.5f), 0};
+  const world::Quat half = BetweenOrientations({}, {-turn.w, 0, -turn.y, 0}, 0.5f);
+  EXPECT_NEAR(std::abs(half.w), std::cos(0.3927f), 1e-4);
+}
+
+}  // namespace
+}  // namespace soarbox::viewer

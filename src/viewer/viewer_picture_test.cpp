@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Draws real pictures and looks at them. Without a display the program starts itself again under xvfb-run.
+#include <OgreColourValue.h>
+#include <OgreDataStream.h>
+#include <OgreImage.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "viewer/demo_scene.h"
+#include "viewer/picking.h"
+#include "viewer/viewer.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using testing::Each;
+using testing::HasSubstr;
+using world::Vec3;
+
+constexpr int kWidth = 1280, kHeight = 720;
+
+struct Pixel {
+  int r, g, b;
+  int light() const { return r + g + b; }
+};
+
+/// A PNG, read back.
+class Picture {
+ public:
+  explicit Picture(const std::filesystem::path& path) {
+    auto* file = new std::ifstream(path, std::ios::binary);  // The stream below owns it.
+    Ogre::DataStreamPtr stream(new Ogre::FileStreamDataStream(file, true));
+    image_.load(stream, "png");
+  }
+  int width() const { return static_cast<int>(image_.getWidth()); }
+  int height() const { return static_cast<int>(image_.getHeight()); }
+  Pixel At(int x, int y) const {
+    const Ogre::ColourValue c = image_.getColourAt(static_cast<std::size_t>(x), static_cast<std::size_t>(y), 0);
+    return {static_cast<int>(c.r * 255), static_cast<int>(c.g * 255), static_cast<int>(c.b * 255)};
+  }
+  template <typename Wanted>
+  int Count(int left, int top, int right, int bottom, Wanted&& wanted) const {
+    int count = 0;
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) count += wanted(At(x, y)) ? 1 : 0;
+    }
+    return count;
+  }
+
+ private:
+  Ogre::Image image_;
+};
+
+class PictureTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::getenv("DISPLAY") == nullptr) GTEST_SKIP() << "there is no display, and xvfb-run is not installed";
+    path_ = std::filesystem::temp_directory_path() / ("soarbox-picture-" + std::to_string(getpid()) + ".png");
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  std::unique_ptr<Viewer> OpenHidden() {
+    ViewerOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    options.hidden = true;
+    options.on_diagnostic = [this](const Diagnostic& d) { diagnostics_.push_back(Format(d)); };
+    auto viewer = Viewer::Open(options);
+    if (!viewer) {
+      ADD_FAILURE() << Format(viewer.error());
+      return nullptr;
+    }
+    return std::move(*viewer);
+  }
+
+  Picture Draw(Viewer& viewer, const world::SceneSnapshot& scene) {
+    viewer.Show(scene);
+    EXPECT_TRUE(viewer.RenderFrame());
+    const auto saved = viewer.SaveScreenshot(path_);
+    if (!saved) ADD_FAILURE() << Format(saved.error());
+    return Picture(path_);
+  }
+
+  std::filesystem::path path_;
+  std::vector<std::string> diagnostics_;
+};
+
+TEST_F(PictureTest, ShowsSkyGroundAgentsAndText) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  const Picture picture = Draw(*viewer, DemoScene(6, 0, kWidth, kHeight).At(3));
+  ASSERT_EQ(picture.width(), kWidth);
+  ASSERT_EQ(picture.height(), kHeight);
+
+  const auto bluish = [](Pixel p) { return p.b > p.r + 8 && p.b > 120; };
+  const auto earthy = [](Pixel p) { return p.r >= p.b && p.light() > 120 && p.light() < 700; };
+  EXPECT_GT(picture.Count(0, 40, kWidth, 160, bluish), kWidth * 120 / 3) << "sky";
+  EXPECT_GT(picture.Count(0, 560, 900, kHeight, earthy), 900 * 160 * 8 / 10) << "ground";
+
+  // Bodies of the followers, the waypoint agent, the seeker and the leader, each in its colour.
+  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.b > 140 && p.r < 70; }), 800) << "followers";
+  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.g > 140 && p.r < 90 && p.b < 130 && p.b > 20; }), 200) << "waypoint agent";
+  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.r > 170 && p.g < 90 && p.b < 80 && p.b > 10; }), 200) << "seeker";
+  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.r > 200 && p.g > 120 && p.g < 200 && p.b < 80 && p.b > 5; }), 200) << "leader";
+
+  // The help text: bright letters in a dark box at the bottom right.
+  const int letters = picture.Count(960, 505, 1260, 685, [](Pixel p) { return p.light() > 600; });
+  const int dark = picture.Count(960, 505, 1260, 685, [](Pixel p) { return p.light() < 330; });
+  EXPECT_GT(letters, 1000);
+  EXPECT_GT(dark, 300 * 180 / 2);
+  EXPECT_THAT(diagnostics_, testing::IsEmpty());
+}
+
+TEST_F(PictureTest, ThingsCastShadowsAndWhatIsMissingIsMagentaAndReportedOnce) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  world::SceneSnapshot scene = DemoScene(0, 0, kWidth, kHeight).At(0);
+  scene.ui.clear();
+  scene.camera.position = {0, 6, 9};
+  scene.camera.orientation = {std::cos(0.3f), -std::sin(0.3f), 0, 0};
+  world::DrawableSnapshot box;
+  box.id = 1;
+  box.shape = world::ShapeKind::kBox;
+  box.size = {1, 2, 1};
+  box.position = {0, 1, 0};
+  scene.drawables.push_back(box);
+  for (const std::uint32_t id : {2u, 3u}) {
+    world::DrawableSnapshot missing;
+    missing.id = id;
+    missing.mesh = "models/unicorn.mesh";
+    missing.position = {-4.0f + 8.0f * static_cast<float>(id - 2), 0.5f, 0};
+    scene.drawables.push_back(missing);
+  }
+  box.id = 4;
+  box.position = {-2, 1, -3};
+  box.material = "Mahogany";
+  scene.drawables.push_back(box);
+  const Picture picture = Draw(*viewer, scene);
+  viewer->Show(scene);
+
+  // The sun shines along (1, -1, 1): the box's shadow lies to its right, towards the camera.
+  const Projection view(scene.camera, kWidth, kHeight);
+  const auto light_at = [&](Vec3 place) {
+    const auto at = view.Project(place);
+    EXPECT_TRUE(at.has_value());
+    return at ? picture.At(static_cast<int>(at->x), static_cast<int>(at->y)).light() : 0;
+  };
+  const int shadow = light_at({1.1f, 0, 1.1f}), lit = light_at({-1.5f, 0, 2.5f});
+  EXPECT_LT(shadow, 0.7 * lit);
+  EXPECT_GT(shadow, 20) << "ambient light reaches into shadows";
+
+  EXPECT_GT(picture.Count(0, 0, kWidth, kHeight, [](Pixel p) { return p.r > 150 && p.b > 150 && p.g < 60; }), 1000);
+  ASSERT_EQ(diagnostics_.size(), 2u);
+  EXPECT_THAT(diagnostics_, Each(HasSubstr("warning")));
+  EXPECT_THAT(diagnostics_[0], HasSubstr("models/unicorn.mesh"));
+  EXPECT_THAT(diagnostics_[1], HasSubstr("Mahogany"));
+}
+
+TEST_F(PictureTest, MistakesComeBackAsDiagnostics) {
+  {
+    const auto viewer = OpenHidden();
+    ASSERT_NE(viewer, nullptr);
+    EXPECT_TRUE(viewer->RenderFrame());
+    const auto nowhere = viewer->SaveScreenshot("/no/such/folder/picture.png");
+    ASSERT_FALSE(nowhere.ok());
+    EXPECT_EQ(nowhere.error().file, "/no/such/folder/picture.png");
+    EXPECT_FALSE(viewer->SaveScreenshot("picture.bmp").ok());
+    const auto second = Viewer::Open({});
+    ASSERT_FALSE(second.ok());
+    EXPECT_THAT(second.error().message, HasSubstr("already open"));
+  }
+  ViewerOptions options;
+  options.hidden = true;
+  options.media_dir = "/no/media/here";
+  const auto none = Viewer::Open(options);
+  ASSERT_FALSE(none.ok());
+  EXPECT_THAT(none.error().file, HasSubstr("/no/media/here/shaders"));
+}
+
+}  // namespace
+}  // namespace soarbox::viewer
+
+int main(int argc, char** argv) {
+  bool only_lists = false;
+  for (int i = 1; i < argc; ++i) only_lists = only_lists || std::string(argv[i]).find("list_tests") != std::string::npos;
+  if (std::getenv("DISPLAY") == nullptr && !only_lists) {
+    std::vector<char*> command{const_cast<char*>("xvfb-run"), const_cast<char*>("-a"), const_cast<char*>("-s"),
+                               const_cast<char*>("-screen 0 1280x720x24")};
+    command.insert(command.end(), argv, argv + argc);
+    command.push_back(nullptr);
+    execvp(command[0], command.data());  // Comes back only if xvfb-run is missing; then the tests are skipped.
+  }
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
