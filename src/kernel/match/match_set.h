@@ -84,7 +84,7 @@ class MatchSet {
   /// The elements of a match in condition order, one per positive top-level condition. Valid until the next change.
   std::span<const WmeId> Wmes(MatchId match) const {
     const Record& record = records_[Index(match)];
-    return {reinterpret_cast<const WmeId*>(elements_.data()) + record.elements, record.element_count};
+    return {elements_.data() + record.elements, record.element_count};
   }
 
   /// For display: all entries of one kind over all levels, newest first.
@@ -98,7 +98,7 @@ class MatchSet {
   struct Arrival {
     std::uint32_t production = 0;
     std::uint32_t token = 0;
-    std::span<const std::uint32_t> elements;
+    std::span<const WmeId> elements;
     Symbol goal;
     GoalLevel level = 0;
     bool o_support = false;
@@ -113,6 +113,8 @@ class MatchSet {
   /// when one of its own elements left (then no equal match can appear); `last_timetag` is the largest given so far.
   /// Returns false if the record is free now.
   bool TokenGone(MatchId match, bool can_return, std::uint64_t last_timetag);
+  /// Frees the record of a match that was watched.
+  void Drop(MatchId match);
   std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
   std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
   /// Records in use that belong to a rule; its number is used again when this is 0.
@@ -137,6 +139,7 @@ class MatchSet {
     Symbol goal;
     InstantiationId instantiation = InstantiationId::kNone;
     std::uint32_t next = kNil, previous = kNil;            ///< In its list; `next` also in the free list.
+    std::uint32_t generation = 0;        ///< Of its level when it appeared: tells whether the goal has gone since.
     std::uint32_t hash = 0;
     std::uint32_t hash_next = kNil, hash_previous = kNil;
     std::uint64_t stamp = 0;             ///< Of an assertion or retraction: its running number. For display order.
@@ -144,6 +147,7 @@ class MatchSet {
   };
   struct Level {
     std::uint32_t head[3] = {kNil, kNil, kNil};
+    std::uint32_t generation = 0;        ///< Grows when a goal of this level goes away.
   };
 
   std::uint32_t NewRecord(const Arrival& arrival);
@@ -153,12 +157,12 @@ class MatchSet {
   void Hash(std::uint32_t match);
   void Unhash(std::uint32_t match);
   void GrowHash();
-  static std::uint32_t HashOf(std::uint32_t production, std::span<const std::uint32_t> elements);
+  static std::uint32_t HashOf(std::uint32_t production, std::span<const WmeId> elements);
 
   std::vector<Record> records_;
   std::uint32_t free_records_ = kNil;
   std::vector<Level> levels_;
-  std::vector<std::uint32_t> elements_;
+  std::vector<WmeId> elements_;
   std::vector<std::uint32_t> free_elements_;    ///< Heads of free lists by number of elements.
   std::vector<std::uint32_t> hash_buckets_;
   std::uint32_t hash_count_ = 0;

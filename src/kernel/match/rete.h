@@ -116,7 +116,7 @@ class Rete {
 
   // Sharing and measuring -------------------------------------------------------------------------------------------
 
-  const std::shared_ptr<const Network>& network() const;
+  std::shared_ptr<const Network> network() const;
   /// A digest of all rules added and excised so far. Agents with equal digests, equal frozen symbols and equal rules
   /// have equal topologies.
   std::uint64_t NetworkDigest() const;

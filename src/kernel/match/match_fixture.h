@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/base/symbol_table.h"
+#include "kernel/match/rete.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+/// Working memory for tests: a table of elements, goals, and a Rete over them. Words: "S1" is an identifier, "<x>" a
+/// variable, digits a number, anything else a string.
+class MatchFixture {
+ public:
+  MatchFixture() : rete(symbols, wmes) {}
+
+  Symbol Word(std::string_view text);
+  /// Makes an identifier a goal of this level; 0 makes it none.
+  void SetGoal(std::string_view id, GoalLevel level);
+  void SetLti(std::string_view id, std::uint64_t lti);
+  GoalView Goals() const { return {levels_, ltis_}; }
+
+  WmeId Add(std::string_view id, std::string_view attribute, std::string_view value, bool acceptable = false);
+  WmeId Add(Symbol id, Symbol attribute, Symbol value, bool acceptable = false);
+  void Remove(WmeId wme);
+  ProductionId AddRule(Production production);
+
+  /// The elements of all matches of a rule that are not retractions, as time tags.
+  std::multiset<std::vector<std::uint64_t>> MatchesOf(ProductionId production) const;
+  /// Fires everything and drops all retractions; returns the names of the rules fired, in order.
+  std::vector<std::string> FireAll();
+
+  SymbolTable symbols;
+  WmeTable wmes;
+  Rete rete;
+  std::vector<WmeId> live;          ///< In the order of adding.
+
+ private:
+  std::vector<GoalLevel> levels_;
+  std::vector<std::uint64_t> ltis_;
+  std::map<std::string, Symbol, std::less<>> identifiers_;
+  std::vector<WmeId> free_;
+  std::uint64_t next_timetag_ = 1;
+};
+
+// Building rules by hand.
+Test Equal(Symbol symbol);
+Test Relation(TestKind kind, Symbol symbol);
+Test Both(Test a, Test b);
+Condition Positive(Test id, Test attribute, Test value, bool acceptable = false);
+Condition Negative(Test id, Test attribute, Test value, bool acceptable = false);
+Condition Conjunction(std::vector<Condition> conditions);
+/// A rule without actions.
+Production Rule(std::string name, std::vector<Condition> conditions);
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/match/match_set.h"
+
+#include <algorithm>
+
+namespace soarbox::kernel {
+
+namespace {
+
+constexpr std::size_t kFirstBuckets = 64;
+
+std::uint8_t AssertionList(bool o_support) {
+  return o_support ? 1 : 0;
+}
+
+}  // namespace
+
+// Lists ---------------------------------------------------------------------------------------------------------------
+
+void MatchSet::Push(std::uint32_t match, std::uint8_t list) {
+  Record& record = records_[match];
+  std::uint32_t& head = levels_[record.level].head[list];
+  record.list = list;
+  record.previous = kNil;
+  record.next = head;
+  if (head != kNil) {
+    records_[head].previous = match;
+  }
+  head = match;
+}
+
+void MatchSet::Unlink(std::uint32_t match) {
+  Record& record = records_[match];
+  if (record.next != kNil) {
+    records_[record.next].previous = record.previous;
+  }
+  if (record.previous != kNil) {
+    records_[record.previous].next = record.next;
+  } else {
+    levels_[record.level].head[record.list] = record.next;
+  }
+}
+
+// Records -------------------------------------------------------------------------------------------------------------
+
+std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
+  std::uint32_t index = free_records_;
+  if (index != kNil) {
+    free_records_ = records_[index].next;
+  } else {
+    index = static_cast<std::uint32_t>(records_.size());
+    records_.emplace_back();
+  }
+
+  const std::size_t count = arrival.elements.size();
+  std::uint32_t place = 0;
+  if (count != 0) {
+    if (count >= free_elements_.size()) {
+      free_elements_.resize(count + 1, kNil);
+    }
+    place = free_elements_[count];
+    if (place != kNil) {
+      free_elements_[count] = Index(elements_[place]);
+    } else {
+      place = static_cast<std::uint32_t>(elements_.size());
+      elements_.resize(elements_.size() + count);
+    }
+    std::copy(arrival.elements.begin(), arrival.elements.end(), elements_.begin() + place);
+  }
+
+  Record& record = records_[index];
+  record.token = arrival.token;
+  record.production = arrival.production;
+  record.elements = place;
+  record.element_count = static_cast<std::uint16_t>(count);
+  record.level = arrival.level;
+  record.o_support = arrival.o_support;
+  record.goal = arrival.goal;
+  record.instantiation = InstantiationId::kNone;
+  record.hashed = false;
+  record.stamp = next_stamp_++;
+  if (arrival.level >= levels_.size()) {
+    levels_.resize(arrival.level + 1u);
+  }
+  record.generation = levels_[arrival.level].generation;
+  if (arrival.production != kNil) {
+    if (arrival.production >= live_.size()) {
+      live_.resize(arrival.production + 1u, 0);
+    }
+    ++live_[arrival.production];
+  }
+  return index;
+}
+
+void MatchSet::FreeRecord(std::uint32_t match) {
+  Record& record = records_[match];
+  if (record.element_count != 0) {
+    elements_[record.elements] = static_cast<WmeId>(free_elements_[record.element_count]);
+    free_elements_[record.element_count] = record.elements;
+  }
+  if (record.production != kNil) {
+    --live_[record.production];
+  }
+  record.state = MatchState::kFree;
+  record.element_count = 0;
+  record.next = free_records_;
+  free_records_ = match;
+}
+
+MatchId MatchSet::Assert(const Arrival& arrival) {
+  const std::uint32_t match = NewRecord(arrival);
+  records_[match].state = MatchState::kPendingAssertion;
+  Push(match, AssertionList(arrival.o_support));
+  return static_cast<MatchId>(match);
+}
+
+MatchId MatchSet::AddFired(const Arrival& arrival, InstantiationId instantiation) {
+  const std::uint32_t match = NewRecord(arrival);
+  records_[match].state = MatchState::kFired;
+  records_[match].instantiation = instantiation;
+  return static_cast<MatchId>(match);
+}
+
+bool MatchSet::TokenGone(MatchId match, bool can_return, std::uint64_t last_timetag) {
+  Record& record = records_[Index(match)];
+  record.token = kNil;
+  if (record.state == MatchState::kPendingAssertion) {
+    Unlink(Index(match));
+  }
+  if (record.state != MatchState::kFired) {
+    FreeRecord(Index(match));
+    return false;
+  }
+  if (record.instantiation == InstantiationId::kNone) {
+    FreeRecord(Index(match));  // It was released while it matched.
+    return false;
+  }
+  record.state = MatchState::kPendingRetraction;
+  record.stamp = next_stamp_++;
+  record.last_timetag = last_timetag;
+  if (record.generation != levels_[record.level].generation) {
+    record.level = 0;
+    record.generation = 0;
+  }
+  Push(Index(match), 2);
+  if (can_return && record.production != kNil) {
+    Hash(Index(match));
+  }
+  return true;
+}
+
+// The decision cycle's part -------------------------------------------------------------------------------------------
+
+PendingMatch MatchSet::Describe(MatchId match) const {
+  const Record& record = records_[Index(match)];
+  return {match, static_cast<ProductionId>(record.production), record.goal, record.level, record.o_support};
+}
+
+PendingMatch MatchSet::TakeAssertion(GoalLevel level, bool o_support) {
+  if (!HasAssertions(level, o_support)) {
+    return {};
+  }
+  const std::uint32_t match = levels_[level].head[AssertionList(o_support)];
+  Unlink(match);
+  records_[match].state = MatchState::kTaken;
+  return Describe(static_cast<MatchId>(match));
+}
+
+void MatchSet::PutBack(std::span<const MatchId> taken) {
+  for (std::size_t n = taken.size(); n-- > 0;) {
+    Record& record = records_[Index(taken[n])];
+    record.state = MatchState::kPendingAssertion;
+    Push(Index(taken[n]), AssertionList(record.o_support));
+  }
+}
+
+void MatchSet::MarkFired(MatchId match, InstantiationId instantiation) {
+  records_[Index(match)].state = MatchState::kFired;
+  records_[Index(match)].instantiation = instantiation;
+}
+
+MatchId MatchSet::TakeRetraction(GoalLevel level) {
+  if (!HasRetractions(level)) {
+    return MatchId::kNone;
+  }
+  const std::uint32_t match = levels_[level].head[2];
+  Unlink(match);
+  if (records_[match].hashed) {
+    Unhash(match);
+  }
+  records_[match].state = MatchState::kRetracting;
+  return static_cast<MatchId>(match);
+}
+
+void MatchSet::Release(MatchId match) {
+  Record& record = records_[Index(match)];
+  if (record.state == MatchState::kTaken || record.state == MatchState::kFired) {
+    record.state = MatchState::kFired;  // Its token stays; the record goes with it.
+    record.instantiation = InstantiationId::kNone;
+    return;
+  }
+  if (record.state == MatchState::kPendingRetraction) {
+    Unlink(Index(match));
+    if (record.hashed) {
+      Unhash(Index(match));
+    }
+  }
+  FreeRecord(Index(match));
+}
+
+void MatchSet::Drop(MatchId match) {
+  const MatchState state = records_[Index(match)].state;
+  if (state == MatchState::kPendingAssertion || state == MatchState::kPendingRetraction) {
+    Unlink(Index(match));
+  }
+  if (records_[Index(match)].hashed) {
+    Unhash(Index(match));
+  }
+  FreeRecord(Index(match));
+}
+
+void MatchSet::GoalRemoved(GoalLevel level) {
+  if (level == 0 || level >= levels_.size()) {
+    return;
+  }
+  ++levels_[level].generation;
+  for (std::uint8_t list = 0; list < 3; ++list) {
+    // From the tail, so that the order stays: newest at the head.
+    std::uint32_t last = levels_[level].head[list];
+    if (last == kNil) {
+      continue;
+    }
+    while (records_[last].next != kNil) {
+      last = records_[last].next;
+    }
+    levels_[level].head[list] = kNil;
+    for (std::uint32_t match = last; match != kNil;) {
+      const std::uint32_t previous = records_[match].previous;
+      records_[match].level = 0;
+      records_[match].generation = 0;
+      Push(match, list);
+      match = previous;
+    }
+  }
+}
+
+std::vector<PendingMatch> MatchSet::Pending(List list) const {
+  std::vector<std::uint32_t> found;
+  for (const Level& level : levels_) {
+    for (std::uint32_t match = level.head[static_cast<std::size_t>(list)]; match != kNil; match = records_[match].next) {
+      found.push_back(match);
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [this](std::uint32_t a, std::uint32_t b) { return records_[a].stamp > records_[b].stamp; });
+  std::vector<PendingMatch> pending;
+  pending.reserve(found.size());
+  for (const std::uint32_t match : found) {
+    pending.push_back(Describe(static_cast<MatchId>(match)));
+  }
+  return pending;
+}
+
+// Retractions that can come back --------------------------------------------------------------------------------------
+
+std::uint32_t MatchSet::HashOf(std::uint32_t production, std::span<const WmeId> elements) {
+  std::uint32_t hash = production * 0x9E3779B1u;
+  for (const WmeId element : elements) {
+    hash = (hash ^ Index(element)) * 0x85EBCA6Bu;
+    hash ^= hash >> 15;
+  }
+  return hash;
+}
+
+void MatchSet::Hash(std::uint32_t match) {
+  if (hash_count_ >= hash_buckets_.size()) {
+    GrowHash();
+  }
+  Record& record = records_[match];
+  record.hash = HashOf(record.production, Wmes(static_cast<MatchId>(match)));
+  std::uint32_t& head = hash_buckets_[record.hash & (hash_buckets_.size() - 1)];
+  record.hash_previous = kNil;
+  record.hash_next = head;
+  if (head != kNil) {
+    records_[head].hash_previous = match;
+  }
+  head = match;
+  record.hashed = true;
+  ++hash_count_;
+  if (record.production >= returnable_.size()) {
+    returnable_.resize(record.production + 1u, 0);
+  }
+  ++returnable_[record.production];
+}
+
+void MatchSet::Unhash(std::uint32_t match) {
+  Record& record = records_[match];
+  if (record.hash_next != kNil) {
+    records_[record.hash_next].hash_previous = record.hash_previous;
+  }
+  if (record.hash_previous != kNil) {
+    records_[record.hash_previous].hash_next = record.hash_next;
+  } else {
+    hash_buckets_[record.hash & (hash_buckets_.size() - 1)] = record.hash_next;
+  }
+  record.hashed = false;
+  --hash_count_;
+  --returnable_[record.production];
+}
+
+void MatchSet::GrowHash() {
+  const std::vector<std::uint32_t> old = std::move(hash_buckets_);
+  hash_buckets_.assign(std::max(kFirstBuckets, old.size() * 2), kNil);
+  for (std::uint32_t match : old) {
+    while (match != kNil) {
+      Record& record = records_[match];
+      const std::uint32_t next = record.hash_next;
+      std::uint32_t& head = hash_buckets_[record.hash & (hash_buckets_.size() - 1)];
+      record.hash_previous = kNil;
+      record.hash_next = head;
+      if (head != kNil) {
+        records_[head].hash_previous = match;
+      }
+      head = match;
+      match = next;
+    }
+  }
+}
+
+MatchId MatchSet::Revive(const Arrival& arrival, const WmeTable& wmes) {
+  if (arrival.production >= returnable_.size() || returnable_[arrival.production] == 0) {
+    return MatchId::kNone;
+  }
+  const std::uint32_t hash = HashOf(arrival.production, arrival.elements);
+  for (std::uint32_t match = hash_buckets_[hash & (hash_buckets_.size() - 1)]; match != kNil;
+       match = records_[match].hash_next) {
+    Record& record = records_[match];
+    if (record.hash != hash || record.production != arrival.production ||
+        !std::ranges::equal(Wmes(static_cast<MatchId>(match)), arrival.elements)) {
+      continue;
+    }
+    // An index that has been used again since then names another element, with a larger time tag.
+    const bool same = std::ranges::all_of(
+        arrival.elements, [&](WmeId element) { return wmes[Index(element)].timetag <= record.last_timetag; });
+    if (!same) {
+      continue;
+    }
+    Unlink(match);
+    Unhash(match);
+    record.state = MatchState::kFired;
+    record.token = arrival.token;
+    return static_cast<MatchId>(match);
+  }
+  return MatchId::kNone;
+}
+
+void MatchSet::Clear() {
+  records_.clear();
+  free_records_ = kNil;
+  levels_.assign(levels_.size(), Level());
+  elements_.clear();
+  std::fill(free_elements_.begin(), free_elements_.end(), kNil);
+  std::fill(hash_buckets_.begin(), hash_buckets_.end(), kNil);
+  hash_count_ = 0;
+  std::fill(returnable_.begin(), returnable_.end(), 0u);
+  std::fill(live_.begin(), live_.end(), 0u);
+  next_stamp_ = 0;
+}
+
+std::size_t MatchSet::MemoryBytes() const {
+  return records_.capacity() * sizeof(Record) + elements_.capacity() * sizeof(WmeId) +
+         (free_elements_.capacity() + hash_buckets_.capacity() + returnable_.capacity() + live_.capacity()) * 4 +
+         levels_.capacity() * sizeof(Level);
+}
+
+}  // namespace soarbox::kernel

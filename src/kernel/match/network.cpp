@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/match/network.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace soarbox::kernel {
+
+namespace {
+
+constexpr std::uint32_t kFirstAlphaBits = 6;
+constexpr std::size_t kFirstShareBuckets = 256;
+
+void Mix(std::uint32_t& hash, std::uint32_t value) {
+  hash = (hash ^ value) * 0x85EBCA6Bu;
+  hash ^= hash >> 15;
+}
+
+std::uint32_t Bits(const NodeTest& test) {
+  return static_cast<std::uint32_t>(test.op) | static_cast<std::uint32_t>(test.field) << 4 |
+         static_cast<std::uint32_t>(test.against_binding) << 6 |
+         static_cast<std::uint32_t>(test.referent_field) << 7 | static_cast<std::uint32_t>(test.levels) << 9;
+}
+
+std::uint32_t ShareHash(std::uint32_t parent, const Node& node, std::span<const NodeTest> tests,
+                        std::span<const std::uint32_t> disjuncts, std::uint32_t digest) {
+  std::uint32_t hash = parent * 0x9E3779B1u;
+  Mix(hash, static_cast<std::uint32_t>(node.kind) | static_cast<std::uint32_t>(node.key) << 4 |
+                static_cast<std::uint32_t>(node.key_id_field) << 6 |
+                static_cast<std::uint32_t>(node.key_value_field) << 8 |
+                static_cast<std::uint32_t>(node.key_id_levels) << 10);
+  Mix(hash, node.key_value_levels);
+  Mix(hash, node.alpha);
+  Mix(hash, digest);
+  for (const NodeTest& test : tests) {
+    Mix(hash, Bits(test));
+    if (test.op == TestOp::kDisjunction) {
+      for (std::uint32_t n = 0; n < test.count; ++n) {
+        Mix(hash, disjuncts[test.referent + n]);
+      }
+    } else {
+      Mix(hash, test.referent);
+    }
+  }
+  return hash;
+}
+
+/// Takes `count` places from a pool with free lists by size.
+template <typename T, typename Next>
+std::uint32_t TakePlaces(std::vector<T>& pool, std::vector<std::uint32_t>& free, std::size_t count, Next next) {
+  if (count == 0) {
+    return 0;
+  }
+  if (count >= free.size()) {
+    free.resize(count + 1, kNil);
+  }
+  std::uint32_t place = free[count];
+  if (place != kNil) {
+    free[count] = next(pool[place]);
+    return place;
+  }
+  place = static_cast<std::uint32_t>(pool.size());
+  pool.resize(pool.size() + count);
+  return place;
+}
+
+}  // namespace
+
+Network::Network() {
+  alpha_buckets_.assign(std::size_t{1} << kFirstAlphaBits, kNil);
+  alpha_shift_ = 32 - static_cast<int>(kFirstAlphaBits);
+  share_buckets_.assign(kFirstShareBuckets, kNil);
+  nodes_.emplace_back();
+  nodes_[0].kind = NodeKind::kRoot;
+}
+
+// Alpha memories ------------------------------------------------------------------------------------------------------
+
+std::uint32_t Network::AddAlpha(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable) {
+  if (alpha_count_ >= alpha_buckets_.size()) {
+    --alpha_shift_;
+    alpha_buckets_.assign(alpha_buckets_.size() * 2, kNil);
+    for (std::uint32_t n = 0; n < alphas_.size(); ++n) {
+      Alpha& alpha = alphas_[n];
+      if (alpha.uses == 0) {
+        continue;
+      }
+      std::uint32_t& head = alpha_buckets_[AlphaHash(alpha.constant, alpha.mask, alpha.acceptable) >> alpha_shift_];
+      alpha.hash_next = head;
+      head = n;
+    }
+  }
+  std::uint32_t index = free_alphas_;
+  if (index != kNil) {
+    free_alphas_ = alphas_[index].hash_next;
+  } else {
+    index = static_cast<std::uint32_t>(alphas_.size());
+    alphas_.emplace_back();
+  }
+  Alpha& alpha = alphas_[index];
+  std::copy(constants, constants + 3, alpha.constant);
+  alpha.mask = static_cast<std::uint8_t>(mask);
+  alpha.acceptable = acceptable;
+  alpha.uses = 1;
+  std::uint32_t& head = alpha_buckets_[AlphaHash(constants, mask, acceptable) >> alpha_shift_];
+  alpha.hash_next = head;
+  head = index;
+  ++alpha_count_;
+  ++mask_counts_[acceptable ? 1 : 0][mask];
+  return index;
+}
+
+bool Network::DropAlpha(std::uint32_t index) {
+  Alpha& alpha = alphas_[index];
+  if (--alpha.uses != 0) {
+    return false;
+  }
+  std::uint32_t* link = &alpha_buckets_[AlphaHash(alpha.constant, alpha.mask, alpha.acceptable) >> alpha_shift_];
+  while (*link != index) {
+    link = &alphas_[*link].hash_next;
+  }
+  *link = alpha.hash_next;
+  --alpha_count_;
+  --mask_counts_[alpha.acceptable ? 1 : 0][alpha.mask];
+  alpha = Alpha();
+  alpha.hash_next = free_alphas_;
+  free_alphas_ = index;
+  return true;
+}
+
+// Nodes ---------------------------------------------------------------------------------------------------------------
+
+std::uint32_t Network::FindShared(std::uint32_t parent, const Node& node, std::span<const NodeTest> tests,
+                                  std::span<const std::uint32_t> disjuncts) const {
+  const std::uint32_t hash = ShareHash(parent, node, tests, disjuncts, 0);
+  for (std::uint32_t n = share_buckets_[hash & (share_buckets_.size() - 1)]; n != kNil; n = nodes_[n].share_next) {
+    const Node& other = nodes_[n];
+    if (other.share_hash != hash || other.parent != parent || other.kind != node.kind || other.key != node.key ||
+        other.key_id_field != node.key_id_field || other.key_id_levels != node.key_id_levels ||
+        other.key_value_field != node.key_value_field || other.key_value_levels != node.key_value_levels ||
+        other.alpha != node.alpha || other.test_count != tests.size()) {
+      continue;
+    }
+    const bool same = std::ranges::equal(this->tests(other), tests, [&](const NodeTest& a, const NodeTest& b) {
+      if (Bits(a) != Bits(b) || a.count != b.count) {
+        return false;
+      }
+      if (a.op != TestOp::kDisjunction) {
+        return a.referent == b.referent;
+      }
+      return std::equal(this->disjuncts(a), this->disjuncts(a) + a.count, disjuncts.data() + b.referent);
+    });
+    if (same) {
+      return n;
+    }
+  }
+  return kNil;
+}
+
+std::uint32_t Network::FindProduction(std::uint32_t parent, std::uint32_t actions_digest, std::uint32_t after) const {
+  Node probe;
+  probe.kind = NodeKind::kProduction;
+  const std::uint32_t hash = ShareHash(parent, probe, {}, {}, actions_digest);
+  std::uint32_t n = after == kNil ? share_buckets_[hash & (share_buckets_.size() - 1)] : nodes_[after].share_next;
+  while (n != kNil && (nodes_[n].share_hash != hash || nodes_[n].parent != parent ||
+                       nodes_[n].kind != NodeKind::kProduction)) {
+    n = nodes_[n].share_next;
+  }
+  return n;
+}
+
+std::uint32_t Network::StoreTests(std::span<const NodeTest> tests, std::span<const std::uint32_t> disjuncts) {
+  const std::uint32_t place =
+      TakePlaces(tests_, free_tests_, tests.size(), [](const NodeTest& test) { return test.referent; });
+  for (std::size_t n = 0; n < tests.size(); ++n) {
+    NodeTest test = tests[n];
+    if (test.op == TestOp::kDisjunction) {
+      const std::uint32_t from = test.referent;
+      test.referent = TakePlaces(disjuncts_, free_disjuncts_, test.count, [](std::uint32_t word) { return word; });
+      std::copy_n(disjuncts.begin() + from, test.count, disjuncts_.begin() + test.referent);
+    }
+    tests_[place + n] = test;
+  }
+  return place;
+}
+
+std::uint32_t Network::AddNode(std::uint32_t parent, Node node, std::span<const NodeTest> tests,
+                               std::span<const std::uint32_t> disjuncts, std::uint32_t digest) {
+  node.share_hash = ShareHash(parent, node, tests, disjuncts, digest);
+  node.parent = parent;
+  node.test_count = static_cast<std::uint16_t>(tests.size());
+  node.first_test = StoreTests(tests, disjuncts);
+  std::uint32_t index = free_nodes_;
+  if (index != kNil) {
+    free_nodes_ = nodes_[index].share_next;
+    nodes_[index] = node;
+  } else {
+    index = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(node);
+  }
+  LinkChild(index);
+  InsertShared(index);
+  digest_ = (digest_ ^ node.share_hash) * 0x9E3779B97F4A7C15u + index;
+  return index;
+}
+
+void Network::RemoveNode(std::uint32_t index) {
+  Node& node = nodes_[index];
+  UnlinkChild(index);
+  std::uint32_t* link = &share_buckets_[node.share_hash & (share_buckets_.size() - 1)];
+  while (*link != index) {
+    link = &nodes_[*link].share_next;
+  }
+  *link = node.share_next;
+  --share_count_;
+  if (node.test_count != 0) {
+    for (std::uint32_t n = 0; n < node.test_count; ++n) {
+      const NodeTest& test = tests_[node.first_test + n];
+      if (test.op == TestOp::kDisjunction && test.count != 0) {
+        disjuncts_[test.referent] = free_disjuncts_[test.count];
+        free_disjuncts_[test.count] = test.referent;
+      }
+    }
+    tests_[node.first_test].referent = free_tests_[node.test_count];
+    free_tests_[node.test_count] = node.first_test;
+  }
+  digest_ = (digest_ ^ ~std::uint64_t{node.share_hash}) * 0x9E3779B97F4A7C15u + index;
+  node = Node();
+  node.share_next = free_nodes_;
+  free_nodes_ = index;
+}
+
+void Network::InsertShared(std::uint32_t index) {
+  if (share_count_ >= share_buckets_.size()) {
+    share_buckets_.assign(share_buckets_.size() * 2, kNil);
+    for (std::uint32_t n = 1; n < nodes_.size(); ++n) {
+      if (nodes_[n].kind != NodeKind::kFree && n != index) {
+        std::uint32_t& head = share_buckets_[nodes_[n].share_hash & (share_buckets_.size() - 1)];
+        nodes_[n].share_next = head;
+        head = n;
+      }
+    }
+  }
+  std::uint32_t& head = share_buckets_[nodes_[index].share_hash & (share_buckets_.size() - 1)];
+  nodes_[index].share_next = head;
+  head = index;
+  ++share_count_;
+}
+
+void Network::LinkChild(std::uint32_t index) {
+  Node& node = nodes_[index];
+  std::uint32_t& head = nodes_[node.parent].first_child;
+  node.previous_sibling = kNil;
+  node.next_sibling = head;
+  if (head != kNil) {
+    nodes_[head].previous_sibling = index;
+  }
+  head = index;
+}
+
+void Network::UnlinkChild(std::uint32_t index) {
+  const Node& node = nodes_[index];
+  if (node.next_sibling != kNil) {
+    nodes_[node.next_sibling].previous_sibling = node.previous_sibling;
+  }
+  if (node.previous_sibling != kNil) {
+    nodes_[node.previous_sibling].next_sibling = node.next_sibling;
+  } else {
+    nodes_[node.parent].first_child = node.next_sibling;
+  }
+}
+
+void Network::MoveToHead(std::uint32_t index) {
+  UnlinkChild(index);
+  LinkChild(index);
+}
+
+void Network::SetPartner(std::uint32_t conjunctive, std::uint32_t partner) {
+  nodes_[conjunctive].partner = partner;
+  nodes_[partner].partner = conjunctive;
+}
+
+// Rules ---------------------------------------------------------------------------------------------------------------
+
+void Network::AddRule(std::uint32_t number, std::shared_ptr<const RuleInfo> rule) {
+  if (number >= rules_.size()) {
+    rules_.resize(number + 1u);
+  }
+  rules_[number] = std::move(rule);
+}
+
+void Network::RemoveRule(std::uint32_t number) {
+  rules_[number].reset();
+}
+
+std::size_t Network::MemoryBytes() const {
+  return nodes_.capacity() * sizeof(Node) + tests_.capacity() * sizeof(NodeTest) +
+         (free_tests_.capacity() + disjuncts_.capacity() + free_disjuncts_.capacity() + alpha_buckets_.capacity() +
+          share_buckets_.capacity()) * 4 +
+         alphas_.capacity() * sizeof(Alpha) + rules_.size() * (sizeof(rules_[0]) + sizeof(RuleInfo) + 64);
+}
+
+bool Network::SameAs(const Network& other) const {
+  return digest_ == other.digest_ && nodes_ == other.nodes_ && tests_ == other.tests_ &&
+         disjuncts_ == other.disjuncts_ && alphas_ == other.alphas_ &&
+         std::ranges::equal(rules_, other.rules_, [](const auto& a, const auto& b) {
+           if (!a || !b) {
+             return !a && !b;
+           }
+           return a->node == b->node && a->support == b->support && a->rule->name == b->rule->name &&
+                  a->rule->type == b->rule->type &&
+                  (a->rule == b->rule ||
+                   (a->rule->conditions == b->rule->conditions && a->rule->actions == b->rule->actions));
+         });
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "kernel/match/rule_info.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+inline constexpr std::uint32_t kNil = 0xFFFFFFFFu;
+
+/// The nodes of the beta network.
+///
+/// Joins, negative nodes, conjunctive nodes and the root *emit* (token, element) pairs to their children. A memory makes
+/// a token of each pair; so do negative and conjunctive nodes, which are their own memories; a partner makes a result
+/// for its conjunctive node; a production node makes a complete match. The children of a memory are joins.
+enum class NodeKind : std::uint8_t {
+  kFree, kRoot, kMemory, kJoin, kNegative, kConjunctive, kPartner, kProduction,
+};
+
+/// What a memory (or negative node) and the alpha memory on the other side are indexed by.
+enum class KeyKind : std::uint8_t {
+  kNone,     ///< Nothing: every pair is tested.
+  kId,       ///< The element's identifier equals an earlier binding.
+  kIdValue,  ///< And its value another one. The two are mixed into 32 bits: a hit on the left side is to be checked.
+};
+
+enum class TestOp : std::uint8_t {
+  kEqual, kNotEqual, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kSameType, kDisjunction, kIsGoal, kNever,
+  kSameLti, kNotSameLti, kIsLti, kIsNotLti,
+};
+
+/// One test of a join that the alpha memory and the key do not cover.
+struct NodeTest {
+  TestOp op = TestOp::kNever;
+  Field field = Field::kId;         ///< Of the element.
+  bool against_binding = false;     ///< Compared with a binding (levels, referent_field), else with `referent`.
+  Field referent_field = Field::kId;
+  std::uint16_t levels = 0;         ///< 0: the element itself; n: the element of the (n-1)th token up from the left one.
+  std::uint16_t count = 0;          ///< kDisjunction: how many constants, from `referent` on in Network::disjuncts.
+  std::uint32_t referent = 0;       ///< Symbol bits, or an index.
+
+  friend bool operator==(const NodeTest&, const NodeTest&) = default;
+};
+
+struct Node {
+  NodeKind kind = NodeKind::kFree;
+  KeyKind key = KeyKind::kNone;             ///< kMemory, kNegative; a join has that of its memory.
+  Field key_id_field = Field::kId;
+  Field key_value_field = Field::kId;
+  std::uint16_t key_id_levels = 0;          ///< Steps up from the memory's own token. kPartner: size of the conjunction.
+  std::uint16_t key_value_levels = 0;
+  std::uint16_t test_count = 0;
+  std::uint32_t first_test = 0;
+  std::uint32_t parent = kNil, first_child = kNil, next_sibling = kNil, previous_sibling = kNil;
+  std::uint32_t alpha = kNil;               ///< kJoin, kNegative.
+  std::uint32_t ancestor = kNil;            ///< Nearest ancestor with the same alpha memory.
+  std::uint32_t partner = kNil;             ///< Between a conjunctive node and its partner.
+  std::uint32_t rule = kNil;                ///< kProduction.
+  std::uint32_t share_hash = 0, share_next = kNil;
+
+  friend bool operator==(const Node&, const Node&) = default;
+};
+
+/// An alpha memory: the elements that pass constant tests. Constants as symbol bits; 0 for "any".
+struct Alpha {
+  std::uint32_t constant[3] = {0, 0, 0};    ///< By Field.
+  bool acceptable = false;
+  std::uint8_t mask = 0;                    ///< Bit n: constant[n] is tested.
+  std::uint32_t uses = 0;                   ///< Nodes that use it; 0: free.
+  std::uint32_t hash_next = kNil;
+
+  friend bool operator==(const Alpha&, const Alpha&) = default;
+};
+
+/// The topology of a Rete: which tests where. Holds nothing that changes while rules run, so that agents with the same
+/// rules can share it. Node 0 is the root. Children are listed newest first.
+class Network {
+ public:
+  Network();
+
+  const Node& node(std::uint32_t index) const { return nodes_[index]; }
+  std::uint32_t node_limit() const { return static_cast<std::uint32_t>(nodes_.size()); }
+  const Alpha& alpha(std::uint32_t index) const { return alphas_[index]; }
+  std::uint32_t alpha_limit() const { return static_cast<std::uint32_t>(alphas_.size()); }
+  std::span<const NodeTest> tests(const Node& node) const { return {tests_.data() + node.first_test, node.test_count}; }
+  const std::uint32_t* disjuncts(const NodeTest& test) const { return disjuncts_.data() + test.referent; }
+  const std::shared_ptr<const RuleInfo>& rule(std::uint32_t production) const { return rules_[production]; }
+  std::uint32_t rule_limit() const { return static_cast<std::uint32_t>(rules_.size()); }
+  std::uint64_t digest() const { return digest_; }
+
+  /// Visits the alpha memories that an element belongs to, in the order of their masks.
+  template <typename Visit>
+  void ForEachAlpha(const std::uint32_t (&fields)[3], bool acceptable, Visit&& visit) const {
+    for (std::uint32_t mask = 0; mask < 8; ++mask) {
+      if (mask_counts_[acceptable ? 1 : 0][mask] == 0) {
+        continue;
+      }
+      const std::uint32_t constants[3] = {(mask & 1) ? fields[0] : 0, (mask & 2) ? fields[1] : 0,
+                                          (mask & 4) ? fields[2] : 0};
+      const std::uint32_t found = FindAlpha(constants, mask, acceptable);
+      if (found != kNil) {
+        visit(found);
+      }
+    }
+  }
+  std::uint32_t FindAlpha(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable) const {
+    std::uint32_t alpha = alpha_buckets_[AlphaHash(constants, mask, acceptable) >> alpha_shift_];
+    while (alpha != kNil) {
+      const Alpha& a = alphas_[alpha];
+      if (a.constant[1] == constants[1] && a.constant[2] == constants[2] && a.constant[0] == constants[0] &&
+          a.mask == mask && a.acceptable == acceptable) {
+        return alpha;
+      }
+      alpha = a.hash_next;
+    }
+    return kNil;
+  }
+
+  // Building. The caller keeps the agent's state in step (rete_build.cpp). ----------------------------------------
+
+  std::uint32_t AddAlpha(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable);
+  void UseAlpha(std::uint32_t alpha) { ++alphas_[alpha].uses; }
+  /// True if that was the last use; the memory is gone then.
+  bool DropAlpha(std::uint32_t alpha);
+
+  /// A child of `parent` that equals `node` (kind, key, alpha memory, tests), or kNil. Not for productions.
+  std::uint32_t FindShared(std::uint32_t parent, const Node& node, std::span<const NodeTest> tests,
+                           std::span<const std::uint32_t> disjuncts) const;
+  /// The first production child of `parent` with this digest of actions, or the next one after `after`.
+  std::uint32_t FindProduction(std::uint32_t parent, std::uint32_t actions_digest, std::uint32_t after) const;
+  /// Makes a node at the head of its parent's children. `digest` spreads nodes that FindShared never looks for.
+  std::uint32_t AddNode(std::uint32_t parent, Node node, std::span<const NodeTest> tests,
+                        std::span<const std::uint32_t> disjuncts, std::uint32_t digest = 0);
+  /// The node has no children. Its tests go with it.
+  void RemoveNode(std::uint32_t node);
+  void MoveToHead(std::uint32_t node);
+  void SetPartner(std::uint32_t conjunctive, std::uint32_t partner);
+
+  void AddRule(std::uint32_t number, std::shared_ptr<const RuleInfo> rule);
+  void RemoveRule(std::uint32_t number);
+
+  std::size_t MemoryBytes() const;
+  bool SameAs(const Network& other) const;
+
+ private:
+  static std::uint32_t AlphaHash(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable) {
+    return (constants[0] * 0x9E3779B1u) ^ (constants[1] * 0x85EBCA77u) ^ (constants[2] * 0xC2B2AE3Du) ^
+           ((mask * 2 + (acceptable ? 1 : 0)) * 0x27D4EB2Fu);
+  }
+  void InsertShared(std::uint32_t node);
+  void LinkChild(std::uint32_t node);
+  void UnlinkChild(std::uint32_t node);
+  std::uint32_t StoreTests(std::span<const NodeTest> tests, std::span<const std::uint32_t> disjuncts);
+
+  std::vector<Node> nodes_;
+  std::uint32_t free_nodes_ = kNil;
+  std::vector<NodeTest> tests_;
+  std::vector<std::uint32_t> free_tests_;      ///< Heads of free lists by number of tests; linked through `referent`.
+  std::vector<std::uint32_t> disjuncts_;
+  std::vector<std::uint32_t> free_disjuncts_;  ///< Likewise, linked through the first word.
+  std::vector<Alpha> alphas_;
+  std::uint32_t free_alphas_ = kNil;
+  std::vector<std::uint32_t> alpha_buckets_;
+  int alpha_shift_ = 0;
+  std::uint32_t alpha_count_ = 0;
+  std::uint32_t mask_counts_[2][8] = {};
+  std::vector<std::uint32_t> share_buckets_;
+  std::uint32_t share_count_ = 0;
+  std::vector<std::shared_ptr<const RuleInfo>> rules_;
+  std::uint64_t digest_ = 0x9E3779B97F4A7C15u;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/match/rete.h"
+
+#include "kernel/match/rete_builder.h"
+#include "kernel/match/rete_state.h"
+
+namespace soarbox::kernel {
+
+ReteState::ReteState(MatchSet& match_set, const SymbolTable& symbol_table, const WmeTable& wme_table)
+    : matches(match_set), symbols(symbol_table), wmes(wme_table), network(std::make_shared<Network>()),
+      builder(std::make_unique<ReteBuilder>(*this)) {
+  nodes.emplace_back();
+}
+
+ReteState::~ReteState() = default;
+
+Rete::Rete(const SymbolTable& symbols, const WmeTable& wmes)
+    : state_(std::make_unique<ReteState>(matches_, symbols, wmes)) {}
+
+Rete::~Rete() = default;
+
+Rete::Added Rete::AddProduction(ProductionPtr production, const GoalView& goals, const AddOptions& options) {
+  state_->goals = goals;
+  return state_->AddProduction(std::move(production), options);
+}
+
+void Rete::ExciseProduction(ProductionId production) {
+  if (Index(production) < state_->network->rule_limit() && state_->network->rule(Index(production))) {
+    state_->ExciseProduction(Index(production));
+  }
+}
+
+const ProductionPtr& Rete::production(ProductionId id) const {
+  static const ProductionPtr kNone;
+  if (Index(id) < state_->network->rule_limit() && state_->network->rule(Index(id))) {
+    return state_->network->rule(Index(id))->rule;
+  }
+  return Index(id) < state_->retired.size() ? state_->retired[Index(id)] : kNone;
+}
+
+void Rete::OnMixedSupport(std::function<void(ProductionId)> callback) {
+  state_->on_mixed_support = std::move(callback);
+}
+
+void Rete::AddWme(WmeId wme, const GoalView& goals) {
+  state_->goals = goals;
+  state_->AddWme(Index(wme));
+}
+
+void Rete::RemoveWme(WmeId wme, const GoalView& goals) {
+  state_->goals = goals;
+  state_->RemoveWme(Index(wme));
+}
+
+void Rete::Clear() {
+  state_->Clear();
+}
+
+MatchId Rete::Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation) {
+  return state_->Watch(wmes, goal, level, instantiation);
+}
+
+void Rete::Unwatch(MatchId match) {
+  state_->EndWatch(matches_.TokenOf(match));
+  matches_.Drop(match);
+}
+
+std::shared_ptr<const Network> Rete::network() const {
+  return state_->network;
+}
+
+std::uint64_t Rete::NetworkDigest() const {
+  return state_->network->digest();
+}
+
+bool Rete::AdoptNetwork(const std::shared_ptr<const Network>& network) {
+  if (network == state_->network) {
+    return true;
+  }
+  if (!network->SameAs(*state_->network)) {
+    return false;
+  }
+  // Nobody changes a topology that has more than one owner: OwnNetwork copies it first.
+  state_->network = std::const_pointer_cast<Network>(network);
+  return true;
+}
+
+Rete::Statistics Rete::statistics() const {
+  Statistics statistics;
+  const Network& network = *state_->network;
+  for (std::uint32_t n = 0; n < network.rule_limit(); ++n) {
+    statistics.productions += network.rule(n) != nullptr ? 1 : 0;
+  }
+  for (std::uint32_t n = 0; n < network.node_limit(); ++n) {
+    statistics.nodes += network.node(n).kind != NodeKind::kFree ? 1 : 0;
+  }
+  for (std::uint32_t n = 0; n < network.alpha_limit(); ++n) {
+    statistics.alpha_memories += network.alpha(n).uses != 0 ? 1 : 0;
+  }
+  statistics.tokens = state_->token_count;
+  statistics.wmes = state_->wme_count;
+  return statistics;
+}
+
+std::size_t Rete::MemoryBytes() const {
+  const ReteState& s = *state_;
+  return s.tokens.capacity() * sizeof(Token) + s.items.capacity() * sizeof(AlphaItem) +
+         s.alphas.capacity() * sizeof(AlphaState) + s.nodes.capacity() * sizeof(NodeState) +
+         s.links.capacity() * sizeof(WmeLinks) + s.tables.MemoryBytes() + matches_.MemoryBytes();
+}
+
+std::size_t Rete::NetworkBytes() const {
+  return state_->network->MemoryBytes();
+}
+
+}  // namespace soarbox::kernel

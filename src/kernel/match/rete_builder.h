@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/match/network.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+struct ReteState;
+
+/// Turns the conditions of one rule into nodes, sharing those that exist.
+///
+/// Depth counts conditions from the top, negated ones and conjunctive negations as one each; inside a conjunctive
+/// negation it goes on from the conditions in front of it. A binding at depth b is seen from a condition at depth d as
+/// d - b levels up.
+class ReteBuilder {
+ public:
+  explicit ReteBuilder(ReteState& state) : state_(state) {}
+
+  /// The node that emits the rule's complete matches.
+  std::uint32_t Build(std::span<const Condition> conditions);
+
+ private:
+  struct Binding {
+    std::uint32_t depth = kNil;   ///< kNil: unbound.
+    Field field = Field::kId;
+  };
+  /// The tests of one condition, taken apart.
+  struct Tests {
+    std::uint32_t constants[3] = {0, 0, 0};
+    std::uint32_t mask = 0;
+    std::vector<NodeTest> tests;
+    std::vector<std::uint32_t> disjuncts;
+    Node key;                     ///< Only its key fields.
+  };
+
+  std::uint32_t BuildAll(std::span<const Condition> conditions, std::uint32_t emitter, std::uint32_t depth);
+  std::uint32_t BuildPositive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
+  std::uint32_t BuildNegative(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
+  std::uint32_t BuildConjunctive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
+  std::uint32_t MakeNode(std::uint32_t parent, Node node, bool with_tests);
+  std::uint32_t NearestAncestor(std::uint32_t node, std::uint32_t alpha) const;
+
+  void TakeApart(const Condition& condition, std::uint32_t depth);
+  void AddEquality(const Test& test, Field field, std::uint32_t depth);
+  void AddTest(const Test& test, Field field, std::uint32_t depth);
+  void ChooseKey();
+  Binding& BindingOf(Symbol variable);
+  /// Forgets the bindings made since the trail had this length.
+  void Unbind(std::size_t trail);
+
+  ReteState& state_;
+  Tests tests_;
+  std::vector<Binding> bindings_;        ///< By variable.
+  std::vector<std::uint32_t> trail_;     ///< Variables bound, in order.
+};
+
+}  // namespace soarbox::kernel

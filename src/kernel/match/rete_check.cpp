@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "kernel/match/rete_inline.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+/// Walks all structures once and collects what is wrong.
+class Checker {
+ public:
+  explicit Checker(const ReteState& state) : s_(state), network_(*state.network) {}
+
+  std::string Run() {
+    for (std::uint32_t n = 0; n < network_.alpha_limit(); ++n) {
+      if (network_.alpha(n).uses != 0) {
+        CheckAlpha(n);
+      }
+    }
+    CheckElements();
+    for (std::uint32_t n = 0; n < network_.node_limit(); ++n) {
+      if (network_.node(n).kind != NodeKind::kFree) {
+        CheckNode(n);
+      }
+    }
+    std::size_t free_count = 0;
+    for (std::uint32_t token = s_.free_tokens; token != kNil; token = s_.tokens[token].next_sibling) {
+      ++free_count;
+    }
+    Expect(free_count + s_.token_count == s_.tokens.size(), "tokens are lost", s_.token_count);
+    return std::move(errors_);
+  }
+
+ private:
+  void Expect(bool condition, const char* what, std::uint32_t where) {
+    if (!condition && errors_.size() < 2000) {
+      errors_ += std::string(what) + " at " + std::to_string(where) + "\n";
+    }
+  }
+
+  void CheckAlpha(std::uint32_t alpha) {
+    const AlphaState& memory = s_.alphas[alpha];
+    std::uint32_t count = 0;
+    std::uint32_t previous = kNil;
+    for (std::uint32_t item = memory.first; item != kNil; item = s_.items[item].next) {
+      Expect(s_.items[item].previous == previous, "broken list of items", alpha);
+      Expect(s_.items[item].alpha == alpha, "item of another alpha memory", alpha);
+      Expect(s_.links[s_.items[item].wme].in_match, "item of an element that has gone", alpha);
+      previous = item;
+      ++count;
+    }
+    Expect(count == memory.count, "wrong count of an alpha memory", alpha);
+    if (memory.id_bits != 0) {
+      Expect(CountTable(memory.id_table, memory.id_bits, &AlphaItem::next_in_bucket) == count, "wrong id table", alpha);
+    }
+    if (memory.pair_bits != 0) {
+      Expect(CountTable(memory.pair_table, memory.pair_bits, &AlphaItem::next_in_pair) == count, "wrong pair table", alpha);
+    }
+    previous = kNil;
+    for (std::uint32_t node = memory.first_node; node != kNil; node = s_.nodes[node].next_right) {
+      Expect(s_.nodes[node].right_linked && network_.node(node).alpha == alpha, "wrong node in alpha memory's list", node);
+      Expect(s_.nodes[node].previous_right == previous, "broken list of nodes", alpha);
+      for (std::uint32_t later = s_.nodes[node].next_right; later != kNil; later = s_.nodes[later].next_right) {
+        for (std::uint32_t up = network_.node(later).ancestor; up != kNil; up = network_.node(up).ancestor) {
+          Expect(up != node, "an ancestor stands before its descendant", later);
+        }
+      }
+      previous = node;
+    }
+    Expect(memory.last_node == previous, "wrong end of a list of nodes", alpha);
+  }
+
+  std::uint32_t CountTable(std::uint32_t table, std::uint32_t bits, std::uint32_t AlphaItem::*next) const {
+    std::uint32_t count = 0;
+    for (std::uint32_t n = 0; n < 1u << bits; ++n) {
+      for (std::uint32_t item = s_.tables[table + n]; item != kNil; item = s_.items[item].*next) {
+        ++count;
+      }
+    }
+    return count;
+  }
+
+  void CheckElements() {
+    std::uint32_t count = 0;
+    for (std::uint32_t wme = s_.newest_wme; wme != kNil; wme = s_.links[wme].next) {
+      ++count;
+      const Wme& element = s_.wmes[wme];
+      std::size_t wanted = 0;
+      const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
+      network_.ForEachAlpha(fields, element.acceptable, [&](std::uint32_t) { ++wanted; });
+      std::size_t found = 0;
+      for (std::uint32_t item = s_.links[wme].first_item; item != kNil; item = s_.items[item].next_of_wme) {
+        Expect(s_.items[item].wme == wme, "item of another element", wme);
+        ++found;
+      }
+      Expect(found == wanted, "element in the wrong number of alpha memories", wme);
+      for (std::uint32_t token = s_.links[wme].first_token; token != kNil; token = s_.tokens[token].next_of_wme) {
+        Expect(s_.tokens[token].wme == wme, "token of another element", wme);
+      }
+    }
+    Expect(count == s_.wme_count, "wrong count of elements", count);
+  }
+
+  void CheckNode(std::uint32_t index) {
+    const Node& node = network_.node(index);
+    const NodeState& state = s_.nodes[index];
+    if (node.kind == NodeKind::kJoin) {
+      const bool left = s_.nodes[node.parent].count != 0;
+      const bool right = s_.alphas[node.alpha].count != 0;
+      Expect(state.left_linked || state.right_linked, "join unlinked on both sides", index);
+      Expect(!(left && right) || (state.left_linked && state.right_linked), "join is not linked", index);
+      Expect(!(state.left_linked && state.right_linked) || (left && right), "join is linked in vain", index);
+      Expect(state.left_linked || !right, "join left-unlinked from a full alpha memory", index);
+      Expect(state.right_linked || !left, "join right-unlinked with a full memory", index);
+      return;
+    }
+    if (node.kind == NodeKind::kRoot || node.kind == NodeKind::kPartner) {
+      return;
+    }
+    std::uint32_t count = 0;
+    s_.ForEachToken(index, [&](std::uint32_t token) {
+      ++count;
+      Expect((s_.tokens[token].node & Token::kNodeMask) == index, "token of another node", token);
+      if (node.kind == NodeKind::kMemory || node.kind == NodeKind::kNegative) {
+        Expect(s_.tokens[token].key == s_.KeyOfToken(node, token), "wrong key", token);
+      }
+    });
+    Expect(count == state.count, "wrong count of a memory", index);
+    Expect(s_.Emissions(node.parent).size() == count, "memory differs from what reaches it", index);
+    if (node.kind == NodeKind::kNegative) {
+      Expect(state.right_linked == (count != 0), "negative node linked wrongly", index);
+      s_.ForEachToken(index, [&](std::uint32_t token) { CheckResults(node, token); });
+    }
+    if (node.kind == NodeKind::kConjunctive) {
+      s_.ForEachToken(index, [&](std::uint32_t token) {
+        if ((s_.tokens[token].node & Token::kBlockedBit) == 0) {
+          return;
+        }
+        Expect(s_.tokens[token].first_child != kNil, "blocked by nothing", token);
+        for (std::uint32_t r = s_.tokens[token].first_child; r != kNil; r = s_.tokens[r].next_in_chain) {
+          Expect(s_.tokens[r].node == node.partner && s_.tokens[r].key == token, "wrong result", r);
+          ++results_;
+        }
+      });
+      Expect(s_.Emissions(network_.node(node.partner).parent).size() == results_, "results are missing", index);
+      results_ = 0;
+    }
+  }
+
+  void CheckResults(const Node& node, std::uint32_t token) {
+    std::size_t wanted = 0;
+    for (std::uint32_t item = s_.alphas[node.alpha].first; item != kNil; item = s_.items[item].next) {
+      const Wme& wme = s_.wmes[s_.items[item].wme];
+      if (KeyOfElement(node, wme) == s_.tokens[token].key &&
+          (node.key != KeyKind::kIdValue || HasKey(s_, node, token, wme)) && s_.Passes(node, token, wme)) {
+        ++wanted;
+      }
+    }
+    std::size_t found = 0;
+    for (std::uint32_t child = s_.tokens[token].first_child; child != kNil; child = s_.tokens[child].next_sibling) {
+      found += (s_.tokens[child].node & Token::kResultBit) != 0 ? 1 : 0;
+    }
+    Expect(found == wanted, "wrong results of a negative token", token);
+  }
+
+  const ReteState& s_;
+  const Network& network_;
+  std::string errors_;
+  std::size_t results_ = 0;
+};
+
+}  // namespace
+
+std::string Rete::CheckInvariants() const {
+  return Checker(*state_).Run();
+}
+
+}  // namespace soarbox::kernel

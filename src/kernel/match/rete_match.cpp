@@ -1,0 +1,549 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "kernel/base/symbol_table.h"
+#include "kernel/match/rete_inline.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t left, std::uint32_t right) {
+  constexpr std::uint32_t kSmall = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
+  if ((left >> Symbol::kIndexBits) == kSmall && (right >> Symbol::kIndexBits) == kSmall) {
+    return static_cast<std::int32_t>(left << 3) <=> static_cast<std::int32_t>(right << 3);
+  }
+  return symbols.Compare(Symbol::FromBits(left), Symbol::FromBits(right));
+}
+
+}  // namespace
+
+// Tests ---------------------------------------------------------------------------------------------------------------
+
+bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) const {
+  const NodeTest* test = network->tests(node).data();
+  for (const NodeTest* end = test + node.test_count; test != end; ++test) {
+    const std::uint32_t value = FieldOf(wme, test->field);
+    std::uint32_t referent = test->referent;
+    if (test->against_binding) {
+      referent = test->levels == 0
+                     ? FieldOf(wme, test->referent_field)
+                     : FieldOf(wmes[ElementAt(tokens.data(), left, test->levels - 1u)], test->referent_field);
+    }
+    bool passed = false;
+    switch (test->op) {
+      case TestOp::kEqual: passed = value == referent; break;
+      case TestOp::kNotEqual: passed = value != referent; break;
+      case TestOp::kLess: passed = CompareSymbols(symbols, value, referent) < 0; break;
+      case TestOp::kGreater: passed = CompareSymbols(symbols, value, referent) > 0; break;
+      case TestOp::kLessOrEqual: passed = CompareSymbols(symbols, value, referent) <= 0; break;
+      case TestOp::kGreaterOrEqual: passed = CompareSymbols(symbols, value, referent) >= 0; break;
+      case TestOp::kSameType:
+        passed = Symbol::FromBits(value).kind() == Symbol::FromBits(referent).kind();
+        break;
+      case TestOp::kDisjunction: {
+        const std::uint32_t* first = network->disjuncts(*test);
+        passed = std::find(first, first + test->count, value) != first + test->count;
+        break;
+      }
+      case TestOp::kIsGoal: passed = GoalLevelOf(Symbol::FromBits(value)) != 0; break;
+      case TestOp::kNever: passed = false; break;
+      case TestOp::kSameLti:
+      case TestOp::kNotSameLti: {
+        const Symbol other = Symbol::FromBits(referent);
+        const std::uint64_t lti = LtiOf(Symbol::FromBits(value));
+        const std::uint64_t wanted =
+            other.IsInteger() ? static_cast<std::uint64_t>(symbols.IntegerValue(other)) : LtiOf(other);
+        passed = (lti != 0 && lti == wanted) == (test->op == TestOp::kSameLti);
+        break;
+      }
+      case TestOp::kIsLti: passed = LtiOf(Symbol::FromBits(value)) != 0; break;
+      case TestOp::kIsNotLti: passed = LtiOf(Symbol::FromBits(value)) == 0; break;
+    }
+    if (!passed) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Alpha memories ------------------------------------------------------------------------------------------------------
+
+void ReteState::AddWme(std::uint32_t wme) {
+  if (wme >= links.size()) {
+    links.resize(std::max<std::size_t>(wme + 1u, wmes.capacity()));
+  }
+  WmeLinks& link = links[wme];
+  link.first_item = kNil;
+  link.first_token = kNil;
+  link.in_match = true;
+  link.previous = kNil;
+  link.next = newest_wme;
+  if (newest_wme != kNil) {
+    links[newest_wme].previous = wme;
+  }
+  newest_wme = wme;
+  ++wme_count;
+  const Wme& element = wmes[wme];
+  last_timetag = std::max(last_timetag, element.timetag);
+
+  const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
+  network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) {
+    AddItem(alpha, wme);
+    for (std::uint32_t node = alphas[alpha].first_node; node != kNil;) {
+      const std::uint32_t next = nodes[node].next_right;
+      RightActivate(node, wme);
+      node = next;
+    }
+  });
+}
+
+void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
+  std::uint32_t index = free_items;
+  if (index != kNil) {
+    free_items = items[index].next;
+  } else {
+    index = static_cast<std::uint32_t>(items.size());
+    items.emplace_back();
+  }
+  AlphaState& memory = alphas[alpha];
+  AlphaItem& item = items[index];
+  item.wme = wme;
+  item.alpha = alpha;
+  item.id = wmes[wme].id.bits();
+  item.value = wmes[wme].value.bits();
+  item.previous = kNil;
+  item.next = memory.first;
+  if (memory.first != kNil) {
+    items[memory.first].previous = index;
+  }
+  memory.first = index;
+  item.next_of_wme = links[wme].first_item;
+  links[wme].first_item = index;
+  ++memory.count;
+
+  if (memory.id_bits != 0) {
+    if (memory.count > 2u << memory.id_bits) {
+      BuildIdTable(alpha, static_cast<std::uint8_t>(memory.id_bits + 2));
+    } else {
+      std::uint32_t& head = tables[memory.id_table + Hash(item.id, memory.id_bits)];
+      item.previous_in_bucket = kNil;
+      item.next_in_bucket = head;
+      if (head != kNil) {
+        items[head].previous_in_bucket = index;
+      }
+      head = index;
+    }
+  }
+  if (memory.pair_bits != 0) {
+    if (memory.count > 2u << memory.pair_bits) {
+      BuildPairTable(alpha, static_cast<std::uint8_t>(memory.pair_bits + 2));
+    } else {
+      std::uint32_t& head = tables[memory.pair_table + Hash(PairKey(item.id, item.value), memory.pair_bits)];
+      item.next_in_pair = head;
+      head = index;
+    }
+  }
+}
+
+// Both walk from the oldest item, so that each chain is newest first again.
+void ReteState::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
+  AlphaState& memory = alphas[alpha];
+  while (memory.count > 2u << bits) {
+    ++bits;
+  }
+  if (memory.id_bits != 0) {
+    tables.Free(memory.id_table, memory.id_bits);
+  }
+  memory.id_table = tables.Allocate(bits);
+  memory.id_bits = bits;
+  std::uint32_t index = memory.first;
+  while (index != kNil && items[index].next != kNil) {
+    index = items[index].next;
+  }
+  for (; index != kNil; index = items[index].previous) {
+    std::uint32_t& head = tables[memory.id_table + Hash(items[index].id, bits)];
+    items[index].previous_in_bucket = kNil;
+    items[index].next_in_bucket = head;
+    if (head != kNil) {
+      items[head].previous_in_bucket = index;
+    }
+    head = index;
+  }
+}
+
+void ReteState::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
+  AlphaState& memory = alphas[alpha];
+  while (memory.count > 2u << bits) {
+    ++bits;
+  }
+  if (memory.pair_bits != 0) {
+    tables.Free(memory.pair_table, memory.pair_bits);
+  }
+  memory.pair_table = tables.Allocate(bits);
+  memory.pair_bits = bits;
+  std::uint32_t index = memory.first;
+  while (index != kNil && items[index].next != kNil) {
+    index = items[index].next;
+  }
+  for (; index != kNil; index = items[index].previous) {
+    std::uint32_t& head = tables[memory.pair_table + Hash(PairKey(items[index].id, items[index].value), bits)];
+    items[index].next_in_pair = head;
+    head = index;
+  }
+}
+
+// Tokens --------------------------------------------------------------------------------------------------------------
+
+std::uint32_t ReteState::NewToken(std::uint32_t node, std::uint32_t parent, std::uint32_t wme) {
+  std::uint32_t index = free_tokens;
+  if (index != kNil) {
+    free_tokens = tokens[index].next_sibling;
+  } else {
+    index = static_cast<std::uint32_t>(tokens.size());
+    tokens.emplace_back();
+  }
+  ++token_count;
+  Token* all = tokens.data();
+  Token& token = all[index];
+  token.parent = parent;
+  token.wme = wme;
+  token.node = node;
+  token.first_child = kNil;
+  token.serial = next_serial++;
+  token.previous_sibling = kNil;
+  token.next_sibling = kNil;
+  if (parent != kNil) {
+    const std::uint32_t sibling = all[parent].first_child;
+    token.next_sibling = sibling;
+    if (sibling != kNil) {
+      all[sibling].previous_sibling = index;
+    }
+    all[parent].first_child = index;
+  }
+  token.previous_of_wme = kNil;
+  token.next_of_wme = kNil;
+  if (wme != kNil) {
+    std::uint32_t& head = links[wme].first_token;
+    token.next_of_wme = head;
+    if (head != kNil) {
+      all[head].previous_of_wme = index;
+    }
+    head = index;
+  }
+  return index;
+}
+
+std::uint32_t ReteState::KeyOfToken(const Node& memory, std::uint32_t token) const {
+  if (memory.key == KeyKind::kNone) {
+    return 0;
+  }
+  const std::uint32_t id = FieldOf(wmes[ElementAt(tokens.data(), token, memory.key_id_levels)], memory.key_id_field);
+  if (memory.key == KeyKind::kId) {
+    return id;
+  }
+  return PairKey(id,
+                 FieldOf(wmes[ElementAt(tokens.data(), token, memory.key_value_levels)], memory.key_value_field));
+}
+
+void ReteState::InsertInChain(std::uint32_t node, std::uint32_t index) {
+  NodeState& state = nodes[node];
+  Token& token = tokens[index];
+  std::uint32_t& head = state.bits == 0 ? state.head : tables[state.head + Hash(token.key, state.bits)];
+  token.previous_in_chain = kNil;
+  token.next_in_chain = head;
+  if (head != kNil) {
+    tokens[head].previous_in_chain = index;
+  }
+  head = index;
+  ++state.count;
+}
+
+// Each chain is split in place, oldest token first, so that tokens with equal keys stay newest first.
+void ReteState::GrowChains(std::uint32_t node) {
+  NodeState& state = nodes[node];
+  const std::uint32_t old_bits = state.bits;
+  const std::uint32_t old_head = state.head;
+  const std::uint32_t bits = old_bits == 0 ? 4 : old_bits + 2;
+  const std::uint32_t table = tables.Allocate(bits);
+  for (std::uint32_t n = 0; n < 1u << old_bits; ++n) {
+    std::uint32_t index = old_bits == 0 ? old_head : tables[old_head + n];
+    while (index != kNil && tokens[index].next_in_chain != kNil) {
+      index = tokens[index].next_in_chain;
+    }
+    while (index != kNil) {
+      Token& token = tokens[index];
+      const std::uint32_t previous = token.previous_in_chain;
+      std::uint32_t& head = tables[table + Hash(token.key, bits)];
+      token.previous_in_chain = kNil;
+      token.next_in_chain = head;
+      if (head != kNil) {
+        tokens[head].previous_in_chain = index;
+      }
+      head = index;
+      index = previous;
+    }
+  }
+  if (old_bits != 0) {
+    tables.Free(old_head, old_bits);
+  }
+  state.head = table;
+  state.bits = static_cast<std::uint8_t>(bits);
+}
+
+// Right side ----------------------------------------------------------------------------------------------------------
+
+void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
+  const Node& node = network->node(node_index);
+  const bool is_join = node.kind == NodeKind::kJoin;
+  const std::uint32_t memory = is_join ? node.parent : node_index;
+  if (is_join && !nodes[node_index].left_linked) {
+    LinkLeft(node_index);
+    if (nodes[memory].count == 0) {
+      UnlinkRight(node_index);
+      return;
+    }
+  }
+  const Wme element = wmes[wme];
+  const std::uint32_t key = KeyOfElement(node, element);
+  for (std::uint32_t token = ChainHead(*this, nodes[memory], key); token != kNil;) {
+    const std::uint32_t next = tokens[token].next_in_chain;
+    if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, element)) &&
+        (node.test_count == 0 || Passes(node, token, element))) {
+      if (is_join) {
+        Emit(node_index, token, wme);
+      } else {
+        Block(token, wme);
+      }
+    }
+    token = next;
+  }
+}
+
+void ReteState::Block(std::uint32_t token, std::uint32_t wme) {
+  const std::uint32_t child = tokens[token].first_child;
+  if (child != kNil && (tokens[child].node & Token::kResultBit) == 0) {
+    while (tokens[token].first_child != kNil) {
+      RemoveSubtree(tokens[token].first_child);
+    }
+  }
+  NewToken(tokens[token].node | Token::kResultBit, token, wme);
+}
+
+// Left side -----------------------------------------------------------------------------------------------------------
+
+void ReteState::Emit(std::uint32_t node, std::uint32_t token, std::uint32_t wme) {
+  for (std::uint32_t child = network->node(node).first_child; child != kNil;
+       child = network->node(child).next_sibling) {
+    Left(child, token, wme);
+  }
+}
+
+void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme) {
+  switch (network->node(node).kind) {
+    case NodeKind::kMemory: LeftMemory(node, token, wme); break;
+    case NodeKind::kProduction: LeftProduction(node, token, wme); break;
+    case NodeKind::kNegative: LeftNegative(node, token, wme); break;
+    case NodeKind::kConjunctive: LeftConjunctive(node, token, wme); break;
+    case NodeKind::kPartner: LeftPartner(node, token, wme); break;
+    case NodeKind::kFree:
+    case NodeKind::kRoot:
+    case NodeKind::kJoin: break;
+  }
+}
+
+void ReteState::LeftMemory(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
+  const std::uint32_t token = NewToken(node_index, parent, wme);
+  tokens[token].key = KeyOfToken(network->node(node_index), token);
+  InsertInChain(node_index, token);
+  const NodeState& state = nodes[node_index];
+  if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits) &&
+      network->node(node_index).key != KeyKind::kNone) {
+    GrowChains(node_index);
+  }
+  for (std::uint32_t join = state.first_linked; join != kNil;) {
+    const std::uint32_t next = nodes[join].next_left;
+    LeftJoin(join, token);
+    join = next;
+  }
+}
+
+void ReteState::LeftJoin(std::uint32_t node_index, std::uint32_t token) {
+  const Node& node = network->node(node_index);
+  if (!nodes[node_index].right_linked) {
+    LinkRight(node_index);
+    if (alphas[node.alpha].count == 0) {
+      UnlinkLeft(node_index);
+      return;
+    }
+  }
+  if (node.test_count == 0) {
+    ForEachRight(*this, node, token, [&](std::uint32_t wme) { Emit(node_index, token, wme); });
+    return;
+  }
+  ForEachRight(*this, node, token, [&](std::uint32_t wme) {
+    if (Passes(node, token, wmes[wme])) {
+      Emit(node_index, token, wme);
+    }
+  });
+}
+
+void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
+  const Node& node = network->node(node_index);
+  const std::uint32_t token = NewToken(node_index, parent, wme);
+  tokens[token].key = KeyOfToken(node, token);
+  InsertInChain(node_index, token);
+  const NodeState& state = nodes[node_index];
+  if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits) && node.key != KeyKind::kNone) {
+    GrowChains(node_index);
+  }
+  if (!state.right_linked) {
+    LinkRight(node_index);
+  }
+  bool blocked = false;
+  ForEachRight(*this, node, token, [&](std::uint32_t element) {
+    if (node.test_count == 0 || Passes(node, token, wmes[element])) {
+      NewToken(node_index | Token::kResultBit, token, element);
+      blocked = true;
+    }
+  });
+  if (!blocked) {
+    Emit(node_index, token, kNil);
+  }
+}
+
+void ReteState::LeftConjunctive(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
+  const std::uint32_t key = ConjunctiveKey(parent, wme);
+  for (std::uint32_t token = ChainHead(*this, nodes[node_index], key); token != kNil;
+       token = tokens[token].next_in_chain) {
+    if (tokens[token].parent == parent && tokens[token].wme == wme) {
+      return;  // Its conjunction matched first and blocks it.
+    }
+  }
+  const std::uint32_t token = NewToken(node_index, parent, wme);
+  tokens[token].key = key;
+  InsertInChain(node_index, token);
+  const NodeState& state = nodes[node_index];
+  if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits)) {
+    GrowChains(node_index);
+  }
+  Emit(node_index, token, kNil);
+}
+
+void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
+  const Node& node = network->node(node_index);
+  std::uint32_t top = parent;
+  for (std::uint32_t n = 1; n < node.key_id_levels; ++n) {
+    top = tokens[top].parent;
+  }
+  const std::uint32_t owner_parent = tokens[top].parent;
+  const std::uint32_t owner_wme = tokens[top].wme;
+  const std::uint32_t key = ConjunctiveKey(owner_parent, owner_wme);
+  std::uint32_t owner = ChainHead(*this, nodes[node.partner], key);
+  while (owner != kNil && (tokens[owner].parent != owner_parent || tokens[owner].wme != owner_wme)) {
+    owner = tokens[owner].next_in_chain;
+  }
+  if (owner == kNil) {
+    owner = NewToken(node.partner | Token::kBlockedBit, owner_parent, owner_wme);
+    tokens[owner].key = key;
+    InsertInChain(node.partner, owner);
+    const NodeState& state = nodes[node.partner];
+    if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits)) {
+      GrowChains(node.partner);
+    }
+  } else if ((tokens[owner].node & Token::kBlockedBit) == 0) {
+    while (tokens[owner].first_child != kNil) {
+      RemoveSubtree(tokens[owner].first_child);
+    }
+    tokens[owner].node |= Token::kBlockedBit;
+  }
+  const std::uint32_t result = NewToken(node_index, parent, wme);
+  const std::uint32_t head = tokens[owner].first_child;
+  tokens[result].key = owner;
+  tokens[result].previous_in_chain = kNil;
+  tokens[result].next_in_chain = head;
+  if (head != kNil) {
+    tokens[head].previous_in_chain = result;
+  }
+  tokens[owner].first_child = result;
+}
+
+void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
+  const std::uint32_t production = network->node(node_index).rule;
+  const RuleInfo& rule = *network->rule(production);
+  elements.resize(rule.positives);
+  std::size_t place = rule.positives;
+  if (wme != kNil) {
+    elements[--place] = static_cast<WmeId>(wme);
+  }
+  for (std::uint32_t up = parent; place != 0; up = tokens[up].parent) {
+    if (tokens[up].wme != kNil) {
+      elements[--place] = static_cast<WmeId>(tokens[up].wme);
+    }
+  }
+  const std::uint32_t token = NewToken(node_index, parent, wme);
+  MatchSet::Arrival arrival;
+  arrival.production = production;
+  arrival.token = token;
+  arrival.elements = elements;
+
+  MatchId match = MatchId::kNone;
+  if (node_index != refracting_node) {
+    match = matches.Revive(arrival, wmes);
+  }
+  if (match == MatchId::kNone) {
+    for (const std::uint16_t condition : rule.id_conditions) {
+      const Symbol id = wmes[Index(elements[condition])].id;
+      const GoalLevel level = GoalLevelOf(id);
+      if (level > arrival.level) {
+        arrival.level = level;
+        arrival.goal = id;
+      }
+    }
+    if (rule.support == RuleInfo::Support::kByMatch) {
+      const RuleInfo::MatchSupport support = rule.SupportOf(elements, wmes, goals.level_of_goal, arrival.goal);
+      arrival.o_support = support == RuleInfo::MatchSupport::kO;
+      if (support == RuleInfo::MatchSupport::kMixed) {
+        if (production >= mixed_reported.size()) {
+          mixed_reported.resize(production + 1u, 0);
+        }
+        if (!mixed_reported[production] && on_mixed_support) {
+          mixed_reported[production] = 1;
+          on_mixed_support(static_cast<ProductionId>(production));
+        }
+      }
+    } else {
+      arrival.o_support = rule.support == RuleInfo::Support::kO;
+    }
+    if (node_index == refracting_node && refracted_match == MatchId::kNone &&
+        std::ranges::equal(refracted, arrival.elements)) {
+      match = refracted_match = matches.AddFired(arrival, refracting_instantiation);
+    } else {
+      match = matches.Assert(arrival);
+    }
+  }
+  tokens[token].key = Index(match);
+  InsertInChain(node_index, token);
+}
+
+MatchId ReteState::Watch(std::span<const WmeId> watched, Symbol goal, GoalLevel level, InstantiationId instantiation) {
+  MatchSet::Arrival arrival;
+  arrival.production = kNil;
+  arrival.elements = watched;
+  arrival.goal = goal;
+  arrival.level = level;
+  std::uint32_t first = kNil;
+  for (const WmeId wme : watched) {
+    const std::uint32_t token = NewToken(Token::kWatchNode, kNil, Index(wme));
+    tokens[token].next_in_chain = first;
+    first = token;
+  }
+  arrival.token = first;
+  const MatchId match = matches.AddFired(arrival, instantiation);
+  for (std::uint32_t token = first; token != kNil; token = tokens[token].next_in_chain) {
+    tokens[token].key = Index(match);
+  }
+  return match;
+}
+
+}  // namespace soarbox::kernel

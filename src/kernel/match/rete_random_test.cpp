@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "kernel/match/match_fixture.h"
+#include "kernel/match/naive_matcher.h"
+#include "kernel/match/random_rules.h"
+
+namespace soarbox::kernel {
+namespace {
+
+/// Random rules over random changes; after each step the Rete must agree with the naive matcher, its conflict set with
+/// what it reported, and its own structure with its invariants.
+class RandomCase {
+ public:
+  explicit RandomCase(std::uint32_t seed) : random_(fixture_, seed), seed_(seed) {}
+
+  void Run(int steps) {
+    for (int n = 0; n < 3; ++n) {
+      AddRule();
+    }
+    for (step_ = 0; step_ < steps && !testing::Test::HasFailure(); ++step_) {
+      Change();
+      Check();
+    }
+  }
+
+ private:
+  void AddRule() {
+    const Rete::Added added = fixture_.rete.AddProduction(
+        std::make_shared<const Production>(random_.NextRule("rule" + std::to_string(next_rule_++))), fixture_.Goals());
+    if (added.result == Rete::AddResult::kAdded) {
+      rules_.push_back(added.production);
+    }
+  }
+
+  void Change() {
+    switch (random_.Below(20)) {
+      case 0: AddRule(); break;
+      case 1:
+        if (rules_.size() > 1) {
+          const std::size_t n = random_.Below(static_cast<std::uint32_t>(rules_.size()));
+          fixture_.rete.ExciseProduction(rules_[n]);
+          rules_.erase(rules_.begin() + static_cast<std::ptrdiff_t>(n));
+        }
+        break;
+      case 2: Fire(); break;
+      case 3:
+        if (random_.Below(6) == 0) {
+          fixture_.rete.Clear();
+          fixture_.live.clear();
+          fired_.clear();
+        }
+        break;
+      default:
+        if (fixture_.live.size() > 25 || (!fixture_.live.empty() && random_.Below(5) < 2)) {
+          fixture_.Remove(fixture_.live[random_.Below(static_cast<std::uint32_t>(fixture_.live.size()))]);
+        } else {
+          const RandomRules::Triple t = random_.NextTriple();
+          const bool present = std::ranges::any_of(fixture_.live, [&](WmeId wme) {
+            const Wme& w = fixture_.wmes[Index(wme)];
+            return w.id == t.id && w.attribute == t.attribute && w.value == t.value && w.acceptable == t.acceptable;
+          });
+          if (!present) {
+            fixture_.Add(t.id, t.attribute, t.value, t.acceptable);
+          }
+        }
+    }
+  }
+
+  std::vector<std::uint64_t> Tags(MatchId match) const {
+    std::vector<std::uint64_t> tags;
+    for (const WmeId wme : fixture_.rete.Wmes(match)) {
+      tags.push_back(fixture_.wmes[Index(wme)].timetag);
+    }
+    return tags;
+  }
+
+  /// Works off the conflict set as the decision cycle does: what fires is remembered until it is retracted.
+  void Fire() {
+    MatchSet& set = fixture_.rete.matches();
+    for (GoalLevel level = 0; level < 4; ++level) {
+      while (set.HasRetractions(level)) {
+        const MatchId match = set.TakeRetraction(level);
+        ASSERT_EQ(fired_.erase(match), 1u) << "retraction of something that did not fire, seed " << seed_;
+        set.Release(match);
+      }
+      while (const PendingMatch taken = set.TakeAssertion(level, false)) {
+        set.MarkFired(taken.match, static_cast<InstantiationId>(1));
+        fired_[taken.match] = {taken.production, Tags(taken.match)};
+      }
+    }
+  }
+
+  void Check() {
+    ASSERT_EQ(fixture_.rete.CheckInvariants(), "") << "seed " << seed_ << " step " << step_;
+    std::map<ProductionId, std::multiset<std::vector<std::uint64_t>>> in_set;
+    for (const PendingMatch& pending : fixture_.rete.matches().Pending(MatchSet::List::kIAssertions)) {
+      in_set[pending.production].insert(Tags(pending.match));
+    }
+    for (const auto& [match, fired] : fired_) {
+      if (fixture_.rete.matches().StateOf(match) == MatchState::kFired) {
+        in_set[fired.first].insert(fired.second);
+      }
+    }
+    for (const ProductionId rule : rules_) {
+      const auto wanted = MatchNaively(*fixture_.rete.production(rule), fixture_.symbols, fixture_.wmes, fixture_.live,
+                                       fixture_.Goals());
+      ASSERT_EQ(fixture_.MatchesOf(rule), wanted) << "seed " << seed_ << " step " << step_;
+      ASSERT_EQ(in_set[rule], wanted) << "conflict set, seed " << seed_ << " step " << step_;
+    }
+  }
+
+  MatchFixture fixture_;
+  RandomRules random_;
+  std::uint32_t seed_;
+  int step_ = 0;
+  int next_rule_ = 0;
+  std::vector<ProductionId> rules_;
+  std::map<MatchId, std::pair<ProductionId, std::vector<std::uint64_t>>> fired_;
+};
+
+void RunSeeds(std::uint32_t first, std::uint32_t count) {
+  for (std::uint32_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
+    RandomCase(seed).Run(40);
+  }
+}
+
+TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesA) { RunSeeds(1, 1000); }
+TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesB) { RunSeeds(100'000, 1000); }
+TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesC) { RunSeeds(200'000, 1000); }
+
+}  // namespace
+}  // namespace soarbox::kernel

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "kernel/match/rete_inline.h"
+
+namespace soarbox::kernel {
+
+void ReteState::RemoveWme(std::uint32_t wme) {
+  removing = wme;
+  for (std::uint32_t item = links[wme].first_item; item != kNil;) {
+    const std::uint32_t next = items[item].next_of_wme;
+    RemoveItem(item);
+    item = next;
+  }
+  links[wme].first_item = kNil;
+  // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
+  while (links[wme].first_token != kNil) {
+    const std::uint32_t token = links[wme].first_token;
+    const std::uint32_t node = tokens[token].node;
+    if (node == Token::kWatchNode) {
+      RemoveWatch(token);
+    } else if ((node & Token::kResultBit) != 0) {
+      RemoveResult(token);
+    } else {
+      RemoveSubtree(token);
+    }
+  }
+  WmeLinks& link = links[wme];
+  if (link.next != kNil) {
+    links[link.next].previous = link.previous;
+  }
+  (link.previous != kNil ? links[link.previous].next : newest_wme) = link.next;
+  link.in_match = false;
+  --wme_count;
+  removing = kNil;
+}
+
+void ReteState::RemoveItem(std::uint32_t index) {
+  AlphaItem& item = items[index];
+  AlphaState& memory = alphas[item.alpha];
+  if (item.next != kNil) {
+    items[item.next].previous = item.previous;
+  }
+  (item.previous != kNil ? items[item.previous].next : memory.first) = item.next;
+  if (memory.id_bits != 0) {
+    if (item.next_in_bucket != kNil) {
+      items[item.next_in_bucket].previous_in_bucket = item.previous_in_bucket;
+    }
+    (item.previous_in_bucket != kNil ? items[item.previous_in_bucket].next_in_bucket
+                                     : tables[memory.id_table + Hash(item.id, memory.id_bits)]) = item.next_in_bucket;
+  }
+  if (memory.pair_bits != 0) {
+    std::uint32_t* link = &tables[memory.pair_table + Hash(PairKey(item.id, item.value), memory.pair_bits)];
+    while (*link != index) {
+      link = &items[*link].next_in_pair;
+    }
+    *link = item.next_in_pair;
+  }
+  if (--memory.count == 0) {
+    for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
+      if (nodes[node].left_linked) {  // Only joins ever are.
+        UnlinkLeft(node);
+      }
+    }
+  }
+  item.next = free_items;
+  free_items = index;
+}
+
+/// Takes a token off the lists of its parent and its element.
+void ReteState::UnlinkToken(std::uint32_t index) {
+  Token* all = tokens.data();
+  Token& token = all[index];
+  if (token.parent != kNil) {
+    if (token.next_sibling != kNil) {
+      all[token.next_sibling].previous_sibling = token.previous_sibling;
+    }
+    (token.previous_sibling != kNil ? all[token.previous_sibling].next_sibling : all[token.parent].first_child) =
+        token.next_sibling;
+  }
+  if (token.wme != kNil) {
+    if (token.next_of_wme != kNil) {
+      all[token.next_of_wme].previous_of_wme = token.previous_of_wme;
+    }
+    (token.previous_of_wme != kNil ? all[token.previous_of_wme].next_of_wme : links[token.wme].first_token) =
+        token.next_of_wme;
+  }
+}
+
+void ReteState::FreeToken(std::uint32_t index) {
+  tokens[index].next_sibling = free_tokens;
+  free_tokens = index;
+  --token_count;
+}
+
+void ReteState::RemoveFromChain(std::uint32_t node, std::uint32_t index) {
+  NodeState& state = nodes[node];
+  Token& token = tokens[index];
+  if (token.next_in_chain != kNil) {
+    tokens[token.next_in_chain].previous_in_chain = token.previous_in_chain;
+  }
+  if (token.previous_in_chain != kNil) {
+    tokens[token.previous_in_chain].next_in_chain = token.next_in_chain;
+  } else {
+    (state.bits == 0 ? state.head : tables[state.head + Hash(token.key, state.bits)]) = token.next_in_chain;
+  }
+  --state.count;
+}
+
+/// An element that blocked a negative token is going.
+void ReteState::RemoveResult(std::uint32_t index) {
+  const std::uint32_t owner = tokens[index].parent;
+  UnlinkToken(index);
+  FreeToken(index);
+  if (tokens[owner].first_child == kNil) {
+    Emit(tokens[owner].node, owner, kNil);
+  }
+}
+
+void ReteState::RemoveSubtree(std::uint32_t root) {
+  std::uint32_t token = root;
+  for (;;) {
+    while (tokens[token].first_child != kNil && (tokens[token].node & Token::kBlockedBit) == 0) {
+      token = tokens[token].first_child;
+    }
+    const std::uint32_t parent = tokens[token].parent;
+    RemoveLeaf(token);
+    if (token == root) {
+      return;
+    }
+    token = parent;
+  }
+}
+
+void ReteState::RemoveLeaf(std::uint32_t index) {
+  UnlinkToken(index);
+  const std::uint32_t node_bits = tokens[index].node;
+  if ((node_bits & Token::kResultBit) != 0) {
+    FreeToken(index);
+    return;
+  }
+  const std::uint32_t node = node_bits & Token::kNodeMask;
+  switch (network->node(node).kind) {
+    case NodeKind::kMemory:
+      RemoveFromChain(node, index);
+      FreeToken(index);
+      if (nodes[node].count == 0) {
+        for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
+          if (nodes[join].right_linked) {
+            UnlinkRight(join);
+          }
+        }
+      }
+      break;
+    case NodeKind::kNegative:
+      RemoveFromChain(node, index);
+      FreeToken(index);
+      if (nodes[node].count == 0 && nodes[node].right_linked) {
+        UnlinkRight(node);
+      }
+      break;
+    case NodeKind::kConjunctive:
+      if ((node_bits & Token::kBlockedBit) != 0) {
+        for (std::uint32_t result = tokens[index].first_child; result != kNil;) {
+          const std::uint32_t next = tokens[result].next_in_chain;
+          UnlinkToken(result);
+          FreeToken(result);
+          result = next;
+        }
+      }
+      RemoveFromChain(node, index);
+      FreeToken(index);
+      break;
+    case NodeKind::kPartner: {
+      const std::uint32_t owner = tokens[index].key;
+      const std::uint32_t next = tokens[index].next_in_chain;
+      const std::uint32_t previous = tokens[index].previous_in_chain;
+      if (next != kNil) {
+        tokens[next].previous_in_chain = previous;
+      }
+      (previous != kNil ? tokens[previous].next_in_chain : tokens[owner].first_child) = next;
+      FreeToken(index);
+      if (tokens[owner].first_child == kNil) {
+        tokens[owner].node &= ~Token::kBlockedBit;
+        Emit(tokens[owner].node, owner, kNil);
+      }
+      break;
+    }
+    case NodeKind::kProduction: {
+      RemoveFromChain(node, index);
+      const MatchId match = static_cast<MatchId>(tokens[index].key);
+      FreeToken(index);
+      bool can_return = true;
+      if (matches.StateOf(match) == MatchState::kFired) {
+        const std::span<const WmeId> all = matches.Wmes(match);
+        can_return = !excising && (removing == kNil || std::ranges::find(all, static_cast<WmeId>(removing)) == all.end());
+      }
+      matches.TokenGone(match, can_return, last_timetag);
+      break;
+    }
+    case NodeKind::kFree:
+    case NodeKind::kRoot:
+    case NodeKind::kJoin: break;
+  }
+}
+
+// A watched match --------------------------------------------------------------------------------------------------
+
+void ReteState::EndWatch(std::uint32_t first) {
+  for (std::uint32_t token = first; token != kNil;) {
+    const std::uint32_t next = tokens[token].next_in_chain;
+    UnlinkToken(token);
+    FreeToken(token);
+    token = next;
+  }
+}
+
+void ReteState::RemoveWatch(std::uint32_t token) {
+  const MatchId match = static_cast<MatchId>(tokens[token].key);
+  EndWatch(matches.TokenOf(match));
+  matches.TokenGone(match, false, last_timetag);
+}
+
+// All at once ---------------------------------------------------------------------------------------------------------
+
+void ReteState::Clear() {
+  while (newest_wme != kNil) {
+    RemoveWme(newest_wme);
+  }
+  last_timetag = 0;
+  matches.Clear();
+  // What still matches is made of negations alone.
+  for (std::uint32_t production = 0; production < network->rule_limit(); ++production) {
+    if (network->rule(production) == nullptr) {
+      continue;
+    }
+    const std::uint32_t node = network->rule(production)->node;
+    for (std::uint32_t token = nodes[node].head; token != kNil; token = tokens[token].next_in_chain) {
+      MatchSet::Arrival arrival;
+      arrival.production = production;
+      arrival.token = token;
+      tokens[token].key = Index(matches.Assert(arrival));
+    }
+  }
+}
+
+}  // namespace soarbox::kernel

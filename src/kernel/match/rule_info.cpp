@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/match/rule_info.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "kernel/base/words.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+const Test* EqualityIn(const Test& test) {
+  if (test.kind == TestKind::kEqual) {
+    return &test;
+  }
+  for (const Test& part : test.parts) {
+    if (part.kind == TestKind::kEqual) {
+      return &part;
+    }
+  }
+  return nullptr;
+}
+
+bool MayTestSelectedOperator(const Condition& condition) {
+  if (condition.tests_acceptable) {
+    return false;
+  }
+  const Test* attribute = EqualityIn(condition.attribute);
+  return attribute == nullptr || attribute->referent.IsVariable() || attribute->referent == words::kOperator;
+}
+
+Symbol SymbolAt(const BindingSite& site, std::span<const WmeId> elements, const WmeTable& wmes) {
+  if (site.positive_condition >= elements.size()) {
+    return Symbol();
+  }
+  const Wme& wme = wmes[Index(elements[site.positive_condition])];
+  return site.field == Field::kId ? wme.id : site.field == Field::kAttribute ? wme.attribute : wme.value;
+}
+
+bool SameValue(const RhsValue& a, const RhsValue& b) {
+  if (a.kind != b.kind) {
+    return false;
+  }
+  switch (a.kind) {
+    case RhsValueKind::kConstant: return a.symbol == b.symbol;
+    case RhsValueKind::kBound: return a.site == b.site;
+    case RhsValueKind::kNew: return a.new_index == b.new_index;
+    case RhsValueKind::kFunction: break;
+  }
+  return a.function == b.function && std::ranges::equal(a.arguments, b.arguments, SameValue);
+}
+
+void Mix(std::uint32_t& hash, std::uint32_t value) {
+  hash = (hash ^ value) * 0x85EBCA6Bu;
+  hash ^= hash >> 15;
+}
+
+void MixValue(std::uint32_t& hash, const RhsValue& value) {
+  Mix(hash, static_cast<std::uint32_t>(value.kind));
+  switch (value.kind) {
+    case RhsValueKind::kConstant: Mix(hash, value.symbol.bits()); break;
+    case RhsValueKind::kBound:
+      Mix(hash, value.site.positive_condition * 4u + static_cast<std::uint32_t>(value.site.field));
+      break;
+    case RhsValueKind::kNew: Mix(hash, value.new_index); break;
+    case RhsValueKind::kFunction:
+      for (const char c : value.function) {
+        Mix(hash, static_cast<unsigned char>(c));
+      }
+      for (const RhsValue& argument : value.arguments) {
+        MixValue(hash, argument);
+      }
+      break;
+  }
+}
+
+}  // namespace
+
+RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
+  std::vector<Symbol> id_variables;
+  for (const Condition& condition : rule->conditions) {
+    if (condition.kind != ConditionKind::kPositive) {
+      continue;
+    }
+    const Test* id = EqualityIn(condition.id);
+    if (id == nullptr || std::ranges::find(id_variables, id->referent) == id_variables.end()) {
+      id_conditions.push_back(positives);
+      if (id != nullptr) {
+        id_variables.push_back(id->referent);
+      }
+    }
+    if (MayTestSelectedOperator(condition)) {
+      operator_conditions.push_back(positives);
+    }
+    ++positives;
+  }
+  for (const Action& action : rule->actions) {
+    if (!action.is_function_call && action.attribute.kind == RhsValueKind::kConstant &&
+        action.attribute.symbol == words::kOperator && action.id.kind == RhsValueKind::kBound) {
+      proposal_ids.push_back(action.id.site);
+    }
+  }
+  if (rule->declared_support != DeclaredSupport::kUndeclared) {
+    support = rule->declared_support == DeclaredSupport::kOSupport ? Support::kO : Support::kI;
+  } else {
+    support = operator_conditions.empty() ? Support::kI : Support::kByMatch;
+  }
+}
+
+RuleInfo::MatchSupport RuleInfo::SupportOf(std::span<const WmeId> elements, const WmeTable& wmes,
+                                           std::span<const GoalLevel> level_of_goal, Symbol goal) const {
+  for (const BindingSite& site : proposal_ids) {
+    const Symbol id = SymbolAt(site, elements, wmes);
+    if (id.IsIdentifier() && id.index() < level_of_goal.size() && level_of_goal[id.index()] != 0) {
+      return MatchSupport::kI;
+    }
+  }
+  bool elaborates = false;
+  bool applies = false;
+  for (const std::uint16_t condition : operator_conditions) {
+    const Wme& wme = wmes[Index(elements[condition])];
+    if (wme.id != goal || wme.attribute != words::kOperator || wme.acceptable) {
+      continue;
+    }
+    for (const Action& action : rule->actions) {
+      if (action.is_function_call) {
+        continue;
+      }
+      const bool on_operator =
+          action.id.kind == RhsValueKind::kBound && SymbolAt(action.id.site, elements, wmes) == wme.value;
+      (on_operator ? elaborates : applies) = true;
+    }
+  }
+  if (elaborates && applies) {
+    return MatchSupport::kMixed;
+  }
+  return applies ? MatchSupport::kO : MatchSupport::kI;
+}
+
+bool SameActions(const Production& a, const Production& b, bool ignore_rl_value) {
+  const bool skip_referent = ignore_rl_value && a.is_rl && b.is_rl;
+  return std::ranges::equal(a.actions, b.actions, [&](const Action& x, const Action& y) {
+    if (x.is_function_call != y.is_function_call) {
+      return false;
+    }
+    if (x.is_function_call) {
+      return SameValue(x.value, y.value);
+    }
+    return x.preference == y.preference && SameValue(x.id, y.id) && SameValue(x.attribute, y.attribute) &&
+           SameValue(x.value, y.value) && (!x.HasReferent() || skip_referent || SameValue(x.referent, y.referent));
+  });
+}
+
+std::uint32_t ActionsDigest(const Production& production) {
+  std::uint32_t hash = 0x9E3779B1u;
+  for (const Action& action : production.actions) {
+    Mix(hash, action.is_function_call ? 99u : static_cast<std::uint32_t>(action.preference));
+    MixValue(hash, action.value);
+    if (!action.is_function_call) {
+      MixValue(hash, action.id);
+      MixValue(hash, action.attribute);
+      if (action.HasReferent() && !production.is_rl) {
+        MixValue(hash, action.referent);
+      }
+    }
+  }
+  return hash;
+}
+
+}  // namespace soarbox::kernel

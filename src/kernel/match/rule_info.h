@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/memory/wme.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+/// What the match needs to know of a rule beside its nodes, computed once when it is added.
+///
+/// Support (kernel_features section 10): a declared support decides; a rule that makes operator preferences on a goal
+/// is i-supported; a rule that tests the selected operator of its lowest goal is o-supported unless its actions change
+/// only that operator. Most rules are decided here; the rest looks at the goals of each match.
+struct RuleInfo {
+  enum class Support : std::uint8_t { kI, kO, kByMatch };
+  enum class MatchSupport : std::uint8_t { kI, kO, kMixed };
+
+  ProductionPtr rule;
+  std::uint32_t node = 0xFFFFFFFFu;                ///< Its production node.
+  std::uint16_t positives = 0;                     ///< Positive top-level conditions.
+  Support support = Support::kI;
+  std::vector<std::uint16_t> id_conditions;        ///< Positive conditions that bring a new identifier variable.
+  std::vector<std::uint16_t> operator_conditions;  ///< Positive conditions that may test a selected operator.
+  std::vector<BindingSite> proposal_ids;           ///< The identifiers of actions that make operator preferences.
+
+  explicit RuleInfo(ProductionPtr production);
+
+  /// The support of a match; only for Support::kByMatch. `elements` as in MatchSet.
+  MatchSupport SupportOf(std::span<const WmeId> elements, const WmeTable& wmes,
+                         std::span<const GoalLevel> level_of_goal, Symbol goal) const;
+};
+
+/// True if the actions do the same: variables count by where they are bound, not by name. With `ignore_rl_value` the
+/// number of two RL rules' preferences may differ.
+bool SameActions(const Production& a, const Production& b, bool ignore_rl_value);
+/// Equal for rules with the same actions (the number of RL rules does not count).
+std::uint32_t ActionsDigest(const Production& production);
+
+}  // namespace soarbox::kernel
