@@ -21,7 +21,9 @@ Diagnostic Refusal(std::string message) {
 
 }  // namespace
 
-Agent::Agent(std::string name) : engine_(std::make_unique<Engine>(*this, std::move(name))) { engine_->Initialize(); }
+Agent::Agent(std::string name) : engine_(std::make_unique<Engine>(*this, std::move(name))) {
+  engine_->Initialize(false);
+}
 Agent::~Agent() = default;
 
 const std::string& Agent::name() const { return engine_->name; }
@@ -130,11 +132,7 @@ void Agent::InitSoar() {
   if (running()) return;
   engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnBeforeInit(*this); });
   ++engine_->counters.inits;
-  engine_->Initialize();
-  if (engine_->observers.Wants(Event::kDecision)) {
-    const GoalInfo top = engine_->Describe(engine_->goals.top());
-    engine_->observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(*this, top, 0); });
-  }
+  engine_->Initialize(true);
   engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnAfterInit(*this); });
 }
 

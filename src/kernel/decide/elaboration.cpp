@@ -115,6 +115,11 @@ void Elaboration::Run(bool apply) {
 void Elaboration::PreferencePhase(bool apply) {
   GoalLevel change_level = active_;
   bool first_pass = true;
+  if (active_ == 0) {
+    // Only matches of goals that have gone are left.
+    ++engine_.counters.inner_elaborations;
+    engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnInnerElaboration(engine_.agent, 0, {}); });
+  }
   for (GoalLevel level = active_; level != 0; level = HighestActive(static_cast<GoalLevel>(level + 1), apply)) {
     ++engine_.counters.inner_elaborations;
     if (engine_.observers.Wants(Event::kElaboration)) {

@@ -142,7 +142,7 @@ void Engine::SweepSymbols() {
 
 // Beginning -----------------------------------------------------------------------------------------------------------
 
-void Engine::Initialize() {
+void Engine::Initialize(bool announce) {
   rete.Clear();
   goals.Clear();
   instantiations.Clear();
@@ -162,6 +162,12 @@ void Engine::Initialize() {
   counters = AgentCounters{};
   counters.inits = inits;
   goal_changes.MakeTopState();
+  elaboration.ApplyWorkingMemoryChanges();
+  if (announce && observers.Wants(Event::kDecision)) {
+    const GoalInfo top = Describe(goals.top());
+    observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(agent, top, 0); });
+  }
+  goal_changes.MakeIoLinks();
   input.Reset();
   elaboration.ApplyWorkingMemoryChanges();
   counters.wm_size_maximum = memory.wme_count();

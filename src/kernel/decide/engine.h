@@ -107,8 +107,8 @@ struct Engine {
 
   /// Between phases: frees constants and identifiers that nothing mentions, when their number has doubled.
   void SweepSymbols();
-  /// Empties everything but the rules and makes the first state.
-  void Initialize();
+  /// Empties everything but the rules and makes the first state; tells observers of it if `announce` is set.
+  void Initialize(bool announce);
   /// Checks, in builds with SOARBOX_CHECK_INVARIANTS, that the parts agree; aborts with the reason if not.
   void CheckAfterPhase() const;
 };

@@ -66,10 +66,14 @@ void GoalChanges::MakeTopState() {
   AddArchitecture(goal.id, words::kType, words::kState);
   AddArchitecture(goal.id, words::kSuperstate, words::kNil);
   AddMemoryLinks(goal);
+}
+
+void GoalChanges::MakeIoLinks() {
+  const Symbol top = engine_.goals.top().id;
   const Symbol io = engine_.memory.NewIdentifier('I', 1);
   input_link_ = engine_.memory.NewIdentifier('I', 1);
   output_link_ = engine_.memory.NewIdentifier('I', 1);
-  engine_.changes.Add(WmeKind::kInput, goal.id, words::kIo, io);
+  engine_.changes.Add(WmeKind::kInput, top, words::kIo, io);
   engine_.changes.Add(WmeKind::kInput, io, words::kInputLink, input_link_);
   engine_.changes.Add(WmeKind::kInput, io, words::kOutputLink, output_link_);
   engine_.output.SetIdentifier(output_link_);
@@ -155,7 +159,14 @@ void GoalChanges::RemoveBottom() {
   const SlotId slot = goal.operator_slot;
   while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
   while (memory.slot(slot).acceptable_wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).acceptable_wmes);
-  for (const WmeId item : goal.items) engine_.changes.Remove(item);
+  // Items go before non-numeric ones, each group newest first.
+  for (const bool non_numeric : {false, true}) {
+    for (std::size_t n = goal.items.size(); n-- > 0;) {
+      const Symbol attribute = memory.wme(goal.items[n]).attribute;
+      const bool is_non_numeric = attribute == words::kNonNumeric || attribute == words::kNonNumericCount;
+      if (is_non_numeric == non_numeric) engine_.changes.Remove(goal.items[n]);
+    }
+  }
   goal.items.clear();
   while (memory.identifier(goal.id).architecture_wmes != WmeId::kNone) {
     engine_.changes.Remove(memory.identifier(goal.id).architecture_wmes);

@@ -22,6 +22,8 @@ class GoalChanges {
   explicit GoalChanges(Engine& engine) : engine_(engine) {}
 
   void MakeTopState();
+  /// ^io of the top state, with the input link and the output link.
+  void MakeIoLinks();
   /// A substate of the bottom goal. `candidates` are the items of a tie, conflict or constraint failure.
   void MakeSubstate(ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);
   /// Brings the items of the substate below `level` up to date: elements that stay keep their time tags.

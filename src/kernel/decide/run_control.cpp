@@ -50,9 +50,10 @@ bool RunControl::ElaboratePhase(bool apply) {
   }
   if (next == Elaboration::Next::kElaborate) {
     elaboration.Run(apply);
+    if (halt_requested_) return false;  // A halt leaves the phase where it is.
     next = elaboration.Determine(apply);
   }
-  if (next == Elaboration::Next::kElaborate && !halt_requested_) return false;
+  if (next == Elaboration::Next::kElaborate) return false;
   EndPhase(apply ? Phase::kOutput : Phase::kDecide);
   return true;
 }
@@ -144,7 +145,7 @@ bool RunControl::CheckStop() {
   }
   if (goal_stack_limit_) {
     goal_stack_limit_ = false;
-    ended_ = true;
+    ended_ = limit_reached_ = true;
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, "goal stack limit"); });
     return true;
   }
@@ -166,14 +167,14 @@ bool RunControl::CheckStop() {
 
 RunControl::Start RunControl::Begin() {
   running_ = true;
-  ended_ = false;
+  ended_ = limit_reached_ = false;
   return {engine_.counters.decision_cycles, engine_.counters.elaborations, engine_.counters.firings};
 }
 
 RunResult RunControl::Finish(const Start& start) {
   running_ = false;
   RunResult result;
-  result.reason = halted_ ? StopReason::kHalted : ended_ ? StopReason::kInterrupted : StopReason::kCompleted;
+  result.reason = halted_ ? StopReason::kHalted : limit_reached_ ? StopReason::kLimit : ended_ ? StopReason::kInterrupted : StopReason::kCompleted;
   result.decisions = engine_.counters.decision_cycles - start.decisions;
   result.elaborations = engine_.counters.elaborations - start.elaborations;
   result.firings = engine_.counters.firings - start.firings;

@@ -76,6 +76,7 @@ class RunControl {
   bool halted_ = false;
   bool halt_requested_ = false;
   bool goal_stack_limit_ = false;
+  bool limit_reached_ = false;         ///< By the goal stack, in this run.
   bool ended_ = false;                 ///< This run was interrupted.
   bool output_changed_ = false;        ///< By the last output phase.
   Symbol watched_goal_;

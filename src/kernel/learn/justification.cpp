@@ -233,10 +233,11 @@ void Justifier::CollectNegations(InstantiationId id) {
 bool Justifier::IsOSupported(GoalLevel goal_level, const Preference& result) const {
   const WorkingMemory& memory = engine_.memory;
   const Goal& goal = engine_.goals.at(goal_level);
-  // Operator preferences are proposals and evaluations, whatever else the rule says.
+  // A proposal is not held by o-support, whatever else the rule says.
   for (const PreferenceId id : results_) {
     const Preference& preference = memory.preference(id);
-    if (preference.attribute == words::kOperator && memory.identifier(preference.id).is_goal) return false;
+    if (preference.type == PreferenceType::kAcceptable && preference.attribute == words::kOperator &&
+        memory.identifier(preference.id).is_goal) return false;
   }
   for (const WmeId ground : grounds_) {
     const Wme& wme = memory.wme(ground);

@@ -96,8 +96,8 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
     ++positives;
   }
   for (const Action& action : rule->actions) {
-    if (!action.is_function_call && action.attribute.kind == RhsValueKind::kConstant &&
-        action.attribute.symbol == words::kOperator && action.id.kind == RhsValueKind::kBound) {
+    if (!action.is_function_call && action.preference == PreferenceType::kAcceptable &&
+        action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol == words::kOperator && action.id.kind == RhsValueKind::kBound) {
       proposal_ids.push_back(action.id.site);
     }
   }

@@ -33,10 +33,8 @@ std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
   if (target.parent_link == kNone) {
     // An identifier without children cannot be above `from`.
     if (target.first_child == kNone || Trace(from, to) != Ancestry::kBelow) SetParent(to, id);
-    if (source.level != target.level) Queue(to);
-  } else if (source.level < target.level) {
-    Queue(to);
   }
+  if (source.level < target.level) promoted_.push_back(to);
   return id;
 }
 
@@ -114,15 +112,32 @@ void LinkGraph::GoalGone(Symbol goal) {
 // Settling ------------------------------------------------------------------------------------------------------------
 
 void LinkGraph::Settle(std::vector<Symbol>& garbage) {
-  work_.swap(queue_);
-  queue_.clear();
-  for (const Symbol id : work_) At(id).queued = false;
-  for (const Symbol id : work_) Promote(id);
-  for (const Symbol id : work_) {
+  for (const Symbol id : promoted_) Promote(id);
+  promoted_.clear();
+  while (!queue_.empty()) {
+    const Symbol id = queue_.back();
+    queue_.pop_back();
+    IdentifierRecord& record = At(id);
+    if (!record.queued) continue;  // An older entry of one that has had its turn.
+    record.queued = false;
+    if (!record.live || record.is_goal || record.parent_link != kNone) continue;
+    if (record.first_link == kNone) {
+      garbage.push_back(id);
+      return;
+    }
+    uncertain_.push_back(id);
+  }
+  while (!uncertain_.empty() && garbage.empty()) {
+    const Symbol id = uncertain_.back();
+    uncertain_.pop_back();
     const IdentifierRecord& record = At(id);
     if (record.live && !record.is_goal && record.parent_link == kNone) Reattach(id, garbage);
   }
-  work_.clear();
+}
+
+void LinkGraph::Touch(Symbol id) {
+  const IdentifierRecord& record = At(id);
+  if (record.queued && record.parent_link == kNone) queue_.push_back(id);
 }
 
 /// If a link from a higher level leads to the identifier, gives it and what it reaches that level.
@@ -246,13 +261,14 @@ void LinkGraph::Clear() {
   links_.clear();
   free_links_.clear();
   queue_.clear();
-  work_.clear();
+  promoted_.clear();
+  uncertain_.clear();
   suspended_.clear();
 }
 
 std::size_t LinkGraph::MemoryBytes() const {
   return links_.capacity() * sizeof(Link) + free_links_.capacity() * sizeof(std::uint32_t) +
-         (queue_.capacity() + work_.capacity() + subtree_.capacity() + stack_.capacity()) * sizeof(Symbol) +
+         (queue_.capacity() + promoted_.capacity() + uncertain_.capacity() + subtree_.capacity() + stack_.capacity()) * sizeof(Symbol) +
          suspended_.capacity() + heap_.capacity() * sizeof(Candidate);
 }
 

@@ -34,11 +34,14 @@ class LinkGraph {
   void Remove(std::uint32_t link);
 
   /// True if links changed in a way that can move levels.
-  bool HasWork() const { return !queue_.empty(); }
-  /// Works out the levels of the identifiers that changed: promotions first, then what lost its parent. Identifiers that
-  /// no goal reaches any more are appended to `garbage` (each once, an identifier before what hangs on it); the caller
-  /// removes what they own, which may make more work: call again until HasWork() is false.
+  bool HasWork() const { return !queue_.empty() || !promoted_.empty() || !uncertain_.empty(); }
+  /// Works out the levels of the identifiers that changed: promotions first, then what lost its parent, the newest loss
+  /// first; identifiers to which no link leads go before those that other links may still hold. Those that no goal
+  /// reaches any more are appended to `garbage`; the caller removes what they own, which may make more work: call again
+  /// until HasWork() is false.
   void Settle(std::vector<Symbol>& garbage);
+  /// An element with this value has gone too, after the link: the identifier's turn as garbage comes from now.
+  void Touch(Symbol id);
   /// The goal is going away: what hangs on it loses its parent.
   void GoalGone(Symbol goal);
 
@@ -69,7 +72,7 @@ class LinkGraph {
   WorkingMemory& memory_;
   std::vector<Link> links_;
   std::vector<std::uint32_t> free_links_;
-  std::vector<Symbol> queue_, work_, subtree_, stack_;
+  std::vector<Symbol> queue_, promoted_, uncertain_, subtree_, stack_;
   std::vector<std::uint8_t> suspended_;   ///< By identifier index, while Reattach works.
   struct Candidate {
     GoalLevel level;

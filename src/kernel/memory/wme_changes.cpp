@@ -36,6 +36,8 @@ void WmeChanges::Remove(WmeId wme) {
   if (record.link != LinkGraph::kNone) {
     engine_.links.Remove(record.link);
     record.link = LinkGraph::kNone;
+  } else if (engine_.memory.wme(wme).value.IsIdentifier()) {
+    engine_.links.Touch(engine_.memory.wme(wme).value);
   }
   if (record.kind == WmeKind::kInput && record.slot != SlotId::kNone) {
     engine_.input.Forget(static_cast<std::uint32_t>(record.slot));
