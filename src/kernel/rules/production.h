@@ -17,7 +17,8 @@ enum class TestKind : std::uint8_t {
   kEqual, kNotEqual, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kSameType,
   kDisjunction,   ///< << a b c >>
   kConjunction,   ///< { ... }
-  kState,         ///< The word `state` before an identifier test.
+  kState,         ///< The word `state` before an identifier test. On a positive condition's identifier only once per
+                  ///< variable, on the first condition (in match order) with this variable as its identifier.
   kImpasse,       ///< The word `impasse`.
   kSameLti, kNotSameLti,  ///< @ x, !@ x
   kIsLti, kIsNotLti,      ///< @+, @-
@@ -27,7 +28,7 @@ struct Test {
   TestKind kind = TestKind::kBlank;
   Symbol referent;                  ///< Constant or variable, for the relational kinds and @.
   std::vector<Symbol> disjuncts;    ///< kDisjunction.
-  std::vector<Test> parts;          ///< kConjunction; never nested.
+  std::vector<Test> parts;          ///< kConjunction; never nested, at most one part is kEqual.
 
   friend bool operator==(const Test&, const Test&) = default;
 };
@@ -96,11 +97,13 @@ enum class DeclaredSupport : std::uint8_t { kUndeclared, kOSupport, kISupport };
 struct Production {
   std::string name;
   std::string documentation;
+  bool has_documentation = false;     ///< An empty documentation string differs from none.
   ProductionType type = ProductionType::kUser;
   DeclaredSupport declared_support = DeclaredSupport::kUndeclared;
   bool interrupt = false;             ///< :interrupt
   bool explain = false;               ///< :explain
   bool is_rl = false;                 ///< Exactly one action, a numeric-indifferent preference for an operator.
+                                      ///< Never for templates.
   std::vector<Condition> conditions;  ///< In match order.
   std::vector<Action> actions;        ///< In firing order.
   std::vector<Symbol> new_identifiers;  ///< The variables behind RhsValueKind::kNew, by new_index.

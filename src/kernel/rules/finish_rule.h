@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "kernel/rules/parser.h"
+
+namespace soarbox::kernel {
+
+/// Turns a rule in text order into one in match order: orders actions and conditions, checks that they hang together,
+/// binds variables and sets what follows from the contents (new identifiers, is_rl). Adds Soar's messages to
+/// `out.late_messages` and our own to `out.diagnostics`; false if the rule must be refused. Learned rules pass through
+/// here as well.
+bool FinishRule(Production& rule, const SourcePlace& place, SymbolTable& symbols, ParseOutcome& out);
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "kernel/rules/functions/function_bodies.h"
+
+namespace soarbox::kernel::function_bodies {
+
+namespace {
+
+using Arguments = std::span<const Symbol>;
+
+// Integers wrap round on overflow, as in Soar; unsigned arithmetic makes that well defined.
+std::int64_t WrappingAdd(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+}
+std::int64_t WrappingSubtract(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
+std::int64_t WrappingMultiply(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
+}
+
+std::string Name(FunctionContext& context, Symbol symbol) { return ToString(context.symbols(), symbol); }
+
+/// True if all arguments are numbers; else says which is not.
+bool AllNumbers(FunctionContext& context, Arguments arguments, const char* function) {
+  for (const Symbol argument : arguments) {
+    if (!argument.IsNumber()) {
+      context.PrintError("Error: non-number (" + Name(context, argument) + ") passed to " + function + " function\n");
+      return false;
+    }
+  }
+  return true;
+}
+
+bool AllIntegers(Arguments arguments) {
+  return std::all_of(arguments.begin(), arguments.end(), [](Symbol argument) { return argument.IsInteger(); });
+}
+
+/// Folds numbers: as integers if all are, else as floats.
+template <typename IntegerStep, typename FloatStep>
+Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, IntegerStep integer_step, FloatStep float_step) {
+  SymbolTable& symbols = context.symbols();
+  if (AllIntegers(arguments)) {
+    std::int64_t result = start;
+    for (const Symbol argument : arguments) {
+      result = integer_step(result, symbols.IntegerValue(argument));
+    }
+    return symbols.Integer(result);
+  }
+  double result = static_cast<double>(start);
+  for (const Symbol argument : arguments) {
+    result = float_step(result, symbols.NumberValue(argument));
+  }
+  return symbols.Float(result);
+}
+
+/// The smallest or largest; a float if any argument is one.
+template <typename IntegerPick, typename FloatPick>
+Symbol Extreme(FunctionContext& context, Arguments arguments, const char* function, IntegerPick integer_pick, FloatPick float_pick) {
+  SymbolTable& symbols = context.symbols();
+  if (!AllNumbers(context, arguments, function)) {
+    return {};
+  }
+  if (arguments.empty()) {
+    return symbols.Integer(0);
+  }
+  if (AllIntegers(arguments)) {
+    std::int64_t result = symbols.IntegerValue(arguments[0]);
+    for (const Symbol argument : arguments) {
+      result = integer_pick(result, symbols.IntegerValue(argument));
+    }
+    return symbols.Integer(result);
+  }
+  double result = symbols.NumberValue(arguments[0]);
+  for (const Symbol argument : arguments) {
+    result = float_pick(result, symbols.NumberValue(argument));
+  }
+  return symbols.Float(result);
+}
+
+/// A function of one number that gives a float.
+Symbol OfOneNumber(FunctionContext& context, Arguments arguments, const char* function, double (*apply)(double)) {
+  if (arguments.size() != 1 || !arguments[0].IsNumber()) {
+    context.PrintError("Error: '" + std::string(function) + "' function called with non-numeric argument " +
+                       (arguments.empty() ? std::string() : Name(context, arguments[0])) + "\n");
+    return {};
+  }
+  return context.symbols().Float(apply(context.symbols().NumberValue(arguments[0])));
+}
+
+/// Two integers, the second not zero; else says why not.
+bool TwoIntegers(FunctionContext& context, Arguments arguments, const char* function) {
+  for (const Symbol argument : arguments) {
+    if (!argument.IsInteger()) {
+      context.PrintError("Error: non-integer (" + Name(context, argument) + ") passed to " + function + " function\n");
+      return false;
+    }
+  }
+  if (arguments.size() != 2) {
+    return false;
+  }
+  if (context.symbols().IntegerValue(arguments[1]) == 0) {
+    context.PrintError("Error: attempt to divide ('" + std::string(function) + "') by zero.\n");
+    return false;
+  }
+  return true;
+}
+
+std::int64_t TruncatedToInteger(double value) {
+  constexpr double kLimit = 9223372036854775808.0;
+  if (value >= -kLimit && value < kLimit) {
+    return static_cast<std::int64_t>(value);
+  }
+  return std::numeric_limits<std::int64_t>::min();
+}
+
+std::string_view WithoutBlanksInFront(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(" \t\n\v\f\r");
+  text = start == std::string_view::npos ? std::string_view() : text.substr(start);
+  if (!text.empty() && text[0] == '+') {
+    text.remove_prefix(1);
+  }
+  return text;
+}
+
+}  // namespace
+
+Symbol Plus(FunctionContext& context, Arguments arguments) {
+  if (!AllNumbers(context, arguments, "+")) {
+    return {};
+  }
+  return Fold(context, arguments, 0, WrappingAdd, [](double a, double b) { return a + b; });
+}
+
+Symbol Times(FunctionContext& context, Arguments arguments) {
+  if (!AllNumbers(context, arguments, "*")) {
+    return {};
+  }
+  return Fold(context, arguments, 1, WrappingMultiply, [](double a, double b) { return a * b; });
+}
+
+Symbol Minus(FunctionContext& context, Arguments arguments) {
+  if (arguments.empty()) {
+    context.PrintError("Error: '-' function called with no arguments\n");
+    return {};
+  }
+  if (!AllNumbers(context, arguments, "-")) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  if (arguments.size() == 1) {
+    return arguments[0].IsInteger() ? symbols.Integer(WrappingSubtract(0, symbols.IntegerValue(arguments[0])))
+                                    : symbols.Float(-symbols.FloatValue(arguments[0]));
+  }
+  const Arguments rest = arguments.subspan(1);
+  if (AllIntegers(arguments)) {
+    return Fold(context, rest, symbols.IntegerValue(arguments[0]), WrappingSubtract, [](double a, double) { return a; });
+  }
+  double result = symbols.NumberValue(arguments[0]);
+  for (const Symbol argument : rest) {
+    result -= symbols.NumberValue(argument);
+  }
+  return symbols.Float(result);
+}
+
+Symbol Divide(FunctionContext& context, Arguments arguments) {
+  if (arguments.empty()) {
+    context.PrintError("Error: '/' function called with no arguments\n");
+    return {};
+  }
+  if (!AllNumbers(context, arguments, "/")) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  double result = arguments.size() == 1 ? 1.0 : symbols.NumberValue(arguments[0]);
+  for (const Symbol argument : arguments.size() == 1 ? arguments : arguments.subspan(1)) {
+    const double divisor = symbols.NumberValue(argument);
+    if (divisor == 0) {
+      context.PrintError("Error: attempt to divide ('/') by zero.\n");
+      return {};
+    }
+    result /= divisor;
+  }
+  return symbols.Float(result);
+}
+
+Symbol IntegerDivide(FunctionContext& context, Arguments arguments) {
+  if (!TwoIntegers(context, arguments, "div")) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  const std::int64_t a = symbols.IntegerValue(arguments[0]), b = symbols.IntegerValue(arguments[1]);
+  return symbols.Integer(b == -1 ? WrappingSubtract(0, a) : a / b);
+}
+
+Symbol Modulo(FunctionContext& context, Arguments arguments) {
+  if (!TwoIntegers(context, arguments, "mod")) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  const std::int64_t a = symbols.IntegerValue(arguments[0]), b = symbols.IntegerValue(arguments[1]);
+  return symbols.Integer(b == -1 ? 0 : a % b);
+}
+
+Symbol Minimum(FunctionContext& context, Arguments arguments) {
+  return Extreme(context, arguments, "min", [](std::int64_t a, std::int64_t b) { return std::min(a, b); },
+                 [](double a, double b) { return std::min(a, b); });
+}
+
+Symbol Maximum(FunctionContext& context, Arguments arguments) {
+  return Extreme(context, arguments, "max", [](std::int64_t a, std::int64_t b) { return std::max(a, b); },
+                 [](double a, double b) { return std::max(a, b); });
+}
+
+Symbol Absolute(FunctionContext& context, Arguments arguments) {
+  if (arguments.size() == 1 && arguments[0].IsInteger()) {
+    const std::int64_t value = context.symbols().IntegerValue(arguments[0]);
+    return context.symbols().Integer(value < 0 ? WrappingSubtract(0, value) : value);
+  }
+  return OfOneNumber(context, arguments, "abs", [](double x) { return std::fabs(x); });
+}
+
+Symbol SquareRoot(FunctionContext& context, Arguments arguments) {
+  return OfOneNumber(context, arguments, "sqrt", [](double x) { return std::sqrt(x); });
+}
+Symbol Sine(FunctionContext& context, Arguments arguments) {
+  return OfOneNumber(context, arguments, "sin", [](double x) { return std::sin(x); });
+}
+Symbol Cosine(FunctionContext& context, Arguments arguments) {
+  return OfOneNumber(context, arguments, "cos", [](double x) { return std::cos(x); });
+}
+
+Symbol ArcTangent(FunctionContext& context, Arguments arguments) {
+  for (const Symbol argument : arguments) {
+    if (!argument.IsNumber()) {
+      context.PrintError("Error: non-number (" + Name(context, argument) + ") passed to atan2\n");
+      return {};
+    }
+  }
+  if (arguments.size() != 2) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  return symbols.Float(std::atan2(symbols.NumberValue(arguments[0]), symbols.NumberValue(arguments[1])));
+}
+
+Symbol ToInteger(FunctionContext& context, Arguments arguments) {
+  if (arguments.size() != 1) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  const Symbol argument = arguments[0];
+  if (argument.IsInteger()) {
+    return argument;
+  }
+  if (argument.IsFloat()) {
+    return symbols.Integer(TruncatedToInteger(symbols.FloatValue(argument)));
+  }
+  if (!argument.IsString()) {
+    context.PrintError("Error: identifier (" + Name(context, argument) + ") passed to 'int' RHS function.\n");
+    return {};
+  }
+  const std::string_view text = WithoutBlanksInFront(symbols.Text(argument));
+  std::int64_t value = 0;
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range) {
+    value = text[0] == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
+  }
+  return symbols.Integer(value);
+}
+
+Symbol ToFloat(FunctionContext& context, Arguments arguments) {
+  if (arguments.size() != 1) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  const Symbol argument = arguments[0];
+  if (argument.IsNumber()) {
+    return symbols.Float(symbols.NumberValue(argument));
+  }
+  if (!argument.IsString()) {
+    context.PrintError("Error: identifier (" + Name(context, argument) + ") passed to 'float' RHS function.\n");
+    return {};
+  }
+  const std::string_view text = WithoutBlanksInFront(symbols.Text(argument));
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return symbols.Float(value);
+}
+
+Symbol RandomInteger(FunctionContext& context, Arguments arguments) {
+  SymbolTable& symbols = context.symbols();
+  if (!arguments.empty()) {
+    if (!arguments[0].IsNumber()) {
+      context.PrintError("Error: non-number (" + Name(context, arguments[0]) + ") passed to - rand-int\n");
+      return {};
+    }
+    const std::int64_t limit =
+        arguments[0].IsInteger() ? symbols.IntegerValue(arguments[0]) : TruncatedToInteger(symbols.FloatValue(arguments[0]));
+    if (limit > 0) {
+      const auto highest = static_cast<std::uint32_t>(std::min<std::int64_t>(limit, 0xFFFFFFFFll));
+      return symbols.Integer(context.random().Integer(highest));
+    }
+  }
+  return symbols.Integer(context.random().Next32());
+}
+
+Symbol RandomFloat(FunctionContext& context, Arguments arguments) {
+  SymbolTable& symbols = context.symbols();
+  if (!arguments.empty()) {
+    if (!arguments[0].IsNumber()) {
+      context.PrintError("Error: non-number (" + Name(context, arguments[0]) + ") passed to - rand-float\n");
+      return {};
+    }
+    const double limit = symbols.NumberValue(arguments[0]);
+    if (limit > 0) {
+      return symbols.Float(context.random().Real(limit));
+    }
+  }
+  return symbols.Float(context.random().Real());
+}
+
+}  // namespace soarbox::kernel::function_bodies

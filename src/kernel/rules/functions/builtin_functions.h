@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "kernel/rules/functions/function_context.h"
+
+namespace soarbox::kernel {
+
+/// A function that the kernel itself knows.
+struct BuiltinFunction {
+  std::string_view name;
+  int arguments = -1;          ///< How many it takes; -1 for any number.
+  bool as_value = true;        ///< May stand where a value is expected.
+  bool as_action = false;      ///< May stand alone.
+  bool literalizes = true;     ///< Learning keeps its arguments as they were, instead of making variables of them.
+  /// Gives the value, or the none symbol if there is none (after printing why). Never throws or crashes, whatever the
+  /// number and kinds of the arguments.
+  Symbol (*evaluate)(FunctionContext& context, std::span<const Symbol> arguments) = nullptr;
+};
+
+/// All built-in functions; RhsValue::function_index counts in this list.
+std::span<const BuiltinFunction> BuiltinFunctions();
+
+/// The index of a built-in function, or RhsValue::kUserFunction.
+std::uint16_t FindBuiltinFunction(std::string_view name);
+
+/// Calls the function that an RhsValue names by `function_index`, which must be a built-in one.
+Symbol Evaluate(FunctionContext& context, std::uint16_t function_index, std::span<const Symbol> arguments);
+
+}  // namespace soarbox::kernel

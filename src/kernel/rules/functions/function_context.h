@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/base/random.h"
+#include "kernel/base/symbol_table.h"
+
+namespace soarbox::kernel {
+
+/// What the functions on right-hand sides need of the agent that fires. The engine implements it; the functions touch
+/// nothing else. Single-threaded, called from the firing of a rule only.
+class FunctionContext {
+ public:
+  /// An element of an identifier, as seen by functions that look into working memory.
+  struct Child {
+    Symbol attribute;
+    Symbol value;
+  };
+
+  virtual ~FunctionContext() = default;
+
+  virtual SymbolTable& symbols() = 0;
+  virtual RandomStream& random() = 0;
+
+  // Text and control ----------------------------------------------------------------------------------------------
+
+  /// Prints a message of the architecture ("Error: ..."). Starts on a fresh line; the text ends with a line end.
+  virtual void PrintError(std::string_view text) = 0;
+  /// Prints what a rule writes, unless the agent's writes are off.
+  virtual void Write(std::string_view text) = 0;
+  /// Prints to a log channel (1 to 9) if that channel is on.
+  virtual void Log(int channel, std::string_view text) = 0;
+  /// Prints if the trace of that level (0 to 5) is on.
+  virtual void Trace(int level, std::string_view text) = 0;
+  virtual void RequestHalt() = 0;
+  virtual void RequestInterrupt() = 0;
+  virtual void WaitMilliseconds(std::int64_t milliseconds) = 0;
+  /// A line from the user, without its end; empty if there is nobody to ask.
+  virtual std::string ReadLine() = 0;
+  /// The wall clock as "YYYY-MM-DD HH:MM:SS.mmm", or a fixed text in a deterministic run.
+  virtual std::string Timestamp() = 0;
+  virtual std::uint64_t DecisionCycle() const = 0;
+  /// The next number for `make-constant-symbol`; it counts up for the agent's whole life, starting at 1.
+  virtual std::uint64_t NextConstantNumber() = 0;
+  /// Adds one to the named counter.
+  virtual void Count(std::string_view counter) = 0;
+
+  // Calls outwards ------------------------------------------------------------------------------------------------
+
+  /// Runs a command line and gives what it printed.
+  virtual std::string RunCommand(std::string_view line) = 0;
+  /// Calls the function that a client registered: false if nobody registered it.
+  virtual bool CallUserFunction(std::string_view name, std::string_view argument, std::string& result) = 0;
+
+  // Working memory and learning -----------------------------------------------------------------------------------
+
+  /// The elements of an identifier that rules made (neither the architecture's nor input), newest slot first, values
+  /// in list order. Acceptable-preference elements are left out.
+  virtual void SlotChildren(Symbol identifier, std::vector<Child>& out) const = 0;
+  /// All elements of an identifier: rules', the architecture's and input.
+  virtual void AllChildren(Symbol identifier, std::vector<Child>& out) const = 0;
+  /// A new identifier that belongs to the firing instantiation, with the next number of its letter.
+  virtual Symbol NewIdentifier(char letter) = 0;
+  /// Adds an acceptable preference to what the firing instantiation makes.
+  virtual void MakePreference(Symbol identifier, Symbol attribute, Symbol value) = 0;
+  virtual bool IsGoal(Symbol identifier) const = 0;
+  /// The long-term identifier that an identifier is linked to; 0 if none.
+  virtual std::uint64_t LongTermIdentifier(Symbol identifier) const = 0;
+  virtual void LinkToLongTerm(Symbol identifier, std::uint64_t lti) = 0;
+  virtual void SetLearning(Symbol state, bool learn) = 0;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/base/words.h"
+#include "kernel/rules/functions/function_bodies.h"
+
+namespace soarbox::kernel::function_bodies {
+
+namespace {
+
+using Arguments = std::span<const Symbol>;
+using Child = FunctionContext::Child;
+
+std::string Name(FunctionContext& context, Symbol symbol) { return ToString(context.symbols(), symbol); }
+
+/// The elements of the one argument, which must be an identifier.
+bool ChildrenOf(FunctionContext& context, Arguments arguments, const char* function, std::vector<Child>& out) {
+  if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {
+    context.PrintError("Error: non-symbol (" + (arguments.empty() ? std::string() : Name(context, arguments[0])) +
+                       ") passed to " + function + " function\n");
+    return false;
+  }
+  context.SlotChildren(arguments[0], out);
+  return true;
+}
+
+Symbol Folded(FunctionContext& context, Arguments arguments, const char* function, bool multiply) {
+  std::vector<Child> children;
+  if (!ChildrenOf(context, arguments, function, children)) {
+    return {};
+  }
+  SymbolTable& symbols = context.symbols();
+  std::uint64_t integer = multiply ? 1 : 0;
+  double real = multiply ? 1 : 0;
+  bool all_integers = true;
+  for (const Child& child : children) {
+    if (child.value.IsInteger()) {
+      const auto value = static_cast<std::uint64_t>(symbols.IntegerValue(child.value));
+      integer = multiply ? integer * value : integer + value;
+    }
+    if (child.value.IsNumber()) {
+      const double value = symbols.NumberValue(child.value);
+      real = multiply ? real * value : real + value;
+      all_integers = all_integers && child.value.IsInteger();
+    }
+  }
+  return all_integers ? symbols.Integer(static_cast<std::int64_t>(integer)) : symbols.Float(real);
+}
+
+/// What the set functions work on: the values at the end of a path of attributes from an identifier.
+struct ValueSet {
+  bool ok = false;
+  Symbol error;
+  std::int64_t count = 0;
+  std::vector<double> numbers;
+};
+
+ValueSet CollectSet(FunctionContext& context, Arguments arguments) {
+  ValueSet set;
+  if (arguments.empty() || !arguments[0].IsIdentifier()) {
+    set.error = context.symbols().String("|ERROR: First parameter needs to be an identifier.|");
+    return set;
+  }
+  set.ok = true;
+  std::vector<Symbol> at = {arguments[0]};
+  std::vector<Child> children;
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    std::vector<Symbol> next;
+    for (const Symbol identifier : at) {
+      if (!identifier.IsIdentifier()) {
+        continue;
+      }
+      children.clear();
+      context.SlotChildren(identifier, children);
+      for (const Child& child : children) {
+        if (child.attribute == arguments[i]) {
+          next.push_back(child.value);
+        }
+      }
+    }
+    at = std::move(next);
+  }
+  if (arguments.size() < 2) {
+    return set;
+  }
+  set.count = static_cast<std::int64_t>(at.size());
+  for (const Symbol value : at) {
+    if (value.IsNumber()) {
+      set.numbers.push_back(context.symbols().NumberValue(value));
+    }
+  }
+  return set;
+}
+
+/// A float made of the numbers of a set, or the string NaN if it has none.
+template <typename Make>
+Symbol OfSet(FunctionContext& context, Arguments arguments, Make make) {
+  const ValueSet set = CollectSet(context, arguments);
+  if (!set.ok) {
+    return set.error;
+  }
+  return set.numbers.empty() ? context.symbols().String("NaN") : context.symbols().Float(make(set.numbers));
+}
+
+double SumOf(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double number : numbers) {
+    sum += number;
+  }
+  return sum;
+}
+
+double MeanOf(const std::vector<double>& numbers) { return SumOf(numbers) / static_cast<double>(numbers.size()); }
+
+}  // namespace
+
+Symbol Size(FunctionContext& context, Arguments arguments) {
+  std::vector<Child> children;
+  if (!ChildrenOf(context, arguments, "size", children)) {
+    return {};
+  }
+  return context.symbols().Integer(static_cast<std::int64_t>(children.size()));
+}
+
+Symbol Sum(FunctionContext& context, Arguments arguments) { return Folded(context, arguments, "sum", false); }
+Symbol Product(FunctionContext& context, Arguments arguments) { return Folded(context, arguments, "product", true); }
+
+Symbol SetCount(FunctionContext& context, Arguments arguments) {
+  const ValueSet set = CollectSet(context, arguments);
+  return set.ok ? context.symbols().Integer(set.count) : set.error;
+}
+
+Symbol SetSum(FunctionContext& context, Arguments arguments) { return OfSet(context, arguments, SumOf); }
+
+Symbol SetMultiply(FunctionContext& context, Arguments arguments) {
+  return OfSet(context, arguments, [](const std::vector<double>& numbers) {
+    double product = 1;
+    for (const double number : numbers) {
+      product *= number;
+    }
+    return product;
+  });
+}
+
+Symbol SetMinimum(FunctionContext& context, Arguments arguments) {
+  return OfSet(context, arguments, [](const std::vector<double>& n) { return *std::min_element(n.begin(), n.end()); });
+}
+Symbol SetMaximum(FunctionContext& context, Arguments arguments) {
+  return OfSet(context, arguments, [](const std::vector<double>& n) { return *std::max_element(n.begin(), n.end()); });
+}
+Symbol SetRange(FunctionContext& context, Arguments arguments) {
+  return OfSet(context, arguments, [](const std::vector<double>& n) {
+    return *std::max_element(n.begin(), n.end()) - *std::min_element(n.begin(), n.end());
+  });
+}
+Symbol SetMean(FunctionContext& context, Arguments arguments) { return OfSet(context, arguments, MeanOf); }
+
+Symbol SetDeviation(FunctionContext& context, Arguments arguments) {
+  return OfSet(context, arguments, [](const std::vector<double>& numbers) {
+    const double mean = MeanOf(numbers);
+    double sum = 0;
+    for (const double number : numbers) {
+      sum += (number - mean) * (number - mean);
+    }
+    return std::sqrt(sum / static_cast<double>(numbers.size()));
+  });
+}
+
+/// Copies everything that can be reached; what is shared in the original is shared in the copy.
+Symbol DeepCopy(FunctionContext& context, Arguments arguments) {
+  if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {
+    return context.symbols().String("*symbol not id*");
+  }
+  std::unordered_map<std::uint32_t, Symbol> copies;
+  std::vector<Symbol> waiting;
+  const auto copy_of = [&](Symbol symbol) {
+    if (!symbol.IsIdentifier()) {
+      return symbol;
+    }
+    const auto [found, is_new] = copies.try_emplace(symbol.bits());
+    if (is_new) {
+      found->second = context.NewIdentifier(copies.size() == 1 ? 'D' : context.symbols().Letter(symbol));
+      waiting.push_back(symbol);
+    }
+    return found->second;
+  };
+  const Symbol root = copy_of(arguments[0]);
+  std::vector<Child> children;
+  while (!waiting.empty()) {
+    const Symbol original = waiting.back();
+    waiting.pop_back();
+    const Symbol copy = copies.at(original.bits());
+    children.clear();
+    context.AllChildren(original, children);
+    for (const Child& child : children) {
+      const Symbol attribute = copy_of(child.attribute);
+      context.MakePreference(copy, attribute, copy_of(child.value));
+    }
+  }
+  return root;
+}
+
+Symbol FromXml(FunctionContext& context, Arguments arguments) {
+  if (arguments.size() != 1 || !arguments[0].IsString()) {
+    context.PrintError("Error: non-symbol passed to from-st-xml function\n");
+    return {};
+  }
+  context.PrintError("Error: from-st-xml cannot read this text: the kernel is built without that reader\n");
+  return {};
+}
+
+}  // namespace soarbox::kernel::function_bodies

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/rules/parser.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/rules/finish_rule.h"
+#include "kernel/rules/rule_reader.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+/// The line of `text` that holds `offset`.
+std::string_view LineAt(std::string_view text, std::size_t offset) {
+  const std::size_t at = std::min(offset, text.size());
+  const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  return text.substr(begin, text.find('\n', at) - begin);
+}
+
+}  // namespace
+
+RuleReader::RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, ParseOutcome& out)
+    : body_(body), place_(place), symbols_(symbols), out_(out), names_(symbols, body), lexer_(body) {
+  Advance();
+}
+
+void RuleReader::Advance() {
+  token_ = lexer_.Next();
+  if (token_.warning.empty()) {
+    return;
+  }
+  Say(token_.warning);
+  switch (token_.kind) {
+    case TokenKind::kUnclosed:
+      Report(Severity::kError, token_, "this bar or quote has no partner", "close it, or write \\ in front of it");
+      break;
+    case TokenKind::kString:
+      Report(Severity::kWarning, token_, token_.text + " is read as a string, not as a variable",
+             "a variable has < in front and > behind, and no blanks");
+      break;
+    default:
+      Report(Severity::kWarning, token_, "the number " + token_.text + " is too large and is read as 0", "");
+      break;
+  }
+}
+
+bool RuleReader::Accept(TokenKind kind) {
+  if (!Is(kind)) {
+    return false;
+  }
+  Advance();
+  return true;
+}
+
+void RuleReader::Say(std::string text, bool fresh_line) { out_.messages.push_back({std::move(text), fresh_line}); }
+
+void RuleReader::Report(Severity severity, const Token& token, std::string message, std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.file = place_.file;
+  diagnostic.line = place_.line + token.line - 1;
+  diagnostic.column = token.line == 1 ? place_.column + token.column - 1 : token.column;
+  diagnostic.message = std::move(message);
+  diagnostic.excerpt = LineAt(body_, token.offset);
+  if (token.line == 1) {
+    // The first line of the text stands somewhere within a line of the file.
+    diagnostic.excerpt.insert(0, static_cast<std::size_t>(std::max(0, place_.column - 1)), ' ');
+  }
+  diagnostic.excerpt_length = std::max(1, static_cast<int>(token.length));
+  diagnostic.hint = std::move(hint);
+  out_.diagnostics.push_back(std::move(diagnostic));
+}
+
+bool RuleReader::Fail(std::string_view message, std::string_view hint) {
+  Say(std::string(message) + "\n");
+  std::string found = token_.kind == TokenKind::kEnd ? "the end of the rule" : "'" + std::string(body_.substr(token_.offset, token_.length)) + "'";
+  Report(Severity::kError, token_, std::string(message) + ", found " + found, std::string(hint));
+  return false;
+}
+
+Symbol RuleReader::ConstantOrVariable() {
+  Symbol symbol;
+  switch (token_.kind) {
+    case TokenKind::kVariable: symbol = symbols_.Variable(token_.text); break;
+    case TokenKind::kString: symbol = symbols_.String(token_.text); break;
+    case TokenKind::kIdentifier:
+      Report(Severity::kWarning, token_, std::string(body_.substr(token_.offset, token_.length)) +
+             " looks like an identifier and is read as the string |" + token_.text + "|",
+             "rules cannot name identifiers; put bars around a constant of this form");
+      symbol = symbols_.String(token_.text);
+      break;
+    case TokenKind::kInteger: symbol = symbols_.Integer(token_.integer); break;
+    case TokenKind::kFloat: symbol = symbols_.Float(token_.real); break;
+    default: return symbol;
+  }
+  Advance();
+  return symbol;
+}
+
+bool RuleReader::ReadFlags(Production& rule) {
+  if (Is(TokenKind::kQuoted)) {
+    rule.documentation = token_.text;
+    rule.has_documentation = true;
+    Advance();
+  }
+  while (Is(TokenKind::kString)) {
+    if (token_.text == ":o-support") {
+      rule.declared_support = DeclaredSupport::kOSupport;
+    } else if (token_.text == ":i-support") {
+      rule.declared_support = DeclaredSupport::kISupport;
+    } else if (token_.text == ":chunk") {
+      rule.type = ProductionType::kChunk;
+    } else if (token_.text == ":default") {
+      rule.type = ProductionType::kDefault;
+    } else if (token_.text == ":template") {
+      rule.type = ProductionType::kTemplate;
+    } else if (token_.text == ":interrupt") {
+      rule.interrupt = true;
+    } else if (token_.text == ":explain") {
+      rule.explain = true;
+    } else {
+      return token_.text[0] != ':' ||
+             Fail("Expected ( to begin condition element", "there is no flag of this name; flags are :o-support :i-support "
+                                                           ":default :chunk :template :interrupt :explain");
+    }
+    Advance();
+  }
+  return true;
+}
+
+bool RuleReader::ReadRule(Production& rule) {
+  if (!Is(TokenKind::kString)) {
+    return Fail("Expected symbol for production name",
+                Is(TokenKind::kIdentifier) ? "a name of this form reads as an identifier; use at least two letters" : "");
+  }
+  rule.name = token_.text;
+  out_.name = rule.name;
+  symbols_.String(rule.name);
+  Advance();
+  if (!ReadFlags(rule)) {
+    return false;
+  }
+  if (!ReadConditions(rule.conditions, 0)) {
+    return false;
+  }
+  if (!Is(TokenKind::kArrow)) {
+    return Fail("Expected --> in production");
+  }
+  Advance();
+  return ReadActions(rule.actions);
+}
+
+ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols) {
+  const SymbolTable::PinScope pin(symbols);
+  ParseOutcome out;
+  auto rule = std::make_shared<Production>();
+  rule->file = place.file;
+  rule->line = place.line;
+  const auto ignore = [&](std::vector<RuleMessage>& messages) {
+    if (!out.name.empty()) {
+      messages.push_back({"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n"});
+    }
+  };
+  RuleReader reader(body, place, symbols, out);
+  if (!reader.ReadRule(*rule)) {
+    ignore(out.messages);
+    return out;
+  }
+  out.syntax_ok = true;
+  if (!FinishRule(*rule, place, symbols, out)) {
+    ignore(out.late_messages);
+    return out;
+  }
+  out.production = std::move(rule);
+  return out;
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/rules/print_production.h"
+
+#include <vector>
+
+#include "kernel/base/words.h"
+#include "kernel/rules/reorder.h"
+#include "kernel/rules/rule_reader.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+std::string_view SignOf(TestKind kind) {
+  switch (kind) {
+    case TestKind::kNotEqual: return "<> ";
+    case TestKind::kLess: return "< ";
+    case TestKind::kGreater: return "> ";
+    case TestKind::kLessOrEqual: return "<= ";
+    case TestKind::kGreaterOrEqual: return ">= ";
+    case TestKind::kSameType: return "<=> ";
+    case TestKind::kSameLti: return "@ ";
+    case TestKind::kNotSameLti: return "!@ ";
+    default: return "";
+  }
+}
+
+bool IsGoalTest(const Test& test) { return test.kind == TestKind::kState || test.kind == TestKind::kImpasse; }
+
+std::size_t Column(const std::string& out) {
+  const std::size_t line = out.rfind('\n');
+  return line == std::string::npos ? out.size() : out.size() - line - 1;
+}
+
+/// Prints a list of conditions or actions, one object per line, objects that are too long in several.
+class ObjectPrinter {
+ public:
+  ObjectPrinter(std::string& out, const SymbolTable& symbols, bool internal)
+      : out_(out), symbols_(symbols), internal_(internal) {}
+
+  /// `first_in_line`: the list goes on in the line that is open.
+  void Conditions(const std::vector<Condition>& conditions, std::size_t indent, bool first_in_line) {
+    std::vector<bool> printed(conditions.size(), false);
+    VariableSet bound_as_value;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      if (printed[i]) {
+        continue;
+      }
+      const Condition& condition = conditions[i];
+      const bool negation = condition.kind == ConditionKind::kConjunctiveNegation;
+      if (!first_in_line) {
+        out_ += '\n';
+      }
+      first_in_line = false;
+      out_.append(indent - (negation ? 1 : 0) - std::min(Column(out_), indent - (negation ? 1 : 0)), ' ');
+      if (negation) {
+        out_ += "-{";
+        Conditions(condition.conditions, indent + 2, true);
+        out_ += '}';
+        continue;
+      }
+      out_ += '(';
+      const Symbol id = EqualitySymbol(condition.id);
+      AppendId(condition, !bound_as_value.Has(id));
+      for (std::size_t j = i; j < conditions.size(); ++j) {
+        if (printed[j] || (j != i && !SameObject(conditions[j], id))) {
+          continue;
+        }
+        Item(AttributeText(conditions[j]), indent + 6);
+        printed[j] = true;
+        if (internal_) {
+          break;
+        }
+      }
+      out_ += ')';
+      for (std::size_t j = 0; j < conditions.size(); ++j) {
+        if (printed[j] && conditions[j].kind == ConditionKind::kPositive) {
+          bound_as_value.Add(EqualitySymbol(conditions[j].value));
+        }
+      }
+    }
+  }
+
+  void Actions(const std::vector<Action>& actions, std::size_t indent) {
+    std::vector<bool> printed(actions.size(), false);
+    bool first = true;
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+      if (printed[i]) {
+        continue;
+      }
+      if (!first) {
+        out_ += '\n';
+      }
+      first = false;
+      out_.append(indent, ' ');
+      if (actions[i].is_function_call) {
+        AppendRhsValue(out_, symbols_, actions[i].value);
+        continue;
+      }
+      out_ += '(';
+      AppendRhsValue(out_, symbols_, actions[i].id);
+      for (std::size_t j = i; j < actions.size(); ++j) {
+        if (printed[j] || actions[j].is_function_call || actions[j].id.symbol != actions[i].id.symbol) {
+          continue;
+        }
+        Item(ActionText(actions[j], false), indent + 7);
+        printed[j] = true;
+        if (internal_) {
+          break;
+        }
+      }
+      out_ += ')';
+    }
+    if (actions.empty()) {
+      out_.append(indent, ' ');
+    }
+  }
+
+  /// " ^attribute value +"
+  std::string AttributeText(const Condition& condition) const {
+    std::string text = condition.kind == ConditionKind::kNegative ? " -^" : " ^";
+    AppendTest(text, symbols_, condition.attribute);
+    if (condition.value.kind != TestKind::kBlank) {
+      text += ' ';
+      AppendTest(text, symbols_, condition.value);
+    }
+    if (condition.tests_acceptable) {
+      text += " +";
+    }
+    return text;
+  }
+
+  std::string ActionText(const Action& action, bool always_signed) const {
+    std::string text = " ^";
+    AppendRhsValue(text, symbols_, action.attribute);
+    text += ' ';
+    AppendRhsValue(text, symbols_, action.value);
+    const bool is_operator = action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol == words::kOperator;
+    if (always_signed || is_operator || action.preference != PreferenceType::kAcceptable) {
+      text += ' ';
+      text += PreferenceSign(action.preference);
+    }
+    if (action.HasReferent()) {
+      text += ' ';
+      AppendRhsValue(text, symbols_, action.referent);
+    }
+    return text;
+  }
+
+  void AppendId(const Condition& condition, bool with_goal_test) {
+    Test rest = condition.id;
+    if (rest.kind == TestKind::kConjunction) {
+      std::vector<Test> parts;
+      for (const Test& part : condition.id.parts) {
+        if (!IsGoalTest(part)) {
+          parts.push_back(part);
+        } else if (with_goal_test) {
+          out_ += part.kind == TestKind::kState ? "state " : "impasse ";
+        }
+      }
+      if (parts.size() == 1) {
+        rest = parts.front();
+      } else {
+        rest.parts = std::move(parts);
+      }
+    }
+    AppendTest(out_, symbols_, rest);
+  }
+
+ private:
+  bool SameObject(const Condition& condition, Symbol id) const {
+    return condition.kind != ConditionKind::kConjunctiveNegation && EqualitySymbol(condition.id) == id;
+  }
+
+  /// Adds a text to the object, in a new line if it does not fit any more.
+  void Item(const std::string& text, std::size_t indent) {
+    if (Column(out_) + text.size() >= kPrintColumns) {
+      out_ += '\n';
+      out_.append(indent - 1, ' ');
+    }
+    out_ += text;
+  }
+
+  std::string& out_;
+  const SymbolTable& symbols_;
+  bool internal_;
+};
+
+void AppendQuoted(std::string& out, std::string_view text) {
+  out += '"';
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+    }
+    out += c;
+  }
+  out += '"';
+}
+
+}  // namespace
+
+std::string_view PreferenceSign(PreferenceType type) {
+  switch (type) {
+    case PreferenceType::kAcceptable: return "+";
+    case PreferenceType::kRequire: return "!";
+    case PreferenceType::kReject: return "-";
+    case PreferenceType::kProhibit: return "~";
+    case PreferenceType::kBest: case PreferenceType::kBetter: return ">";
+    case PreferenceType::kWorst: case PreferenceType::kWorse: return "<";
+    default: return "=";
+  }
+}
+
+void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) {
+  switch (test.kind) {
+    case TestKind::kBlank: return;
+    case TestKind::kState: out += "state"; return;
+    case TestKind::kImpasse: out += "impasse"; return;
+    case TestKind::kIsLti: out += "@+"; return;
+    case TestKind::kIsNotLti: out += "@-"; return;
+    case TestKind::kDisjunction:
+      out += "<< ";
+      for (const Symbol symbol : test.disjuncts) {
+        AppendTo(out, symbols, symbol);
+        out += ' ';
+      }
+      out += ">>";
+      return;
+    case TestKind::kConjunction:
+      out += "{ ";
+      for (const Test& part : test.parts) {
+        AppendTest(out, symbols, part);
+        out += ' ';
+      }
+      out += '}';
+      return;
+    default:
+      out += SignOf(test.kind);
+      AppendTo(out, symbols, test.referent);
+      return;
+  }
+}
+
+void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue& value) {
+  if (value.kind != RhsValueKind::kFunction) {
+    AppendTo(out, symbols, value.symbol);
+    return;
+  }
+  out += '(';
+  const bool sign = value.function.size() == 1 && std::string_view("+-*/").find(value.function[0]) != std::string_view::npos;
+  if (sign || ReadsAsPlainString(value.function)) {
+    out += value.function;
+  } else {
+    out += '|' + value.function + '|';
+  }
+  for (const RhsValue& argument : value.arguments) {
+    out += ' ';
+    AppendRhsValue(out, symbols, argument);
+  }
+  out += ')';
+}
+
+void AppendAction(std::string& out, const SymbolTable& symbols, const Action& action) {
+  ObjectPrinter(out, symbols, true).Actions({action}, 0);
+}
+
+void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const Action& action) {
+  if (action.is_function_call) {
+    AppendRhsValue(out, symbols, action.value);
+    return;
+  }
+  out += '(';
+  AppendRhsValue(out, symbols, action.id);
+  out += ObjectPrinter(out, symbols, true).ActionText(action, true) + ")";
+}
+
+void AppendCondition(std::string& out, const SymbolTable& symbols, const Condition& condition) {
+  if (condition.kind == ConditionKind::kConjunctiveNegation) {
+    out += "-{";
+    for (const Condition& inner : condition.conditions) {
+      out += ' ';
+      AppendCondition(out, symbols, inner);
+    }
+    out += '}';
+    return;
+  }
+  ObjectPrinter printer(out, symbols, true);
+  out += '(';
+  printer.AppendId(condition, true);
+  out += printer.AttributeText(condition) + ")";
+}
+
+std::string PrintProduction(const SymbolTable& symbols, const Production& production, const RulePrintOptions& options) {
+  std::string out = "sp {";
+  const Symbol name = symbols.FindString(production.name);
+  if (name) {
+    AppendTo(out, symbols, name);
+  } else {
+    out += production.name;
+  }
+  out += '\n';
+  if (production.has_documentation || !production.documentation.empty()) {
+    out += "    ";
+    AppendQuoted(out, production.documentation);
+    out += '\n';
+  }
+  switch (production.type) {
+    case ProductionType::kDefault: out += "    :default\n"; break;
+    case ProductionType::kChunk: out += "    :chunk\n"; break;
+    case ProductionType::kTemplate: out += "   :template\n"; break;
+    default: break;
+  }
+  if (production.declared_support == DeclaredSupport::kOSupport) {
+    out += "    :o-support\n";
+  } else if (production.declared_support == DeclaredSupport::kISupport) {
+    out += "    :i-support\n";
+  }
+  if (production.interrupt) {
+    out += "    :interrupt\n";
+  }
+  ObjectPrinter printer(out, symbols, options.internal);
+  printer.Conditions(production.conditions, 4, true);
+  out += "\n    -->\n";
+  printer.Actions(production.actions, 4);
+  out += "\n}\n";
+  return out;
+}
+
+}  // namespace soarbox::kernel
