@@ -109,6 +109,32 @@ void DemoScene::AddBlocks(SceneSnapshot& scene) const {
   DrawableSnapshot glass = Thing(scene, ShapeKind::kBox, {9, 0.8f, 7}, {1.2f, 1.6f, 0.2f});
   glass.material = "TransparentBlue";
   scene.drawables.push_back(glass);
+  for (int i = 0; i < 24; ++i) {
+    const float a = 2 * kPi * static_cast<float>(i) / 24, b = 2 * kPi * static_cast<float>(i + 1) / 24;
+    scene.triangles.push_back({{-3, 0.03f, 6}, {-3 + 1.5f * std::sin(a), 0.03f, 6 + 1.5f * std::cos(a)},
+                               {-3 + 1.5f * std::sin(b), 0.03f, 6 + 1.5f * std::cos(b)}, {0.2f, 1, 1, 0.4f}});
+  }
+  world::ParticleSnapshot burst;
+  burst.id = 900001;
+  burst.effect = "BulletImpact";
+  burst.position = {-3, 1, 6};
+  burst.has_direction = true;
+  burst.direction = {0, 1, 0};
+  scene.particles.push_back(burst);
+  world::UiSnapshot sign;
+  sign.id = 2;
+  sign.in_world = true;
+  sign.world_position = {4.0f, 3.6f, 11.7f};
+  sign.world_orientation = Yaw(kPi);
+  sign.width = 400;
+  sign.height = 70;
+  sign.margin_left = sign.margin_top = 14;
+  sign.has_gradient = true;
+  sign.gradient_from = {0.05f, 0.15f, 0.3f, 0.9f};
+  sign.gradient_to = {0.1f, 0.3f, 0.5f, 0.9f};
+  sign.is_markup = true;
+  sign.text = "%@24%A sign in the %4world";
+  scene.ui.push_back(sign);
   DrawableSnapshot crate = Thing(scene, ShapeKind::kBox, {11.5f, 0.6f, 7}, {1.2f, 1.2f, 1.2f});
   crate.material = "NobiaxModular";
   scene.drawables.push_back(crate);

@@ -28,8 +28,12 @@ Quat Unit(Quat q) {
 }  // namespace
 
 void FreeCamera::MoveTo(const world::CameraSnapshot& pose) {
+  const float number = pose.position.x + pose.position.y + pose.position.z + pose.orientation.w + pose.orientation.x +
+                       pose.orientation.y + pose.orientation.z;
+  if (!std::isfinite(number)) return;
   pose_ = pose;
   pose_.orientation = Unit(pose.orientation);
+  pose_.vertical_fov_deg = std::clamp(std::isfinite(pose.vertical_fov_deg) ? pose.vertical_fov_deg : 45.0f, 5.0f, 150.0f);
   velocity_ = {};
   following_ = false;
 }

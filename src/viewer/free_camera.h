@@ -19,7 +19,7 @@ struct CameraInput {
 /// itself. When it follows a body it circles it at a distance instead. Pure arithmetic, no drawing.
 class FreeCamera {
  public:
-  /// Jumps there: where a script or F1 put the camera. Ends following.
+  /// Jumps there: where a script or F1 put the camera. Ends following. A pose that is no number is ignored.
   void MoveTo(const world::CameraSnapshot& pose);
 
   /// Advances by `seconds` of the user's time.

@@ -134,7 +134,7 @@ void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
   auto& textures = Ogre::TextureManager::getSingleton();
   Ogre::TexturePtr texture = textures.getByName(kSkyTexture, kGroup);
   if (!texture) {
-    const auto size = static_cast<unsigned>(faces[0].width);
+    constexpr unsigned size = kSkyFaceSize;
     texture = textures.createManual(kSkyTexture, kGroup, Ogre::TEX_TYPE_CUBE_MAP, size, size, Ogre::MIP_UNLIMITED,
                                     Ogre::PF_BYTE_RGBA, Ogre::TU_AUTOMIPMAP);
   }

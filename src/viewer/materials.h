@@ -28,7 +28,8 @@ class Materials {
   /// The body of an agent: its kind's colour, dull if it failed, grey if it died.
   const Found& AgentBody(std::string_view kind, bool alive, bool failed);
 
-  /// Replaces the picture of the sky, which surfaces mirror too.
+  /// Replaces the picture of the sky, which surfaces mirror too. Faces of other sizes are scaled.
+  static constexpr int kSkyFaceSize = 640;
   void SetSkyPicture(const std::array<Image, 6>& faces);
   Ogre::MaterialPtr SkyMaterial();
 

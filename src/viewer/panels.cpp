@@ -52,6 +52,16 @@ void Row(const char* label, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
+/// From red through amber to green.
+world::Color HealthColor(float share) {
+  return share < 0.5f ? world::Color{0.90f, 0.22f + 1.0f * share, 0.18f, 1} : world::Color{0.90f - 1.2f * (share - 0.5f), 0.72f, 0.22f, 1};
+}
+
+std::string LabelText(const world::AgentSnapshot& agent) {
+  const std::string name = agent.name.empty() ? Text("agent %u", agent.id) : agent.name.substr(0, 60);
+  return agent.failed ? name + "  (stopped)" : name;
+}
+
 /// Text with a dark rim, legible on any ground.
 void RimmedText(ImDrawList& out, ImFont* font, ImVec2 at, ImU32 color, const char* text, float alpha) {
   const ImU32 rim = IM_COL32(8, 12, 18, static_cast<int>(190 * alpha));
@@ -86,7 +96,8 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
   if (failed > 0) bar.Word(Text("%d stopped by an error", static_cast<int>(failed)), IM_COL32(255, 120, 104, 255), true);
   if (!status.message.empty()) bar.Word(status.message, kQuiet);
 
-  const std::string right = Text("%.0f fps     H  keys", static_cast<double>(frames_per_second));
+  const std::string rate = frames_per_second > 0 ? Text("%.0f fps     ", static_cast<double>(frames_per_second)) : "";
+  const std::string right = rate + "H  keys";
   ImFont* font = host.panel_font();
   const float right_width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, right.c_str()).x;
   BarWriter(out, host, width - right_width - 14).Word(right, kQuiet);
@@ -166,7 +177,8 @@ void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, boo
     ImGui::TextDisabled("health");
     ImGui::TableNextColumn();
     const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImVec4(0.85f - 0.55f * share, 0.25f + 0.5f * share, 0.30f, 1));
+    const world::Color color = HealthColor(share);
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImVec4(color.r, color.g, color.b, 1));
     ImGui::ProgressBar(share, {120, 14}, Text("%.0f", static_cast<double>(agent.health)).c_str());
     ImGui::PopStyleColor();
     if (agent.failed) Row("state", "its script stopped on an error");
@@ -179,42 +191,52 @@ void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, boo
 
 void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents, const world::CameraSnapshot& camera,
                      const Projection& projection, std::uint32_t selected) {
-  constexpr std::size_t kMostLabels = 80;
+  constexpr std::size_t kMostLabels = 60;
   constexpr float kFadeFrom_m = 50, kGone_m = 90;
   struct Label {
     float distance;
     const world::AgentSnapshot* agent;
+    std::string text;
+    ImFont* font;
+    ImVec2 corner, end;
   };
-  std::vector<Label> labels;
+  std::vector<Label> candidates;
   for (const auto& agent : agents) {
     const float distance = world::Distance(agent.position, camera.position);
-    if (distance < kGone_m || agent.id == selected) labels.push_back({distance, &agent});
-  }
-  // Far ones first, so that near ones lie on top; equal distances keep the agents' order.
-  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.distance > b.distance; });
-  if (labels.size() > kMostLabels) labels.erase(labels.begin(), labels.end() - kMostLabels);
-
-  ImDrawList& out = *ImGui::GetBackgroundDrawList();
-  for (const Label& label : labels) {
-    const world::AgentSnapshot& agent = *label.agent;
+    if (!(distance < kGone_m) && agent.id != selected) continue;
     const auto at = projection.Project(agent.position + world::Vec3{0, agent.height_m / 2 + 0.28f, 0});
     if (!at || at->x < -100 || at->x > ImGui::GetIO().DisplaySize.x + 100) continue;
-    const bool is_selected = agent.id == selected;
-    const float alpha = is_selected ? 1 : std::clamp((kGone_m - label.distance) / (kGone_m - kFadeFrom_m), 0.0f, 1.0f);
-    ImFont* font = is_selected ? host.bold_font() : host.panel_font();
-    std::string text = agent.name.empty() ? Text("agent %u", agent.id) : agent.name;
-    if (agent.failed) text += "  (stopped)";
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-    const ImVec2 corner{std::round(at->x - size.x / 2), std::round(at->y - size.y)};
-    const ImU32 color = agent.failed ? IM_COL32(255, 130, 112, static_cast<int>(255 * alpha)) : IM_COL32(255, 255, 255, static_cast<int>(255 * alpha));
-    RimmedText(out, font, corner, color, text.c_str(), alpha);
-    const float half = std::min(size.x / 2, 18.0f), bar_y = corner.y + size.y + 2;
-    if (agent.health < 99.5f && agent.alive) {
-      const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
-      out.AddRectFilled({at->x - half, bar_y}, {at->x + half, bar_y + 4}, IM_COL32(8, 12, 18, static_cast<int>(190 * alpha)));
-      out.AddRectFilled({at->x - half, bar_y}, {at->x - half + 2 * half * share, bar_y + 4},
-                        Packed({0.85f - 0.55f * share, 0.25f + 0.5f * share, 0.30f, 1}, alpha));
-    }
+    Label label{agent.id == selected ? 0 : distance, &agent, LabelText(agent), nullptr, {}, {}};
+    label.font = agent.id == selected ? host.bold_font() : host.panel_font();
+    const ImVec2 size = label.font->CalcTextSizeA(label.font->FontSize, FLT_MAX, 0, label.text.c_str());
+    label.corner = {std::round(at->x - size.x / 2), std::round(at->y - size.y)};
+    label.end = {label.corner.x + size.x, label.corner.y + size.y};
+    candidates.push_back(std::move(label));
+  }
+  // Near ones first: a label gives way to nearer ones. Equal distances keep the agents' order.
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Label& a, const Label& b) { return a.distance < b.distance; });
+  std::vector<const Label*> shown;
+  for (const Label& label : candidates) {
+    const bool covered = std::any_of(shown.begin(), shown.end(), [&](const Label* near) {
+      return label.corner.x < near->end.x && near->corner.x < label.end.x && label.corner.y + 3 < near->end.y &&
+             near->corner.y + 3 < label.end.y;
+    });
+    if (!covered) shown.push_back(&label);
+    if (shown.size() == kMostLabels) break;
+  }
+
+  ImDrawList& out = *ImGui::GetBackgroundDrawList();
+  for (const Label* label : shown) {
+    const world::AgentSnapshot& agent = *label->agent;
+    const float alpha = std::clamp((kGone_m - label->distance) / (kGone_m - kFadeFrom_m), 0.0f, 1.0f);
+    const int opacity = static_cast<int>(255 * alpha);
+    const ImU32 color = agent.failed ? IM_COL32(255, 130, 112, opacity) : IM_COL32(255, 255, 255, opacity);
+    RimmedText(out, label->font, label->corner, color, label->text.c_str(), alpha);
+    if (agent.health > 99.5f || !agent.alive) continue;
+    const float middle = (label->corner.x + label->end.x) / 2, half = 20, y = label->end.y + 2;
+    const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
+    out.AddRectFilled({middle - half - 1, y - 1}, {middle + half + 1, y + 5}, IM_COL32(8, 12, 18, static_cast<int>(190 * alpha)));
+    out.AddRectFilled({middle - half, y}, {middle - half + 2 * half * share, y + 4}, Packed(HealthColor(share), alpha));
   }
 }
 

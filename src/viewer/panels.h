@@ -9,7 +9,7 @@ namespace soarbox::viewer {
 
 /// The window's own panels, drawn anew each frame.
 
-/// A slim bar along the top: running or paused, time, tick, speed, agents, frames per second.
+/// A slim bar along the top: running or paused, time, tick, speed, agents, frames per second (0: not shown).
 void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene, float frames_per_second);
 
 /// The list of keys, in the middle of the window.
@@ -18,7 +18,7 @@ void DrawKeyHelp(const PanelHost& host);
 /// What is known about the selected agent, at the bottom left.
 void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed);
 
-/// The names of agents above their heads, the nearest ones if there are very many; the selected one always.
+/// The names of agents above their heads. Names give way to those of nearer agents; the selected one is always there.
 void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents, const world::CameraSnapshot& camera,
                      const Projection& projection, std::uint32_t selected);
 

@@ -29,7 +29,7 @@ Vec3 Projection::RayThrough(ScreenPoint pixel) const {
 std::optional<ScreenPoint> Projection::Project(Vec3 point) const {
   const Vec3 away = point - eye_;
   const float depth = Dot(away, forward_);
-  if (depth < 0.1f) return std::nullopt;
+  if (!(depth >= 0.1f)) return std::nullopt;  // Also what is not a number.
   return ScreenPoint{width_ / 2 + Dot(away, right_) / depth * pixels_per_slope_,
                      height_ / 2 - Dot(away, up_) / depth * pixels_per_slope_};
 }

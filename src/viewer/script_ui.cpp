@@ -14,6 +14,8 @@ using world::Color;
 using world::UiSnapshot;
 
 constexpr float kMetresPerPixel = 0.005f;
+/// ImGui counts the corners of a frame's letters in 16 bits; what exceeds this is left out.
+constexpr std::size_t kMostCorners = 60000;
 
 ImU32 Packed(Color c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a}); }
 
@@ -73,6 +75,7 @@ void DrawLines(ImDrawList& out, const std::vector<TextLine>& lines, const PanelH
     if (y + height > area.bottom + 0.5f) return;
     float x = area.left;
     for (const TextRun& run : line) {
+      if (static_cast<std::size_t>(out.VtxBuffer.Size) + 4 * run.text.size() > kMostCorners) return;
       // Runs of smaller fonts stand on the same ground as the tallest.
       const float lowered = y + (height - LineHeight(run.font)) * 0.8f;
       x = DrawRun(out, run, host.FontFor(run.font), color_of(run), x, lowered, area);
@@ -144,7 +147,7 @@ void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projec
   std::stable_sort(order.begin(), order.end(), [](const UiSnapshot* a, const UiSnapshot* b) { return a->layer < b->layer; });
   ImDrawList& out = *ImGui::GetBackgroundDrawList();
   for (const UiSnapshot* ui : order) {
-    if (!ui->visible) continue;
+    if (!ui->visible || static_cast<std::size_t>(out.VtxBuffer.Size) > kMostCorners) continue;
     ImVec2 corner{ui->x, ui->y};
     const UiSnapshot* top = ui;
     // A family is never deeper than there are panels.

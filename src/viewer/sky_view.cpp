@@ -4,8 +4,6 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr int kFaceSize = 640;
-
 struct NamedSky {
   const char* name;  ///< Without the ending "SkyBox".
   SkyStyle style;
@@ -37,7 +35,7 @@ SkyStyle PlainSky() {
 }  // namespace
 
 SkyView::SkyView(Ogre::SceneManager& scene, Materials& materials) : materials_(materials) {
-  materials_.SetSkyPicture(SkyImages(PlainSky(), kFaceSize));
+  materials_.SetSkyPicture(SkyImages(PlainSky(), 16));
   Ogre::ManualObject* box = scene.createManualObject("Soarbox/SkyBox");
   materials_.SkyMaterial();
   box->begin("Soarbox/Sky", Ogre::RenderOperation::OT_TRIANGLE_LIST, kGroup);
@@ -54,7 +52,6 @@ SkyView::SkyView(Ogre::SceneManager& scene, Materials& materials) : materials_(m
   box->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
   node_ = scene.getRootSceneNode()->createChildSceneNode();
   node_->attachObject(box);
-  shown_.clear();
 }
 
 bool SkyView::Show(const std::string& name) {
@@ -70,7 +67,7 @@ bool SkyView::Show(const std::string& name) {
     known_ = found != nullptr;
     style = found != nullptr ? found->style : SkyStyle{};
   }
-  materials_.SetSkyPicture(SkyImages(style, kFaceSize));
+  materials_.SetSkyPicture(SkyImages(style, Materials::kSkyFaceSize));
   return known_;
 }
 

@@ -13,6 +13,7 @@
 #include "viewer/light_rig.h"
 #include "viewer/line_batch.h"
 #include "viewer/panels.h"
+#include "viewer/particle_lines.h"
 #include "viewer/scene_view.h"
 #include "viewer/script_ui.h"
 #include "viewer/sky_view.h"
@@ -24,6 +25,17 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr float kLineWidth_px = 2.2f;
+
+/// Where the media are unless the application says so: beside an installed program, else where the build had them.
+fs::path DefaultMediaDir() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = program.parent_path().parent_path() / "share/soarbox/media";
+    if (fs::exists(installed / "shaders", error)) return installed;
+  }
+  return SOARBOX_MEDIA_DIR;
+}
 
 /// A ring on the ground around the selected agent.
 std::vector<world::LineSnapshot> RingAround(const world::AgentSnapshot& agent) {
@@ -56,6 +68,7 @@ struct Viewer::Impl {
   std::optional<InputReader> input;
 
   FreeCamera camera;
+  ParticleLines particles;
   std::optional<std::uint32_t> camera_moves;
   world::SceneSnapshot scene;  ///< Without its drawables; agents stand where they are drawn.
   RunStatus status;
@@ -85,7 +98,7 @@ struct Viewer::Impl {
 };
 
 Result<void> Viewer::Impl::Build() {
-  const fs::path media = options.media_dir.empty() ? fs::path(SOARBOX_MEDIA_DIR) : options.media_dir;
+  const fs::path media = options.media_dir.empty() ? DefaultMediaDir() : options.media_dir;
   auto loaded = Shaders::Load(media / "shaders", engine->low_detail());
   if (!loaded) return loaded.error();
   shaders = *loaded;
@@ -131,6 +144,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   scene.markup_palette = newest.markup_palette;
   scene.agents = newest.agents;
   scene.lines = newest.lines;
+  particles.AddLines(newest, scene.lines);
   fills->Update(newest.triangles);
   if (previous != nullptr && blend < 1) {
     // Agents keep their order; new ones stand at the end.
@@ -151,10 +165,10 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
 void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   events.insert(events.end(), in.events.begin(), in.events.end());
   commands.insert(commands.end(), in.commands.begin(), in.commands.end());
-  if (in.new_width > 0) engine->Resize(in.new_width, in.new_height);
   show_help ^= in.toggle_help;
   show_labels ^= in.toggle_labels;
   for (const ScreenPoint click : in.clicks) selected = View().AgentAt(click, scene.agents);
+  if (in.new_width > 0) engine->Resize(in.new_width, in.new_height);
   if (in.toggle_follow) follows = !follows && Selected() != nullptr;
   camera.Update(in.camera, seconds);
   if (in.camera.forward != 0 || in.camera.left != 0 || in.camera.up != 0) follows = false;
@@ -178,7 +192,7 @@ void Viewer::Impl::DrawPanels(float seconds) {
   DrawScriptUi(scene, view, *panels);
   if (const auto* agent = Selected()) DrawAgentCard(*panels, *agent, follows);
   if (show_help) DrawKeyHelp(*panels);
-  if (options.show_status_bar) DrawStatusBar(*panels, status, scene, frames_per_second);
+  if (options.show_status_bar) DrawStatusBar(*panels, status, scene, options.hidden ? 0 : frames_per_second);
   panels->EndFrame();
 }
 

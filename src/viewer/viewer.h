@@ -24,7 +24,8 @@ enum class Detail : std::uint8_t {
 struct ViewerOptions {
   int width = 1280, height = 720;  ///< Of the picture, in pixels; at least 64 by 64.
   std::string title = "Soarbox";
-  std::filesystem::path media_dir = {};  ///< Holds `shaders/`; empty: where the build found it.
+  std::filesystem::path media_dir = {};  ///< Holds `shaders/`; empty: ../share/soarbox/media beside the
+                                         ///< program, or where the build had it.
   bool hidden = false;              ///< Draws without a visible window (it still needs a display), for pictures.
   Detail detail = Detail::kAuto;
   bool vsync = true;

@@ -3,6 +3,7 @@
 #include <OgreColourValue.h>
 #include <OgreDataStream.h>
 #include <OgreImage.h>
+#include <SDL.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -158,6 +159,68 @@ TEST_F(PictureTest, ThingsCastShadowsAndWhatIsMissingIsMagentaAndReportedOnce) {
   EXPECT_THAT(diagnostics_, Each(HasSubstr("warning")));
   EXPECT_THAT(diagnostics_[0], HasSubstr("models/unicorn.mesh"));
   EXPECT_THAT(diagnostics_[1], HasSubstr("Mahogany"));
+}
+
+TEST_F(PictureTest, AVisibleWindowAnswersClicksKeysAndItsNewSize) {
+  ViewerOptions options;
+  options.width = 800;
+  options.height = 600;
+  auto opened = Viewer::Open(options);
+  ASSERT_TRUE(opened.ok()) << Format(opened.error());
+  Viewer& viewer = **opened;
+  const world::SceneSnapshot scene = DemoScene(6, 0, 800, 600).At(0);
+  viewer.Show(scene);
+  ASSERT_TRUE(viewer.RenderFrame());
+  viewer.TakeEvents();
+
+  const auto agent = Projection(scene.camera, 800, 600).Project(scene.agents[4].position);
+  ASSERT_TRUE(agent.has_value());
+  SDL_Event event{};
+  event.button.button = SDL_BUTTON_LEFT;
+  event.button.x = static_cast<int>(agent->x);
+  event.button.y = static_cast<int>(agent->y);
+  for (const std::uint32_t type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP}) {
+    event.type = type;
+    SDL_PushEvent(&event);
+  }
+  SDL_Event key{};
+  key.type = SDL_KEYDOWN;
+  key.key.keysym.scancode = SDL_SCANCODE_P;
+  SDL_PushEvent(&key);
+  SDL_Event resized{};
+  resized.type = SDL_WINDOWEVENT;
+  resized.window.event = SDL_WINDOWEVENT_SIZE_CHANGED;
+  resized.window.data1 = 640;
+  resized.window.data2 = 400;
+  SDL_PushEvent(&resized);
+  ASSERT_TRUE(viewer.RenderFrame());
+
+  EXPECT_EQ(viewer.selected_agent(), scene.agents[4].id);
+  EXPECT_THAT(viewer.TakeCommands(), testing::ElementsAre(ViewerCommand::kTogglePause));
+  EXPECT_GE(viewer.TakeEvents().size(), 3u);
+  EXPECT_EQ(viewer.width(), 640);
+  const Picture picture = Draw(viewer, scene);
+  EXPECT_EQ(picture.width(), 640);
+  EXPECT_EQ(picture.height(), 400);
+
+  SDL_Event close{};
+  close.type = SDL_QUIT;
+  SDL_PushEvent(&close);
+  EXPECT_FALSE(viewer.RenderFrame());
+}
+
+TEST_F(PictureTest, TheCameraObeysScriptsOnlyWhenTheyMoveIt) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  world::SceneSnapshot scene = DemoScene(1, 0, kWidth, kHeight).At(0);
+  viewer->Show(scene);
+  EXPECT_EQ(viewer->Camera().position, scene.camera.position);
+  scene.camera.position = {1, 2, 3};
+  viewer->Show(scene);
+  EXPECT_NE(viewer->Camera().position, scene.camera.position);
+  ++scene.camera_moves;
+  viewer->Show(scene);
+  EXPECT_EQ(viewer->Camera().position, scene.camera.position);
 }
 
 TEST_F(PictureTest, MistakesComeBackAsDiagnostics) {
