@@ -113,7 +113,7 @@ Condition RandomRules::NextCondition(std::vector<Symbol>& bound, int depth) {
 Production RandomRules::NextRule(std::string name) {
   std::vector<Symbol> bound;
   std::vector<Condition> conditions;
-  const std::uint32_t count = 1 + Below(5);
+  const std::uint32_t count = 1 + Below(6);
   for (std::uint32_t n = 0; n < count; ++n) {
     conditions.push_back(NextCondition(bound, 0));
   }
