@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/words.h"
+
+namespace soarbox::cli {
+
+/// Short names for commands with their first arguments. An expansion is not expanded again.
+class AliasTable {
+ public:
+  /// Starts with Soar's own aliases.
+  AliasTable();
+
+  /// Puts the expansion in place of the first word if that is an alias.
+  void Expand(std::vector<Word>& words) const;
+
+  void Define(std::string name, std::vector<std::string> expansion);
+  void Remove(const std::string& name);
+  /// The expansion as it would be typed; empty if there is no such alias.
+  std::string Expansion(const std::string& name) const;
+  /// All names with their expansions, sorted by name.
+  std::vector<std::pair<std::string, std::string>> All() const;
+
+ private:
+  std::map<std::string, std::vector<std::string>> aliases_;
+};
+
+}  // namespace soarbox::cli

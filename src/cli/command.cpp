@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/command.h"
+
+#include "cli/interpreter.h"
+
+namespace soarbox::cli {
+
+kernel::Agent& CommandCall::agent() const { return session.agent(); }
+
+PrintStream& CommandCall::stream() const { return session.stream(); }
+
+bool CommandCall::Fail(std::string_view message) {
+  Out(message);
+  failure = Failure::kWithMessage;
+  Diagnostic diagnostic;
+  if (!words.empty()) {
+    diagnostic.line = words.front().line;
+    diagnostic.column = words.front().column;
+  }
+  diagnostic.message = std::string(message.substr(0, message.find('\n')));
+  result.diagnostics.push_back(std::move(diagnostic));
+  return false;
+}
+
+bool CommandCall::FailPrinted() {
+  failure = Failure::kWithoutMessage;
+  return false;
+}
+
+void CommandCall::Hint(std::string message, std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::kNote;
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  result.diagnostics.push_back(std::move(diagnostic));
+}
+
+void CommandCall::AddArgument(std::string param, std::string type, std::string value) {
+  result.structured.AddArgument(std::move(param), std::move(type), std::move(value));
+}
+
+bool CommandCall::Parse(std::span<const OptionSpec> specs, ParsedWords& parsed) {
+  parsed = ParseOptions(words.subspan(1), specs);
+  if (parsed.error.empty()) return true;
+  return Fail(parsed.error);
+}
+
+bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid,
+                   std::string_view usage_hint) {
+  // Soar checks the options against those of all sub-commands before it looks at the sub-command.
+  std::vector<OptionSpec> all;
+  for (const SubcommandInfo& subcommand : command.subcommands) {
+    for (const OptionSpec& option : subcommand.options) {
+      bool known = false;
+      for (const OptionSpec& other : all) known = known || (other.letter == option.letter && other.name == option.name);
+      if (!known) all.push_back(option);
+    }
+  }
+  const ParsedWords checked = ParseOptions(call.words.subspan(1), all);
+  if (!checked.error.empty()) {
+    return call.Fail(checked.error + "\n" + std::string(usage_hint));
+  }
+
+  const std::string& word = call.words[1].text;
+  std::vector<const SubcommandInfo*> found;
+  for (const SubcommandInfo& subcommand : command.subcommands) {
+    if (subcommand.name == word) {
+      found = {&subcommand};
+      break;
+    }
+    if (!word.empty() && subcommand.name.starts_with(word)) found.push_back(&subcommand);
+  }
+  if (found.size() > 1) {
+    std::string message = "%?  Did you mean ";
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (i > 0) message += i + 1 == found.size() ? ", or " : ", ";
+      message += found[i]->name;
+    }
+    return call.Fail(message + "?\n" + std::string(invalid));
+  }
+  if (found.empty()) {
+    std::vector<std::string_view> names;
+    for (const SubcommandInfo& subcommand : command.subcommands) names.push_back(subcommand.name);
+    const std::string_view nearest = Suggest(word, names);
+    if (!nearest.empty()) {
+      call.Hint("'" + word + "' is no sub-command of " + std::string(command.name),
+                "did you mean '" + std::string(nearest) + "'?");
+    }
+    return call.Fail(invalid);
+  }
+  std::vector<Word> words(call.words.begin() + 1, call.words.end());
+  words.front().text = found.front()->name;
+  const std::span<const Word> outer = call.words;
+  call.words = words;
+  const bool ok = found.front()->handler(call);
+  call.words = outer;
+  return ok;
+}
+
+const CommandInfo* FindCommand(std::string_view word, std::string& error) {
+  std::vector<const CommandInfo*> found;
+  for (const CommandInfo& command : Commands()) {
+    if (command.name == word) return &command;
+    if (!word.empty() && command.name.starts_with(word)) found.push_back(&command);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty()) {
+    error = "No such command: " + std::string(word);
+  } else {
+    error = "Ambiguous command, possibilities: ";
+    for (const CommandInfo* command : found) error += "'" + std::string(command->name) + "' ";
+  }
+  return nullptr;
+}
+
+std::string NearestCommand(std::string_view word, const std::vector<std::pair<std::string, std::string>>& aliases) {
+  std::vector<std::string_view> names;
+  for (const CommandInfo& command : Commands()) names.push_back(command.name);
+  for (const auto& [name, expansion] : aliases) names.push_back(name);
+  return std::string(Suggest(word, names));
+}
+
+}  // namespace soarbox::cli

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/options.h"
+#include "cli/result.h"
+#include "cli/words.h"
+
+namespace soarbox::kernel {
+class Agent;
+}
+
+namespace soarbox::cli {
+
+class Interpreter;
+class PrintStream;
+class Session;
+
+/// One command that is being carried out: its words, and where its answer goes.
+struct CommandCall {
+  Interpreter& interpreter;
+  Session& session;
+  std::span<const Word> words;   ///< words[0] is the command's full name; aliases are expanded.
+  CommandResult& result;
+  /// Set by a failure: which closing line its text still needs.
+  enum class Failure { kNone, kPlain, kWithMessage, kWithoutMessage, kReported } failure = Failure::kNone;
+
+  kernel::Agent& agent() const;
+  PrintStream& stream() const;
+
+  /// Appends to the answer.
+  void Out(std::string_view text) { result.text += text; }
+  /// Ends the command with an error; returns false, for `return call.Fail(...)`.
+  bool Fail(std::string_view message);
+  /// Ends the command with an error whose text has been printed already.
+  bool FailPrinted();
+  /// Adds a hint that only people see, not the programs that read the text.
+  void Hint(std::string message, std::string hint);
+  void AddArgument(std::string param, std::string type, std::string value);
+
+  /// The words after `words[0]` taken apart; on an error the call has failed already.
+  bool Parse(std::span<const OptionSpec> specs, ParsedWords& parsed);
+};
+
+struct CommandInfo;
+
+/// A word that a command takes in second place: a sub-command or a setting.
+struct SubcommandInfo {
+  std::string_view name;
+  std::string_view usage;    ///< What follows the name: "[on | off]", "NAME".
+  std::string_view summary;  ///< One line.
+  std::span<const OptionSpec> options = {};
+  bool (*handler)(CommandCall& call) = nullptr;  ///< Called with words[0] the sub-command's name. None: see CommandInfo.
+};
+
+/// A command: what the interpreter needs to carry it out, and the help to describe it.
+struct CommandInfo {
+  std::string_view name;
+  std::string_view usage;
+  std::string_view summary;
+  bool (*handler)(CommandCall& call);
+  std::span<const OptionSpec> options = {};
+  std::span<const SubcommandInfo> subcommands = {};
+  std::string_view details = {};  ///< Paragraphs for `help NAME`.
+};
+
+/// All commands, sorted by name.
+std::span<const CommandInfo> Commands();
+
+/// The command that `word` names by its full name or a unique beginning; else null, with Soar's message in `error`.
+const CommandInfo* FindCommand(std::string_view word, std::string& error);
+
+/// Carries out the sub-command that words[1] names by its full name or a unique beginning. `invalid` is the message if
+/// there is none. Options are checked against those of all sub-commands of the command first, as Soar does;
+/// `usage_hint` follows its message.
+bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid,
+                   std::string_view usage_hint);
+
+/// The names that commands and sub-commands have, nearest to a misspelt word.
+std::string NearestCommand(std::string_view word, const std::vector<std::pair<std::string, std::string>>& aliases);
+
+// The commands, by file.
+bool CommandAlias(CommandCall& call);
+bool CommandCd(CommandCall& call);
+bool CommandChunk(CommandCall& call);
+bool CommandDebug(CommandCall& call);
+bool CommandDecide(CommandCall& call);
+bool CommandDirs(CommandCall& call);
+bool CommandEcho(CommandCall& call);
+bool CommandEpmem(CommandCall& call);
+bool CommandExplain(CommandCall& call);
+bool CommandGp(CommandCall& call);
+bool CommandHelp(CommandCall& call);
+bool CommandLearn(CommandCall& call);
+bool CommandLoad(CommandCall& call);
+bool CommandLs(CommandCall& call);
+bool CommandOutput(CommandCall& call);
+bool CommandPopd(CommandCall& call);
+bool CommandPreferences(CommandCall& call);
+bool CommandPrint(CommandCall& call);
+bool CommandProduction(CommandCall& call);
+bool CommandPushd(CommandCall& call);
+bool CommandPwd(CommandCall& call);
+bool CommandRl(CommandCall& call);
+bool CommandRun(CommandCall& call);
+bool CommandSave(CommandCall& call);
+bool CommandSmem(CommandCall& call);
+bool CommandSoar(CommandCall& call);
+bool CommandSp(CommandCall& call);
+bool CommandStats(CommandCall& call);
+bool CommandSvs(CommandCall& call);
+bool CommandTrace(CommandCall& call);
+bool CommandVisualize(CommandCall& call);
+bool CommandWm(CommandCall& call);
+
+// Option tables that the table of commands shows.
+extern const std::span<const OptionSpec> kRunOptions;
+extern const std::span<const OptionSpec> kTraceOptions;
+extern const std::span<const OptionSpec> kPrintOptions;
+extern const std::span<const OptionSpec> kPreferencesOptions;
+extern const std::span<const OptionSpec> kStatsOptions;
+extern const std::span<const OptionSpec> kSmemOptions;
+extern const std::span<const OptionSpec> kEpmemOptions;
+extern const std::span<const OptionSpec> kRlOptions;
+extern const std::span<const OptionSpec> kLearnOptions;
+extern const std::span<const SubcommandInfo> kChunkSubcommands;
+extern const std::span<const SubcommandInfo> kDebugSubcommands;
+extern const std::span<const SubcommandInfo> kDecideSubcommands;
+extern const std::span<const SubcommandInfo> kExplainSubcommands;
+extern const std::span<const SubcommandInfo> kLoadSubcommands;
+extern const std::span<const SubcommandInfo> kOutputSubcommands;
+extern const std::span<const SubcommandInfo> kProductionSubcommands;
+extern const std::span<const SubcommandInfo> kSaveSubcommands;
+extern const std::span<const SubcommandInfo> kSoarSubcommands;
+extern const std::span<const SubcommandInfo> kVisualizeSubcommands;
+extern const std::span<const SubcommandInfo> kWmSubcommands;
+
+}  // namespace soarbox::cli

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <random>
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/lookup.h"
+#include "cli/session.h"
+#include "cli/summary.h"
+#include "kernel/agent.h"
+#include "kernel/decide/exploration.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::ExplorationParameter;
+using kernel::ExplorationPolicy;
+using kernel::ExplorationSettings;
+using kernel::ReductionPolicy;
+
+struct PolicyName {
+  ExplorationPolicy policy;
+  char letter;
+  std::string_view name;
+};
+constexpr PolicyName kPolicies[] = {
+    {ExplorationPolicy::kBoltzmann, 'b', "boltzmann"}, {ExplorationPolicy::kEpsilonGreedy, 'g', "epsilon-greedy"},
+    {ExplorationPolicy::kFirst, 'f', "first"},         {ExplorationPolicy::kLast, 'l', "last"},
+    {ExplorationPolicy::kSoftmax, 'x', "softmax"},
+};
+
+std::string_view Name(ExplorationPolicy policy) {
+  for (const PolicyName& entry : kPolicies) {
+    if (entry.policy == policy) return entry.name;
+  }
+  return "";
+}
+
+std::string_view Name(ReductionPolicy policy) {
+  return policy == ReductionPolicy::kExponential ? "exponential" : "linear";
+}
+
+bool Overview(CommandCall& call) {
+  const ExplorationSettings& settings = call.agent().exploration();
+  Summary summary(55);
+  summary.Rule('=').Title("Decide Summary").Rule('=');
+  summary.Row("Numeric indifference mode:", settings.average_numbers ? "avg" : "sum").Rule('-');
+  summary.Row("Exploration Policy:", Name(settings.policy));
+  summary.Row("Automatic Policy Parameter Reduction:", OnOff(settings.auto_reduce));
+  summary.Row("Epsilon:", fmt::format("{:f}", settings.epsilon.value));
+  summary.Row("Epsilon Reduction Policy:", Name(settings.epsilon.reduction));
+  summary.Row("Temperature:", fmt::format("{:f}", settings.temperature.value));
+  summary.Row("Temperature Reduction Policy:", Name(settings.temperature.reduction)).Rule('-');
+  summary.Text("\nUse 'decide ?' for a command overview or 'help decide' for the manual page.");
+  std::string text = summary.Take();
+  call.Out(text);
+  return true;
+}
+
+bool NumericMode(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kDecideSubcommands[0].options, parsed)) return false;
+  ExplorationSettings& settings = call.agent().mutable_exploration();
+  std::string word;
+  if (!parsed.arguments.empty()) word = parsed.arguments.front().text;
+  if (parsed.Has('a') || word == "avg") settings.average_numbers = true;
+  else if (parsed.Has('s') || word == "sum") settings.average_numbers = false;
+  else if (!word.empty()) return call.Fail("Invalid setting.");
+  else {
+    call.Out(fmt::format("Current numeric indifferent mode: Soar will {} numeric preferences.",
+                         settings.average_numbers ? "average" : "use the sum of"));
+  }
+  call.AddArgument("numericindifferentmode", "int", settings.average_numbers ? "0" : "1");
+  return true;
+}
+
+ExplorationParameter* FindParameter(ExplorationSettings& settings, std::string_view name) {
+  if (name == "epsilon") return &settings.epsilon;
+  if (name == "temperature") return &settings.temperature;
+  return nullptr;
+}
+
+bool ShowValue(CommandCall& call, double value) {
+  call.Out(Shortest(value));
+  return true;
+}
+
+bool Parameter(CommandCall& call, bool epsilon, const ParsedWords& parsed) {
+  ExplorationSettings& settings = call.agent().mutable_exploration();
+  if (parsed.arguments.empty()) return ShowValue(call, epsilon ? settings.epsilon.value : settings.temperature.value);
+  const auto value = ParseDouble(parsed.arguments.front().text);
+  if (!value || !(epsilon ? settings.SetEpsilon(*value) : settings.SetTemperature(*value))) {
+    return call.Fail("Invalid parameter value.");
+  }
+  return true;
+}
+
+bool ReadReduction(std::string_view word, ReductionPolicy& policy) {
+  if (word == "exponential") policy = ReductionPolicy::kExponential;
+  else if (word == "linear") policy = ReductionPolicy::kLinear;
+  else return false;
+  return true;
+}
+
+bool Reduction(CommandCall& call, const ParsedWords& parsed) {
+  if (parsed.arguments.empty() || parsed.arguments.size() > 2) return call.Fail("Invalid parameter.");
+  ExplorationParameter* parameter = FindParameter(call.agent().mutable_exploration(), parsed.arguments[0].text);
+  if (!parameter) return call.Fail("Invalid parameter.");
+  if (parsed.arguments.size() == 1) {
+    call.Out(Name(parameter->reduction));
+    return true;
+  }
+  if (!ReadReduction(parsed.arguments[1].text, parameter->reduction)) return call.Fail("Invalid reduction policy.");
+  return true;
+}
+
+bool Rate(CommandCall& call, const ParsedWords& parsed) {
+  if (parsed.arguments.size() < 2 || parsed.arguments.size() > 3) return call.Fail("Invalid parameter.");
+  ExplorationParameter* parameter = FindParameter(call.agent().mutable_exploration(), parsed.arguments[0].text);
+  ReductionPolicy policy;
+  if (!parameter) return call.Fail("Invalid parameter.");
+  if (!ReadReduction(parsed.arguments[1].text, policy)) return call.Fail("Invalid reduction policy.");
+  if (parsed.arguments.size() == 2) {
+    return ShowValue(call, policy == ReductionPolicy::kExponential ? parameter->exponential_rate
+                                                                  : parameter->linear_rate);
+  }
+  const auto rate = ParseDouble(parsed.arguments[2].text);
+  if (!rate || !ExplorationSettings::SetRate(*parameter, policy, *rate)) return call.Fail("Invalid parameter value.");
+  return true;
+}
+
+void Stats(CommandCall& call) {
+  const ExplorationSettings& settings = call.agent().exploration();
+  call.Out(fmt::format("Exploration Policy: {}\nAutomatic Policy Parameter Reduction: {}\n\n", Name(settings.policy),
+                       OnOff(settings.auto_reduce)));
+  const auto show = [&](std::string_view name, const ExplorationParameter& parameter) {
+    call.Out(fmt::format("{0}: {1}\n{0} Reduction Policy: {2}\n{0} Reduction Rate (exponential/linear): {3}/{4}\n\n",
+                         name, Shortest(parameter.value), Name(parameter.reduction),
+                         Shortest(parameter.exponential_rate), Shortest(parameter.linear_rate)));
+  };
+  show("epsilon", settings.epsilon);
+  show("temperature", settings.temperature);
+}
+
+bool Indifferent(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kDecideSubcommands[1].options, parsed)) return false;
+  ExplorationSettings& settings = call.agent().mutable_exploration();
+  if (parsed.options.empty()) {
+    if (!parsed.arguments.empty()) {
+      for (const PolicyName& entry : kPolicies) {
+        if (entry.name == parsed.arguments.front().text) {
+          settings.policy = entry.policy;
+          return true;
+        }
+      }
+      return call.Fail("Invalid setting.");
+    }
+    call.Out(Name(settings.policy));
+    call.AddArgument("indifferentselectionmode", "string", std::string(Name(settings.policy)));
+    return true;
+  }
+  const char letter = parsed.options.back().letter;
+  for (const PolicyName& entry : kPolicies) {
+    if (entry.letter == letter) {
+      settings.policy = entry.policy;
+      return true;
+    }
+  }
+  switch (letter) {
+    case 'e': return Parameter(call, true, parsed);
+    case 't': return Parameter(call, false, parsed);
+    case 'p': return Reduction(call, parsed);
+    case 'r': return Rate(call, parsed);
+    case 's': Stats(call); return true;
+    case 'a':
+      if (parsed.arguments.empty()) {
+        call.Out(OnOff(settings.auto_reduce));
+      } else {
+        const std::string& word = parsed.arguments.front().text;
+        if (word != "on" && word != "off") return call.Fail("Invalid setting.");
+        settings.auto_reduce = word == "on";
+      }
+      return true;
+    default: return true;
+  }
+}
+
+bool Predict(CommandCall& call) {
+  if (call.words.size() > 1) return call.Fail("predict takes no arguments.");
+  call.Out(call.agent().PredictDecision());
+  return true;
+}
+
+bool Select(CommandCall& call) {
+  kernel::Agent& agent = call.agent();
+  if (call.words.size() < 2) {
+    const std::string_view selected = agent.selected_operator();
+    call.Out(selected.empty() ? "No operator selected." : selected);
+    return true;
+  }
+  const std::string& word = call.words[1].text;
+  agent.SelectOperator(word);
+  call.Out(fmt::format("Operator {} will be selected.", word));
+  return true;
+}
+
+bool SetRandomSeed(CommandCall& call) {
+  if (call.words.size() < 2) {
+    std::random_device device;
+    call.agent().random().Seed(device());
+    call.Out("Random number generator seed set to new random value.\n");
+    return true;
+  }
+  const auto number = ParseInteger(call.words[1].text);
+  const auto seed = static_cast<std::uint32_t>(number.value_or(0));
+  call.agent().random().Seed(seed);
+  call.Out(fmt::format("Random number generator seed set to {}\n", seed));
+  return true;
+}
+
+bool Help(CommandCall& call) {
+  constexpr std::string_view kRule =
+      "-----------------------------------------------------------------------------\n";
+  constexpr std::string_view kDouble =
+      "=============================================================================\n";
+  call.Out(kDouble);
+  call.Out("-                      Decide Sub-Commands and Options                      -\n");
+  call.Out(kDouble);
+  call.Out("decide numeric-indifferent-mode  [--avg --sum]\n");
+  call.Out(kRule);
+  call.Out("decide indifferent-selection     [--boltzmann --epsilon-greedy --first --last --softmax]\n");
+  call.Out("decide indifferent-selection     <--epsilon | --temperature> [value]\n");
+  call.Out("decide indifferent-selection     --reduction-policy <parameter> [exponential | linear]\n");
+  call.Out("decide indifferent-selection     --reduction-rate <parameter> <policy> [rate]\n");
+  call.Out("decide indifferent-selection     --auto-reduce [on | off]\n");
+  call.Out("decide indifferent-selection     --stats\n");
+  call.Out(kRule);
+  call.Out("decide predict\ndecide select                    [operator]\n");
+  call.Out("decide set-random-seed           [seed]\n");
+  call.Out(kRule);
+  call.Out("\nFor a detailed explanation of sub-commands:    help decide\n");
+  return call.FailPrinted();
+}
+
+constexpr OptionSpec kNumericOptions[] = {
+    {'a', "avg", OptionArgument::kNone, "numeric preferences count by their mean"},
+    {'a', "average"},
+    {'s', "sum", OptionArgument::kNone, "numeric preferences count by their sum"},
+};
+constexpr OptionSpec kIndifferentOptions[] = {
+    {'b', "boltzmann", OptionArgument::kNone, "chances by exp(value / temperature)"},
+    {'g', "epsilon-greedy", OptionArgument::kNone, "the best one, or with chance epsilon any"},
+    {'f', "first", OptionArgument::kNone, "the newest candidate"},
+    {'l', "last", OptionArgument::kNone, "the oldest candidate"},
+    {'x', "softmax", OptionArgument::kNone, "chances in proportion to values"},
+    {'e', "epsilon", OptionArgument::kNone, "show or set epsilon"},
+    {'t', "temperature", OptionArgument::kNone, "show or set the temperature"},
+    {'p', "reduction-policy", OptionArgument::kNone, "how a parameter shrinks"},
+    {'r', "reduction-rate", OptionArgument::kNone, "how fast a parameter shrinks"},
+    {'a', "auto-reduce", OptionArgument::kNone, "whether parameters shrink after each decision"},
+    {'s', "stats", OptionArgument::kNone, "show all settings"},
+};
+
+constexpr SubcommandInfo kSubcommands[] = {
+    {"numeric-indifferent-mode", "[--avg | --sum]", "how several numbers for one operator count", kNumericOptions,
+     NumericMode},
+    {"indifferent-selection", "[OPTION [VALUE]]", "how one of several indifferent operators is chosen",
+     kIndifferentOptions, Indifferent},
+    {"predict", "", "what the next decision will be", {}, Predict},
+    {"select", "[OPERATOR]", "the operator that the next decision selects, if it is proposed", {}, Select},
+    {"set-random-seed", "[SEED]", "starts the random numbers again", {}, SetRandomSeed},
+    {"srand", "[SEED]", "starts the random numbers again", {}, SetRandomSeed},
+    {"?", "", "an overview of the settings", {}, Help},
+    {"help", "", "an overview of the settings", {}, Help},
+};
+
+}  // namespace
+
+const std::span<const SubcommandInfo> kDecideSubcommands = kSubcommands;
+
+bool CommandDecide(CommandCall& call) {
+  if (call.words.size() < 2) return Overview(call);
+  std::string error;
+  return RunSubcommand(call, *FindCommand("decide", error),
+                       "Invalid decide command.  Use 'decide ?' to see a list of valid settings.",
+                       "Use 'decide ?' or 'help decide' to learn more about the decide command.");
+}
+
+}  // namespace soarbox::cli

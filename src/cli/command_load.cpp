@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/interpreter.h"
+#include "cli/source_run.h"
+
+namespace soarbox::cli {
+namespace {
+
+std::string Counted(int count, std::string_view what) {
+  return fmt::format("{} production{} {}.", count, count == 1 ? "" : "s", what);
+}
+
+/// "N productions sourced. M productions excised. K productions ignored."
+std::string CountsText(int sourced, int excised, int ignored) {
+  std::string text = Counted(sourced, "sourced");
+  if (excised > 0) text += " " + Counted(excised, "excised");
+  if (ignored > 0) text += " " + Counted(ignored, "ignored");
+  return text;
+}
+
+void FreshLine(CommandCall& call) {
+  if (!call.result.text.empty() && call.result.text.back() != '\n') call.Out("\n");
+}
+
+/// Says in which line of which file a command failed, and what more is known about it.
+void ReportPlace(CommandCall& call, const std::string& path, int line, std::size_t first_diagnostic) {
+  FreshLine(call);
+  std::string place = fmt::format("\t{}:{}", path, line);
+  std::string hints;
+  for (std::size_t i = first_diagnostic; i < call.result.diagnostics.size(); ++i) {
+    Diagnostic& diagnostic = call.result.diagnostics[i];
+    if (diagnostic.file.empty()) {
+      diagnostic.file = path;
+      if (diagnostic.line == 0) diagnostic.line = line;
+    }
+    if (diagnostic.severity != Severity::kError) continue;
+    place = fmt::format("\t{}:{}", path, diagnostic.line);
+    if (diagnostic.column > 0) place += fmt::format(":{}", diagnostic.column);
+    if (!diagnostic.hint.empty()) hints = "\t" + diagnostic.hint + "\n";
+  }
+  call.Out(place + "\n" + hints + "\n");
+}
+
+/// Carries out the commands of a text, all of them, whatever fails; false if any did.
+bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std::string_view text) {
+  CommandReader reader(text);
+  std::vector<Word> words;
+  bool ok = true;
+  while (true) {
+    const std::size_t first_diagnostic = call.result.diagnostics.size();
+    const CommandReader::Status status = reader.Next(words);
+    if (status == CommandReader::Status::kEnd) break;
+    if (status == CommandReader::Status::kError) {
+      ok = false;
+      FreshLine(call);
+      Diagnostic diagnostic;
+      diagnostic.file = path;
+      diagnostic.line = reader.error_line();
+      diagnostic.column = reader.error_column();
+      diagnostic.message = reader.error();
+      call.Out(reader.error());
+      call.result.diagnostics.push_back(std::move(diagnostic));
+      ReportPlace(call, path, reader.error_line(), first_diagnostic);
+      reader.Recover();
+      continue;
+    }
+    const int line = words.front().line;
+    run.line = line;
+    call.failure = CommandCall::Failure::kNone;
+    if (!call.interpreter.ExecuteWords(call, std::move(words))) {
+      ok = false;
+      ReportPlace(call, path, line, first_diagnostic);
+    }
+    words = {};
+  }
+  call.failure = ok ? CommandCall::Failure::kNone : CommandCall::Failure::kWithMessage;
+  return ok;
+}
+
+bool LoadFile(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kLoadSubcommands[0].options, parsed)) return false;
+  if (parsed.arguments.size() != 1) {
+    return call.Fail("Syntax: load file [--all | --disable | --verbose] <filename>");
+  }
+  const std::string& file = parsed.arguments.front().text;
+  const std::filesystem::path path = call.interpreter.Resolve(file);
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path, error)) {
+    return call.Fail("Failed to open file for reading: " + file);
+  }
+  std::ostringstream content;
+  content << in.rdbuf();
+  const std::string text = std::move(content).str();
+
+  SourceRun own;
+  SourceRun*& current = call.interpreter.source_run();
+  const bool outermost = current == nullptr;
+  if (outermost) current = &own;
+  SourceRun& run = *current;
+  if (parsed.Has('v')) call.Out("Sourcing " + file + ".\n");
+  const SourceRun before = run;
+  run.files.push_back(path.string());
+  const bool ok = RunCommands(call, run, path.string(), text);
+  run.files.pop_back();
+  if (outermost) current = nullptr;
+
+  if (parsed.Has('a')) {
+    call.Out(fmt::format("{}: {}\n", path.string(),
+                         CountsText(run.sourced - before.sourced, run.excised - before.excised,
+                                    run.ignored - before.ignored)));
+    if (outermost) call.Out("\n");
+  }
+  if (!outermost) return ok;
+  FreshLine(call);
+  if (!parsed.Has('d')) call.Out("Total: " + CountsText(run.sourced, run.excised, run.ignored) + "\n");
+  if (parsed.Has('v') && !run.excised_names.empty()) {
+    call.Out("Excised productions:\n");
+    for (const std::string& name : run.excised_names) call.Out("\t" + name + "\n");
+  }
+  call.AddArgument("sourced-production-count", "int", std::to_string(run.sourced));
+  call.AddArgument("excised-production-count", "int", std::to_string(run.excised));
+  call.AddArgument("ignored-production-count", "int", std::to_string(run.ignored));
+  if (!ok) {
+    call.Out("Error while sourcing file\n");
+    call.failure = CommandCall::Failure::kReported;
+  }
+  return ok;
+}
+
+bool LoadLibrary(CommandCall& call) {
+  return call.Fail("load library failed: Library not found.");
+}
+
+bool LoadRete(CommandCall& call) {
+  return call.Fail("Images of the match network are not available in this build; source the rules instead.");
+}
+
+bool LoadPercepts(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kLoadSubcommands[3].options, parsed)) return false;
+  if (parsed.Has('o')) return call.Fail("Recorded input is not available in this build.");
+  if (!parsed.Has('c')) call.Out("closed");
+  return true;
+}
+
+bool Help(CommandCall& call) {
+  call.Out("============================================================\n"
+           "-               Load Sub-Commands and Options              -\n"
+           "============================================================\n"
+           "load file                       [--all --disable --verbose] <filename>\n"
+           "load library                    <filename> <args...>\n"
+           "load rete-network               --load <filename>\n"
+           "load percepts                   [--open <filename> | --close]\n"
+           "------------------------------------------------------------\n\n"
+           "For a detailed explanation of sub-commands:        help load\n");
+  return call.FailPrinted();
+}
+
+constexpr OptionSpec kFileOptions[] = {
+    {'a', "all", OptionArgument::kNone, "count the rules of each file"},
+    {'d', "disable", OptionArgument::kNone, "leave the total out"},
+    {'v', "verbose", OptionArgument::kNone, "name the rules that were replaced"},
+};
+constexpr OptionSpec kReteOptions[] = {{'l', "load", OptionArgument::kRequired, "the file"},
+                                       {'r', "restore", OptionArgument::kRequired, "the file"}};
+constexpr OptionSpec kPerceptsOptions[] = {{'o', "open", OptionArgument::kRequired, "the file"},
+                                           {'c', "close", OptionArgument::kNone, "end the replay"}};
+
+constexpr SubcommandInfo kSubcommands[] = {
+    {"file", "[--all --disable --verbose] FILE", "carries out the commands of a file", kFileOptions, LoadFile},
+    {"library", "NAME [ARGUMENTS]", "loads a library", {}, LoadLibrary},
+    {"rete-network", "--load FILE", "loads an image of the match network", kReteOptions, LoadRete},
+    {"percepts", "[--open FILE | --close]", "replays recorded input", kPerceptsOptions, LoadPercepts},
+    {"?", "", "an overview of the sub-commands", {}, Help},
+    {"help", "", "an overview of the sub-commands", {}, Help},
+};
+
+}  // namespace
+
+const std::span<const SubcommandInfo> kLoadSubcommands = kSubcommands;
+
+bool CommandLoad(CommandCall& call) {
+  if (call.words.size() < 2) {
+    return call.Fail("File type is required. \n\nUse 'load ?' or 'help load' to learn more about the load command.");
+  }
+  std::string error;
+  return RunSubcommand(call, *FindCommand("load", error),
+                       "Invalid load command.  Use 'load ?' to see a list of valid settings.",
+                       "Use 'load ?' or 'help load' to learn more about the load command.");
+}
+
+}  // namespace soarbox::cli

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/lookup.h"
+#include "cli/object_printer.h"
+#include "cli/session.h"
+#include "cli/stack_printer.h"
+#include "cli/summary.h"
+#include "cli/trace_printer.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::Agent;
+using kernel::Preference;
+using kernel::PreferenceId;
+using kernel::PreferenceType;
+using kernel::Slot;
+using kernel::SlotId;
+using kernel::Symbol;
+using kernel::WmeId;
+
+constexpr OptionSpec kOptions[] = {
+    {'0', "none", OptionArgument::kNone, "preferences only"},
+    {'1', "names", OptionArgument::kNone, "with the rules that made them"},
+    {'n', "names"},
+    {'N', "names"},
+    {'2', "timetags", OptionArgument::kNone, "with the time tags of what the rules matched"},
+    {'t', "timetags"},
+    {'3', "wmes", OptionArgument::kNone, "with what the rules matched"},
+    {'w', "wmes"},
+    {'o', "object", OptionArgument::kNone, "all attributes of the object"},
+};
+
+struct Section {
+  PreferenceType type;
+  std::string_view title;
+};
+constexpr Section kSections[] = {
+    {PreferenceType::kAcceptable, "acceptables"},
+    {PreferenceType::kRequire, "requires"},
+    {PreferenceType::kReject, "rejects"},
+    {PreferenceType::kProhibit, "prohibits"},
+    {PreferenceType::kBetter, "betters"},
+    {PreferenceType::kWorse, "worses"},
+    {PreferenceType::kBest, "bests"},
+    {PreferenceType::kWorst, "worsts"},
+    {PreferenceType::kUnaryIndifferent, "unary indifferents"},
+    {PreferenceType::kNumericIndifferent, "numeric indifferents"},
+    {PreferenceType::kBinaryIndifferent, "binary indifferents"},
+};
+
+/// How much is said about where a preference comes from.
+enum class Detail { kNone, kNames, kTimetags, kWmes };
+
+class PreferencePrinter {
+ public:
+  PreferencePrinter(CommandCall& call, Detail detail) : call_(call), agent_(call.agent()), detail_(detail) {}
+
+  /// Prints what a slot holds, section by section; `chances`: with selection probabilities, if there are any.
+  void PrintSlot(SlotId slot, bool chances) {
+    for (const Section& section : kSections) {
+      const std::vector<PreferenceId> preferences = agent_.PreferencesOf(slot, section.type);
+      if (preferences.empty()) continue;
+      Print(fmt::format("\n{}:\n", section.title));
+      for (const PreferenceId id : preferences) PrintPreference(id, nullptr);
+    }
+    if (!chances) return;
+    const kernel::Goal* goal = GoalOf(agent_.memory().slot(slot).id);
+    if (!goal) return;
+    const std::vector<Agent::CandidateChance> candidates = agent_.SelectionProbabilities(*goal);
+    if (candidates.empty()) return;
+    Print("\nselection probabilities:\n");
+    for (const Agent::CandidateChance& candidate : candidates) PrintPreference(candidate.preference, &candidate);
+  }
+
+  /// Everything about one object, slot by slot.
+  void PrintObject(Symbol id) {
+    const kernel::WorkingMemory& memory = agent_.memory();
+    for (SlotId slot_id = memory.identifier(id).slots; slot_id != SlotId::kNone; slot_id = memory.slot(slot_id).next) {
+      const Slot& slot = memory.slot(slot_id);
+      if (slot.is_operator) {
+        Print("Preferences for " + Name(slot) + ":");
+        PrintSlot(slot_id, false);
+        continue;
+      }
+      Print("Support for " + Name(slot) + ":\n");
+      for (const PreferenceId preference : agent_.PreferencesOf(slot_id, PreferenceType::kAcceptable)) {
+        PrintPreference(preference, nullptr);
+      }
+    }
+    PrintWmes("Arch-created wmes for ", id, memory.identifier(id).architecture_wmes);
+    PrintWmes("Input (IO) wmes for ", id, memory.identifier(id).input_wmes);
+  }
+
+  /// Where the elements come from that lead to an object.
+  void PrintSupportOf(Symbol value) {
+    const kernel::WorkingMemory& memory = agent_.memory();
+    std::vector<WmeId> links;
+    for (std::uint32_t i = 0; i < memory.wmes().size(); ++i) {
+      if (memory.wmes()[i].live && memory.wmes()[i].value == value) links.push_back(static_cast<WmeId>(i));
+    }
+    std::sort(links.begin(), links.end(),
+              [&](WmeId a, WmeId b) { return memory.wme(a).timetag > memory.wme(b).timetag; });
+    for (const WmeId link : links) {
+      std::string text = WmeText(agent_, link);
+      if (text.ends_with(" +)")) text.replace(text.size() - 3, 2, "");  // As the reference shows proposals.
+      Print("Support for " + text + "\n");
+      const kernel::WmeRecord& record = memory.record(link);
+      if (record.kind == kernel::WmeKind::kInput) {
+        Print("    This is an input-wme and has no prefs.\n");
+        continue;
+      }
+      if (record.slot == SlotId::kNone) {
+        Print("    This is an architecture-wme and has no prefs.\n");
+        continue;
+      }
+      for (const PreferenceId id : agent_.PreferencesOf(record.slot, PreferenceType::kAcceptable)) {
+        const Preference& preference = memory.preference(id);
+        if (preference.value != value) continue;
+        const Agent::CandidateChance certain{id, value, 0, 1};
+        PrintPreference(id, &certain);
+      }
+    }
+  }
+
+  bool HasPreferences(SlotId slot) const {
+    return agent_.memory().slot(slot).acceptable != PreferenceId::kNone ||
+           agent_.memory().slot(slot).others != PreferenceId::kNone;
+  }
+
+  std::string Name(const Slot& slot) const {
+    return SymbolText(agent_, slot.id) + " ^" + SymbolText(agent_, slot.attribute);
+  }
+
+  const kernel::Goal* GoalOf(Symbol id) const {
+    for (std::size_t level = 1; level <= agent_.goals().depth(); ++level) {
+      const kernel::Goal& goal = agent_.goals().at(static_cast<kernel::GoalLevel>(level));
+      if (goal.id == id) return &goal;
+    }
+    return nullptr;
+  }
+
+  void Print(const std::string& text) { call_.stream().Print(text); }
+
+ private:
+  std::string OperatorText(Symbol op) const {
+    std::string text = SymbolText(agent_, op);
+    const std::string name = OperatorName(agent_, op);
+    if (!name.empty()) text += " (" + name + ")";
+    return text;
+  }
+
+  void PrintPreference(PreferenceId id, const Agent::CandidateChance* chance) {
+    const Preference& preference = agent_.memory().preference(id);
+    const bool is_operator = preference.slot != SlotId::kNone && agent_.memory().slot(preference.slot).is_operator;
+    std::string text = "  ";
+    if (is_operator) {
+      text += OperatorText(preference.value) + " " + PreferenceCharacter(preference.type);
+    } else {
+      text += fmt::format("({} ^{} {})", SymbolText(agent_, preference.id), SymbolText(agent_, preference.attribute),
+                          SymbolText(agent_, preference.value));
+    }
+    text += ' ';
+    if (preference.referent) {
+      text += preference.referent.IsIdentifier() ? OperatorText(preference.referent)
+                                                 : SymbolText(agent_, preference.referent);
+    }
+    if (chance) {
+      std::string value = Shortest(chance->numeric_value);
+      if (value.find_first_of(".e") == std::string::npos) value += '.';
+      text += " = " + value;
+    }
+    text += preference.o_supported ? " :O " : " :I ";
+    if (chance) text += fmt::format("({:.2f}%)", chance->probability * 100);
+    Print(text + "\n");
+    PrintOrigin(preference);
+  }
+
+  void PrintOrigin(const Preference& preference) {
+    if (detail_ == Detail::kNone) return;
+    const std::string name(agent_.ProductionName(preference.instantiation));
+    Print("    From " + name + "\n");
+    ResultNode& node = call_.result.structured.Add("production");
+    node.Set("prodname", name);
+    const std::span<const WmeId> wmes = agent_.MatchedWmes(preference.instantiation);
+    if (detail_ == Detail::kTimetags) {
+      std::string tags;
+      for (const WmeId wme : wmes) tags += " " + std::to_string(agent_.memory().wme(wme).timetag);
+      Print(tags + "\n");
+      return;
+    }
+    if (detail_ == Detail::kWmes) {
+      for (const WmeId wme : wmes) {
+        Print(fmt::format("WME with time tag {}\n", agent_.memory().wme(wme).timetag));
+        AddWmeNode(node, agent_, wme);
+      }
+    }
+    Print("\n");
+  }
+
+  void PrintWmes(std::string_view title, Symbol id, WmeId first) {
+    if (first == WmeId::kNone) return;
+    Print(fmt::format("{}{} :\n", title, SymbolText(agent_, id)));
+    for (WmeId wme = first; wme != WmeId::kNone; wme = agent_.memory().record(wme).next) {
+      Print(WmeText(agent_, wme) + "\n");
+    }
+  }
+
+  CommandCall& call_;
+  const Agent& agent_;
+  Detail detail_;
+};
+
+bool NotFound(CommandCall& call, const std::string& what) {
+  call.Out(what + "\n");
+  return call.Fail("An Error occured trying to print the prefs.");
+}
+
+}  // namespace
+
+const std::span<const OptionSpec> kPreferencesOptions = kOptions;
+
+bool CommandPreferences(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kOptions, parsed)) return false;
+  if (parsed.arguments.size() > 2) return call.Fail("Syntax: preferences [options] [identifier [attribute]]");
+  PrintStream::Capture capture(call.stream(), &call.result.text);
+  Detail detail = Detail::kNone;
+  for (const ParsedOption& option : parsed.options) {
+    switch (option.letter) {
+      case '0': detail = Detail::kNone; break;
+      case '1':
+      case 'n':
+      case 'N': detail = Detail::kNames; break;
+      case '2':
+      case 't': detail = Detail::kTimetags; break;
+      case '3':
+      case 'w': detail = Detail::kWmes; break;
+      default: break;
+    }
+  }
+  Agent& agent = call.agent();
+  if (agent.goals().empty()) return NotFound(call, "There is no state.");
+  Symbol id = agent.goals().bottom().id;
+  std::string id_word = SymbolText(agent, id);
+  if (!parsed.arguments.empty()) {
+    id_word = parsed.arguments[0].text;
+    id = FindIdentifier(agent, id_word);
+  }
+  if (!id) return NotFound(call, "Could not find the id '" + id_word + "'");
+  PreferencePrinter printer(call, detail);
+  if (parsed.Has('o')) {
+    printer.PrintObject(id);
+    return true;
+  }
+  const bool is_goal = printer.GoalOf(id) != nullptr;
+  if (parsed.arguments.size() < 2 && !is_goal) {
+    printer.PrintSupportOf(id);
+    return true;
+  }
+  const std::string word = parsed.arguments.size() > 1 ? parsed.arguments[1].text : "operator";
+  std::string attribute_word = word;
+  if (attribute_word.size() > 1 && attribute_word.front() == '^') attribute_word.erase(0, 1);
+  Symbol attribute = FindIdentifier(agent, attribute_word);
+  if (!attribute) attribute = MakeConstant(agent, attribute_word);
+  const SlotId slot = agent.memory().FindSlot(id, attribute);
+  if (slot == SlotId::kNone || (!printer.HasPreferences(slot) && !agent.memory().slot(slot).is_operator)) {
+    if (agent.memory().ValueOf(id, attribute)) {
+      call.stream().Print("  This is probably an io- or arch-wme and does not have preferences\n");
+      return true;
+    }
+    if (!is_goal || word != "operator") {
+      return NotFound(call, "Could not find prefs for the id,attribute pair: " + id_word + " " + word);
+    }
+  }
+  printer.Print("\nPreferences for " + SymbolText(agent, id) + " ^" + SymbolText(agent, attribute) + ":\n");
+  if (slot != SlotId::kNone) printer.PrintSlot(slot, word == "operator");
+  return true;
+}
+
+}  // namespace soarbox::cli

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/command.h"
+
+#include <algorithm>
+
+#include "cli/lookup.h"
+#include "cli/object_printer.h"
+#include "cli/rule_text.h"
+#include "cli/session.h"
+#include "cli/stack_printer.h"
+#include "cli/wme_pattern.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::ProductionId;
+using kernel::ProductionType;
+using kernel::Symbol;
+
+constexpr OptionSpec kOptions[] = {
+    {'a', "all", OptionArgument::kNone, "names of all rules"},
+    {'c', "chunks", OptionArgument::kNone, "rules that were learned"},
+    {'d', "depth", OptionArgument::kRequired, "how many levels of objects to print"},
+    {'D', "defaults", OptionArgument::kNone, "rules marked :default"},
+    {'e', "exact", OptionArgument::kNone, "only the elements that a pattern matches, not their objects"},
+    {'f', "full", OptionArgument::kNone, "whole rules instead of names"},
+    {'F', "filename", OptionArgument::kNone, "with the file that a rule came from"},
+    {'g', "gds", OptionArgument::kNone, "goal dependency sets"},
+    {'i', "internal", OptionArgument::kNone, "one line per element or condition, with time tags"},
+    {'j', "justifications", OptionArgument::kNone, "justifications"},
+    {'n', "name", OptionArgument::kNone, "names instead of whole rules"},
+    {'o', "operators", OptionArgument::kNone, "of the stack, only the operators"},
+    {'r', "rl", OptionArgument::kNone, "rules of reinforcement learning"},
+    {'s', "stack", OptionArgument::kNone, "the goal stack"},
+    {'S', "states", OptionArgument::kNone, "of the stack, only the states"},
+    {'t', "tree", OptionArgument::kNone, "objects below the element that leads to them"},
+    {'T', "template", OptionArgument::kNone, "rules marked :template"},
+    {'u', "user", OptionArgument::kNone, "rules of no special type"},
+    {'v', "varprint", OptionArgument::kNone, "identifiers in angle brackets"},
+};
+
+/// Where a list of rules goes and in which form.
+struct RuleListStyle {
+  bool full = false;
+  bool internal = false;
+  bool file = false;
+};
+
+std::string FileOf(const kernel::Production& rule) { return rule.file.empty() ? "_unknown_" : rule.file; }
+
+void PrintRule(CommandCall& call, ProductionId id, const RuleListStyle& style) {
+  const kernel::Production& rule = call.agent().production(id);
+  if (style.full) {
+    if (style.file) call.stream().Print("# source file: " + FileOf(rule) + "\n");
+    call.stream().Print(RuleText(call.agent(), rule, style.internal));
+    return;
+  }
+  if (style.file) call.stream().Print(FileOf(rule) + ": ");
+  call.stream().Print(RuleName(call.agent(), rule) + " " + LearnedValueText(call.agent(), rule) + "\n");
+}
+
+/// Lists rules by type, in Soar's order of types.
+void PrintRules(CommandCall& call, const ParsedWords& parsed, const RuleListStyle& style) {
+  struct Listed {
+    char letter;
+    ProductionType type;
+    bool in_all;
+  };
+  constexpr Listed kTypes[] = {
+      {'D', ProductionType::kDefault, true},        {'u', ProductionType::kUser, true},
+      {'T', ProductionType::kTemplate, true},       {'c', ProductionType::kChunk, true},
+      {'j', ProductionType::kJustification, false},
+  };
+  bool any_type = false;
+  for (const Listed& listed : kTypes) any_type = any_type || parsed.Has(listed.letter);
+  const bool only_rl = parsed.Has('r') && !any_type;
+  for (const Listed& listed : kTypes) {
+    const bool wanted = parsed.Has('a') || !any_type ? listed.in_all : parsed.Has(listed.letter);
+    if (!wanted) continue;
+    for (const ProductionId id : RulesOfType(call.agent(), listed.type)) {
+      if (!only_rl || parsed.Has('a') || call.agent().production(id).is_rl) PrintRule(call, id, style);
+    }
+  }
+}
+
+void PrintGoalDependencySets(CommandCall& call) {
+  const kernel::Agent& agent = call.agent();
+  PrintStream& out = call.stream();
+  const std::string line(60, '*');
+  out.Print("********************* Current GDS **************************\n");
+  out.Print("stepping thru all wmes in rete, looking for any that are in a gds...\n");
+  std::vector<std::pair<std::uint64_t, std::string>> elements;
+  const kernel::WmeTable& wmes = agent.memory().wmes();
+  for (std::uint32_t i = 0; i < wmes.size(); ++i) {
+    const auto id = static_cast<kernel::WmeId>(i);
+    const kernel::GoalLevel level = agent.memory().record(id).gds;
+    if (!wmes[i].live || level == 0 || level > agent.goals().depth()) continue;
+    elements.emplace_back(wmes[i].timetag, "  For Goal  " + SymbolText(agent, agent.goals().at(level).id) + "  " +
+                                               WmeText(agent, id) + "\n");
+  }
+  std::sort(elements.rbegin(), elements.rend());
+  for (const auto& [timetag, text] : elements) out.Print(text);
+  out.Print(line + "\n");
+  for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
+    const kernel::Goal& goal = agent.goals().at(static_cast<kernel::GoalLevel>(level));
+    out.Print("  For Goal  " + SymbolText(agent, goal.id) + "  ");
+    if (!goal.has_gds) {
+      out.Print(": No GDS for this goal.\n");
+      continue;
+    }
+    out.Print("\n");
+    for (const kernel::WmeId wme : agent.GoalDependencySet(goal)) {
+      out.Print("                " + WmeText(agent, wme) + "\n");
+    }
+  }
+  out.Print(line + "\n");
+}
+
+void PrintPattern(CommandCall& call, const std::string& text, const ObjectStyle& style, bool exact) {
+  kernel::Agent& agent = call.agent();
+  const WmePattern pattern = ParseWmePattern(agent, text);
+  if (!pattern.error.empty()) {
+    call.stream().Print(pattern.error);
+    return;
+  }
+  const std::vector<kernel::WmeId> found = FindWmes(agent, pattern, exact);
+  if (!exact) {
+    for (const kernel::WmeId wme : found) {
+      PrintObject(call.stream(), agent, agent.memory().wme(wme).id, style, call.result.structured);
+    }
+    return;
+  }
+  Symbol open;
+  for (const kernel::WmeId id : found) {
+    const kernel::Wme& wme = agent.memory().wme(id);
+    AddWmeNode(call.result.structured, agent, id, false);
+    if (style.internal) {
+      call.stream().Print(WmeText(agent, id) + "\n");
+      continue;
+    }
+    if (wme.id != open) {
+      if (open) call.stream().Print(")\n");
+      call.stream().Print("(" + SymbolText(agent, wme.id));
+      open = wme.id;
+    }
+    call.stream().Print(" ^" + SymbolText(agent, wme.attribute) + " " + SymbolText(agent, wme.value) +
+                        (wme.acceptable ? " +" : ""));
+  }
+  if (open) call.stream().Print(")\n");
+}
+
+/// A single word: an object, a time tag, a long-term identifier or a rule.
+void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& style, RuleListStyle rule_style) {
+  kernel::Agent& agent = call.agent();
+  PrintStream& out = call.stream();
+  if (word.front() == '(') {
+    PrintPattern(call, word, style, false);
+  } else if (word.front() == '@') {
+    if (word.size() > 1) out.Print("LTI " + word + " not found in semantic memory.\n");
+  } else if (word.front() == '<' && word.back() == '>') {
+    const Symbol id = FindIdentifier(agent, word);
+    if (!IsContextVariable(word)) out.Print("Expected identifier (or context variable)\n");
+    else if (!id) out.Print("There is no current " + word + ".\n");
+    else PrintObject(out, agent, id, style, call.result.structured);
+  } else if (const auto name = ParseIdentifierName(word)) {
+    const Symbol id = FindIdentifier(agent, word);
+    if (id) PrintObject(out, agent, id, style, call.result.structured);
+    else out.Print(std::string("There is no identifier ") + name->letter + std::to_string(name->number) + ".\n");
+  } else if (const auto timetag = ParseInteger(word)) {
+    const kernel::WmeId wme =
+        *timetag < 0 ? kernel::WmeId::kNone : agent.memory().FindByTimetag(static_cast<std::uint64_t>(*timetag));
+    if (wme == kernel::WmeId::kNone) out.Print("No wme " + word + " in working memory.\n");
+    else PrintObject(out, agent, agent.memory().wme(wme).id, style, call.result.structured);
+  } else {
+    const ProductionId id = FindRule(agent, word);
+    if (id == ProductionId::kNone) {
+      out.Print("No production named " + word + "\n");
+      return;
+    }
+    PrintRule(call, id, rule_style);
+  }
+}
+
+}  // namespace
+
+const std::span<const OptionSpec> kPrintOptions = kOptions;
+
+bool CommandPrint(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kOptions, parsed)) return false;
+  PrintStream::Capture capture(call.stream(), &call.result.text);
+
+  ObjectStyle style;
+  style.depth = call.session.output().print_depth;
+  if (const auto depth = parsed.Argument('d')) {
+    const auto number = ParseInteger(*depth);
+    if (!number || *number < 0) return call.Fail("Non-negative depth expected.");
+    style.depth = static_cast<int>(std::min<std::int64_t>(*number, 1000000));
+  }
+  style.internal = parsed.Has('i');
+  style.tree = parsed.Has('t');
+  style.variables = parsed.Has('v');
+  RuleListStyle rules;
+  rules.internal = parsed.Has('i');
+  rules.file = parsed.Has('F');
+  rules.full = parsed.Has('f') || (rules.internal && !parsed.Has('n'));
+
+  if ((parsed.Has('o') || parsed.Has('S')) && !parsed.Has('s')) {
+    return call.Fail("Options --operators (-o) and --states (-S) are only valid when printing the stack.");
+  }
+  const bool lists = parsed.Has('a') || parsed.Has('c') || parsed.Has('D') || parsed.Has('g') || parsed.Has('j') ||
+                     parsed.Has('r') || parsed.Has('s') || parsed.Has('T') || parsed.Has('u');
+  if (lists && !parsed.arguments.empty()) {
+    return call.Fail(
+        "No argument allowed when printing all/chunks/defaults/GDS/justifications/rl/template/user/stack.");
+  }
+  if (parsed.Has('e') && (parsed.Has('d') || parsed.Has('t'))) {
+    return call.Fail("No depth/tree flags allowed when printing exact.");
+  }
+  if (parsed.Has('s')) {
+    PrintStack(call.stream(), call.agent(), !parsed.Has('o') || parsed.Has('S'), !parsed.Has('S') || parsed.Has('o'),
+               call.result.structured);
+    return true;
+  }
+  if (parsed.Has('g')) PrintGoalDependencySets(call);
+  if (parsed.arguments.empty()) {
+    PrintRules(call, parsed, rules);
+    return true;
+  }
+
+  // Several words, or one in parentheses, are a pattern.
+  std::string text;
+  for (const Word& word : parsed.arguments) text += (text.empty() ? "" : " ") + word.text;
+  if (text.empty()) return true;
+  if (parsed.arguments.size() > 1 || text.front() == '(') {
+    PrintPattern(call, text, style, parsed.Has('e'));
+    return true;
+  }
+  rules.full = parsed.Has('f') || !parsed.Has('n');
+  PrintThing(call, text, style, rules);
+  return true;
+}
+
+}  // namespace soarbox::cli

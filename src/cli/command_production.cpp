@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/find_rules.h"
+#include "cli/interpreter.h"
+#include "cli/lookup.h"
+#include "cli/matches_printer.h"
+#include "cli/rule_text.h"
+#include "cli/summary.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::Production;
+using kernel::ProductionId;
+using kernel::ProductionType;
+
+bool Overview(CommandCall& call) {
+  const kernel::Agent& agent = call.agent();
+  std::uint32_t total = 0;
+  Summary summary(55);
+  summary.Rule('=').Title("Productions", '-').Rule('=');
+  const auto row = [&](std::string_view name, ProductionType type) {
+    const std::uint32_t count = agent.CountProductions(type);
+    total += count;
+    const std::string number = std::to_string(count);
+    summary.Text(fmt::format("{:<{}}{}   \n", name, 55 - number.size(), number));
+  };
+  row("User rules", ProductionType::kUser);
+  row("Default rules", ProductionType::kDefault);
+  row("Chunks", ProductionType::kChunk);
+  row("Justifications", ProductionType::kJustification);
+  summary.Rule('-');
+  const std::string number = std::to_string(total);
+  summary.Text(fmt::format("{:<{}}{}   \n", "Total", 55 - number.size(), number));
+  summary.Rule('-');
+  summary.Text("\nUse 'production ?' for a command overview or 'help production' for the manual page.");
+  call.Out(summary.Take());
+  return true;
+}
+
+/// The rules that options name by type, oldest first; all of them if there are no such options.
+std::vector<ProductionId> Selected(CommandCall& call, const ParsedWords& parsed) {
+  struct Letter {
+    char letter;
+    ProductionType type;
+  };
+  constexpr Letter kLetters[] = {{'u', ProductionType::kUser},    {'c', ProductionType::kChunk},
+                                 {'d', ProductionType::kDefault}, {'j', ProductionType::kJustification},
+                                 {'T', ProductionType::kTemplate}};
+  bool any = parsed.Has('r');
+  for (const Letter& letter : kLetters) any = any || parsed.Has(letter.letter);
+  std::vector<ProductionId> rules;
+  for (const ProductionId id : call.agent().Productions()) {
+    const Production& rule = call.agent().production(id);
+    bool wanted = !any || parsed.Has('a') || (parsed.Has('r') && rule.is_rl);
+    for (const Letter& letter : kLetters) wanted = wanted || (parsed.Has(letter.letter) && rule.type == letter.type);
+    if (wanted) rules.push_back(id);
+  }
+  return rules;
+}
+
+bool Excise(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kProductionSubcommands[1].options, parsed)) return false;
+  kernel::Agent& agent = call.agent();
+  std::vector<ProductionId> rules;
+  if (parsed.options.empty()) {
+    if (parsed.arguments.empty()) return call.Fail("Production name is required.");
+    if (parsed.arguments.size() > 1) {
+      return call.Fail("Only one production name allowed, call excise multiple times to excise more than one specific "
+                       "production.");
+    }
+    const ProductionId id = FindRule(agent, parsed.arguments.front().text);
+    if (id == ProductionId::kNone) return call.Fail("Production not found.");
+    rules.push_back(id);
+  } else {
+    for (const ProductionId id : agent.Productions()) {
+      const Production& rule = agent.production(id);
+      const bool wanted = parsed.Has('a') || (parsed.Has('c') && rule.type == ProductionType::kChunk) ||
+                          (parsed.Has('d') && rule.type == ProductionType::kDefault) ||
+                          (parsed.Has('u') && rule.type == ProductionType::kUser) ||
+                          (parsed.Has('T') && rule.type == ProductionType::kTemplate) ||
+                          (parsed.Has('t') &&
+                           (rule.type == ProductionType::kUser || rule.type == ProductionType::kDefault)) ||
+                          (parsed.Has('r') && rule.is_rl) || (parsed.Has('n') && agent.FiringCount(id) == 0);
+      if (wanted) rules.push_back(id);
+    }
+  }
+  std::vector<std::string>& watched = call.session.watched_rules();
+  for (const ProductionId id : rules) {
+    const std::string name = agent.production(id).name;
+    std::erase(watched, name);
+    call.AddArgument("name", "string", name);
+    if (parsed.Has('n') || parsed.Has('r')) call.Out("#");
+    agent.Excise(id);
+  }
+  call.session.UpdateTrace();
+  call.AddArgument("count", "int", std::to_string(rules.size()));
+  call.Out(fmt::format("{} production{} excised.\n", rules.size(), rules.size() == 1 ? "" : "s"));
+  return true;
+}
+
+bool Watch(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kProductionSubcommands[7].options, parsed)) return false;
+  if (parsed.arguments.size() > 1) return call.Fail("Too many parameters");
+  std::vector<std::string>& watched = call.session.watched_rules();
+  if (parsed.arguments.empty()) {
+    if (parsed.Has('d')) {
+      watched.clear();
+      call.session.UpdateTrace();
+      return true;
+    }
+    if (watched.empty()) {
+      call.Out("No watched productions found.");
+      return true;
+    }
+    for (const std::string& name : watched) {
+      call.Out("\n" + name);
+      call.AddArgument("name", "string", name);
+    }
+    return true;
+  }
+  const ProductionId id = FindRule(call.agent(), parsed.arguments.front().text);
+  if (id == ProductionId::kNone) return call.Fail("Production not found.");
+  const std::string& name = call.agent().production(id).name;
+  std::erase(watched, name);
+  if (!parsed.Has('d')) watched.push_back(name);
+  call.session.UpdateTrace();
+  return true;
+}
+
+bool Break(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kProductionSubcommands[0].options, parsed)) return false;
+  kernel::Agent& agent = call.agent();
+  std::string name;
+  if (const auto set = parsed.Argument('s')) name = *set;
+  if (const auto clear = parsed.Argument('c')) name = *clear;
+  if (name.empty() && !parsed.arguments.empty()) name = parsed.arguments.front().text;
+  if (name.empty()) {
+    call.result.structured.Add("break");
+    for (const ProductionId id : agent.Productions()) {
+      if (!agent.HasBreak(id) && !agent.production(id).interrupt) continue;
+      if (agent.HasBreak(id)) call.Out(RuleName(agent, agent.production(id)) + "\n");
+    }
+    return true;
+  }
+  const ProductionId id = FindRule(agent, name);
+  if (id == ProductionId::kNone) return call.Fail("Production not found: " + name);
+  agent.SetBreak(id, !parsed.Has('c'));
+  return true;
+}
+
+bool Find(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kProductionSubcommands[2].options, parsed)) return false;
+  if (parsed.arguments.empty()) return call.Fail("No pattern specified.");
+  std::string pattern;
+  for (const Word& word : parsed.arguments) pattern += (pattern.empty() ? "" : " ") + word.text;
+  PrintStream::Capture capture(call.stream(), &call.result.text);
+  // With another option than these two, Soar searches nothing; so do we, but say why.
+  const bool searches = parsed.options.empty() || parsed.Has('l') || parsed.Has('r');
+  if (!searches) call.Hint("nothing is searched", "give --lhs as well");
+  FindRules(call.stream(), call.agent(), pattern, searches, parsed.Has('s'), [&](const Production& rule) {
+    const bool learned = rule.type == ProductionType::kChunk || rule.type == ProductionType::kJustification;
+    return searches && !(parsed.Has('c') && !learned) && !(parsed.Has('n') && learned);
+  });
+  return true;
+}
+
+/// Prints "COUNT:  NAME" lines, largest count first; equal ones oldest first.
+bool Counts(CommandCall& call, std::vector<ProductionId> rules, std::size_t limit,
+            const std::function<std::uint64_t(ProductionId)>& count) {
+  std::vector<std::pair<std::uint64_t, ProductionId>> counted;
+  for (const ProductionId id : rules) counted.emplace_back(count(id), id);
+  std::stable_sort(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (limit > 0 && counted.size() > limit) counted.resize(limit);
+  for (const auto& [number, id] : counted) {
+    const std::string name = RuleName(call.agent(), call.agent().production(id));
+    call.Out(fmt::format("{:6}:  {}\n", number, name));
+    call.AddArgument("name", "string", name);
+    call.AddArgument("count", "int", std::to_string(number));
+  }
+  return true;
+}
+
+bool FiringCounts(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kProductionSubcommands[3].options, parsed)) return false;
+  if (parsed.arguments.size() > 1) return call.Fail("Too many parameters.");
+  const auto count = [&](ProductionId id) { return call.agent().FiringCount(id); };
+  std::size_t limit = 0;
+  if (!parsed.arguments.empty()) {
+    const std::string& word = parsed.arguments.front().text;
+    const auto number = ParseInteger(word);
+    if (!number) {
+      const ProductionId id = FindRule(call.agent(), word);
+      if (id == ProductionId::kNone) return call.Fail("Production not found.");
+      return Counts(call, {id}, 0, count);
+    }
+    if (*number < 0) return call.Fail("Expected non-negative integer.");
+    limit = static_cast<std::size_t>(*number);
+  }
+  std::vector<ProductionId> rules = Selected(call, parsed);
+  if (rules.empty()) return call.Fail("No productions in memory of those type(s).");
+  if (parsed.Has('f')) std::erase_if(rules, [&](ProductionId id) { return count(id) == 0; });
+  return Counts(call, std::move(rules), limit, count);
+}
+
+bool MemoryUsage(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kProductionSubcommands[5].options, parsed)) return false;
+  if (parsed.arguments.size() > 1) return call.Fail("Syntax: memories [options] [number]\nmemories production_name");
+  const auto count = [&](ProductionId id) { return call.agent().rete().CountTokens(id); };
+  std::size_t limit = 0;
+  if (!parsed.arguments.empty()) {
+    const std::string& word = parsed.arguments.front().text;
+    const auto number = ParseInteger(word);
+    if (!number) {
+      const ProductionId id = FindRule(call.agent(), word);
+      if (id == ProductionId::kNone) return call.Fail("Production not found.");
+      return Counts(call, {id}, 0, count);
+    }
+    if (*number <= 0) return call.Fail("Expected positive integer.");
+    limit = static_cast<std::size_t>(*number);
+  }
+  std::vector<ProductionId> rules = Selected(call, parsed);
+  if (rules.empty()) return call.Fail("Production not found.");
+  return Counts(call, std::move(rules), limit, count);
+}
+
+bool Matches(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kProductionSubcommands[4].options, parsed)) return false;
+  if (parsed.arguments.size() > 1) return call.Fail("Error.");
+  WmeDetail detail = WmeDetail::kNone;
+  if (parsed.Has('t')) detail = WmeDetail::kTimetags;
+  if (parsed.Has('w')) detail = WmeDetail::kFull;
+  PrintStream::Capture capture(call.stream(), &call.result.text);
+  if (parsed.arguments.empty()) {
+    const bool both = parsed.Has('a') == parsed.Has('r');
+    PrintMatchSet(call.stream(), call.agent(), both || parsed.Has('a'), both || parsed.Has('r'), detail,
+                  call.result.structured);
+    return true;
+  }
+  const std::string& word = parsed.arguments.front().text;
+  const ProductionId id = FindRule(call.agent(), word);
+  if (id == ProductionId::kNone) return call.Fail("Production not found: " + word);
+  PrintPartialMatches(call.stream(), call.agent(), id, detail, call.result.structured);
+  return true;
+}
+
+bool OptimizeAttribute(CommandCall& call) {
+  if (call.words.size() > 3) return call.Fail("Too many parameters");
+  if (call.words.size() == 1) {
+    const std::map<std::string, std::int64_t>& all = call.session.multi_attributes();
+    if (all.empty()) call.Out("No optimized attributes found.");
+    call.Out("Value\tSymbol\n");
+    for (const auto& [symbol, value] : all) {
+      call.Out(fmt::format("{}\t{}\n", value, symbol));
+    }
+    return true;
+  }
+  std::int64_t value = 10;
+  if (call.words.size() == 3) {
+    const auto number = ParseInteger(call.words[2].text);
+    if (!number || *number <= 1 || *number > 1000000000) return call.Fail("Expected integer greater than 1.");
+    value = *number;
+  }
+  call.session.multi_attributes()[call.words[1].text] = value;
+  return true;
+}
+
+bool Help(CommandCall& call) {
+  const std::string rule(66, '-');
+  call.Out(std::string(66, '=') + "\n-               Production Sub-Commands and Options              -\n" +
+           std::string(66, '=') + "\n");
+  for (const SubcommandInfo& subcommand : kProductionSubcommands) {
+    if (subcommand.name == "?" || subcommand.name == "help") continue;
+    std::string line = fmt::format("production {:<19}", subcommand.name);
+    for (const OptionSpec& option : subcommand.options) {
+      if (!option.help.empty()) line += fmt::format("[--{}] ", option.name);
+    }
+    call.Out(line + std::string(subcommand.usage) + "\n" + rule + "\n");
+  }
+  call.Out("\nFor a detailed explanation of sub-commands:    help production\n");
+  return call.FailPrinted();
+}
+
+constexpr auto kNone = OptionArgument::kNone;
+constexpr OptionSpec kBreakOptions[] = {
+    {'s', "set", OptionArgument::kRequired, "stop when this rule fires"},
+    {'c', "clear", OptionArgument::kRequired, "no longer stop at this rule"},
+    {'p', "print", kNone, "list the rules at which runs stop"},
+};
+constexpr OptionSpec kExciseOptions[] = {
+    {'a', "all", kNone, "all rules"},          {'c', "chunks", kNone, "learned rules"},
+    {'d', "default", kNone, "default rules"},  {'n', "never-fired", kNone, "rules that never fired"},
+    {'r', "rl", kNone, "reinforcement learning's"}, {'t', "task", kNone, "user and default rules"},
+    {'T', "templates", kNone, "templates"},    {'u', "user", kNone, "ordinary rules"},
+};
+constexpr OptionSpec kFindOptions[] = {
+    {'l', "lhs", kNone, "search conditions"},      {'r', "rhs", kNone, "search actions"},
+    {'s', "show-bindings", kNone, "show what the pattern's variables stand for"},
+    {'c', "chunks", kNone, "learned rules only"},  {'n', "nochunks", kNone, "no learned rules"},
+};
+constexpr OptionSpec kCountOptions[] = {
+    {'a', "all", kNone, "all rules"},         {'c', "chunks", kNone, "learned rules"},
+    {'d', "default", kNone, "default rules"}, {'j', "justifications", kNone, "justifications"},
+    {'r', "rl", kNone, "reinforcement learning's"}, {'T', "templates", kNone, "templates"},
+    {'u', "user", kNone, "ordinary rules"},   {'f', "fired", kNone, "only rules that fired"},
+};
+constexpr OptionSpec kMatchesOptions[] = {
+    {'a', "assertions", kNone, "rules about to fire"},   {'r', "retractions", kNone, "matches about to retract"},
+    {'n', "names", kNone, "names only"},                 {'c', "count", kNone, "counts only"},
+    {'t', "timetags", kNone, "with time tags"},          {'w', "wmes", kNone, "with elements"},
+};
+constexpr OptionSpec kMemoryOptions[] = {
+    {'c', "chunks", kNone, "learned rules"},  {'d', "default", kNone, "default rules"},
+    {'j', "justifications", kNone, "justifications"}, {'T', "templates", kNone, "templates"},
+    {'u', "user", kNone, "ordinary rules"},
+};
+constexpr OptionSpec kWatchOptions[] = {
+    {'e', "on", kNone, "show firings of the rule"},
+    {'d', "off", kNone, "no longer show them"},
+};
+
+constexpr SubcommandInfo kSubcommands[] = {
+    {"break", "[RULE]", "stops runs when a rule fires", kBreakOptions, Break},
+    {"excise", "[RULE]", "removes rules", kExciseOptions, Excise},
+    {"find", "PATTERN", "finds rules by what they test", kFindOptions, Find},
+    {"firing-counts", "[N | RULE]", "how often rules fired", kCountOptions, FiringCounts},
+    {"matches", "[RULE]", "how far a rule matches, or what is about to fire", kMatchesOptions, Matches},
+    {"memory-usage", "[N | RULE]", "how many partial matches rules hold", kMemoryOptions, MemoryUsage},
+    {"optimize-attribute", "[ATTRIBUTE [N]]", "how many values of an attribute the matcher expects", {},
+     OptimizeAttribute},
+    {"watch", "[RULE]", "shows firings of a rule at any trace level", kWatchOptions, Watch},
+    {"?", "", "an overview of the sub-commands", {}, Help},
+    {"help", "", "an overview of the sub-commands", {}, Help},
+};
+
+}  // namespace
+
+const std::span<const SubcommandInfo> kProductionSubcommands = kSubcommands;
+
+bool CommandProduction(CommandCall& call) {
+  if (call.words.size() < 2) return Overview(call);
+  std::string error;
+  return RunSubcommand(call, *FindCommand("production", error),
+                       "Invalid production command.  Use 'production ?' to see a list of valid settings.",
+                       "Use 'production ?' or 'help production' to learn more about the production command.");
+}
+
+}  // namespace soarbox::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/generate_rules.h"
+#include "cli/interpreter.h"
+#include "cli/rule_text.h"
+#include "cli/source_run.h"
+
+namespace soarbox::cli {
+namespace {
+
+/// `output warnings off` silences what is only said about a rule, not what is wrong with its text.
+bool IsWarning(std::string_view text) {
+  while (text.starts_with('\n')) text.remove_prefix(1);
+  return text.starts_with("Warning: On the LHS") || text.starts_with("Attempted to add rule with ungrounded");
+}
+
+void PrintMessages(CommandCall& call, const std::vector<kernel::RuleMessage>& messages) {
+  for (const kernel::RuleMessage& message : messages) {
+    if (!call.session.output().warnings && IsWarning(message.text)) continue;
+    if (message.fresh_line) call.stream().FreshLine();
+    call.stream().Print(message.text);
+  }
+}
+
+/// Loads one rule and answers as Soar does: "*", "#*" after a rule of the same name, or why not.
+bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::string_view failure) {
+  PrintStream::Capture capture(call.stream(), &call.result.text);
+  kernel::Agent& agent = call.agent();
+  SourceRun* source = call.interpreter.source_run();
+  kernel::SourcePlace place;
+  place.line = word.line;
+  place.column = word.column;
+  if (source && !source->files.empty()) place.file = source->files.back();
+  kernel::LoadOutcome outcome = agent.LoadProduction(body, place);
+
+  PrintMessages(call, outcome.printed);
+  if (outcome.replaced) {
+    call.stream().Print("#");
+    if (source) {
+      ++source->excised;
+      source->excised_names.push_back(outcome.name);
+    }
+  }
+  PrintMessages(call, outcome.printed_late);
+  for (Diagnostic& message : outcome.messages) call.result.diagnostics.push_back(std::move(message));
+  if (!outcome.duplicate_of.empty()) {
+    call.stream().Print(fmt::format("Ignoring {} because it is a duplicate of {}\n \n", RuleName(agent, outcome.name),
+                                    RuleName(agent, outcome.duplicate_of)));
+    if (source) ++source->ignored;
+    return true;
+  }
+  if (!outcome.loaded) {
+    call.Out(failure);
+    call.failure = CommandCall::Failure::kWithMessage;
+    return false;
+  }
+  call.stream().Print("*");
+  if (source) ++source->sourced;
+  return true;
+}
+
+}  // namespace
+
+bool CommandSp(CommandCall& call) {
+  if (call.words.size() != 2) return call.Fail("Syntax: sp {production_body}");
+  return LoadRule(call, call.words[1].text, call.words[1], "Production addition failed.");
+}
+
+bool CommandGp(CommandCall& call) {
+  if (call.words.size() != 2) return call.Fail("Syntax: gp { production_body }");
+  const GeneratedRules rules =
+      GenerateRules(call.words[1].text, static_cast<std::uint64_t>(call.agent().settings().max_gp));
+  if (!rules.error.empty()) return call.Fail(rules.error);
+  for (std::uint64_t i = 0; i < rules.count; ++i) {
+    if (!LoadRule(call, rules.Body(i), call.words[1], "Production addition failed.")) return false;
+  }
+  return true;
+}
+
+}  // namespace soarbox::cli

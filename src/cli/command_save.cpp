@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/interpreter.h"
+#include "cli/rule_text.h"
+#include "cli/setting_store.h"
+#include "cli/summary.h"
+#include "kernel/decide/exploration.h"
+
+namespace soarbox::cli {
+namespace {
+
+std::string RulesText(const kernel::Agent& agent, bool only_chunks) {
+  std::string text;
+  for (const kernel::ProductionId id : agent.Productions()) {
+    const kernel::Production& rule = agent.production(id);
+    const bool is_chunk = rule.type == kernel::ProductionType::kChunk;
+    if (rule.type == kernel::ProductionType::kJustification || (only_chunks && !is_chunk)) continue;
+    text += RuleText(agent, rule, false) + "\n";
+  }
+  return text;
+}
+
+/// Commands that bring the settings back that differ from their initial values.
+std::string SettingsText(CommandCall& call) {
+  const kernel::AgentSettings& settings = call.agent().settings();
+  const kernel::AgentSettings initial;
+  std::string text;
+  const auto number = [&](std::string_view name, std::int64_t value, std::int64_t usual) {
+    if (value != usual) text += fmt::format("soar {} {}\n", name, value);
+  };
+  number("max-elaborations", settings.max_elaborations, initial.max_elaborations);
+  number("max-goal-depth", settings.max_goal_depth, initial.max_goal_depth);
+  number("max-nil-output-cycles", settings.max_nil_output_cycles, initial.max_nil_output_cycles);
+  number("max-dc-time", settings.max_decision_time_us, initial.max_decision_time_us);
+  number("max-gp", settings.max_gp, initial.max_gp);
+  if (settings.keep_all_top_o_preferences) text += "soar keep-all-top-oprefs on\n";
+  if (settings.wait_snc) text += "soar wait-snc on\n";
+
+  const kernel::ExplorationSettings& exploration = call.agent().exploration();
+  constexpr const char* kPolicies[] = {"boltzmann", "epsilon-greedy", "softmax", "first", "last"};
+  if (exploration.policy != kernel::ExplorationPolicy::kSoftmax) {
+    text += fmt::format("decide indifferent-selection --{}\n", kPolicies[static_cast<int>(exploration.policy)]);
+  }
+  if (exploration.average_numbers) text += "decide numeric-indifferent-mode --avg\n";
+  const auto parameter = [&](std::string_view name, double value, double usual) {
+    if (value != usual) text += fmt::format("decide indifferent-selection --{} {}\n", name, Shortest(value));
+  };
+  parameter("epsilon", exploration.epsilon.value, 0.1);
+  parameter("temperature", exploration.temperature.value, 25);
+  for (const SettingStore::Changed& changed : call.session.settings().Differences()) {
+    if (changed.group == "chunk" && changed.name == "mode") text += "chunk " + changed.value + "\n";
+    else if (changed.group == "chunk" || changed.group == "explain" || changed.group == "visualize" ||
+             changed.group == "soar") {
+      text += fmt::format("{} {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
+    } else {
+      text += fmt::format("{} --set {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
+    }
+  }
+  return text;
+}
+
+bool Write(CommandCall& call, const std::string& file, const std::string& text) {
+  std::ofstream out(call.interpreter.Resolve(file), std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (!out) return call.Fail("Failed to open file for writing: " + file);
+  return true;
+}
+
+bool SaveAgent(CommandCall& call) {
+  if (call.words.size() != 2) return call.Fail("Syntax: save agent <filename>");
+  const std::string text = fmt::format("# Agent {}: settings and rules.\n\n{}\n{}", call.session.name(),
+                                       SettingsText(call), RulesText(call.agent(), false));
+  if (!Write(call, call.words[1].text, text)) return false;
+  call.Out("Procedural memory, semantic memory and settings written to file.\n");
+  return true;
+}
+
+bool SaveChunks(CommandCall& call) {
+  if (call.words.size() != 2) return call.Fail("Syntax: save chunks <filename>");
+  const std::string& file = call.words[1].text;
+  if (!Write(call, file, RulesText(call.agent(), true))) return false;
+  call.Out("Chunks written to file " + file + ".\n");
+  return true;
+}
+
+bool SavePercepts(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kSaveSubcommands[2].options, parsed)) return false;
+  if (parsed.Has('o')) return call.Fail("Recording of input is not available in this build.");
+  if (!parsed.Has('c')) call.Out("closed");
+  return true;
+}
+
+bool SaveRete(CommandCall& call) {
+  return call.Fail("Images of the match network are not available in this build; use 'save agent' instead.");
+}
+
+bool Help(CommandCall& call) {
+  call.Out("======================================================\n"
+           "-            Save Sub-Commands and Options           -\n"
+           "======================================================\n"
+           "save agent                           <filename>\n"
+           "save chunks                          <filename>\n"
+           "save percepts                        [--open <filename> | --close | --flush]\n"
+           "save rete-network                    --save <filename>\n"
+           "------------------------------------------------------\n\n"
+           "For a detailed explanation of sub-commands:  help save\n");
+  return call.FailPrinted();
+}
+
+constexpr OptionSpec kPerceptsOptions[] = {
+    {'o', "open", OptionArgument::kRequired, "the file"},
+    {'c', "close", OptionArgument::kNone, "end the recording"},
+    {'f', "flush", OptionArgument::kNone, "write out what is recorded"},
+};
+constexpr OptionSpec kReteOptions[] = {{'s', "save", OptionArgument::kRequired, "the file"}};
+
+constexpr SubcommandInfo kSubcommands[] = {
+    {"agent", "FILE", "writes the agent's settings and rules to a file that can be sourced", {}, SaveAgent},
+    {"chunks", "FILE", "writes learned rules to a file", {}, SaveChunks},
+    {"percepts", "[--open FILE | --close | --flush]", "records input", kPerceptsOptions, SavePercepts},
+    {"rete-network", "--save FILE", "writes an image of the match network", kReteOptions, SaveRete},
+    {"?", "", "an overview of the sub-commands", {}, Help},
+    {"help", "", "an overview of the sub-commands", {}, Help},
+};
+
+}  // namespace
+
+const std::span<const SubcommandInfo> kSaveSubcommands = kSubcommands;
+
+bool CommandSave(CommandCall& call) {
+  if (call.words.size() < 2) {
+    return call.Fail("File type is required. \n\nUse 'save ?' or 'help save' to learn more about the save command.");
+  }
+  std::string error;
+  return RunSubcommand(call, *FindCommand("save", error),
+                       "Invalid save command.  Use 'save ?' to see a list of valid settings.",
+                       "Use 'save ?' or 'help save' to learn more about the save command.");
+}
+
+}  // namespace soarbox::cli

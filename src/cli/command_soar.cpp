@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <functional>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/command.h"
+#include "cli/interpreter.h"
+#include "cli/lookup.h"
+#include "cli/object_printer.h"
+#include "cli/setting_store.h"
+#include "cli/summary.h"
+#include "cli/version.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::AgentSettings;
+using kernel::Phase;
+
+constexpr std::string_view kInvalidSubcommand =
+    "Invalid soar sub-command.  Use 'soar ?' to see a list of valid sub-commands and settings.";
+constexpr std::string_view kInvalidCommand = "Invalid command.  Use 'soar ?' to see a list of valid settings.";
+constexpr std::string_view kInvalidArgument = "Invalid argument. Use 'soar ?' to see a list of valid settings.";
+
+std::string_view PhaseName(Phase phase) {
+  switch (phase) {
+    case Phase::kInput: return "input";
+    case Phase::kPropose: return "propose";
+    case Phase::kDecide: return "decide";
+    case Phase::kApply: return "apply";
+    case Phase::kOutput: return "output";
+  }
+  return "";
+}
+
+/// Words and options that name a phase.
+bool ReadPhase(std::string_view word, Phase& phase) {
+  if (word == "input") phase = Phase::kInput;
+  else if (word == "propose") phase = Phase::kPropose;
+  else if (word == "decide" || word == "decision") phase = Phase::kDecide;
+  else if (word == "apply") phase = Phase::kApply;
+  else if (word == "output") phase = Phase::kOutput;
+  else return false;
+  return true;
+}
+
+/// The part of an argument that a number can be read from, as Soar reads it: nothing gives 0.
+std::int64_t LooseInteger(const std::string& text) { return ParseInteger(text).value_or(0); }
+
+std::string Value(CommandCall& call, std::string_view name) {
+  const AgentSettings& settings = call.agent().settings();
+  SettingStore& store = call.session.settings();
+  if (name == "keep-all-top-oprefs") return std::string(OnOff(settings.keep_all_top_o_preferences));
+  if (name == "max-elaborations") return std::to_string(settings.max_elaborations);
+  if (name == "max-goal-depth") return std::to_string(settings.max_goal_depth);
+  if (name == "max-nil-output-cycles") return std::to_string(settings.max_nil_output_cycles);
+  if (name == "max-dc-time") return std::to_string(settings.max_decision_time_us);
+  if (name == "max-gp") return std::to_string(settings.max_gp);
+  if (name == "stop-phase") return std::string(PhaseName(settings.stop_phase));
+  if (name == "wait-snc") return std::string(OnOff(settings.wait_snc));
+  return store.Get("soar", name);
+}
+
+struct Row {
+  std::string_view name, help;
+};
+constexpr Row kRows[] = {
+    {"keep-all-top-oprefs", "Keep all preferences for o-supported WMEs on top state"},
+    {"max-elaborations", "Maximum elaboration in a decision cycle"},
+    {"max-goal-depth", "Halt if goal stack reaches this depth"},
+    {"max-nil-output-cycles", "Impasse after this many nil outputs (run --out)"},
+    {"max-dc-time", "Interrupt decision after this much time"},
+    {"max-memory-usage", "Threshold for memory warning (see help)"},
+    {"max-gp", "Maximum rules gp can generate"},
+    {"stop-phase", "Phase before which Soar will stop"},
+    {"tcl", "Allow Tcl code in commands"},
+    {"timers", "Profile where Soar spends its time"},
+    {"wait-snc", "Wait instead of impasse after state-no-change"},
+};
+
+bool Help(CommandCall& call) {
+  std::string text = "====== Soar General Commands and Settings =====\n";
+  const auto row = [&](std::string_view name, std::string_view help) { text += fmt::format("{:<51}{}\n", name, help); };
+  row("soar ?", "Print this help listing");
+  row("soar init", "Re-initializes current state of Soar");
+  row("soar stop [--self]", "Stop Soar execution");
+  row("soar version", "Print version number of Soar");
+  text += "----------------- Settings --------------------\n";
+  for (const Row& setting : kRows) {
+    const std::string value = Value(call, setting.name);
+    row(fmt::format("{:<{}}{}", setting.name, 47 - value.size(), value), setting.help);
+  }
+  text += "-----------------------------------------------\n\n";
+  row("To change a setting:", "soar <setting> [<value>]");
+  row("For a detailed explanation of these settings:", "help soar");
+  call.Out(text);
+  return true;
+}
+
+bool Overview(CommandCall& call) {
+  const kernel::Agent& agent = call.agent();
+  std::uint32_t rules = 0;
+  for (const auto type : {kernel::ProductionType::kUser, kernel::ProductionType::kDefault,
+                          kernel::ProductionType::kChunk, kernel::ProductionType::kTemplate}) {
+    rules += agent.CountProductions(type);
+  }
+  std::string stack;
+  for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
+    if (level > 1) stack += ", ";
+    stack += SymbolText(agent, agent.goals().at(static_cast<kernel::GoalLevel>(level)).id);
+  }
+  Summary summary(55);
+  summary.Rule('=');
+  summary.Title(fmt::format("Soar {} Summary", kSoarVersion), '-').Rule('=');
+  summary.Row("Enabled:", "Core").Row("Disabled:", "EBC, SMem, EpMem, SVS, RL, WMA, SSA").Rule('-');
+  summary.Row("Number of rules:", std::to_string(rules));
+  summary.Row("Number of chunks:", std::to_string(agent.CountProductions(kernel::ProductionType::kChunk)));
+  summary.Row("Decisions", std::to_string(agent.counters().decision_cycles + 1));
+  summary.Row("Elaborations", std::to_string(agent.counters().elaborations)).Rule('-');
+  summary.Row("State stack", stack);
+  summary.Row("Current number of states", std::to_string(agent.goals().depth()));
+  summary.Row("Next phase", PhaseName(agent.next_phase())).Rule('-');
+  summary.Text("\nUse 'soar ?' for a command overview or 'help soar' for the manual page.");
+  call.Out(summary.Take());
+  return true;
+}
+
+bool Init(CommandCall& call) {
+  if (call.interpreter.host().IsRunning(call.session)) {
+    return call.Fail("The agent cannot be initialised while it runs.");
+  }
+  {
+    PrintStream::Uncaptured uncaptured(call.stream());
+    call.interpreter.host().Reinitialize(call.session);
+  }
+  call.Out("\nAgent reinitialized.\n");
+  return true;
+}
+
+bool Stop(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kSoarSubcommands[1].options, parsed)) return false;
+  call.interpreter.host().Stop(call.session, parsed.Has('s'));
+  return true;
+}
+
+bool Version(CommandCall& call) {
+  call.Out(fmt::format("{}\nSoarbox {}", kSoarVersion, kSoarboxVersion));
+  call.AddArgument("versionmajor", "int", "9");
+  call.AddArgument("versionminor", "int", "6");
+  call.AddArgument("versionmicro", "int", "3");
+  call.AddArgument("builddate", "string", "Soarbox " + std::string(kSoarboxVersion));
+  return true;
+}
+
+/// Reads "on" or "off" from the words of a setting; nothing: not there. False: neither.
+bool ReadSwitch(CommandCall& call, std::optional<bool>& on) {
+  ParsedWords parsed;
+  if (!call.Parse(kSoarSubcommands[3].options, parsed)) return false;
+  if (parsed.Has('e')) on = true;
+  if (parsed.Has('d')) on = false;
+  if (parsed.arguments.empty()) return true;
+  const std::string& word = parsed.arguments.front().text;
+  if (word == "on") on = true;
+  else if (word == "off") on = false;
+  else return call.Fail(kInvalidArgument);
+  return true;
+}
+
+bool Show(CommandCall& call, std::string_view name) {
+  call.Out(fmt::format("{} is {}\n", name, Value(call, name)));
+  return true;
+}
+
+bool KeepAllTopOprefs(CommandCall& call) {
+  std::optional<bool> on;
+  if (!ReadSwitch(call, on)) return false;
+  if (!on) return Show(call, "keep-all-top-oprefs");
+  call.agent().mutable_settings().keep_all_top_o_preferences = *on;
+  call.Out(*on ? "Soar will now always retain top level preferences for items that are already o-supported.\n"
+               : "Soar will no longer retain top level preferences for items that are already o-supported.\n");
+  return true;
+}
+
+bool WaitSnc(CommandCall& call) {
+  std::optional<bool> on;
+  if (!ReadSwitch(call, on)) return false;
+  if (!on) return Show(call, "wait-snc");
+  call.agent().mutable_settings().wait_snc = *on;
+  call.Out(*on ? "Soar will now wait instead of impassing when a state doesn't change.\n"
+               : "Soar will now impasse when a state doesn't change.\n");
+  return true;
+}
+
+bool Timers(CommandCall& call) {
+  std::optional<bool> on;
+  if (!ReadSwitch(call, on)) return false;
+  if (!on) return Show(call, "timers");
+  call.session.settings().Set("soar", "timers", std::string(OnOff(*on)));
+  call.Out(*on ? "Timers are now enabled.\n" : "Timers are now disabled.\n");
+  return true;
+}
+
+bool Tcl(CommandCall& call) {
+  std::optional<bool> on;
+  if (!ReadSwitch(call, on)) return false;
+  if (on.value_or(false)) return call.Fail("Could not load library tclsoarlib: Tcl is not available in this build.");
+  return Show(call, "tcl");
+}
+
+/// A setting with a number: shows it, or gives the new value to `set`, which refuses what does not fit.
+bool Number(CommandCall& call, std::string_view name, std::int64_t minimum,
+            const std::function<std::string(std::int64_t)>& set) {
+  if (call.words.size() < 2) return Show(call, name);
+  const std::int64_t value = LooseInteger(call.words[1].text);
+  if (value < minimum || value > 2147483647) return call.Fail(kInvalidArgument);
+  call.Out(set(value));
+  return true;
+}
+
+bool MaxElaborations(CommandCall& call) {
+  return Number(call, "max-elaborations", 0, [&](std::int64_t value) {
+    call.agent().mutable_settings().max_elaborations = static_cast<int>(value);
+    return fmt::format("The maximum number of elaborations in a phase is now {}.\n", value);
+  });
+}
+
+bool MaxGoalDepth(CommandCall& call) {
+  return Number(call, "max-goal-depth", 1, [&](std::int64_t value) {
+    call.agent().mutable_settings().max_goal_depth = static_cast<int>(value);
+    return fmt::format("The maximum goal depth is now {}.\n", value);
+  });
+}
+
+bool MaxNilOutputCycles(CommandCall& call) {
+  return Number(call, "max-nil-output-cycles", 1, [&](std::int64_t value) {
+    call.agent().mutable_settings().max_nil_output_cycles = static_cast<int>(value);
+    return fmt::format(
+        "The maximum number of decision cycles without output before interrupting is now {}.  (used with run "
+        "--output)\n",
+        value);
+  });
+}
+
+bool MaxDcTime(CommandCall& call) {
+  return Number(call, "max-dc-time", 0, [&](std::int64_t value) {
+    call.agent().mutable_settings().max_decision_time_us = value;
+    return fmt::format("Soar will now interrupt decisions after {} seconds.\n", value);
+  });
+}
+
+bool MaxMemoryUsage(CommandCall& call) {
+  return Number(call, "max-memory-usage", 1, [&](std::int64_t value) {
+    call.session.settings().Set("soar", "max-memory-usage", std::to_string(value));
+    return fmt::format(
+        "Soar will now interrupt execution if more than {} bytes of memory are used.  (This requires a special build "
+        "of Soar.  See manual for more information.)\n",
+        value);
+  });
+}
+
+bool MaxGp(CommandCall& call) {
+  return Number(call, "max-gp", 1, [&](std::int64_t value) {
+    call.agent().mutable_settings().max_gp = static_cast<int>(value);
+    return fmt::format("The maximum number of rules gp can generate is now {}.\n", value);
+  });
+}
+
+bool StopPhase(CommandCall& call) {
+  ParsedWords parsed;
+  if (!call.Parse(kSoarSubcommands[10].options, parsed)) return false;
+  std::string word;
+  for (const ParsedOption& option : parsed.options) {
+    switch (option.letter) {
+      case 'i': word = "input"; break;
+      case 'p': word = "propose"; break;
+      case 'd': word = "decide"; break;
+      case 'a': word = "apply"; break;
+      case 'o': word = "output"; break;
+      default: break;
+    }
+  }
+  if (!parsed.arguments.empty()) word = parsed.arguments.front().text;
+  AgentSettings& settings = call.agent().mutable_settings();
+  if (word.empty()) {
+    call.Out(fmt::format("Stop before {}", PhaseName(settings.stop_phase)));
+  } else {
+    Phase phase;
+    if (!ReadPhase(word, phase)) return call.Fail(kInvalidArgument);
+    settings.stop_phase = phase;
+    call.Out(fmt::format("Soar will now stop before the {} phase.\n", PhaseName(phase)));
+  }
+  call.AddArgument("phase", "int", std::to_string(static_cast<int>(settings.stop_phase)));
+  return true;
+}
+
+constexpr OptionSpec kStopOptions[] = {{'s', "self", OptionArgument::kNone, "stop this agent only"}};
+constexpr OptionSpec kSwitchOptions[] = {
+    {'e', "on"}, {'e', "enable", OptionArgument::kNone, "switch on"},
+    {'d', "off"}, {'d', "disable", OptionArgument::kNone, "switch off"},
+};
+constexpr OptionSpec kStopPhaseOptions[] = {
+    {'i', "input"}, {'p', "propose"}, {'p', "proposal"}, {'d', "decide"}, {'d', "decision"},
+    {'a', "apply"}, {'o', "output"},  {'B', "before"},   {'A', "after"},
+};
+
+constexpr SubcommandInfo kSubcommands[] = {
+    {"init", "", "starts the agent again: working memory is emptied, rules stay", {}, Init},
+    {"stop", "[--self]", "stops running agents", kStopOptions, Stop},
+    {"version", "", "the version of Soar whose behaviour this is, and of Soarbox", {}, Version},
+    {"keep-all-top-oprefs", "[on | off]", "keep every preference for o-supported elements of the top state",
+     kSwitchOptions, KeepAllTopOprefs},
+    {"max-elaborations", "[N]", "elaborations in a phase before it is ended", {}, MaxElaborations},
+    {"max-goal-depth", "[N]", "states on the stack before the run is ended", {}, MaxGoalDepth},
+    {"max-nil-output-cycles", "[N]", "decisions without output before run --output ends", {}, MaxNilOutputCycles},
+    {"max-dc-time", "[MICROSECONDS]", "time that a decision may take; 0: any", {}, MaxDcTime},
+    {"max-memory-usage", "[BYTES]", "memory at which a warning is due", {}, MaxMemoryUsage},
+    {"max-gp", "[N]", "rules that one gp command may make", {}, MaxGp},
+    {"stop-phase", "[PHASE]", "the phase before which runs by decisions stop", kStopPhaseOptions, StopPhase},
+    {"tcl", "[on | off]", "Tcl in commands; never available", kSwitchOptions, Tcl},
+    {"timers", "[on | off]", "keep times for stats", kSwitchOptions, Timers},
+    {"wait-snc", "[on | off]", "wait instead of making a state when no operator is proposed", kSwitchOptions, WaitSnc},
+    {"?", "", "an overview of the settings", {}, Help},
+    {"help", "", "an overview of the settings", {}, Help},
+};
+
+}  // namespace
+
+const std::span<const SubcommandInfo> kSoarSubcommands = kSubcommands;
+
+bool CommandSoar(CommandCall& call) {
+  if (call.words.size() < 2) return Overview(call);
+  std::string error;
+  const CommandInfo* command = FindCommand("soar", error);
+  return RunSubcommand(call, *command, call.words.size() == 2 ? kInvalidSubcommand : kInvalidCommand,
+                       "Use 'soar ?' and 'help soar' to learn more about the soar command.");
+}
+
+}  // namespace soarbox::cli

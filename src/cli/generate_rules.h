@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::cli {
+
+/// The rules that `gp` makes of one text: each [list of values] in it stands for one of its values in turn, and the
+/// rules are numbered: NAME*1, NAME*2, ... The first list changes fastest.
+struct GeneratedRules {
+  std::uint64_t count = 0;
+  std::string error;               ///< Not empty: there are no rules, and this says why.
+  std::string name;
+  std::vector<std::string> texts;  ///< What stands before, between and after the lists.
+  std::vector<std::vector<std::string>> values;
+
+  /// The text of rule `index`, from 0 to count - 1.
+  std::string Body(std::uint64_t index) const;
+};
+
+/// Reads the text; more than `limit` rules are an error.
+GeneratedRules GenerateRules(std::string_view text, std::uint64_t limit);
+
+}  // namespace soarbox::cli

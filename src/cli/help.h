@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+#include "cli/aliases.h"
+#include "cli/command.h"
+
+namespace soarbox::cli {
+
+/// What `help NAME` prints: usage, options, sub-commands, aliases.
+std::string HelpText(const CommandInfo& command, const AliasTable& aliases);
+
+/// The reference of all commands as Markdown, for docs/.
+std::string CommandReference();
+
+}  // namespace soarbox::cli

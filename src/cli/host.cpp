@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/host.h"
+
+#include "cli/session.h"
+
+namespace soarbox::cli {
+
+kernel::RunResult Host::Run(Session& session, const RunRequest& request) {
+  kernel::Agent& agent = session.agent();
+  agent.ClearStopRequest();
+  if (!request.until_goal_removed) return agent.Run(request.unit, request.count);
+
+  // One step at a time until the state that is the lowest now has gone, or the count is used up.
+  if (!agent.goals().empty()) agent.SetGoalToWatch(agent.goals().bottom().id);
+  kernel::RunResult total;
+  const kernel::RunUnit step =
+      request.unit == kernel::RunUnit::kForever ? kernel::RunUnit::kDecision : request.unit;
+  for (std::uint64_t i = 0; request.unit == kernel::RunUnit::kForever || i < request.count; ++i) {
+    const kernel::RunResult part = agent.Run(step, 1);
+    total.reason = part.reason;
+    total.decisions += part.decisions;
+    total.elaborations += part.elaborations;
+    total.firings += part.firings;
+    if (part.reason != kernel::StopReason::kCompleted || agent.watched_goal_gone()) break;
+  }
+  agent.SetGoalToWatch({});
+  return total;
+}
+
+void Host::Stop(Session& session, bool) { session.agent().RequestStop(); }
+
+void Host::Reinitialize(Session& session) { session.agent().InitSoar(); }
+
+bool Host::IsRunning(Session& session) const { return session.agent().running(); }
+
+}  // namespace soarbox::cli

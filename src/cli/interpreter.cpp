@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/interpreter.h"
+
+#include <system_error>
+
+#include "cli/command.h"
+#include "cli/words.h"
+
+namespace soarbox::cli {
+namespace {
+
+/// Commands within commands (sourced files, rules that run commands) end here rather than on the program's stack.
+constexpr int kMaxDepth = 50;
+
+void CloseFailure(CommandResult& result, CommandCall::Failure failure) {
+  result.ok = false;
+  switch (failure) {
+    case CommandCall::Failure::kWithMessage:
+      result.text += "\nError while sourcing file\n";
+      break;
+    case CommandCall::Failure::kWithoutMessage:
+      result.text += "command failed (see return string for details)\n";
+      break;
+    case CommandCall::Failure::kPlain:
+      result.text += "\n";
+      break;
+    case CommandCall::Failure::kReported:
+    case CommandCall::Failure::kNone:
+      break;
+  }
+}
+
+}  // namespace
+
+Interpreter::Interpreter(Host* host) : host_(host ? host : &default_host_) {
+  std::error_code error;
+  directory_ = std::filesystem::current_path(error);
+  if (error) directory_ = "/";
+}
+
+Interpreter::~Interpreter() = default;
+
+CommandResult Interpreter::Execute(Session& session, std::string_view line) {
+  CommandResult result;
+  session.Log(session.name() + "> " + std::string(line) + "\n");
+  CommandReader reader(line);
+  std::vector<Word> words;
+  while (true) {
+    const CommandReader::Status status = reader.Next(words);
+    if (status == CommandReader::Status::kEnd) break;
+    if (status == CommandReader::Status::kError) {
+      result.ok = false;
+      result.text += reader.error() + "\n";
+      Diagnostic diagnostic;
+      diagnostic.line = reader.error_line();
+      diagnostic.column = reader.error_column();
+      diagnostic.message = reader.error();
+      result.diagnostics.push_back(std::move(diagnostic));
+      break;
+    }
+    CommandCall call{*this, session, {}, result};
+    if (!ExecuteWords(call, std::move(words))) {
+      CloseFailure(result, call.failure);
+      break;
+    }
+    words = {};
+  }
+  session.Log(result.text);
+  if (session.log_open() && (result.text.empty() || result.text.back() != '\n')) session.Log("\n");
+  return result;
+}
+
+bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word> words) {
+  if (words.empty()) return true;
+  if (depth_ >= kMaxDepth) return call.Fail("Commands are nested too deeply: a file may source itself.");
+  aliases_.Expand(words);
+  if (words.empty()) return true;
+  std::string error;
+  const CommandInfo* command = FindCommand(words.front().text, error);
+  if (!command) {
+    call.Out(error);
+    call.failure = CommandCall::Failure::kPlain;
+    const std::string nearest = NearestCommand(words.front().text, aliases_.All());
+    Diagnostic diagnostic;
+    diagnostic.line = words.front().line;
+    diagnostic.column = words.front().column;
+    diagnostic.message = "no such command '" + words.front().text + "'";
+    if (!nearest.empty()) diagnostic.hint = "did you mean '" + nearest + "'?";
+    call.result.diagnostics.push_back(std::move(diagnostic));
+    return false;
+  }
+  words.front().text = command->name;
+  const std::span<const Word> outer = call.words;
+  call.words = words;
+  ++depth_;
+  const bool ok = command->handler(call);
+  --depth_;
+  call.words = outer;
+  if (!ok && call.failure == CommandCall::Failure::kNone) call.failure = CommandCall::Failure::kWithoutMessage;
+  return ok;
+}
+
+std::filesystem::path Interpreter::Resolve(const std::string& file) const {
+  std::filesystem::path path(file);
+  if (path.is_absolute()) return path.lexically_normal();
+  return (directory_ / path).lexically_normal();
+}
+
+bool Interpreter::ChangeDirectory(const std::string& path) {
+  std::error_code error;
+  std::filesystem::path target = std::filesystem::canonical(Resolve(path), error);
+  if (error || !std::filesystem::is_directory(target, error)) return false;
+  directory_ = std::move(target);
+  return true;
+}
+
+}  // namespace soarbox::cli

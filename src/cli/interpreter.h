@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/aliases.h"
+#include "cli/host.h"
+#include "cli/result.h"
+#include "cli/session.h"
+
+namespace soarbox::cli {
+
+struct CommandCall;
+struct SourceRun;
+
+/// The Soar command language of one kernel: aliases, directories and files are common to its agents, everything else
+/// belongs to the session that a command is addressed to.
+///
+/// Execute answers any text and never throws. A line may hold several commands; it ends with the first that fails. A
+/// file that is sourced goes on after a command that fails, and reports all failures.
+///
+/// Commands may come from within a run (a rule's `cmd`, a callback of a client): those that would pull the ground from
+/// under the running agent are refused.
+///
+/// Not thread-safe: called by the thread that owns the kernel.
+class Interpreter {
+ public:
+  /// `host` must outlive the interpreter; none: agents run alone.
+  explicit Interpreter(Host* host = nullptr);
+  ~Interpreter();
+
+  CommandResult Execute(Session& session, std::string_view line);
+
+  /// How the word that `line` ends with may go on: command words, sub-commands, options, rule names, file names.
+  std::vector<std::string> Complete(Session& session, std::string_view line) const;
+
+  AliasTable& aliases() { return aliases_; }
+  Host& host() { return *host_; }
+
+  /// The directory that relative file names start from; begins as the process's. `cd` changes only this.
+  const std::filesystem::path& directory() const { return directory_; }
+  bool ChangeDirectory(const std::string& path);
+  std::vector<std::filesystem::path>& directory_stack() { return directory_stack_; }
+  /// A file name as typed, relative to directory().
+  std::filesystem::path Resolve(const std::string& file) const;
+
+  /// For commands that run others (source, time, command-to-file). Appends to call.result.text.
+  bool ExecuteWords(CommandCall& call, std::vector<Word> words);
+  /// The source command that is under way, if any.
+  SourceRun*& source_run() { return source_run_; }
+
+ private:
+  Host default_host_;
+  Host* host_;
+  AliasTable aliases_;
+  std::filesystem::path directory_;
+  std::vector<std::filesystem::path> directory_stack_;
+  SourceRun* source_run_ = nullptr;
+  int depth_ = 0;
+};
+
+}  // namespace soarbox::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "cli/print_stream.h"
+#include "cli/result.h"
+#include "cli/trace_settings.h"
+#include "kernel/agent.h"
+
+namespace soarbox::cli {
+
+/// Shows how far a rule matches: per condition how many partial matches pass it, the first that none passes marked;
+/// with `detail` also the elements of complete matches and of what meets at the marked condition.
+void PrintPartialMatches(PrintStream& stream, const kernel::Agent& agent, kernel::ProductionId rule, WmeDetail detail,
+                         ResultNode& structured);
+
+/// Shows the rules that are about to fire and the matches that are about to retract.
+void PrintMatchSet(PrintStream& stream, const kernel::Agent& agent, bool assertions, bool retractions,
+                   WmeDetail detail, ResultNode& structured);
+
+}  // namespace soarbox::cli

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/object_printer.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::Agent;
+using kernel::Symbol;
+using kernel::Wme;
+using kernel::WmeId;
+
+/// Text that would reach this column goes to the next line.
+constexpr int kLineWidth = 79;
+constexpr std::string_view kContinuation = "       ";
+
+std::string ValueType(const Agent& agent, Symbol symbol) {
+  (void)agent;
+  switch (symbol.kind()) {
+    case kernel::SymbolKind::kIdentifier: return "id";
+    case kernel::SymbolKind::kInteger: return "int";
+    case kernel::SymbolKind::kFloat: return "double";
+    case kernel::SymbolKind::kVariable: return "variable";
+    default: return "string";
+  }
+}
+
+std::string Show(const Agent& agent, Symbol symbol, bool variables) {
+  std::string text = SymbolText(agent, symbol);
+  if (variables && symbol.IsIdentifier()) return "<" + text + ">";
+  return text;
+}
+
+class ObjectPrinter {
+ public:
+  ObjectPrinter(PrintStream& stream, const Agent& agent, const ObjectStyle& style, ResultNode& structured)
+      : stream_(stream), agent_(agent), style_(style), structured_(structured) {}
+
+  void Print(Symbol root) {
+    FindDepths(root);
+    PrintLevel(root, 1);
+  }
+
+ private:
+  /// Breadth first, so that each object gets its smallest depth.
+  void FindDepths(Symbol root) {
+    const int depth_limit = std::max(style_.depth, 1);
+    std::vector<Symbol> level{root};
+    depth_[root.bits()] = 1;
+    for (int depth = 2; depth <= depth_limit && !level.empty(); ++depth) {
+      std::vector<Symbol> next;
+      for (const Symbol id : level) {
+        for (const WmeId wme : agent_.memory().WmesOf(id)) {
+          const Symbol value = agent_.memory().wme(wme).value;
+          if (value.IsIdentifier() && depth_.try_emplace(value.bits(), depth).second) next.push_back(value);
+        }
+      }
+      level = std::move(next);
+    }
+  }
+
+  /// Objects nest as deep as the user asks, so this walks with a stack of its own.
+  void PrintLevel(Symbol root, int root_depth) {
+    struct Frame {
+      std::vector<WmeId> wmes;
+      std::size_t next;
+      int depth;
+    };
+    std::vector<Frame> stack;
+    const auto open = [&](Symbol id, int depth) {
+      const auto found = depth_.find(id.bits());
+      if (found == depth_.end() || found->second != depth) return;
+      depth_.erase(found);
+      Frame frame{SortedWmes(agent_, id), 0, depth};
+      if (frame.wmes.empty()) return;
+      if (!style_.tree) PrintWhole(id, frame.wmes, depth);
+      stack.push_back(std::move(frame));
+    };
+    open(root, root_depth);
+    while (!stack.empty()) {
+      Frame& frame = stack.back();
+      if (frame.next == frame.wmes.size()) {
+        stack.pop_back();
+        continue;
+      }
+      const WmeId wme = frame.wmes[frame.next++];
+      if (style_.tree) PrintLine(wme, frame.depth);
+      const Symbol value = agent_.memory().wme(wme).value;
+      if (value.IsIdentifier()) open(value, frame.depth + 1);
+    }
+  }
+
+  void PrintLine(WmeId wme, int depth) {
+    stream_.Print(std::string(static_cast<std::size_t>(2 * (depth - 1)), ' ') +
+                  WmeText(agent_, wme, style_.internal, style_.variables) + "\n");
+    if (depth == 1) AddWmeNode(structured_, agent_, wme, style_.internal);
+  }
+
+  void PrintWhole(Symbol id, const std::vector<WmeId>& wmes, int depth) {
+    if (style_.internal) {
+      for (const WmeId wme : wmes) PrintLine(wme, depth);
+      return;
+    }
+    const std::string indent(static_cast<std::size_t>(2 * (depth - 1)), ' ');
+    ResultNode& node = structured_.Add("id");
+    node.Set("id", SymbolText(agent_, id));
+    stream_.Print(indent + "(" + Show(agent_, id, style_.variables));
+    for (const WmeId wme_id : wmes) {
+      const Wme& wme = agent_.memory().wme(wme_id);
+      std::string text = " ^" + Show(agent_, wme.attribute, style_.variables) + " " +
+                         Show(agent_, wme.value, style_.variables);
+      if (wme.acceptable) text += " +";
+      if (stream_.column() + static_cast<int>(text.size()) >= kLineWidth) {
+        stream_.Print("\n" + indent + std::string(kContinuation.substr(0, kContinuation.size() - 1)));
+      }
+      stream_.Print(text);
+      AddWmeNode(node, agent_, wme_id);
+    }
+    stream_.Print(")\n");
+  }
+
+  PrintStream& stream_;
+  const Agent& agent_;
+  const ObjectStyle& style_;
+  ResultNode& structured_;
+  std::unordered_map<std::uint32_t, int> depth_;  ///< Objects still to print, by symbol; never iterated.
+};
+
+}  // namespace
+
+std::string SymbolText(const Agent& agent, Symbol symbol) { return kernel::ToString(agent.symbols(), symbol); }
+
+std::string WmeText(const Agent& agent, WmeId id, bool timetag, bool variables) {
+  const Wme& wme = agent.memory().wme(id);
+  std::string text = "(";
+  if (timetag) text += std::to_string(wme.timetag) + ": ";
+  text += Show(agent, wme.id, variables) + " ^" + Show(agent, wme.attribute, variables) + " " +
+          Show(agent, wme.value, variables);
+  if (wme.acceptable) text += " +";
+  return text + ")";
+}
+
+std::string WmeText(const Agent& agent, const kernel::WmeInfo& wme, bool timetag) {
+  std::string text = "(";
+  if (timetag) text += std::to_string(wme.timetag) + ": ";
+  text += SymbolText(agent, wme.id) + " ^" + SymbolText(agent, wme.attribute) + " " + SymbolText(agent, wme.value);
+  if (wme.acceptable) text += " +";
+  return text + ")";
+}
+
+std::vector<WmeId> SortedWmes(const Agent& agent, Symbol id) {
+  std::vector<WmeId> wmes = agent.memory().WmesOf(id);
+  std::vector<std::pair<std::string, WmeId>> named;
+  named.reserve(wmes.size());
+  for (const WmeId wme : wmes) named.emplace_back(SymbolText(agent, agent.memory().wme(wme).attribute), wme);
+  std::stable_sort(named.begin(), named.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < wmes.size(); ++i) wmes[i] = named[i].second;
+  return wmes;
+}
+
+void AddWmeNode(ResultNode& parent, const Agent& agent, WmeId id, bool with_tag) {
+  const Wme& wme = agent.memory().wme(id);
+  ResultNode& node = parent.Add("wme");
+  node.Set("attr", kernel::ToString(agent.symbols(), wme.attribute, false));
+  node.Set("id", SymbolText(agent, wme.id));
+  if (wme.acceptable) node.Set("preference", "+");
+  if (with_tag) node.Set("tag", std::to_string(wme.timetag));
+  node.Set("valtype", ValueType(agent, wme.value));
+  node.Set("value", kernel::ToString(agent.symbols(), wme.value, false));
+}
+
+}  // namespace soarbox::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/print_stream.h"
+#include "cli/result.h"
+#include "kernel/agent.h"
+
+namespace soarbox::cli {
+
+/// How objects of working memory are printed.
+struct ObjectStyle {
+  int depth = 1;          ///< How many levels of objects; less than 1 counts as 1.
+  bool internal = false;  ///< One line per element, with its time tag.
+  bool tree = false;      ///< One line per element, objects below the element that leads to them.
+  bool variables = false; ///< Identifiers in angle brackets.
+};
+
+/// Prints an object and those below it, each once, at its smallest depth. Attributes stand in the order of their
+/// printed text. An object without elements prints nothing. Also appends <id> and <wme> elements to `structured`.
+void PrintObject(PrintStream& stream, const kernel::Agent& agent, kernel::Symbol id, const ObjectStyle& style,
+                 ResultNode& structured);
+
+/// "(12: S1 ^attribute value +)"; without the time tag if `timetag` is false.
+std::string WmeText(const kernel::Agent& agent, kernel::WmeId wme, bool timetag = true, bool variables = false);
+std::string WmeText(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool timetag = true);
+
+/// A symbol as rules and objects show it.
+std::string SymbolText(const kernel::Agent& agent, kernel::Symbol symbol);
+
+/// The elements of an identifier, sorted by the printed text of their attributes.
+std::vector<kernel::WmeId> SortedWmes(const kernel::Agent& agent, kernel::Symbol id);
+
+/// A <wme> element for structured results.
+void AddWmeNode(ResultNode& parent, const kernel::Agent& agent, kernel::WmeId wme, bool with_tag = true);
+
+}  // namespace soarbox::cli

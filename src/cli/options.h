@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/words.h"
+
+namespace soarbox::cli {
+
+enum class OptionArgument { kNone, kRequired, kOptional };
+
+/// One option of a command: `-d N`, `--depth N`.
+struct OptionSpec {
+  char letter = 0;             ///< The short form, and how handlers know the option.
+  std::string_view name;       ///< The long form, without dashes.
+  OptionArgument argument = OptionArgument::kNone;
+  std::string_view help = {};  ///< One line for help texts.
+};
+
+struct ParsedOption {
+  char letter = 0;
+  std::optional<std::string> argument;
+};
+
+/// A command line taken apart: options in the order written, and the other words.
+struct ParsedWords {
+  std::vector<ParsedOption> options;
+  std::vector<Word> arguments;
+  std::string error;  ///< Not empty: the line is wrong, and this says how.
+
+  bool Has(char letter) const;
+  /// The argument of the last such option; nothing if the option is absent or had none.
+  std::optional<std::string> Argument(char letter) const;
+};
+
+/// Takes apart the words after the command's name.
+///
+/// `-x` is a short option, `-xyz` a cluster of them, `--name` a long one (a unique beginning suffices), `--` ends the
+/// options. A required argument is the next word, whatever it is; an optional one is taken if the next word does not
+/// begin with a dash. A word of one character is never an option.
+ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs);
+
+}  // namespace soarbox::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/print_stream.h"
+
+namespace soarbox::cli {
+
+void PrintStream::Print(std::string_view text) {
+  if (!enabled_ || text.empty()) return;
+  const std::size_t newline = text.rfind('\n');
+  if (newline == std::string_view::npos) {
+    column_ += static_cast<int>(text.size());
+  } else {
+    column_ = static_cast<int>(text.size() - newline - 1);
+  }
+  if (copy_) copy_(text);
+  if (!targets_.empty() && targets_.back()) {
+    targets_.back()->append(text);
+  } else if (sink_ && sink_enabled_) {
+    sink_(text);
+  }
+}
+
+void PrintStream::FreshLine() {
+  if (column_ != 0) Print("\n");
+}
+
+}  // namespace soarbox::cli

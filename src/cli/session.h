@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/print_stream.h"
+#include "cli/trace_settings.h"
+
+namespace soarbox::kernel {
+class Agent;
+}
+
+namespace soarbox::cli {
+
+class TracePrinter;
+class SettingStore;
+
+/// `output agent-logs`, `output print-depth` and the like, of one agent.
+struct OutputSettings {
+  static constexpr int kLogChannels = 18;
+
+  bool console = false;
+  bool agent_writes = true;
+  bool echo_commands = false;
+  bool warnings = true;
+  int print_depth = 1;
+  std::vector<bool> log_channels = std::vector<bool>(kLogChannels, true);
+};
+
+/// A filter of `wm watch`: names as typed, `*` for anything.
+struct WmeFilter {
+  std::string id, attribute, value;
+  bool adds = true;
+  bool removes = true;
+};
+
+/// What the command line keeps for one agent: where its texts go, what is traced, what is watched, and the settings
+/// that the kernel has no use for. Lives as long as the agent is open to commands, and not longer than the agent.
+/// Belongs to the agent's thread.
+class Session {
+ public:
+  explicit Session(kernel::Agent& agent, std::string name = "soar");
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  kernel::Agent& agent() { return agent_; }
+  const std::string& name() const { return name_; }
+
+  /// Texts that are printed while the agent runs, and by no command: set its sink to see them.
+  PrintStream& stream() { return stream_; }
+
+  TraceSettings& trace() { return trace_; }
+  OutputSettings& output() { return output_; }
+  SettingStore& settings() { return *settings_; }
+  std::vector<WmeFilter>& wme_filters() { return wme_filters_; }
+
+  /// Tells the agent which events the trace needs now. Call after trace() or the filters changed.
+  void UpdateTrace();
+
+  /// Names of rules whose firings are shown at any trace level (`production watch`).
+  std::vector<std::string>& watched_rules() { return watched_rules_; }
+
+  /// `production optimize-attribute`: how many values of an attribute to expect.
+  std::map<std::string, std::int64_t>& multi_attributes() { return multi_attributes_; }
+
+  /// `output log`: every text and every command line also goes into a file.
+  bool OpenLog(const std::string& path, bool append);
+  void CloseLog();
+  bool log_open() const;
+  void Log(std::string_view text);
+
+ private:
+  struct LogFile;
+
+  kernel::Agent& agent_;
+  std::string name_;
+  PrintStream stream_;
+  TraceSettings trace_;
+  OutputSettings output_;
+  std::unique_ptr<SettingStore> settings_;
+  std::vector<WmeFilter> wme_filters_;
+  std::vector<std::string> watched_rules_;
+  std::map<std::string, std::int64_t> multi_attributes_;
+  std::unique_ptr<LogFile> log_;
+  std::unique_ptr<TracePrinter> trace_printer_;
+};
+
+}  // namespace soarbox::cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace soarbox::cli {
+
+/// What a source command has loaded so far, nested files included.
+struct SourceRun {
+  int sourced = 0;
+  int excised = 0;
+  int ignored = 0;
+  std::vector<std::string> excised_names;
+  std::vector<std::string> files;  ///< Files that are open now, as typed; the innermost last.
+  int line = 0;                    ///< Of the command that is carried out, in the innermost file.
+};
+
+}  // namespace soarbox::cli

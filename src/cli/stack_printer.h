@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cli/print_stream.h"
+#include "cli/result.h"
+#include "kernel/agent.h"
+
+namespace soarbox::cli {
+
+/// "(operator tie)", "(state no-change)"; empty for the top state.
+std::string ImpasseText(const kernel::GoalInfo& goal);
+
+/// A state's line without its end: "     1:    ==>S: S2 (operator tie)". The top state has a blank at the end.
+/// `cycle` is what stands before the colon, six columns wide.
+std::string StateLine(const kernel::Agent& agent, const kernel::GoalInfo& goal, const std::string& cycle);
+
+/// The line of the operator selected in a goal: "     1:    O: O1 (name)".
+std::string OperatorLine(const kernel::Agent& agent, const kernel::GoalInfo& goal, const std::string& cycle);
+
+/// "name" of an operator, empty if it has none.
+std::string OperatorName(const kernel::Agent& agent, kernel::Symbol op);
+
+/// The goal stack, top state first.
+void PrintStack(PrintStream& stream, const kernel::Agent& agent, bool states, bool operators, ResultNode& structured);
+
+}  // namespace soarbox::cli

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/trace_printer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/object_printer.h"
+#include "cli/rule_text.h"
+#include "cli/session.h"
+#include "cli/stack_printer.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::Agent;
+using kernel::Event;
+using kernel::FiringInfo;
+using kernel::FiringType;
+using kernel::GoalInfo;
+using kernel::Phase;
+using kernel::WmeInfo;
+
+const char* TypeName(FiringType type) { return type == FiringType::kPe ? "PE" : "IE"; }
+
+/// The input phase's lines end with a blank.
+const char* PhaseTitle(Phase phase) {
+  switch (phase) {
+    case Phase::kInput: return "Input Phase --- ";
+    case Phase::kPropose: return "Propose Phase ---";
+    case Phase::kDecide: return "Decision Phase ---";
+    case Phase::kApply: return "Application Phase ---";
+    case Phase::kOutput: return "Output Phase ---";
+  }
+  return "";
+}
+
+/// Which flag shows the firings of a rule.
+TraceFlag FlagOf(const FiringInfo& info) {
+  if (!info.rule) return TraceFlag::kJustifications;
+  switch (info.rule->type) {
+    case kernel::ProductionType::kUser: return TraceFlag::kUserRules;
+    case kernel::ProductionType::kDefault: return TraceFlag::kDefaultRules;
+    case kernel::ProductionType::kChunk: return TraceFlag::kChunks;
+    case kernel::ProductionType::kJustification: return TraceFlag::kJustifications;
+    case kernel::ProductionType::kTemplate: return TraceFlag::kTemplates;
+  }
+  return TraceFlag::kUserRules;
+}
+
+std::string Level(kernel::GoalLevel level) { return level > 1 ? fmt::format(" [level {}]", level) : std::string(); }
+
+}  // namespace
+
+TracePrinter::~TracePrinter() { session_.agent().RemoveObserver(*this); }
+
+void TracePrinter::Update() {
+  const TraceSettings& trace = session_.trace();
+  kernel::EventMask mask = Event::kPrint | Event::kRun;
+  const auto want = [&](bool on, Event event) {
+    if (on) mask = mask | event;
+  };
+  const bool firings = trace.On(TraceFlag::kUserRules) || trace.On(TraceFlag::kDefaultRules) ||
+                       trace.On(TraceFlag::kChunks) || trace.On(TraceFlag::kJustifications) ||
+                       trace.On(TraceFlag::kTemplates) || trace.On(TraceFlag::kWaterfall) ||
+                       !session_.watched_rules().empty();
+  want(trace.On(TraceFlag::kPhases), Event::kPhase);
+  want(trace.On(TraceFlag::kPhases) || trace.On(TraceFlag::kWaterfall), Event::kElaboration);
+  want(firings, Event::kFiring);
+  want(trace.On(TraceFlag::kWmes) || !session_.wme_filters().empty(), Event::kWme);
+  want(trace.On(TraceFlag::kPreferences), Event::kPreference);
+  want(trace.On(TraceFlag::kDecisions) || trace.On(TraceFlag::kConsistency) || trace.On(TraceFlag::kGds),
+       Event::kDecision);
+  want(trace.On(TraceFlag::kGds) || trace.On(TraceFlag::kGdsWmes), Event::kGds);
+  want(trace.On(TraceFlag::kAssertions), Event::kAssertion);
+  want(trace.learning() > 0, Event::kLearning);
+  want(trace.On(TraceFlag::kIndifferent), Event::kExploration);
+  session_.agent().AddObserver(*this, mask);
+}
+
+void TracePrinter::Print(const std::string& text) { session_.stream().Print(text); }
+
+void TracePrinter::OnPhaseBegin(const Agent&, Phase phase) { Print(fmt::format("\n--- {}\n", PhaseTitle(phase))); }
+
+void TracePrinter::OnPhaseEnd(const Agent&, Phase phase) { Print(fmt::format("\n--- END {}\n", PhaseTitle(phase))); }
+
+void TracePrinter::OnPreferencePhase(const Agent& agent, FiringType type, kernel::GoalLevel level) {
+  if (!session_.trace().On(TraceFlag::kPhases) || agent.next_phase() != Phase::kApply) return;
+  Print(fmt::format("\t--- Firing Productions ({}) For State At Depth {} ---\n", TypeName(type), level));
+}
+
+void TracePrinter::OnInnerElaboration(const Agent& agent, kernel::GoalLevel level, kernel::Symbol goal) {
+  if (!session_.trace().On(TraceFlag::kWaterfall)) return;
+  Print(fmt::format("\n--- Inner Elaboration Phase, active level {} goal {} ---\n", level, SymbolText(agent, goal)));
+}
+
+void TracePrinter::OnWorkingMemoryPhase(const Agent& agent, FiringType type) {
+  if (!session_.trace().On(TraceFlag::kPhases) || agent.next_phase() != Phase::kApply) return;
+  Print(fmt::format("\t--- Change Working Memory ({}) ---\n", TypeName(type)));
+}
+
+bool TracePrinter::ShowsFiring(const FiringInfo& info) const {
+  const std::vector<std::string>& watched = session_.watched_rules();
+  return session_.trace().On(FlagOf(info)) || std::find(watched.begin(), watched.end(), info.name) != watched.end();
+}
+
+void TracePrinter::PrintMatched(const Agent& agent, const FiringInfo& info) {
+  const WmeDetail detail = session_.trace().wme_detail();
+  if (detail == WmeDetail::kNone) return;
+  if (detail == WmeDetail::kTimetags) {
+    for (const kernel::WmeId wme : info.wmes) Print(fmt::format(" {}", agent.memory().wme(wme).timetag));
+  } else {
+    for (const kernel::WmeId wme : info.wmes) Print(WmeText(agent, wme) + "\n");
+  }
+  Print(" -->\n");
+}
+
+void TracePrinter::OnFiring(const Agent& agent, const FiringInfo& info) {
+  if (!ShowsFiring(info)) return;
+  session_.stream().FreshLine();
+  Print(fmt::format("\nFiring {}\n", info.name));
+  PrintMatched(agent, info);
+}
+
+void TracePrinter::OnFired(const Agent& agent, const FiringInfo& info,
+                           std::span<const kernel::PreferenceId> preferences) {
+  if (session_.trace().wme_detail() == WmeDetail::kNone || !ShowsFiring(info)) return;
+  for (const kernel::PreferenceId id : preferences) {
+    const kernel::Preference& preference = agent.memory().preference(id);
+    session_.stream().FreshLine();
+    Print(" " + PreferenceText(agent, preference) + Level(preference.level) + "\n");
+  }
+}
+
+void TracePrinter::OnInhibited(const Agent&, const FiringInfo& info) {
+  if (!session_.trace().On(TraceFlag::kWaterfall)) return;
+  session_.stream().FreshLine();
+  Print(fmt::format("*** Match of {} waits: a higher state changes first\n", info.name));
+}
+
+void TracePrinter::OnRetracting(const Agent& agent, const FiringInfo& info) {
+  if (!ShowsFiring(info)) return;
+  session_.stream().FreshLine();
+  Print(fmt::format("\nRetracting {}\n", info.name));
+  if (session_.trace().wme_detail() != WmeDetail::kNone) PrintMatched(agent, info);
+}
+
+bool TracePrinter::PassesFilters(const Agent& agent, const WmeInfo& wme, bool added) const {
+  const auto fits = [&](const std::string& pattern, kernel::Symbol symbol) {
+    return pattern == "*" || pattern == SymbolText(agent, symbol) ||
+           pattern == kernel::ToString(agent.symbols(), symbol, false);
+  };
+  for (const WmeFilter& filter : session_.wme_filters()) {
+    if ((added ? filter.adds : filter.removes) && fits(filter.id, wme.id) && fits(filter.attribute, wme.attribute) &&
+        fits(filter.value, wme.value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void TracePrinter::OnWmeAdded(const Agent& agent, const WmeInfo& wme) {
+  if (!session_.trace().On(TraceFlag::kWmes) && !PassesFilters(agent, wme, true)) return;
+  Print("=>WM: " + WmeText(agent, wme) + "\n");
+}
+
+void TracePrinter::OnWmeRemoved(const Agent& agent, const WmeInfo& wme) {
+  if (!session_.trace().On(TraceFlag::kWmes) && !PassesFilters(agent, wme, false)) return;
+  Print("<=WM: " + WmeText(agent, wme) + "\n");
+}
+
+void TracePrinter::PrintPreferenceChange(const Agent& agent, kernel::PreferenceId id, char sign) {
+  const kernel::Preference& preference = agent.memory().preference(id);
+  session_.stream().FreshLine();
+  Print(fmt::format("{} {}{} ({})\n", sign, PreferenceText(agent, preference), Level(preference.level),
+                    agent.ProductionName(preference.instantiation)));
+}
+
+void TracePrinter::OnPreferenceAdded(const Agent& agent, kernel::PreferenceId id) {
+  PrintPreferenceChange(agent, id, '+');
+}
+
+void TracePrinter::OnPreferenceRemoved(const Agent& agent, kernel::PreferenceId id) {
+  PrintPreferenceChange(agent, id, '-');
+}
+
+void TracePrinter::OnDecision(const Agent& agent, const GoalInfo& goal, std::uint64_t decision) {
+  if (!session_.trace().On(TraceFlag::kDecisions)) return;
+  const std::string cycle = std::to_string(decision);
+  Print("\n" + (goal.op ? OperatorLine(agent, goal, cycle) : StateLine(agent, goal, cycle)));
+}
+
+void TracePrinter::OnStateRemoved(const Agent& agent, const GoalInfo& goal, kernel::GoalRemoval why) {
+  if (!session_.trace().On(TraceFlag::kConsistency)) return;
+  const char* reason = nullptr;
+  switch (why) {
+    case kernel::GoalRemoval::kDecision: reason = "of a decision."; break;
+    case kernel::GoalRemoval::kWrongImpasseType: reason = "it's the wrong type of impasse."; break;
+    case kernel::GoalRemoval::kOperatorRemoval: reason = "of an operator removal."; break;
+    case kernel::GoalRemoval::kGdsChange:
+    case kernel::GoalRemoval::kInconsistent:
+    case kernel::GoalRemoval::kInit: return;
+  }
+  session_.stream().FreshLine();
+  Print(fmt::format("Removing state {} because {}\n", SymbolText(agent, goal.goal), reason));
+}
+
+void TracePrinter::OnOperatorRemoved(const Agent& agent, const GoalInfo&, kernel::OperatorRemoval why,
+                                     const WmeInfo& wme) {
+  if (!session_.trace().On(TraceFlag::kConsistency) || why != kernel::OperatorRemoval::kProposalGone) return;
+  Print("\n        REMOVING: Operator from context slot (proposal no longer matches): " + WmeText(agent, wme) + "\n");
+}
+
+void TracePrinter::OnInconsistentDecision(const Agent& agent, const GoalInfo& goal) {
+  if (!session_.trace().On(TraceFlag::kConsistency)) return;
+  const std::string id = SymbolText(agent, goal.goal);
+  Print(fmt::format(
+      "Removing substates of {0} because the operator last selected in {0} is not\n"
+      "consistent with the current preferences.\n\n"
+      "       REMOVING CONTEXT SLOT: Slot Identifier [{0}] and attribute [operator]\n\n"
+      "          Decision for goal [{0}] is inconsistent.  Replacing it with....\n",
+      id));
+}
+
+void TracePrinter::OnGdsAdded(const Agent& agent, const GoalInfo& goal, const WmeInfo& wme) {
+  if (!session_.trace().On(TraceFlag::kGdsWmes)) return;
+  session_.stream().FreshLine();
+  Print(fmt::format("Adding to GDS for {}: {}\n", SymbolText(agent, goal.goal), WmeText(agent, wme)));
+}
+
+void TracePrinter::OnGdsViolation(const Agent& agent, const GoalInfo& goal, const WmeInfo& wme) {
+  const std::string id = SymbolText(agent, goal.goal);
+  if (session_.trace().On(TraceFlag::kGds)) {
+    session_.stream().FreshLine();
+    Print(fmt::format("Removing state {} because element in GDS changed. WME: {}\n", id, WmeText(agent, wme)));
+    Print(fmt::format("\n    REMOVING GOAL [{}] due to change in GDS WME {}\n", id, WmeText(agent, wme)));
+  }
+}
+
+void TracePrinter::OnPrint(const Agent&, std::string_view text) {
+  if (session_.output().agent_writes) session_.stream().Print(text);
+}
+
+void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::string_view text) {
+  switch (kind) {
+    case kernel::WarningKind::kGoalStackLimit:
+      session_.stream().FreshLine();
+      Print(fmt::format("\nGoal stack depth exceeded {} on a no-change impasse.\n"
+                        "Soar appears to be in an infinite loop.  \n"
+                        "Continuing to subgoal may cause Soar to \n"
+                        "exceed the program stack of your system.\n",
+                        agent.settings().max_goal_depth));
+      return;
+    case kernel::WarningKind::kMaxElaborationsPropose:
+      if (!session_.output().warnings) return;
+      Print("\nWarning: reached max-elaborations; proceeding to decide phase.");
+      return;
+    case kernel::WarningKind::kMaxElaborationsApply:
+      if (!session_.output().warnings) return;
+      Print("\nWarning: reached max-elaborations; proceeding to output phase.");
+      return;
+    case kernel::WarningKind::kMaxDecisionTime:
+    case kernel::WarningKind::kOther:
+      if (session_.output().warnings) session_.stream().Print(text);
+      return;
+  }
+}
+
+void TracePrinter::OnInterrupt(const Agent&, std::string_view reason) {
+  session_.stream().FreshLine();
+  Print(fmt::format("{}\nInterrupt received.", reason));
+}
+
+void TracePrinter::OnHalt(const Agent&) { Print("\nSystem halted.\nInterrupt received.This Agent halted."); }
+
+void TracePrinter::OnInstantiationMade(const Agent& agent, const FiringInfo& info) {
+  Print(fmt::format("\nNew match of {} in state {} (level {}).  Creating instantiation.\n", info.name,
+                    info.goal ? SymbolText(agent, info.goal) : std::string("none"), info.level));
+}
+
+void TracePrinter::OnInstantiationAsserted(const Agent&, const FiringInfo& info) {
+  Print(fmt::format("\n      asserting instantiation: {}\n", info.name));
+}
+
+void TracePrinter::OnLearned(const Agent& agent, const FiringInfo& info) {
+  session_.stream().FreshLine();
+  Print(fmt::format("\nLearning new rule {}\n", info.name));
+  if (session_.trace().learning() > 1 && info.rule) Print("\n" + RuleText(agent, *info.rule, false));
+}
+
+void TracePrinter::OnCandidate(const Agent& agent, kernel::Symbol candidate, double value, double probability) {
+  Print(fmt::format("\n Candidate {}:  Value (Sum) = {:f}", SymbolText(agent, candidate), value));
+  if (probability >= 0) Print(fmt::format(", (Prob) = {:f}", probability));
+}
+
+char PreferenceCharacter(kernel::PreferenceType type) {
+  switch (type) {
+    case kernel::PreferenceType::kAcceptable: return '+';
+    case kernel::PreferenceType::kRequire: return '!';
+    case kernel::PreferenceType::kReject: return '-';
+    case kernel::PreferenceType::kProhibit: return '~';
+    case kernel::PreferenceType::kBest:
+    case kernel::PreferenceType::kBetter: return '>';
+    case kernel::PreferenceType::kWorst:
+    case kernel::PreferenceType::kWorse: return '<';
+    case kernel::PreferenceType::kUnaryIndifferent:
+    case kernel::PreferenceType::kNumericIndifferent:
+    case kernel::PreferenceType::kBinaryIndifferent: return '=';
+  }
+  return '?';
+}
+
+std::string PreferenceText(const Agent& agent, const kernel::Preference& preference, bool support) {
+  std::string text = fmt::format("({} ^{} {} {}", SymbolText(agent, preference.id),
+                                 SymbolText(agent, preference.attribute), SymbolText(agent, preference.value),
+                                 PreferenceCharacter(preference.type));
+  if (preference.referent) text += " " + SymbolText(agent, preference.referent);
+  if (support && preference.o_supported) text += "  :O ";
+  return text + ")";
+}
+
+}  // namespace soarbox::cli

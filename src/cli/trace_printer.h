@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+#include "kernel/agent.h"
+
+namespace soarbox::cli {
+
+class Session;
+
+/// Turns what an agent does into the lines of Soar's trace, as the session's settings ask. Listens only to the events
+/// that the settings need. Owned by the session.
+class TracePrinter : public kernel::Observer {
+ public:
+  explicit TracePrinter(Session& session) : session_(session) {}
+  ~TracePrinter() override;
+
+  /// Subscribes to what the settings need now.
+  void Update();
+
+  void OnPhaseBegin(const kernel::Agent&, kernel::Phase phase) override;
+  void OnPhaseEnd(const kernel::Agent&, kernel::Phase phase) override;
+  void OnPreferencePhase(const kernel::Agent&, kernel::FiringType type, kernel::GoalLevel level) override;
+  void OnInnerElaboration(const kernel::Agent& agent, kernel::GoalLevel level, kernel::Symbol goal) override;
+  void OnWorkingMemoryPhase(const kernel::Agent&, kernel::FiringType type) override;
+  void OnFiring(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnFired(const kernel::Agent& agent, const kernel::FiringInfo& info,
+               std::span<const kernel::PreferenceId> preferences) override;
+  void OnInhibited(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnRetracting(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
+  void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
+  void OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) override;
+  void OnPreferenceRemoved(const kernel::Agent& agent, kernel::PreferenceId id) override;
+  void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t decision) override;
+  void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override;
+  void OnOperatorRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::OperatorRemoval why,
+                         const kernel::WmeInfo& wme) override;
+  void OnInconsistentDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal) override;
+  void OnGdsAdded(const kernel::Agent& agent, const kernel::GoalInfo& goal, const kernel::WmeInfo& wme) override;
+  void OnGdsViolation(const kernel::Agent& agent, const kernel::GoalInfo& goal, const kernel::WmeInfo& wme) override;
+  void OnPrint(const kernel::Agent&, std::string_view text) override;
+  void OnWarning(const kernel::Agent&, kernel::WarningKind kind, std::string_view text) override;
+  void OnInterrupt(const kernel::Agent&, std::string_view reason) override;
+  void OnHalt(const kernel::Agent&) override;
+  void OnInstantiationMade(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnInstantiationAsserted(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnLearned(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate, double value, double probability) override;
+
+ private:
+  bool ShowsFiring(const kernel::FiringInfo& info) const;
+  bool PassesFilters(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool added) const;
+  void Print(const std::string& text);
+  void PrintMatched(const kernel::Agent& agent, const kernel::FiringInfo& info);
+  void PrintPreferenceChange(const kernel::Agent& agent, kernel::PreferenceId id, char sign);
+
+  Session& session_;
+};
+
+/// "(S1 ^operator O1 > O2)"; `support`: with "  :O " for o-support, as in traces.
+std::string PreferenceText(const kernel::Agent& agent, const kernel::Preference& preference, bool support = true);
+
+/// The character of a preference's type.
+char PreferenceCharacter(kernel::PreferenceType type);
+
+}  // namespace soarbox::cli

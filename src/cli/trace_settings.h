@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace soarbox::cli {
+
+/// What the trace of one agent can show. The order is that in which `trace` reports changes.
+enum class TraceFlag {
+  kAssertions, kBacktracing, kChunks, kChunkWarnings, kConsistency, kDecisions, kDefaultRules, kGdsWmes, kGds,
+  kIndifferent, kRl, kEpmem, kJustifications, kTemplates, kPhases, kPreferences, kSmem, kUserRules, kWmes,
+  kWaterfall, kWma,
+};
+inline constexpr int kTraceFlagCount = static_cast<int>(TraceFlag::kWma) + 1;
+
+/// How the elements are shown that a firing rule matched.
+enum class WmeDetail { kNone, kTimetags, kFull };
+
+/// One line of what `trace` knows: the option that switches it and the words that describe it.
+struct TraceFlagInfo {
+  TraceFlag flag;
+  char letter;
+  std::string_view option;   ///< The long option.
+  std::string_view title;    ///< In the table of `trace`.
+  std::string_view message;  ///< "Now printing <message>." and "Will not print <message>."
+  std::string_view argument; ///< Its name in the structured answer; empty if it has none.
+};
+
+/// Which parts of the trace are on.
+class TraceSettings {
+ public:
+  static constexpr int kMaxLevel = 5;
+
+  /// Level 1.
+  TraceSettings();
+
+  /// Switches on what the levels 1 to `level` show and off what higher ones show; level 0 switches all off.
+  void SetLevel(int level);
+
+  bool On(TraceFlag flag) const { return flags_[static_cast<std::size_t>(flag)]; }
+  void Set(TraceFlag flag, bool on) { flags_[static_cast<std::size_t>(flag)] = on; }
+  WmeDetail wme_detail() const { return wme_detail_; }
+  void SetWmeDetail(WmeDetail detail) { wme_detail_ = detail; }
+  /// 0: nothing about learned rules, 1: their names, 2: all of them.
+  int learning() const { return learning_; }
+  void SetLearning(int learning) { learning_ = learning; }
+
+  static std::span<const TraceFlagInfo> Infos();
+
+ private:
+  std::array<bool, kTraceFlagCount> flags_{};
+  WmeDetail wme_detail_ = WmeDetail::kNone;
+  int learning_ = 0;
+};
+
+}  // namespace soarbox::cli

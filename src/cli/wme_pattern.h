@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/agent.h"
+
+namespace soarbox::cli {
+
+/// A pattern of `print`: (id ^attribute value [+]), with `*` for anything.
+struct WmePattern {
+  kernel::Symbol id, attribute, value;  ///< The none symbol: anything.
+  bool acceptable = false;
+  std::string error;  ///< Not empty: the text is no pattern, and this is Soar's message.
+};
+
+WmePattern ParseWmePattern(kernel::Agent& agent, std::string_view text);
+
+/// Whether an element fits the pattern.
+bool Matches(const WmePattern& pattern, const kernel::Wme& wme);
+
+/// The elements that fit. `by_object`: the elements of one object stand together.
+std::vector<kernel::WmeId> FindWmes(const kernel::Agent& agent, const WmePattern& pattern, bool by_object);
+
+}  // namespace soarbox::cli

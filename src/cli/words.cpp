@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/words.h"
+
+namespace soarbox::cli {
+namespace {
+
+bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+bool EndsCommand(char c) { return c == '\n' || c == ';'; }
+
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+}  // namespace
+
+void CommandReader::Advance() {
+  if (Peek() == '\n') {
+    ++line_;
+    column_ = 1;
+  } else {
+    ++column_;
+  }
+  ++position_;
+}
+
+void CommandReader::SkipComment() {
+  while (!AtEnd() && Peek() != '\n') Advance();
+}
+
+/// Blanks, comments and joined lines between words; stops at the end of the command.
+void CommandReader::SkipBlanksAndComments() {
+  while (!AtEnd()) {
+    const char c = Peek();
+    if (IsBlank(c)) {
+      Advance();
+    } else if (c == '#') {
+      SkipComment();
+    } else if (c == '\\' && position_ + 1 < text_.size() && text_[position_ + 1] == '\n') {
+      Advance();
+      Advance();
+    } else {
+      return;
+    }
+  }
+}
+
+CommandReader::Status CommandReader::Next(std::vector<Word>& words) {
+  words.clear();
+  while (true) {
+    SkipBlanksAndComments();
+    if (AtEnd()) return words.empty() ? Status::kEnd : Status::kCommand;
+    const char c = Peek();
+    if (EndsCommand(c)) {
+      Advance();
+      if (!words.empty()) return Status::kCommand;
+      continue;
+    }
+    Word word;
+    if (c == '{') {
+      if (!ReadBraced(word)) return Status::kError;
+    } else if (c == '"') {
+      if (!ReadQuoted(word)) return Status::kError;
+    } else {
+      word = ReadBare();
+    }
+    words.push_back(std::move(word));
+  }
+}
+
+/// Reads the character after a backslash outside braces. The backslash is the current character.
+void CommandReader::AppendEscape(std::string& out) {
+  Advance();
+  if (AtEnd()) {
+    out += '\\';
+    return;
+  }
+  const char c = Peek();
+  Advance();
+  switch (c) {
+    case 'a': out += '\a'; break;
+    case 'b': out += '\b'; break;
+    case 'f': out += '\f'; break;
+    case 'n': out += '\n'; break;
+    case 'r': out += '\r'; break;
+    case 't': out += '\t'; break;
+    case 'v': out += '\v'; break;
+    case '\n':
+      while (!AtEnd() && IsBlank(Peek())) Advance();
+      out += ' ';
+      break;
+    default: out += c;
+  }
+}
+
+Word CommandReader::ReadBare() {
+  Word word{{}, line_, column_};
+  while (!AtEnd()) {
+    const char c = Peek();
+    if (IsBlank(c) || EndsCommand(c) || c == '#') break;
+    if (c == '\\') {
+      if (position_ + 1 < text_.size() && text_[position_ + 1] == '\n') break;
+      AppendEscape(word.text);
+      continue;
+    }
+    word.text += c;
+    Advance();
+  }
+  return word;
+}
+
+bool CommandReader::ReadQuoted(Word& word) {
+  const std::size_t start = position_;
+  Advance();
+  word.line = line_;
+  word.column = column_;
+  while (!AtEnd()) {
+    const char c = Peek();
+    if (c == '"') {
+      Advance();
+      return true;
+    }
+    if (c == '\\') {
+      AppendEscape(word.text);
+      continue;
+    }
+    word.text += c;
+    Advance();
+  }
+  return Fail("unexpected eof", word, start);
+}
+
+bool CommandReader::ReadBraced(Word& word) {
+  const std::size_t start = position_;
+  Advance();
+  word.line = line_;
+  word.column = column_;
+  int depth = 1;
+  bool in_bars = false;
+  while (!AtEnd()) {
+    const char c = Peek();
+    if (c == '\\' && position_ + 1 < text_.size()) {
+      const char next = text_[position_ + 1];
+      Advance();
+      Advance();
+      if (next == '\n' && !in_bars) {
+        word.text += ' ';
+      } else {
+        word.text += c;
+        word.text += next;
+      }
+      continue;
+    }
+    if (c == '|') in_bars = !in_bars;
+    if (!in_bars) {
+      if (c == '#') {
+        SkipComment();
+        continue;
+      }
+      if (c == '{') ++depth;
+      if (c == '}' && --depth == 0) {
+        Advance();
+        return true;
+      }
+    }
+    word.text += c;
+    Advance();
+  }
+  return Fail("unexpected eof, unmatched opening brace", word, start);
+}
+
+bool CommandReader::Fail(std::string message, const Word& word, std::size_t start) {
+  error_ = std::move(message);
+  error_line_ = word.line;
+  error_column_ = word.column - 1;
+  error_start_ = start;
+  return false;
+}
+
+void CommandReader::Recover() {
+  position_ = error_start_;
+  line_ = error_line_;
+  column_ = error_column_;
+  while (!AtEnd()) {
+    SkipComment();
+    if (AtEnd()) return;
+    Advance();
+    if (!AtEnd() && IsLetter(Peek())) return;
+  }
+}
+
+std::string QuoteWord(std::string_view word) {
+  bool plain = !word.empty() && word.front() != '{' && word.front() != '"';
+  for (const char c : word) {
+    if (IsBlank(c) || EndsCommand(c) || c == '#' || c == '\\') plain = false;
+  }
+  if (plain) return std::string(word);
+  std::string out = "\"";
+  for (const char c : word) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+}  // namespace soarbox::cli

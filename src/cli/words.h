@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::cli {
+
+/// One word of a command, with quotes or braces taken off, and where it begins in the text it was read from.
+struct Word {
+  std::string text;
+  int line = 1;    ///< From 1, of the first character of `text` (after an opening quote or brace).
+  int column = 1;  ///< From 1.
+};
+
+/// Splits text into commands of Tcl-like words, without any substitution.
+///
+/// A command ends at a newline or a semicolon. A word is bare, "quoted" (may span lines, backslash escapes apply), or
+/// {braced} (braces nest; text between |bars| is literal; kept as written but for comments). A `#` begins a comment up
+/// to the end of the line everywhere but in a quoted word and between bars inside braces. Outside braces a backslash
+/// escapes; before a newline it joins two lines.
+///
+/// Any text gives an answer: words, the end, or an error with its place. After an error the reader can be set to the
+/// next line that begins a command, so that the rest of a file is still read.
+class CommandReader {
+ public:
+  enum class Status { kCommand, kEnd, kError };
+
+  explicit CommandReader(std::string_view text, int first_line = 1) : text_(text), line_(first_line) {}
+
+  /// Reads the next command that has words into `words`.
+  Status Next(std::vector<Word>& words);
+
+  /// After kError: what is wrong, and the line and column of the quote or brace that has no end.
+  const std::string& error() const { return error_; }
+  int error_line() const { return error_line_; }
+  int error_column() const { return error_column_; }
+
+  /// After kError: goes on at the first line after the error's that begins with a letter in its first column.
+  void Recover();
+
+  /// Offset of what has not been read yet.
+  std::size_t offset() const { return position_; }
+
+ private:
+  bool AtEnd() const { return position_ >= text_.size(); }
+  char Peek() const { return text_[position_]; }
+  void Advance();
+  void SkipBlanksAndComments();
+  void SkipComment();
+  void AppendEscape(std::string& out);
+  Word ReadBare();
+  bool ReadQuoted(Word& word);
+  bool ReadBraced(Word& word);
+  bool Fail(std::string message, const Word& word, std::size_t start);
+
+  std::string_view text_;
+  std::size_t position_ = 0;
+  int line_ = 1;
+  int column_ = 1;
+  std::string error_;
+  int error_line_ = 0;
+  int error_column_ = 0;
+  std::size_t error_start_ = 0;
+};
+
+/// Quotes a word so that CommandReader reads it back as one word.
+std::string QuoteWord(std::string_view word);
+
+}  // namespace soarbox::cli
