@@ -120,13 +120,13 @@ void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acc
     if (acceptable != WmeId::kNone) wme = engine_.Describe(acceptable);
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
   }
+  const SlotId slot = goal.operator_slot;
+  while (engine_.memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(engine_.memory.slot(slot).wmes);
   if (engine_.goals.depth() > level) {
     const GoalRemoval why =
         reason == OperatorRemoval::kInconsistent ? GoalRemoval::kInconsistent : GoalRemoval::kOperatorRemoval;
     engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), why);
   }
-  const SlotId slot = goal.operator_slot;
-  while (engine_.memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(engine_.memory.slot(slot).wmes);
 }
 
 /// The existing decision of a goal: none if an operator is installed (or nothing is decided yet), else the impasse below.

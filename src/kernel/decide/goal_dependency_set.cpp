@@ -17,7 +17,8 @@ void GoalDependencySets::NoteNewFact(WmeId wme) {
     const Preference& preference = memory.preference(p);
     if (!preference.o_supported || preference.value != value || preference.level < 2) continue;
     const GoalLevel level = preference.level;
-    if (level > engine_.goals.depth()) continue;
+    // As in Soar 9.6.3 only the first such fact counts: what later ones rest on is never added.
+    if (level > engine_.goals.depth() || engine_.goals.at(level).has_gds) continue;
     engine_.goals.at(level).has_gds = true;
     Queue(preference.instantiation);
     while (!queue_.empty()) {

@@ -11,8 +11,8 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// Goal dependency sets (Soar manual 2.7.1): for each substate the elements of higher states that its o-supported facts
-/// rest on. When one of them leaves, the substate goes.
+/// Goal dependency sets (Soar manual 2.7.1): for each substate the elements of higher states that its first o-supported
+/// fact rests on. When one of them leaves, the substate goes.
 ///
 /// An element belongs to at most one set: that of the highest goal that needs it.
 class GoalDependencySets {
