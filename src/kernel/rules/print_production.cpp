@@ -169,12 +169,13 @@ class ObjectPrinter {
 
  private:
   bool SameObject(const Condition& condition, Symbol id) const {
-    return condition.kind != ConditionKind::kConjunctiveNegation && EqualitySymbol(condition.id) == id;
+    return condition.kind != ConditionKind::kConjunctiveNegation && condition.id.kind == TestKind::kEqual &&
+           condition.id.referent == id;
   }
 
   /// Adds a text to the object, in a new line if it does not fit any more.
   void Item(const std::string& text, std::size_t indent) {
-    if (Column(out_) + text.size() >= kPrintColumns) {
+    if (Column(out_) + text.size() + 1 >= kPrintColumns) {  // Room for the bracket.
       out_ += '\n';
       out_.append(indent - 1, ' ');
     }

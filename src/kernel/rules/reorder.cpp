@@ -66,21 +66,9 @@ Test Joined(std::vector<Test> parts) {
   return test;
 }
 
-bool HasPart(const Test& test, TestKind kind) {
-  if (test.kind == kind) {
-    return true;
-  }
-  for (const Test& part : test.parts) {
-    if (part.kind == kind) {
-      return true;
-    }
-  }
-  return false;
-}
-
-void RemovePart(Test& test, TestKind kind) {
+void RemoveGoalTests(Test& test) {
   std::vector<Test> parts = Parts(std::move(test));
-  std::erase_if(parts, [kind](const Test& part) { return part.kind == kind; });
+  std::erase_if(parts, [](const Test& part) { return part.kind == TestKind::kState || part.kind == TestKind::kImpasse; });
   test = Joined(std::move(parts));
 }
 
@@ -103,8 +91,9 @@ void CollectVariables(const Condition& condition, VariableSet& out) {
 /// Orders one list of conditions: those of a rule, or those inside a conjunctive negation.
 class ListReorderer {
  public:
-  ListReorderer(std::string_view rule_name, const SymbolTable& symbols, VariableSet& bound, ReorderOutcome& out)
-      : rule_name_(rule_name), symbols_(symbols), bound_(bound), out_(out) {}
+  ListReorderer(std::string_view rule_name, const SymbolTable& symbols, VariableSet& bound, VariableSet known_goals,
+                ReorderOutcome& out)
+      : rule_name_(rule_name), symbols_(symbols), bound_(bound), known_goals_(std::move(known_goals)), out_(out) {}
 
   /// `needs_goal`: the list must hang on something; for the top level of a rule.
   void Reorder(std::vector<Condition>& conditions, bool needs_goal) {
@@ -150,7 +139,6 @@ class ListReorderer {
       StripField(condition.id);
       StripField(condition.attribute);
       StripField(condition.value);
-      positive_ids_.Add(EqualitySymbol(condition.id));
       positive_values_.Add(EqualitySymbol(condition.value));
       positive_variables_.Add(EqualitySymbol(condition.id));
       positive_variables_.Add(EqualitySymbol(condition.attribute));
@@ -182,7 +170,7 @@ class ListReorderer {
         return;
       }
     }
-    goal_tests_.push_back({variable, kind});
+    goal_tests_.push_back({variable, kind, known_goals_.Has(variable)});
   }
 
   /// A test that is written on several conditions with the same identifier is kept once.
@@ -369,7 +357,13 @@ class ListReorderer {
         return;
       case ConditionKind::kConjunctiveNegation: {
         VariableSet inner_bound = bound_;
-        ListReorderer inner(rule_name_, symbols_, inner_bound, out_);
+        VariableSet inner_goals = known_goals_;
+        for (const GoalTest& goal : goal_tests_) {
+          if (bound_.Has(goal.variable)) {
+            inner_goals.Add(goal.variable);
+          }
+        }
+        ListReorderer inner(rule_name_, symbols_, inner_bound, std::move(inner_goals), out_);
         inner.Reorder(condition.conditions, false);
         return;
       }
@@ -451,10 +445,12 @@ class ListReorderer {
           condition.id = Joined(std::move(parts));
         }
       } else if (condition.kind == ConditionKind::kNegative) {
+        bool known = known_goals_.Has(id);
         for (const GoalTest& goal : goal_tests_) {
-          if (goal.placed && goal.variable == id && HasPart(condition.id, goal.kind)) {
-            RemovePart(condition.id, goal.kind);
-          }
+          known = known || (goal.placed && goal.variable == id);
+        }
+        if (known) {
+          RemoveGoalTests(condition.id);
         }
       }
     }
@@ -463,8 +459,9 @@ class ListReorderer {
   std::string_view rule_name_;
   const SymbolTable& symbols_;
   VariableSet& bound_;
+  VariableSet known_goals_;  ///< Variables that conditions around this list test to be goals.
   ReorderOutcome& out_;
-  VariableSet roots_, positive_ids_, positive_values_, positive_variables_;
+  VariableSet roots_, positive_values_, positive_variables_;
   std::vector<SavedTest> saved_;
   std::vector<GoalTest> goal_tests_;
   std::vector<std::vector<Symbol>> needs_;
@@ -477,7 +474,7 @@ ReorderOutcome ReorderConditions(std::string_view rule_name, std::vector<Conditi
                                  const SymbolTable& symbols) {
   ReorderOutcome out;
   VariableSet bound;
-  ListReorderer reorderer(rule_name, symbols, bound, out);
+  ListReorderer reorderer(rule_name, symbols, bound, {}, out);
   reorderer.Reorder(conditions, true);
   return out;
 }
