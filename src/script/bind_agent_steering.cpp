@@ -27,19 +27,27 @@ EntityId ListedAgent(lua_State* state, int list_index) {
   return EntityId{handle->number};
 }
 
+/// Reads the table in Lua's own order; false if that is not 1, 2, 3, ...
+bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer) {
+  lua_pushnil(state);
+  while (lua_next(state, index) != 0) {
+    if (lua_tonumber(state, -2) != static_cast<double>(buffer.size() + 1)) {
+      lua_pop(state, 2);
+      return false;
+    }
+    buffer.push_back(ListedAgent(state, index));
+    lua_pop(state, 1);
+  }
+  return true;
+}
+
 /// The agents in the table at `index`, in its order. Answers with the world's own list where it is the same: the
 /// world finds near neighbours faster then.
 std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vector<EntityId>& buffer) {
   luaL_checktype(state, index, LUA_TTABLE);
   buffer.clear();
-  int count = 0;
-  if (IsPlainArray(state, index, count)) {
-    for (int i = 1; i <= count; ++i) {
-      lua_rawgeti(state, index, i);
-      buffer.push_back(ListedAgent(state, index));
-      lua_pop(state, 1);
-    }
-  } else {
+  if (!ReadInPlainOrder(state, index, buffer)) {
+    buffer.clear();
     PushOrderedKeys(state, index);
     const int keys = static_cast<int>(lua_objlen(state, -1));
     for (int i = 1; i <= keys; ++i) {
@@ -50,6 +58,7 @@ std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vecto
     }
     lua_pop(state, 1);
   }
+  LuaMachine::Of(state).Charge(buffer.size());
   const auto all = ContextOf(state).world.AgentIds();
   return std::ranges::equal(buffer, all) ? all : std::span<const EntityId>(buffer);
 }

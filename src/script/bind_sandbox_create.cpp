@@ -139,12 +139,7 @@ int RemoveObject(lua_State* state) {
 
 int GetAgents(lua_State* state) {
   if (!SandboxArgument(state, 1)) return 0;
-  const auto ids = ContextOf(state).world.AgentIds();
-  lua_createtable(state, static_cast<int>(ids.size()), 0);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    PushAgent(state, ids[i]);
-    lua_rawseti(state, -2, static_cast<int>(i + 1));
-  }
+  PushAgents(state, ContextOf(state).world.AgentIds());
   return 1;
 }
 

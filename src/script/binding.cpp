@@ -12,9 +12,13 @@
 namespace soarbox::script {
 namespace {
 
+/// In instructions: so that a loop over calls is stopped as early as any other loop of the same length in time.
+constexpr std::uint64_t kCallPrice = 20;
+
 /// Upvalues: the binding, "Table.Name".
 int CallBinding(lua_State* state) {
   const auto& binding = *static_cast<const Binding*>(lua_touserdata(state, lua_upvalueindex(1)));
+  LuaMachine::Of(state).Charge(kCallPrice);
   const int count = lua_gettop(state);
   if (count >= binding.min_arguments && count <= binding.max_arguments) return binding.function(state);
 

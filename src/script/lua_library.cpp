@@ -98,38 +98,36 @@ int CollectGarbage(lua_State* state) {
   return 1;
 }
 
+/// Ends the loading of a module however that ends: Lua's errors run destructors.
+struct LoadingMark {
+  LuaMachine& machine;
+  const std::string& module;
+  ~LoadingMark() { machine.EndLoading(module); }
+};
+
 /// require(name): runs <name>.lua of the search path once per machine. Returns nothing, as in the sandbox.
 int Require(lua_State* state) {
   if (lua_gettop(state) != 1) return 0;
-  const std::string_view name = luaL_checkstring(state, 1);
+  const std::string name = luaL_checkstring(state, 1);
   lua_getfield(state, LUA_REGISTRYINDEX, "_LOADED");
-  lua_pushvalue(state, 1);
-  lua_rawget(state, 2);
+  lua_getfield(state, 2, name.c_str());
   if (lua_toboolean(state, -1)) return 0;
-  if (!lua_isnil(state, -1))
-    return luaL_error(state, "module '%s' requires itself, directly or through others", name.data());
   lua_pop(state, 1);
 
   LuaMachine& machine = LuaMachine::Of(state);
-  const std::string file = std::string(name) + ".lua";
+  const std::string file = name + ".lua";
   const Result<const ScriptSource*> source = machine.path().Load(file);
   if (!source.ok()) {
     const Diagnostic& error = source.error();
-    lua_pushstring(state, (error.message + (error.hint.empty() ? "" : " (" + error.hint + ")")).c_str());
-    luaL_where(state, 1);
-    lua_insert(state, -2);
-    lua_concat(state, 2);
-    return lua_error(state);
+    const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
+    return luaL_error(state, "%s%s", error.message.c_str(), hint.c_str());
   }
-  // False while it runs: that is how a circle shows.
-  lua_pushvalue(state, 1);
-  lua_pushboolean(state, 0);
-  lua_rawset(state, 2);
-  lua_pushlstring(state, file.data(), file.size());
-  RunChunk(state, source.value()->content, lua_tostring(state, -1));
-  lua_pushvalue(state, 1);
+  if (!machine.BeginLoading(name))
+    return luaL_error(state, "module '%s' requires itself, directly or through others", name.c_str());
+  const LoadingMark mark{machine, name};
+  RunChunk(state, source.value()->content, file);
   lua_pushboolean(state, 1);
-  lua_rawset(state, 2);
+  lua_setfield(state, 2, name.c_str());
   return 0;
 }
 

@@ -74,7 +74,10 @@ std::optional<ScriptError> LuaMachine::RunProtected(RawBody body, void* data) {
   }
   const RawBody outer_body = std::exchange(body_, body);
   void* const outer_data = std::exchange(body_data_, data);
-  if (depth_++ == 0) ArmBudget();
+  if (depth_++ == 0) {
+    ArmBudget();
+    loading_.clear();
+  }
   const int top = lua_gettop(state_);
   lua_rawgeti(state_, LUA_REGISTRYINDEX, on_error_);
   lua_rawgeti(state_, LUA_REGISTRYINDEX, run_body_);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -112,6 +113,10 @@ class LuaMachine {
   /// Takes instructions off the budget of the present call, for work done on a script's behalf.
   void Charge(std::uint64_t instructions);
 
+  /// Marks a module as being run by require; false if it is already.
+  bool BeginLoading(const std::string& module) { return loading_.insert(module).second; }
+  void EndLoading(const std::string& module) { loading_.erase(module); }
+
   const std::string& script() const { return setup_.script; }
   std::uint32_t owner() const { return setup_.owner; }
   ScriptContext* context() const { return setup_.context; }
@@ -140,6 +145,7 @@ class LuaMachine {
   int run_body_ = 0;  // Kept functions, so that a call needs no memory before it is protected.
   int on_error_ = 0;
   int depth_ = 0;  // Of protected calls within each other.
+  std::set<std::string> loading_;
   std::uint64_t instructions_left_ = 0;
   RawBody body_ = nullptr;
   void* body_data_ = nullptr;

@@ -204,6 +204,7 @@ TEST_F(MachineTest, ReportsErrorsOfModulesInTheirOwnFile) {
   ASSERT_TRUE(error);
   EXPECT_EQ(error->diagnostic.file, (folder_ / "library" / "Bad.lua").string());
   EXPECT_EQ(error->diagnostic.line, 3);
+  EXPECT_EQ(Run("local ok, first = pcall(require, 'Bad') print(first == select(2, pcall(require, 'Bad')))"), "true");
   EXPECT_EQ(Run("require 'Circle'"), "error: module 'Circle' requires itself, directly or through others");
   EXPECT_EQ(Run("require 'Nowhere'").substr(0, 46), "error: no such script file: \"Nowhere.lua\" (sea");
 }

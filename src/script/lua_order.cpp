@@ -64,8 +64,10 @@ int Next(lua_State* state) {
   lua_pushnil(state);
   KeyRank best;
   bool found = false;
+  std::uint64_t looked_at = 0;
   lua_pushnil(state);
   while (lua_next(state, 1) != 0) {
+    ++looked_at;
     const KeyRank rank = RankOf(state, -2);
     if ((from_start || after < rank) && (!found || rank < best)) {
       found = true;
@@ -77,6 +79,7 @@ int Next(lua_State* state) {
     }
     lua_pop(state, 1);
   }
+  LuaMachine::Of(state).Charge(looked_at);
   lua_settop(state, 4);
   return found ? 2 : 1;
 }
@@ -156,6 +159,7 @@ void PushOrderedKeys(lua_State* state, int index) {
     lua_rawseti(state, keys, ++count);
     if (is_array && !(lua_type(state, -1) == LUA_TNUMBER && lua_tonumber(state, -1) == count)) is_array = false;
   }
+  LuaMachine::Of(state).Charge(static_cast<std::uint64_t>(count));
   if (is_array) return;
 
   auto* ranks = static_cast<KeyRank*>(lua_newuserdata(state, sizeof(KeyRank) * static_cast<std::size_t>(count)));

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "script/bind_vector.h"
+#include "script/lua_machine.h"
 
 namespace soarbox::script {
 namespace {
@@ -118,6 +119,22 @@ void PushHandle(lua_State* state, Handle handle) {
   PushMetatable(state, handle.kind);
   lua_setmetatable(state, -2);
   if (is_agent) KeepAgent(state, handle.number);
+}
+
+void PushAgents(lua_State* state, std::span<const world::EntityId> ids) {
+  LuaMachine::Of(state).Charge(ids.size());
+  lua_createtable(state, static_cast<int>(ids.size()), 0);
+  lua_pushlightuserdata(state, &agent_handles_key);
+  lua_rawget(state, LUA_REGISTRYINDEX);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    lua_rawgeti(state, -1, static_cast<int>(Number(ids[i])));
+    if (lua_isnil(state, -1)) {
+      lua_pop(state, 1);
+      PushAgent(state, ids[i]);
+    }
+    lua_rawseti(state, -3, static_cast<int>(i + 1));
+  }
+  lua_pop(state, 1);
 }
 
 world::Vec3* ToVector(lua_State* state, int index) {

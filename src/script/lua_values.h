@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "world/ids.h"
@@ -35,6 +36,8 @@ void PushHandle(lua_State* state, Handle handle);
 inline void PushAgent(lua_State* state, world::EntityId id) {
   PushHandle(state, {ValueKind::kAgent, Number(id)});
 }
+/// Pushes a new array of these agents' handles; faster than one by one.
+void PushAgents(lua_State* state, std::span<const world::EntityId> ids);
 inline void PushObject(lua_State* state, world::EntityId id) {
   PushHandle(state, {ValueKind::kObject, Number(id)});
 }
