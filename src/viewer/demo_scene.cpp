@@ -16,7 +16,9 @@ using world::Vec3;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-Quat Yaw(float angle) { return {std::cos(angle / 2), 0, std::sin(angle / 2), 0}; }
+Quat Yaw(float angle) {
+  return {std::cos(angle / 2), 0, std::sin(angle / 2), 0};
+}
 
 Quat LookAt(Vec3 from, Vec3 to) {
   const Vec3 d = world::Normalized(to - from);
@@ -83,8 +85,10 @@ void DemoScene::AddGround(SceneSnapshot& scene) const {
 }
 
 void DemoScene::AddBlocks(SceneSnapshot& scene) const {
-  for (int i = 0; i < 5; ++i) AddMesh(scene, "modular_block", {-12.0f + 0.85f * static_cast<float>(i), 0.32f, 14}, 0.05f * static_cast<float>(i));
-  for (int i = 0; i < 3; ++i) AddMesh(scene, "modular_block", {-11.5f + 0.85f * static_cast<float>(i), 0.96f, 14}, 0.3f);
+  for (int i = 0; i < 5; ++i)
+    AddMesh(scene, "modular_block", {-12.0f + 0.85f * static_cast<float>(i), 0.32f, 14}, 0.05f * static_cast<float>(i));
+  for (int i = 0; i < 3; ++i)
+    AddMesh(scene, "modular_block", {-11.5f + 0.85f * static_cast<float>(i), 0.96f, 14}, 0.3f);
   if (view_ != 1 && view_ != 3) return;
   AddMesh(scene, "modular_wall_brick_1", {0, 1.28f, 12}, 0);
   AddMesh(scene, "modular_brick_window_1", {2.56f, 1.28f, 12}, 0);
@@ -111,8 +115,10 @@ void DemoScene::AddBlocks(SceneSnapshot& scene) const {
   scene.drawables.push_back(glass);
   for (int i = 0; i < 24; ++i) {
     const float a = 2 * kPi * static_cast<float>(i) / 24, b = 2 * kPi * static_cast<float>(i + 1) / 24;
-    scene.triangles.push_back({{-3, 0.03f, 6}, {-3 + 1.5f * std::sin(a), 0.03f, 6 + 1.5f * std::cos(a)},
-                               {-3 + 1.5f * std::sin(b), 0.03f, 6 + 1.5f * std::cos(b)}, {0.2f, 1, 1, 0.4f}});
+    scene.triangles.push_back({{-3, 0.03f, 6},
+                               {-3 + 1.5f * std::sin(a), 0.03f, 6 + 1.5f * std::cos(a)},
+                               {-3 + 1.5f * std::sin(b), 0.03f, 6 + 1.5f * std::cos(b)},
+                               {0.2f, 1, 1, 0.4f}});
   }
   world::ParticleSnapshot burst;
   burst.id = 900001;
@@ -142,18 +148,25 @@ void DemoScene::AddBlocks(SceneSnapshot& scene) const {
 
 void DemoScene::AddAgents(SceneSnapshot& scene, double time_s) const {
   const auto t = static_cast<float>(time_s);
-  constexpr const char* kKinds[] = {"soar seeking", "soar follower", "soar follower", "soar follower", "soar waypoint", "lua"};
+  constexpr const char* kKinds[] = {"soar seeking",  "soar follower", "soar follower",
+                                    "soar follower", "soar waypoint", "lua"};
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(agents_))));
   for (int i = 0; i < agents_; ++i) {
     const int kind = agents_ <= 6 ? i : i % 6;
     const float phase = 1.3f * static_cast<float>(i), turn = 0.35f * t + phase;
     Vec3 home{-20.0f + 4.4f * static_cast<float>(i % 3), 0, 2.5f + 5.4f * static_cast<float>(i / 3)};
-    if (agents_ > 6) home = {2.2f * static_cast<float>(i % columns - columns / 2), 0, 2.2f * static_cast<float>(i / columns - columns / 2)};
+    if (agents_ > 6)
+      home = {2.2f * static_cast<float>(i % columns - columns / 2), 0,
+              2.2f * static_cast<float>(i / columns - columns / 2)};
     const float radius = agents_ > 6 ? 0.5f : 1.6f;
     world::AgentSnapshot agent;
     agent.id = static_cast<std::uint32_t>(i + 1);
     agent.kind = kKinds[kind];
-    agent.name = (i == 0 ? "seeker-" : kind == 4 ? "waypoint-" : kind == 5 ? "leader-" : "follower-") + std::to_string(i + 1);
+    agent.name = (i == 0      ? "seeker-"
+                  : kind == 4 ? "waypoint-"
+                  : kind == 5 ? "leader-"
+                              : "follower-") +
+                 std::to_string(i + 1);
     agent.script = kind == 4 ? "WaypointsAgent.lua" : kind == 0 ? "SeekingAgent.lua" : "FollowerAgent.lua";
     agent.last_command = kind == 5 ? "" : kind == 0 ? "sametarget" : kind == 4 ? "samewaypoint" : "follow";
     agent.radius_m = 0.3f;
@@ -173,7 +186,11 @@ void DemoScene::AddAgents(SceneSnapshot& scene, double time_s) const {
     scene.drawables.push_back(body);
     if (agents_ > 100) continue;
     const Vec3 foot = agent.position - Vec3{0, 0.75f, 0};
-    AddCircle(scene, foot, 1.0f, kind == 0 ? Color{1, 0, 0, 1} : kind == 4 ? Color{0, 1, 0, 1} : Color{1, 0.65f, 0, 1}, 10);
+    AddCircle(scene, foot, 1.0f,
+              kind == 0   ? Color{1, 0, 0, 1}
+              : kind == 4 ? Color{0, 1, 0, 1}
+                          : Color{1, 0.65f, 0, 1},
+              10);
     scene.lines.push_back({agent.position, agent.position + agent.forward * 1.2f, {1, 1, 1, 1}});
     if (kind == 0) {
       const Vec3 target = home + Vec3{6, 0.05f, 5};

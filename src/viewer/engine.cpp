@@ -49,7 +49,8 @@ bool DrawsInSoftware() {
 }  // namespace
 
 Result<std::unique_ptr<Engine>> Engine::Start(const ViewerOptions& options) {
-  if (Ogre::Root::getSingletonPtr() != nullptr) return Failure("a window is already open in this process", "close it first");
+  if (Ogre::Root::getSingletonPtr() != nullptr)
+    return Failure("a window is already open in this process", "close it first");
   std::unique_ptr<Engine> engine(new Engine);
   if (Result<void> opened = engine->OpenWindow(options); !opened) return opened.error();
   try {
@@ -82,16 +83,19 @@ Result<void> Engine::OpenWindow(const ViewerOptions& options) {
   }
   sdl_started_ = true;
   const Uint32 flags = hidden_ ? SDL_WINDOW_HIDDEN : SDL_WINDOW_SHOWN | SDL_WINDOW_RESIZABLE;
-  sdl_window_ = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width_, height_, flags);
+  sdl_window_ =
+      SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width_, height_, flags);
   if (sdl_window_ == nullptr) {
-    return Failure("no window can be opened on the display '" + std::string(display) + "': " + SDL_GetError(), kNoDisplayHint);
+    return Failure("no window can be opened on the display '" + std::string(display) + "': " + SDL_GetError(),
+                   kNoDisplayHint);
   }
   return {};
 }
 
 void Engine::StartOgre(const ViewerOptions& options) {
   log_ = std::make_unique<Ogre::LogManager>();
-  log_->createLog(options.log_file.empty() ? "soarbox-renderer" : options.log_file, true, false, options.log_file.empty());
+  log_->createLog(options.log_file.empty() ? "soarbox-renderer" : options.log_file, true, false,
+                  options.log_file.empty());
   root_ = std::make_unique<Ogre::Root>("", "", "");
   root_->loadPlugin(SOARBOX_OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus");
   root_->loadPlugin(SOARBOX_OGRE_PLUGIN_DIR "/Codec_STBI");
@@ -108,8 +112,8 @@ void Engine::StartOgre(const ViewerOptions& options) {
   Ogre::NameValuePairList settings{{"parentWindowHandle", handle},
                                    {"vsync", options.vsync && !hidden_ ? "true" : "false"},
                                    {"FSAA", hidden_ || low_detail_ ? "0" : "4"}};
-  render_window_ = root_->createRenderWindow(options.title, static_cast<unsigned>(width_), static_cast<unsigned>(height_),
-                                             false, &settings);
+  render_window_ = root_->createRenderWindow(options.title, static_cast<unsigned>(width_),
+                                             static_cast<unsigned>(height_), false, &settings);
   render_window_->setAutoUpdated(false);
   if (!root_->getRenderSystem()->getCapabilities()->isShaderProfileSupported("glsl330")) {
     throw std::runtime_error("the display offers less than OpenGL 3.3 (" +

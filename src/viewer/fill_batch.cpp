@@ -9,7 +9,9 @@ struct Corner {
   std::uint8_t colour[4];
 };
 
-std::uint8_t Byte(float value) { return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f); }
+std::uint8_t Byte(float value) {
+  return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f);
+}
 
 }  // namespace
 
@@ -28,7 +30,9 @@ FillBatch::FillBatch(const Ogre::MaterialPtr& material) : Ogre::SimpleRenderable
   setVisible(false);
 }
 
-FillBatch::~FillBatch() { delete mRenderOp.vertexData; }
+FillBatch::~FillBatch() {
+  delete mRenderOp.vertexData;
+}
 
 void FillBatch::Reserve(std::size_t triangles) {
   if (triangles <= capacity_) return;
@@ -43,7 +47,8 @@ void FillBatch::Update(const std::vector<world::TriangleSnapshot>& triangles) {
   if (triangles.empty()) return;
   Reserve(triangles.size());
   const auto buffer = mRenderOp.vertexData->vertexBufferBinding->getBuffer(0);
-  auto* out = static_cast<Corner*>(buffer->lock(0, 3 * triangles.size() * sizeof(Corner), Ogre::HardwareBuffer::HBL_DISCARD));
+  auto* out =
+      static_cast<Corner*>(buffer->lock(0, 3 * triangles.size() * sizeof(Corner), Ogre::HardwareBuffer::HBL_DISCARD));
   for (const auto& triangle : triangles) {
     const world::Color c = triangle.color;
     for (const world::Vec3 p : {triangle.a, triangle.b, triangle.c}) {

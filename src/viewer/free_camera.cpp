@@ -33,7 +33,8 @@ void FreeCamera::MoveTo(const world::CameraSnapshot& pose) {
   if (!std::isfinite(number)) return;
   pose_ = pose;
   pose_.orientation = Unit(pose.orientation);
-  pose_.vertical_fov_deg = std::clamp(std::isfinite(pose.vertical_fov_deg) ? pose.vertical_fov_deg : 45.0f, 5.0f, 150.0f);
+  pose_.vertical_fov_deg =
+      std::clamp(std::isfinite(pose.vertical_fov_deg) ? pose.vertical_fov_deg : 45.0f, 5.0f, 150.0f);
   velocity_ = {};
   following_ = false;
 }

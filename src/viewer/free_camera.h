@@ -10,9 +10,9 @@ namespace soarbox::viewer {
 struct CameraInput {
   float forward = 0, left = 0, up = 0;  ///< -1..1
   bool fast = false;
-  bool looking = false;                 ///< The right button is held: the mouse turns the camera.
-  float mouse_dx = 0, mouse_dy = 0;     ///< px
-  float wheel = 0;                      ///< Notches, positive away from the user.
+  bool looking = false;              ///< The right button is held: the mouse turns the camera.
+  float mouse_dx = 0, mouse_dy = 0;  ///< px
+  float wheel = 0;                   ///< Notches, positive away from the user.
 };
 
 /// The camera as the user flies it (lua_api.md 14): it glides, turns about the world's y axis and never rolls by

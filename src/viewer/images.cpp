@@ -9,8 +9,11 @@
 namespace soarbox::viewer {
 
 void Image::Set(int x, int y, float r, float g, float b, float a) {
-  const auto byte = [](float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); };
-  const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+  const auto byte = [](float value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+  };
+  const std::size_t at =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
   pixels[at] = byte(r);
   pixels[at + 1] = byte(g);
   pixels[at + 2] = byte(b);
@@ -33,7 +36,9 @@ Image Paint(int size, Shade&& shade) {
   return image;
 }
 
-std::array<float, 3> Grey(float value) { return {value, value, value}; }
+std::array<float, 3> Grey(float value) {
+  return {value, value, value};
+}
 
 /// 0 within `width` of the border of the cell that `value` (in cells) falls into, 1 inside.
 float InsideCell(float value, float width) {
@@ -77,7 +82,9 @@ Image BrickImage() {
     const float tone = 0.78f + 0.3f * LatticeValue(column, static_cast<int>(row), 0, 5) - 0.1f;
     const float rough = 0.85f + 0.3f * (Fractal2(u * 16, v * 16, 4, 7, 16) - 0.5f);
     const float mortar = 0.74f + 0.2f * Noise2(u * 64, v * 64, 13, 64);
-    const auto mix = [&](float fired, float lime) { return lime * mortar * (1 - brick) + fired * tone * rough * brick; };
+    const auto mix = [&](float fired, float lime) {
+      return lime * mortar * (1 - brick) + fired * tone * rough * brick;
+    };
     return std::array<float, 3>{mix(0.78f, 0.82f), mix(0.43f, 0.79f), mix(0.33f, 0.74f)};
   });
 }

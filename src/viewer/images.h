@@ -13,7 +13,8 @@ struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
 
-  Image(int w, int h) : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4, 255) {}
+  Image(int w, int h)
+      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4, 255) {}
   void Set(int x, int y, float r, float g, float b, float a = 1);  ///< 0..1, clamped.
 };
 

@@ -11,12 +11,12 @@ enum class InputKind : std::uint8_t { kKey, kMouseButton, kMouseMove };
 /// Something that the user did, in the words of the sandbox's scripts (the tables that Sandbox_HandleEvent gets).
 struct InputEvent {
   InputKind kind = InputKind::kKey;
-  bool pressed = false;      ///< Keys and buttons: down or up. Keys that repeat come only once.
-  std::string name;          ///< "f1_key", "space_key"; "left_button"; empty for moves.
-  int width = 0, height = 0; ///< Mouse events: the window's size, as the sandbox has it.
-  int x = 0, y = 0;          ///< Mouse events: the cursor, from the top left.
-  int dx = 0, dy = 0;        ///< Moves: since the last one.
-  int wheel = 0;             ///< Moves: notches, positive away from the user.
+  bool pressed = false;       ///< Keys and buttons: down or up. Keys that repeat come only once.
+  std::string name;           ///< "f1_key", "space_key"; "left_button"; empty for moves.
+  int width = 0, height = 0;  ///< Mouse events: the window's size, as the sandbox has it.
+  int x = 0, y = 0;           ///< Mouse events: the cursor, from the top left.
+  int dx = 0, dy = 0;         ///< Moves: since the last one.
+  int wheel = 0;              ///< Moves: notches, positive away from the user.
 };
 
 /// What the user asks of the run.

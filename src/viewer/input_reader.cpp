@@ -26,25 +26,44 @@ void InputReader::HandleKey(int scancode, bool pressed, FrameInput& input) {
   if (!pressed) return;
   switch (scancode) {
     case SDL_SCANCODE_P:
-    case SDL_SCANCODE_PAUSE: input.commands.push_back(ViewerCommand::kTogglePause); break;
+    case SDL_SCANCODE_PAUSE:
+      input.commands.push_back(ViewerCommand::kTogglePause);
+      break;
     case SDL_SCANCODE_N:
-    case SDL_SCANCODE_PERIOD: input.commands.push_back(ViewerCommand::kSingleStep); break;
+    case SDL_SCANCODE_PERIOD:
+      input.commands.push_back(ViewerCommand::kSingleStep);
+      break;
     case SDL_SCANCODE_EQUALS:
-    case SDL_SCANCODE_KP_PLUS: input.commands.push_back(ViewerCommand::kFaster); break;
+    case SDL_SCANCODE_KP_PLUS:
+      input.commands.push_back(ViewerCommand::kFaster);
+      break;
     case SDL_SCANCODE_MINUS:
-    case SDL_SCANCODE_KP_MINUS: input.commands.push_back(ViewerCommand::kSlower); break;
-    case SDL_SCANCODE_ESCAPE: input.commands.push_back(ViewerCommand::kQuit); break;
-    case SDL_SCANCODE_H: input.toggle_help = !input.toggle_help; break;
-    case SDL_SCANCODE_L: input.toggle_labels = !input.toggle_labels; break;
-    case SDL_SCANCODE_C: input.toggle_follow = !input.toggle_follow; break;
-    default: break;
+    case SDL_SCANCODE_KP_MINUS:
+      input.commands.push_back(ViewerCommand::kSlower);
+      break;
+    case SDL_SCANCODE_ESCAPE:
+      input.commands.push_back(ViewerCommand::kQuit);
+      break;
+    case SDL_SCANCODE_H:
+      input.toggle_help = !input.toggle_help;
+      break;
+    case SDL_SCANCODE_L:
+      input.toggle_labels = !input.toggle_labels;
+      break;
+    case SDL_SCANCODE_C:
+      input.toggle_follow = !input.toggle_follow;
+      break;
+    default:
+      break;
   }
 }
 
 void InputReader::Handle(const SDL_Event& event, FrameInput& input) {
   constexpr int kDrag_px = 5;
   switch (event.type) {
-    case SDL_QUIT: input.closed = true; break;
+    case SDL_QUIT:
+      input.closed = true;
+      break;
     case SDL_WINDOWEVENT:
       if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) {
         input.new_width = event.window.data1;
@@ -100,7 +119,8 @@ void InputReader::Handle(const SDL_Event& event, FrameInput& input) {
       input.camera.wheel += static_cast<float>(event.wheel.y);
       break;
     }
-    default: break;
+    default:
+      break;
   }
 }
 

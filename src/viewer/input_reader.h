@@ -14,13 +14,13 @@ namespace soarbox::viewer {
 
 /// Everything that the user did since the last frame, sorted by who cares.
 struct FrameInput {
-  std::vector<InputEvent> events;      ///< For the scripts.
-  std::vector<ViewerCommand> commands; ///< For the application.
+  std::vector<InputEvent> events;       ///< For the scripts.
+  std::vector<ViewerCommand> commands;  ///< For the application.
   CameraInput camera;
-  std::vector<ScreenPoint> clicks;     ///< Left clicks that were no drags.
+  std::vector<ScreenPoint> clicks;  ///< Left clicks that were no drags.
   bool toggle_help = false, toggle_labels = false, toggle_follow = false;
-  bool closed = false;                 ///< The window was closed.
-  int new_width = 0, new_height = 0;   ///< The window's new size; 0: unchanged.
+  bool closed = false;                ///< The window was closed.
+  int new_width = 0, new_height = 0;  ///< The window's new size; 0: unchanged.
 };
 
 /// Reads SDL's events and knows what is held down.

@@ -12,7 +12,9 @@ namespace soarbox::viewer {
 
 inline constexpr float kJump_m = 4;
 
-inline bool IsFinite(world::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool IsFinite(world::Vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 inline world::Vec3 BetweenPositions(world::Vec3 from, world::Vec3 to, float blend) {
   if (world::LengthSquared(to - from) > kJump_m * kJump_m) return to;

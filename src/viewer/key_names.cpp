@@ -116,10 +116,14 @@ std::string KeyName(int code) {
 
 std::string MouseButtonName(int button) {
   switch (button) {
-    case SDL_BUTTON_LEFT: return "left_button";
-    case SDL_BUTTON_RIGHT: return "right_button";
-    case SDL_BUTTON_MIDDLE: return "middle_button";
-    default: break;
+    case SDL_BUTTON_LEFT:
+      return "left_button";
+    case SDL_BUTTON_RIGHT:
+      return "right_button";
+    case SDL_BUTTON_MIDDLE:
+      return "middle_button";
+    default:
+      break;
   }
   return button >= 4 && button <= 8 ? "mouse_button_" + std::to_string(button - 1) : "unknown_button";
 }

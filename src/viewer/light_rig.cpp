@@ -19,8 +19,8 @@ class SunView : public Ogre::ShadowCameraSetup {
  public:
   explicit SunView(std::uint16_t map_size) : map_size_(map_size) {}
 
-  void getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera* camera, const Ogre::Viewport*, const Ogre::Light* light,
-                       Ogre::Camera* sun_eye, std::size_t map) const override {
+  void getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera* camera, const Ogre::Viewport*,
+                       const Ogre::Light* light, Ogre::Camera* sun_eye, std::size_t map) const override {
     const Ogre::Vector3 eye = camera->getDerivedPosition();
     Ogre::Vector3 ahead = camera->getDerivedDirection();
     // Whole powers of two, so that the maps change size seldom.
@@ -54,7 +54,9 @@ class SunView : public Ogre::ShadowCameraSetup {
   std::uint16_t map_size_;
 };
 
-Ogre::Vector4 Four(world::Vec3 v, float w) { return {v.x, v.y, v.z, w}; }
+Ogre::Vector4 Four(world::Vec3 v, float w) {
+  return {v.x, v.y, v.z, w};
+}
 
 }  // namespace
 

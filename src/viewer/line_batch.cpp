@@ -9,7 +9,9 @@ struct Corner {
   std::uint8_t colour[4];
 };
 
-std::uint8_t Byte(float value) { return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f); }
+std::uint8_t Byte(float value) {
+  return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f);
+}
 
 Corner* AddLine(Corner* out, const world::LineSnapshot& line) {
   const world::Vec3 a = line.from, b = line.to;
@@ -56,10 +58,12 @@ void LineBatch::Reserve(std::size_t lines) {
   capacity_ = std::max(lines, 2 * capacity_);
   auto& buffers = Ogre::HardwareBufferManager::getSingleton();
   mRenderOp.vertexData->vertexBufferBinding->setBinding(
-      0, buffers.createVertexBuffer(sizeof(Corner), 4 * capacity_, Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
+      0, buffers.createVertexBuffer(sizeof(Corner), 4 * capacity_,
+                                    Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
   std::vector<std::uint32_t> indices;
   indices.reserve(6 * capacity_);
-  for (std::uint32_t i = 0; i < 4 * capacity_; i += 4) indices.insert(indices.end(), {i, i + 1, i + 2, i, i + 2, i + 3});
+  for (std::uint32_t i = 0; i < 4 * capacity_; i += 4)
+    indices.insert(indices.end(), {i, i + 1, i + 2, i, i + 2, i + 3});
   auto index_buffer = buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, indices.size(),
                                                 Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
   index_buffer->writeData(0, index_buffer->getSizeInBytes(), indices.data(), true);

@@ -72,23 +72,32 @@ std::vector<TextLine> ParseMarkup(std::string_view markup) {
 float LineHeight(UiFont font) {
   switch (font) {
     case UiFont::kSmall:
-    case UiFont::kSmallMono: return 14;
+    case UiFont::kSmallMono:
+      return 14;
     case UiFont::kMedium:
-    case UiFont::kMediumMono: return 22;
+    case UiFont::kMediumMono:
+      return 22;
     case UiFont::kLarge:
-    case UiFont::kLargeMono: break;
+    case UiFont::kLargeMono:
+      break;
   }
   return 38;
 }
 
 float FixedWidth(UiFont font) {
   switch (font) {
-    case UiFont::kSmall: return 13;
-    case UiFont::kSmallMono: return 8;
-    case UiFont::kMedium: return 20;
-    case UiFont::kMediumMono: return 11;
-    case UiFont::kLarge: return 34;
-    case UiFont::kLargeMono: break;
+    case UiFont::kSmall:
+      return 13;
+    case UiFont::kSmallMono:
+      return 8;
+    case UiFont::kMedium:
+      return 20;
+    case UiFont::kMediumMono:
+      return 11;
+    case UiFont::kLarge:
+      return 34;
+    case UiFont::kLargeMono:
+      break;
   }
   return 20;
 }

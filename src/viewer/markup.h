@@ -13,8 +13,8 @@ namespace soarbox::viewer {
 struct TextRun {
   std::string text;
   world::UiFont font = world::UiFont::kSmall;
-  int palette_index = 0;      ///< 0..9
-  bool fixed_width = false;   ///< %M: each character takes the font's fixed width.
+  int palette_index = 0;     ///< 0..9
+  bool fixed_width = false;  ///< %M: each character takes the font's fixed width.
 };
 using TextLine = std::vector<TextRun>;
 

@@ -8,7 +8,9 @@ namespace {
 
 constexpr const char* kSkyTexture = "Soarbox/SkyPicture";
 
-Ogre::Vector4 Four(world::Color c) { return {c.r, c.g, c.b, c.a}; }
+Ogre::Vector4 Four(world::Color c) {
+  return {c.r, c.g, c.b, c.a};
+}
 
 Ogre::PixelBox Box(const Image& image) {
   // Ogre reads from this box only.
@@ -22,22 +24,30 @@ Ogre::Vector4 MeanLight(const Image& image, int first_row, int end_row) {
   int count = 0;
   for (int y = first_row; y < end_row; y += 2) {
     for (int x = 0; x < image.width; x += 4, ++count) {
-      const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+      const auto at =
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
       for (std::size_t c = 0; c < 3; ++c) sum[c] += std::pow(image.pixels[at + c] / 255.0, 2.2);
     }
   }
   const double scale = 1.0 / std::max(count, 1);
-  return {static_cast<float>(sum[0] * scale), static_cast<float>(sum[1] * scale), static_cast<float>(sum[2] * scale), 0};
+  return {static_cast<float>(sum[0] * scale), static_cast<float>(sum[1] * scale), static_cast<float>(sum[2] * scale),
+          0};
 }
 
 const char* PaintTexture(Look::Paint paint) {
   switch (paint) {
-    case Look::Paint::kGround: return "Soarbox/Grain";
-    case Look::Paint::kConcrete: return "Soarbox/ConcretePicture";
-    case Look::Paint::kBrick: return "Soarbox/BrickPicture";
-    case Look::Paint::kCrate: return "Soarbox/CratePicture";
-    case Look::Paint::kMissing: return "Soarbox/Checker";
-    case Look::Paint::kPlain: break;
+    case Look::Paint::kGround:
+      return "Soarbox/Grain";
+    case Look::Paint::kConcrete:
+      return "Soarbox/ConcretePicture";
+    case Look::Paint::kBrick:
+      return "Soarbox/BrickPicture";
+    case Look::Paint::kCrate:
+      return "Soarbox/CratePicture";
+    case Look::Paint::kMissing:
+      return "Soarbox/Checker";
+    case Look::Paint::kPlain:
+      break;
   }
   return "Soarbox/WhitePicture";
 }
@@ -91,7 +101,8 @@ Materials::Found Materials::Make(const std::string& name, const Look& look) {
   AddShadowMap(pass);
   AddTexture(pass, kSkyTexture, false);
   const bool ground = look.paint == Look::Paint::kGround;
-  shaders_.Use(pass, "surface.vert", ground ? "ground.frag" : "surface.frag", {"paint", "shadow_near", "shadow_far", "sky"});
+  shaders_.Use(pass, "surface.vert", ground ? "ground.frag" : "surface.frag",
+               {"paint", "shadow_near", "shadow_far", "sky"});
   const auto params = pass.getFragmentProgramParameters();
   params->setNamedConstant("base_colour", Four(look.base));
   params->setNamedConstant("trim_colour", Four(look.trim));
@@ -140,7 +151,8 @@ void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
   }
   // What the shaders need to know of the sky as a whole: the light from above, and the haze over the horizon.
   shaders_.scene_values().setNamedConstant("sky_mean", MeanLight(faces[2], 0, faces[2].height));
-  shaders_.scene_values().setNamedConstant("haze_colour", MeanLight(faces[4], faces[4].height * 46 / 100, faces[4].height / 2));
+  shaders_.scene_values().setNamedConstant("haze_colour",
+                                           MeanLight(faces[4], faces[4].height * 46 / 100, faces[4].height / 2));
   for (std::size_t face = 0; face < faces.size(); ++face) texture->getBuffer(face)->blitFromMemory(Box(faces[face]));
 }
 

@@ -17,9 +17,9 @@ struct MeshVertex {
   world::Vec3 position;
   world::Vec3 normal;
   float u = 0, v = 0;
-  float tint = 1;    ///< 1: the material's colour, 0: the dark trim colour.
-  float light = 1;   ///< Multiplies the colour; below 1 in crevices.
-  float gloss = 0;   ///< Added to the material's gloss, 0..1.
+  float tint = 1;   ///< 1: the material's colour, 0: the dark trim colour.
+  float light = 1;  ///< Multiplies the colour; below 1 in crevices.
+  float gloss = 0;  ///< Added to the material's gloss, 0..1.
 };
 
 struct MeshData {

@@ -15,8 +15,8 @@ using world::ShapeKind;
 std::string Key(const DrawableSnapshot& d, bool agent_body) {
   if (d.shape == ShapeKind::kMesh) return "mesh/" + d.mesh;
   char text[160];
-  std::snprintf(text, sizeof text, "shape/%d/%d/%.4g/%.4g/%.4g/%.3g/%.3g", static_cast<int>(d.shape), agent_body ? 1 : 0,
-                d.size.x, d.size.y, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
+  std::snprintf(text, sizeof text, "shape/%d/%d/%.4g/%.4g/%.4g/%.3g/%.3g", static_cast<int>(d.shape),
+                agent_body ? 1 : 0, d.size.x, d.size.y, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
   return text;
 }
 
@@ -27,10 +27,14 @@ MeshData Build(const DrawableSnapshot& d, bool agent_body, bool& is_stand_in) {
                      {.repeats_u = d.texture_repeats.x, .repeats_v = d.texture_repeats.y});
     case ShapeKind::kCapsule:
       return agent_body ? AgentMesh(d.size.x, d.size.y) : CapsuleMesh(d.size.x, d.size.y);
-    case ShapeKind::kCylinder: return CylinderMesh(d.size.x, d.size.y);
-    case ShapeKind::kPlane: return PlaneMesh(d.size.x, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
-    case ShapeKind::kSphere: return SphereMesh(d.size.x);
-    case ShapeKind::kMesh: break;
+    case ShapeKind::kCylinder:
+      return CylinderMesh(d.size.x, d.size.y);
+    case ShapeKind::kPlane:
+      return PlaneMesh(d.size.x, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
+    case ShapeKind::kSphere:
+      return SphereMesh(d.size.x);
+    case ShapeKind::kMesh:
+      break;
   }
   if (auto modular = ModularMesh(d.mesh)) return *modular;
   is_stand_in = true;
@@ -44,7 +48,9 @@ Ogre::MeshPtr Upload(const std::string& name, const MeshData& data) {
     float position[3], normal[3], uv[2];
     std::uint8_t paint[4];
   };
-  const auto byte = [](float value) { return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f); };
+  const auto byte = [](float value) {
+    return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f);
+  };
   std::vector<GpuVertex> vertices;
   vertices.reserve(data.vertices.size());
   for (const MeshVertex& v : data.vertices) {
@@ -65,7 +71,8 @@ Ogre::MeshPtr Upload(const std::string& name, const MeshData& data) {
   layout->addElement(0, offsetof(GpuVertex, uv), Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES);
   layout->addElement(0, offsetof(GpuVertex, paint), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
   auto& buffers = Ogre::HardwareBufferManager::getSingleton();
-  auto vertex_buffer = buffers.createVertexBuffer(sizeof(GpuVertex), vertices.size(), Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
+  auto vertex_buffer =
+      buffers.createVertexBuffer(sizeof(GpuVertex), vertices.size(), Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
   vertex_buffer->writeData(0, vertex_buffer->getSizeInBytes(), vertices.data(), true);
   part->vertexData->vertexBufferBinding->setBinding(0, vertex_buffer);
   auto index_buffer = buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, data.indices.size(),

@@ -13,8 +13,8 @@ class MeshLibrary {
  public:
   struct Found {
     Ogre::MeshPtr mesh;
-    std::string material;     ///< Its own, for drawables that name none.
-    bool is_stand_in = false; ///< The resource name is unknown; this is a box that says so.
+    std::string material;      ///< Its own, for drawables that name none.
+    bool is_stand_in = false;  ///< The resource name is unknown; this is a box that says so.
   };
 
   /// The mesh of a drawable; `agent_body` gives a capsule the look of an agent.

@@ -10,9 +10,13 @@ namespace {
 
 using world::Vec3;
 
-bool Has(std::string_view name, std::string_view part) { return name.find(part) != std::string_view::npos; }
+bool Has(std::string_view name, std::string_view part) {
+  return name.find(part) != std::string_view::npos;
+}
 
-MeshData Box(Vec3 min, Vec3 max) { return BoxMesh(min, max, {.chamfer_m = 0.02f, .metric_uv = true}); }
+MeshData Box(Vec3 min, Vec3 max) {
+  return BoxMesh(min, max, {.chamfer_m = 0.02f, .metric_uv = true});
+}
 
 void Paint(MeshData& mesh, float tint, float light, float gloss) {
   for (MeshVertex& vertex : mesh.vertices) {
@@ -30,7 +34,9 @@ struct Opening {
 /// A wall with openings beside each other, left to right: sills, lintels and posts around them, glass or a door within.
 MeshData WallWith(Vec3 min, Vec3 max, const std::vector<Opening>& openings, bool glass) {
   const Vec3 size = max - min;
-  const auto at = [&](float x, float y, float z) { return Vec3{min.x + x * size.x, min.y + y * size.y, min.z + z * size.z}; };
+  const auto at = [&](float x, float y, float z) {
+    return Vec3{min.x + x * size.x, min.y + y * size.y, min.z + z * size.z};
+  };
   MeshData mesh;
   float left = 0;
   for (const Opening& hole : openings) {
@@ -99,8 +105,10 @@ MeshData Build(const ModularPiece& piece) {
   if (Has(name, "pillar")) return Pillar(min, max);
   if (Has(name, "cooling")) return Ribbed(min, max, 6);
   if (Has(name, "hangar")) return Ribbed(min, max, 8);
-  if (Has(name, "small_double_window")) return WallWith(min, max, {{0.14f, 0.44f, 0.5f, 0.8f}, {0.56f, 0.86f, 0.5f, 0.8f}}, true);
-  if (Has(name, "double_window")) return WallWith(min, max, {{0.1f, 0.45f, 0.3f, 0.82f}, {0.55f, 0.9f, 0.3f, 0.82f}}, true);
+  if (Has(name, "small_double_window"))
+    return WallWith(min, max, {{0.14f, 0.44f, 0.5f, 0.8f}, {0.56f, 0.86f, 0.5f, 0.8f}}, true);
+  if (Has(name, "double_window"))
+    return WallWith(min, max, {{0.1f, 0.45f, 0.3f, 0.82f}, {0.55f, 0.9f, 0.3f, 0.82f}}, true);
   if (Has(name, "small_window")) return WallWith(min, max, {{0.3f, 0.7f, 0.5f, 0.8f}}, true);
   if (Has(name, "window")) return WallWith(min, max, {{0.22f, 0.78f, 0.3f, 0.82f}}, true);
   if (Has(name, "door")) return WallWith(min, max, {{0.3f, 0.7f, 0.0f, 0.8f}}, false);
@@ -155,7 +163,8 @@ std::optional<MeshData> ModularMesh(std::string_view resource_name) {
   resource_name.remove_prefix(kFolder.size());
   resource_name.remove_suffix(kSuffix.size());
   const auto& pieces = ModularPieces();
-  const auto found = std::find_if(pieces.begin(), pieces.end(), [&](const ModularPiece& p) { return p.name == resource_name; });
+  const auto found =
+      std::find_if(pieces.begin(), pieces.end(), [&](const ModularPiece& p) { return p.name == resource_name; });
   if (found == pieces.end()) return std::nullopt;
   MeshData mesh = Build(*found);
   const bool metal = Has(found->name, "cooling") || Has(found->name, "hangar");

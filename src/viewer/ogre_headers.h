@@ -6,8 +6,8 @@
 #include <OgreGpuProgramManager.h>
 #include <OgreHardwareBufferManager.h>
 #include <OgreHighLevelGpuProgramManager.h>
-#include <OgreLodStrategy.h>
 #include <OgreImGuiOverlay.h>
+#include <OgreLodStrategy.h>
 #include <OgreOverlayManager.h>
 #include <OgreOverlaySystem.h>
 #include <OgreShadowCameraSetup.h>
@@ -19,9 +19,15 @@
 
 namespace soarbox::viewer {
 
-inline Ogre::Vector3 ToOgre(world::Vec3 v) { return {v.x, v.y, v.z}; }
-inline Ogre::Quaternion ToOgre(world::Quat q) { return {q.w, q.x, q.y, q.z}; }
-inline world::Vec3 FromOgre(const Ogre::Vector3& v) { return {v.x, v.y, v.z}; }
+inline Ogre::Vector3 ToOgre(world::Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+inline Ogre::Quaternion ToOgre(world::Quat q) {
+  return {q.w, q.x, q.y, q.z};
+}
+inline world::Vec3 FromOgre(const Ogre::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
 
 /// The one resource group that everything of ours lives in.
 inline const char* const kGroup = "General";

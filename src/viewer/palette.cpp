@@ -66,7 +66,8 @@ const std::vector<NamedLook>& Looks() {
 
 bool FindLook(std::string_view name, Look& look) {
   const auto& looks = Looks();
-  const auto found = std::find_if(looks.begin(), looks.end(), [&](const NamedLook& named) { return named.name == name; });
+  const auto found =
+      std::find_if(looks.begin(), looks.end(), [&](const NamedLook& named) { return named.name == name; });
   if (found == looks.end()) return false;
   look = found->look;
   return true;
@@ -87,8 +88,8 @@ world::Color AgentColor(std::string_view kind) {
 }
 
 bool IsAgentColorMaterial(std::string_view material) {
-  constexpr std::string_view kJustSomeTexture[] = {"",      "Ground",        "Ground2", "White", "NobiaxModular",
-                                                   "base_material", "base_animated_material"};
+  constexpr std::string_view kJustSomeTexture[] = {
+      "", "Ground", "Ground2", "White", "NobiaxModular", "base_material", "base_animated_material"};
   return std::find(std::begin(kJustSomeTexture), std::end(kJustSomeTexture), material) == std::end(kJustSomeTexture);
 }
 

@@ -15,9 +15,9 @@ struct Look {
   world::Color base{0.86f, 0.86f, 0.86f, 1};  ///< Alpha below 1: see-through.
   world::Color trim{0.05f, 0.06f, 0.08f, 1};  ///< Of visors, glass and doors.
   float gloss = 0.25f;
-  float glow = 0;                             ///< Light of its own.
+  float glow = 0;  ///< Light of its own.
   Paint paint = Paint::kPlain;
-  float repeats = 1;                          ///< Of the paint per unit of uv.
+  float repeats = 1;  ///< Of the paint per unit of uv.
 };
 
 /// The look of a material name that scripts use ("Ground2", "Red", ...); false if we know no such name.

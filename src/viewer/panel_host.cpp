@@ -59,7 +59,9 @@ PanelHost::PanelHost(Materials& materials) : overlay_(new Ogre::ImGuiOverlay()) 
   materials.AdoptPanelMaterial(Ogre::MaterialManager::getSingleton().getByName("ImGui/material", Ogre::RGN_INTERNAL));
 }
 
-PanelHost::~PanelHost() { Ogre::OverlayManager::getSingleton().destroy(overlay_); }
+PanelHost::~PanelHost() {
+  Ogre::OverlayManager::getSingleton().destroy(overlay_);
+}
 
 void PanelHost::LoadFonts() {
   using world::UiFont;
@@ -81,6 +83,8 @@ void PanelHost::BeginFrame(int width, int height, float seconds) {
   ImGui::NewFrame();
 }
 
-void PanelHost::EndFrame() { ImGui::EndFrame(); }
+void PanelHost::EndFrame() {
+  ImGui::EndFrame();
+}
 
 }  // namespace soarbox::viewer

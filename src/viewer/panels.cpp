@@ -10,10 +10,13 @@ namespace soarbox::viewer {
 namespace {
 
 constexpr float kBarHeight = 26;
-constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kText = IM_COL32(236, 241, 246, 255), kQuiet = IM_COL32(152, 166, 180, 255),
-                kGo = IM_COL32(96, 208, 132, 255), kHold = IM_COL32(247, 190, 82, 255);
+constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kText = IM_COL32(236, 241, 246, 255),
+                kQuiet = IM_COL32(152, 166, 180, 255), kGo = IM_COL32(96, 208, 132, 255),
+                kHold = IM_COL32(247, 190, 82, 255);
 
-ImU32 Packed(world::Color c, float alpha = 1) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a * alpha}); }
+ImU32 Packed(world::Color c, float alpha = 1) {
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a * alpha});
+}
 
 /// Writes one word after the other along the bar.
 class BarWriter {
@@ -54,7 +57,8 @@ void Row(const char* label, const std::string& value) {
 
 /// From red through amber to green.
 world::Color HealthColor(float share) {
-  return share < 0.5f ? world::Color{0.90f, 0.22f + 1.0f * share, 0.18f, 1} : world::Color{0.90f - 1.2f * (share - 0.5f), 0.72f, 0.22f, 1};
+  return share < 0.5f ? world::Color{0.90f, 0.22f + 1.0f * share, 0.18f, 1}
+                      : world::Color{0.90f - 1.2f * (share - 0.5f), 0.72f, 0.22f, 1};
 }
 
 std::string LabelText(const world::AgentSnapshot& agent) {
@@ -73,7 +77,8 @@ void RimmedText(ImDrawList& out, ImFont* font, ImVec2 at, ImU32 color, const cha
 
 }  // namespace
 
-void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene, float frames_per_second) {
+void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene,
+                   float frames_per_second) {
   ImDrawList& out = *ImGui::GetForegroundDrawList();
   const float width = ImGui::GetIO().DisplaySize.x;
   out.AddRectFilled({0, 0}, {width, kBarHeight}, kBarColor);
@@ -92,8 +97,10 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
   bar.Pair("tick", std::to_string(scene.tick));
   bar.Pair("speed", Text("%.4g\xc3\x97", status.speed));
   bar.Pair("agents", std::to_string(scene.agents.size()));
-  const auto failed = std::count_if(scene.agents.begin(), scene.agents.end(), [](const auto& agent) { return agent.failed; });
-  if (failed > 0) bar.Word(Text("%d stopped by an error", static_cast<int>(failed)), IM_COL32(255, 120, 104, 255), true);
+  const auto failed =
+      std::count_if(scene.agents.begin(), scene.agents.end(), [](const auto& agent) { return agent.failed; });
+  if (failed > 0)
+    bar.Word(Text("%d stopped by an error", static_cast<int>(failed)), IM_COL32(255, 120, 104, 255), true);
   if (!status.message.empty()) bar.Word(status.message, kQuiet);
 
   const std::string rate = frames_per_second > 0 ? Text("%.0f fps     ", static_cast<double>(frames_per_second)) : "";
@@ -127,7 +134,8 @@ void DrawKeyHelp(const PanelHost& host) {
                            {"Space, F1 to F7, ...", "as the scenario says"}};
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::Begin("##keys", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+  ImGui::Begin("##keys", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
   ImGui::PushFont(host.bold_font());
   ImGui::TextUnformatted("Keys");
   ImGui::PopFont();
@@ -155,7 +163,8 @@ void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, boo
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({16, size.y - 16}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({250, 0}, {420, size.y});
-  ImGui::Begin("##agent", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+  ImGui::Begin("##agent", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddCircleFilled({cursor.x + 6, cursor.y + 8}, 6, Packed(AgentColor(agent.kind)), 20);
   ImGui::Dummy({14, 14});
@@ -169,7 +178,8 @@ void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, boo
   if (ImGui::BeginTable("##facts", 2, ImGuiTableFlags_SizingFixedFit)) {
     Row("script", agent.script.empty() ? "none" : agent.script);
     const auto& p = agent.position;
-    Row("position", Text("%.1f, %.1f, %.1f m", static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)));
+    Row("position",
+        Text("%.1f, %.1f, %.1f m", static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)));
     Row("speed", Text("%.2f m/s", static_cast<double>(world::Length({agent.velocity.x, 0, agent.velocity.z}))));
     Row("last command", agent.last_command.empty() ? "none" : agent.last_command);
     ImGui::TableNextRow();
@@ -181,16 +191,18 @@ void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, boo
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImVec4(color.r, color.g, color.b, 1));
     ImGui::ProgressBar(share, {120, 14}, Text("%.0f", static_cast<double>(agent.health)).c_str());
     ImGui::PopStyleColor();
-    if (agent.failed) Row("state", "its script stopped on an error");
-    else if (!agent.alive) Row("state", "dead");
+    if (agent.failed)
+      Row("state", "its script stopped on an error");
+    else if (!agent.alive)
+      Row("state", "dead");
     ImGui::EndTable();
   }
   ImGui::TextDisabled(followed ? "C: stop following" : "C: follow");
   ImGui::End();
 }
 
-void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents, const world::CameraSnapshot& camera,
-                     const Projection& projection, std::uint32_t selected) {
+void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents,
+                     const world::CameraSnapshot& camera, const Projection& projection, std::uint32_t selected) {
   constexpr std::size_t kMostLabels = 60;
   constexpr float kFadeFrom_m = 50, kGone_m = 90;
   struct Label {
@@ -214,7 +226,8 @@ void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapsh
     candidates.push_back(std::move(label));
   }
   // Near ones first: a label gives way to nearer ones. Equal distances keep the agents' order.
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Label& a, const Label& b) { return a.distance < b.distance; });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Label& a, const Label& b) { return a.distance < b.distance; });
   std::vector<const Label*> shown;
   for (const Label& label : candidates) {
     const bool covered = std::any_of(shown.begin(), shown.end(), [&](const Label* near) {
@@ -235,7 +248,8 @@ void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapsh
     if (agent.health > 99.5f || !agent.alive) continue;
     const float middle = (label->corner.x + label->end.x) / 2, half = 20, y = label->end.y + 2;
     const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
-    out.AddRectFilled({middle - half - 1, y - 1}, {middle + half + 1, y + 5}, IM_COL32(8, 12, 18, static_cast<int>(190 * alpha)));
+    out.AddRectFilled({middle - half - 1, y - 1}, {middle + half + 1, y + 5},
+                      IM_COL32(8, 12, 18, static_cast<int>(190 * alpha)));
     out.AddRectFilled({middle - half, y}, {middle - half + 2 * half * share, y + 4}, Packed(HealthColor(share), alpha));
   }
 }

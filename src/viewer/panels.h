@@ -10,7 +10,8 @@ namespace soarbox::viewer {
 /// The window's own panels, drawn anew each frame.
 
 /// A slim bar along the top: running or paused, time, tick, speed, agents, frames per second (0: not shown).
-void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene, float frames_per_second);
+void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene,
+                   float frames_per_second);
 
 /// The list of keys, in the middle of the window.
 void DrawKeyHelp(const PanelHost& host);
@@ -19,7 +20,7 @@ void DrawKeyHelp(const PanelHost& host);
 void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed);
 
 /// The names of agents above their heads. Names give way to those of nearer agents; the selected one is always there.
-void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents, const world::CameraSnapshot& camera,
-                     const Projection& projection, std::uint32_t selected);
+void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents,
+                     const world::CameraSnapshot& camera, const Projection& projection, std::uint32_t selected);
 
 }  // namespace soarbox::viewer

@@ -26,7 +26,8 @@ void AddSparks(const world::ParticleSnapshot& burst, float age_s, std::vector<wo
     const auto random = [&](int n) { return LatticeValue(static_cast<int>(burst.id), i, n, 4711) * 2 - 1; };
     const Vec3 velocity = (out + Vec3{random(0), random(1), random(2)} * 0.8f) * (1.6f + 1.1f * random(3));
     const auto place = [&](float t) { return burst.position + velocity * t + Vec3{0, kFall * t * t / 2, 0}; };
-    lines.push_back({place(std::max(0.0f, age_s - kTail_s)), place(age_s + 0.01f), {1.0f, 0.75f + 0.2f * random(4), 0.35f, fade}});
+    lines.push_back(
+        {place(std::max(0.0f, age_s - kTail_s)), place(age_s + 0.01f), {1.0f, 0.75f + 0.2f * random(4), 0.35f, fade}});
   }
 }
 
@@ -44,8 +45,10 @@ void ParticleLines::AddLines(const world::SceneSnapshot& scene, std::vector<worl
     start.seen = calls_;
     if (!particle.visible) continue;
     const auto age_s = static_cast<float>(scene.time_s - start.time_s);
-    if (particle.effect == "Bullet") AddStreak(particle, lines);
-    else if (particle.effect == "BulletImpact" && age_s < kBurst_s) AddSparks(particle, age_s, lines);
+    if (particle.effect == "Bullet")
+      AddStreak(particle, lines);
+    else if (particle.effect == "BulletImpact" && age_s < kBurst_s)
+      AddSparks(particle, age_s, lines);
   }
   std::erase_if(starts_, [this](const auto& entry) { return entry.second.seen != calls_; });
 }

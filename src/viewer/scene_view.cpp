@@ -55,7 +55,8 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
   }
 }
 
-void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const world::AgentSnapshot* agent, bool agent_body) {
+void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const world::AgentSnapshot* agent,
+                      bool agent_body) {
   const MeshLibrary::Found& mesh = meshes_.For(drawable, agent_body);
   if (mesh.is_stand_in) WarnOnce("mesh", drawable.mesh, "a box with magenta squares stands in for it");
   if (thing.entity == nullptr || thing.mesh_name != mesh.mesh->getName()) {
@@ -70,7 +71,8 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
 
   const bool own_color = agent_body && !IsAgentColorMaterial(drawable.material);
   // "NobiaxModular" is what the pieces of the kit wear anyway.
-  const bool from_mesh = drawable.material.empty() || (drawable.shape == ShapeKind::kMesh && drawable.material == "NobiaxModular");
+  const bool from_mesh =
+      drawable.material.empty() || (drawable.shape == ShapeKind::kMesh && drawable.material == "NobiaxModular");
   const std::string& name = own_color ? agent->kind : from_mesh ? mesh.material : drawable.material;
   std::string wanted = name;
   if (own_color) wanted += agent->alive ? (agent->failed ? "/2" : "/1") : "/0";

@@ -17,9 +17,13 @@ constexpr float kMetresPerPixel = 0.005f;
 /// ImGui counts the corners of a frame's letters in 16 bits; what exceeds this is left out.
 constexpr std::size_t kMostCorners = 60000;
 
-ImU32 Packed(Color c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a}); }
+ImU32 Packed(Color c) {
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
+}
 
-Color Middle(Color a, Color b) { return {(a.r + b.r) / 2, (a.g + b.g) / 2, (a.b + b.b) / 2, (a.a + b.a) / 2}; }
+Color Middle(Color a, Color b) {
+  return {(a.r + b.r) / 2, (a.g + b.g) / 2, (a.b + b.b) / 2, (a.a + b.a) / 2};
+}
 
 /// The part of a box that text may use.
 struct TextArea {
@@ -101,7 +105,8 @@ std::vector<TextLine> PlainLines(const std::string& text, world::UiFont font) {
   return lines;
 }
 
-void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world::SceneSnapshot& snapshot, const PanelHost& host) {
+void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world::SceneSnapshot& snapshot,
+               const PanelHost& host) {
   DrawBackground(out, ui, corner);
   const TextArea area{corner.x + ui.margin_left, corner.y + ui.margin_top, corner.x + ui.width - ui.margin_left,
                       corner.y + ui.height - ui.margin_top};
@@ -144,7 +149,8 @@ void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projec
     by_id[ui.id] = &ui;
     order.push_back(&ui);
   }
-  std::stable_sort(order.begin(), order.end(), [](const UiSnapshot* a, const UiSnapshot* b) { return a->layer < b->layer; });
+  std::stable_sort(order.begin(), order.end(),
+                   [](const UiSnapshot* a, const UiSnapshot* b) { return a->layer < b->layer; });
   ImDrawList& out = *ImGui::GetBackgroundDrawList();
   for (const UiSnapshot* ui : order) {
     if (!ui->visible || static_cast<std::size_t>(out.VtxBuffer.Size) > kMostCorners) continue;

@@ -62,20 +62,20 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
     const char* name;
     Ogre::GpuProgramType type;
   };
-  constexpr File kFiles[] = {
-      {"surface.vert", Ogre::GPT_VERTEX_PROGRAM}, {"surface.frag", Ogre::GPT_FRAGMENT_PROGRAM},
-      {"ground.frag", Ogre::GPT_FRAGMENT_PROGRAM}, {"shadow.vert", Ogre::GPT_VERTEX_PROGRAM},
-      {"shadow.frag", Ogre::GPT_FRAGMENT_PROGRAM}, {"sky.vert", Ogre::GPT_VERTEX_PROGRAM},
-      {"sky.frag", Ogre::GPT_FRAGMENT_PROGRAM},    {"line.vert", Ogre::GPT_VERTEX_PROGRAM},
-      {"line.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"panel.vert", Ogre::GPT_VERTEX_PROGRAM},
-      {"panel.frag", Ogre::GPT_FRAGMENT_PROGRAM},
-      {"fill.vert", Ogre::GPT_VERTEX_PROGRAM},     {"fill.frag", Ogre::GPT_FRAGMENT_PROGRAM}};
+  constexpr File kFiles[] = {{"surface.vert", Ogre::GPT_VERTEX_PROGRAM},  {"surface.frag", Ogre::GPT_FRAGMENT_PROGRAM},
+                             {"ground.frag", Ogre::GPT_FRAGMENT_PROGRAM}, {"shadow.vert", Ogre::GPT_VERTEX_PROGRAM},
+                             {"shadow.frag", Ogre::GPT_FRAGMENT_PROGRAM}, {"sky.vert", Ogre::GPT_VERTEX_PROGRAM},
+                             {"sky.frag", Ogre::GPT_FRAGMENT_PROGRAM},    {"line.vert", Ogre::GPT_VERTEX_PROGRAM},
+                             {"line.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"panel.vert", Ogre::GPT_VERTEX_PROGRAM},
+                             {"panel.frag", Ogre::GPT_FRAGMENT_PROGRAM},  {"fill.vert", Ogre::GPT_VERTEX_PROGRAM},
+                             {"fill.frag", Ogre::GPT_FRAGMENT_PROGRAM}};
 
   Shaders shaders;
   for (const File& file : kFiles) {
     fs::path missing;
     std::string source = ReadShader(folder / file.name, missing);
-    if (low_detail && missing.empty()) source.insert(source.find('\n', source.find("#version")) + 1, "#define LOW_DETAIL 1\n");
+    if (low_detail && missing.empty())
+      source.insert(source.find('\n', source.find("#version")) + 1, "#define LOW_DETAIL 1\n");
     if (!missing.empty()) {
       Diagnostic error;
       error.file = missing.string();

@@ -14,7 +14,9 @@ using world::Vec3;
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kSegments = 28;
 
-float Sane(float size) { return std::isfinite(size) && size > 0 ? size : 0.0f; }
+float Sane(float size) {
+  return std::isfinite(size) && size > 0 ? size : 0.0f;
+}
 
 /// One ring of a body of revolution.
 struct Ring {
@@ -80,18 +82,20 @@ float RadiusAt(const std::vector<Ring>& profile, float y) {
 }
 
 /// A raised patch on the front (+z) of the profile, with the outline of a superellipse; its border sinks into the body.
-MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, float half_angle, float radius,
-               int columns, int rows) {
+MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, float half_angle, float radius, int columns,
+               int rows) {
   const auto point = [&](float a, float b) {
     const float y = (low_y + high_y) / 2 + (high_y - low_y) / 2 * b;
     const float inside = 1 - std::pow(std::abs(a), 4.0f) - std::pow(std::abs(b), 4.0f);
-    const float r = RadiusAt(profile, y) + radius * (inside > 0 ? 0.075f * std::sqrt(inside) : -0.10f * std::min(1.0f, -inside));
+    const float r =
+        RadiusAt(profile, y) + radius * (inside > 0 ? 0.075f * std::sqrt(inside) : -0.10f * std::min(1.0f, -inside));
     return Vec3{r * std::sin(a * half_angle), y, r * std::cos(a * half_angle)};
   };
   MeshData mesh;
   for (int row = 0; row <= rows; ++row) {
     for (int column = 0; column <= columns; ++column) {
-      const float a = 2.0f * static_cast<float>(column) / static_cast<float>(columns) - 1, b = 2.0f * static_cast<float>(row) / static_cast<float>(rows) - 1;
+      const float a = 2.0f * static_cast<float>(column) / static_cast<float>(columns) - 1,
+                  b = 2.0f * static_cast<float>(row) / static_cast<float>(rows) - 1;
       MeshVertex vertex;
       vertex.position = point(a, b);
       const Vec3 across = point(a + 0.02f, b) - point(a - 0.02f, b), up = point(a, b + 0.02f) - point(a, b - 0.02f);
@@ -151,8 +155,10 @@ MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
       }
       const auto a = index(axis, high, false, false), b = index(axis, high, true, false);
       const auto c = index(axis, high, true, true), d = index(axis, high, false, true);
-      if (high) mesh.AddQuad(a, b, c, d);
-      else mesh.AddQuad(a, d, c, b);
+      if (high)
+        mesh.AddQuad(a, b, c, d);
+      else
+        mesh.AddQuad(a, d, c, b);
     }
   }
   if (chamfer <= 0) return mesh;
@@ -165,8 +171,10 @@ MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
         // Face n sees u as its first coordinate and v as its second; face u sees v first and n second.
         const auto a = index(n, high_n, high_u, false), b = index(n, high_n, high_u, true);
         const auto c = index(u, high_u, true, high_n), d = index(u, high_u, false, high_n);
-        if (high_n == high_u) mesh.AddQuad(a, d, c, b);
-        else mesh.AddQuad(a, b, c, d);
+        if (high_n == high_u)
+          mesh.AddQuad(a, d, c, b);
+        else
+          mesh.AddQuad(a, b, c, d);
       }
     }
   }
@@ -175,8 +183,10 @@ MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
     for (const bool y : {false, true}) {
       for (const bool z : {false, true}) {
         const auto a = index(0, x, y, z), b = index(1, y, z, x), c = index(2, z, x, y);
-        if (x ^ y ^ z) mesh.AddTriangle(a, b, c);
-        else mesh.AddTriangle(a, c, b);
+        if (x ^ y ^ z)
+          mesh.AddTriangle(a, b, c);
+        else
+          mesh.AddTriangle(a, c, b);
       }
     }
   }

@@ -25,12 +25,18 @@ float Smooth(float low, float high, float value) {
 /// The direction that a pixel of a cube map's face shows. Cube maps are left-handed; shaders mirror z.
 Vec3 FaceDirection(int face, float s, float t) {
   switch (face) {
-    case 0: return {1, -t, -s};
-    case 1: return {-1, -t, s};
-    case 2: return {s, 1, t};
-    case 3: return {s, -1, -t};
-    case 4: return {s, -t, 1};
-    default: return {-s, -t, -1};
+    case 0:
+      return {1, -t, -s};
+    case 1:
+      return {-1, -t, s};
+    case 2:
+      return {s, 1, t};
+    case 3:
+      return {s, -1, -t};
+    case 4:
+      return {s, -t, 1};
+    default:
+      return {-s, -t, -1};
   }
 }
 
@@ -66,7 +72,8 @@ Tone Below(const SkyStyle& style, Vec3 d) {
   const float calm = Smooth(0.01f, 0.25f, depth);
   const float mirror = std::pow(1 - depth, 6.0f);
   const Tone reflected = Mix(style.horizon, style.zenith, std::clamp(0.25f + depth + 0.5f * swell, 0.0f, 1.0f));
-  Tone sea = Mix(style.water, reflected, std::clamp(0.12f + 0.75f * mirror + (0.35f * swell + 0.25f * ripple) * calm, 0.0f, 1.0f));
+  Tone sea = Mix(style.water, reflected,
+                 std::clamp(0.12f + 0.75f * mirror + (0.35f * swell + 0.25f * ripple) * calm, 0.0f, 1.0f));
   return Mix(style.horizon, sea, Smooth(0.0f, 0.045f, depth));
 }
 

@@ -13,15 +13,45 @@ const std::vector<NamedSky>& Skies() {
   static const std::vector<NamedSky> skies{
       {"ThickCloudsWater", {}},
       {"CloudyLightRays",
-       {{0.30f, 0.45f, 0.66f}, {0.88f, 0.86f, 0.80f}, {1.0f, 0.97f, 0.90f}, {0.50f, 0.54f, 0.60f}, {0.14f, 0.27f, 0.32f}, 0.68f, 0}},
+       {{0.30f, 0.45f, 0.66f},
+        {0.88f, 0.86f, 0.80f},
+        {1.0f, 0.97f, 0.90f},
+        {0.50f, 0.54f, 0.60f},
+        {0.14f, 0.27f, 0.32f},
+        0.68f,
+        0}},
       {"TropicalSunnyDay",
-       {{0.10f, 0.40f, 0.80f}, {0.72f, 0.88f, 0.95f}, {1, 1, 1}, {0.78f, 0.84f, 0.90f}, {0.02f, 0.46f, 0.52f}, 0.27f, 0}},
+       {{0.10f, 0.40f, 0.80f},
+        {0.72f, 0.88f, 0.95f},
+        {1, 1, 1},
+        {0.78f, 0.84f, 0.90f},
+        {0.02f, 0.46f, 0.52f},
+        0.27f,
+        0}},
       {"SunSet",
-       {{0.20f, 0.22f, 0.44f}, {0.98f, 0.60f, 0.34f}, {1.0f, 0.72f, 0.50f}, {0.38f, 0.26f, 0.36f}, {0.22f, 0.16f, 0.22f}, 0.46f, 0}},
+       {{0.20f, 0.22f, 0.44f},
+        {0.98f, 0.60f, 0.34f},
+        {1.0f, 0.72f, 0.50f},
+        {0.38f, 0.26f, 0.36f},
+        {0.22f, 0.16f, 0.22f},
+        0.46f,
+        0}},
       {"DarkStormy",
-       {{0.18f, 0.21f, 0.26f}, {0.44f, 0.47f, 0.50f}, {0.58f, 0.60f, 0.62f}, {0.20f, 0.22f, 0.26f}, {0.07f, 0.12f, 0.15f}, 0.85f, 0}},
+       {{0.18f, 0.21f, 0.26f},
+        {0.44f, 0.47f, 0.50f},
+        {0.58f, 0.60f, 0.62f},
+        {0.20f, 0.22f, 0.26f},
+        {0.07f, 0.12f, 0.15f},
+        0.85f,
+        0}},
       {"FullMoon",
-       {{0.02f, 0.03f, 0.09f}, {0.12f, 0.16f, 0.26f}, {0.30f, 0.34f, 0.44f}, {0.08f, 0.10f, 0.16f}, {0.02f, 0.05f, 0.09f}, 0.34f, 1}},
+       {{0.02f, 0.03f, 0.09f},
+        {0.12f, 0.16f, 0.26f},
+        {0.30f, 0.34f, 0.44f},
+        {0.08f, 0.10f, 0.16f},
+        {0.02f, 0.05f, 0.09f},
+        0.34f,
+        1}},
   };
   return skies;
 }
@@ -39,7 +69,8 @@ SkyView::SkyView(Ogre::SceneManager& scene, Materials& materials) : materials_(m
   Ogre::ManualObject* box = scene.createManualObject("Soarbox/SkyBox");
   materials_.SkyMaterial();
   box->begin("Soarbox/Sky", Ogre::RenderOperation::OT_TRIANGLE_LIST, kGroup);
-  for (int i = 0; i < 8; ++i) box->position((i & 1) != 0 ? 50.f : -50.f, (i & 2) != 0 ? 50.f : -50.f, (i & 4) != 0 ? 50.f : -50.f);
+  for (int i = 0; i < 8; ++i)
+    box->position((i & 1) != 0 ? 50.f : -50.f, (i & 2) != 0 ? 50.f : -50.f, (i & 4) != 0 ? 50.f : -50.f);
   box->quad(0, 2, 3, 1);
   box->quad(4, 5, 7, 6);
   box->quad(0, 1, 5, 4);

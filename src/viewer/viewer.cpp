@@ -173,8 +173,10 @@ void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   camera.Update(in.camera, seconds);
   if (in.camera.forward != 0 || in.camera.left != 0 || in.camera.up != 0) follows = false;
   const world::AgentSnapshot* agent = follows ? Selected() : nullptr;
-  if (agent != nullptr) camera.Follow(agent->position + world::Vec3{0, 0.3f, 0});
-  else camera.StopFollowing();
+  if (agent != nullptr)
+    camera.Follow(agent->position + world::Vec3{0, 0.3f, 0});
+  else
+    camera.StopFollowing();
 }
 
 void Viewer::Impl::PlaceCamera() {
@@ -249,7 +251,9 @@ void Viewer::Show(const world::SceneSnapshot& newest, const world::SceneSnapshot
   }
 }
 
-void Viewer::SetStatus(const RunStatus& status) { impl_->status = status; }
+void Viewer::SetStatus(const RunStatus& status) {
+  impl_->status = status;
+}
 
 bool Viewer::RenderFrame() {
   if (impl_->failed) return false;
@@ -261,13 +265,27 @@ bool Viewer::RenderFrame() {
   }
 }
 
-std::vector<InputEvent> Viewer::TakeEvents() { return std::exchange(impl_->events, {}); }
-std::vector<ViewerCommand> Viewer::TakeCommands() { return std::exchange(impl_->commands, {}); }
-world::CameraSnapshot Viewer::Camera() const { return impl_->camera.pose(); }
-int Viewer::width() const { return impl_->engine->width(); }
-int Viewer::height() const { return impl_->engine->height(); }
-void Viewer::SelectAgent(std::uint32_t agent_id) { impl_->selected = agent_id; }
-std::uint32_t Viewer::selected_agent() const { return impl_->selected; }
+std::vector<InputEvent> Viewer::TakeEvents() {
+  return std::exchange(impl_->events, {});
+}
+std::vector<ViewerCommand> Viewer::TakeCommands() {
+  return std::exchange(impl_->commands, {});
+}
+world::CameraSnapshot Viewer::Camera() const {
+  return impl_->camera.pose();
+}
+int Viewer::width() const {
+  return impl_->engine->width();
+}
+int Viewer::height() const {
+  return impl_->engine->height();
+}
+void Viewer::SelectAgent(std::uint32_t agent_id) {
+  impl_->selected = agent_id;
+}
+std::uint32_t Viewer::selected_agent() const {
+  return impl_->selected;
+}
 
 Result<void> Viewer::SaveScreenshot(const fs::path& path) {
   Diagnostic failure;

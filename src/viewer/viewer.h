@@ -26,13 +26,13 @@ struct ViewerOptions {
   std::string title = "Soarbox";
   std::filesystem::path media_dir = {};  ///< Holds `shaders/`; empty: ../share/soarbox/media beside the
                                          ///< program, or where the build had it.
-  bool hidden = false;              ///< Draws without a visible window (it still needs a display), for pictures.
+  bool hidden = false;                   ///< Draws without a visible window (it still needs a display), for pictures.
   Detail detail = Detail::kAuto;
   bool vsync = true;
-  bool show_labels = true;          ///< Names above agents at the start (L toggles).
-  bool show_help = false;           ///< The list of keys at the start (H toggles).
+  bool show_labels = true;  ///< Names above agents at the start (L toggles).
+  bool show_help = false;   ///< The list of keys at the start (H toggles).
   bool show_status_bar = true;
-  std::string log_file = {};             ///< The renderer's log; empty: none is written.
+  std::string log_file = {};  ///< The renderer's log; empty: none is written.
   /// Hears of what is missing and had to be replaced, once per name, and of a renderer that fails.
   std::function<void(const Diagnostic&)> on_diagnostic = {};
 };
@@ -40,8 +40,8 @@ struct ViewerOptions {
 /// What the status bar says about the run; the application owns the clock.
 struct RunStatus {
   bool paused = false;
-  double speed = 1;      ///< Simulated seconds per second that the user asked for.
-  std::string message;   ///< A short remark, "recording to run.rec"; may be empty.
+  double speed = 1;     ///< Simulated seconds per second that the user asked for.
+  std::string message;  ///< A short remark, "recording to run.rec"; may be empty.
 };
 
 /// The window: it shows the newest snapshot of a world and reports what the user does.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 /// A developer's tool: shows a hand-made, moving scene in the window, without a world behind it.
 ///
-///   viewer_demo [--screenshot FILE] [--at SECONDS] [--agents N] [--view NUMBER] [--hidden] [--help-panel]
+///   viewer_demo [--screenshot FILE] [--at SECONDS] [--agents N] [--view NUMBER] [--sky NAME] ...
 
 #include <cmath>
 #include <cstdio>
@@ -20,7 +20,7 @@ using soarbox::viewer::Viewer;
 using soarbox::viewer::ViewerCommand;
 
 struct Arguments {
-  std::string screenshot;
+  std::string screenshot, sky;
   double at_s = 3;
   int agents = 6;
   int view = 0;
@@ -32,15 +32,26 @@ bool Parse(int argc, char** argv, Arguments& out) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto value = [&] { return i + 1 < argc ? argv[++i] : ""; };
-    if (word == "--screenshot") out.screenshot = value();
-    else if (word == "--at") out.at_s = std::atof(value());
-    else if (word == "--agents") out.agents = std::atoi(value());
-    else if (word == "--view") out.view = std::atoi(value());
-    else if (word == "--frames") out.frames = std::atoi(value());
-    else if (word == "--hidden") out.hidden = true;
-    else if (word == "--help-panel") out.help = true;
-    else if (word == "--select") out.select = true;
-    else return false;
+    if (word == "--screenshot")
+      out.screenshot = value();
+    else if (word == "--sky")
+      out.sky = value();
+    else if (word == "--at")
+      out.at_s = std::atof(value());
+    else if (word == "--agents")
+      out.agents = std::atoi(value());
+    else if (word == "--view")
+      out.view = std::atoi(value());
+    else if (word == "--frames")
+      out.frames = std::atoi(value());
+    else if (word == "--hidden")
+      out.hidden = true;
+    else if (word == "--help-panel")
+      out.help = true;
+    else if (word == "--select")
+      out.select = true;
+    else
+      return false;
   }
   return true;
 }
@@ -52,7 +63,7 @@ int main(int argc, char** argv) {
   if (!Parse(argc, argv, arguments)) {
     std::fprintf(stderr,
                  "usage: viewer_demo [--screenshot FILE.png] [--at SECONDS] [--agents N] [--view 0..3] [--frames N]\n"
-                 "                   [--hidden] [--help-panel] [--select]\n");
+                 "                   [--sky NAME] [--hidden] [--help-panel] [--select]\n");
     return 2;
   }
   soarbox::viewer::ViewerOptions options;
@@ -71,7 +82,9 @@ int main(int argc, char** argv) {
   RunStatus status;
   double time_s = arguments.screenshot.empty() ? 0 : arguments.at_s;
   for (int frame = 1;; ++frame) {
-    (*viewer)->Show(demo.At(time_s));
+    soarbox::world::SceneSnapshot scene = demo.At(time_s);
+    if (!arguments.sky.empty()) scene.sky = arguments.sky;
+    (*viewer)->Show(scene);
     (*viewer)->SetStatus(status);
     if (!(*viewer)->RenderFrame()) return 0;
     for (const ViewerCommand command : (*viewer)->TakeCommands()) {

@@ -58,10 +58,12 @@ TEST_F(InputReaderTest, KeysReachTheScriptsOncePerPressAndRelease) {
 }
 
 TEST_F(InputReaderTest, CommandKeysAreCommandsAndStillReachTheScripts) {
-  for (const int key : {SDL_SCANCODE_P, SDL_SCANCODE_N, SDL_SCANCODE_EQUALS, SDL_SCANCODE_KP_MINUS, SDL_SCANCODE_ESCAPE}) PushKey(key, true);
+  for (const int key :
+       {SDL_SCANCODE_P, SDL_SCANCODE_N, SDL_SCANCODE_EQUALS, SDL_SCANCODE_KP_MINUS, SDL_SCANCODE_ESCAPE})
+    PushKey(key, true);
   const FrameInput input = reader_.Read();
-  EXPECT_THAT(input.commands, ElementsAre(ViewerCommand::kTogglePause, ViewerCommand::kSingleStep, ViewerCommand::kFaster,
-                                          ViewerCommand::kSlower, ViewerCommand::kQuit));
+  EXPECT_THAT(input.commands, ElementsAre(ViewerCommand::kTogglePause, ViewerCommand::kSingleStep,
+                                          ViewerCommand::kFaster, ViewerCommand::kSlower, ViewerCommand::kQuit));
   EXPECT_EQ(input.events.size(), 5u);
 }
 
@@ -72,8 +74,10 @@ TEST(ViewerOpen, WithoutADisplaySaysWhichVariableIsMissing) {
   const auto none = Viewer::Open({});
   setenv("DISPLAY", ":7654", 1);
   const auto dead = Viewer::Open({});
-  if (before != nullptr) setenv("DISPLAY", saved.c_str(), 1);
-  else unsetenv("DISPLAY");
+  if (before != nullptr)
+    setenv("DISPLAY", saved.c_str(), 1);
+  else
+    unsetenv("DISPLAY");
 
   ASSERT_FALSE(none.ok());
   EXPECT_THAT(none.error().message, HasSubstr("DISPLAY"));

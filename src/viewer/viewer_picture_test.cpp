@@ -104,9 +104,15 @@ TEST_F(PictureTest, ShowsSkyGroundAgentsAndText) {
 
   // Bodies of the followers, the waypoint agent, the seeker and the leader, each in its colour.
   EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.b > 140 && p.r < 70; }), 800) << "followers";
-  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.g > 140 && p.r < 90 && p.b < 130 && p.b > 20; }), 200) << "waypoint agent";
-  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.r > 170 && p.g < 90 && p.b < 80 && p.b > 10; }), 200) << "seeker";
-  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.r > 200 && p.g > 120 && p.g < 200 && p.b < 80 && p.b > 5; }), 200) << "leader";
+  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.g > 140 && p.r < 90 && p.b < 130 && p.b > 20; }),
+            200)
+      << "waypoint agent";
+  EXPECT_GT(picture.Count(0, 200, 900, 700, [](Pixel p) { return p.r > 170 && p.g < 90 && p.b < 80 && p.b > 10; }), 200)
+      << "seeker";
+  EXPECT_GT(picture.Count(0, 200, 900, 700,
+                          [](Pixel p) { return p.r > 200 && p.g > 120 && p.g < 200 && p.b < 80 && p.b > 5; }),
+            200)
+      << "leader";
 
   // The help text: bright letters in a dark box at the bottom right.
   const int letters = picture.Count(960, 505, 1260, 685, [](Pixel p) { return p.light() > 600; });
@@ -249,7 +255,8 @@ TEST_F(PictureTest, MistakesComeBackAsDiagnostics) {
 
 int main(int argc, char** argv) {
   bool only_lists = false;
-  for (int i = 1; i < argc; ++i) only_lists = only_lists || std::string(argv[i]).find("list_tests") != std::string::npos;
+  for (int i = 1; i < argc; ++i)
+    only_lists = only_lists || std::string(argv[i]).find("list_tests") != std::string::npos;
   if (std::getenv("DISPLAY") == nullptr && !only_lists) {
     std::vector<char*> command{const_cast<char*>("xvfb-run"), const_cast<char*>("-a"), const_cast<char*>("-s"),
                                const_cast<char*>("-screen 0 1280x720x24")};
