@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <list>
 #include <string>
 
 #include "Export.h"
@@ -24,7 +25,7 @@ class EXPORT WMElement {
   virtual ~WMElement();
 
   /// True for output that arrived since the list of changes was last cleared.
-  bool IsJustAdded() const { return just_added_; }
+  bool IsJustAdded();
 
   /// The identifier that this element hangs on; NULL for the input link and the output link themselves.
   IdentifierSymbol* GetParent() const { return parent_; }
@@ -75,6 +76,7 @@ class EXPORT WMElement {
   bool just_added_ = false;
   bool live_ = false;    ///< False for husks.
   bool output_ = false;  ///< Made by the agent.
+  std::list<WMElement*>::iterator place_{};  ///< In the parent's list of children.
 };
 
 }  // namespace sml

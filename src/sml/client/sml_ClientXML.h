@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <memory>
+
 #include "ElementXML.h"
 #include "Export.h"
 
@@ -17,7 +19,10 @@ class EXPORT ClientXML {
   explicit ClientXML(soarxml::ElementXML const& element);
   virtual ~ClientXML();
 
-  /// This object as a piece of trace.
+  ClientXML(ClientXML const&) = delete;
+  ClientXML& operator=(ClientXML const&) = delete;
+
+  /// This piece as a piece of trace; belongs to this object.
   virtual ClientTraceXML* ConvertToTraceXML();
 
   char const* GetTagName() const;
@@ -45,6 +50,9 @@ class EXPORT ClientXML {
 
  protected:
   soarxml::ElementXML element_;
+
+ private:
+  std::unique_ptr<ClientTraceXML> trace_;  ///< Made by ConvertToTraceXML.
 };
 
 }  // namespace sml

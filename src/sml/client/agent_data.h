@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sml/client/handler_table.h"
+#include "sml/client/kernel_data.h"
+#include "sml/client/link.h"
+#include "sml/client/sml_ClientAgent.h"
+#include "sml/client/working_memory.h"
+#include "sml/wire/element.h"
+
+namespace sml {
+
+/// What an Agent object consists of.
+struct AgentData {
+  AgentData(Agent& owner, Kernel& owner_kernel, std::string agent_name);
+
+  Agent& agent;
+  Kernel& kernel;
+  std::string name;
+  std::unique_ptr<AgentLink> link;      ///< Null once the agent is destroyed.
+  WorkingMemory memory;
+  bool blink = true;
+  int next_callback = 0;
+  int debugger_process = 0;
+  std::string converted;                ///< Result of ConvertIdentifier.
+
+  HandlerTable<RunEventHandler> run_handlers;
+  HandlerTable<ProductionEventHandler> production_handlers;
+  HandlerTable<PrintEventHandler> print_handlers;   ///< The entry's flag: ignore own echoes.
+  HandlerTable<XMLEventHandler> xml_handlers;
+  HandlerTable<OutputNotificationHandler> notification_handlers;
+  struct OutputHandler {
+    int id = 0;
+    std::string attribute;
+    OutputEventHandler handler = nullptr;
+    void* data = nullptr;
+  };
+  std::vector<OutputHandler> output_handlers;
+
+  static AgentData& Of(Agent& owner) { return *owner.data_; }
+  KernelData& kernel_data() { return KernelData::Of(kernel); }
+  /// Null if the agent is gone; an error of the agent is set then.
+  AgentLink* Usable();
+  void SetError(ErrorCode code, char const* description) { agent.SetDetailedError(code, description); }
+  void ClearError() { agent.ClearError(); }
+  char const* Run(const RunSpec& spec);
+
+  void OnRun(int event, int phase);
+  void OnProduction(int event, std::string_view name);
+  void OnPrint(int event, const std::string& text, bool self);
+  void OnXml(int event, const std::shared_ptr<const soarbox::wire::Element>& element);
+  /// After all changes of a message are in memory.
+  void OnOutputReceived();
+  void OnReinitialized();
+};
+
+}  // namespace sml

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sml/client/sml_Events.h"
+#include "sml/server/connection.h"
+#include "sml/wire/element.h"
+
+/// What stands between the client API and a kernel: a direct line to one in this process, or a socket to one elsewhere.
+namespace sml {
+
+class Agent;
+struct AgentData;
+struct KernelData;
+
+/// One element of a message about output.
+struct OutputWme {
+  bool add = true;
+  long long tag = 0;
+  long long id = 0;                ///< The identifier that it hangs on, as IdentifierKey() has it.
+  std::string_view attribute;
+  soarbox::server::InputWme::Type type = soarbox::server::InputWme::Type::kString;
+  std::string_view text;
+  long long integer = 0;
+  double real = 0.0;
+  long long value_id = 0;          ///< For identifiers.
+};
+
+/// A kernel's identifier ("F12") as one number, for maps; 0 for anything else.
+long long IdentifierKey(std::string_view name);
+inline long long IdentifierKey(char letter, unsigned long long number) {
+  return (static_cast<long long>(letter) << 56) | static_cast<long long>(number);
+}
+/// Writes the name of an identifier.
+void AssignIdentifierName(std::string& out, long long key);
+
+/// A run, as the API asks for it.
+struct RunSpec {
+  bool self = true;
+  bool forever = false;
+  int count = 1;
+  smlRunStepSize step = sml_DECIDE;
+  bool interleave_given = false;
+  smlRunStepSize interleave = sml_PHASE;
+};
+
+/// The command line that asks for a run: "run --self -d 3".
+std::string RunLine(const RunSpec& spec);
+
+/// The answer to a command line.
+struct LineAnswer {
+  bool ok = true;
+  bool failed_to_ask = false;                          ///< The kernel did not answer at all; text says why.
+  std::string text;
+  std::string details;                                 ///< Every error with file, line and column, if there are any.
+  std::shared_ptr<const soarbox::wire::Element> document;  ///< For structured answers: the response <sml>.
+};
+
+struct LineRequest {
+  std::string_view line;
+  bool echo = false;
+  bool no_filter = false;
+  bool structured = false;
+};
+
+/// The way to one agent.
+class AgentLink {
+ public:
+  virtual ~AgentLink() = default;
+
+  virtual std::string InputLinkName() = 0;
+
+  /// Changes of input; they belong together until FlushInput.
+  virtual void AddInput(const soarbox::server::InputWme& wme) = 0;
+  virtual void UpdateInput(long long old_tag, const soarbox::server::InputWme& wme) = 0;
+  virtual void RemoveInput(long long tag) = 0;
+  virtual void FlushInput() = 0;
+
+  /// How many apply phases the agent has completed; counts only while they are watched.
+  virtual unsigned long long ApplyCount() = 0;
+  virtual void WatchApplyPhases(bool on) = 0;
+
+  virtual std::string KernelName(std::string_view client_name) = 0;
+  virtual bool IsProductionLoaded(std::string_view name) = 0;
+  virtual int Phase() = 0;
+  virtual int DecisionCount() = 0;
+  virtual int RunState() = 0;
+  virtual bool OnRunList() = 0;
+  virtual int LastRunResult() = 0;
+  virtual void StopSelf() = 0;
+
+  virtual void Register(int event) = 0;
+  virtual void Unregister(int event) = 0;
+
+  /// Everything on the input link and below the output link now, parents first.
+  virtual void ListInput(const std::function<void(const OutputWme&)>& visit) = 0;
+  virtual void ListOutput(const std::function<void(const OutputWme&)>& visit) = 0;
+};
+
+/// The way to a kernel.
+class KernelLink {
+ public:
+  virtual ~KernelLink() = default;
+
+  /// Held by every call of the API; recursive.
+  virtual std::recursive_mutex& mutex() = 0;
+  virtual bool remote() const = 0;
+  virtual bool closed() const = 0;
+  /// Ends the kernel, or leaves it.
+  virtual void Shutdown() = 0;
+
+  virtual int ListenerPort() = 0;
+  virtual long long InitialTimeTag() = 0;
+  virtual std::string Version() = 0;
+
+  /// Null, and a text, if it cannot be.
+  virtual std::unique_ptr<AgentLink> CreateAgent(Agent& agent, const std::string& name, std::string& error) = 0;
+  /// Tells everybody of the new agent, once its object is there.
+  virtual void AnnounceAgent(const std::string& name) = 0;
+  /// The way to an agent that others made.
+  virtual std::unique_ptr<AgentLink> FindAgent(Agent& agent, const std::string& name) = 0;
+  virtual bool DestroyAgent(const std::string& name, std::string& error) = 0;
+  virtual std::vector<std::string> AgentNames() = 0;
+
+  virtual LineAnswer Execute(const char* agent, AgentLink* link, const LineRequest& request) = 0;
+  virtual LineAnswer Run(const char* agent, AgentLink* link, const RunSpec& spec, bool want_text) = 0;
+  virtual void StopAll() = 0;
+  virtual bool IsRunning() = 0;
+
+  virtual void Register(int event) = 0;
+  virtual void Unregister(int event) = 0;
+  virtual void RegisterFunction(int event, const std::string& name) = 0;
+  virtual void UnregisterFunction(int event, const std::string& name) = 0;
+  virtual std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client, const std::string& message) = 0;
+  virtual bool FireSystem(int event) = 0;
+  virtual bool SuppressSystemStop(bool on) = 0;
+  virtual bool SetInterruptCheckRate(int rate) = 0;
+  virtual std::vector<soarbox::server::ConnectionInfo> Connections() = 0;
+  virtual bool SetConnectionInfo(const std::string& name, const std::string& status, const std::string& agent_status) = 0;
+  virtual std::string LoadLibrary(const std::string& command) = 0;
+
+  /// Serves what came in. True if anything did.
+  virtual bool CheckForIncoming() = 0;
+  virtual bool StartEventThread() = 0;
+  virtual bool StopEventThread() = 0;
+  virtual void SetTrace(bool on) = 0;
+};
+
+}  // namespace sml

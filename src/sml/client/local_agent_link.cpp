@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/client/local_agent_link.h"
+
+#include "sml/client/agent_data.h"
+#include "sml/server/listing.h"
+
+namespace sml {
+
+namespace kernel = soarbox::kernel;
+using soarbox::server::InputWme;
+
+std::string LocalAgentLink::InputLinkName() {
+  return kernel::ToString(hosted_.agent().symbols(), std::as_const(hosted_).agent().InputLinkIdentifier());
+}
+
+void LocalAgentLink::Note(const InputWme& wme) {
+  // The texts may be gone when the batch ends.
+  noted_texts_.push_back(std::string(wme.id) + '\0' + std::string(wme.attribute) + '\0' + std::string(wme.text));
+  noted_.push_back(wme);
+}
+
+void LocalAgentLink::AddInput(const InputWme& wme) {
+  hosted_.input().Add(wme);
+  if (hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) Note(wme);
+}
+
+void LocalAgentLink::UpdateInput(long long old_tag, const InputWme& wme) {
+  hosted_.input().Update(old_tag, wme);
+  if (!hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) return;
+  InputWme removal;
+  removal.add = false;
+  removal.tag = old_tag;
+  Note(removal);
+  Note(wme);
+}
+
+void LocalAgentLink::RemoveInput(long long tag) {
+  hosted_.input().Remove(tag);
+  if (!hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) return;
+  InputWme removal;
+  removal.add = false;
+  removal.tag = tag;
+  Note(removal);
+}
+
+void LocalAgentLink::FlushInput() {
+  if (noted_.empty()) return;
+  std::vector<InputWme> wmes;
+  std::vector<std::string> texts;
+  wmes.swap(noted_);
+  texts.swap(noted_texts_);
+  for (std::size_t i = 0; i < wmes.size(); ++i) {
+    const std::string_view text = texts[i];
+    const std::size_t id_end = text.find('\0');
+    const std::size_t attribute_end = text.find('\0', id_end + 1);
+    wmes[i].id = text.substr(0, id_end);
+    wmes[i].attribute = text.substr(id_end + 1, attribute_end - id_end - 1);
+    wmes[i].text = text.substr(attribute_end + 1);
+  }
+  hosted_.FireXmlInput(wmes);
+}
+
+unsigned long long LocalAgentLink::ApplyCount() {
+  const kernel::Agent& agent = hosted_.agent();
+  const bool applied = agent.next_phase() == kernel::Phase::kOutput && !agent.in_middle_of_phase();
+  return agent.counters().decision_cycles + (applied ? 1 : 0);
+}
+
+bool LocalAgentLink::IsProductionLoaded(std::string_view name) {
+  return hosted_.agent().FindProduction(name) != kernel::ProductionId::kNone;
+}
+
+OutputWme LocalAgentLink::Describe(bool add, long long tag, kernel::Symbol id, kernel::Symbol attribute, kernel::Symbol value) {
+  const kernel::SymbolTable& symbols = std::as_const(hosted_).agent().symbols();
+  OutputWme wme;
+  wme.add = add;
+  wme.tag = tag;
+  if (!add) return wme;
+  wme.id = IdentifierKey(symbols.Letter(id), symbols.Number(id));
+  if (attribute.IsString()) {
+    wme.attribute = symbols.Text(attribute);
+  } else {
+    attribute_.clear();
+    kernel::AppendTo(attribute_, symbols, attribute, false);
+    wme.attribute = attribute_;
+  }
+  if (value.IsIdentifier()) {
+    wme.type = InputWme::Type::kId;
+    wme.value_id = IdentifierKey(symbols.Letter(value), symbols.Number(value));
+  } else if (value.IsInteger()) {
+    wme.type = InputWme::Type::kInt;
+    wme.integer = symbols.IntegerValue(value);
+  } else if (value.IsFloat()) {
+    wme.type = InputWme::Type::kDouble;
+    wme.real = symbols.FloatValue(value);
+  } else {
+    wme.text = symbols.Text(value);
+  }
+  return wme;
+}
+
+void LocalAgentLink::Deliver(AgentData& data, std::span<const kernel::OutputChange> changes) {
+  data.memory.BeginOutput();
+  if (!data.memory.OutputLink()) {
+    const kernel::WmeInfo link = soarbox::server::OutputLinkWme(hosted_.agent());
+    if (link.timetag != 0) {
+      data.memory.ReceiveOutput(Describe(true, static_cast<long long>(link.timetag), link.id, link.attribute, link.value));
+    }
+  }
+  // Additions first, as messages have them.
+  for (const kernel::OutputChange& change : changes) {
+    if (change.added) {
+      data.memory.ReceiveOutput(
+          Describe(true, static_cast<long long>(change.timetag), change.id, change.attribute, change.value));
+    }
+  }
+  for (const kernel::OutputChange& change : changes) {
+    if (!change.added) data.memory.ReceiveOutput(Describe(false, static_cast<long long>(change.timetag), {}, {}, {}));
+  }
+  data.OnOutputReceived();
+}
+
+void LocalAgentLink::ListInput(const std::function<void(const OutputWme&)>& visit) {
+  for (const soarbox::server::InputListing& entry : soarbox::server::ListInput(hosted_)) {
+    visit(Describe(true, entry.tag, entry.wme.id, entry.wme.attribute, entry.wme.value));
+  }
+}
+
+void LocalAgentLink::ListOutput(const std::function<void(const OutputWme&)>& visit) {
+  const kernel::WmeInfo link = soarbox::server::OutputLinkWme(hosted_.agent());
+  if (link.timetag != 0) visit(Describe(true, static_cast<long long>(link.timetag), link.id, link.attribute, link.value));
+  for (const kernel::OutputChange& wme : std::as_const(hosted_).agent().output().current()) {
+    visit(Describe(true, static_cast<long long>(wme.timetag), wme.id, wme.attribute, wme.value));
+  }
+}
+
+}  // namespace sml

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sml/client/link.h"
+#include "sml/server/kernel_host.h"
+
+namespace sml {
+
+struct AgentData;
+
+/// The direct way to an agent of a kernel in this process: no documents, no copies beyond the elements themselves.
+class LocalAgentLink final : public AgentLink {
+ public:
+  LocalAgentLink(soarbox::server::KernelHost& host, soarbox::server::Connection& connection,
+                 soarbox::server::HostedAgent& hosted)
+      : host_(host), connection_(connection), hosted_(hosted) {}
+  ~LocalAgentLink() override { hosted_.Forget(connection_); }
+
+  soarbox::server::HostedAgent& hosted() { return hosted_; }
+  /// Hands a change of the output to the client's memory.
+  void Deliver(AgentData& data, std::span<const soarbox::kernel::OutputChange> changes);
+
+  std::string InputLinkName() override;
+  void AddInput(const soarbox::server::InputWme& wme) override;
+  void UpdateInput(long long old_tag, const soarbox::server::InputWme& wme) override;
+  void RemoveInput(long long tag) override;
+  void FlushInput() override;
+  unsigned long long ApplyCount() override;
+  void WatchApplyPhases(bool) override {}
+  std::string KernelName(std::string_view client_name) override { return hosted_.input().KernelName(client_name); }
+  bool IsProductionLoaded(std::string_view name) override;
+  int Phase() override { return static_cast<int>(hosted_.agent().next_phase()); }
+  int DecisionCount() override { return static_cast<int>(hosted_.agent().counters().decision_phases); }
+  int RunState() override { return hosted_.run_state; }
+  bool OnRunList() override { return hosted_.on_run_list; }
+  int LastRunResult() override { return hosted_.last_result; }
+  void StopSelf() override { hosted_.RequestStop(); }
+  void Register(int event) override { host_.Register(connection_, &hosted_, event); }
+  void Unregister(int event) override { host_.Unregister(connection_, &hosted_, event); }
+  void ListInput(const std::function<void(const OutputWme&)>& visit) override;
+  void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
+
+ private:
+  OutputWme Describe(bool add, long long tag, soarbox::kernel::Symbol id, soarbox::kernel::Symbol attribute,
+                     soarbox::kernel::Symbol value);
+  void Note(const soarbox::server::InputWme& wme);
+
+  soarbox::server::KernelHost& host_;
+  soarbox::server::Connection& connection_;
+  soarbox::server::HostedAgent& hosted_;
+  std::string attribute_, text_;                       ///< Room for texts while they are handed over.
+  std::vector<soarbox::server::InputWme> noted_;       ///< For xml-input-received.
+  std::vector<std::string> noted_texts_;
+};
+
+}  // namespace sml

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sml/client/link.h"
+#include "sml/wire/message.h"
+
+namespace sml {
+
+struct AgentData;
+
+/// Sends calls to a remote kernel and waits for the answers.
+class RemoteCaller {
+ public:
+  virtual ~RemoteCaller() = default;
+  /// None if the connection is lost, or the kernel does not answer in time (never with `patient`).
+  virtual std::optional<soarbox::wire::Message> Ask(soarbox::wire::Message& call, bool patient = false) = 0;
+  /// Sends a call whose answer nobody waits for.
+  virtual void Tell(soarbox::wire::Message& call) = 0;
+  virtual bool ChangeRegistration(const char* command, const std::string& agent, int event, const std::string& name) = 0;
+};
+
+/// The way to an agent of a kernel elsewhere.
+class RemoteAgentLink final : public AgentLink {
+ public:
+  RemoteAgentLink(RemoteCaller& caller, std::string name) : caller_(caller), name_(std::move(name)) {}
+
+  void CountApplyPhase() { ++apply_phases_; }
+
+  std::string InputLinkName() override;
+  void AddInput(const soarbox::server::InputWme& wme) override;
+  void UpdateInput(long long old_tag, const soarbox::server::InputWme& wme) override;
+  void RemoveInput(long long tag) override;
+  void FlushInput() override;
+  unsigned long long ApplyCount() override { return apply_phases_; }
+  void WatchApplyPhases(bool on) override;
+  std::string KernelName(std::string_view client_name) override;
+  bool IsProductionLoaded(std::string_view name) override;
+  int Phase() override { return RunStateOf("phase"); }
+  int DecisionCount() override { return RunStateOf("decision"); }
+  int RunState() override { return RunStateOf("runstate"); }
+  bool OnRunList() override;
+  int LastRunResult() override;
+  void StopSelf() override;
+  void Register(int event) override;
+  void Unregister(int event) override;
+  void ListInput(const std::function<void(const OutputWme&)>& visit) override;
+  void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
+
+ private:
+  soarbox::wire::Message Call(const char* command) const;
+  std::string Text(soarbox::wire::Message& call);
+  int RunStateOf(const char* what);
+  soarbox::wire::Element& Batch();
+
+  RemoteCaller& caller_;
+  std::string name_;
+  std::optional<soarbox::wire::Message> batch_;
+  unsigned long long apply_phases_ = 0;
+  bool watching_ = false;            ///< This library listens to apply phases.
+  bool user_watching_ = false;       ///< The program does.
+};
+
+/// Reads the <wme> elements of a message.
+void ReadWmes(const soarbox::wire::Element& parent, const std::function<void(const OutputWme&)>& visit);
+/// Hands a message about output to the client's memory.
+void ReceiveOutputMessage(AgentData& agent, const soarbox::wire::Element& command);
+
+}  // namespace sml

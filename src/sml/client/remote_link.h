@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sml/client/link.h"
+
+namespace sml {
+
+/// A kernel at the other end of a socket. Null, and the reason, if there is none at that address and port.
+std::unique_ptr<KernelLink> MakeRemoteLink(KernelData& kernel, const std::string& address, int port, std::string& error);
+
+}  // namespace sml

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "sml_Events.h"
+#include "sml_Names.h"
+
+namespace sml {
+
+/// An opaque part of Kernel.
+class Connection;
+
+}  // namespace sml

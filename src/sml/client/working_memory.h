@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sml/client/link.h"
+#include "sml/client/sml_ClientIdentifier.h"
+#include "sml/client/sml_DeltaList.h"
+#include "sml/client/sml_OutputDeltaList.h"
+#include "sml/server/tag_map.h"
+
+namespace sml {
+
+struct AgentData;
+
+/// The elements that one client sees of one agent: its input, and the output that it was told of.
+///
+/// Elements are recycled: in the steady state of a host's loop nothing is allocated. One that was destroyed stays a
+/// husk until a number of others have been destroyed after it, so that a stale pointer is found out.
+class WorkingMemory {
+ public:
+  explicit WorkingMemory(AgentData& data) : data_(data) {}
+  ~WorkingMemory();
+
+  // Input -----------------------------------------------------------------------------------------------------------
+
+  /// Null, with an error, if the kernel does not answer.
+  Identifier* InputLink();
+  StringElement* CreateString(Identifier* parent, char const* attribute, char const* value);
+  IntElement* CreateInt(Identifier* parent, char const* attribute, long long value);
+  FloatElement* CreateFloat(Identifier* parent, char const* attribute, double value);
+  Identifier* CreateId(Identifier* parent, char const* attribute);
+  Identifier* CreateSharedId(Identifier* parent, char const* attribute, Identifier* shared);
+  void Update(StringElement* wme, char const* value);
+  void Update(IntElement* wme, long long value);
+  void Update(FloatElement* wme, double value);
+  bool Destroy(WMElement* wme);
+  bool Commit();
+  bool IsCommitRequired() const { return !pending_.changes_.empty(); }
+  /// Sends the whole input again, after init-soar.
+  void Refresh();
+  bool SynchronizeInput();
+
+  // Output ----------------------------------------------------------------------------------------------------------
+
+  Identifier* OutputLink() { return output_link_; }
+  void EnableTracking(bool by_user);
+  void DisableTracking();
+  bool tracking() const { return tracking_ == Tracking::kOn; }
+  /// Empties the list of changes if an apply phase has ended since they came.
+  void DropOldChanges();
+  void ClearChanges();
+  OutputDeltaList& changes() { return changes_; }
+  int CountCommands();
+  Identifier* Command(int index);
+
+  void BeginOutput();
+  void ReceiveOutput(const OutputWme& wme);
+  /// Attaches what waited for its parent; true if everything found one.
+  bool EndOutput();
+  /// init-soar: the output is gone.
+  void InvalidateOutput();
+  bool SynchronizeOutput();
+
+  /// A live element of this agent?
+  bool Owns(const WMElement* wme) const;
+  IdentifierSymbol* FindSymbol(long long key);
+
+ private:
+  friend class IdentifierSymbol;
+  enum class Tracking { kAutoOff, kUserOff, kOn };
+
+  /// Recycles the objects of one type.
+  template <typename T>
+  struct Pool {
+    std::vector<std::unique_ptr<T>> all;
+    std::list<T*> husks;   ///< Oldest first.
+    std::list<T*> spare;   ///< Nodes for `husks`.
+  };
+  template <typename T>
+  T* Take(Pool<T>& pool);
+  template <typename T>
+  void Retire(Pool<T>& pool, T* element);
+
+  bool CheckParent(Identifier* parent, char const*& attribute);
+  bool CheckUpdate(WMElement* wme);
+  void Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag, bool output);
+  void Detach(WMElement* wme);
+  void Release(WMElement* wme);
+  void DropSymbol(Identifier* identifier, std::vector<WMElement*>& below);
+  void RetireElement(WMElement* wme);
+  IdentifierSymbol* NewSymbol(std::string_view name);
+  IdentifierSymbol* SymbolFor(long long key);
+  void SendNew(WMElement* wme);
+  void SendUpdated(WMElement* wme, long long old_tag);
+  soarbox::server::InputWme Describe(const WMElement* wme) const;
+  WMElement* MakeOutput(const OutputWme& wme, IdentifierSymbol* parent);
+  void RemoveOutput(long long tag);
+  bool Cancel(long long tag);
+  void ReleaseBelow(IdentifierSymbol* symbol);
+  std::string NewName(char const* attribute);
+
+  AgentData& data_;
+  Identifier* input_link_ = nullptr;
+  Identifier* output_link_ = nullptr;
+  DeltaList pending_;
+  OutputDeltaList changes_;
+  Tracking tracking_ = Tracking::kAutoOff;
+  unsigned long long changes_at_ = 0;      ///< Apply phases when the last change came.
+  std::vector<WMElement*> removed_;        ///< Removed output that the list of changes still shows.
+  std::vector<WMElement*> work_;           ///< Elements that Release has still to look at.
+  struct Orphan {
+    OutputWme wme;
+    std::string attribute, text;
+  };
+  std::vector<Orphan> orphans_;
+
+  Pool<StringElement> strings_;
+  Pool<IntElement> ints_;
+  Pool<FloatElement> floats_;
+  Pool<Identifier> identifiers_;
+  Pool<IdentifierSymbol> symbols_;
+  std::list<WMElement*> spare_nodes_;      ///< Nodes for lists of children.
+  soarbox::server::TagMap<WMElement*> output_by_tag_;
+  soarbox::server::TagMap<IdentifierSymbol*> symbols_by_key_;
+};
+
+}  // namespace sml

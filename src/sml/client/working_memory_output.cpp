@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "sml/client/agent_data.h"
+#include "sml/client/working_memory.h"
+
+namespace sml {
+
+using soarbox::server::InputWme;
+
+void WorkingMemory::EnableTracking(bool by_user) {
+  if (tracking_ == Tracking::kOn || (tracking_ == Tracking::kUserOff && !by_user)) return;
+  tracking_ = Tracking::kOn;
+  if (AgentLink* link = data_.Usable()) {
+    link->WatchApplyPhases(true);
+    changes_at_ = link->ApplyCount();
+  }
+}
+
+void WorkingMemory::DisableTracking() {
+  ClearChanges();
+  if (tracking_ == Tracking::kOn && data_.link) data_.link->WatchApplyPhases(false);
+  tracking_ = Tracking::kUserOff;
+}
+
+void WorkingMemory::DropOldChanges() {
+  if (tracking_ != Tracking::kOn || changes_.deltas_.empty() || !data_.link) return;
+  if (data_.link->ApplyCount() != changes_at_) ClearChanges();
+}
+
+void WorkingMemory::ClearChanges() {
+  for (WMDelta& delta : changes_.deltas_) {
+    WMElement* wme = delta.getWME();
+    wme->just_added_ = false;
+    if (wme->parent_) wme->parent_->children_modified_ = false;
+  }
+  changes_.deltas_.clear();
+  std::vector<WMElement*> removed;
+  removed.swap(removed_);
+  for (WMElement* wme : removed) Release(wme);
+  removed.clear();
+  // Gives the room back for the next cycle.
+  removed_.swap(removed);
+}
+
+int WorkingMemory::CountCommands() {
+  DropOldChanges();
+  if (!output_link_) return 0;
+  int count = 0;
+  for (const WMElement* child : output_link_->symbol_->children_) {
+    if (child->just_added_ && child->IsIdentifier()) ++count;
+  }
+  return count;
+}
+
+Identifier* WorkingMemory::Command(int index) {
+  DropOldChanges();
+  if (!output_link_ || index < 0) return nullptr;
+  for (WMElement* child : output_link_->symbol_->children_) {
+    if (child->just_added_ && child->IsIdentifier() && index-- == 0) return child->ConvertToIdentifier();
+  }
+  return nullptr;
+}
+
+void WorkingMemory::BeginOutput() {
+  DropOldChanges();
+  if (tracking_ == Tracking::kOn) changes_at_ = data_.link->ApplyCount();
+}
+
+WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* parent) {
+  switch (wme.type) {
+    case InputWme::Type::kInt: {
+      IntElement* made = Take(ints_);
+      made->value_ = wme.integer;
+      Attach(made, parent, wme.attribute, wme.tag, true);
+      return made;
+    }
+    case InputWme::Type::kDouble: {
+      FloatElement* made = Take(floats_);
+      made->value_ = wme.real;
+      Attach(made, parent, wme.attribute, wme.tag, true);
+      return made;
+    }
+    case InputWme::Type::kId: {
+      if (wme.value_id == 0) break;
+      Identifier* made = Take(identifiers_);
+      made->symbol_ = SymbolFor(wme.value_id);
+      made->symbol_->users_.push_back(made);
+      Attach(made, parent, wme.attribute, wme.tag, true);
+      return made;
+    }
+    case InputWme::Type::kString: break;
+  }
+  StringElement* made = Take(strings_);
+  made->value_ = wme.text;
+  Attach(made, parent, wme.attribute, wme.tag, true);
+  return made;
+}
+
+void WorkingMemory::ReceiveOutput(const OutputWme& wme) {
+  if (!wme.add) {
+    RemoveOutput(wme.tag);
+    return;
+  }
+  if (wme.tag == 0 || output_by_tag_.Find(wme.tag)) return;
+  if (!output_link_ && wme.type == InputWme::Type::kId && wme.value_id != 0 && wme.attribute == "output-link") {
+    output_link_ = static_cast<Identifier*>(MakeOutput(wme, nullptr));
+    output_link_->just_added_ = false;
+    output_by_tag_.Set(wme.tag, output_link_);
+    return;
+  }
+  IdentifierSymbol* parent = FindSymbol(wme.id);
+  if (!parent) {
+    Orphan& orphan = orphans_.emplace_back(Orphan{wme, std::string(wme.attribute), std::string(wme.text)});
+    orphan.wme.attribute = {};
+    orphan.wme.text = {};
+    return;
+  }
+  WMElement* made = MakeOutput(wme, parent);
+  parent->children_modified_ = true;
+  output_by_tag_.Set(wme.tag, made);
+  if (tracking()) changes_.deltas_.emplace_back(WMDelta::kAdded, made);
+}
+
+void WorkingMemory::RemoveOutput(long long tag) {
+  const auto found = output_by_tag_.Take(tag);
+  if (!found || *found == output_link_) return;
+  WMElement* wme = *found;
+  if (wme->parent_) wme->parent_->children_modified_ = true;
+  if (!tracking()) {
+    Release(wme);
+    return;
+  }
+  Detach(wme);
+  wme->live_ = false;
+  removed_.push_back(wme);
+  changes_.deltas_.emplace_back(WMDelta::kRemoved, wme);
+}
+
+bool WorkingMemory::EndOutput() {
+  bool progress = true;
+  while (progress && !orphans_.empty()) {
+    progress = false;
+    std::vector<Orphan> waiting;
+    waiting.swap(orphans_);
+    for (Orphan& orphan : waiting) {
+      if (!FindSymbol(orphan.wme.id)) {
+        orphans_.push_back(std::move(orphan));
+        continue;
+      }
+      OutputWme wme = orphan.wme;
+      wme.attribute = orphan.attribute;
+      wme.text = orphan.text;
+      ReceiveOutput(wme);
+      progress = true;
+    }
+  }
+  const bool complete = orphans_.empty();
+  orphans_.clear();
+  return complete;
+}
+
+void WorkingMemory::InvalidateOutput() {
+  ClearChanges();
+  orphans_.clear();
+  if (!output_link_) return;
+  Identifier* link = output_link_;
+  output_link_ = nullptr;
+  Release(link);
+}
+
+bool WorkingMemory::SynchronizeOutput() {
+  if (!data_.Usable()) return false;
+  InvalidateOutput();
+  BeginOutput();
+  data_.link->ListOutput([this](const OutputWme& wme) { ReceiveOutput(wme); });
+  return EndOutput();
+}
+
+}  // namespace sml

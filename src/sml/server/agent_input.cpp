@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/server/agent_input.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
+namespace soarbox::server {
+
+namespace {
+
+/// The live identifier with a kernel's name such as "F12"; none if the text is no such name.
+kernel::Symbol FindIdentifier(const kernel::SymbolTable& symbols, std::string_view name) {
+  if (name.size() < 2 || name[0] < 'A' || name[0] > 'Z') return {};
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  if (error != std::errc() || stop != name.data() + name.size()) return {};
+  return symbols.FindIdentifier(name[0], number);
+}
+
+}  // namespace
+
+kernel::InputObject AgentInput::Resolve(std::string_view name) {
+  if (name.empty()) return kernel::InputObject::kNone;
+  const auto found = objects_.find(name);
+  if (found != objects_.end()) return found->second;
+  const kernel::Symbol identifier = FindIdentifier(agent_.symbols(), name);
+  if (!identifier) return kernel::InputObject::kNone;
+  if (identifier == agent_.InputLinkIdentifier()) return kernel::InputObject::kInputLink;
+  return agent_.input().ObjectFor(identifier);
+}
+
+kernel::InputValue AgentInput::Value(const InputWme& wme) {
+  switch (wme.type) {
+    case InputWme::Type::kInt: return std::int64_t{wme.integer};
+    case InputWme::Type::kDouble: return wme.real;
+    case InputWme::Type::kString: return wme.text;
+    case InputWme::Type::kId: break;
+  }
+  kernel::InputObject object = Resolve(wme.text);
+  if (object == kernel::InputObject::kNone && !wme.text.empty()) {
+    object = agent_.input().NewObject();
+    objects_.emplace(std::string(wme.text), object);
+  }
+  return object;
+}
+
+void AgentInput::Add(const InputWme& wme) {
+  const kernel::InputObject parent = Resolve(wme.id);
+  if (parent == kernel::InputObject::kNone || wme.attribute.empty() || wme.tag == 0) return;
+  elements_.Set(wme.tag, agent_.input().Add(parent, wme.attribute, Value(wme)));
+}
+
+void AgentInput::Update(long long old_tag, const InputWme& wme) {
+  const std::optional<kernel::InputElement> element = elements_.Take(old_tag);
+  if (!element) {
+    Add(wme);
+    return;
+  }
+  agent_.input().Update(*element, Value(wme));
+  elements_.Set(wme.tag, *element);
+}
+
+void AgentInput::Remove(long long tag) {
+  if (const std::optional<kernel::InputElement> element = elements_.Take(tag)) {
+    agent_.input().Remove(*element);
+    return;
+  }
+  if (tag <= 0) return;
+  // A client that took over the kernel's own view of the input names elements by the kernel's tags.
+  const kernel::WmeId wme = agent_.memory().FindByTimetag(static_cast<std::uint64_t>(tag));
+  if (wme != kernel::WmeId::kNone && agent_.memory().record(wme).kind == kernel::WmeKind::kInput) {
+    static_cast<void>(agent_.RemoveWme(wme));
+  }
+}
+
+std::string AgentInput::KernelName(std::string_view client_name) const {
+  const auto found = objects_.find(client_name);
+  if (found == objects_.end()) return {};
+  const kernel::Symbol identifier = std::as_const(agent_).input().Identifier(found->second);
+  return identifier ? kernel::ToString(agent_.symbols(), identifier) : std::string();
+}
+
+std::vector<std::pair<kernel::WmeId, long long>> AgentInput::ClientTags() const {
+  std::vector<std::pair<kernel::WmeId, long long>> tags;
+  elements_.ForEach([&](std::int64_t tag, kernel::InputElement element) {
+    const kernel::WmeId wme = std::as_const(agent_).input().Wme(element);
+    if (wme != kernel::WmeId::kNone) tags.emplace_back(wme, tag);
+  });
+  std::sort(tags.begin(), tags.end());
+  return tags;
+}
+
+void AgentInput::Clear() {
+  elements_.Clear();
+  objects_.clear();
+}
+
+void AgentInput::Tidy() {
+  if (elements_.size() < tidy_elements_at_ && objects_.size() < tidy_objects_at_) return;
+  const kernel::InputLink& input = std::as_const(agent_).input();
+  // Elements that wait for the next input phase have no element of working memory either.
+  if (input.HasPendingChanges()) return;
+  elements_.RemoveIf([&](std::int64_t, kernel::InputElement element) { return input.Wme(element) == kernel::WmeId::kNone; });
+  std::erase_if(objects_, [&](const auto& entry) {
+    const kernel::Symbol identifier = input.Identifier(entry.second);
+    return !identifier || !agent_.memory().identifier(identifier).live;
+  });
+  tidy_elements_at_ = std::max<std::size_t>(256, 2 * elements_.size());
+  tidy_objects_at_ = std::max<std::size_t>(256, 2 * objects_.size());
+}
+
+}  // namespace soarbox::server

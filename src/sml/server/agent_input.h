@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/agent.h"
+#include "sml/server/connection.h"
+#include "sml/server/tag_map.h"
+
+namespace soarbox::server {
+
+/// The input of one agent in the words of its clients: their (negative) time tags and the names that they give to
+/// identifiers, and the kernel's elements and objects behind them. Changes reach working memory in the agent's next
+/// input phase. Unknown tags and parents are ignored, as the protocol has it.
+class AgentInput {
+ public:
+  explicit AgentInput(kernel::Agent& agent) : agent_(agent) {}
+
+  void Add(const InputWme& wme);
+  /// Removes the element and adds it again with another value and tag.
+  void Update(long long old_tag, const InputWme& wme);
+  void Remove(long long tag);
+  /// The kernel's name for an identifier that a client named; empty if there is none yet.
+  std::string KernelName(std::string_view client_name) const;
+  /// The tag that a client knows an element by; the kernel's own if no client made it.
+  std::vector<std::pair<kernel::WmeId, long long>> ClientTags() const;
+  /// init-soar: forgets all tags and names.
+  void Clear();
+  /// Forgets tags whose elements are gone. Cheap unless many have come since the last time.
+  void Tidy();
+
+ private:
+  kernel::InputObject Resolve(std::string_view name);
+  kernel::InputValue Value(const InputWme& wme);
+
+  kernel::Agent& agent_;
+  TagMap<kernel::InputElement> elements_;
+  std::map<std::string, kernel::InputObject, std::less<>> objects_;
+  std::size_t tidy_elements_at_ = 256;
+  std::size_t tidy_objects_at_ = 256;
+};
+
+}  // namespace soarbox::server

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/server/answers.h"
+
+#include "diagnostics/diagnostic.h"
+#include "sml/server/hosted_agent.h"
+
+namespace soarbox::server {
+
+namespace {
+
+wire::Element Convert(const cli::ResultNode& node) {
+  wire::Element element(node.tag);
+  element.attributes = node.attributes;
+  element.text = node.text;
+  element.children.reserve(node.children.size());
+  for (const cli::ResultNode& child : node.children) element.children.push_back(Convert(child));
+  return element;
+}
+
+}  // namespace
+
+void AddLineResult(wire::Message& response, const cli::CommandResult& result, bool structured) {
+  if (!result.ok) {
+    wire::AddError(response, structured ? std::string_view() : std::string_view(result.text), "1");
+    return;
+  }
+  if (!structured) {
+    wire::AddRawResult(response, result.text);
+    return;
+  }
+  if (!result.structured.children.empty()) {
+    response.root.children.push_back(Convert(result.structured));
+  } else if (result.text.empty()) {
+    wire::AddRawResult(response, "true");
+  } else {
+    wire::Element& arg = response.root.Add("result").Add("arg");
+    arg.Set("param", "message").Set("type", "string").text = result.text;
+  }
+}
+
+std::shared_ptr<const wire::Element> StructuredDocument(const cli::CommandResult& result) {
+  wire::Message response = wire::MakeResponse("0");
+  AddLineResult(response, result, true);
+  auto root = std::make_shared<wire::Element>(std::move(response.root));
+  root->Set("ack", "0").Set("doctype", "response").Set("id", "0").Set("smlversion", std::string(wire::kSmlVersion));
+  return root;
+}
+
+std::string ErrorDetails(const cli::CommandResult& result) {
+  std::string details = result.text;
+  for (const Diagnostic& diagnostic : result.diagnostics) {
+    if (diagnostic.line == 0 && diagnostic.hint.empty()) continue;
+    const std::string text = Format(diagnostic);
+    if (details.find(text) != std::string::npos) continue;
+    if (!details.empty() && details.back() != '\n') details += '\n';
+    details += text;
+  }
+  return details;
+}
+
+wire::Element InputReceivedCommand(HostedAgent& agent, std::span<const InputWme> wmes) {
+  wire::Element command("command");
+  command.Set("name", "event").AddArg("eventid", "xml-input-received").AddArg("agent", agent.name());
+  for (const InputWme& wme : wmes) {
+    wire::Element& element = command.Add("wme");
+    element.Set("action", wme.add ? "add" : "remove");
+    if (!wme.add) {
+      element.Set("tag", std::to_string(wme.tag));
+      continue;
+    }
+    element.Set("attr", std::string(wme.attribute)).Set("id", std::string(wme.id)).Set("tag", std::to_string(wme.tag));
+    switch (wme.type) {
+      case InputWme::Type::kInt: element.Set("valtype", "int").Set("value", std::to_string(wme.integer)); break;
+      case InputWme::Type::kDouble: element.Set("valtype", "double").Set("value", wire::ShortDouble(wme.real)); break;
+      case InputWme::Type::kId: element.Set("valtype", "id").Set("value", std::string(wme.text)); break;
+      case InputWme::Type::kString: element.Set("value", std::string(wme.text)); break;
+    }
+  }
+  return command;
+}
+
+std::shared_ptr<const wire::Element> InputReceivedDocument(HostedAgent& agent, std::span<const InputWme> wmes) {
+  auto root = std::make_shared<wire::Element>("sml");
+  root->Set("doctype", "call").Set("id", "0").Set("smlversion", std::string(wire::kSmlVersion));
+  root->children.push_back(InputReceivedCommand(agent, wmes));
+  return root;
+}
+
+}  // namespace soarbox::server

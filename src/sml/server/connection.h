@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "kernel/io/output_link.h"
+#include "sml/server/event_set.h"
+#include "sml/wire/element.h"
+
+namespace soarbox::server {
+
+class HostedAgent;
+
+/// What a client says of itself.
+struct ConnectionInfo {
+  std::string id;
+  std::string name = "unknown";
+  std::string status = "created";
+  std::string agent_status;
+};
+
+/// One element that a client adds to the input (or one that it takes away: only the tag counts then).
+struct InputWme {
+  enum class Type : std::uint8_t { kString, kInt, kDouble, kId };
+
+  bool add = true;
+  long long tag = 0;
+  std::string_view id;         ///< The parent, as the client or the kernel names it.
+  std::string_view attribute;
+  Type type = Type::kString;
+  std::string_view text;       ///< A string, or the name of an identifier.
+  long long integer = 0;
+  double real = 0.0;
+};
+
+/// A client of a kernel: the program that the kernel lives in, or one at the other end of a socket. The kernel calls
+/// these functions for events that the client has registered for; all on the thread that holds the kernel.
+class Connection {
+ public:
+  virtual ~Connection() = default;
+
+  ConnectionInfo info;
+  EventSet kernel_events;           ///< Registered events that belong to no agent.
+  long long initial_time_tag = 0;   ///< 0: has not asked.
+
+  virtual bool embedded() const = 0;
+
+  virtual void OnSystemEvent(int event) = 0;
+  virtual void OnUpdateEvent(int event, int run_flags) = 0;
+  virtual void OnAgentEvent(HostedAgent& agent, int event) = 0;
+  virtual void OnRunEvent(HostedAgent& agent, int event, int phase) = 0;
+  virtual void OnProductionEvent(HostedAgent& agent, int event, std::string_view name) = 0;
+  virtual void OnPrint(HostedAgent& agent, const std::string& text) = 0;
+  /// `self`: this client's own command line is echoed.
+  virtual void OnEcho(HostedAgent& agent, const std::string& text, bool self) = 0;
+  virtual void OnXmlTrace(HostedAgent& agent, const std::shared_ptr<const wire::Element>& trace) = 0;
+  virtual void OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) = 0;
+  virtual void OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) = 0;
+  virtual void OnOutputInit(HostedAgent& agent) = 0;
+  /// The client's answer; none if it gives none.
+  virtual std::optional<std::string> OnStringEvent(int event, std::string_view value) = 0;
+  virtual std::optional<std::string> OnFunction(HostedAgent* agent, int event, std::string_view name,
+                                                std::string_view argument) = 0;
+};
+
+}  // namespace soarbox::server

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+#include "sml/server/connection.h"
+#include "sml/wire/message.h"
+
+namespace soarbox::server {
+
+class KernelHost;
+
+/// Carries out one call of a client. Every call gets a response; what is wrong with it stands there in words.
+class Dispatcher {
+ public:
+  Dispatcher(KernelHost& host, Connection& from) : host_(host), from_(from) {}
+
+  void Handle(const wire::Message& call, wire::Message& response);
+
+  struct Request;
+
+ private:
+  KernelHost& host_;
+  Connection& from_;
+};
+
+}  // namespace soarbox::server

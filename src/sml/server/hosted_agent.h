@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/session.h"
+#include "kernel/agent.h"
+#include "sml/server/agent_input.h"
+#include "sml/server/connection.h"
+#include "sml/server/event_set.h"
+
+namespace soarbox::server {
+
+class EventRelay;
+class HostedAgent;
+class XmlTracer;
+
+/// The command line's view of a hosted agent, with the way back.
+class HostedSession : public cli::Session {
+ public:
+  HostedSession(HostedAgent& hosted, kernel::Agent& agent, const std::string& name)
+      : cli::Session(agent, name), hosted_(hosted) {}
+  HostedAgent& hosted() { return hosted_; }
+
+ private:
+  HostedAgent& hosted_;
+};
+
+/// One agent of a kernel, with what clients need of it: its command line session, its input by tags, who listens to what,
+/// texts that wait to be sent, and how its last run ended. No subscriber, no cost: what nobody listens to is not made.
+///
+/// Owned by KernelHost and touched only by the thread that holds the kernel, but for RequestStop().
+class HostedAgent {
+ public:
+  explicit HostedAgent(std::string name);
+  ~HostedAgent();
+  HostedAgent(const HostedAgent&) = delete;
+  HostedAgent& operator=(const HostedAgent&) = delete;
+
+  const std::string& name() const { return name_; }
+  kernel::Agent& agent() { return agent_; }
+  const kernel::Agent& agent() const { return agent_; }
+  HostedSession& session() { return session_; }
+  AgentInput& input() { return input_; }
+
+  // Listening -------------------------------------------------------------------------------------------------------
+
+  void Register(Connection& connection, int event);
+  void Unregister(Connection& connection, int event);
+  /// Takes a connection out of all lists.
+  void Forget(Connection& connection);
+  bool Listens(int event) const { return listened_.Has(event); }
+  /// Somebody wants to hear of single phases.
+  bool ListensToPhases() const { return phase_listeners_; }
+  bool Listens(const Connection& connection, int event) const;
+
+  // Telling ---------------------------------------------------------------------------------------------------------
+
+  void FireRun(int event, int phase);
+  /// An event of one phase and the one for every phase: the one that was registered last comes first.
+  void FirePhase(int specific, int general, int phase);
+  void FireProduction(int event, std::string_view name);
+  void FireOutput(std::span<const kernel::OutputChange> changes);
+  void FireOutputInit();
+  void FireXmlInput(std::span<const InputWme> wmes);
+  void FireEcho(const Connection* from, const std::string& text);
+  /// Sends the text that was printed since the last time. Comes before any other event.
+  void FlushPrint() {
+    if (!printed_.empty()) SendPrint();
+  }
+  /// Sends the structured trace since the last time.
+  void FlushXmlTrace();
+  /// Delivers the output of an output phase, if it changed.
+  void DeliverOutput();
+
+  /// The trace settings may have changed: the structured trace follows. Before runs and after command lines.
+  void PrepareRun();
+
+  // Running ---------------------------------------------------------------------------------------------------------
+
+  /// Asks for the end of the run, from any thread.
+  void RequestStop() { stop_.store(true, std::memory_order_release); }
+  void ClearStop() { stop_.store(false, std::memory_order_release); }
+  bool StopRequested() const { return stop_.load(std::memory_order_acquire); }
+
+  ::sml::smlRunState run_state = ::sml::sml_RUNSTATE_STOPPED;
+  ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;
+  bool on_run_list = false;
+  bool doomed = false;            ///< Destroyed while it ran: gone at the end of the run.
+
+  /// The object that stands for this agent in the program that the kernel lives in.
+  void* embedded_peer = nullptr;
+
+  /// The decision counter that Soar reports: begins with 1, grows at the end of each output phase.
+  std::uint64_t decision_count() const { return agent_.counters().decision_cycles + 1; }
+
+ private:
+  struct Listener {
+    Connection* connection;
+    EventSet events;
+  };
+
+  void UpdateListened();
+  void SendPrint();
+  template <typename Call>
+  void Tell(int event, Call call);
+
+  std::string name_;
+  kernel::Agent agent_;
+  HostedSession session_;
+  AgentInput input_;
+  std::unique_ptr<EventRelay> relay_;
+  std::unique_ptr<XmlTracer> tracer_;
+  std::vector<Listener> listeners_;
+  EventSet listened_;
+  bool phase_listeners_ = false;
+  std::array<std::uint32_t, ::sml::smlEVENT_LAST> registered_at_{};
+  std::uint32_t registrations_ = 0;
+  std::string printed_;
+  std::uint64_t output_generation_ = 0;
+  std::atomic<bool> stop_{false};
+};
+
+}  // namespace soarbox::server

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/server/kernel_host.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+namespace soarbox::server {
+
+using namespace ::sml;
+
+KernelHost::KernelHost() : run_(*this), interpreter_(this) {}
+
+KernelHost::~KernelHost() {
+  order_.clear();
+  by_name_.clear();
+}
+
+HostedAgent* KernelHost::CreateAgent(const std::string& name) {
+  if (Find(name)) return nullptr;
+  auto created = std::make_unique<HostedAgent>(name);
+  HostedAgent* hosted = created.get();
+  by_name_.emplace(name, std::move(created));
+  order_.clear();
+  for (const auto& entry : by_name_) order_.push_back(entry.second.get());
+  InstallFunctions(*hosted);
+  SourceSettings(*hosted);
+  return hosted;
+}
+
+void KernelHost::SourceSettings(HostedAgent& hosted) {
+  std::error_code ignored;
+  const char* home = std::getenv("SOAR_HOME");
+  std::vector<std::filesystem::path> folders{interpreter_.directory()};
+  if (home) folders.emplace_back(home);
+  for (const std::filesystem::path& folder : folders) {
+    const std::filesystem::path file = folder / "settings.soar";
+    if (!std::filesystem::exists(file, ignored)) continue;
+    interpreter_.Execute(hosted.session(), "source {" + file.string() + "}");
+    return;
+  }
+}
+
+void KernelHost::InstallFunctions(HostedAgent& hosted) {
+  hosted.agent().SetFallbackFunction(
+      [this, &hosted](kernel::Agent& agent, std::string_view name, std::span<const kernel::Symbol> arguments) -> Result<kernel::Symbol> {
+        std::string argument;
+        for (const kernel::Symbol symbol : arguments) kernel::AppendTo(argument, agent.symbols(), symbol, false);
+        const auto answer = CallFunction(&hosted, smlEVENT_RHS_USER_FUNCTION, name, argument);
+        return agent.mutable_symbols().String(answer.value_or(std::string()));
+      });
+  hosted.agent().SetCommandRunner([this, &hosted](kernel::Agent&, std::string_view line) {
+    return Execute(&hosted, line, {}).text;
+  });
+}
+
+void KernelHost::DestroyAgent(HostedAgent& hosted) {
+  FireAgent(hosted, smlEVENT_BEFORE_AGENT_DESTROYED);
+  const auto found = by_name_.find(hosted.name());
+  if (found == by_name_.end() || found->second.get() != &hosted) return;
+  std::erase(order_, &hosted);
+  if (last_addressed_ == &hosted) last_addressed_ = nullptr;
+  hosted.doomed = true;
+  hosted.RequestStop();
+  doomed_.push_back(std::move(found->second));
+  by_name_.erase(found);
+  if (!running()) EndOfRun();
+}
+
+void KernelHost::DestroyAllAgents() {
+  while (!order_.empty()) DestroyAgent(*order_.front());
+}
+
+void KernelHost::EndOfRun() {
+  // An agent in the middle of a phase is destroyed when the call that started the phase comes back.
+  std::erase_if(doomed_, [](const std::unique_ptr<HostedAgent>& hosted) { return !hosted->agent().running(); });
+}
+
+HostedAgent* KernelHost::Find(std::string_view name) {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : found->second.get();
+}
+
+HostedAgent* KernelHost::Addressed(HostedAgent* hosted) {
+  if (!hosted) hosted = last_addressed_;
+  if (!hosted && !order_.empty()) hosted = order_.front();
+  if (hosted) {
+    last_addressed_ = hosted;
+    return hosted;
+  }
+  if (!nobody_) nobody_ = std::make_unique<HostedAgent>("");
+  return nobody_.get();
+}
+
+kernel::RunResult KernelHost::RunAgents(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
+  return run_.Run(addressed, request, interleave_given);
+}
+
+kernel::RunResult KernelHost::Run(cli::Session& session, const cli::RunRequest& request) {
+  return RunAgents(static_cast<HostedSession&>(session).hosted(), request, request.interleave_given);
+}
+
+void KernelHost::Stop(cli::Session& session, bool self_only) {
+  if (!self_only) {
+    StopAll();
+    return;
+  }
+  static_cast<HostedSession&>(session).hosted().RequestStop();
+}
+
+void KernelHost::Reinitialize(cli::Session& session) { Initialize(static_cast<HostedSession&>(session).hosted()); }
+
+bool KernelHost::IsRunning(cli::Session& session) const { return running() || session.agent().running(); }
+
+void KernelHost::Initialize(HostedAgent& hosted) {
+  FireAgent(hosted, smlEVENT_BEFORE_AGENT_REINITIALIZED);
+  if (hosted.Listens(smlEVENT_OUTPUT_PHASE_CALLBACK)) {
+    std::vector<kernel::OutputChange> removals(hosted.agent().output().current().begin(),
+                                               hosted.agent().output().current().end());
+    for (kernel::OutputChange& change : removals) change.added = false;
+    hosted.FireOutput(removals);
+    hosted.FireOutputInit();
+  }
+  hosted.input().Clear();
+  hosted.agent().InitSoar();
+  hosted.FlushPrint();
+  hosted.FireOutput({});
+  hosted.run_state = sml_RUNSTATE_STOPPED;
+  hosted.on_run_list = false;
+  FireAgent(hosted, smlEVENT_AFTER_AGENT_REINITIALIZED);
+  hosted.FlushXmlTrace();
+}
+
+void KernelHost::ServePump() {
+  pump_requested_.store(false, std::memory_order_release);
+  if (pump_) pump_();
+}
+
+}  // namespace soarbox::server

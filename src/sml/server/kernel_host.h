@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/host.h"
+#include "cli/interpreter.h"
+#include "cli/result.h"
+#include "sml/server/connection.h"
+#include "sml/server/hosted_agent.h"
+#include "sml/server/run_control.h"
+
+namespace soarbox::server {
+
+/// A kernel: agents, the command language that they share, the clients that listen, and the runs.
+///
+/// Everything but StopAll() and the pump's flag belongs to the thread that holds mutex(); clients lock it around each
+/// call. Handlers of clients run inside, on the same thread, and may call anything.
+class KernelHost : public cli::Host {
+ public:
+  KernelHost();
+  ~KernelHost() override;
+
+  std::recursive_mutex& mutex() { return mutex_; }
+
+  // Agents ----------------------------------------------------------------------------------------------------------
+
+  /// Null if there is an agent of that name. Sources settings.soar, if there is one.
+  HostedAgent* CreateAgent(const std::string& name);
+  /// Tells the clients of a new agent.
+  void AnnounceAgent(HostedAgent& hosted) { FireAgent(hosted, ::sml::smlEVENT_AFTER_AGENT_CREATED); }
+  void DestroyAgent(HostedAgent& hosted);
+  void DestroyAllAgents();
+  HostedAgent* Find(std::string_view name);
+  /// In the order of their names.
+  const std::vector<HostedAgent*>& agents() const { return order_; }
+
+  // Command lines ---------------------------------------------------------------------------------------------------
+
+  struct LineOptions {
+    bool echo = false;
+    bool filter = true;
+    const Connection* from = nullptr;
+  };
+  /// `hosted` may be null: the line goes to the agent that was addressed last.
+  cli::CommandResult Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options);
+  cli::Interpreter& interpreter() { return interpreter_; }
+  /// A filter is registered: every command line must pass by Execute.
+  bool HasFilters() const;
+
+  // Runs ------------------------------------------------------------------------------------------------------------
+
+  kernel::RunResult RunAgents(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given);
+  bool running() const { return run_.running(); }
+  /// Asks all agents to stop, from any thread.
+  void StopAll() { stop_requests_.fetch_add(1, std::memory_order_acq_rel); }
+  /// How often that was asked; a run ends when the number changes.
+  std::uint64_t stop_requests() const { return stop_requests_.load(std::memory_order_acquire); }
+  void SetInterruptCheckRate(int rate) { run_.SetInterruptCheckRate(rate); }
+  void Initialize(HostedAgent& hosted);
+
+  kernel::RunResult Run(cli::Session& session, const cli::RunRequest& request) override;
+  void Stop(cli::Session& session, bool self_only) override;
+  void Reinitialize(cli::Session& session) override;
+  bool IsRunning(cli::Session& session) const override;
+  int Port() const override { return port_; }
+  void SetPort(int port) { port_ = port; }
+
+  // Clients ---------------------------------------------------------------------------------------------------------
+
+  void AddConnection(Connection& connection);
+  /// Forgets all its registrations, functions and its range of time tags.
+  void RemoveConnection(Connection& connection);
+  const std::vector<Connection*>& connections() const { return connections_; }
+  /// The first tag of the client: ranges of 2^27 below each other. 0 if all eight are taken.
+  long long AssignTimeTags(Connection& connection);
+
+  void Register(Connection& connection, HostedAgent* hosted, int event);
+  void Unregister(Connection& connection, HostedAgent* hosted, int event);
+  /// RHS functions, client messages and filters, by name.
+  void RegisterFunction(Connection& connection, int event, const std::string& name);
+  void UnregisterFunction(Connection& connection, int event, const std::string& name);
+
+  void FireSystem(int event);
+  void FireUpdate(int event, int run_flags);
+  void FireAgent(HostedAgent& hosted, int event);
+  /// The first answer; none if nobody gives one.
+  std::optional<std::string> FireString(int event, std::string_view value);
+  /// The answer of the first client that gives one.
+  std::optional<std::string> CallFunction(HostedAgent* hosted, int event, std::string_view name, std::string_view argument);
+  bool system_stop_suppressed() const { return system_stop_suppressed_; }
+  void SuppressSystemStop(bool on) { system_stop_suppressed_ = on; }
+
+  /// A function that serves what remote clients asked for; called between the steps of runs.
+  void SetPump(std::function<void()> pump) { pump_ = std::move(pump); }
+  /// There is work for the pump. From any thread.
+  void RequestPump() { pump_requested_.store(true, std::memory_order_release); }
+  void Pump() {
+    if (pump_requested_.load(std::memory_order_acquire)) ServePump();
+  }
+  /// Called by RunControl when a run has ended: agents that were destroyed meanwhile go.
+  void EndOfRun();
+
+ private:
+  struct Function {
+    int event;
+    std::string name;
+    Connection* connection;
+  };
+
+  void ServePump();
+  HostedAgent* Addressed(HostedAgent* hosted);
+  void SourceSettings(HostedAgent& hosted);
+  void InstallFunctions(HostedAgent& hosted);
+  cli::CommandResult ExecuteUnfiltered(HostedAgent& hosted, std::string_view line, const LineOptions& options);
+  std::optional<cli::CommandResult> PassFilters(HostedAgent& hosted, std::string& line);
+
+  std::recursive_mutex mutex_;
+  RunControl run_;
+  cli::Interpreter interpreter_;
+  std::map<std::string, std::unique_ptr<HostedAgent>, std::less<>> by_name_;
+  std::vector<HostedAgent*> order_;
+  std::vector<std::unique_ptr<HostedAgent>> doomed_;
+  std::unique_ptr<HostedAgent> nobody_;   ///< Takes command lines while there is no agent.
+  HostedAgent* last_addressed_ = nullptr;
+  std::vector<Connection*> connections_;
+  std::vector<Function> functions_;
+  EventSet listened_;
+  bool system_stop_suppressed_ = false;
+  int port_ = 0;
+  std::function<void()> pump_;
+  std::atomic<bool> pump_requested_{false};
+  std::atomic<std::uint64_t> stop_requests_{0};
+};
+
+}  // namespace soarbox::server

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "sml/server/kernel_host.h"
+#include "sml/wire/xml_reader.h"
+#include "sml/wire/xml_writer.h"
+
+namespace soarbox::server {
+
+using namespace ::sml;
+
+namespace {
+
+constexpr std::string_view kFilterName = "_sml::filter";
+
+std::string FilterDocument(std::string_view line) {
+  wire::Element filter("filter");
+  filter.Set("command", std::string(line));
+  return wire::ToXml(filter);
+}
+
+}  // namespace
+
+bool KernelHost::HasFilters() const {
+  return std::any_of(functions_.begin(), functions_.end(),
+                     [](const Function& function) { return function.event == smlEVENT_FILTER; });
+}
+
+/// Shows the line to each filter in turn, which may change it. A result: the line ends there with this answer.
+std::optional<cli::CommandResult> KernelHost::PassFilters(HostedAgent& hosted, std::string& line) {
+  for (std::size_t i = 0; i < functions_.size(); ++i) {
+    if (functions_[i].event != smlEVENT_FILTER || functions_[i].name != kFilterName) continue;
+    const auto answer = functions_[i].connection->OnFunction(&hosted, smlEVENT_FILTER, kFilterName, FilterDocument(line));
+    if (!answer) continue;
+    cli::CommandResult ended;
+    if (answer->empty()) return ended;
+    const Result<wire::Element> read = wire::ReadXml(*answer);
+    if (!read) continue;
+    if (const std::string* command = read.value().Attribute("command")) {
+      line = *command;
+      continue;
+    }
+    if (const std::string* output = read.value().Attribute("output")) ended.text = *output;
+    const std::string* error = read.value().Attribute("error");
+    ended.ok = !(error && *error == "true");
+    return ended;
+  }
+  return std::nullopt;
+}
+
+cli::CommandResult KernelHost::Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options) {
+  HostedAgent& addressed = *Addressed(hosted);
+  std::string text(line);
+  if (options.filter && HasFilters()) {
+    if (auto ended = PassFilters(addressed, text)) return *std::move(ended);
+  }
+  return ExecuteUnfiltered(addressed, text, options);
+}
+
+cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::string_view line, const LineOptions& options) {
+  const bool echoes = options.echo && hosted.Listens(smlEVENT_ECHO);
+  if (echoes) hosted.FireEcho(options.from, std::string(line));
+  cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
+  if (hosted.doomed) return result;
+  hosted.PrepareRun();
+  hosted.FlushPrint();
+  hosted.FlushXmlTrace();
+  if (echoes) hosted.FireEcho(options.from, result.text);
+  return result;
+}
+
+}  // namespace soarbox::server

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/server/listener.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <vector>
+
+#include "sml/server/kernel_host.h"
+#include "sml/server/remote_connection.h"
+#include "sml/wire/channel.h"
+
+namespace soarbox::server {
+
+struct Listener::State {
+  State(KernelHost& kernel_host, const ListenerOptions& listener_options) : host(kernel_host), options(listener_options) {}
+
+  void Accepted(std::unique_ptr<wire::Channel> channel) {
+    std::function<void()> call;
+    {
+      const std::lock_guard lock(mutex);
+      if (static_cast<int>(arrived.size()) + clients >= options.max_clients) return;
+      channel->SetWake([this] { Wake(); });
+      arrived.push_back(std::move(channel));
+    }
+    Wake();
+  }
+
+  void Wake() {
+    std::function<void()> call;
+    {
+      const std::lock_guard lock(mutex);
+      call = wake;
+    }
+    if (call) call();
+  }
+
+  KernelHost& host;
+  const ListenerOptions options;
+  std::mutex mutex;
+  std::function<void()> wake;
+  std::vector<std::unique_ptr<wire::Channel>> arrived;   ///< Not yet clients of the kernel.
+  std::atomic<int> clients{0};
+
+  // Of the thread that holds the kernel.
+  std::vector<std::unique_ptr<RemoteConnection>> connections;
+  bool serving = false;
+  unsigned long long next_id = 1;
+  unsigned long long dropped_before = 0;                 ///< By clients that have left.
+
+  wire::IoThread thread;
+  std::unique_ptr<wire::Acceptor> acceptor;
+};
+
+Listener::Listener(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Listener::~Listener() { Close(); }
+
+Result<std::unique_ptr<Listener>> Listener::Open(KernelHost& host, const ListenerOptions& options) {
+  auto state = std::make_unique<State>(host, options);
+  wire::ChannelLimits limits;
+  limits.max_waiting_out = options.max_waiting_bytes;
+  auto opened = wire::Acceptor::Open(state->thread, options.address, options.port, limits,
+                                     [raw = state.get()](std::unique_ptr<wire::Channel> channel) {
+                                       raw->Accepted(std::move(channel));
+                                     });
+  if (!opened) return opened.error();
+  state->acceptor = std::move(opened.value());
+  return std::unique_ptr<Listener>(new Listener(std::move(state)));
+}
+
+int Listener::port() const { return state_->acceptor ? state_->acceptor->port() : 0; }
+
+void Listener::SetWake(std::function<void()> wake) {
+  const std::lock_guard lock(state_->mutex);
+  state_->wake = std::move(wake);
+}
+
+bool Listener::Serve() {
+  State& state = *state_;
+  // A call that is being carried out may come here again (a run that pumps): the outer one goes on with the list.
+  std::vector<std::unique_ptr<wire::Channel>> arrived;
+  {
+    const std::lock_guard lock(state.mutex);
+    arrived.swap(state.arrived);
+  }
+  for (std::unique_ptr<wire::Channel>& channel : arrived) {
+    auto connection = std::make_unique<RemoteConnection>(state.host, std::move(channel),
+                                                         std::chrono::milliseconds(state.options.answer_timeout_ms));
+    connection->info.id = "id_" + std::to_string(state.next_id++);
+    state.host.AddConnection(*connection);
+    state.connections.push_back(std::move(connection));
+    ++state.clients;
+    state.host.FireSystem(::sml::smlEVENT_AFTER_CONNECTION);
+  }
+  const bool outermost = !state.serving;
+  state.serving = true;
+  bool any = !arrived.empty();
+  for (std::size_t i = 0; i < state.connections.size(); ++i) any = state.connections[i]->Serve() || any;
+  if (!outermost) return any;
+  state.serving = false;
+  // Clients are let go only here, where none of their calls is being carried out, and never in the middle of a run,
+  // where an event may be on its way to them.
+  if (state.host.running()) return any;
+  std::erase_if(state.connections, [&](const std::unique_ptr<RemoteConnection>& connection) {
+    if (!connection->gone()) return false;
+    state.dropped_before += connection->dropped();
+    state.host.RemoveConnection(*connection);
+    --state.clients;
+    return true;
+  });
+  return any;
+}
+
+void Listener::Close() {
+  State& state = *state_;
+  SetWake({});
+  state.acceptor.reset();
+  for (const std::unique_ptr<RemoteConnection>& connection : state.connections) state.host.RemoveConnection(*connection);
+  state.connections.clear();
+  const std::lock_guard lock(state.mutex);
+  state.arrived.clear();
+}
+
+unsigned long long Listener::dropped() const {
+  unsigned long long total = state_->dropped_before;
+  for (const std::unique_ptr<RemoteConnection>& connection : state_->connections) total += connection->dropped();
+  return total;
+}
+
+}  // namespace soarbox::server

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <vector>
+
+#include "kernel/agent.h"
+#include "sml/server/hosted_agent.h"
+
+namespace soarbox::server {
+
+/// The element that is the output link itself: (I1 ^output-link I3). Its time tag is 0 before the first state exists.
+kernel::WmeInfo OutputLinkWme(const kernel::Agent& agent);
+
+/// An element of the input with the tag that its client gave it (or the kernel's).
+struct InputListing {
+  kernel::WmeInfo wme;
+  long long tag = 0;
+};
+/// Everything below the input link, parents before children.
+std::vector<InputListing> ListInput(HostedAgent& hosted);
+
+}  // namespace soarbox::server

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/server/remote_connection.h"
+
+#include "sml/server/answers.h"
+#include "sml/server/dispatcher.h"
+#include "sml/server/hosted_agent.h"
+#include "sml/server/output_documents.h"
+
+namespace soarbox::server {
+
+using namespace ::sml;
+
+namespace {
+
+std::string EventName(int event) { return Events().ConvertToString(event); }
+
+wire::Message EventCall() { return wire::MakeCall("event"); }
+
+wire::Element& Command(wire::Message& message) { return message.root.children.front(); }
+
+}  // namespace
+
+RemoteConnection::RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel,
+                                   std::chrono::milliseconds answer_timeout)
+    : host_(host), channel_(std::move(channel)), timeout_(answer_timeout) {}
+
+RemoteConnection::~RemoteConnection() = default;
+
+bool RemoteConnection::Serve() {
+  bool any = false;
+  // Asked before the messages are taken: what came before the end is served.
+  const bool closed = channel_->closed();
+  std::string document;
+  while (channel_->Pop(document)) {
+    any = true;
+    if (const Result<wire::Message> message = wire::ReadMessage(document)) Handle(message.value());
+  }
+  gone_ = gone_ || closed;
+  return any;
+}
+
+void RemoteConnection::Handle(const wire::Message& message) {
+  switch (message.type) {
+    case wire::DocType::kNotify: return;
+    case wire::DocType::kResponse:
+      if (message.ack.empty() || message.ack != awaited_id_) return;
+      slow_ = false;
+      answer_ = message;
+      return;
+    case wire::DocType::kCall: break;
+  }
+  wire::Message response = wire::MakeResponse(message.id);
+  response.id = NextId();
+  Dispatcher(host_, *this).Handle(message, response);
+  channel_->Send(wire::ToDocument(response));
+}
+
+std::optional<wire::Message> RemoteConnection::Call(wire::Message& call, Wait wait, bool droppable) {
+  call.id = NextId();
+  if (!channel_->Send(wire::ToDocument(call), droppable)) return std::nullopt;
+  if (wait == Wait::kNo) return std::nullopt;
+  const std::string id = call.id;
+  awaited_id_ = id;
+  answer_.reset();
+  if (slow_) return std::nullopt;
+  const auto end = std::chrono::steady_clock::now() + timeout_;
+  std::string document;
+  while (true) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    if (left.count() <= 0 || !channel_->Wait(document, left)) break;
+    const Result<wire::Message> message = wire::ReadMessage(document);
+    if (!message) continue;
+    // An event inside an event waits for an answer of its own; this one's is then awaited again.
+    const std::string awaited = awaited_id_;
+    if (message.value().type == wire::DocType::kResponse && message.value().ack == id) return message.value();
+    Handle(message.value());
+    awaited_id_ = awaited;
+  }
+  slow_ = !channel_->closed();
+  return std::nullopt;
+}
+
+void RemoteConnection::OnSystemEvent(int event) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("eventid", EventName(event));
+  Call(call, Wait::kForAnswer);
+}
+
+void RemoteConnection::OnUpdateEvent(int event, int run_flags) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("eventid", EventName(event)).AddArg("value", std::to_string(run_flags));
+  Call(call, Wait::kForAnswer);
+}
+
+void RemoteConnection::OnAgentEvent(HostedAgent& agent, int event) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("name", agent.name()).AddArg("eventid", EventName(event));
+  Call(call, Wait::kForAnswer);
+}
+
+void RemoteConnection::OnRunEvent(HostedAgent& agent, int event, int phase) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(event)).AddArg("phase", std::to_string(phase));
+  Call(call, Wait::kForAnswer);
+}
+
+void RemoteConnection::OnProductionEvent(HostedAgent& agent, int event, std::string_view name) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(event)).AddArg("name", std::string(name));
+  Call(call, Wait::kNo, true);
+}
+
+void RemoteConnection::OnPrint(HostedAgent& agent, const std::string& text) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(smlEVENT_PRINT)).AddArg("message", text);
+  Call(call, Wait::kNo, true);
+}
+
+void RemoteConnection::OnEcho(HostedAgent& agent, const std::string& text, bool self) {
+  wire::Message call = EventCall();
+  Command(call)
+      .AddArg("agent", agent.name())
+      .AddArg("eventid", EventName(smlEVENT_ECHO))
+      .AddArg("message", text)
+      .AddArg("self", self ? "true" : "false");
+  Call(call, Wait::kNo, true);
+}
+
+void RemoteConnection::OnXmlTrace(HostedAgent& agent, const std::shared_ptr<const wire::Element>& trace) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(smlEVENT_XML_TRACE_OUTPUT));
+  call.root.children.push_back(*trace);
+  Call(call, Wait::kNo, true);
+}
+
+void RemoteConnection::OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) {
+  wire::Message call = EventCall();
+  Command(call) = InputReceivedCommand(agent, wmes);
+  Call(call, Wait::kNo, true);
+}
+
+void RemoteConnection::OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) {
+  wire::Message call = wire::MakeCall("output");
+  Command(call).AddArg("agent", agent.name());
+  const bool first = told_output_.insert(agent.name()).second && !changes.empty();
+  AddOutput(Command(call), agent.agent(), changes, first);
+  Call(call, Wait::kForAnswer);
+}
+
+void RemoteConnection::OnOutputInit(HostedAgent& agent) {
+  wire::Message call = wire::MakeCall("output_init");
+  Command(call).AddArg("agent", agent.name());
+  Call(call, Wait::kForAnswer);
+}
+
+std::optional<std::string> RemoteConnection::OnStringEvent(int event, std::string_view value) {
+  wire::Message call = EventCall();
+  Command(call).AddArg("eventid", EventName(event)).AddArg("value", std::string(value));
+  const auto answer = Call(call, Wait::kForAnswer);
+  const wire::Element* result = answer ? answer->ResultTag() : nullptr;
+  return result ? std::optional(result->text) : std::nullopt;
+}
+
+std::optional<std::string> RemoteConnection::OnFunction(HostedAgent* agent, int event, std::string_view name,
+                                                        std::string_view argument) {
+  wire::Message call = EventCall();
+  Command(call)
+      .AddArg("name", agent ? agent->name() : std::string())
+      .AddArg("eventid", EventName(event))
+      .AddArg("function", std::string(name))
+      .AddArg("value", std::string(argument));
+  const auto answer = Call(call, Wait::kForAnswer);
+  if (!answer) return std::nullopt;
+  const wire::Element* result = answer->ResultTag();
+  return result ? result->text : std::string();
+}
+
+}  // namespace soarbox::server

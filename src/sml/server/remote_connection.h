@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "sml/server/connection.h"
+#include "sml/wire/channel.h"
+#include "sml/wire/message.h"
+
+namespace soarbox::server {
+
+class KernelHost;
+
+/// A client at the other end of a socket: events become documents, its calls are carried out.
+///
+/// Events whose handlers may change the agent (runs, output, agents coming and going) wait for the client's answer, as
+/// in Soar, but only until the time-out: then the client counts as slow and is not waited for until it has answered the
+/// last of them. Text and trace never wait, and are dropped when they pile up.
+class RemoteConnection : public Connection {
+ public:
+  RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel, std::chrono::milliseconds answer_timeout);
+  ~RemoteConnection() override;
+
+  /// Carries out the calls that have come. True if there were any.
+  bool Serve();
+  /// The other side is gone and everything that it sent has been served.
+  bool gone() const { return gone_; }
+  unsigned long long dropped() const { return channel_->dropped(); }
+  bool slow() const { return slow_; }
+
+  bool embedded() const override { return false; }
+  void OnSystemEvent(int event) override;
+  void OnUpdateEvent(int event, int run_flags) override;
+  void OnAgentEvent(HostedAgent& agent, int event) override;
+  void OnRunEvent(HostedAgent& agent, int event, int phase) override;
+  void OnProductionEvent(HostedAgent& agent, int event, std::string_view name) override;
+  void OnPrint(HostedAgent& agent, const std::string& text) override;
+  void OnEcho(HostedAgent& agent, const std::string& text, bool self) override;
+  void OnXmlTrace(HostedAgent& agent, const std::shared_ptr<const wire::Element>& trace) override;
+  void OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) override;
+  void OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) override;
+  void OnOutputInit(HostedAgent& agent) override;
+  std::optional<std::string> OnStringEvent(int event, std::string_view value) override;
+  std::optional<std::string> OnFunction(HostedAgent* agent, int event, std::string_view name,
+                                        std::string_view argument) override;
+
+ private:
+  enum class Wait { kNo, kForAnswer };
+
+  std::string NextId() { return std::to_string(next_id_++); }
+  void Handle(const wire::Message& message);
+  /// Sends a call; with kForAnswer, serves the client until its answer is there. The answer, if one came.
+  std::optional<wire::Message> Call(wire::Message& call, Wait wait, bool droppable = false);
+
+  KernelHost& host_;
+  std::unique_ptr<wire::Channel> channel_;
+  std::chrono::milliseconds timeout_;
+  std::uint64_t next_id_ = 0;
+  std::string awaited_id_;                ///< Of the last call that is waited for; slow until it is answered.
+  std::optional<wire::Message> answer_;   ///< To the awaited call.
+  bool slow_ = false;
+  bool gone_ = false;
+  std::set<std::string> told_output_;     ///< Agents whose output this client has been told of.
+};
+
+}  // namespace soarbox::server

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/server/run_control.h"
+
+#include <algorithm>
+
+#include "sml/server/hosted_agent.h"
+#include "sml/server/kernel_host.h"
+
+namespace soarbox::server {
+
+using namespace ::sml;
+using kernel::Phase;
+using kernel::RunUnit;
+using kernel::StopReason;
+
+namespace {
+
+struct PhaseEvents {
+  int before;
+  int after;
+};
+
+PhaseEvents EventsOf(Phase phase) {
+  const int index = static_cast<int>(phase);
+  return {smlEVENT_BEFORE_INPUT_PHASE + index, smlEVENT_AFTER_INPUT_PHASE + index};
+}
+
+int PhaseNumber(const HostedAgent& hosted) { return static_cast<int>(hosted.agent().next_phase()); }
+
+/// The step that agents take in turn if the request does not say: the run's own unit; a run without end goes by phases.
+RunUnit InterleaveOf(const cli::RunRequest& request, bool given) {
+  if (given) return request.interleave;
+  return request.unit == RunUnit::kForever ? RunUnit::kPhase : request.unit;
+}
+
+bool EndsAtStopPhase(const cli::RunRequest& request) {
+  return request.unit == RunUnit::kDecision || request.unit == RunUnit::kForever;
+}
+
+}  // namespace
+
+kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
+  running_ = true;
+  run_flags_ = (request.self_only ? sml_RUN_SELF : sml_RUN_ALL) | (request.update_world || request.self_only ? 0 : sml_DONT_UPDATE_WORLD);
+  const kernel::AgentCounters before = addressed.agent().counters();
+
+  stop_requests_ = host_.stop_requests();
+
+  host_.FireSystem(smlEVENT_SYSTEM_START);
+  Begin(addressed, request);
+  Rounds(request, InterleaveOf(request, interleave_given));
+  if (EndsAtStopPhase(request) && !request.until_goal_removed) {
+    for (Runner& runner : runners_) MoveToStopPhase(runner);
+  }
+  kernel::RunResult result;
+  for (Runner& runner : runners_) {
+    EndInterrupted(runner);
+    if (runner.hosted == &addressed) result.reason = runner.reason;
+    Finish(runner, EndsAtStopPhase(request) || runner.active);
+  }
+  if (request.until_goal_removed) addressed.agent().SetGoalToWatch({});
+  running_ = false;
+  if (!host_.system_stop_suppressed()) host_.FireSystem(smlEVENT_SYSTEM_STOP);
+
+  const kernel::AgentCounters& after = addressed.agent().counters();
+  result.decisions = after.decision_cycles - before.decision_cycles;
+  result.elaborations = after.elaborations - before.elaborations;
+  result.firings = after.firings - before.firings;
+  host_.EndOfRun();
+  return result;
+}
+
+void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
+  runners_.clear();
+  const auto add = [&](HostedAgent& hosted) {
+    Runner runner;
+    runner.hosted = &hosted;
+    runner.remaining = request.count;
+    // The way to the stop phase makes the last decision, so an agent that is not there yet needs one cycle less.
+    const kernel::Agent& agent = hosted.agent();
+    if (request.unit == RunUnit::kDecision && runner.remaining > 0 && agent.next_phase() != agent.settings().stop_phase) {
+      --runner.remaining;
+    }
+    if (request.unit == RunUnit::kForever) runner.remaining = 1;
+    runner.generation = agent.output().generation();
+    runner.active = runner.remaining > 0;
+    runners_.push_back(runner);
+  };
+  for (HostedAgent* hosted : host_.agents()) {
+    hosted->on_run_list = false;
+    if (request.self_only && hosted != &addressed) continue;
+    add(*hosted);
+  }
+  if (runners_.empty()) add(addressed);
+  if (request.until_goal_removed && !addressed.agent().goals().empty()) {
+    addressed.agent().SetGoalToWatch(addressed.agent().goals().bottom().id);
+  }
+  for (std::size_t i = 0; i < runners_.size(); ++i) {
+    HostedAgent& hosted = *runners_[i].hosted;
+    hosted.on_run_list = true;
+    hosted.last_result = sml_RUN_EXECUTING;
+    hosted.ClearStop();
+    hosted.agent().ClearStopRequest();
+    if (hosted.agent().halted()) {
+      runners_[i].active = false;
+      runners_[i].reason = StopReason::kHalted;
+      continue;
+    }
+    hosted.run_state = sml_RUNSTATE_RUNNING;
+    hosted.PrepareRun();
+    hosted.FireRun(smlEVENT_BEFORE_RUN_STARTS, PhaseNumber(hosted));
+  }
+}
+
+void RunControl::Rounds(const cli::RunRequest& request, RunUnit interleave) {
+  const auto active = [](const Runner& runner) { return runner.active; };
+  for (int round = 0; std::any_of(runners_.begin(), runners_.end(), active); ++round) {
+    if (round % check_rate_ == 0) host_.FireSystem(smlEVENT_INTERRUPT_CHECK);
+    host_.Pump();
+    host_.FireSystem(smlEVENT_BEFORE_AGENTS_RUN_STEP);
+    Round(request, interleave);
+  }
+}
+
+void RunControl::Round(const cli::RunRequest& request, RunUnit interleave) {
+  bool stop_all = false;
+  for (std::size_t i = 0; i < runners_.size(); ++i) {
+    Runner& runner = runners_[i];
+    if (!runner.active) continue;
+    HostedAgent& hosted = *runner.hosted;
+    if (hosted.doomed) {
+      runner.active = false;
+      continue;
+    }
+    const std::uint64_t cycles = hosted.agent().counters().decision_cycles;
+    StepBracketed(runner, interleave);
+    if (runner.active) {
+      CountStep(runner, request, hosted.agent().counters().decision_cycles - cycles, !hosted.agent().in_middle_of_phase());
+    }
+    if (request.until_goal_removed && hosted.agent().watched_goal_gone()) stop_all = true;
+    if (!runner.active && !EndsAtStopPhase(request)) {
+      EndInterrupted(runner);
+      Finish(runner, true);
+    }
+  }
+  if (stop_all) {
+    for (Runner& runner : runners_) runner.active = false;
+  }
+  FireUpdates();
+}
+
+bool RunControl::StopRequested(const Runner& runner) const {
+  return runner.hosted->StopRequested() || host_.stop_requests() != stop_requests_;
+}
+
+bool RunControl::OutputRunIsServed(const Runner& runner) {
+  return runner.output_changed || runner.idle_outputs >= runner.hosted->agent().settings().max_nil_output_cycles;
+}
+
+void RunControl::CountStep(Runner& runner, const cli::RunRequest& request, std::uint64_t cycles, bool phase_ended) {
+  switch (request.unit) {
+    case RunUnit::kDecision: runner.remaining -= std::min(cycles, runner.remaining); break;
+    case RunUnit::kPhase: runner.remaining -= phase_ended ? 1 : 0; break;
+    case RunUnit::kElaboration: --runner.remaining; break;
+    case RunUnit::kForever: break;
+    case RunUnit::kOutput: {
+      if (cycles == 0) break;
+      if (!OutputRunIsServed(runner)) break;
+      runner.output_changed = false;
+      runner.idle_outputs = 0;
+      --runner.remaining;
+      break;
+    }
+  }
+  if (runner.remaining == 0) runner.active = false;
+}
+
+void RunControl::MoveToStopPhase(Runner& runner) {
+  HostedAgent& hosted = *runner.hosted;
+  const bool ended = runner.reason != StopReason::kCompleted && !(runner.interrupted && !runner.told_interrupt);
+  if (ended || hosted.doomed) return;
+  while (hosted.agent().next_phase() != hosted.agent().settings().stop_phase) {
+    StepBracketed(runner, RunUnit::kPhase);
+    if (runner.reason != StopReason::kCompleted) return;
+    if (hosted.doomed) return;
+    FireUpdates();
+  }
+}
+
+void RunControl::StepBracketed(Runner& runner, RunUnit unit) {
+  HostedAgent& hosted = *runner.hosted;
+  hosted.FireRun(smlEVENT_BEFORE_RUNNING, PhaseNumber(hosted));
+  Step(runner, unit);
+  if (StopRequested(runner) && !hosted.doomed) {
+    runner.active = false;
+    runner.interrupted = true;
+    const bool arrived = hosted.agent().next_phase() == hosted.agent().settings().stop_phase;
+    if (arrived) EndInterrupted(runner);
+  }
+  hosted.FlushPrint();
+  hosted.FireRun(smlEVENT_AFTER_RUNNING, PhaseNumber(hosted));
+}
+
+void RunControl::Step(Runner& runner, RunUnit unit) {
+  HostedAgent& hosted = *runner.hosted;
+  kernel::Agent& agent = hosted.agent();
+  if (unit == RunUnit::kElaboration) {
+    StepPhase(runner, false);
+    return;
+  }
+  if (hosted.ListensToPhases()) {
+    do {
+      const std::uint64_t cycles = agent.counters().decision_cycles;
+      StepPhase(runner, true);
+      if (runner.reason != StopReason::kCompleted || hosted.doomed || unit == RunUnit::kPhase) return;
+      const bool cycle_ended = agent.counters().decision_cycles != cycles;
+      if (cycle_ended && unit == RunUnit::kDecision) return;
+      if (cycle_ended && OutputRunIsServed(runner)) return;
+    } while (!StopRequested(runner));
+    return;
+  }
+  const std::uint64_t cycles = agent.counters().decision_cycles;
+  const kernel::RunResult result = agent.Step(unit);
+  if (agent.counters().decision_cycles != cycles) {
+    AfterOutputPhase(runner);
+    // The step has counted the idle output phases itself.
+    if (unit == RunUnit::kOutput) runner.idle_outputs = agent.settings().max_nil_output_cycles;
+  }
+  NoteEnd(runner, result);
+}
+
+void RunControl::StepPhase(Runner& runner, bool whole) {
+  HostedAgent& hosted = *runner.hosted;
+  kernel::Agent& agent = hosted.agent();
+  const Phase phase = agent.next_phase();
+  const PhaseEvents events = EventsOf(phase);
+  const int number = static_cast<int>(phase);
+  const std::uint64_t cycles = agent.counters().decision_cycles;
+  if (!agent.in_middle_of_phase()) {
+    if (phase == Phase::kInput) hosted.FireRun(smlEVENT_BEFORE_DECISION_CYCLE, number);
+    hosted.FirePhase(events.before, smlEVENT_BEFORE_PHASE_EXECUTED, number);
+  }
+  const kernel::RunResult result = agent.Step(whole ? RunUnit::kPhase : RunUnit::kElaboration);
+  const bool ended = !agent.in_middle_of_phase() && (agent.next_phase() != phase);
+  if (ended) {
+    hosted.DeliverOutput();
+    hosted.FirePhase(events.after, smlEVENT_AFTER_PHASE_EXECUTED, number);
+  }
+  if (agent.counters().decision_cycles != cycles) {
+    AfterOutputPhase(runner);
+    hosted.FireRun(smlEVENT_AFTER_DECISION_CYCLE, static_cast<int>(Phase::kOutput));
+    hosted.FlushPrint();
+  }
+  NoteEnd(runner, result);
+}
+
+void RunControl::AfterOutputPhase(Runner& runner) {
+  runner.passed_output = true;
+  runner.hosted->DeliverOutput();
+  const std::uint64_t generation = runner.hosted->agent().output().generation();
+  if (generation != runner.generation) {
+    runner.generation = generation;
+    runner.generated = true;
+    runner.output_changed = true;
+    runner.idle_outputs = 0;
+  } else {
+    ++runner.idle_outputs;
+  }
+}
+
+void RunControl::NoteEnd(Runner& runner, const kernel::RunResult& result) {
+  if (result.reason == StopReason::kCompleted) return;
+  HostedAgent& hosted = *runner.hosted;
+  runner.reason = result.reason;
+  runner.active = false;
+  runner.interrupted = result.reason != StopReason::kHalted;
+  runner.told_interrupt = true;
+  hosted.FireRun(smlEVENT_AFTER_INTERRUPT, PhaseNumber(hosted));
+  if (result.reason == StopReason::kHalted) hosted.FireRun(smlEVENT_AFTER_HALTED, PhaseNumber(hosted));
+}
+
+void RunControl::EndInterrupted(Runner& runner) {
+  if (!runner.interrupted || runner.told_interrupt) return;
+  runner.told_interrupt = true;
+  HostedAgent& hosted = *runner.hosted;
+  hosted.FireRun(smlEVENT_AFTER_INTERRUPT, PhaseNumber(hosted));
+  hosted.session().stream().Print("Interrupt received.");
+}
+
+void RunControl::FireUpdates() {
+  bool any_passed = false;
+  for (const Runner& runner : runners_) {
+    any_passed = any_passed || runner.passed_output;
+    if (runner.active && !runner.passed_output) return;
+  }
+  if (!any_passed) return;
+  for (Runner& runner : runners_) runner.passed_output = false;
+  host_.FireUpdate(smlEVENT_AFTER_ALL_OUTPUT_PHASES, run_flags_);
+  for (const Runner& runner : runners_) {
+    if (runner.active && !runner.generated) return;
+  }
+  for (Runner& runner : runners_) runner.generated = false;
+  host_.FireUpdate(smlEVENT_AFTER_ALL_GENERATED_OUTPUT, run_flags_);
+}
+
+void RunControl::Finish(Runner& runner, bool tell) {
+  HostedAgent& hosted = *runner.hosted;
+  if (hosted.last_result != sml_RUN_EXECUTING) return;
+  if (runner.reason == StopReason::kHalted) {
+    hosted.run_state = sml_RUNSTATE_HALTED;
+    hosted.last_result = sml_RUN_COMPLETED;
+  } else if (runner.interrupted) {
+    hosted.run_state = sml_RUNSTATE_INTERRUPTED;
+    hosted.last_result = sml_RUN_COMPLETED_AND_INTERRUPTED;
+  } else {
+    hosted.run_state = sml_RUNSTATE_STOPPED;
+    hosted.last_result = sml_RUN_COMPLETED;
+  }
+  hosted.input().Tidy();
+  if (tell && !hosted.doomed) {
+    hosted.FlushPrint();
+    hosted.FireRun(smlEVENT_AFTER_RUN_ENDS, PhaseNumber(hosted));
+    hosted.FlushXmlTrace();
+  }
+}
+
+}  // namespace soarbox::server

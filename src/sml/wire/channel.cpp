@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/wire/channel.h"
+
+#include <asio.hpp>
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "sml/wire/framing.h"
+
+namespace soarbox::wire {
+
+using asio::ip::tcp;
+
+struct IoThread::Contents {
+  asio::io_context context;
+  asio::executor_work_guard<asio::io_context::executor_type> work = asio::make_work_guard(context);
+  std::thread thread;
+};
+
+IoThread::IoThread() : contents_(std::make_shared<Contents>()) {
+  contents_->thread = std::thread([contents = contents_.get()] { contents->context.run(); });
+}
+
+IoThread::~IoThread() {
+  contents_->work.reset();
+  contents_->context.stop();
+  if (contents_->thread.joinable()) contents_->thread.join();
+}
+
+// A connection ----------------------------------------------------------------------------------------------------------
+
+struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
+  Socket(tcp::socket connected, const ChannelLimits& channel_limits)
+      : socket(std::move(connected)), limits(channel_limits) {}
+
+  void Start() {
+    asio::error_code ignored;
+    socket.set_option(tcp::no_delay(true), ignored);
+    socket.non_blocking(true, ignored);
+    asio::post(socket.get_executor(), [self = shared_from_this()] { self->Read(); });
+  }
+
+  // On the thread that moves bytes.
+  void Read() {
+    socket.async_read_some(asio::buffer(piece), [self = shared_from_this()](const asio::error_code& error, std::size_t count) {
+      self->OnRead(error, count);
+    });
+  }
+
+  void OnRead(const asio::error_code& error, std::size_t count) {
+    std::vector<std::string> messages;
+    const bool readable = !error && reader.Feed({piece.data(), count}, messages);
+    bool full = false;
+    {
+      const std::lock_guard lock(mutex);
+      for (std::string& message : messages) {
+        waiting_in += message.size();
+        inbox.push_back(std::move(message));
+      }
+      full = waiting_in > limits.max_waiting_in;
+      paused = full;
+    }
+    if (!readable) {
+      Shut();
+      return;
+    }
+    if (!messages.empty()) Notify();
+    if (!full) Read();
+  }
+
+  void Write() {
+    std::string bytes;
+    {
+      const std::lock_guard lock(mutex);
+      if (outbox.empty() || shut) {
+        writing = false;
+        return;
+      }
+      bytes.swap(outbox);
+    }
+    auto buffer = std::make_shared<std::string>(std::move(bytes));
+    asio::async_write(socket, asio::buffer(*buffer),
+                      [self = shared_from_this(), buffer](const asio::error_code& error, std::size_t) {
+                        {
+                          const std::lock_guard lock(self->mutex);
+                          self->waiting_out -= buffer->size();
+                        }
+                        if (error) {
+                          self->Shut();
+                        } else {
+                          self->Write();
+                        }
+                      });
+  }
+
+  void Shut() {
+    {
+      const std::lock_guard lock(mutex);
+      if (shut) return;
+      shut = true;
+    }
+    asio::error_code ignored;
+    socket.shutdown(tcp::socket::shutdown_both, ignored);
+    socket.close(ignored);
+    Notify();
+  }
+
+  void Notify() {
+    std::function<void()> call;
+    {
+      const std::lock_guard lock(mutex);
+      call = wake;
+      arrived.notify_all();
+    }
+    if (call) call();
+  }
+
+  // On any thread.
+  bool Send(const std::string& message, bool droppable) {
+    std::string bytes = Frame(message);
+    std::unique_lock lock(mutex);
+    if (shut) return false;
+    if (droppable && waiting_out + bytes.size() > limits.max_waiting_out / 2) {
+      ++dropped;
+      return false;
+    }
+    if (waiting_out + bytes.size() > limits.max_waiting_out) {
+      lock.unlock();
+      asio::post(socket.get_executor(), [self = shared_from_this()] { self->Shut(); });
+      return false;
+    }
+    std::size_t sent = 0;
+    if (!writing) {
+      // Nothing waits: what the system takes at once needs no other thread.
+      asio::error_code error;
+      sent = socket.send(asio::buffer(bytes), 0, error);
+      if (error) sent = 0;
+    }
+    if (sent == bytes.size()) return true;
+    outbox.append(bytes, sent);
+    waiting_out += bytes.size() - sent;
+    if (writing) return true;
+    writing = true;
+    lock.unlock();
+    asio::post(socket.get_executor(), [self = shared_from_this()] { self->Write(); });
+    return true;
+  }
+
+  /// Takes a message; the lock is held.
+  bool Take(std::string& message) {
+    if (inbox.empty()) return false;
+    message = std::move(inbox.front());
+    inbox.pop_front();
+    waiting_in -= message.size();
+    if (paused && waiting_in <= limits.max_waiting_in / 2) {
+      paused = false;
+      asio::post(socket.get_executor(), [self = shared_from_this()] { self->Read(); });
+    }
+    return true;
+  }
+
+  tcp::socket socket;
+  const ChannelLimits limits;
+  FrameReader reader;
+  std::array<char, 64 * 1024> piece{};
+
+  mutable std::mutex mutex;
+  std::condition_variable arrived;
+  std::deque<std::string> inbox;
+  std::string outbox;
+  std::size_t waiting_in = 0, waiting_out = 0;
+  bool writing = false, paused = false, shut = false;
+  std::uint64_t dropped = 0;
+  std::function<void()> wake;
+};
+
+Channel::Channel(std::shared_ptr<Socket> socket) : socket_(std::move(socket)) { socket_->Start(); }
+
+Channel::~Channel() {
+  SetWake({});
+  Close();
+}
+
+bool Channel::Send(const std::string& message, bool droppable) { return socket_->Send(message, droppable); }
+
+bool Channel::Pop(std::string& message) {
+  const std::lock_guard lock(socket_->mutex);
+  return socket_->Take(message);
+}
+
+bool Channel::Wait(std::string& message, std::chrono::milliseconds timeout) {
+  std::unique_lock lock(socket_->mutex);
+  socket_->arrived.wait_for(lock, timeout, [this] { return !socket_->inbox.empty() || socket_->shut; });
+  return socket_->Take(message);
+}
+
+bool Channel::closed() const {
+  const std::lock_guard lock(socket_->mutex);
+  return socket_->shut;
+}
+
+void Channel::Close() {
+  asio::post(socket_->socket.get_executor(), [socket = socket_] { socket->Shut(); });
+}
+
+std::uint64_t Channel::dropped() const {
+  const std::lock_guard lock(socket_->mutex);
+  return socket_->dropped;
+}
+
+void Channel::SetWake(std::function<void()> wake) {
+  const std::lock_guard lock(socket_->mutex);
+  socket_->wake = std::move(wake);
+}
+
+// Connecting and listening ----------------------------------------------------------------------------------------------
+
+namespace {
+
+Diagnostic Failure(const std::string& what, const std::string& address, int port, const asio::error_code& error,
+                   std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.message = what + " " + address + ":" + std::to_string(port) + ": " + error.message();
+  diagnostic.hint = std::move(hint);
+  return diagnostic;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& address, int port, const ChannelLimits& limits) {
+  asio::error_code error;
+  tcp::resolver resolver(thread.contents().context);
+  const auto found = resolver.resolve(address, std::to_string(port), error);
+  if (error) return Failure("cannot find", address, port, error, {});
+  tcp::socket socket(thread.contents().context);
+  asio::connect(socket, found, error);
+  if (error) return Failure("cannot connect to", address, port, error, "is there a kernel that listens on this port?");
+  return std::make_unique<Channel>(std::make_shared<Channel::Socket>(std::move(socket), limits));
+}
+
+struct Acceptor::Contents : std::enable_shared_from_this<Acceptor::Contents> {
+  Contents(asio::io_context& context) : acceptor(context) {}
+
+  void Accept() {
+    acceptor.async_accept([self = shared_from_this()](const asio::error_code& error, tcp::socket socket) {
+      if (error == asio::error::operation_aborted || !self->acceptor.is_open()) return;
+      if (!error) self->accepted(std::make_unique<Channel>(std::make_shared<Channel::Socket>(std::move(socket), self->limits)));
+      self->Accept();
+    });
+  }
+
+  tcp::acceptor acceptor;
+  ChannelLimits limits;
+  std::function<void(std::unique_ptr<Channel>)> accepted;
+  int port = 0;
+};
+
+Result<std::unique_ptr<Acceptor>> Acceptor::Open(IoThread& thread, const std::string& address, int port,
+                                                 const ChannelLimits& limits,
+                                                 std::function<void(std::unique_ptr<Channel>)> accepted) {
+  asio::error_code error;
+  const auto ip = asio::ip::make_address(address, error);
+  if (error) return Failure("cannot listen on", address, port, error, "give an address in numbers, such as 127.0.0.1");
+  if (port < -1 || port > 65535) {
+    return Failure("cannot listen on", address, port, asio::error::invalid_argument, "ports go from 1 to 65535");
+  }
+  auto contents = std::make_shared<Contents>(thread.contents().context);
+  contents->limits = limits;
+  contents->accepted = std::move(accepted);
+  const tcp::endpoint endpoint(ip, static_cast<unsigned short>(port == -1 ? 0 : port));
+  contents->acceptor.open(endpoint.protocol(), error);
+  if (!error) contents->acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) contents->acceptor.bind(endpoint, error);
+  if (!error) contents->acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (error) {
+    return Failure("cannot listen on", address, port, error, "another kernel may have this port; choose another one, or -1 for any");
+  }
+  contents->port = contents->acceptor.local_endpoint(error).port();
+  asio::post(thread.contents().context, [contents] { contents->Accept(); });
+  return std::make_unique<Acceptor>(contents);
+}
+
+Acceptor::Acceptor(std::shared_ptr<Contents> contents) : contents_(std::move(contents)) {}
+
+Acceptor::~Acceptor() {
+  asio::post(contents_->acceptor.get_executor(), [contents = contents_] {
+    asio::error_code ignored;
+    contents->acceptor.close(ignored);
+  });
+}
+
+int Acceptor::port() const { return contents_->port; }
+
+}  // namespace soarbox::wire
