@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <fmt/format.h>
-
 #include "cli/command.h"
 #include "cli/interpreter.h"
 #include "cli/lookup.h"
+#include "cli/run_text.h"
 
 namespace soarbox::cli {
 namespace {
@@ -42,11 +41,6 @@ int Size(RunUnit unit) {
   return 4;
 }
 
-std::string Plural(std::uint64_t count, std::string_view thing, std::string_view none) {
-  if (count == 0 && !none.empty()) return std::string(none);
-  return fmt::format("{} {}{}", count, thing, count <= 1 ? "" : "s");
-}
-
 }  // namespace
 
 const std::span<const OptionSpec> kRunOptions = kOptions;
@@ -63,6 +57,7 @@ bool CommandRun(CommandCall& call) {
   request.until_goal_removed = parsed.Has('g');
   request.update_world = parsed.Has('u') || (!request.self_only && !parsed.Has('n'));
   if (const auto interleave = parsed.Argument('i')) {
+    request.interleave_given = true;
     if (!ReadUnit(*interleave, request.interleave)) {
       call.Out("Invalid interleave switch: " + *interleave + "\n\n");
       return call.FailPrinted();
@@ -90,29 +85,18 @@ bool CommandRun(CommandCall& call) {
   if (host.IsRunning(call.session)) return call.Fail("Soar is already running");
 
   kernel::Agent& agent = call.agent();
-  // Soar counts the cycle that has begun as well; its counter is one ahead of completed output phases.
-  const std::uint64_t cycles_before = agent.counters().decision_cycles;
-  const std::uint64_t firings_before = agent.counters().firings;
+  const RunCounts before = RunCounts::Of(agent);
   kernel::RunResult run;
   {
     PrintStream::Uncaptured uncaptured(call.stream());
     run = host.Run(call.session, request);
   }
-  const std::uint64_t cycles = agent.counters().decision_cycles + 1 - (cycles_before == 0 ? 0 : cycles_before + 1);
-  const std::uint64_t firings = agent.counters().firings - firings_before;
-  std::string text = fmt::format("\n--> {} executed. {} fired. ", Plural(cycles, "decision cycle", {}),
-                                 Plural(firings, "rule", "No rules"));
-  call.AddArgument("message", "string", text);
-  call.Out("\n" + text);
-  const auto add = [&](const std::string& line) {
+  const std::vector<std::string> lines = RunLines(agent, before, run);
+  for (const std::string& line : lines) {
     call.AddArgument("message", "string", line);
     call.Out(line);
-  };
-  if (run.reason == kernel::StopReason::kInterrupted || run.reason == kernel::StopReason::kLimit) {
-    add("\nRun stopped (interrupted).");
-    call.AddArgument("runresult", "int", "4");
   }
-  if (agent.halted()) add("\nAn agent halted during the run.");
+  if (run.reason != kernel::StopReason::kCompleted && !agent.halted()) call.AddArgument("runresult", "int", "4");
   return true;
 }
 
