@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/base/words.h"
+#include "kernel/rules/chunk_variables.h"
 #include "kernel/rules/print_production.h"
 #include "kernel/rules/reorder.h"
 #include "kernel/rules/rule_reader.h"
@@ -95,7 +96,7 @@ bool OrderActions(Production& rule, const SymbolTable& symbols, ParseOutcome& ou
     AddTrap(out, place, Severity::kError, "the action " + line + " uses a variable that no condition binds",
             "bind it in a positive condition, or link it to a state in another action");
   }
-  out.late_messages.push_back({text + "\n", true});
+  out.late_messages.push_back({text + "\n", true, true});
   return false;
 }
 
@@ -203,11 +204,11 @@ bool FinishRule(Production& rule, const SourcePlace& place, SymbolTable& symbols
   }
   const std::string name = ToString(symbols, symbols.String(rule.name));
   ReorderOutcome order = ReorderConditions(name, rule.conditions, symbols);
-  for (std::string& message : order.messages) {
-    if (!order.ok) {
-      AddTrap(out, place, Severity::kError, message.substr(0, message.find('\n')), "");
+  for (RuleMessage& message : order.messages) {
+    if (!order.ok && message.text.starts_with("Error: ")) {
+      AddTrap(out, place, Severity::kError, message.text.substr(7, message.text.find('\n') - 7), "");
     }
-    out.late_messages.push_back({std::move(message)});
+    out.late_messages.push_back(std::move(message));
   }
   if (!order.ok) {
     return false;
@@ -218,7 +219,10 @@ bool FinishRule(Production& rule, const SourcePlace& place, SymbolTable& symbols
             "link it to a state, as in (state <s> ^thing " + std::string(symbols.Text(variable)) + ")");
   }
   if (rule.explain) {
-    out.late_messages.push_back({"Now watching any chunks formed by rule '" + rule.name + "'\n"});
+    out.late_messages.push_back({"Now watching any chunks formed by rule '" + rule.name + "'\n", false, false});
+  }
+  if (rule.type == ProductionType::kChunk) {
+    RenameVariables(rule, symbols);
   }
   Binder binder(rule);
   for (Action& action : rule.actions) {

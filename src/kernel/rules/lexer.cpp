@@ -15,6 +15,7 @@ constexpr std::pair<std::string_view, TokenKind> kSigns[] = {
     {"<", TokenKind::kLess},           {">", TokenKind::kGreater},       {"<=", TokenKind::kLessOrEqual},
     {">=", TokenKind::kGreaterOrEqual}, {"<>", TokenKind::kNotEqual},    {"<=>", TokenKind::kSameType},
     {"<<", TokenKind::kLeftAngles},    {">>", TokenKind::kRightAngles},  {"-->", TokenKind::kArrow},
+    {"&", TokenKind::kAmpersand},
 };
 
 TokenKind SingleCharacterKind(char c) {

@@ -20,6 +20,7 @@ enum class TokenKind : std::uint8_t {
   kPlus, kMinus, kEqual, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kNotEqual, kSameType,
   kLeftAngles, kRightAngles,  ///< << and >>
   kArrow,           ///< -->
+  kAmpersand,       ///< A sign that nothing uses any more.
   kUnclosed,        ///< A bar or quote without its partner.
 };
 

@@ -32,7 +32,7 @@ void RuleReader::Advance() {
   if (token_.warning.empty()) {
     return;
   }
-  Say(token_.warning);
+  Say(token_.warning, Is(TokenKind::kString));
   switch (token_.kind) {
     case TokenKind::kUnclosed:
       Report(Severity::kError, token_, "this bar or quote has no partner", "close it, or write \\ in front of it");
@@ -55,7 +55,9 @@ bool RuleReader::Accept(TokenKind kind) {
   return true;
 }
 
-void RuleReader::Say(std::string text, bool fresh_line) { out_.messages.push_back({std::move(text), fresh_line}); }
+void RuleReader::Say(std::string text, bool is_warning) {
+  out_.messages.push_back({std::move(text), false, is_warning});
+}
 
 void RuleReader::Report(Severity severity, const Token& token, std::string message, std::string hint) {
   Diagnostic diagnostic;
@@ -161,7 +163,7 @@ ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, Sy
   rule->line = place.line;
   const auto ignore = [&](std::vector<RuleMessage>& messages) {
     if (!out.name.empty()) {
-      messages.push_back({"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n"});
+      messages.push_back({"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
     }
   };
   RuleReader reader(body, place, symbols, out);

@@ -22,6 +22,7 @@ struct SourcePlace {
 struct RuleMessage {
   std::string text;
   bool fresh_line = false;  ///< Begins on a new line: a line end goes first if the output stands within a line.
+  bool is_warning = false;  ///< Not printed while warnings are off.
 };
 
 struct ParseOutcome {

@@ -144,10 +144,10 @@ bool RuleReader::ReadPositiveCondition(std::vector<Condition>& out, int depth) {
     return Fail("Expected ( to begin condition element");
   }
   Symbol id;
-  return ReadObject(out, true, id, depth);
+  return ReadObject(out, true, 's', id, depth);
 }
 
-bool RuleReader::ReadObject(std::vector<Condition>& out, bool may_be_goal, Symbol& id_symbol, int depth) {
+bool RuleReader::ReadObject(std::vector<Condition>& out, bool may_be_goal, char id_letter, Symbol& id_symbol, int depth) {
   if (depth > kMaxDepth) {
     return Fail("Conditions are nested too deeply");
   }
@@ -167,7 +167,7 @@ bool RuleReader::ReadObject(std::vector<Condition>& out, bool may_be_goal, Symbo
       return false;
     }
   }
-  AddEquality(id, 's');
+  AddEquality(id, id_letter);
   id_symbol = EqualitySymbol(id);
   if (is_goal) {
     if (id.kind == TestKind::kConjunction) {
@@ -264,7 +264,7 @@ bool RuleReader::ReadAttribute(const Test& first_id, std::vector<Condition>& out
     std::vector<Condition> inner;
     if (Is(TokenKind::kLeftParen)) {
       Symbol object;
-      if (!ReadObject(inner, false, object, depth + 1)) {
+      if (!ReadObject(inner, false, letter, object, depth + 1)) {
         return false;
       }
       condition.value = Equal(object);

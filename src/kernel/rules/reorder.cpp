@@ -99,9 +99,9 @@ class ListReorderer {
   void Reorder(std::vector<Condition>& conditions, bool needs_goal) {
     Strip(conditions);
     if (!FindRoots(conditions) && needs_goal) {
-      out_.messages.push_back("Error: production " + std::string(rule_name_) +
-                              " has no positive conditions that reference a goal state.\n"
-                              "Did you forget to add \"^type state\" or \"^superstate nil\"?\n");
+      Warn("Error: production " + std::string(rule_name_) +
+           " has no positive conditions that reference a goal state.\n"
+           "Did you forget to add \"^type state\" or \"^superstate nil\"?\n");
       out_.ok = false;
       return;
     }
@@ -129,6 +129,8 @@ class ListReorderer {
     TestKind kind;
     bool placed = false;
   };
+
+  void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
 
   /// Takes the tests that may have to move off the positive conditions, in text order.
   void Strip(std::vector<Condition>& conditions) {
@@ -205,8 +207,8 @@ class ListReorderer {
         // Soar repeats the earlier complaints with each new one.
         for (const Symbol root : roots_.members()) {
           if (!IsGoalVariable(root)) {
-            out_.messages.push_back("\nWarning: On the LHS of production " + std::string(rule_name_) + ", identifier " +
-                                    std::string(symbols_.Text(root)) + " is not connected to any goal or impasse.\n");
+            Warn("\nWarning: On the LHS of production " + std::string(rule_name_) + ", identifier " +
+                 std::string(symbols_.Text(root)) + " is not connected to any goal or impasse.\n");
           }
         }
       }
@@ -312,8 +314,8 @@ class ListReorderer {
     }
     if (cheapest >= kInfinite) {
       if (!warned_) {
-        out_.messages.push_back("Warning:  in production " + std::string(rule_name_) +
-                                ",\n     The LHS conditions are not all connected.\n");
+        Warn("Warning:  in production " + std::string(rule_name_) +
+             ",\n     The LHS conditions are not all connected.\n");
         warned_ = true;
       }
       return tied.front();
@@ -416,10 +418,10 @@ class ListReorderer {
     }
     std::string text;
     AppendTest(text, symbols_, test);
-    out_.messages.push_back("Error: production " + std::string(rule_name_) +
-                            " has an unbound referent in negated relational test " + text + ".\n\n" +
-                            "Attempted to add an invalid rule:\n"
-                            "      Unbound relational test in negative condition of rule \n");
+    out_.messages.push_back({"Error: production " + std::string(rule_name_) +
+                                 " has an unbound referent in negated relational test " + text + ".\n",
+                             false, false});
+    Warn("\nAttempted to add an invalid rule:\n      Unbound relational test in negative condition of rule \n");
     out_.ok = false;
   }
 

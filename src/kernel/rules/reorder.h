@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/base/symbol_table.h"
-#include "kernel/rules/production.h"
+#include "kernel/rules/parser.h"
 
 namespace soarbox::kernel {
 
@@ -35,7 +35,7 @@ class VariableSet {
 
 struct ReorderOutcome {
   bool ok = true;
-  std::vector<std::string> messages;       ///< As Soar prints them, with line ends.
+  std::vector<RuleMessage> messages;
   std::vector<Symbol> unconnected;         ///< Root variables that no goal test names.
 };
 

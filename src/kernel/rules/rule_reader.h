@@ -48,7 +48,7 @@ class RuleReader {
   bool Accept(TokenKind kind);
   bool Fail(std::string_view message, std::string_view hint = {});
   void Report(Severity severity, const Token& token, std::string message, std::string hint);
-  void Say(std::string text, bool fresh_line = false);
+  void Say(std::string text, bool is_warning = false);
   Symbol ConstantOrVariable();
   bool ReadFlags(Production& rule);
 
@@ -56,7 +56,7 @@ class RuleReader {
   bool ReadConditions(std::vector<Condition>& out, int depth);
   bool ReadCondition(std::vector<Condition>& out, int depth);
   bool ReadPositiveCondition(std::vector<Condition>& out, int depth);
-  bool ReadObject(std::vector<Condition>& out, bool may_be_goal, Symbol& id, int depth);
+  bool ReadObject(std::vector<Condition>& out, bool may_be_goal, char id_letter, Symbol& id, int depth);
   bool ReadIdTest(Test& id);
   bool ReadAttributes(const Test& id, std::vector<Condition>& out, int depth);
   bool ReadAttribute(const Test& id, std::vector<Condition>& out, int depth);

@@ -111,6 +111,7 @@ bool TwoIntegers(FunctionContext& context, Arguments arguments, const char* func
   return true;
 }
 
+/// Cut off behind the point; what does not fit becomes the smallest integer, as in Soar.
 std::int64_t TruncatedToInteger(double value) {
   constexpr double kLimit = 9223372036854775808.0;
   if (value >= -kLimit && value < kLimit) {
@@ -119,13 +120,28 @@ std::int64_t TruncatedToInteger(double value) {
   return std::numeric_limits<std::int64_t>::min();
 }
 
-std::string_view WithoutBlanksInFront(std::string_view text) {
+/// What a number may begin with, taken off: blanks, and a plus sign that stands before a digit or a dot.
+std::string_view NumberText(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \t\n\v\f\r");
   text = start == std::string_view::npos ? std::string_view() : text.substr(start);
-  if (!text.empty() && text[0] == '+') {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
     text.remove_prefix(1);
   }
   return text;
+}
+
+/// The number that a text begins with; 0 if it begins with none. False if it is out of range.
+bool ReadFloat(std::string_view text, double& value) {
+  text = NumberText(text);
+  const bool negative = !text.empty() && text[0] == '-';
+  const std::string_view digits = text.substr(negative ? 1 : 0);
+  if (digits.size() > 2 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')) {
+    const char* const first = digits.data() + 2;
+    const auto read = std::from_chars(first, digits.data() + digits.size(), value, std::chars_format::hex);
+    value = negative ? -value : value;
+    return read.ec != std::errc::result_out_of_range;
+  }
+  return std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc::result_out_of_range;
 }
 
 }  // namespace
@@ -265,10 +281,11 @@ Symbol ToInteger(FunctionContext& context, Arguments arguments) {
     context.PrintError("Error: identifier (" + Name(context, argument) + ") passed to 'int' RHS function.\n");
     return {};
   }
-  const std::string_view text = WithoutBlanksInFront(symbols.Text(argument));
+  const std::string_view text = NumberText(symbols.Text(argument));
   std::int64_t value = 0;
   if (std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range) {
-    value = text[0] == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
+    context.PrintError("Error: bad integer (" + Name(context, argument) + ") given to 'int' RHS function\n");
+    return {};
   }
   return symbols.Integer(value);
 }
@@ -286,42 +303,12 @@ Symbol ToFloat(FunctionContext& context, Arguments arguments) {
     context.PrintError("Error: identifier (" + Name(context, argument) + ") passed to 'float' RHS function.\n");
     return {};
   }
-  const std::string_view text = WithoutBlanksInFront(symbols.Text(argument));
   double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
+  if (!ReadFloat(symbols.Text(argument), value)) {
+    context.PrintError("Error: bad float (" + Name(context, argument) + ") given to 'float' RHS function\n");
+    return {};
+  }
   return symbols.Float(value);
-}
-
-Symbol RandomInteger(FunctionContext& context, Arguments arguments) {
-  SymbolTable& symbols = context.symbols();
-  if (!arguments.empty()) {
-    if (!arguments[0].IsNumber()) {
-      context.PrintError("Error: non-number (" + Name(context, arguments[0]) + ") passed to - rand-int\n");
-      return {};
-    }
-    const std::int64_t limit =
-        arguments[0].IsInteger() ? symbols.IntegerValue(arguments[0]) : TruncatedToInteger(symbols.FloatValue(arguments[0]));
-    if (limit > 0) {
-      const auto highest = static_cast<std::uint32_t>(std::min<std::int64_t>(limit, 0xFFFFFFFFll));
-      return symbols.Integer(context.random().Integer(highest));
-    }
-  }
-  return symbols.Integer(context.random().Next32());
-}
-
-Symbol RandomFloat(FunctionContext& context, Arguments arguments) {
-  SymbolTable& symbols = context.symbols();
-  if (!arguments.empty()) {
-    if (!arguments[0].IsNumber()) {
-      context.PrintError("Error: non-number (" + Name(context, arguments[0]) + ") passed to - rand-float\n");
-      return {};
-    }
-    const double limit = symbols.NumberValue(arguments[0]);
-    if (limit > 0) {
-      return symbols.Float(context.random().Real(limit));
-    }
-  }
-  return symbols.Float(context.random().Real());
 }
 
 }  // namespace soarbox::kernel::function_bodies

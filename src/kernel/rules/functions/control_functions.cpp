@@ -47,6 +47,12 @@ Symbol SetLearning(FunctionContext& context, Arguments arguments, const char* fu
   return {};
 }
 
+/// `exec` and `cmd` without arguments: says so; the value is the text that Soar gives then.
+Symbol NothingToCall(FunctionContext& context, const char* message) {
+  context.PrintError(message);
+  return context.symbols().String("error_expected_rhs_function_to_return_value_but_it_did_NOT");
+}
+
 }  // namespace
 
 Symbol Write(FunctionContext& context, Arguments arguments) {
@@ -98,7 +104,7 @@ Symbol Trace(FunctionContext& context, Arguments arguments) {
 
 Symbol Exec(FunctionContext& context, Arguments arguments) {
   if (arguments.empty()) {
-    return context.symbols().String("error_expected_rhs_function_to_return_value_but_it_did_NOT");
+    return NothingToCall(context, "exec should be followed by a function name \n");
   }
   const std::string name = ToString(context.symbols(), arguments[0], false);
   std::string result;
@@ -110,7 +116,7 @@ Symbol Exec(FunctionContext& context, Arguments arguments) {
 
 Symbol Cmd(FunctionContext& context, Arguments arguments) {
   if (arguments.empty()) {
-    return context.symbols().String("error_expected_rhs_function_to_return_value_but_it_did_NOT");
+    return NothingToCall(context, "cmd should be followed by a command name \n");
   }
   std::string line;
   for (const Symbol argument : arguments) {
@@ -146,12 +152,18 @@ Symbol LinkToLongTerm(FunctionContext& context, Arguments arguments) {
                        " because it is not a Soar identifier\n");
     return {};
   }
-  if (!arguments[1].IsInteger() || context.symbols().IntegerValue(arguments[1]) <= 0) {
+  if (!arguments[1].IsInteger()) {
     context.PrintError("Error: '@' rhs function cannot accept " + Name(context, arguments[1]) +
                        " as an LTI ID because it is not an integer\n");
     return {};
   }
-  context.LinkToLongTerm(arguments[0], static_cast<std::uint64_t>(context.symbols().IntegerValue(arguments[1])));
+  const std::int64_t number = context.symbols().IntegerValue(arguments[1]);
+  if (number <= 0) {
+    context.PrintError("Warning: Long-term memory @" + std::to_string(static_cast<std::uint64_t>(number)) +
+                       " does not exist.  Could not link short-term memory " + Name(context, arguments[0]) + ".\n");
+    return {};
+  }
+  context.LinkToLongTerm(arguments[0], static_cast<std::uint64_t>(number));
   return {};
 }
 

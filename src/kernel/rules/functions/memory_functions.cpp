@@ -2,10 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
-#include "kernel/base/words.h"
 #include "kernel/rules/functions/function_bodies.h"
 
 namespace soarbox::kernel::function_bodies {
@@ -51,24 +49,29 @@ Symbol Folded(FunctionContext& context, Arguments arguments, const char* functio
   return all_integers ? symbols.Integer(static_cast<std::int64_t>(integer)) : symbols.Float(real);
 }
 
-/// What the set functions work on: the values at the end of a path of attributes from an identifier.
+/// What the set functions work on: the values at the end of a path of one to three attributes from an identifier.
 struct ValueSet {
   bool ok = false;
-  Symbol error;
+  Symbol error;                 ///< The function's value if this is not ok.
   std::int64_t count = 0;
   std::vector<double> numbers;
 };
 
 ValueSet CollectSet(FunctionContext& context, Arguments arguments) {
   ValueSet set;
-  if (arguments.empty() || !arguments[0].IsIdentifier()) {
+  if (arguments.empty()) {
+    context.PrintError("Error: the set functions need an identifier and an attribute\n");
+    return set;
+  }
+  if (!arguments[0].IsIdentifier()) {
     set.error = context.symbols().String("|ERROR: First parameter needs to be an identifier.|");
     return set;
   }
   set.ok = true;
   std::vector<Symbol> at = {arguments[0]};
   std::vector<Child> children;
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
+  constexpr std::size_t kLongestPath = 3;
+  for (std::size_t i = 1; i < std::min(arguments.size(), kLongestPath + 1); ++i) {
     std::vector<Symbol> next;
     for (const Symbol identifier : at) {
       if (!identifier.IsIdentifier()) {
@@ -168,49 +171,6 @@ Symbol SetDeviation(FunctionContext& context, Arguments arguments) {
     }
     return std::sqrt(sum / static_cast<double>(numbers.size()));
   });
-}
-
-/// Copies everything that can be reached; what is shared in the original is shared in the copy.
-Symbol DeepCopy(FunctionContext& context, Arguments arguments) {
-  if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {
-    return context.symbols().String("*symbol not id*");
-  }
-  std::unordered_map<std::uint32_t, Symbol> copies;
-  std::vector<Symbol> waiting;
-  const auto copy_of = [&](Symbol symbol) {
-    if (!symbol.IsIdentifier()) {
-      return symbol;
-    }
-    const auto [found, is_new] = copies.try_emplace(symbol.bits());
-    if (is_new) {
-      found->second = context.NewIdentifier(copies.size() == 1 ? 'D' : context.symbols().Letter(symbol));
-      waiting.push_back(symbol);
-    }
-    return found->second;
-  };
-  const Symbol root = copy_of(arguments[0]);
-  std::vector<Child> children;
-  while (!waiting.empty()) {
-    const Symbol original = waiting.back();
-    waiting.pop_back();
-    const Symbol copy = copies.at(original.bits());
-    children.clear();
-    context.AllChildren(original, children);
-    for (const Child& child : children) {
-      const Symbol attribute = copy_of(child.attribute);
-      context.MakePreference(copy, attribute, copy_of(child.value));
-    }
-  }
-  return root;
-}
-
-Symbol FromXml(FunctionContext& context, Arguments arguments) {
-  if (arguments.size() != 1 || !arguments[0].IsString()) {
-    context.PrintError("Error: non-symbol passed to from-st-xml function\n");
-    return {};
-  }
-  context.PrintError("Error: from-st-xml cannot read this text: the kernel is built without that reader\n");
-  return {};
 }
 
 }  // namespace soarbox::kernel::function_bodies

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "kernel/rules/functions/builtin_functions.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+namespace {
+
+/// An agent without memory: keeps what the functions say and a few objects.
+class FakeContext : public FunctionContext {
+ public:
+  SymbolTable& symbols() override { return symbols_; }
+  RandomStream& random() override { return random_; }
+  void PrintError(std::string_view text) override { errors += text; }
+  void Write(std::string_view text) override { written += text; }
+  void Log(int channel, std::string_view text) override { written += std::to_string(channel) + ":" + std::string(text); }
+  void Trace(int level, std::string_view text) override { written += std::to_string(level) + "!" + std::string(text); }
+  void RequestHalt() override { halted = true; }
+  void RequestInterrupt() override {}
+  void WaitMilliseconds(std::int64_t) override {}
+  std::string ReadLine() override { return "typed"; }
+  std::string Timestamp() override { return "2000-01-01 00:00:00.000"; }
+  std::uint64_t DecisionCycle() const override { return 7; }
+  std::uint64_t NextConstantNumber() override { return ++constants_; }
+  void Count(std::string_view) override {}
+  std::string RunCommand(std::string_view line) override { return "ran " + std::string(line) + "\n"; }
+  bool CallUserFunction(std::string_view name, std::string_view argument, std::string& result) override {
+    result = "[" + std::string(argument) + "]";
+    return name == "wrap";
+  }
+  void SlotChildren(Symbol identifier, std::vector<Child>& out) const override { AllChildren(identifier, out); }
+  void AllChildren(Symbol identifier, std::vector<Child>& out) const override {
+    const auto found = objects.find(identifier.bits());
+    if (found != objects.end()) out.insert(out.end(), found->second.begin(), found->second.end());
+  }
+  Symbol NewIdentifier(char letter) override { return symbols_.NewIdentifier(letter); }
+  void MakePreference(Symbol identifier, Symbol attribute, Symbol value) override {
+    objects[identifier.bits()].push_back({attribute, value});
+  }
+  bool IsGoal(Symbol) const override { return false; }
+  std::uint64_t LongTermIdentifier(Symbol) const override { return 0; }
+  void LinkToLongTerm(Symbol, std::uint64_t) override {}
+  void SetLearning(Symbol, bool) override {}
+
+  std::string errors, written;
+  bool halted = false;
+  std::map<std::uint32_t, std::vector<Child>> objects;
+
+ private:
+  SymbolTable symbols_;
+  RandomStream random_{1};
+  std::uint64_t constants_ = 0;
+};
+
+class FunctionsTest : public testing::Test {
+ protected:
+  Symbol S(const char* text) { return context_.symbols().String(text); }
+  Symbol I(std::int64_t value) { return context_.symbols().Integer(value); }
+  Symbol F(double value) { return context_.symbols().Float(value); }
+
+  /// The value as it prints, or what the function complained of.
+  std::string Call(const char* name, std::vector<Symbol> arguments) {
+    context_.errors.clear();
+    const std::uint16_t index = FindBuiltinFunction(name);
+    if (index == RhsValue::kUserFunction) return "unknown";
+    const Symbol value = Evaluate(context_, index, arguments);
+    return value ? ToString(context_.symbols(), value) : context_.errors;
+  }
+
+  FakeContext context_;
+};
+
+TEST_F(FunctionsTest, ArithmeticKeepsIntegersAndDividesToFloats) {
+  EXPECT_EQ(Call("+", {}), "0");
+  EXPECT_EQ(Call("*", {}), "1");
+  EXPECT_EQ(Call("+", {I(7), I(-3), F(2.5)}), "6.500000");
+  EXPECT_EQ(Call("-", {I(5), I(2), I(1)}), "2");
+  EXPECT_EQ(Call("-", {F(2.5)}), "-2.500000");
+  EXPECT_EQ(Call("/", {I(6), I(3)}), "2.000000");
+  EXPECT_EQ(Call("/", {I(4)}), "0.250000");
+  EXPECT_EQ(Call("div", {I(-7), I(2)}), "-3");
+  EXPECT_EQ(Call("mod", {I(-7), I(3)}), "-1");
+  EXPECT_EQ(Call("min", {I(3), F(2.5)}), "2.500000");
+  EXPECT_EQ(Call("max", {I(3), I(1)}), "3");
+  EXPECT_EQ(Call("abs", {F(-4.5)}), "4.500000");
+  EXPECT_EQ(Call("atan2", {I(1), I(1)}), "0.785398");
+  EXPECT_EQ(Call("int", {F(-2.9)}), "-2");
+  EXPECT_EQ(Call("int", {S("3.7")}), "3");
+  EXPECT_EQ(Call("int", {S("abc")}), "0");
+  EXPECT_EQ(Call("float", {S("1.5e3x")}), "1500.000000");
+}
+
+TEST_F(FunctionsTest, WhatOverflowsWrapsRoundAndWhatCrashesInSoarIsAnswered) {
+  EXPECT_EQ(Call("+", {I(INT64_MAX), I(1)}), "-9223372036854775808");
+  EXPECT_EQ(Call("-", {I(INT64_MIN)}), "-9223372036854775808");
+  EXPECT_EQ(Call("div", {I(INT64_MIN), I(-1)}), "-9223372036854775808");
+  EXPECT_EQ(Call("mod", {I(INT64_MIN), I(-1)}), "0");
+  EXPECT_EQ(Call("round-off", {I(5), I(0)}), "Error: attempt to divide ('round-off') by zero.\n");
+  EXPECT_EQ(Call("round-off", {S("a"), S("b")}), "Error: non-number (a) passed to - round-off\n");
+}
+
+TEST_F(FunctionsTest, ErrorsHaveSoarsTexts) {
+  EXPECT_EQ(Call("+", {I(1), S("ten")}), "Error: non-number (ten) passed to + function\n");
+  EXPECT_EQ(Call("div", {I(7), I(0)}), "Error: attempt to divide ('div') by zero.\n");
+  EXPECT_EQ(Call("/", {I(7), I(0)}), "Error: attempt to divide ('/') by zero.\n");
+  EXPECT_EQ(Call("mod", {I(7), F(2)}), "Error: non-integer (2.000000) passed to mod function\n");
+  EXPECT_EQ(Call("-", {}), "Error: '-' function called with no arguments\n");
+  EXPECT_EQ(Call("sin", {S("ten")}), "Error: 'sin' function called with non-numeric argument ten\n");
+  EXPECT_EQ(Call("size", {S("three")}), "Error: non-symbol (three) passed to size function\n");
+  EXPECT_EQ(Call("capitalize-symbol", {I(5)}), "Error: non-symbol (5) passed to capitalize-symbol function.\n");
+  EXPECT_EQ(Call("exec", {S("nobody"), I(1)}), "|Error: Nobody was registered to implement rhs function nobody|");
+}
+
+TEST_F(FunctionsTest, RoundingAndSpaceGiveSoarsNumbers) {
+  EXPECT_EQ(Call("round-off", {F(7.26), F(0.1)}), "7.200000");
+  EXPECT_EQ(Call("round-off", {I(35), I(10)}), "40");
+  EXPECT_EQ(Call("round-off", {I(-7), I(2)}), "-8");
+  EXPECT_EQ(Call("round-off", {F(7.77), I(2)}), "8");
+  EXPECT_EQ(Call("round-off", {F(-7.25), F(0.5)}), "-7.000000");
+  EXPECT_EQ(Call("round-off-heading", {F(355.6), F(2.0)}), "-4.000000");
+  EXPECT_EQ(Call("round-off-heading", {I(190), I(10)}), "-170");
+  EXPECT_EQ(Call("compute-heading", {I(0), I(0), I(1), I(1)}), "44");
+  EXPECT_EQ(Call("compute-heading", {I(0), I(0), I(0), I(-5)}), "-179");
+  EXPECT_EQ(Call("compute-heading", {I(0), I(0), I(1), I(-1)}), "135");
+  EXPECT_EQ(Call("compute-heading", {I(2), I(2), I(2), I(2)}), "90");
+  EXPECT_EQ(Call("compute-heading", {I(5), I(5), I(1), I(1)}), "-134");
+  EXPECT_EQ(Call("compute-range", {F(1.5), F(1), F(4.5), F(5)}), "5");
+  EXPECT_EQ(Call("predict-x", {I(10), I(20), I(90), I(5)}), "164");
+  EXPECT_EQ(Call("predict-y", {I(10), I(20), I(90), I(5)}), "-413");
+  EXPECT_EQ(Call("compute-dice-probability", {I(5), I(6), I(2), S("eq")}), "0.160751");
+  EXPECT_EQ(Call("compute-dice-probability", {I(5), I(6), I(2), S("ge")}), "0.196245");
+}
+
+TEST_F(FunctionsTest, RandomFunctionsFollowTheStream) {
+  EXPECT_EQ(Call("rand-float", {}), "0.417022");
+  EXPECT_EQ(Call("rand-float", {I(10)}), "9.971848");
+  EXPECT_EQ(Call("rand-int", {I(0)}), "3093770124");
+  EXPECT_EQ(Call("rand-int", {I(1)}), "0");
+  EXPECT_EQ(Call("rand-int", {I(10)}), "9");
+  EXPECT_EQ(Call("rand-int", {I(100)}), "75");
+  EXPECT_EQ(Call("rand-int", {}), "4290846341");
+}
+
+TEST_F(FunctionsTest, TextFunctionsGiveStrings) {
+  EXPECT_EQ(Call("concat", {S("owl"), S("-"), I(12), S("/"), F(2.5)}), "|owl-12/2.500000|");
+  EXPECT_EQ(Call("concat", {I(1), I(2)}), "|12|");
+  EXPECT_EQ(Call("string", {F(2.5)}), "|2.50000000000000000|");
+  EXPECT_EQ(Call("trim", {S("  two words  ")}), "|two words|");
+  EXPECT_EQ(Call("strlen", {I(1234)}), "4");
+  EXPECT_EQ(Call("make-constant-symbol", {S("owl"), I(12)}), "owl121");
+  EXPECT_EQ(Call("make-constant-symbol", {S("owl"), I(12)}), "owl122");
+  EXPECT_EQ(Call("make-constant-symbol", {}), "constant3");
+  EXPECT_EQ(Call("ifeq", {I(3), F(3), S("yes"), S("no")}), "no");
+}
+
+TEST_F(FunctionsTest, SetFunctionsFollowPathsAndSkipWhatIsNoNumber) {
+  const Symbol bag = context_.NewIdentifier('B'), box = context_.NewIdentifier('K');
+  for (const Symbol value : {I(1), I(2), F(3.5), S("word")}) context_.MakePreference(bag, S("n"), value);
+  context_.MakePreference(bag, S("k"), box);
+  context_.MakePreference(box, S("v"), I(1));
+  context_.MakePreference(box, S("v"), I(2));
+  EXPECT_EQ(Call("set-count", {bag, S("n")}), "4");
+  EXPECT_EQ(Call("set-sum", {bag, S("n")}), "6.500000");
+  EXPECT_EQ(Call("set-mean", {bag, S("n")}), "2.166667");
+  EXPECT_EQ(Call("set-stdev", {bag, S("n")}), "1.027402");
+  EXPECT_EQ(Call("set-range", {bag, S("n")}), "2.500000");
+  EXPECT_EQ(Call("set-sum", {bag, S("k"), S("v")}), "3.000000");
+  EXPECT_EQ(Call("set-max", {bag, S("none")}), "NaN");
+  EXPECT_EQ(Call("sum", {box}), "3");
+  EXPECT_EQ(Call("sum", {bag}), "6.500000");
+  EXPECT_EQ(Call("size", {bag}), "5");
+}
+
+TEST_F(FunctionsTest, DeepCopyKeepsSharingAndLoops) {
+  const Symbol plan = context_.NewIdentifier('O'), leaf = context_.NewIdentifier('A');
+  context_.MakePreference(plan, S("left"), leaf);
+  context_.MakePreference(plan, S("right"), leaf);
+  context_.MakePreference(leaf, S("up"), plan);
+  EXPECT_EQ(Call("deep-copy", {plan}), "D1");
+  const Symbol copy = context_.symbols().FindIdentifier('D', 1), copied_leaf = context_.symbols().FindIdentifier('A', 2);
+  ASSERT_EQ(context_.objects[copy.bits()].size(), 2u);
+  EXPECT_EQ(context_.objects[copy.bits()][0].value, copied_leaf);
+  EXPECT_EQ(context_.objects[copy.bits()][1].value, copied_leaf);
+  EXPECT_EQ(context_.objects[copied_leaf.bits()][0].value, copy);
+  EXPECT_EQ(Call("deep-copy", {I(5)}), "|*symbol not id*|");
+}
+
+TEST_F(FunctionsTest, NoFunctionMindsAnyNumberOrKindOfArguments) {
+  const std::vector<Symbol> kinds = {S("a"), I(0), I(INT64_MIN), F(0.0), F(-1e300), context_.NewIdentifier('X'), S("")};
+  for (std::uint16_t index = 0; index < BuiltinFunctions().size(); ++index) {
+    for (std::size_t count = 0; count <= 5; ++count) {
+      for (std::size_t first = 0; first < kinds.size(); ++first) {
+        std::vector<Symbol> arguments;
+        for (std::size_t i = 0; i < count; ++i) arguments.push_back(kinds[(first + i * 3) % kinds.size()]);
+        Evaluate(context_, index, arguments);
+      }
+    }
+  }
+  EXPECT_TRUE(context_.halted);
+}
+
+}  // namespace
+}  // namespace soarbox::kernel
