@@ -258,8 +258,9 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     only_lists = only_lists || std::string(argv[i]).find("list_tests") != std::string::npos;
   if (std::getenv("DISPLAY") == nullptr && !only_lists) {
+    // Without -noreset the server restarts whenever a test has closed its window, and refuses the next one meanwhile.
     std::vector<char*> command{const_cast<char*>("xvfb-run"), const_cast<char*>("-a"), const_cast<char*>("-s"),
-                               const_cast<char*>("-screen 0 1280x720x24")};
+                               const_cast<char*>("-screen 0 1280x720x24 -noreset")};
     command.insert(command.end(), argv, argv + argc);
     command.push_back(nullptr);
     execvp(command[0], command.data());  // Comes back only if xvfb-run is missing; then the tests are skipped.
