@@ -7,6 +7,7 @@
 
 #include "script/lua_machine.h"
 #include "script/lua_order.h"
+#include "script/lua_pattern.h"
 #include "script/lua_text.h"
 #include "script/script_path.h"
 
@@ -200,6 +201,7 @@ void InstallLibrary(lua_State* state) {
   RunChunk(state, kXpcall, "xpcall");
   InstallText(state);
   InstallOrder(state);
+  InstallPatterns(state);
 }
 
 void RunChunk(lua_State* state, std::string_view text, std::string_view name) {

@@ -123,11 +123,15 @@ void LuaMachine::OnCount(lua_State* state, lua_Debug*) {
     machine.instructions_left_ -= kCountInterval;
     return;
   }
-  machine.instructions_left_ = 0;
+  machine.RaiseOutOfBudget(state);
+}
+
+void LuaMachine::RaiseOutOfBudget(lua_State* state) {
+  instructions_left_ = 0;
   // From here on each instruction fails, so that a script cannot catch the error with pcall and go on.
   lua_sethook(state, OnCount, LUA_MASKCOUNT, 1);
   lua_pushfstring(state, "the script ran for more than %d thousand instructions in one call: is there an endless loop?",
-                  static_cast<int>(machine.setup_.limits.instructions / 1000));
+                  static_cast<int>(setup_.limits.instructions / 1000));
   lua_error(state);
 }
 

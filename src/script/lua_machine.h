@@ -112,6 +112,9 @@ class LuaMachine {
 
   /// Takes instructions off the budget of the present call, for work done on a script's behalf.
   void Charge(std::uint64_t instructions);
+  std::uint64_t instructions_left() const { return instructions_left_; }
+  /// Raises the Lua error that ends a call whose budget is used up.
+  void RaiseOutOfBudget(lua_State* state);
 
   /// Marks a module as being run by require; false if it is already.
   bool BeginLoading(const std::string& module) { return loading_.insert(module).second; }

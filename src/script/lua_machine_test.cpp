@@ -232,6 +232,32 @@ TEST_F(MachineTest, DoesNotLetAScriptCatchTheEndOfItsBudget) {
   EXPECT_EQ(Run("print(xpcall(error, function(e) return 'handled ' .. e end, 'x'))"), "false\thandled x");
 }
 
+TEST_F(MachineTest, MatchesPatternsAsLua51Does) {
+  const std::pair<const char*, const char*> snippets[] = {
+      {"print(string.find('key = value', '(%w+)%s*=%s*(%w+)'))", "1\t11\tkey\tvalue"},
+      {"print(string.find('a.b', '.', 1, true), string.find('abc', 'c', -1), string.find('', ''))", "2\t3\t1\t0"},
+      {"print(string.match('THE (quick) fox', '%((%a+)%)'), ('x()'):match('()%b()'))", "quick\t2"},
+      {"print(string.gsub('hello world', '(o)(.?)', '<%2%1%0%%>'))", "hell< oo %>w<roor%>ld\t2"},
+      {"print(string.gsub('abc', '%w*', 'x'), string.gsub('$name is $age', '%$(%w+)', {name = 'Bo', age = 7}))",
+       "xx\tBo is 7\t2"},
+      {"print((string.gsub('THE (quick) fox', '%f[%a]%a+', string.lower)))", "the (quick) fox"},
+      {"local t = {} for k, v in string.gmatch('a=1, b=2', '(%w+)=(%w+)') do t[#t + 1] = k .. v end "
+       "print(table.concat(t, ' '))",
+       "a1 b2"},
+      {"print(pcall(string.find, 'a', '[a'))", "false\tmalformed pattern (missing ']')"},
+      {"print(pcall(string.rep, 'x', -1), pcall(string.gsub, 'a', '(', ''))", "true\tfalse\tunfinished capture"},
+  };
+  for (const auto& [script, printed] : snippets) EXPECT_EQ(Run(script), printed) << script;
+}
+
+TEST_F(MachineTest, StopsPatternsThatTakeForEver) {
+  Start({std::size_t{16} << 20, 1'000'000});
+  EXPECT_NE(Run("string.find(('a'):rep(30000), '.-.-.-b')").find("endless loop"), std::string::npos);
+  EXPECT_NE(Run("string.gsub(('a'):rep(40), ('a?'):rep(40) .. ('a'):rep(40) .. 'b', '')").find("endless loop"),
+            std::string::npos);
+  EXPECT_NE(Run("string.find(('a'):rep(100000), ('a*'):rep(500))").find("pattern too complex"), std::string::npos);
+}
+
 TEST_F(MachineTest, LimitsMemoryAndRecovers) {
   Start({std::size_t{4} << 20, 50'000'000});
   const std::string expected = "error: the script needs more than its limit of 4096 KB of memory";

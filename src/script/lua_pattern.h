@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+struct lua_State;
+
+namespace soarbox::script {
+
+/// Replaces string.find, match, gmatch and gsub in a machine by ones whose work is taken off the script's instruction
+/// budget, so that a pattern that takes for ever is stopped like any endless loop. Call inside a protected call.
+void InstallPatterns(lua_State* state);
+
+}  // namespace soarbox::script
