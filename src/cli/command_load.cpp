@@ -27,23 +27,22 @@ void FreshLine(CommandCall& call) {
   if (!call.result.text.empty() && call.result.text.back() != '\n') call.Out("\n");
 }
 
-/// Says in which line of which file a command failed, and what more is known about it.
+/// Says in which line of which file a command failed: all that is known about each error, or the line alone.
 void ReportPlace(CommandCall& call, const std::string& path, int line, std::size_t first_diagnostic) {
   FreshLine(call);
-  std::string place = fmt::format("\t{}:{}", path, line);
-  std::string hints;
+  bool reported = false;
   for (std::size_t i = first_diagnostic; i < call.result.diagnostics.size(); ++i) {
     Diagnostic& diagnostic = call.result.diagnostics[i];
+    const bool inner = !diagnostic.file.empty() && diagnostic.file != path;
     if (diagnostic.file.empty()) {
       diagnostic.file = path;
       if (diagnostic.line == 0) diagnostic.line = line;
     }
-    if (diagnostic.severity != Severity::kError) continue;
-    place = fmt::format("\t{}:{}", path, diagnostic.line);
-    if (diagnostic.column > 0) place += fmt::format(":{}", diagnostic.column);
-    if (!diagnostic.hint.empty()) hints = "\t" + diagnostic.hint + "\n";
+    if (diagnostic.severity != Severity::kError || inner) continue;
+    call.Out(Format(diagnostic));
+    reported = true;
   }
-  call.Out(place + "\n" + hints + "\n");
+  if (!reported) call.Out(fmt::format("\t{}:{}\n", path, line));
 }
 
 /// Carries out the commands of a text, all of them, whatever fails; false if any did.

@@ -126,13 +126,13 @@ bool Activation(CommandCall& call) {
   if (!call.Parse(kWmSubcommands[2].options, parsed)) return false;
   SettingStore& store = call.session.settings();
   if (parsed.Has('g')) {
-    const std::string& name = *parsed.Argument('g');
+    const std::string name = *parsed.Argument('g');
     if (!SettingStore::Find("wma", name)) return call.Fail("Invalid setting.");
     call.Out(store.Get("wma", name));
     return true;
   }
   if (parsed.Has('s')) {
-    const std::string& name = *parsed.Argument('s');
+    const std::string name = *parsed.Argument('s');
     if (parsed.arguments.size() != 1) return call.Fail("Invalid number of arguments for set.");
     const std::string& value = parsed.arguments.front().text;
     if (name == "activation" && value == "on") {

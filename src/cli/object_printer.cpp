@@ -130,6 +130,11 @@ class ObjectPrinter {
 
 }  // namespace
 
+void PrintObject(PrintStream& stream, const Agent& agent, Symbol id, const ObjectStyle& style,
+                 ResultNode& structured) {
+  ObjectPrinter(stream, agent, style, structured).Print(id);
+}
+
 std::string SymbolText(const Agent& agent, Symbol symbol) { return kernel::ToString(agent.symbols(), symbol); }
 
 std::string WmeText(const Agent& agent, WmeId id, bool timetag, bool variables) {

@@ -91,7 +91,8 @@ void TracePrinter::OnPreferencePhase(const Agent& agent, FiringType type, kernel
 
 void TracePrinter::OnInnerElaboration(const Agent& agent, kernel::GoalLevel level, kernel::Symbol goal) {
   if (!session_.trace().On(TraceFlag::kWaterfall)) return;
-  Print(fmt::format("\n--- Inner Elaboration Phase, active level {} goal {} ---\n", level, SymbolText(agent, goal)));
+  Print(fmt::format("\n--- Inner Elaboration Phase, active level {} goal {} ---\n", level,
+                    goal ? SymbolText(agent, goal) : std::string("#")));
 }
 
 void TracePrinter::OnWorkingMemoryPhase(const Agent& agent, FiringType type) {
@@ -239,6 +240,21 @@ void TracePrinter::OnGdsViolation(const Agent& agent, const GoalInfo& goal, cons
 
 void TracePrinter::OnPrint(const Agent&, std::string_view text) {
   if (session_.output().agent_writes) session_.stream().Print(text);
+}
+
+void TracePrinter::OnError(const Agent&, std::string_view text) {
+  session_.stream().FreshLine();
+  session_.stream().Print(text);
+}
+
+void TracePrinter::OnLog(const Agent&, int channel, std::string_view text) {
+  const std::vector<bool>& channels = session_.output().log_channels;
+  const auto index = static_cast<std::size_t>(channel - 1);
+  if (channel >= 1 && index < channels.size() && channels[index]) session_.stream().Print(text);
+}
+
+void TracePrinter::OnTraceText(const Agent&, int level, std::string_view text) {
+  if (level <= session_.trace().level()) session_.stream().Print(text);
 }
 
 void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::string_view text) {

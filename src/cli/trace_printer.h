@@ -41,6 +41,9 @@ class TracePrinter : public kernel::Observer {
   void OnGdsAdded(const kernel::Agent& agent, const kernel::GoalInfo& goal, const kernel::WmeInfo& wme) override;
   void OnGdsViolation(const kernel::Agent& agent, const kernel::GoalInfo& goal, const kernel::WmeInfo& wme) override;
   void OnPrint(const kernel::Agent&, std::string_view text) override;
+  void OnError(const kernel::Agent&, std::string_view text) override;
+  void OnLog(const kernel::Agent&, int channel, std::string_view text) override;
+  void OnTraceText(const kernel::Agent&, int level, std::string_view text) override;
   void OnWarning(const kernel::Agent&, kernel::WarningKind kind, std::string_view text) override;
   void OnInterrupt(const kernel::Agent&, std::string_view reason) override;
   void OnHalt(const kernel::Agent&) override;

@@ -61,6 +61,7 @@ constexpr Leveled kLevels[] = {
 TraceSettings::TraceSettings() { SetLevel(1); }
 
 void TraceSettings::SetLevel(int level) {
+  level_ = level;
   if (level <= 0) {
     flags_ = {};
     wme_detail_ = WmeDetail::kNone;

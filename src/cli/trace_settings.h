@@ -40,6 +40,8 @@ class TraceSettings {
   /// Switches on what the levels 1 to `level` show and off what higher ones show; level 0 switches all off.
   void SetLevel(int level);
 
+  /// The level set last.
+  int level() const { return level_; }
   bool On(TraceFlag flag) const { return flags_[static_cast<std::size_t>(flag)]; }
   void Set(TraceFlag flag, bool on) { flags_[static_cast<std::size_t>(flag)] = on; }
   WmeDetail wme_detail() const { return wme_detail_; }
@@ -54,6 +56,7 @@ class TraceSettings {
   std::array<bool, kTraceFlagCount> flags_{};
   WmeDetail wme_detail_ = WmeDetail::kNone;
   int learning_ = 0;
+  int level_ = 1;
 };
 
 }  // namespace soarbox::cli
