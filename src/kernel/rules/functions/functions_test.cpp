@@ -99,7 +99,15 @@ TEST_F(FunctionsTest, WhatOverflowsWrapsRoundAndWhatCrashesInSoarIsAnswered) {
   EXPECT_EQ(Call("div", {I(INT64_MIN), I(-1)}), "-9223372036854775808");
   EXPECT_EQ(Call("mod", {I(INT64_MIN), I(-1)}), "0");
   EXPECT_EQ(Call("round-off", {I(5), I(0)}), "Error: attempt to divide ('round-off') by zero.\n");
-  EXPECT_EQ(Call("round-off", {S("a"), S("b")}), "Error: non-number (a) passed to - round-off\n");
+  EXPECT_EQ(Call("round-off", {F(5), F(0.01)}), "Error: attempt to divide ('round-off') by zero.\n");
+  EXPECT_EQ(Call("round-off", {I(INT64_MAX), I(10)}), "9223372036854775800");
+  EXPECT_EQ(Call("round-off", {I(INT64_MIN), I(-1)}), "-9223372036854775808");
+  EXPECT_EQ(Call("round-off", {S("a"), S("b")}), "Error: non-number (b) passed to - round-off\n");
+  EXPECT_EQ(Call("abs", {I(INT64_MIN)}), "-9223372036854775808");
+  EXPECT_EQ(Call("*", {I(INT64_MAX), I(2)}), "-2");
+  EXPECT_EQ(Call("int", {F(1e30)}), "-9223372036854775808");
+  EXPECT_EQ(Call("compute-range", {I(0), I(0), I(INT64_MAX), I(1)}), "-9223372036854775808");
+  EXPECT_EQ(Call("compute-dice-probability", {I(1000), I(6), I(2000), S("le")}), "1.000000");
 }
 
 TEST_F(FunctionsTest, ErrorsHaveSoarsTexts) {
@@ -111,6 +119,22 @@ TEST_F(FunctionsTest, ErrorsHaveSoarsTexts) {
   EXPECT_EQ(Call("sin", {S("ten")}), "Error: 'sin' function called with non-numeric argument ten\n");
   EXPECT_EQ(Call("size", {S("three")}), "Error: non-symbol (three) passed to size function\n");
   EXPECT_EQ(Call("capitalize-symbol", {I(5)}), "Error: non-symbol (5) passed to capitalize-symbol function.\n");
+  EXPECT_EQ(Call("int", {S("99999999999999999999")}),
+            "Error: bad integer (|99999999999999999999|) given to 'int' RHS function\n");
+  EXPECT_EQ(Call("float", {S("1e999")}), "Error: bad float (1e999) given to 'float' RHS function\n");
+  EXPECT_EQ(Call("compute-dice-probability", {I(5), I(6), I(2), I(7)}),
+            "Error: non-string (7) passed as 'pred' to - compute-dice-probability\n");
+  EXPECT_EQ(Call("compute-closest-intercept", {I(1), I(2), F(3.5), I(4)}),
+            "Error: non int (3.500000) passed to compute-closest-intercept function.\n");
+  EXPECT_EQ(Call("log", {S("x")}),
+            "Error: First argument of agent's (log) rhs-function must be an integer channel number between 1 and 100.  x is "
+            "invalid.\n");
+  EXPECT_EQ(Call("@", {S("abc")}), "Error: abc is not linked to a semantic identifier.\n");
+  EXPECT_EQ(Call("link-stm-to-ltm", {S("x"), I(5)}),
+            "Error: '@' rhs function cannot accept x because it is not a Soar identifier\n");
+  EXPECT_EQ(Call("dont-learn", {I(5)}), "Error: non-identifier (5) passed to dont-learn function.\n");
+  EXPECT_EQ(Call("cmd", {}), "error_expected_rhs_function_to_return_value_but_it_did_NOT");
+  EXPECT_EQ(context_.errors, "cmd should be followed by a command name \n");
   EXPECT_EQ(Call("exec", {S("nobody"), I(1)}), "|Error: Nobody was registered to implement rhs function nobody|");
 }
 
@@ -122,6 +146,14 @@ TEST_F(FunctionsTest, RoundingAndSpaceGiveSoarsNumbers) {
   EXPECT_EQ(Call("round-off", {F(-7.25), F(0.5)}), "-7.000000");
   EXPECT_EQ(Call("round-off-heading", {F(355.6), F(2.0)}), "-4.000000");
   EXPECT_EQ(Call("round-off-heading", {I(190), I(10)}), "-170");
+  EXPECT_EQ(Call("round-off-heading", {I(-180), I(1)}), "180");
+  EXPECT_EQ(Call("round-off-heading", {F(5.5), I(2)}), "6");
+  EXPECT_EQ(Call("round-off-heading", {F(185.4), F(0.5)}), "-174.500000");
+  EXPECT_EQ(Call("round-off", {I(37), I(-10)}), "30");
+  EXPECT_EQ(Call("round-off", {F(7.99), F(0.3)}), "7.800000");
+  EXPECT_EQ(Call("round-off", {S("a"), I(3)}), "0");
+  EXPECT_EQ(Call("compute-heading", {F(0.9), I(0), F(1.1), I(1)}), "44");
+  EXPECT_EQ(Call("compute-range", {F(0.9), F(0.9), F(2.1), F(2.1)}), "1");
   EXPECT_EQ(Call("compute-heading", {I(0), I(0), I(1), I(1)}), "44");
   EXPECT_EQ(Call("compute-heading", {I(0), I(0), I(0), I(-5)}), "-179");
   EXPECT_EQ(Call("compute-heading", {I(0), I(0), I(1), I(-1)}), "135");
@@ -132,6 +164,21 @@ TEST_F(FunctionsTest, RoundingAndSpaceGiveSoarsNumbers) {
   EXPECT_EQ(Call("predict-y", {I(10), I(20), I(90), I(5)}), "-413");
   EXPECT_EQ(Call("compute-dice-probability", {I(5), I(6), I(2), S("eq")}), "0.160751");
   EXPECT_EQ(Call("compute-dice-probability", {I(5), I(6), I(2), S("ge")}), "0.196245");
+  EXPECT_EQ(Call("compute-dice-probability", {I(20), I(6), I(10), S("ge")}), "0.000599");
+  EXPECT_EQ(Call("compute-dice-probability", {I(5), I(1), I(5), S("eq")}), "1.000000");
+  EXPECT_EQ(Call("compute-dice-probability", {I(5), I(0), I(2), S("eq")}), "0.000000");
+}
+
+TEST_F(FunctionsTest, TheClosestPointLiesNearestToTheHeading) {
+  const Symbol points = context_.NewIdentifier('P'), ahead = context_.NewIdentifier('A'), aside = context_.NewIdentifier('B');
+  context_.MakePreference(points, S("p"), ahead);
+  context_.MakePreference(points, S("p"), aside);
+  context_.MakePreference(ahead, S("x"), I(1));
+  context_.MakePreference(ahead, S("y"), F(20));
+  context_.MakePreference(aside, S("x"), I(15));
+  context_.MakePreference(aside, S("y"), I(0));
+  EXPECT_EQ(Call("compute-closest-intercept", {I(0), I(0), I(0), points}), "A1");
+  EXPECT_EQ(Call("compute-closest-intercept", {I(0), I(0), I(90), points}), "B1");
 }
 
 TEST_F(FunctionsTest, RandomFunctionsFollowTheStream) {
@@ -142,6 +189,10 @@ TEST_F(FunctionsTest, RandomFunctionsFollowTheStream) {
   EXPECT_EQ(Call("rand-int", {I(10)}), "9");
   EXPECT_EQ(Call("rand-int", {I(100)}), "75");
   EXPECT_EQ(Call("rand-int", {}), "4290846341");
+  context_.random().Seed(1);
+  EXPECT_EQ(Call("rand-int", {I(9999999999)}), "946286476");
+  context_.random().Seed(1);
+  EXPECT_EQ(Call("rand-int", {F(2.9)}), "1");
 }
 
 TEST_F(FunctionsTest, TextFunctionsGiveStrings) {
@@ -168,6 +219,8 @@ TEST_F(FunctionsTest, SetFunctionsFollowPathsAndSkipWhatIsNoNumber) {
   EXPECT_EQ(Call("set-stdev", {bag, S("n")}), "1.027402");
   EXPECT_EQ(Call("set-range", {bag, S("n")}), "2.500000");
   EXPECT_EQ(Call("set-sum", {bag, S("k"), S("v")}), "3.000000");
+  EXPECT_EQ(Call("set-sum", {bag, S("n"), S("n"), S("n"), S("n")}), "NaN");
+  EXPECT_EQ(Call("set-count", {I(5), S("n")}), "|\\|ERROR: First parameter needs to be an identifier.\\||");
   EXPECT_EQ(Call("set-max", {bag, S("none")}), "NaN");
   EXPECT_EQ(Call("sum", {box}), "3");
   EXPECT_EQ(Call("sum", {bag}), "6.500000");
@@ -186,6 +239,22 @@ TEST_F(FunctionsTest, DeepCopyKeepsSharingAndLoops) {
   EXPECT_EQ(context_.objects[copy.bits()][1].value, copied_leaf);
   EXPECT_EQ(context_.objects[copied_leaf.bits()][0].value, copy);
   EXPECT_EQ(Call("deep-copy", {I(5)}), "|*symbol not id*|");
+}
+
+TEST_F(FunctionsTest, XmlBecomesElementsNamedByItsTags) {
+  const std::string told = Call("from-st-xml", {S("<?xml version=\"1.0\"?><top a='1'><kid>text</kid><!-- no --><kid value=\"7\"/>"
+                                                  "<box><z>x &amp; y</z></box></top>")});
+  EXPECT_EQ(told, "T1");
+  const auto& parts = context_.objects[context_.symbols().FindIdentifier('T', 1).bits()];
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_EQ(parts[0].attribute, S("box"));
+  EXPECT_EQ(parts[1].value, S("7"));
+  EXPECT_EQ(parts[2].value, S("text"));
+  EXPECT_EQ(context_.objects[parts[0].value.bits()].at(0).value, S("x & y"));
+  EXPECT_EQ(Call("from-st-xml", {S("<state/>")}), "I1");
+  for (const char* text : {"", "text", "<a>", "<a></b>", "<a>&no;</a>", "<a b></a>", "<a b=\"1></a>", "<a/><b/>", "<!-- "}) {
+    EXPECT_EQ(Call("from-st-xml", {S(text)}), "Error: the text passed to from-st-xml is not one XML element\n") << text;
+  }
 }
 
 TEST_F(FunctionsTest, NoFunctionMindsAnyNumberOrKindOfArguments) {

@@ -1,8 +1,14 @@
-# The functions of right-hand sides, and gp.
+# The functions of right-hand sides.
 list(APPEND SOARBOX_KERNEL_SOURCES
-  rules/functions/builtin_functions.cpp
   rules/functions/arithmetic_functions.cpp
+  rules/functions/builtin_functions.cpp
   rules/functions/control_functions.cpp
+  rules/functions/copy_functions.cpp
+  rules/functions/dice_functions.cpp
   rules/functions/memory_functions.cpp
+  rules/functions/random_functions.cpp
+  rules/functions/rounding_functions.cpp
   rules/functions/space_functions.cpp
-  rules/functions/text_functions.cpp)
+  rules/functions/text_functions.cpp
+  rules/functions/xml_functions.cpp)
+soarbox_kernel_test(kernel_functions_test SOURCES rules/functions/functions_test.cpp)
