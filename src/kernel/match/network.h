@@ -79,7 +79,7 @@ struct Alpha {
 
 /// The topology of a Rete: which tests where. Holds nothing that changes while rules run, so that agents with the same
 /// rules can share it. Node 0 is the root. Children are listed newest first.
-class Network {
+class [[gnu::visibility("hidden")]] Network {
  public:
   Network();
 

@@ -87,7 +87,7 @@ struct WmeLinks {
 
 /// The contents of one agent's Rete and the algorithms on it, file by file: rete_match (additions), rete_remove,
 /// rete_build (rules), rete_query, rete_check.
-struct ReteState {
+struct [[gnu::visibility("hidden")]] ReteState {
   ReteState(MatchSet& matches, const SymbolTable& symbols, const WmeTable& wmes);
   ~ReteState();
   ReteState(const ReteState&) = delete;
