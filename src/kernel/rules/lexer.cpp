@@ -147,12 +147,14 @@ Token Lexer::Next() {
     return ReadQuoted();
   }
   if (c == '@') {
-    const std::size_t end = WordEnd(at_);
+    const bool with_sign = WordEnd(at_) - at_ == 2 && (text_[at_ + 1] == '+' || text_[at_ + 1] == '-');
     Token token;
-    token.text = end - at_ == 2 && (text_[at_ + 1] == '+' || text_[at_ + 1] == '-') ? text_.substr(at_, 2) : "@";
-    token.kind = token.text == "@+" ? TokenKind::kAtPlus : token.text == "@-" ? TokenKind::kAtMinus : TokenKind::kAt;
-    const std::size_t length = token.text.size();
-    return Finish(std::move(token), at_ + length);
+    token.kind = !with_sign ? TokenKind::kAt : text_[at_ + 1] == '+' ? TokenKind::kAtPlus : TokenKind::kAtMinus;
+    token.text.push_back('@');
+    if (with_sign) {
+      token.text.push_back(text_[at_ + 1]);
+    }
+    return Finish(std::move(token), at_ + (with_sign ? 2 : 1));
   }
   const bool starts_float = c == '.' && !after_name_ && at_ + 1 < text_.size() && IsDigit(text_[at_ + 1]);
   if (SingleCharacterKind(c) != TokenKind::kEnd && !starts_float) {

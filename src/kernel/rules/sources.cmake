@@ -1,6 +1,4 @@
 list(APPEND SOARBOX_KERNEL_SOURCES
   rules/lexer.cpp rules/parser.cpp rules/read_conditions.cpp rules/read_actions.cpp rules/finish_rule.cpp
-  rules/reorder.cpp rules/chunk_variables.cpp rules/print_production.cpp
-  rules/functions/builtin_functions.cpp rules/functions/arithmetic_functions.cpp rules/functions/control_functions.cpp
-  rules/functions/memory_functions.cpp rules/functions/space_functions.cpp rules/functions/text_functions.cpp)
-soarbox_kernel_test(kernel_rules_test SOURCES rules/lexer_test.cpp rules/parser_test.cpp rules/functions/functions_test.cpp)
+  rules/reorder.cpp rules/chunk_variables.cpp rules/print_production.cpp)
+soarbox_kernel_test(kernel_rules_test SOURCES rules/lexer_test.cpp rules/parser_test.cpp)
