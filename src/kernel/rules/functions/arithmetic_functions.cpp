@@ -24,7 +24,9 @@ std::int64_t WrappingMultiply(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
 
-std::string Name(FunctionContext& context, Symbol symbol) { return ToString(context.symbols(), symbol); }
+std::string Name(FunctionContext& context, Symbol symbol) {
+  return ToString(context.symbols(), symbol);
+}
 
 /// True if all arguments are numbers; else says which is not.
 bool AllNumbers(FunctionContext& context, Arguments arguments, const char* function) {
@@ -43,7 +45,8 @@ bool AllIntegers(Arguments arguments) {
 
 /// Folds numbers: as integers if all are, else as floats.
 template <typename IntegerStep, typename FloatStep>
-Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, IntegerStep integer_step, FloatStep float_step) {
+Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, IntegerStep integer_step,
+            FloatStep float_step) {
   SymbolTable& symbols = context.symbols();
   if (AllIntegers(arguments)) {
     std::int64_t result = start;
@@ -61,7 +64,8 @@ Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, I
 
 /// The smallest or largest; a float if any argument is one.
 template <typename IntegerPick, typename FloatPick>
-Symbol Extreme(FunctionContext& context, Arguments arguments, const char* function, IntegerPick integer_pick, FloatPick float_pick) {
+Symbol Extreme(FunctionContext& context, Arguments arguments, const char* function, IntegerPick integer_pick,
+               FloatPick float_pick) {
   SymbolTable& symbols = context.symbols();
   if (!AllNumbers(context, arguments, function)) {
     return {};
@@ -175,7 +179,8 @@ Symbol Minus(FunctionContext& context, Arguments arguments) {
   }
   const Arguments rest = arguments.subspan(1);
   if (AllIntegers(arguments)) {
-    return Fold(context, rest, symbols.IntegerValue(arguments[0]), WrappingSubtract, [](double a, double) { return a; });
+    return Fold(context, rest, symbols.IntegerValue(arguments[0]), WrappingSubtract,
+                [](double a, double) { return a; });
   }
   double result = symbols.NumberValue(arguments[0]);
   for (const Symbol argument : rest) {
@@ -224,13 +229,15 @@ Symbol Modulo(FunctionContext& context, Arguments arguments) {
 }
 
 Symbol Minimum(FunctionContext& context, Arguments arguments) {
-  return Extreme(context, arguments, "min", [](std::int64_t a, std::int64_t b) { return std::min(a, b); },
-                 [](double a, double b) { return std::min(a, b); });
+  return Extreme(
+      context, arguments, "min", [](std::int64_t a, std::int64_t b) { return std::min(a, b); },
+      [](double a, double b) { return std::min(a, b); });
 }
 
 Symbol Maximum(FunctionContext& context, Arguments arguments) {
-  return Extreme(context, arguments, "max", [](std::int64_t a, std::int64_t b) { return std::max(a, b); },
-                 [](double a, double b) { return std::max(a, b); });
+  return Extreme(
+      context, arguments, "max", [](std::int64_t a, std::int64_t b) { return std::max(a, b); },
+      [](double a, double b) { return std::max(a, b); });
 }
 
 Symbol Absolute(FunctionContext& context, Arguments arguments) {

@@ -86,7 +86,9 @@ constexpr BuiltinFunction kFunctions[] = {
 
 }  // namespace
 
-std::span<const BuiltinFunction> BuiltinFunctions() { return kFunctions; }
+std::span<const BuiltinFunction> BuiltinFunctions() {
+  return kFunctions;
+}
 
 std::uint16_t FindBuiltinFunction(std::string_view name) {
   std::uint16_t index = 0;

@@ -18,7 +18,9 @@ std::string Glued(FunctionContext& context, Arguments arguments) {
   return text;
 }
 
-std::string Name(FunctionContext& context, Symbol symbol) { return ToString(context.symbols(), symbol); }
+std::string Name(FunctionContext& context, Symbol symbol) {
+  return ToString(context.symbols(), symbol);
+}
 
 /// The first argument as a number within limits; else says what is expected.
 bool ChannelOf(FunctionContext& context, Arguments arguments, int lowest, int highest, const char* what, int& channel) {
@@ -29,18 +31,19 @@ bool ChannelOf(FunctionContext& context, Arguments arguments, int lowest, int hi
       return true;
     }
   }
-  context.PrintError("Error: First argument of agent's " + std::string(what) + " between " + std::to_string(lowest) + " and " +
-                     std::to_string(highest) + ".  " +
+  context.PrintError("Error: First argument of agent's " + std::string(what) + " between " + std::to_string(lowest) +
+                     " and " + std::to_string(highest) + ".  " +
                      (arguments.empty() ? std::string("Nothing") : Name(context, arguments[0])) + " is invalid.\n");
   return false;
 }
 
 Symbol SetLearning(FunctionContext& context, Arguments arguments, const char* function, bool learn) {
   if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {
-    context.PrintError("Error: non-identifier (" + Glued(context, arguments) + ") passed to " + function + " function.\n");
+    context.PrintError("Error: non-identifier (" + Glued(context, arguments) + ") passed to " + function +
+                       " function.\n");
   } else if (!context.IsGoal(arguments[0])) {
-    context.PrintError("Error: identifier passed to " + std::string(function) + " is not a state: " + Name(context, arguments[0]) +
-                       ".\n");
+    context.PrintError("Error: identifier passed to " + std::string(function) +
+                       " is not a state: " + Name(context, arguments[0]) + ".\n");
   } else {
     context.SetLearning(arguments[0], learn);
   }
@@ -60,7 +63,9 @@ Symbol Write(FunctionContext& context, Arguments arguments) {
   return {};
 }
 
-Symbol Crlf(FunctionContext& context, Arguments) { return context.symbols().String("\n"); }
+Symbol Crlf(FunctionContext& context, Arguments) {
+  return context.symbols().String("\n");
+}
 
 Symbol Halt(FunctionContext& context, Arguments) {
   context.RequestHalt();
@@ -132,9 +137,13 @@ Symbol DecisionCycle(FunctionContext& context, Arguments) {
   return context.symbols().Integer(static_cast<std::int64_t>(context.DecisionCycle()));
 }
 
-Symbol Timestamp(FunctionContext& context, Arguments) { return context.symbols().String(context.Timestamp()); }
+Symbol Timestamp(FunctionContext& context, Arguments) {
+  return context.symbols().String(context.Timestamp());
+}
 
-Symbol Accept(FunctionContext& context, Arguments) { return context.symbols().String(context.ReadLine()); }
+Symbol Accept(FunctionContext& context, Arguments) {
+  return context.symbols().String(context.ReadLine());
+}
 
 Symbol DontLearn(FunctionContext& context, Arguments arguments) {
   return SetLearning(context, arguments, "dont-learn", false);

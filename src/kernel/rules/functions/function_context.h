@@ -29,7 +29,8 @@ class FunctionContext {
 
   // Text and control ----------------------------------------------------------------------------------------------
 
-  /// Prints a message of the architecture ("Error: ..."). Starts on a fresh line; the text ends with a line end.
+  /// Prints a message of the architecture ("Error: ..."), just as it is. The text ends with a line end; only those
+  /// messages that Soar begins with a line end begin with one.
   virtual void PrintError(std::string_view text) = 0;
   /// Prints what a rule writes, unless the agent's writes are off.
   virtual void Write(std::string_view text) = 0;

@@ -16,7 +16,9 @@ class FakeContext : public FunctionContext {
   RandomStream& random() override { return random_; }
   void PrintError(std::string_view text) override { errors += text; }
   void Write(std::string_view text) override { written += text; }
-  void Log(int channel, std::string_view text) override { written += std::to_string(channel) + ":" + std::string(text); }
+  void Log(int channel, std::string_view text) override {
+    written += std::to_string(channel) + ":" + std::string(text);
+  }
   void Trace(int level, std::string_view text) override { written += std::to_string(level) + "!" + std::string(text); }
   void RequestHalt() override { halted = true; }
   void RequestInterrupt() override {}
@@ -118,7 +120,7 @@ TEST_F(FunctionsTest, ErrorsHaveSoarsTexts) {
   EXPECT_EQ(Call("-", {}), "Error: '-' function called with no arguments\n");
   EXPECT_EQ(Call("sin", {S("ten")}), "Error: 'sin' function called with non-numeric argument ten\n");
   EXPECT_EQ(Call("size", {S("three")}), "Error: non-symbol (three) passed to size function\n");
-  EXPECT_EQ(Call("capitalize-symbol", {I(5)}), "Error: non-symbol (5) passed to capitalize-symbol function.\n");
+  EXPECT_EQ(Call("capitalize-symbol", {I(5)}), "\nError: non-symbol (5) passed to capitalize-symbol function.\n");
   EXPECT_EQ(Call("int", {S("99999999999999999999")}),
             "Error: bad integer (|99999999999999999999|) given to 'int' RHS function\n");
   EXPECT_EQ(Call("float", {S("1e999")}), "Error: bad float (1e999) given to 'float' RHS function\n");
@@ -126,10 +128,11 @@ TEST_F(FunctionsTest, ErrorsHaveSoarsTexts) {
             "Error: non-string (7) passed as 'pred' to - compute-dice-probability\n");
   EXPECT_EQ(Call("compute-closest-intercept", {I(1), I(2), F(3.5), I(4)}),
             "Error: non int (3.500000) passed to compute-closest-intercept function.\n");
-  EXPECT_EQ(Call("log", {S("x")}),
-            "Error: First argument of agent's (log) rhs-function must be an integer channel number between 1 and 100.  x is "
-            "invalid.\n");
-  EXPECT_EQ(Call("@", {S("abc")}), "Error: abc is not linked to a semantic identifier.\n");
+  EXPECT_EQ(
+      Call("log", {S("x")}),
+      "Error: First argument of agent's (log) rhs-function must be an integer channel number between 1 and 100.  x is "
+      "invalid.\n");
+  EXPECT_EQ(Call("@", {S("abc")}), "\nError: abc is not linked to a semantic identifier.\n");
   EXPECT_EQ(Call("link-stm-to-ltm", {S("x"), I(5)}),
             "Error: '@' rhs function cannot accept x because it is not a Soar identifier\n");
   EXPECT_EQ(Call("dont-learn", {I(5)}), "Error: non-identifier (5) passed to dont-learn function.\n");
@@ -170,7 +173,8 @@ TEST_F(FunctionsTest, RoundingAndSpaceGiveSoarsNumbers) {
 }
 
 TEST_F(FunctionsTest, TheClosestPointLiesNearestToTheHeading) {
-  const Symbol points = context_.NewIdentifier('P'), ahead = context_.NewIdentifier('A'), aside = context_.NewIdentifier('B');
+  const Symbol points = context_.NewIdentifier('P'), ahead = context_.NewIdentifier('A'),
+               aside = context_.NewIdentifier('B');
   context_.MakePreference(points, S("p"), ahead);
   context_.MakePreference(points, S("p"), aside);
   context_.MakePreference(ahead, S("x"), I(1));
@@ -233,7 +237,8 @@ TEST_F(FunctionsTest, DeepCopyKeepsSharingAndLoops) {
   context_.MakePreference(plan, S("right"), leaf);
   context_.MakePreference(leaf, S("up"), plan);
   EXPECT_EQ(Call("deep-copy", {plan}), "D1");
-  const Symbol copy = context_.symbols().FindIdentifier('D', 1), copied_leaf = context_.symbols().FindIdentifier('A', 2);
+  const Symbol copy = context_.symbols().FindIdentifier('D', 1),
+               copied_leaf = context_.symbols().FindIdentifier('A', 2);
   ASSERT_EQ(context_.objects[copy.bits()].size(), 2u);
   EXPECT_EQ(context_.objects[copy.bits()][0].value, copied_leaf);
   EXPECT_EQ(context_.objects[copy.bits()][1].value, copied_leaf);
@@ -242,8 +247,9 @@ TEST_F(FunctionsTest, DeepCopyKeepsSharingAndLoops) {
 }
 
 TEST_F(FunctionsTest, XmlBecomesElementsNamedByItsTags) {
-  const std::string told = Call("from-st-xml", {S("<?xml version=\"1.0\"?><top a='1'><kid>text</kid><!-- no --><kid value=\"7\"/>"
-                                                  "<box><z>x &amp; y</z></box></top>")});
+  const std::string told =
+      Call("from-st-xml", {S("<?xml version=\"1.0\"?><top a='1'><kid>text</kid><!-- no --><kid value=\"7\"/>"
+                             "<box><z>x &amp; y</z></box></top>")});
   EXPECT_EQ(told, "T1");
   const auto& parts = context_.objects[context_.symbols().FindIdentifier('T', 1).bits()];
   ASSERT_EQ(parts.size(), 3u);
@@ -252,7 +258,8 @@ TEST_F(FunctionsTest, XmlBecomesElementsNamedByItsTags) {
   EXPECT_EQ(parts[2].value, S("text"));
   EXPECT_EQ(context_.objects[parts[0].value.bits()].at(0).value, S("x & y"));
   EXPECT_EQ(Call("from-st-xml", {S("<state/>")}), "I1");
-  for (const char* text : {"", "text", "<a>", "<a></b>", "<a>&no;</a>", "<a b></a>", "<a b=\"1></a>", "<a/><b/>", "<!-- "}) {
+  for (const char* text :
+       {"", "text", "<a>", "<a></b>", "<a>&no;</a>", "<a b></a>", "<a b=\"1></a>", "<a/><b/>", "<!-- "}) {
     EXPECT_EQ(Call("from-st-xml", {S(text)}), "Error: the text passed to from-st-xml is not one XML element\n") << text;
   }
 }

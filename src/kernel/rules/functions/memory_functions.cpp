@@ -13,7 +13,9 @@ namespace {
 using Arguments = std::span<const Symbol>;
 using Child = FunctionContext::Child;
 
-std::string Name(FunctionContext& context, Symbol symbol) { return ToString(context.symbols(), symbol); }
+std::string Name(FunctionContext& context, Symbol symbol) {
+  return ToString(context.symbols(), symbol);
+}
 
 /// The elements of the one argument, which must be an identifier.
 bool ChildrenOf(FunctionContext& context, Arguments arguments, const char* function, std::vector<Child>& out) {
@@ -52,7 +54,7 @@ Symbol Folded(FunctionContext& context, Arguments arguments, const char* functio
 /// What the set functions work on: the values at the end of a path of one to three attributes from an identifier.
 struct ValueSet {
   bool ok = false;
-  Symbol error;                 ///< The function's value if this is not ok.
+  Symbol error;  ///< The function's value if this is not ok.
   std::int64_t count = 0;
   std::vector<double> numbers;
 };
@@ -117,7 +119,9 @@ double SumOf(const std::vector<double>& numbers) {
   return sum;
 }
 
-double MeanOf(const std::vector<double>& numbers) { return SumOf(numbers) / static_cast<double>(numbers.size()); }
+double MeanOf(const std::vector<double>& numbers) {
+  return SumOf(numbers) / static_cast<double>(numbers.size());
+}
 
 }  // namespace
 
@@ -129,15 +133,21 @@ Symbol Size(FunctionContext& context, Arguments arguments) {
   return context.symbols().Integer(static_cast<std::int64_t>(children.size()));
 }
 
-Symbol Sum(FunctionContext& context, Arguments arguments) { return Folded(context, arguments, "sum", false); }
-Symbol Product(FunctionContext& context, Arguments arguments) { return Folded(context, arguments, "product", true); }
+Symbol Sum(FunctionContext& context, Arguments arguments) {
+  return Folded(context, arguments, "sum", false);
+}
+Symbol Product(FunctionContext& context, Arguments arguments) {
+  return Folded(context, arguments, "product", true);
+}
 
 Symbol SetCount(FunctionContext& context, Arguments arguments) {
   const ValueSet set = CollectSet(context, arguments);
   return set.ok ? context.symbols().Integer(set.count) : set.error;
 }
 
-Symbol SetSum(FunctionContext& context, Arguments arguments) { return OfSet(context, arguments, SumOf); }
+Symbol SetSum(FunctionContext& context, Arguments arguments) {
+  return OfSet(context, arguments, SumOf);
+}
 
 Symbol SetMultiply(FunctionContext& context, Arguments arguments) {
   return OfSet(context, arguments, [](const std::vector<double>& numbers) {
@@ -160,7 +170,9 @@ Symbol SetRange(FunctionContext& context, Arguments arguments) {
     return *std::max_element(n.begin(), n.end()) - *std::min_element(n.begin(), n.end());
   });
 }
-Symbol SetMean(FunctionContext& context, Arguments arguments) { return OfSet(context, arguments, MeanOf); }
+Symbol SetMean(FunctionContext& context, Arguments arguments) {
+  return OfSet(context, arguments, MeanOf);
+}
 
 Symbol SetDeviation(FunctionContext& context, Arguments arguments) {
   return OfSet(context, arguments, [](const std::vector<double>& numbers) {

@@ -87,7 +87,9 @@ Symbol Rounded(FunctionContext& context, Arguments arguments, const char* functi
 
 }  // namespace
 
-Symbol RoundOff(FunctionContext& context, Arguments arguments) { return Rounded(context, arguments, "round-off", false); }
+Symbol RoundOff(FunctionContext& context, Arguments arguments) {
+  return Rounded(context, arguments, "round-off", false);
+}
 
 Symbol RoundOffHeading(FunctionContext& context, Arguments arguments) {
   return Rounded(context, arguments, "round-off-heading", true);

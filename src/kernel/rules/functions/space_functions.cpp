@@ -17,12 +17,15 @@ using Arguments = std::span<const Symbol>;
 /// Soar's value, a little smaller than the real one: the last degree of a heading depends on it.
 constexpr double kPi = 3.1415926;
 
-std::string Name(FunctionContext& context, Symbol symbol) { return ToString(context.symbols(), symbol); }
+std::string Name(FunctionContext& context, Symbol symbol) {
+  return ToString(context.symbols(), symbol);
+}
 
 /// Cut off behind the point; what does not fit becomes the smallest integer, as in Soar.
 std::int64_t ToInt(double value) {
   constexpr double kLimit = 9223372036854775808.0;
-  return value >= -kLimit && value < kLimit ? static_cast<std::int64_t>(value) : std::numeric_limits<std::int64_t>::min();
+  return value >= -kLimit && value < kLimit ? static_cast<std::int64_t>(value)
+                                            : std::numeric_limits<std::int64_t>::min();
 }
 
 /// The numbers of two points; false after saying what is not a number.
@@ -122,7 +125,8 @@ Symbol ClosestIntercept(FunctionContext& context, Arguments arguments) {
   const SymbolTable& symbols = context.symbols();
   for (std::size_t i = 0; i < 3; ++i) {
     if (!arguments[i].IsInteger()) {
-      context.PrintError("Error: non int (" + Name(context, arguments[i]) + ") passed to compute-closest-intercept function.\n");
+      context.PrintError("Error: non int (" + Name(context, arguments[i]) +
+                         ") passed to compute-closest-intercept function.\n");
       return {};
     }
   }

@@ -11,7 +11,9 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-std::string Name(FunctionContext& context, Symbol symbol) { return ToString(context.symbols(), symbol); }
+std::string Name(FunctionContext& context, Symbol symbol) {
+  return ToString(context.symbols(), symbol);
+}
 
 std::string Glued(FunctionContext& context, Arguments arguments) {
   std::string text;
@@ -23,7 +25,9 @@ std::string Glued(FunctionContext& context, Arguments arguments) {
 
 }  // namespace
 
-Symbol Concat(FunctionContext& context, Arguments arguments) { return context.symbols().String(Glued(context, arguments)); }
+Symbol Concat(FunctionContext& context, Arguments arguments) {
+  return context.symbols().String(Glued(context, arguments));
+}
 
 Symbol ToText(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 1) {
@@ -50,7 +54,8 @@ Symbol MakeConstant(FunctionContext& context, Arguments arguments) {
 
 Symbol Capitalize(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 1 || !arguments[0].IsString()) {
-    context.PrintError("Error: non-symbol (" + Glued(context, arguments) + ") passed to capitalize-symbol function.\n");
+    context.PrintError("\nError: non-symbol (" + Glued(context, arguments) +
+                       ") passed to capitalize-symbol function.\n");
     return {};
   }
   std::string text(context.symbols().Text(arguments[0]));
@@ -62,7 +67,7 @@ Symbol Capitalize(FunctionContext& context, Arguments arguments) {
 
 Symbol Trim(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 1 || !arguments[0].IsString()) {
-    context.PrintError("Error: non-symbol (" + Glued(context, arguments) + ") passed to 'trim' function.\n");
+    context.PrintError("\nError: non-symbol (" + Glued(context, arguments) + ") passed to 'trim' function.\n");
     return {};
   }
   const std::string text(context.symbols().Text(arguments[0]));
@@ -91,7 +96,7 @@ Symbol LongTermNumber(FunctionContext& context, Arguments arguments) {
   }
   const std::uint64_t lti = arguments[0].IsIdentifier() ? context.LongTermIdentifier(arguments[0]) : 0;
   if (lti == 0) {
-    context.PrintError("Error: " + Name(context, arguments[0]) + " is not linked to a semantic identifier.\n");
+    context.PrintError("\nError: " + Name(context, arguments[0]) + " is not linked to a semantic identifier.\n");
     return {};
   }
   return context.symbols().Integer(static_cast<std::int64_t>(lti));

@@ -27,9 +27,7 @@ class XmlReader {
   explicit XmlReader(std::string_view text) : text_(text) {}
 
   /// The element that the whole text consists of; false if it is not one.
-  bool Read(Element& root) {
-    return SkipBetween() && ReadElement(root, 0) && SkipBetween() && at_ == text_.size();
-  }
+  bool Read(Element& root) { return SkipBetween() && ReadElement(root, 0) && SkipBetween() && at_ == text_.size(); }
 
  private:
   static constexpr int kDeepest = 200;
@@ -72,8 +70,9 @@ class XmlReader {
 
   bool ReadName(std::string& name) {
     const std::size_t start = at_;
-    while (at_ < text_.size() && (IsLetter(text_[at_]) || IsDigit(text_[at_]) || text_[at_] == '-' || text_[at_] == '_' ||
-                                  text_[at_] == '.' || text_[at_] == ':' || (text_[at_] & 0x80) != 0)) {
+    while (at_ < text_.size() &&
+           (IsLetter(text_[at_]) || IsDigit(text_[at_]) || text_[at_] == '-' || text_[at_] == '_' ||
+            text_[at_] == '.' || text_[at_] == ':' || (text_[at_] & 0x80) != 0)) {
       ++at_;
     }
     name = text_.substr(start, at_ - start);
@@ -169,7 +168,8 @@ Symbol Build(FunctionContext& context, const Element& element) {
   std::vector<std::pair<Symbol, Symbol>> parts;
   for (const Element& child : element.children) {
     const Symbol attribute = context.symbols().String(child.tag);
-    parts.emplace_back(attribute, child.children.empty() ? context.symbols().String(child.text) : Build(context, child));
+    parts.emplace_back(attribute,
+                       child.children.empty() ? context.symbols().String(child.text) : Build(context, child));
   }
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
     context.MakePreference(identifier, part->first, part->second);
