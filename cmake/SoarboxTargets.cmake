@@ -26,6 +26,11 @@ target_compile_options(soarbox_options INTERFACE
   -ffp-contract=off
   # GCC 12 warns of impossible overlaps in std::string at -O3 (its bug 105651).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
+# Functions that no shared library exports can be inlined across files; the client API marks what it exports.
+target_compile_options(soarbox_options INTERFACE
+  $<$<CONFIG:Release>:-fvisibility=hidden;-fvisibility-inlines-hidden;-fno-semantic-interposition>
+  # False alarms of GCC 12 in optimised std::string and std::variant.
+  $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 if(SOARBOX_SANITIZE STREQUAL "address")
   target_compile_options(soarbox_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(soarbox_options INTERFACE -fsanitize=address,undefined)
