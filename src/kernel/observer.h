@@ -75,6 +75,7 @@ enum class GoalRemoval : std::uint8_t {
   kWrongImpasseType,    ///< "because it's the wrong type of impasse."
   kOperatorRemoval,     ///< "because of an operator removal."
   kGdsChange,           ///< "because element in GDS changed. WME: (...)": see OnGdsViolation just before.
+  kWithSuperstate,      ///< A state above it goes; told after that one.
   kInconsistent,        ///< The consistency check failed: see OnInconsistentDecision just before.
   kInit,                ///< init-soar or the end of the agent. Not told to observers of kDecision.
 };

@@ -173,8 +173,13 @@ void Elaboration::AssertNew() {
   for (std::size_t n = made.size(); n-- > 0;) {
     for (PreferenceId p = engine_.instantiations[made[n]].preferences; p != PreferenceId::kNone;
          p = memory.preference(p).next_of_instantiation) {
-      if (is_o_reject(memory.preference(p))) engine_.preferences.ApplyOReject(p);
+      if (is_o_reject(memory.preference(p))) o_rejects_.push_back(p);
     }
+  }
+  // Rejects work in the order of firing, the first action first.
+  while (!o_rejects_.empty()) {
+    engine_.preferences.ApplyOReject(o_rejects_.back());
+    o_rejects_.pop_back();
   }
   for (std::size_t n = made.size(); n-- > 0;) {
     const InstantiationId id = made[n];

@@ -53,6 +53,7 @@ class Elaboration {
   FiringType firing_ = FiringType::kIe;
   std::uint32_t count_ = 0;             ///< Elaborations of this phase.
   std::vector<MatchId> put_back_;
+  std::vector<PreferenceId> o_rejects_;
   std::vector<Symbol> garbage_;
 };
 

@@ -89,6 +89,7 @@ void Firing::Fire(const PendingMatch& match) {
     const FiringInfo info = engine_.DescribeInstantiation(id);
     engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFired(engine_.agent, info, made); });
   }
+  engine_.preferences.LinkToGoal(id);
   made_.push_back(id);
   if (interrupt) engine_.run.InterruptByRule(rule->name);
   if (match.level > 1) engine_.justifier.Consider(id);
@@ -125,8 +126,6 @@ void Firing::RunActions(const Production& rule, InstantiationId id) {
   if (rule.type == ProductionType::kTemplate) return;
   new_identifiers_.assign(rule.new_identifiers.size(), Symbol());
   rule_ = &rule;
-  level_ = engine_.instantiations[id].level;
-  goal_ = engine_.instantiations[id].goal;
   engine_.context.SetFiring(id);
   for (const Action& action : rule.actions) RunAction(action, id);
   engine_.context.SetFiring(InstantiationId::kNone);
@@ -139,12 +138,15 @@ void Firing::RunAction(const Action& action, InstantiationId id) {
     return;
   }
   Preference preference;
+  level_ = engine_.instantiations[id].level;
   preference.id = Evaluate(action.id);
   if (!preference.id) return;
   if (!preference.id.IsIdentifier()) {
     engine_.Print(BadIdentifier(engine_.symbols, preference.id, *rule_));
     return;
   }
+  // What an object's preference makes hangs on that object, so it begins with its level.
+  level_ = engine_.memory.level(preference.id);
   preference.attribute = Evaluate(action.attribute);
   if (!preference.attribute) return;
   preference.value = Evaluate(action.value);

@@ -46,8 +46,7 @@ class Firing {
   std::vector<WmeId> wmes_;              ///< Of the match that fires: working memory may grow while it does.
   std::vector<Symbol> new_identifiers_;
   std::vector<Symbol> argument_stack_;
-  GoalLevel level_ = 0;
-  Symbol goal_;
+  GoalLevel level_ = 0;                  ///< Of identifiers that the action at hand makes.
   const Production* rule_ = nullptr;
 };
 

@@ -142,23 +142,31 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
 // Removing states -----------------------------------------------------------------------------------------------------
 
 void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
-  while (engine_.goals.depth() >= level && !engine_.goals.empty()) {
-    if (engine_.observers.Wants(Event::kDecision) && reason != GoalRemoval::kInit) {
-      const GoalInfo info = engine_.Describe(engine_.goals.bottom());
-      engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateRemoved(engine_.agent, info, reason); });
-    }
+  if (engine_.goals.depth() < level) return;
+  const auto tell = [&](GoalLevel gone, GoalRemoval why) {
+    if (!engine_.observers.Wants(Event::kDecision)) return;
+    const GoalInfo info = engine_.Describe(engine_.goals.at(gone));
+    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateRemoved(engine_.agent, info, why); });
+  };
+  tell(level, reason);
+  removed_.clear();
+  while (engine_.goals.depth() >= level) {
+    const GoalLevel bottom = static_cast<GoalLevel>(engine_.goals.depth());
+    if (bottom > level) tell(bottom, GoalRemoval::kWithSuperstate);
+    removed_.push_back(engine_.goals.at(bottom).id);
     RemoveBottom();
   }
+  // The lowest state is collected first: garbage is taken from the end.
+  for (std::size_t n = removed_.size(); n-- > 0;) engine_.links.Discard(removed_[n]);
 }
 
 void GoalChanges::RemoveBottom() {
   WorkingMemory& memory = engine_.memory;
   Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
   engine_.run.GoalRemoved(goal.id);
-  while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.Retract(goal.oldest_preference);
+  while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
   const SlotId slot = goal.operator_slot;
   while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
-  while (memory.slot(slot).acceptable_wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).acceptable_wmes);
   // Items go before non-numeric ones, each group newest first.
   for (const bool non_numeric : {false, true}) {
     for (std::size_t n = goal.items.size(); n-- > 0;) {
@@ -174,10 +182,9 @@ void GoalChanges::RemoveBottom() {
   engine_.gds.GoalRemoved(goal.level);
   engine_.decision.GoalRemoved(goal.level);
   engine_.rete.matches().GoalRemoved(goal.level);
-  memory.mutable_slot(slot).is_operator = false;
-  memory.mutable_slot(slot).changed = false;
-  engine_.preferences.MarkChanged(slot);
   memory.ClearGoal(goal.id);
+  // Its elements of acceptable preferences go with those of other slots that changed, in UpdateAcceptables.
+  engine_.preferences.MarkChanged(slot);
   engine_.links.GoalGone(goal.id);
   engine_.goals.Pop();
 }

@@ -39,7 +39,6 @@ bool PreferenceChanges::Assert(PreferenceId id) {
   if (preference.referent.IsIdentifier()) {
     preference.referent_link = engine_.links.Add(preference.id, preference.referent);
   }
-  if (preference.level > 1) LinkToGoal(id);
   MarkChanged(slot);
   if (is_operator &&
       (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
@@ -110,6 +109,7 @@ void PreferenceChanges::Drain() {
     const PreferenceId id = unused_.back();
     unused_.pop_back();
     const InstantiationId instantiation = engine_.memory.preference(id).instantiation;
+    if (engine_.memory.preference(id).on_goal_list) UnlinkFromGoal(id);
     UnlinkFromChains(id);
     engine_.memory.FreePreference(id);
     FreeInstantiation(instantiation);
@@ -153,6 +153,22 @@ void PreferenceChanges::FreeInstantiation(InstantiationId id) {
   engine_.instantiations.Free(id);
 }
 
+void PreferenceChanges::LinkToGoal(InstantiationId id) {
+  if (engine_.instantiations[id].level < 2) return;
+  for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
+       p = engine_.memory.preference(p).next_of_instantiation) {
+    LinkToGoal(p);
+  }
+}
+
+void PreferenceChanges::LeaveGoal(PreferenceId id) {
+  if (engine_.memory.preference(id).in_slot) {
+    Retract(id);
+  } else {
+    UnlinkFromGoal(id);
+  }
+}
+
 void PreferenceChanges::LinkToGoal(PreferenceId id) {
   Preference& preference = engine_.memory.mutable_preference(id);
   Goal& goal = engine_.goals.at(preference.level);
@@ -187,6 +203,10 @@ void PreferenceChanges::UnlinkFromGoal(PreferenceId id) {
 void PreferenceChanges::MarkChanged(SlotId id) {
   Slot& slot = engine_.memory.mutable_slot(id);
   if (slot.is_operator) {
+    if (!engine_.memory.identifier(slot.id).is_goal) {
+      changed_acceptables_.push_back(id);
+      return;
+    }
     engine_.decision.NoteContextChanged(engine_.memory.level(slot.id));
     slot.changed = true;
     return;

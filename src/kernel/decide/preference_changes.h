@@ -26,6 +26,10 @@ class PreferenceChanges {
   void Retract(PreferenceId preference);
   /// Removes every preference for the same value from the slot of an o-supported reject.
   void ApplyOReject(PreferenceId reject);
+  /// Puts the preferences of a new instantiation of a substate on its goal's list: they go when the goal goes.
+  void LinkToGoal(InstantiationId instantiation);
+  /// The goal is going: takes the preference out of its slot and off the goal's list.
+  void LeaveGoal(PreferenceId preference);
   void AddReference(PreferenceId preference);
   void DropReference(PreferenceId preference);
   /// Frees the preference if nothing refers to it.

@@ -110,12 +110,13 @@ void SlotDecision::Decide(SlotId slot_id) {
 
 void SlotDecision::UpdateAcceptables() {
   std::vector<SlotId>& changed = engine_.preferences.changed_acceptables();
-  for (std::size_t n = changed.size(); n-- > 0;) {
-    const SlotId slot = changed[n];
-    // A slot may stand in the list more than once; later visits find nothing to do.
+  // The slot that changed last comes first. One may stand in the list more than once: later visits find nothing to do.
+  // Removing an operator may add slots of the states below.
+  while (!changed.empty()) {
+    const SlotId slot = changed.back();
+    changed.pop_back();
     if (engine_.memory.slot(slot).live && engine_.memory.slot(slot).is_operator) UpdateAcceptables(slot);
   }
-  changed.clear();
 }
 
 void SlotDecision::UpdateAcceptables(SlotId slot_id) {
@@ -141,6 +142,13 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
       engine_.decision.RemoveOperator(memory.level(slot.id), OperatorRemoval::kProposalGone, wme);
     }
     engine_.changes.Remove(wme);
+  }
+  if (!memory.identifier(slot.id).is_goal) {
+    // The goal has gone: what is left is an ordinary slot without anything.
+    memory.mutable_slot(slot_id).is_operator = false;
+    memory.mutable_slot(slot_id).changed = false;
+    engine_.preferences.empty_slots().push_back(slot_id);
+    return;
   }
   const std::size_t count = values_.size();
   for (std::size_t n = 0; n < count; ++n) {

@@ -39,7 +39,7 @@ void Justifier::Consider(InstantiationId id) {
     results_.clear();
     if (!CollectResults(current)) return;
     Backtrace(current);
-    current = Build(current);
+    current = Build();
     if (current == InstantiationId::kNone) return;
   }
 }
@@ -265,13 +265,15 @@ std::uint32_t Justifier::NewRecord() {
   Record& record = records_[index];
   record.live = true;
   record.production = ProductionId::kNone;
-  record.number = next_number_++;
+  // Numbers go up by two, as in Soar 9.6.3.
+  record.number = next_number_;
+  next_number_ += 2;
   record.name = "justify" + std::to_string(record.number);
   record_order_.push_back(index);
   return index;
 }
 
-InstantiationId Justifier::Build(InstantiationId base) {
+InstantiationId Justifier::Build() {
   WorkingMemory& memory = engine_.memory;
   GoalLevel goal_level = 0;
   for (const WmeId ground : grounds_) {
@@ -300,8 +302,7 @@ InstantiationId Justifier::Build(InstantiationId base) {
   bool o_support = false;
   for (std::size_t n = results_.size(); n-- > 0;) {
     const PreferenceId result = results_[n];
-    Preference copy = memory.preference(result);
-    copy = Preference{};
+    Preference copy;
     const Preference& original = memory.preference(result);
     copy.id = original.id;
     copy.attribute = original.attribute;
@@ -321,8 +322,8 @@ InstantiationId Justifier::Build(InstantiationId base) {
   engine_.instantiations[id].o_support = o_support;
   engine_.instantiations[id].match =
       engine_.rete.Watch(record.grounds, engine_.instantiations[id].goal, goal_level, id);
+  engine_.preferences.LinkToGoal(id);
   engine_.firing.made().push_back(id);
-  (void)base;
   if (engine_.observers.Wants(Event::kLearning)) {
     const FiringInfo info = engine_.DescribeInstantiation(id);
     engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(engine_.agent, info); });

@@ -58,7 +58,7 @@ class Justifier {
   void VisitCondition(const ConditionTrace& trace);
   void CollectNegations(InstantiationId id);
   /// Makes the justification of the collected results; kNone if they rest on nothing above.
-  InstantiationId Build(InstantiationId base);
+  InstantiationId Build();
   bool IsOSupported(GoalLevel goal_level, const Preference& result) const;
   std::uint32_t NewRecord();
   Condition Instantiate(const Condition& condition, InstantiationId id) const;

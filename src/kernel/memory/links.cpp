@@ -45,6 +45,8 @@ void LinkGraph::Remove(std::uint32_t id) {
   if (target.parent_link == id) {
     DropParent(link.to);
     Queue(link.to);
+  } else {
+    Touch(link.to);
   }
   if (link.previous_in != kNone) {
     links_[link.previous_in].next_in = link.next_in;
@@ -106,7 +108,6 @@ void LinkGraph::GoalGone(Symbol goal) {
     Queue(target);
     child = next;
   }
-  Queue(goal);
 }
 
 // Settling ------------------------------------------------------------------------------------------------------------

@@ -44,6 +44,8 @@ class LinkGraph {
   void Touch(Symbol id);
   /// The goal is going away: what hangs on it loses its parent.
   void GoalGone(Symbol goal);
+  /// Makes the identifier of a goal that has gone garbage.
+  void Discard(Symbol goal) { Queue(goal); }
 
   void Clear();
   std::size_t MemoryBytes() const;
