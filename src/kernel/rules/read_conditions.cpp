@@ -69,8 +69,12 @@ Symbol EqualitySymbol(const Test& test) {
 }
 
 VariableNames::VariableNames(SymbolTable& symbols, std::string_view body) : symbols_(symbols) {
-  // Only names with an asterisk can clash.
-  if (body.find("*") == std::string_view::npos) {
+  // Only names of the form <x*...> can clash, and few rules write any.
+  bool may_clash = false;
+  for (std::size_t at = body.find('*'); at != std::string_view::npos && !may_clash; at = body.find('*', at + 1)) {
+    may_clash = at >= 2 && body[at - 2] == '<';
+  }
+  if (!may_clash) {
     return;
   }
   Lexer lexer(body);
