@@ -87,7 +87,11 @@ void Agent::Excise(ProductionId id) {
   std::erase(engine_->loading_order, id);
   --engine_->type_counts[static_cast<std::size_t>(rule->type)];
   engine_->production_names.erase(rule->name);
-  engine_->rete.ExciseProduction(id);
+  if (running()) {
+    engine_->ExciseLater(id);
+  } else {
+    engine_->rete.ExciseProduction(id);
+  }
 }
 
 ProductionId Agent::FindProduction(std::string_view name) const {
@@ -260,7 +264,6 @@ Result<void> Agent::RemoveWme(WmeId wme) {
     }
   } else {
     engine_->changes.Remove(wme);
-    engine_->gds.RemoveViolated();
   }
   engine_->elaboration.ApplyWorkingMemoryChanges();
   return {};

@@ -142,6 +142,10 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
   const bool o_support = firing_ == FiringType::kPe;
   while (matches.HasAssertions(level, o_support)) {
     const PendingMatch match = matches.TakeAssertion(level, o_support);
+    if (engine_.rete.production(match.production)->type == ProductionType::kJustification) {
+      matches.Release(match.match);  // A justification that matches again does not fire.
+      continue;
+    }
     if (!first_pass && engine_.firing.Touches(match, change_level)) {
       put_back_.push_back(match.match);
       if (engine_.observers.Wants(Event::kFiring)) {
@@ -238,10 +242,13 @@ void Elaboration::ApplyWorkingMemoryChanges() {
     garbage_.clear();
     engine_.links.Settle(garbage_);
     for (const Symbol id : garbage_) engine_.goal_changes.CollectGarbage(id);
-    engine_.gds.RemoveViolated();
   }
   engine_.changes.Flush();
   engine_.preferences.FreeEmptySlots();
+  if (!engine_.excisions.empty()) {
+    for (const ProductionId production : engine_.excisions) engine_.rete.ExciseProduction(production);
+    engine_.excisions.clear();
+  }
   // Elements of matches that wait for their retraction may still be shown.
   const MatchSet& matches = engine_.rete.matches();
   for (GoalLevel level = 0; level <= engine_.goals.depth(); ++level) {

@@ -143,6 +143,7 @@ void Engine::SweepSymbols() {
 // Beginning -----------------------------------------------------------------------------------------------------------
 
 void Engine::Initialize(bool announce) {
+  justifier.ExciseAll();
   rete.Clear();
   goals.Clear();
   instantiations.Clear();
@@ -150,12 +151,13 @@ void Engine::Initialize(bool announce) {
   preferences.Clear();
   changes.Clear();
   links.Clear();
-  gds.Clear();
   decision.Clear();
   elaboration.Clear();
   run.Clear();
   output.Reset();
   firing.made().clear();
+  for (const ProductionId production : excisions) rete.ExciseProduction(production);
+  excisions.clear();
   memory.Clear();
   symbols.ResetIdentifierCounters();
   const std::uint64_t inits = counters.inits;

@@ -95,6 +95,10 @@ struct Engine {
   std::size_t sweep_constants_at = 4096;
   std::vector<std::uint8_t> identifier_marks;
 
+  /// Rules that leave the network when the elaboration is over: nothing is taken from under a firing.
+  std::vector<ProductionId> excisions;
+  void ExciseLater(ProductionId production) { excisions.push_back(production); }
+
   GoalView goal_view() const { return {memory.goal_levels(), memory.long_term_identifiers()}; }
   WmeInfo Describe(WmeId wme) const;
   GoalInfo Describe(const Goal& goal) const;

@@ -164,6 +164,7 @@ void GoalChanges::RemoveBottom() {
   WorkingMemory& memory = engine_.memory;
   Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
   engine_.run.GoalRemoved(goal.id);
+  engine_.gds.GoalRemoved(goal.level);  // First: the set holds elements of the goal itself, which go now.
   while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
   const SlotId slot = goal.operator_slot;
   while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
@@ -179,7 +180,6 @@ void GoalChanges::RemoveBottom() {
   while (memory.identifier(goal.id).architecture_wmes != WmeId::kNone) {
     engine_.changes.Remove(memory.identifier(goal.id).architecture_wmes);
   }
-  engine_.gds.GoalRemoved(goal.level);
   engine_.decision.GoalRemoved(goal.level);
   engine_.rete.matches().GoalRemoved(goal.level);
   memory.ClearGoal(goal.id);

@@ -72,22 +72,15 @@ void GoalDependencySets::AddMember(WmeId wme, GoalLevel level) {
   }
 }
 
-void GoalDependencySets::NoteRemoval(WmeId wme) { violated_.push_back(wme); }
-
-void GoalDependencySets::RemoveViolated() {
-  while (!violated_.empty()) {
-    const WmeId wme = violated_.front();
-    violated_.erase(violated_.begin());
-    const GoalLevel level = engine_.memory.record(wme).gds;
-    if (level == 0) continue;  // Its goal has gone already.
-    const Goal& goal = engine_.goals.at(level);
-    if (engine_.observers.Wants(Event::kGds)) {
-      const GoalInfo info = engine_.Describe(goal);
-      const WmeInfo member = engine_.Describe(wme);
-      engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsViolation(engine_.agent, info, member); });
-    }
-    engine_.goal_changes.RemoveFrom(level, GoalRemoval::kGdsChange);
+void GoalDependencySets::MemberLeaves(WmeId wme) {
+  const GoalLevel level = engine_.memory.record(wme).gds;
+  if (level == 0 || level > engine_.goals.depth()) return;
+  if (engine_.observers.Wants(Event::kGds)) {
+    const GoalInfo info = engine_.Describe(engine_.goals.at(level));
+    const WmeInfo member = engine_.Describe(wme);
+    engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsViolation(engine_.agent, info, member); });
   }
+  engine_.goal_changes.RemoveFrom(level, GoalRemoval::kGdsChange);
 }
 
 void GoalDependencySets::GoalRemoved(GoalLevel level) {

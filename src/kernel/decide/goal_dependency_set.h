@@ -22,13 +22,10 @@ class GoalDependencySets {
   /// An element was made for a preference: if an o-supported preference of a substate is behind it, what that rests on
   /// enters the substate's set.
   void NoteNewFact(WmeId wme);
-  /// A member of a set is being removed. Its goal goes with RemoveViolated.
-  void NoteRemoval(WmeId wme);
-  /// Removes the goals whose sets lost a member.
-  void RemoveViolated();
+  /// A member of a set is about to leave: its goal and all below go first.
+  void MemberLeaves(WmeId wme);
   /// The goal is going: its members are free.
   void GoalRemoved(GoalLevel level);
-  void Clear() { violated_.clear(); }
 
  private:
   void Collect(InstantiationId instantiation, GoalLevel level);
@@ -36,7 +33,6 @@ class GoalDependencySets {
   void Queue(InstantiationId instantiation);
 
   Engine& engine_;
-  std::vector<WmeId> violated_;
   std::vector<InstantiationId> queue_;
   std::vector<std::uint32_t> visited_;   ///< By instantiation: the last collection that queued it.
   std::uint32_t collection_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/decide/preference_changes.h"
 
+#include <algorithm>
+
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
 
@@ -35,6 +37,7 @@ bool PreferenceChanges::Assert(PreferenceId id) {
     }
   }
   memory.InsertInSlot(id, slot);
+  preference.stamp = ++last_stamp_;
   if (preference.value.IsIdentifier()) preference.value_link = engine_.links.Add(preference.id, preference.value);
   if (preference.referent.IsIdentifier()) {
     preference.referent_link = engine_.links.Add(preference.id, preference.referent);
@@ -72,14 +75,17 @@ void PreferenceChanges::ApplyOReject(PreferenceId reject) {
   const Preference content = memory.preference(reject);
   const SlotId slot = memory.FindSlot(content.id, content.attribute);
   if (slot == SlotId::kNone) return;
-  for (const bool acceptable : {true, false}) {
-    PreferenceId next;
-    for (PreferenceId p = acceptable ? memory.slot(slot).acceptable : memory.slot(slot).others;
-         p != PreferenceId::kNone; p = next) {
-      next = memory.preference(p).next_in_slot;
-      if (memory.preference(p).value == content.value) Retract(p);
+  rejected_.clear();
+  for (const PreferenceId first : {memory.slot(slot).acceptable, memory.slot(slot).others}) {
+    for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+      if (memory.preference(p).value == content.value) rejected_.push_back(p);
     }
   }
+  // The one that came last goes first.
+  std::sort(rejected_.begin(), rejected_.end(), [&](PreferenceId a, PreferenceId b) {
+    return memory.preference(a).stamp > memory.preference(b).stamp;
+  });
+  for (const PreferenceId p : rejected_) Retract(p);
 }
 
 void PreferenceChanges::AddReference(PreferenceId id) { ++engine_.memory.mutable_preference(id).references; }

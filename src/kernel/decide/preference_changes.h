@@ -57,7 +57,8 @@ class PreferenceChanges {
 
   Engine& engine_;
   std::vector<SlotId> changed_slots_, changed_acceptables_, empty_slots_;
-  std::vector<PreferenceId> unused_;
+  std::vector<PreferenceId> unused_, rejected_;
+  std::uint32_t last_stamp_ = 0;
   bool draining_ = false;
 };
 

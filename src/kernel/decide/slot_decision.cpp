@@ -66,7 +66,6 @@ void SlotDecision::DecideChangedSlots() {
     if (!engine_.memory.slot(slot).live || !engine_.memory.slot(slot).changed) continue;
     engine_.memory.mutable_slot(slot).changed = false;
     Decide(slot);
-    engine_.gds.RemoveViolated();
   }
 }
 
@@ -157,7 +156,6 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
     const WmeId wme = engine_.changes.AddAcceptable(slot_id, value.value, value.preference);
     engine_.gds.NoteNewFact(wme);
   }
-  engine_.gds.RemoveViolated();
 }
 
 }  // namespace soarbox::kernel

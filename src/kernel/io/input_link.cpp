@@ -165,7 +165,6 @@ void InputLink::Apply() {
     if (change.change == Change::kRemove && elements_[change.element].doomed &&
         elements_[change.element].wme == change.wme) {
       engine_.changes.Remove(change.wme);
-      engine_.gds.RemoveViolated();
     }
   }
   pending_.clear();

@@ -320,8 +320,7 @@ InstantiationId Justifier::Build() {
     source.next_clone = clone;
   }
   engine_.instantiations[id].o_support = o_support;
-  engine_.instantiations[id].match =
-      engine_.rete.Watch(record.grounds, engine_.instantiations[id].goal, goal_level, id);
+  engine_.instantiations[id].match = MatchOf(index, id, goal_level);
   engine_.preferences.LinkToGoal(id);
   engine_.firing.made().push_back(id);
   if (engine_.observers.Wants(Event::kLearning)) {
@@ -331,9 +330,28 @@ InstantiationId Justifier::Build() {
   return id;
 }
 
+/// What tells when the justification no longer holds: the watched elements, or the literal rule if negated conditions
+/// matter.
+MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level) {
+  Record& record = records_[index];
+  if (!record.negations.empty()) {
+    Rete::AddOptions options;
+    options.refracted = record.grounds;
+    options.instantiation = id;
+    const Rete::Added added =
+        engine_.rete.AddProduction(std::make_shared<const Production>(AsRule(index)), engine_.goal_view(), options);
+    if (added.result == Rete::AddResult::kAdded) {
+      record.production = added.production;
+      if (added.refracted != MatchId::kNone) return added.refracted;
+    }
+  }
+  return engine_.rete.Watch(record.grounds, engine_.instantiations[id].goal, goal_level, id);
+}
+
 void Justifier::InstantiationFreed(InstantiationId id) {
   const std::uint32_t index = engine_.instantiations[id].justification;
   if (index == 0xFFFFFFFFu) return;
+  if (records_[index].production != ProductionId::kNone) engine_.ExciseLater(records_[index].production);
   records_[index].live = false;
   std::erase(record_order_, index);
   free_records_.push_back(index);
@@ -374,6 +392,12 @@ Production Justifier::AsRule(std::uint32_t index) const {
     rule.actions.push_back(std::move(action));
   }
   return rule;
+}
+
+void Justifier::ExciseAll() {
+  for (const std::uint32_t index : record_order_) {
+    if (records_[index].production != ProductionId::kNone) engine_.ExciseLater(records_[index].production);
+  }
 }
 
 void Justifier::Clear() {

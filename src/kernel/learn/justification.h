@@ -33,6 +33,8 @@ class Justifier {
   /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
   void SetLearning(Symbol state, bool learn);
   void Clear();
+  /// Takes all justifications out of the network (init-soar).
+  void ExciseAll();
 
   struct Record {
     bool live = false;
@@ -60,6 +62,7 @@ class Justifier {
   /// Makes the justification of the collected results; kNone if they rest on nothing above.
   InstantiationId Build();
   bool IsOSupported(GoalLevel goal_level, const Preference& result) const;
+  MatchId MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level);
   std::uint32_t NewRecord();
   Condition Instantiate(const Condition& condition, InstantiationId id) const;
   bool RefersToHigherOnly(const Condition& condition) const;

@@ -25,6 +25,7 @@ struct Preference {
   bool on_goal_list = false;
   bool live = false;
   GoalLevel level = 0;             ///< Of the goal that its instantiation matched.
+  std::uint32_t stamp = 0;         ///< When it entered its slot: running number.
   std::uint32_t references = 0;    ///< One for the slot, one per condition that names it.
   InstantiationId instantiation = InstantiationId::kNone;
   SlotId slot = SlotId::kNone;

@@ -32,6 +32,7 @@ WmeId WmeChanges::Record(WmeId wme) {
 }
 
 void WmeChanges::Remove(WmeId wme) {
+  if (engine_.memory.record(wme).gds != 0) engine_.gds.MemberLeaves(wme);
   WmeRecord& record = engine_.memory.mutable_record(wme);
   if (record.link != LinkGraph::kNone) {
     engine_.links.Remove(record.link);
@@ -43,7 +44,6 @@ void WmeChanges::Remove(WmeId wme) {
     engine_.input.Forget(static_cast<std::uint32_t>(record.slot));
   }
   engine_.output.NoteChange(engine_.memory.wme(wme).id);
-  if (record.gds != 0) engine_.gds.NoteRemoval(wme);
   engine_.memory.Unlink(wme);
   removed_.push_back(wme);
 }
