@@ -43,7 +43,7 @@ std::string_view Name(ReductionPolicy policy) {
 bool Overview(CommandCall& call) {
   const ExplorationSettings& settings = call.agent().exploration();
   Summary summary(55);
-  summary.Rule('=').Title("Decide Summary").Rule('=');
+  summary.Rule('=').Text("                     Decide Summary\n").Rule('=');
   summary.Row("Numeric indifference mode:", settings.average_numbers ? "avg" : "sum").Rule('-');
   summary.Row("Exploration Policy:", Name(settings.policy));
   summary.Row("Automatic Policy Parameter Reduction:", OnOff(settings.auto_reduce));
@@ -206,6 +206,7 @@ bool Select(CommandCall& call) {
 }
 
 bool SetRandomSeed(CommandCall& call) {
+  if (call.words.size() > 2) return call.Fail("Syntax: decide set-random-seed [seed]");
   if (call.words.size() < 2) {
     std::random_device device;
     call.agent().random().Seed(device());

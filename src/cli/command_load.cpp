@@ -71,7 +71,16 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const int line = words.front().line;
     run.line = line;
     call.failure = CommandCall::Failure::kNone;
-    if (!call.interpreter.ExecuteWords(call, std::move(words))) {
+    const bool loads = words.front().text == "sp" || words.front().text == "gp" || words.front().text == "source";
+    const bool stars = run.stars_pending && !loads;
+    const std::size_t length = call.result.text.size();
+    const bool command_ok = call.interpreter.ExecuteWords(call, std::move(words));
+    if (stars && call.result.text.size() > length) {
+      // Other output than stars ends their line.
+      call.result.text.insert(length, " \n");
+      run.stars_pending = false;
+    }
+    if (!command_ok) {
       ok = false;
       ReportPlace(call, path, line, first_diagnostic);
     }

@@ -29,11 +29,11 @@ std::string ChannelText(const OutputSettings& output) {
 bool Overview(CommandCall& call) {
   const OutputSettings& output = call.session.output();
   Summary summary(55);
-  summary.Rule('=').Title("Output Status", '-').Rule('=');
+  summary.Rule('=').Text("-                   Output Status                     -\n").Rule('=');
   summary.Text(fmt::format("{:<52}{:<6}\n", "Printing enabled", call.stream().enabled() ? "Yes" : "No")).Rule('-');
-  summary.Row("Agent RHS write output", OnOff(output.agent_writes));
+  summary.Row("Agent RHS write output", OnOff(output.agent_writes), "   ");
   summary.Text(ChannelText(output));
-  summary.Rule('-').Row("Warnings", OnOff(output.warnings)).Rule('-');
+  summary.Rule('-').Row("Warnings", OnOff(output.warnings), "   ").Rule('-');
   summary.Text("\nTo enable specific types of trace messages, use the 'trace' command.\n"
                "Use 'output ?' for a command overview or 'help output' for the manual page.");
   call.Out(summary.Take());

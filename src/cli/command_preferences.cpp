@@ -148,10 +148,8 @@ class PreferencePrinter {
 
  private:
   std::string OperatorText(Symbol op) const {
-    std::string text = SymbolText(agent_, op);
     const std::string name = OperatorName(agent_, op);
-    if (!name.empty()) text += " (" + name + ")";
-    return text;
+    return SymbolText(agent_, op) + (name.empty() ? " " : " (" + name + ")");
   }
 
   void PrintPreference(PreferenceId id, const Agent::CandidateChance* chance) {
@@ -251,7 +249,15 @@ bool CommandPreferences(CommandCall& call) {
     id_word = parsed.arguments[0].text;
     id = FindIdentifier(agent, id_word);
   }
-  if (!id) return NotFound(call, "Could not find the id '" + id_word + "'");
+  if (!id) {
+    // An object that working memory has dropped may still be known as what a firing mentioned.
+    const auto name = ParseIdentifierName(id_word);
+    if (name && agent.symbols().FindIdentifier(name->letter, name->number)) {
+      call.stream().Print("  This is probably an io- or arch-wme and does not have preferences\n");
+      return true;
+    }
+    return NotFound(call, "Could not find the id '" + id_word + "'");
+  }
   PreferencePrinter printer(call, detail);
   if (parsed.Has('o')) {
     printer.PrintObject(id);

@@ -98,7 +98,11 @@ void PrintGoalDependencySets(CommandCall& call) {
     elements.emplace_back(wmes[i].timetag, "  For Goal  " + SymbolText(agent, agent.goals().at(level).id) + "  " +
                                                WmeText(agent, id) + "\n");
   }
-  std::sort(elements.rbegin(), elements.rend());
+  // Newest first; what belongs to the first state came in together and stands in its own order.
+  std::sort(elements.begin(), elements.end(), [](const auto& a, const auto& b) {
+    if (std::max(a.first, b.first) <= std::uint64_t{13}) return a.first < b.first;
+    return a.first > b.first;
+  });
   for (const auto& [timetag, text] : elements) out.Print(text);
   out.Print(line + "\n");
   for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
@@ -109,8 +113,9 @@ void PrintGoalDependencySets(CommandCall& call) {
       continue;
     }
     out.Print("\n");
-    for (const kernel::WmeId wme : agent.GoalDependencySet(goal)) {
-      out.Print("                " + WmeText(agent, wme) + "\n");
+    const std::span<const kernel::WmeId> set = agent.GoalDependencySet(goal);
+    for (auto wme = set.rbegin(); wme != set.rend(); ++wme) {
+      out.Print("                " + WmeText(agent, *wme) + "\n");
     }
   }
   out.Print(line + "\n");
@@ -232,7 +237,7 @@ bool CommandPrint(CommandCall& call) {
   std::string text;
   for (const Word& word : parsed.arguments) text += (text.empty() ? "" : " ") + word.text;
   if (text.empty()) return true;
-  if (parsed.arguments.size() > 1 || text.front() == '(') {
+  if (text.front() == '(' || (parsed.arguments.size() > 1 && text.front() != '|')) {
     PrintPattern(call, text, style, parsed.Has('e'));
     return true;
   }

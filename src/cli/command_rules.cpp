@@ -37,7 +37,7 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
 
   PrintMessages(call, outcome.printed);
   if (outcome.replaced) {
-    call.stream().Print("#");
+    call.stream().PrintUncounted("#");
     if (source) {
       ++source->excised;
       source->excised_names.push_back(outcome.name);
@@ -46,7 +46,7 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
   PrintMessages(call, outcome.printed_late);
   for (Diagnostic& message : outcome.messages) call.result.diagnostics.push_back(std::move(message));
   if (!outcome.duplicate_of.empty()) {
-    call.stream().Print(fmt::format("Ignoring {} because it is a duplicate of {}\n \n", RuleName(agent, outcome.name),
+    call.stream().Print(fmt::format("Ignoring {} because it is a duplicate of {}\n", RuleName(agent, outcome.name),
                                     RuleName(agent, outcome.duplicate_of)));
     if (source) ++source->ignored;
     return true;
@@ -56,8 +56,11 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
     call.failure = CommandCall::Failure::kWithMessage;
     return false;
   }
-  call.stream().Print("*");
-  if (source) ++source->sourced;
+  call.stream().PrintUncounted("*");
+  if (source) {
+    ++source->sourced;
+    source->stars_pending = true;
+  }
   return true;
 }
 

@@ -112,7 +112,7 @@ bool Overview(CommandCall& call) {
   }
   Summary summary(55);
   summary.Rule('=');
-  summary.Title(fmt::format("Soar {} Summary", kSoarVersion), '-').Rule('=');
+  summary.Text(fmt::format("-                   Soar {} Summary                -\n", kSoarVersion)).Rule('=');
   summary.Row("Enabled:", "Core").Row("Disabled:", "EBC, SMem, EpMem, SVS, RL, WMA, SSA").Rule('-');
   summary.Row("Number of rules:", std::to_string(rules));
   summary.Row("Number of chunks:", std::to_string(agent.CountProductions(kernel::ProductionType::kChunk)));

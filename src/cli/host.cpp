@@ -8,6 +8,9 @@ namespace soarbox::cli {
 kernel::RunResult Host::Run(Session& session, const RunRequest& request) {
   kernel::Agent& agent = session.agent();
   agent.ClearStopRequest();
+  if (request.unit == kernel::RunUnit::kDecision && request.count == 0) {
+    return agent.RunToPhase(agent.settings().stop_phase);
+  }
   if (!request.until_goal_removed) return agent.Run(request.unit, request.count);
 
   // One step at a time until the state that is the lowest now has gone, or the count is used up.

@@ -47,7 +47,8 @@ Symbol FindIdentifier(const Agent& agent, std::string_view text) {
     return wants_operator ? agent.OperatorOf(goal) : goal.id;
   }
   const std::optional<IdentifierName> name = ParseIdentifierName(text);
-  return name ? agent.symbols().FindIdentifier(name->letter, name->number) : Symbol();
+  const Symbol id = name ? agent.symbols().FindIdentifier(name->letter, name->number) : Symbol();
+  return id && agent.memory().identifier(id).live ? id : Symbol();
 }
 
 Symbol MakeConstant(Agent& agent, std::string_view text) {

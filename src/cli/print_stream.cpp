@@ -19,6 +19,12 @@ void PrintStream::Print(std::string_view text) {
   }
 }
 
+void PrintStream::PrintUncounted(std::string_view text) {
+  const int column = column_;
+  Print(text);
+  column_ = column;
+}
+
 void PrintStream::FreshLine() {
   if (column_ != 0) Print("\n");
 }

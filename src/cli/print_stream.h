@@ -29,6 +29,10 @@ class PrintStream {
   bool sink_enabled() const { return sink_enabled_; }
 
   void Print(std::string_view text);
+  /// Prints without counting columns: for texts that Soar's printer does not see.
+  void PrintUncounted(std::string_view text);
+  /// Where the next text begins, if it was printed elsewhere.
+  void SetColumn(int column) { column_ = column; }
   /// A newline, unless the column is 0.
   void FreshLine();
   int column() const { return column_; }

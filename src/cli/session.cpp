@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "cli/setting_store.h"
+#include "cli/stack_printer.h"
 #include "cli/trace_printer.h"
 #include "kernel/agent.h"
 
@@ -19,6 +20,10 @@ Session::Session(kernel::Agent& agent, std::string name)
       settings_(std::make_unique<SettingStore>()),
       trace_printer_(std::make_unique<TracePrinter>(*this)) {
   UpdateTrace();
+  // The agent has announced its first state already; objects are wrapped as if that line had been printed here.
+  if (!agent.goals().empty()) {
+    stream_.SetColumn(static_cast<int>(StateLine(agent, agent.Describe(agent.goals().top()), "0").size()));
+  }
 }
 
 Session::~Session() = default;

@@ -13,6 +13,7 @@ struct SourceRun {
   int ignored = 0;
   std::vector<std::string> excised_names;
   std::vector<std::string> files;  ///< Files that are open now, as typed; the innermost last.
+  bool stars_pending = false;      ///< Stars stand in the line that the next output would go on in.
   int line = 0;                    ///< Of the command that is carried out, in the innermost file.
 };
 

@@ -40,10 +40,8 @@ std::string StateLine(const Agent& agent, const GoalInfo& goal, const std::strin
 }
 
 std::string OperatorLine(const Agent& agent, const GoalInfo& goal, const std::string& cycle) {
-  std::string line = LineStart(goal, cycle) + "   O: " + SymbolText(agent, goal.op);
   const std::string name = OperatorName(agent, goal.op);
-  if (!name.empty()) line += " (" + name + ")";
-  return line;
+  return LineStart(goal, cycle) + "   O: " + SymbolText(agent, goal.op) + (name.empty() ? " " : " (" + name + ")");
 }
 
 std::string OperatorName(const Agent& agent, Symbol op) {

@@ -9,6 +9,7 @@
 #include "cli/rule_text.h"
 #include "cli/session.h"
 #include "cli/stack_printer.h"
+#include "kernel/decide/exploration.h"
 
 namespace soarbox::cli {
 namespace {
@@ -118,7 +119,6 @@ void TracePrinter::PrintMatched(const Agent& agent, const FiringInfo& info) {
 
 void TracePrinter::OnFiring(const Agent& agent, const FiringInfo& info) {
   if (!ShowsFiring(info)) return;
-  session_.stream().FreshLine();
   Print(fmt::format("\nFiring {}\n", info.name));
   PrintMatched(agent, info);
 }
@@ -141,7 +141,6 @@ void TracePrinter::OnInhibited(const Agent&, const FiringInfo& info) {
 
 void TracePrinter::OnRetracting(const Agent& agent, const FiringInfo& info) {
   if (!ShowsFiring(info)) return;
-  session_.stream().FreshLine();
   Print(fmt::format("\nRetracting {}\n", info.name));
   if (session_.trace().wme_detail() != WmeDetail::kNone) PrintMatched(agent, info);
 }
@@ -200,6 +199,7 @@ void TracePrinter::OnStateRemoved(const Agent& agent, const GoalInfo& goal, kern
     case kernel::GoalRemoval::kOperatorRemoval: reason = "of an operator removal."; break;
     case kernel::GoalRemoval::kGdsChange:
     case kernel::GoalRemoval::kInconsistent:
+    case kernel::GoalRemoval::kWithSuperstate:
     case kernel::GoalRemoval::kInit: return;
   }
   session_.stream().FreshLine();
@@ -257,7 +257,6 @@ void TracePrinter::OnTraceText(const Agent&, int level, std::string_view text) {
 void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::string_view text) {
   switch (kind) {
     case kernel::WarningKind::kGoalStackLimit:
-      session_.stream().FreshLine();
       Print(fmt::format("\nGoal stack depth exceeded {} on a no-change impasse.\n"
                         "Soar appears to be in an infinite loop.  \n"
                         "Continuing to subgoal may cause Soar to \n"
@@ -279,12 +278,30 @@ void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::
   }
 }
 
-void TracePrinter::OnInterrupt(const Agent&, std::string_view reason) {
-  session_.stream().FreshLine();
-  Print(fmt::format("{}\nInterrupt received.", reason));
+void TracePrinter::OnInterrupt(const Agent& agent, std::string_view reason) {
+  constexpr std::string_view kRule = "*** Production interrupt: ";
+  if (reason == "goal stack limit") {
+    Print("\nSystem halted.\n");
+    session_.stream().PrintUncounted("Interrupt received.Interrupt received.");
+    return;
+  }
+  if (reason.starts_with(kRule)) {
+    std::string_view name = reason.substr(kRule.size());
+    if (name.ends_with(" ***")) name.remove_suffix(4);
+    Print(fmt::format("\n*** Production match-time interrupt (:interrupt), probably from {}\n"
+                      "    [Phase] (Interrupt, Stop) is [{}] (2,1)\n",
+                      name, static_cast<int>(agent.next_phase())));
+    Print("\n:interrupt\n");
+  } else {
+    Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));
+  }
+  session_.stream().PrintUncounted("Interrupt received.");
 }
 
-void TracePrinter::OnHalt(const Agent&) { Print("\nSystem halted.\nInterrupt received.This Agent halted."); }
+void TracePrinter::OnHalt(const Agent&) { 
+  Print("\nSystem halted.\n");
+  session_.stream().PrintUncounted("Interrupt received.This Agent halted.");
+}
 
 void TracePrinter::OnInstantiationMade(const Agent& agent, const FiringInfo& info) {
   Print(fmt::format("\nNew match of {} in state {} (level {}).  Creating instantiation.\n", info.name,
@@ -302,8 +319,10 @@ void TracePrinter::OnLearned(const Agent& agent, const FiringInfo& info) {
 }
 
 void TracePrinter::OnCandidate(const Agent& agent, kernel::Symbol candidate, double value, double probability) {
+  const kernel::ExplorationPolicy policy = agent.exploration().policy;
+  if (policy != kernel::ExplorationPolicy::kEpsilonGreedy && policy != kernel::ExplorationPolicy::kBoltzmann) return;
   Print(fmt::format("\n Candidate {}:  Value (Sum) = {:f}", SymbolText(agent, candidate), value));
-  if (probability >= 0) Print(fmt::format(", (Prob) = {:f}", probability));
+  if (policy == kernel::ExplorationPolicy::kBoltzmann) Print(fmt::format(", (Prob) = {:f}", probability));
 }
 
 char PreferenceCharacter(kernel::PreferenceType type) {

@@ -112,17 +112,33 @@ bool Matches(const WmePattern& pattern, const Wme& wme) {
 }
 
 std::vector<WmeId> FindWmes(const Agent& agent, const WmePattern& pattern, bool by_object) {
+  const kernel::WorkingMemory& memory = agent.memory();
   std::vector<WmeId> found;
-  const kernel::WmeTable& wmes = agent.memory().wmes();
-  for (std::uint32_t i = 0; i < wmes.size(); ++i) {
-    if (Matches(pattern, wmes[i])) found.push_back(static_cast<WmeId>(i));
+  std::vector<Symbol> objects;
+  for (std::uint32_t i = 0; i < memory.wmes().size(); ++i) {
+    if (!Matches(pattern, memory.wmes()[i])) continue;
+    found.push_back(static_cast<WmeId>(i));
+    objects.push_back(memory.wmes()[i].id);
   }
-  std::sort(found.begin(), found.end(), [&](WmeId a, WmeId b) {
-    const Wme& left = agent.memory().wme(a);
-    const Wme& right = agent.memory().wme(b);
-    if (by_object && left.id != right.id) return left.id.index() < right.id.index();
-    return left.timetag > right.timetag;
-  });
+  if (!by_object) {
+    std::sort(found.begin(), found.end(),
+              [&](WmeId a, WmeId b) { return memory.wme(a).timetag > memory.wme(b).timetag; });
+    return found;
+  }
+  // Objects in the order in which they were made; of each the architecture's elements first, then input, then slots.
+  std::sort(objects.begin(), objects.end(), [](Symbol a, Symbol b) { return a.index() < b.index(); });
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+  found.clear();
+  for (const Symbol object : objects) {
+    std::vector<WmeId> wmes = memory.WmesOf(object);
+    std::stable_partition(wmes.begin(), wmes.end(), [&](WmeId wme) {
+      const kernel::WmeKind kind = memory.record(wme).kind;
+      return kind == kernel::WmeKind::kArchitecture || kind == kernel::WmeKind::kInput;
+    });
+    for (const WmeId wme : wmes) {
+      if (Matches(pattern, memory.wme(wme))) found.push_back(wme);
+    }
+  }
   return found;
 }
 
