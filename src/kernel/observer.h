@@ -150,7 +150,7 @@ class Observer {
   // kPrint
   /// Text as rules write it.
   virtual void OnPrint(const Agent&, std::string_view text) { (void)text; }
-  /// A message of the architecture about a rule's action. Starts on a fresh line; ends with a line end.
+  /// A message of the architecture about a rule's action, printed as it is.
   virtual void OnError(const Agent&, std::string_view text) { (void)text; }
   /// (log n ...) and (trace n ...): printed if that channel or level is on.
   virtual void OnLog(const Agent&, int channel, std::string_view text) { (void)channel; (void)text; }

@@ -149,15 +149,11 @@ void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateRemoved(engine_.agent, info, why); });
   };
   tell(level, reason);
-  removed_.clear();
   while (engine_.goals.depth() >= level) {
     const GoalLevel bottom = static_cast<GoalLevel>(engine_.goals.depth());
     if (bottom > level) tell(bottom, GoalRemoval::kWithSuperstate);
-    removed_.push_back(engine_.goals.at(bottom).id);
     RemoveBottom();
   }
-  // The lowest state is collected first: garbage is taken from the end.
-  for (std::size_t n = removed_.size(); n-- > 0;) engine_.links.Discard(removed_[n]);
 }
 
 void GoalChanges::RemoveBottom() {
@@ -185,7 +181,7 @@ void GoalChanges::RemoveBottom() {
   memory.ClearGoal(goal.id);
   // Its elements of acceptable preferences go with those of other slots that changed, in UpdateAcceptables.
   engine_.preferences.MarkChanged(slot);
-  engine_.links.GoalGone(goal.id);
+  engine_.links.Discard(goal.id);
   engine_.goals.Pop();
 }
 

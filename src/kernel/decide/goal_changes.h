@@ -47,7 +47,6 @@ class GoalChanges {
   Engine& engine_;
   Symbol input_link_, output_link_;
   std::vector<WmeId> kept_items_;
-  std::vector<Symbol> removed_;
 };
 
 }  // namespace soarbox::kernel

@@ -30,7 +30,7 @@ void RuleContext::Trace(int level, std::string_view text) {
 }
 
 void RuleContext::RequestHalt() { engine_.run.Halt(); }
-void RuleContext::RequestInterrupt() { engine_.run.RequestStop("interrupt"); }
+void RuleContext::RequestInterrupt() { engine_.run.RequestStop({}); }
 
 void RuleContext::WaitMilliseconds(std::int64_t milliseconds) {
   if (milliseconds > 0) std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
@@ -121,7 +121,11 @@ std::uint64_t RuleContext::LongTermIdentifier(Symbol identifier) const {
   return identifier.IsIdentifier() && identifier.index() < linked.size() ? linked[identifier.index()] : 0;
 }
 
-void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) { engine_.memory.SetLongTerm(identifier, lti); }
+void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) {
+  // No long-term memory is attached, so no long-term identifier exists.
+  PrintError("Warning: Long-term memory @" + std::to_string(lti) + " does not exist.  Could not link short-term memory " +
+             ToString(engine_.symbols, identifier) + ".\n");
+}
 
 void RuleContext::SetLearning(Symbol state, bool learn) { engine_.justifier.SetLearning(state, learn); }
 

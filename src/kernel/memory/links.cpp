@@ -98,18 +98,6 @@ LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
   }
 }
 
-void LinkGraph::GoalGone(Symbol goal) {
-  // The goal's own identifier stops being a root; its children find another way in, or none, in Settle.
-  std::uint32_t child = At(goal).first_child;
-  while (child != kNone) {
-    const Symbol target = links_[child].to;
-    const std::uint32_t next = links_[child].next_child;
-    DropParent(target);
-    Queue(target);
-    child = next;
-  }
-}
-
 // Settling ------------------------------------------------------------------------------------------------------------
 
 void LinkGraph::Settle(std::vector<Symbol>& garbage) {
@@ -123,10 +111,16 @@ void LinkGraph::Settle(std::vector<Symbol>& garbage) {
     record.queued = false;
     if (!record.live || record.is_goal || record.parent_link != kNone) continue;
     if (record.first_link == kNone) {
+      if (record.value_of != 0) continue;
       garbage.push_back(id);
       return;
     }
     uncertain_.push_back(id);
+  }
+  if (!goals_.empty()) {
+    garbage.push_back(goals_.front());
+    goals_.erase(goals_.begin());
+    return;
   }
   while (!uncertain_.empty() && garbage.empty()) {
     const Symbol id = uncertain_.back();
@@ -136,6 +130,17 @@ void LinkGraph::Settle(std::vector<Symbol>& garbage) {
   }
 }
 
+void LinkGraph::ElementRemoved(Symbol value) {
+  IdentifierRecord& record = At(value);
+  if (--record.value_of != 0 || record.is_goal || record.parent_link != kNone || record.first_link != kNone) return;
+  if (record.queued) {
+    queue_.push_back(value);
+  } else {
+    Queue(value);
+  }
+}
+
+/// Another link to an identifier that waits has gone: its turn is counted from now.
 void LinkGraph::Touch(Symbol id) {
   const IdentifierRecord& record = At(id);
   if (record.queued && record.parent_link == kNone) queue_.push_back(id);
@@ -263,6 +268,7 @@ void LinkGraph::Clear() {
   free_links_.clear();
   queue_.clear();
   promoted_.clear();
+  goals_.clear();
   uncertain_.clear();
   suspended_.clear();
 }

@@ -34,18 +34,18 @@ class LinkGraph {
   void Remove(std::uint32_t link);
 
   /// True if links changed in a way that can move levels.
-  bool HasWork() const { return !queue_.empty() || !promoted_.empty() || !uncertain_.empty(); }
+  bool HasWork() const { return !queue_.empty() || !promoted_.empty() || !uncertain_.empty() || !goals_.empty(); }
   /// Works out the levels of the identifiers that changed: promotions first, then what lost its parent, the newest loss
-  /// first; identifiers to which no link leads go before those that other links may still hold. Those that no goal
+  /// first, then goals that have gone, in the order of going; identifiers that other links may still hold come last. Those that no goal
   /// reaches any more are appended to `garbage`; the caller removes what they own, which may make more work: call again
   /// until HasWork() is false.
   void Settle(std::vector<Symbol>& garbage);
-  /// An element with this value has gone too, after the link: the identifier's turn as garbage comes from now.
-  void Touch(Symbol id);
-  /// The goal is going away: what hangs on it loses its parent.
-  void GoalGone(Symbol goal);
-  /// Makes the identifier of a goal that has gone garbage.
-  void Discard(Symbol goal) { Queue(goal); }
+  /// Elements with this value come and go. An identifier that elements still name is not garbage yet, though the links
+  /// are gone: its turn comes when the last of them goes.
+  void ElementAdded(Symbol value) { ++At(value).value_of; }
+  void ElementRemoved(Symbol value);
+  /// Makes the identifier of a goal that has gone garbage. What hangs on it follows when it is collected.
+  void Discard(Symbol goal) { goals_.push_back(goal); }
 
   void Clear();
   std::size_t MemoryBytes() const;
@@ -62,6 +62,7 @@ class LinkGraph {
 
   IdentifierRecord& At(Symbol id) { return memory_.mutable_identifier(id); }
   void Queue(Symbol id);
+  void Touch(Symbol id);
   void SetParent(Symbol id, std::uint32_t link);
   void DropParent(Symbol id);
   /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
@@ -74,7 +75,7 @@ class LinkGraph {
   WorkingMemory& memory_;
   std::vector<Link> links_;
   std::vector<std::uint32_t> free_links_;
-  std::vector<Symbol> queue_, promoted_, uncertain_, subtree_, stack_;
+  std::vector<Symbol> queue_, promoted_, goals_, uncertain_, subtree_, stack_;
   std::vector<std::uint8_t> suspended_;   ///< By identifier index, while Reattach works.
   struct Candidate {
     GoalLevel level;

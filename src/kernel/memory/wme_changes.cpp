@@ -27,6 +27,8 @@ WmeId WmeChanges::AddAcceptable(SlotId slot, Symbol value, PreferenceId preferen
 
 WmeId WmeChanges::Record(WmeId wme) {
   added_.push_back(wme);
+  const Wme& content = engine_.memory.wme(wme);
+  if (content.value.IsIdentifier() && content.value != content.id) engine_.links.ElementAdded(content.value);
   engine_.output.NoteChange(engine_.memory.wme(wme).id);
   return wme;
 }
@@ -37,9 +39,9 @@ void WmeChanges::Remove(WmeId wme) {
   if (record.link != LinkGraph::kNone) {
     engine_.links.Remove(record.link);
     record.link = LinkGraph::kNone;
-  } else if (engine_.memory.wme(wme).value.IsIdentifier()) {
-    engine_.links.Touch(engine_.memory.wme(wme).value);
   }
+  const Wme& content = engine_.memory.wme(wme);
+  if (content.value.IsIdentifier() && content.value != content.id) engine_.links.ElementRemoved(content.value);
   if (record.kind == WmeKind::kInput && record.slot != SlotId::kNone) {
     engine_.input.Forget(static_cast<std::uint32_t>(record.slot));
   }

@@ -57,6 +57,7 @@ struct IdentifierRecord {
   bool is_goal = false;
   GoalLevel level = 0;                           ///< The highest goal (smallest number) that reaches it.
   bool queued = false;                           ///< Waits for its level to be worked out.
+  std::uint32_t value_of = 0;                    ///< Elements that have it as their value.
   SlotId slots = SlotId::kNone;
   WmeId architecture_wmes = WmeId::kNone;        ///< Newest first.
   WmeId input_wmes = WmeId::kNone;               ///< Newest first.
