@@ -48,7 +48,10 @@ Symbol FindIdentifier(const Agent& agent, std::string_view text) {
   }
   const std::optional<IdentifierName> name = ParseIdentifierName(text);
   const Symbol id = name ? agent.symbols().FindIdentifier(name->letter, name->number) : Symbol();
-  return id && agent.memory().identifier(id).live ? id : Symbol();
+  if (!id) return {};
+  // Firings may keep an identifier that working memory has dropped; it is no object any more.
+  const kernel::IdentifierRecord& record = agent.memory().identifier(id);
+  return record.live && (record.value_of > 0 || !agent.memory().WmesOf(id).empty()) ? id : Symbol();
 }
 
 Symbol MakeConstant(Agent& agent, std::string_view text) {

@@ -41,7 +41,9 @@ std::string StateLine(const Agent& agent, const GoalInfo& goal, const std::strin
 
 std::string OperatorLine(const Agent& agent, const GoalInfo& goal, const std::string& cycle) {
   const std::string name = OperatorName(agent, goal.op);
-  return LineStart(goal, cycle) + "   O: " + SymbolText(agent, goal.op) + (name.empty() ? " " : " (" + name + ")");
+  return LineStart(goal, cycle) + "   O: " + SymbolText(agent, goal.op) + (!name.empty()                 ? " (" + name + ")"
+                                                                                    : goal.op.IsIdentifier() ? " "
+                                                                                                             : "");
 }
 
 std::string OperatorName(const Agent& agent, Symbol op) {

@@ -36,6 +36,12 @@ const char* PhaseTitle(Phase phase) {
   return "";
 }
 
+/// The phase that is under way or was run last, counted from input (0) to output (4).
+int PhaseNumber(const Agent& agent) {
+  const int next = static_cast<int>(agent.next_phase());
+  return agent.in_middle_of_phase() ? next : (next + 4) % 5;
+}
+
 /// Which flag shows the firings of a rule.
 TraceFlag FlagOf(const FiringInfo& info) {
   if (!info.rule) return TraceFlag::kJustifications;
@@ -290,7 +296,7 @@ void TracePrinter::OnInterrupt(const Agent& agent, std::string_view reason) {
     if (name.ends_with(" ***")) name.remove_suffix(4);
     Print(fmt::format("\n*** Production match-time interrupt (:interrupt), probably from {}\n"
                       "    [Phase] (Interrupt, Stop) is [{}] (2,1)\n",
-                      name, static_cast<int>(agent.next_phase())));
+                      name, PhaseNumber(agent)));
     Print("\n:interrupt\n");
   } else {
     Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));

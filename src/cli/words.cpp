@@ -59,8 +59,8 @@ CommandReader::Status CommandReader::Next(std::vector<Word>& words) {
       if (!ReadBraced(word)) return Status::kError;
     } else if (c == '"') {
       if (!ReadQuoted(word)) return Status::kError;
-    } else {
-      word = ReadBare();
+    } else if (!ReadBare(word)) {
+      return Status::kError;
     }
     words.push_back(std::move(word));
   }
@@ -91,20 +91,27 @@ void CommandReader::AppendEscape(std::string& out) {
   }
 }
 
-Word CommandReader::ReadBare() {
-  Word word{{}, line_, column_};
+bool CommandReader::ReadBare(Word& word) {
+  const std::size_t start = position_;
+  word.line = line_;
+  word.column = column_;
+  bool in_bars = false;
   while (!AtEnd()) {
     const char c = Peek();
-    if (IsBlank(c) || EndsCommand(c) || c == '#') break;
+    if (!in_bars && (IsBlank(c) || EndsCommand(c) || c == '#')) break;
+    if (c == '|') in_bars = !in_bars;
     if (c == '\\') {
-      if (position_ + 1 < text_.size() && text_[position_ + 1] == '\n') break;
+      if (!in_bars && position_ + 1 < text_.size() && text_[position_ + 1] == '\n') break;
       AppendEscape(word.text);
       continue;
     }
     word.text += c;
     Advance();
   }
-  return word;
+  if (!in_bars) return true;
+  const bool failed = Fail("unexpected eof", word, start);
+  error_column_ = word.column;
+  return failed;
 }
 
 bool CommandReader::ReadQuoted(Word& word) {
@@ -190,7 +197,7 @@ void CommandReader::Recover() {
 std::string QuoteWord(std::string_view word) {
   bool plain = !word.empty() && word.front() != '{' && word.front() != '"';
   for (const char c : word) {
-    if (IsBlank(c) || EndsCommand(c) || c == '#' || c == '\\') plain = false;
+    if (IsBlank(c) || EndsCommand(c) || c == '#' || c == '|' || c == '\\') plain = false;
   }
   if (plain) return std::string(word);
   std::string out = "\"";

@@ -16,7 +16,7 @@ struct Word {
 
 /// Splits text into commands of Tcl-like words, without any substitution.
 ///
-/// A command ends at a newline or a semicolon. A word is bare, "quoted" (may span lines, backslash escapes apply), or
+/// A command ends at a newline or a semicolon. A word is bare (text between |bars| in it is literal), "quoted" (may span lines, backslash escapes apply), or
 /// {braced} (braces nest; text between |bars| is literal; kept as written but for comments). A `#` begins a comment up
 /// to the end of the line everywhere but in a quoted word and between bars inside braces. Outside braces a backslash
 /// escapes; before a newline it joins two lines.
@@ -32,7 +32,7 @@ class CommandReader {
   /// Reads the next command that has words into `words`.
   Status Next(std::vector<Word>& words);
 
-  /// After kError: what is wrong, and the line and column of the quote or brace that has no end.
+  /// After kError: what is wrong, and the line and column of the quote, brace or word that has no end.
   const std::string& error() const { return error_; }
   int error_line() const { return error_line_; }
   int error_column() const { return error_column_; }
@@ -50,7 +50,7 @@ class CommandReader {
   void SkipBlanksAndComments();
   void SkipComment();
   void AppendEscape(std::string& out);
-  Word ReadBare();
+  bool ReadBare(Word& word);
   bool ReadQuoted(Word& word);
   bool ReadBraced(Word& word);
   bool Fail(std::string message, const Word& word, std::size_t start);

@@ -46,6 +46,13 @@ TEST(CommandReader, BackslashesEscapeOutsideBracesOnly) {
               ElementsAre(ElementsAre("a b", "x\tyq", R"(a\ b \} c)")));
 }
 
+TEST(CommandReader, TextBetweenBarsIsLiteralInBareWordsToo) {
+  EXPECT_THAT(Commands("print |a; b| c|#  d|"), ElementsAre(ElementsAre("print", "|a; b|", "c|#  d|")));
+  CommandReader reader("echo |open");
+  std::vector<Word> words;
+  EXPECT_EQ(reader.Next(words), CommandReader::Status::kError);
+}
+
 TEST(CommandReader, AJoinedLineIsOneCommand) {
   EXPECT_THAT(Commands("run \\\n  1"), ElementsAre(ElementsAre("run", "1")));
 }
@@ -72,7 +79,7 @@ TEST(CommandReader, AnUnmatchedBraceIsNamedByItsPlaceAndTheNextCommandIsStillRea
 }
 
 TEST(QuoteWord, IsReadBackAsOneWord) {
-  for (const std::string text : {"plain", "two words", "a;b", "quo\"te", "back\\slash", "", "{x", "a#b"}) {
+  for (const std::string text : {"plain", "two words", "a;b", "quo\"te", "back\\slash", "", "{x", "a#b", "b|r"}) {
     const std::string quoted = QuoteWord(text);
     CommandReader reader(quoted);
     std::vector<Word> words;
