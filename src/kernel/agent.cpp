@@ -263,7 +263,7 @@ Result<void> Agent::RemoveWme(WmeId wme) {
       if (memory.preference(p).value == value) engine_->preferences.Retract(p);
     }
   } else {
-    engine_->changes.Remove(wme);
+    engine_->changes.Lose(wme);
   }
   engine_->elaboration.ApplyWorkingMemoryChanges();
   return {};

@@ -52,6 +52,8 @@ struct FiringInfo {
   Symbol goal;                                    ///< The goal that it matched; none if it touches no goal.
   GoalLevel level = 0;
   std::span<const WmeId> wmes;                    ///< One per positive condition, in match order.
+  Symbol touched;             ///< OnInhibited: an identifier that an action would touch and that is not below...
+  GoalLevel change_level = 0; ///< ... the level that is changing.
 };
 
 /// An element, with the contents copied so that a listener need not look it up.
@@ -116,7 +118,7 @@ class Observer {
   virtual void OnFiring(const Agent&, const FiringInfo&) {}
   /// After the actions have run; `preferences` in the order of FiringPreferences() of the instantiation.
   virtual void OnFired(const Agent&, const FiringInfo&, std::span<const PreferenceId> preferences) { (void)preferences; }
-  /// A match that must wait, because a higher level changes in this elaboration.
+  /// A match that must wait, because a higher level changes in this elaboration: see info.touched, info.change_level.
   virtual void OnInhibited(const Agent&, const FiringInfo&) {}
   /// When the first i-supported preference of an instantiation that no longer matches is about to go. Not called for
   /// instantiations that have none.

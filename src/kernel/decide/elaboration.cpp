@@ -146,7 +146,8 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
       matches.Release(match.match);  // A justification that matches again does not fire.
       continue;
     }
-    if (!first_pass && engine_.firing.Touches(match, change_level)) {
+    const Symbol touched = first_pass ? Symbol() : engine_.firing.TouchedAbove(match, change_level);
+    if (touched) {
       put_back_.push_back(match.match);
       if (engine_.observers.Wants(Event::kFiring)) {
         FiringInfo info;
@@ -156,6 +157,8 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
         info.goal = match.goal;
         info.level = match.level;
         info.wmes = matches.Wmes(match.match);
+        info.touched = touched;
+        info.change_level = change_level;
         engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnInhibited(engine_.agent, info); });
       }
       continue;

@@ -35,17 +35,17 @@ char Firing::LetterFor(std::string_view name) {
   return letter == 'S' ? 'I' : letter;
 }
 
-bool Firing::Touches(const PendingMatch& match, GoalLevel level) const {
+Symbol Firing::TouchedAbove(const PendingMatch& match, GoalLevel level) const {
   const Production& rule = *engine_.rete.production(match.production);
-  if (rule.type == ProductionType::kTemplate) return false;
+  if (rule.type == ProductionType::kTemplate) return {};
   const std::span<const WmeId> wmes = engine_.rete.Wmes(match.match);
   for (const Action& action : rule.actions) {
     if (action.is_function_call || action.id.kind != RhsValueKind::kBound) continue;
     const Wme& wme = engine_.memory.wme(wmes[action.id.site.positive_condition]);
     const Symbol id = FieldOf(wme, action.id.site.field);
-    if (id.IsIdentifier() && engine_.memory.level(id) <= level) return true;
+    if (id.IsIdentifier() && engine_.memory.level(id) <= level) return id;
   }
-  return false;
+  return {};
 }
 
 void Firing::Fire(const PendingMatch& match) {

@@ -24,8 +24,9 @@ class Firing {
 
   /// Fires a match that was taken from the match set.
   void Fire(const PendingMatch& match);
-  /// True if the actions would touch an identifier whose level is `level` or higher up (a smaller number).
-  bool Touches(const PendingMatch& match, GoalLevel level) const;
+  /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number); none
+  /// if there is none.
+  Symbol TouchedAbove(const PendingMatch& match, GoalLevel level) const;
   /// Instantiations made in this pass and not asserted yet, oldest first. Held until asserted.
   std::vector<InstantiationId>& made() { return made_; }
   /// What learning follows: for each matched element the preference that made it at this level.

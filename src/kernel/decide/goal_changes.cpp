@@ -99,6 +99,18 @@ void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<
   }
 }
 
+/// Items go before non-numeric ones, each group newest first.
+template <typename Visit>
+void GoalChanges::ForEachItemInRemovalOrder(const Goal& goal, Visit visit) const {
+  for (const bool non_numeric : {false, true}) {
+    for (std::size_t n = goal.items.size(); n-- > 0;) {
+      const Symbol attribute = engine_.memory.wme(goal.items[n]).attribute;
+      const bool is_non_numeric = attribute == words::kNonNumeric || attribute == words::kNonNumericCount;
+      if (is_non_numeric == non_numeric) visit(goal.items[n]);
+    }
+  }
+}
+
 // Items ---------------------------------------------------------------------------------------------------------------
 
 void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candidates) {
@@ -118,12 +130,11 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   };
   kept_items_.clear();
   for (const WmeId item : goal.items) {
-    if (wanted(memory.wme(item))) {
-      kept_items_.push_back(item);
-    } else {
-      engine_.changes.Remove(item);
-    }
+    if (wanted(memory.wme(item))) kept_items_.push_back(item);
   }
+  ForEachItemInRemovalOrder(goal, [&](WmeId item) {
+    if (!wanted(memory.wme(item))) engine_.changes.Remove(item);
+  });
   goal.items = kept_items_;
   const auto add = [&](Symbol attribute, Symbol value) {
     const bool present = std::any_of(kept_items_.begin(), kept_items_.end(), [&](WmeId item) {
@@ -164,14 +175,7 @@ void GoalChanges::RemoveBottom() {
   while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
   const SlotId slot = goal.operator_slot;
   while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
-  // Items go before non-numeric ones, each group newest first.
-  for (const bool non_numeric : {false, true}) {
-    for (std::size_t n = goal.items.size(); n-- > 0;) {
-      const Symbol attribute = memory.wme(goal.items[n]).attribute;
-      const bool is_non_numeric = attribute == words::kNonNumeric || attribute == words::kNonNumericCount;
-      if (is_non_numeric == non_numeric) engine_.changes.Remove(goal.items[n]);
-    }
-  }
+  ForEachItemInRemovalOrder(goal, [&](WmeId item) { engine_.changes.Remove(item); });
   goal.items.clear();
   while (memory.identifier(goal.id).architecture_wmes != WmeId::kNone) {
     engine_.changes.Remove(memory.identifier(goal.id).architecture_wmes);

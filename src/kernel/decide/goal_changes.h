@@ -43,6 +43,8 @@ class GoalChanges {
   WmeId AddSlotWme(Symbol id, Symbol attribute, Symbol value);
   WmeId AddArchitecture(Symbol id, Symbol attribute, Symbol value);
   void RemoveBottom();
+  template <typename Visit>
+  void ForEachItemInRemovalOrder(const Goal& goal, Visit visit) const;
 
   Engine& engine_;
   Symbol input_link_, output_link_;

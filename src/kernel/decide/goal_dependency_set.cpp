@@ -83,6 +83,12 @@ void GoalDependencySets::MemberLeaves(WmeId wme) {
   engine_.goal_changes.RemoveFrom(level, GoalRemoval::kGdsChange);
 }
 
+void GoalDependencySets::Forget(WmeId wme) {
+  WmeRecord& record = engine_.memory.mutable_record(wme);
+  if (record.gds <= engine_.goals.depth()) std::erase(engine_.goals.at(record.gds).gds, wme);
+  record.gds = 0;
+}
+
 void GoalDependencySets::GoalRemoved(GoalLevel level) {
   Goal& goal = engine_.goals.at(level);
   for (const WmeId wme : goal.gds) engine_.memory.mutable_record(wme).gds = 0;

@@ -24,6 +24,8 @@ class GoalDependencySets {
   void NoteNewFact(WmeId wme);
   /// A member of a set is about to leave: its goal and all below go first.
   void MemberLeaves(WmeId wme);
+  /// The element leaves without harm to the goal.
+  void Forget(WmeId wme);
   /// The goal is going: its members are free.
   void GoalRemoved(GoalLevel level);
 

@@ -88,7 +88,7 @@ void SlotDecision::Decide(SlotId slot_id) {
     next = memory.record(wme).next;
     const std::uint32_t place = FindValue(memory.wme(wme).value);
     if (place == kNowhere) {
-      engine_.changes.Remove(wme);
+      engine_.changes.Lose(wme);
     } else {
       values_[place].present = true;
       memory.mutable_record(wme).preference = values_[place].preference;
@@ -140,7 +140,7 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
     if (slot.wmes != WmeId::kNone && memory.wme(slot.wmes).value == memory.wme(wme).value) {
       engine_.decision.RemoveOperator(memory.level(slot.id), OperatorRemoval::kProposalGone, wme);
     }
-    engine_.changes.Remove(wme);
+    engine_.changes.Lose(wme);
   }
   if (!memory.identifier(slot.id).is_goal) {
     // The goal has gone: what is left is an ordinary slot without anything.

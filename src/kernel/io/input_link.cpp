@@ -164,7 +164,7 @@ void InputLink::Apply() {
     // The element of a buffered removal may have gone with the structure that it hung on.
     if (change.change == Change::kRemove && elements_[change.element].doomed &&
         elements_[change.element].wme == change.wme) {
-      engine_.changes.Remove(change.wme);
+      engine_.changes.Lose(change.wme);
     }
   }
   pending_.clear();

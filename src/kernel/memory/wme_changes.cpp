@@ -33,8 +33,13 @@ WmeId WmeChanges::Record(WmeId wme) {
   return wme;
 }
 
-void WmeChanges::Remove(WmeId wme) {
+void WmeChanges::Lose(WmeId wme) {
   if (engine_.memory.record(wme).gds != 0) engine_.gds.MemberLeaves(wme);
+  Remove(wme);
+}
+
+void WmeChanges::Remove(WmeId wme) {
+  if (engine_.memory.record(wme).gds != 0) engine_.gds.Forget(wme);
   WmeRecord& record = engine_.memory.mutable_record(wme);
   if (record.link != LinkGraph::kNone) {
     engine_.links.Remove(record.link);

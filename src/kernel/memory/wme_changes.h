@@ -23,6 +23,9 @@ class WmeChanges {
   /// The element of an acceptable preference.
   WmeId AddAcceptable(SlotId slot, Symbol value, PreferenceId preference);
   void Remove(WmeId wme);
+  /// Removes an element because its support went: a goal whose dependency set holds it goes first. (What the
+  /// architecture takes back, items and garbage, goes by Remove and costs no goal.)
+  void Lose(WmeId wme);
   /// Hands everything to the match.
   void Flush();
   bool empty() const { return added_.empty() && removed_.empty(); }
