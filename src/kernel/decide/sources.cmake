@@ -14,4 +14,5 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/rule_context.cpp
   decide/run_control.cpp
   decide/slot_decision.cpp)
+soarbox_kernel_test(kernel_agent_test SOURCES decide/agent_test.cpp)
 soarbox_kernel_test(kernel_decide_test SOURCES decide/exploration_test.cpp decide/preference_semantics_test.cpp)

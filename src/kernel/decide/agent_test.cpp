@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/agent.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace soarbox::kernel {
+namespace {
+
+/// Writes down decisions, prints, removals and waterfall order as short words.
+class Log : public Observer {
+ public:
+  void OnDecision(const Agent& agent, const GoalInfo& goal, std::uint64_t) override {
+    lines.push_back(ToString(agent.symbols(), goal.op ? goal.op : goal.goal));
+  }
+  void OnStateRemoved(const Agent& agent, const GoalInfo& goal, GoalRemoval reason) override {
+    lines.push_back("-" + ToString(agent.symbols(), goal.goal) + (reason == GoalRemoval::kGdsChange ? " gds" : ""));
+  }
+  void OnPrint(const Agent&, std::string_view text) override { printed += text; }
+  void OnInterrupt(const Agent&, std::string_view) override { lines.push_back("interrupt"); }
+  void OnHalt(const Agent&) override { lines.push_back("halt"); }
+
+  std::vector<std::string> lines;
+  std::string printed;
+};
+
+class AgentTest : public testing::Test {
+ protected:
+  AgentTest() { agent.AddObserver(log, Event::kDecision | Event::kPrint | Event::kRun); }
+  ~AgentTest() override { EXPECT_EQ(agent.CheckInvariants(), ""); }
+
+  void Load(std::string_view body) { EXPECT_TRUE(agent.LoadProduction(body).loaded) << body; }
+  Symbol Text(std::string_view text) { return agent.mutable_symbols().String(text); }
+  Symbol Top() const { return agent.goals().top().id; }
+  /// The values of an attribute as text, newest first.
+  std::string Values(Symbol id, std::string_view attribute) {
+    std::string found;
+    for (const WmeId wme : agent.memory().WmesOf(id)) {
+      const Wme& content = agent.memory().wme(wme);
+      if (content.attribute != Text(attribute) || content.acceptable) continue;
+      found += (found.empty() ? "" : " ") + ToString(agent.symbols(), content.value);
+    }
+    return found;
+  }
+
+  Agent agent{"test"};
+  Log log;
+};
+
+// Working memory --------------------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, AFreshAgentHasThirteenElements) {
+  EXPECT_EQ(agent.memory().wme_count(), 13u);
+  EXPECT_EQ(agent.memory().last_timetag(), 13u);
+  EXPECT_EQ(ToString(agent.symbols(), agent.OutputLinkIdentifier()), "I3");
+}
+
+TEST_F(AgentTest, TimeTagsOfOneWaveFollowTheOrderInWhichSlotsAreTouched) {
+  Load("a (state <s> ^superstate nil) --> (<s> ^x a1 a2 a3 ^y 1)");
+  Load("b (state <s> ^superstate nil) --> (<s> ^x b1x b2x ^z 2 ^x b3x)");
+  agent.InitSoar();
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(agent.memory().wme(agent.memory().FindByTimetag(14)).attribute, Text("y"));
+  EXPECT_EQ(agent.memory().wme(agent.memory().FindByTimetag(15)).attribute, Text("z"));
+  EXPECT_EQ(agent.memory().wme(agent.memory().FindByTimetag(16)).value, Text("b3x"));
+}
+
+TEST_F(AgentTest, StructureThatLosesItsLastLinkIsCollectedEvenIfItIsACircle) {
+  Load("make (state <s> ^superstate nil -^gone yes) --> (<s> ^ring <a>) (<a> ^next <b>) (<b> ^next <c>) (<c> ^next <a>)");
+  Load("work (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name cut)");
+  Load("cut (state <s> ^operator.name cut) --> (<s> ^gone yes)");
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_NE(Values(Top(), "ring"), "");
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(Values(Top(), "ring"), "");
+  EXPECT_EQ(agent.CheckInvariants(), "");
+}
+
+TEST_F(AgentTest, AnOSupportedFactStaysAndAnISupportedOneGoes) {
+  Load("propose (state <s> ^superstate nil -^done yes) --> (<s> ^operator <o> + ^mood eager) (<o> ^name do)");
+  Load("apply (state <s> ^operator.name do) --> (<s> ^done yes)");
+  agent.Run(RunUnit::kDecision, 2);
+  EXPECT_EQ(Values(Top(), "done"), "yes");
+  EXPECT_EQ(Values(Top(), "mood"), "");
+}
+
+// Goals -----------------------------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, ASubstateGoesWhenWhatItsFirstFactRestsOnChanges) {
+  const InputElement star = agent.input().Add(InputObject::kInputLink, "star", std::string_view("vega"));
+  Load("propose (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name watch)");
+  Load("sub (state <s> ^impasse no-change ^superstate.operator.name watch) --> (<s> ^operator <o> +) (<o> ^name note)");
+  Load("note (state <s> ^operator.name note ^superstate.io.input-link.star <x>) --> (<s> ^noted <x>)");
+  agent.Run(RunUnit::kDecision, 4);
+  EXPECT_EQ(agent.goals().depth(), 3u);
+  agent.input().Update(star, std::string_view("deneb"));
+  log.lines.clear();
+  agent.Run(RunUnit::kDecision, 1);
+  ASSERT_FALSE(log.lines.empty());
+  EXPECT_EQ(log.lines.front(), "-S2 gds");
+  EXPECT_EQ(agent.goals().depth(), 2u);
+}
+
+TEST_F(AgentTest, AResultOutlivesItsSubstateAndGoesWithItsReasons) {
+  Load("propose (state <s> ^superstate nil -^result) --> (<s> ^operator <o> + ^clue yes) (<o> ^name think)");
+  Load("think (state <s> ^superstate <ss>) (<ss> ^superstate nil ^io.input-link.go <g>) --> (<ss> ^result <g>)");
+  const InputElement go = agent.input().Add(InputObject::kInputLink, "go", std::int64_t{7});
+  agent.Run(RunUnit::kDecision, 3);
+  EXPECT_EQ(Values(Top(), "result"), "7");
+  EXPECT_GE(agent.counters().justifications, 1u);
+  agent.input().Remove(go);
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(Values(Top(), "result"), "");
+}
+
+TEST_F(AgentTest, HigherGoalsFireFirstAndLowerOnesOnlyWhereTheyDoNotDisturb) {
+  Load("top-1 (state <s> ^superstate nil ^io.input-link.go yes) --> (<s> ^one yes) (write |1|)");
+  Load("top-2 (state <s> ^superstate nil ^one yes) --> (<s> ^two yes) (write |2|)");
+  Load("sub-a (state <s> ^superstate <t>) (<t> ^superstate nil ^io.input-link.go yes) --> (<s> ^a yes) (write |a|)");
+  Load("sub-b (state <s> ^superstate <t>) (<t> ^superstate nil ^one yes) --> (<s> ^b yes) (write |b|)");
+  agent.Run(RunUnit::kDecision, 2);
+  agent.input().Add(InputObject::kInputLink, "go", std::string_view("yes"));
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(log.printed, "1a2b");
+}
+
+TEST_F(AgentTest, TheItemsOfATieAreListedLastCandidateFirst) {
+  Load("propose (state <s> ^superstate nil) --> (<s> ^operator <a> + <b> +) (<a> ^name left) (<b> ^name right)");
+  agent.Run(RunUnit::kDecision, 1);
+  ASSERT_EQ(agent.goals().depth(), 2u);
+  EXPECT_EQ(agent.goals().bottom().impasse, ImpasseType::kTie);
+  EXPECT_EQ(Values(agent.goals().bottom().id, "item"), "A1 B1");
+  EXPECT_EQ(Values(agent.goals().bottom().id, "item-count"), "2");
+}
+
+// Input and output ------------------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, OfSeveralUpdatesBetweenTwoInputPhasesTheLastCounts) {
+  const InputElement speed = agent.input().Add(InputObject::kInputLink, "speed", std::int64_t{1});
+  agent.input().Update(speed, std::int64_t{2});
+  agent.input().Update(speed, 2.5);
+  agent.Run(RunUnit::kPhase, 1);
+  EXPECT_EQ(Values(agent.InputLinkIdentifier(), "speed"), "2.500000");
+  EXPECT_EQ(agent.memory().last_timetag(), 14u);
+}
+
+TEST_F(AgentTest, AnElementMadeAndRemovedBetweenInputPhasesNeverEnters) {
+  const InputElement ghost = agent.input().Add(InputObject::kInputLink, "ghost", std::int64_t{1});
+  agent.input().Remove(ghost);
+  agent.Run(RunUnit::kPhase, 1);
+  EXPECT_EQ(agent.memory().last_timetag(), 13u);
+  agent.input().Update(ghost, std::int64_t{2});
+  EXPECT_FALSE(agent.input().HasPendingChanges());
+}
+
+TEST_F(AgentTest, ASharedObjectLivesAsLongAsOneElementNamesIt) {
+  InputLink& input = agent.input();
+  const InputObject car = input.NewObject();
+  const InputElement first = input.Add(InputObject::kInputLink, "left", car);
+  input.Add(car, "colour", std::string_view("red"));
+  const InputElement second = input.Add(InputObject::kInputLink, "right", car);
+  agent.Run(RunUnit::kDecision, 1);
+  const Symbol id = input.Identifier(car);
+  EXPECT_EQ(ToString(agent.symbols(), id), "L2");
+  input.Remove(first);
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(Values(id, "colour"), "red");
+  input.Remove(second);
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(Values(id, "colour"), "");
+  EXPECT_FALSE(input.Identifier(car));
+}
+
+TEST_F(AgentTest, OutputIsTheDifferenceSinceTheLastOutputPhase) {
+  Load("say (state <s> ^superstate nil ^io.output-link <out>) --> (<out> ^move <m>) (<m> ^to north)");
+  agent.Run(RunUnit::kOutput, 1);
+  ASSERT_EQ(agent.output().new_commands().size(), 1u);
+  const OutputCommand command = agent.output().new_commands().front();
+  EXPECT_EQ(command.attribute, Text("move"));
+  EXPECT_EQ(agent.output().changes().size(), 2u);
+  agent.input().Add(agent.input().ObjectFor(command.identifier), "status", std::string_view("complete"));
+  agent.Run(RunUnit::kOutput, 1);
+  ASSERT_EQ(agent.output().changes().size(), 1u);
+  EXPECT_EQ(agent.output().changes().front().value, Text("complete"));
+  EXPECT_TRUE(agent.output().new_commands().empty());
+}
+
+// Run control -----------------------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, RunningToOutputGivesUpAfterTheNilOutputCycles) {
+  agent.mutable_settings().max_nil_output_cycles = 3;
+  agent.mutable_settings().wait_snc = true;
+  EXPECT_EQ(agent.Run(RunUnit::kOutput, 1).decisions, 3u);
+}
+
+TEST_F(AgentTest, AHaltEndsTheRunAndRefusesOthersUntilInit) {
+  Load("stop (state <s> ^superstate nil) --> (halt)");
+  EXPECT_EQ(agent.Run(RunUnit::kForever).reason, StopReason::kHalted);
+  EXPECT_EQ(agent.Run(RunUnit::kDecision, 1).reason, StopReason::kHalted);
+  agent.InitSoar();
+  EXPECT_FALSE(agent.halted());
+  EXPECT_EQ(agent.memory().last_timetag(), 13u);
+}
+
+TEST_F(AgentTest, AStopRequestFromAnotherThreadEndsARunForever) {
+  agent.mutable_settings().wait_snc = true;
+  std::thread other([&] {
+    while (!agent.running()) std::this_thread::yield();
+    agent.RequestStop("enough");
+  });
+  EXPECT_EQ(agent.Run(RunUnit::kForever).reason, StopReason::kInterrupted);
+  other.join();
+}
+
+TEST_F(AgentTest, ADecisionRunStopsInFrontOfTheStopPhase) {
+  agent.mutable_settings().wait_snc = true;
+  agent.Run(RunUnit::kDecision, 2);
+  EXPECT_EQ(agent.next_phase(), Phase::kApply);
+  EXPECT_EQ(agent.counters().decision_phases, 2u);
+  agent.RunToPhase(Phase::kInput);
+  EXPECT_EQ(agent.counters().decision_cycles, 2u);
+}
+
+TEST_F(AgentTest, ElaborationsStopAtTheirLimitAndGoOnInTheNextPhase) {
+  Load("count (state <s> ^superstate nil ^n <n>) --> (<s> ^n (+ <n> 1))");
+  Load("begin (state <s> ^superstate nil) --> (<s> ^n 0)");
+  agent.mutable_settings().max_elaborations = 5;
+  agent.mutable_settings().wait_snc = true;
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(agent.counters().elaborations, 5u);
+}
+
+TEST_F(AgentTest, AGoalStackLimitEndsTheRunButNotTheAgent) {
+  agent.mutable_settings().max_goal_depth = 3;
+  EXPECT_EQ(agent.Run(RunUnit::kForever).reason, StopReason::kLimit);
+  EXPECT_EQ(agent.goals().depth(), 4u);
+  EXPECT_EQ(agent.Run(RunUnit::kDecision, 1).reason, StopReason::kLimit);
+  EXPECT_EQ(agent.goals().depth(), 5u);
+}
+
+TEST_F(AgentTest, ExcisingAMatchedRuleTakesBackWhatItSupports) {
+  Load("mood (state <s> ^superstate nil) --> (<s> ^mood calm)");
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(Values(Top(), "mood"), "calm");
+  agent.Excise(agent.FindProduction("mood"));
+  agent.Run(RunUnit::kDecision, 1);
+  EXPECT_EQ(Values(Top(), "mood"), "");
+}
+
+TEST_F(AgentTest, IdentifiersAndConstantsThatNobodyMentionsAreGivenBack) {
+  Load("tick (state <s> ^superstate nil -^phase tock) --> (<s> ^operator <o> +) (<o> ^name tick)");
+  Load("tock (state <s> ^superstate nil ^phase tock) --> (<s> ^operator <o> +) (<o> ^name tock)");
+  Load("a-tick (state <s> ^operator.name tick) --> (<s> ^phase tock)");
+  Load("a-tock (state <s> ^operator.name tock) --> (<s> ^phase tock -)");
+  agent.Run(RunUnit::kDecision, 20000);
+  EXPECT_EQ(agent.goals().depth(), 1u);
+  EXPECT_LT(agent.memory().identifier_limit(), 3000u);
+}
+
+}  // namespace
+}  // namespace soarbox::kernel
