@@ -250,12 +250,6 @@ bool CommandPreferences(CommandCall& call) {
     id = FindIdentifier(agent, id_word);
   }
   if (!id) {
-    // An object that working memory has dropped may still be known as what a firing mentioned.
-    const auto name = ParseIdentifierName(id_word);
-    if (name && agent.symbols().FindIdentifier(name->letter, name->number)) {
-      call.stream().Print("  This is probably an io- or arch-wme and does not have preferences\n");
-      return true;
-    }
     return NotFound(call, "Could not find the id '" + id_word + "'");
   }
   PreferencePrinter printer(call, detail);
@@ -274,8 +268,9 @@ bool CommandPreferences(CommandCall& call) {
   Symbol attribute = FindIdentifier(agent, attribute_word);
   if (!attribute) attribute = MakeConstant(agent, attribute_word);
   const SlotId slot = agent.memory().FindSlot(id, attribute);
+  const bool dropped = agent.memory().identifier(id).value_of == 0 && agent.memory().WmesOf(id).empty() && !is_goal;
   if (slot == SlotId::kNone || (!printer.HasPreferences(slot) && !agent.memory().slot(slot).is_operator)) {
-    if (agent.memory().ValueOf(id, attribute)) {
+    if (dropped || agent.memory().ValueOf(id, attribute)) {
       call.stream().Print("  This is probably an io- or arch-wme and does not have preferences\n");
       return true;
     }

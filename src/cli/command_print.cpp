@@ -94,8 +94,11 @@ void PrintGoalDependencySets(CommandCall& call) {
   for (std::uint32_t i = 0; i < wmes.size(); ++i) {
     const auto id = static_cast<kernel::WmeId>(i);
     const kernel::GoalLevel level = agent.memory().record(id).gds;
-    if (!wmes[i].live || level == 0 || level > agent.goals().depth()) continue;
-    elements.emplace_back(wmes[i].timetag, "  For Goal  " + SymbolText(agent, agent.goals().at(level).id) + "  " +
+    if (!wmes[i].live || level == 0) continue;
+    const bool goal_lives = level <= agent.goals().depth();
+    elements.emplace_back(wmes[i].timetag, (goal_lives ? "  For Goal  " + SymbolText(agent, agent.goals().at(level).id) +
+                                                             "  "
+                                                       : std::string("  Old GDS value ")) +
                                                WmeText(agent, id) + "\n");
   }
   // Newest first; what belongs to the first state came in together and stands in its own order.

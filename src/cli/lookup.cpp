@@ -48,10 +48,11 @@ Symbol FindIdentifier(const Agent& agent, std::string_view text) {
   }
   const std::optional<IdentifierName> name = ParseIdentifierName(text);
   const Symbol id = name ? agent.symbols().FindIdentifier(name->letter, name->number) : Symbol();
-  if (!id) return {};
-  // Firings may keep an identifier that working memory has dropped; it is no object any more.
+  if (!id || !agent.memory().identifier(id).live) return {};
+  // Firings may keep the identifiers of a state that has gone; they name nothing any more.
   const kernel::IdentifierRecord& record = agent.memory().identifier(id);
-  return record.live && (record.value_of > 0 || !agent.memory().WmesOf(id).empty()) ? id : Symbol();
+  const bool dropped = !record.is_goal && record.value_of == 0 && agent.memory().WmesOf(id).empty();
+  return dropped && record.level > 1 ? Symbol() : id;
 }
 
 Symbol MakeConstant(Agent& agent, std::string_view text) {
