@@ -73,6 +73,7 @@ LoadOutcome Agent::AddProduction(ProductionPtr production) {
   engine_->productions[index] = Engine::ProductionRecord{};
   engine_->productions[index].live = true;
   engine_->loading_order.push_back(added.production);
+  engine_->rules_changed = true;
   ++engine_->type_counts[static_cast<std::size_t>(production->type)];
   engine_->production_names.emplace(production->name, added.production);
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, added.production); });
@@ -85,6 +86,7 @@ void Agent::Excise(ProductionId id) {
   const ProductionPtr rule = engine_->rete.production(id);
   engine_->productions[Index(id)].live = false;
   std::erase(engine_->loading_order, id);
+  engine_->rules_changed = true;
   --engine_->type_counts[static_cast<std::size_t>(rule->type)];
   engine_->production_names.erase(rule->name);
   if (running()) {

@@ -260,5 +260,27 @@ TEST_F(AgentTest, IdentifiersAndConstantsThatNobodyMentionsAreGivenBack) {
   EXPECT_LT(agent.memory().identifier_limit(), 3000u);
 }
 
+// Sharing ---------------------------------------------------------------------------------------------------------
+
+TEST(AgentSharing, AgentsWithEqualRulesHoldOneCopyAndPartWhenOneChangesItsRules) {
+  const std::vector<std::string> rules = {
+      "a (state <s> ^superstate nil ^io.input-link.x <x>) --> (<s> ^seen <x>)",
+      "b (state <s> ^seen 1) --> (<s> ^operator <o> +) (<o> ^name one)"};
+  Agent first("first"), second("second");
+  for (Agent* agent : {&first, &second}) {
+    for (const std::string& rule : rules) ASSERT_TRUE(agent->LoadProduction(rule).loaded);
+    agent->input().Add(InputObject::kInputLink, "x", std::int64_t{1});
+    agent->Run(RunUnit::kDecision, 1);
+  }
+  EXPECT_EQ(first.rete().network(), second.rete().network());
+  ASSERT_TRUE(second.LoadProduction("c (state <s> ^seen 1) --> (<s> ^more yes)").loaded);
+  EXPECT_NE(first.rete().network(), second.rete().network());
+  for (Agent* agent : {&first, &second}) {
+    agent->Run(RunUnit::kDecision, 1);
+    EXPECT_EQ(agent->CheckInvariants(), "");
+    EXPECT_EQ(agent->counters().firings, agent == &first ? 2u : 3u);
+  }
+}
+
 }  // namespace
 }  // namespace soarbox::kernel

@@ -62,6 +62,7 @@ struct Engine {
   };
   std::vector<ProductionRecord> productions;
   std::vector<ProductionId> loading_order;        ///< Live rules, oldest first.
+  bool rules_changed = false;                     ///< Since they were last offered for sharing.
   std::map<std::string, ProductionId, std::less<>> production_names;
   std::array<std::uint32_t, 5> type_counts{};     ///< Live rules by ProductionType.
 

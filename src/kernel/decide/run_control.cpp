@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernel/decide/engine.h"
+#include "kernel/decide/rule_sharing.h"
 
 namespace soarbox::kernel {
 
@@ -166,6 +167,10 @@ bool RunControl::CheckStop() {
 // Running -------------------------------------------------------------------------------------------------------------
 
 RunControl::Start RunControl::Begin() {
+  if (engine_.rules_changed) {
+    engine_.rules_changed = false;
+    ShareRules(engine_);
+  }
   running_ = true;
   ended_ = limit_reached_ = false;
   return {engine_.counters.decision_cycles, engine_.counters.elaborations, engine_.counters.firings};

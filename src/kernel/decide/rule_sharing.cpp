@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/rule_sharing.h"
+
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+namespace {
+
+struct SharedRules {
+  std::shared_ptr<const FrozenSymbols> symbols;
+  std::shared_ptr<const Network> network;
+};
+
+using Key = std::pair<std::uint64_t, std::uint64_t>;
+
+struct Store {
+  std::mutex mutex;
+  std::map<Key, SharedRules> entries;
+};
+
+Store& TheStore() {
+  static Store store;
+  return store;
+}
+
+}  // namespace
+
+void ShareRules(Engine& engine) {
+  if (engine.loading_order.empty()) return;
+  const Key key{engine.symbols.Digest(), engine.rete.NetworkDigest()};
+  Store& store = TheStore();
+  const std::lock_guard<std::mutex> lock(store.mutex);
+  // Only the store holds it: the agents that shared it have gone.
+  std::erase_if(store.entries, [](const auto& entry) { return entry.second.network.use_count() == 1; });
+  const auto found = store.entries.find(key);
+  if (found == store.entries.end()) {
+    store.entries.emplace(key, SharedRules{engine.symbols.Freeze(), engine.rete.network()});
+    return;
+  }
+  if (engine.rete.network() == found->second.network) return;
+  // The network's handles mean something only with the constants that they were made with.
+  if (engine.symbols.Adopt(found->second.symbols)) engine.rete.AdoptNetwork(found->second.network);
+}
+
+}  // namespace soarbox::kernel
