@@ -82,7 +82,9 @@ void HostedAgent::UpdateListened() {
 template <typename Call>
 void HostedAgent::Tell(int event, Call call) {
   if (!listened_.Has(event)) return;
-  FlushPrint();
+  const bool within_phase = event < ::sml::smlEVENT_BEFORE_PHASE_EXECUTED || ::sml::IsAFTERPhaseEventID(event) ||
+                            event == ::sml::smlEVENT_AFTER_PHASE_EXECUTED || ::sml::IsProductionEventID(event);
+  if (!within_phase) FlushPrint();
   // Handlers may register and unregister: the list may change under the loop.
   for (std::size_t i = 0; i < listeners_.size(); ++i) {
     if (listeners_[i].events.Has(event)) call(*listeners_[i].connection);

@@ -70,7 +70,8 @@ class HostedAgent {
   void FireOutputInit();
   void FireXmlInput(std::span<const InputWme> wmes);
   void FireEcho(const Connection* from, const std::string& text);
-  /// Sends the text that was printed since the last time. Comes before any other event.
+  /// Sends the text that was printed since the last time: before any other event, but for those within a phase and at
+  /// its end.
   void FlushPrint() {
     if (!printed_.empty()) SendPrint();
   }

@@ -2,6 +2,7 @@
 #include "sml/server/run_control.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sml/server/hosted_agent.h"
 #include "sml/server/kernel_host.h"
@@ -40,11 +41,14 @@ bool EndsAtStopPhase(const cli::RunRequest& request) {
 }  // namespace
 
 kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
+  // Requests to stop count from the moment from which others can see that there is a run.
+  for (HostedAgent* hosted : host_.agents()) hosted->ClearStop();
+  stop_requests_ = host_.stop_requests();
   running_ = true;
   run_flags_ = (request.self_only ? sml_RUN_SELF : sml_RUN_ALL) | (request.update_world || request.self_only ? 0 : sml_DONT_UPDATE_WORLD);
+  unit_ = request.unit;
   const kernel::AgentCounters before = addressed.agent().counters();
 
-  stop_requests_ = host_.stop_requests();
 
   host_.FireSystem(smlEVENT_SYSTEM_START);
   Begin(addressed, request);
@@ -99,7 +103,6 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
     HostedAgent& hosted = *runners_[i].hosted;
     hosted.on_run_list = true;
     hosted.last_result = sml_RUN_EXECUTING;
-    hosted.ClearStop();
     hosted.agent().ClearStopRequest();
     if (hosted.agent().halted()) {
       runners_[i].active = false;
@@ -167,6 +170,7 @@ void RunControl::CountStep(Runner& runner, const cli::RunRequest& request, std::
       if (cycles == 0) break;
       if (!OutputRunIsServed(runner)) break;
       runner.output_changed = false;
+      runner.passed_output = true;
       runner.idle_outputs = 0;
       --runner.remaining;
       break;
@@ -208,25 +212,19 @@ void RunControl::Step(Runner& runner, RunUnit unit) {
     StepPhase(runner, false);
     return;
   }
-  if (hosted.ListensToPhases()) {
-    do {
-      const std::uint64_t cycles = agent.counters().decision_cycles;
+  do {
+    const std::uint64_t cycles = agent.counters().decision_cycles;
+    if (hosted.ListensToPhases()) {
       StepPhase(runner, true);
-      if (runner.reason != StopReason::kCompleted || hosted.doomed || unit == RunUnit::kPhase) return;
-      const bool cycle_ended = agent.counters().decision_cycles != cycles;
-      if (cycle_ended && unit == RunUnit::kDecision) return;
-      if (cycle_ended && OutputRunIsServed(runner)) return;
-    } while (!StopRequested(runner));
-    return;
-  }
-  const std::uint64_t cycles = agent.counters().decision_cycles;
-  const kernel::RunResult result = agent.Step(unit);
-  if (agent.counters().decision_cycles != cycles) {
-    AfterOutputPhase(runner);
-    // The step has counted the idle output phases itself.
-    if (unit == RunUnit::kOutput) runner.idle_outputs = agent.settings().max_nil_output_cycles;
-  }
-  NoteEnd(runner, result);
+    } else {
+      const kernel::RunResult result = agent.Step(unit == RunUnit::kPhase ? unit : RunUnit::kDecision);
+      if (agent.counters().decision_cycles != cycles) AfterOutputPhase(runner);
+      NoteEnd(runner, result);
+    }
+    if (runner.reason != StopReason::kCompleted || hosted.doomed || unit == RunUnit::kPhase) return;
+    const bool cycle_ended = agent.counters().decision_cycles != cycles;
+    if (cycle_ended && (unit == RunUnit::kDecision || OutputRunIsServed(runner))) return;
+  } while (!StopRequested(runner));
 }
 
 void RunControl::StepPhase(Runner& runner, bool whole) {
@@ -248,18 +246,22 @@ void RunControl::StepPhase(Runner& runner, bool whole) {
   }
   if (agent.counters().decision_cycles != cycles) {
     AfterOutputPhase(runner);
-    hosted.FireRun(smlEVENT_AFTER_DECISION_CYCLE, static_cast<int>(Phase::kOutput));
     hosted.FlushPrint();
+    hosted.FireRun(smlEVENT_AFTER_DECISION_CYCLE, static_cast<int>(Phase::kOutput));
   }
   NoteEnd(runner, result);
 }
 
 void RunControl::AfterOutputPhase(Runner& runner) {
-  runner.passed_output = true;
+  // In runs until output, an agent has passed when it is served.
+  if (unit_ != RunUnit::kOutput) runner.passed_output = true;
   runner.hosted->DeliverOutput();
-  const std::uint64_t generation = runner.hosted->agent().output().generation();
-  if (generation != runner.generation) {
-    runner.generation = generation;
+  const kernel::OutputLink& output = std::as_const(*runner.hosted).agent().output();
+  const auto added = [](const kernel::OutputChange& change) { return change.added; };
+  const bool changed = output.generation() != runner.generation;
+  runner.generation = output.generation();
+  // What an agent only takes back is no output of its own.
+  if (changed && std::any_of(output.changes().begin(), output.changes().end(), added)) {
     runner.generated = true;
     runner.output_changed = true;
     runner.idle_outputs = 0;

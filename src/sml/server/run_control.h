@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -63,7 +64,8 @@ class RunControl {
   void Finish(Runner& runner, bool tell);
 
   KernelHost& host_;
-  bool running_ = false;
+  std::atomic<bool> running_{false};
+  kernel::RunUnit unit_ = kernel::RunUnit::kForever;   ///< Of the run that is under way.
   int check_rate_ = 10;
   int run_flags_ = 0;
   std::uint64_t stop_requests_ = 0;

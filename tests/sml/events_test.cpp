@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// The order of events, as Soar 9.6.3 gives them.
+#include "sml_Client.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sml_test_files.h"
+
+namespace {
+
+using namespace sml;
+
+using Log = std::vector<std::string>;
+
+void OnRun(smlRunEventId id, void* log, Agent*, smlPhase phase) {
+  static_cast<Log*>(log)->push_back(std::string(Events().ConvertToString(id)) + "(" + std::to_string(phase) + ")");
+}
+
+void OnSystem(smlSystemEventId id, void* log, Kernel*) { static_cast<Log*>(log)->push_back(Events().ConvertToString(id)); }
+
+void OnUpdate(smlUpdateEventId id, void* log, Kernel*, smlRunFlags flags) {
+  static_cast<Log*>(log)->push_back(std::string(Events().ConvertToString(id)) + "(" + std::to_string(flags) + ")");
+}
+
+struct Listener {
+  Listener() : kernel(Kernel::CreateKernelInCurrentThread(false, Kernel::kSuppressListener)), agent(kernel->CreateAgent("a")) {
+    for (int id = smlEVENT_SYSTEM_START; id <= smlEVENT_INTERRUPT_CHECK; ++id) {
+      kernel->RegisterForSystemEvent(static_cast<smlSystemEventId>(id), OnSystem, &log);
+    }
+    kernel->RegisterForUpdateEvent(smlEVENT_AFTER_ALL_OUTPUT_PHASES, OnUpdate, &log);
+    kernel->RegisterForUpdateEvent(smlEVENT_AFTER_ALL_GENERATED_OUTPUT, OnUpdate, &log);
+  }
+  void Listen(Agent* to, int first, int last) {
+    for (int id = first; id <= last; ++id) to->RegisterForRunEvent(static_cast<smlRunEventId>(id), OnRun, &log);
+  }
+  Log Take() {
+    Log taken;
+    taken.swap(log);
+    return taken;
+  }
+
+  Log log;
+  std::unique_ptr<Kernel> kernel;
+  Agent* agent;
+};
+
+TEST(EventOrder, AFreshRunOfOneDecisionGoesPhaseByPhaseToTheStopPhase) {
+  Listener listener;
+  listener.Listen(listener.agent, smlEVENT_BEFORE_PHASE_EXECUTED, smlEVENT_AFTER_RUNNING);
+  listener.agent->RunSelf(1);
+  EXPECT_EQ(listener.Take(),
+            (Log{"system-start", "before-run-starts(0)", "before-running(0)", "before-decision-cycle(0)",
+                 "before-input-phase(0)", "before-phase-executed(0)", "after-phase-executed(0)", "after-input-phase(0)",
+                 "after-running(1)", "before-running(1)", "before-propose-phase(1)", "before-phase-executed(1)",
+                 "after-phase-executed(1)", "after-propose-phase(1)", "after-running(2)", "before-running(2)",
+                 "before-decide-phase(2)", "before-phase-executed(2)", "after-phase-executed(2)", "after-decide-phase(2)",
+                 "after-running(3)", "after-run-ends(3)", "system-stop"}));
+}
+
+TEST(EventOrder, OfAPhaseEventAndTheOneForAllPhasesTheLaterRegisteredComesFirst) {
+  Listener listener;
+  listener.agent->RegisterForRunEvent(smlEVENT_BEFORE_INPUT_PHASE, OnRun, &listener.log);
+  listener.agent->RegisterForRunEvent(smlEVENT_BEFORE_PHASE_EXECUTED, OnRun, &listener.log);
+  listener.agent->RunSelf(1, sml_PHASE);
+  const Log log = listener.Take();
+  ASSERT_GE(log.size(), 5u);
+  EXPECT_EQ(log[3], "before-phase-executed(0)");
+  EXPECT_EQ(log[4], "before-input-phase(0)");
+}
+
+TEST(EventOrder, RunsAreBracketedWhetherOrNotPhasesAreHeard) {
+  for (const bool phases : {false, true}) {
+    Listener listener;
+    if (phases) listener.agent->RegisterForRunEvent(smlEVENT_BEFORE_INPUT_PHASE, [](smlRunEventId, void*, Agent*, smlPhase) {}, nullptr);
+    listener.agent->RunSelf(1);
+    listener.Take();
+    listener.Listen(listener.agent, smlEVENT_BEFORE_RUN_STARTS, smlEVENT_AFTER_RUNNING);
+    listener.agent->RunSelf(2);
+    EXPECT_EQ(listener.Take(),
+              (Log{"system-start", "before-run-starts(3)", "interrupt-check", "before-agents-run-step", "before-running(3)",
+                   "after-running(0)", "after-all-output-phases(1)", "before-agents-run-step", "before-running(0)",
+                   "after-running(0)", "after-all-output-phases(1)", "after-all-generated-output(1)", "before-running(0)",
+                   "after-running(1)", "before-running(1)", "after-running(2)", "before-running(2)", "after-running(3)",
+                   "after-run-ends(3)", "system-stop"}));
+  }
+}
+
+TEST(EventOrder, AgentsTakeTurnsByPhasesInTheOrderOfTheirNames) {
+  Listener listener;
+  Agent* other = listener.kernel->CreateAgent("B");
+  for (Agent* agent : {listener.agent, other}) {
+    agent->RegisterForRunEvent(
+        smlEVENT_BEFORE_RUNNING,
+        [](smlRunEventId, void* log, Agent* runs, smlPhase phase) {
+          static_cast<Log*>(log)->push_back(runs->GetAgentName() + std::to_string(phase));
+        },
+        &listener.log);
+  }
+  listener.kernel->RunAllAgents(3, sml_PHASE);
+  EXPECT_EQ(listener.Take(), (Log{"system-start", "interrupt-check", "before-agents-run-step", "B0", "a0",
+                                  "before-agents-run-step", "B1", "a1", "before-agents-run-step", "B2", "a2", "system-stop"}));
+}
+
+TEST(EventOrder, InputThatAHandlerMakesBeforeTheInputPhaseIsTakenInThatPhase) {
+  Listener listener;
+  listener.agent->RegisterForRunEvent(
+      smlEVENT_BEFORE_INPUT_PHASE,
+      [](smlRunEventId, void*, Agent* agent, smlPhase) { agent->CreateIntWME(agent->GetInputLink(), "seen", 1); }, nullptr);
+  listener.agent->RunSelf(1, sml_PHASE);
+  EXPECT_NE(std::string(listener.agent->ExecuteCommandLine("print i2")).find("^seen 1"), std::string::npos);
+}
+
+TEST(EventOrder, HaltInterruptsAndHalts) {
+  Listener listener;
+  listener.agent->ExecuteCommandLine("sp {end*it (state <s> ^superstate nil) --> (halt)}");
+  listener.Listen(listener.agent, smlEVENT_AFTER_INTERRUPT, smlEVENT_AFTER_HALTED);
+  EXPECT_NE(std::string(listener.agent->RunSelfForever()).find("An agent halted during the run."), std::string::npos);
+  const Log log = listener.Take();
+  EXPECT_NE(std::find(log.begin(), log.end(), "after-halted(1)"), log.end());
+  EXPECT_EQ(listener.agent->GetRunState(), sml_RUNSTATE_HALTED);
+  listener.agent->InitSoar();
+  EXPECT_EQ(listener.agent->GetRunState(), sml_RUNSTATE_STOPPED);
+}
+
+TEST(EventRegistration, TheSameHandlerTwiceIsOneAndUnknownIdsAreErrors) {
+  Listener listener;
+  const int id = listener.agent->RegisterForRunEvent(smlEVENT_AFTER_OUTPUT_PHASE, OnRun, &listener.log);
+  EXPECT_GT(id, 0);
+  EXPECT_EQ(listener.agent->RegisterForRunEvent(smlEVENT_AFTER_OUTPUT_PHASE, OnRun, &listener.log), id);
+  EXPECT_TRUE(listener.agent->UnregisterForRunEvent(id));
+  EXPECT_FALSE(listener.agent->UnregisterForRunEvent(id));
+  EXPECT_TRUE(listener.agent->HadError());
+  listener.agent->RunSelf(2);
+  for (const std::string& entry : listener.Take()) EXPECT_EQ(entry.find("after-output-phase"), std::string::npos);
+}
+
+}  // namespace
