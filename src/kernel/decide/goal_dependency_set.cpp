@@ -8,9 +8,9 @@
 namespace soarbox::kernel {
 
 void GoalDependencySets::NoteNewFact(WmeId wme) {
-  if (engine_.goals.depth() < 2) return;
   const WorkingMemory& memory = engine_.memory;
   const SlotId slot = memory.record(wme).slot;
+  if (memory.slot(slot).substate_facts == 0) return;
   const Symbol value = memory.wme(wme).value;
   ++collection_;
   for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {

@@ -88,9 +88,7 @@ InputElement InputLink::Add(InputObject parent, std::string_view attribute, cons
   }
   Element& element = elements_[place];
   element.live = true;
-  element.doomed = false;
   element.wme = WmeId::kNone;
-  element.pending_add = kNoPlace;
   element.parent = parent;
   element.attribute = engine_.symbols.String(attribute);
   BufferAdd(place, value);
@@ -105,24 +103,15 @@ void InputLink::BufferAdd(std::uint32_t place, const InputValue& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) change.constant = engine_.symbols.Integer(*integer);
   if (const auto* number = std::get_if<double>(&value)) change.constant = engine_.symbols.Float(*number);
   if (const auto* object = std::get_if<InputObject>(&value)) change.object = *object;
-  elements_[place].pending_add = static_cast<std::uint32_t>(pending_.size());
+  ++elements_[place].buffered;
   pending_.push_back(change);
 }
 
-void InputLink::CancelAdd(Element& element) {
-  if (element.pending_add == kNoPlace) return;
-  pending_[element.pending_add].change = Change::kNone;
-  element.pending_add = kNoPlace;
-}
-
 void InputLink::BufferRemove(std::uint32_t place) {
-  Element& element = elements_[place];
-  if (element.wme == WmeId::kNone || element.doomed) return;
-  element.doomed = true;
   Pending change;
   change.change = Change::kRemove;
   change.element = place;
-  change.wme = element.wme;
+  ++elements_[place].buffered;
   pending_.push_back(change);
 }
 
@@ -131,7 +120,6 @@ void InputLink::Update(InputElement handle, const InputValue& value) {
   if (element == nullptr) return;
   if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr) return;
   const std::uint32_t place = static_cast<std::uint32_t>(handle) & kPlaceMask;
-  CancelAdd(*element);
   BufferRemove(place);
   BufferAdd(place, value);
 }
@@ -139,19 +127,21 @@ void InputLink::Update(InputElement handle, const InputValue& value) {
 void InputLink::Remove(InputElement handle) {
   Element* element = Find(handle);
   if (element == nullptr) return;
-  const std::uint32_t place = static_cast<std::uint32_t>(handle) & kPlaceMask;
-  CancelAdd(*element);
-  if (element->wme == WmeId::kNone) {
-    Release(place);
-    return;
-  }
-  BufferRemove(place);
+  Void(*element);
+  BufferRemove(static_cast<std::uint32_t>(handle) & kPlaceMask);
 }
 
-void InputLink::Release(std::uint32_t place) {
-  Element& element = elements_[place];
+void InputLink::Void(Element& element) {
+  if (!element.live) return;
   element.live = false;
   element.generation = (element.generation + 1) & kGenerationMask;
+}
+
+/// Gives the place back once nothing is behind it any more.
+void InputLink::ReleaseIfDone(std::uint32_t place) {
+  Element& element = elements_[place];
+  if (element.buffered > 0 || element.wme != WmeId::kNone) return;
+  Void(element);
   free_elements_.push_back(place);
 }
 
@@ -160,25 +150,23 @@ void InputLink::Release(std::uint32_t place) {
 void InputLink::Apply() {
   for (std::size_t n = 0; n < pending_.size(); ++n) {
     const Pending change = pending_[n];
-    if (change.change == Change::kAdd) MakeElement(change);
-    // The element of a buffered removal may have gone with the structure that it hung on.
-    if (change.change == Change::kRemove && elements_[change.element].doomed &&
-        elements_[change.element].wme == change.wme) {
-      engine_.changes.Lose(change.wme);
+    if (change.change == Change::kAdd) {
+      MakeElement(change);
+    } else if (const WmeId wme = elements_[change.element].wme; wme != WmeId::kNone) {
+      // (The element may have gone already, with the structure that it hung on.)
+      engine_.changes.Lose(wme);
     }
+    --elements_[change.element].buffered;
+    ReleaseIfDone(change.element);
   }
   pending_.clear();
 }
 
 void InputLink::MakeElement(const Pending& change) {
   Element& element = elements_[change.element];
-  element.pending_add = kNoPlace;
   const Object* parent = Find(element.parent);
   Object* object = change.object == InputObject::kNone ? nullptr : Find(change.object);
-  if (parent == nullptr || !parent->identifier || (object == nullptr && !change.constant)) {
-    if (element.wme == WmeId::kNone) Release(change.element);
-    return;
-  }
+  if (parent == nullptr || !parent->identifier || (object == nullptr && !change.constant)) return;
   Symbol value = change.constant;
   if (object != nullptr) {
     if (!object->identifier) {
@@ -193,14 +181,11 @@ void InputLink::MakeElement(const Pending& change) {
   const WmeId wme = engine_.changes.Add(WmeKind::kInput, parent->identifier, element.attribute, value);
   engine_.memory.mutable_record(wme).slot = static_cast<SlotId>(change.element);
   element.wme = wme;
-  element.doomed = false;
 }
 
 void InputLink::Forget(std::uint32_t place) {
-  Element& element = elements_[place];
-  element.wme = WmeId::kNone;
-  element.doomed = false;
-  if (element.pending_add == kNoPlace) Release(place);
+  elements_[place].wme = WmeId::kNone;
+  if (elements_[place].buffered == 0) ReleaseIfDone(place);
 }
 
 void InputLink::IdentifierGone(Symbol identifier) {

@@ -25,8 +25,8 @@ using InputValue = std::variant<std::string_view, std::int64_t, double, InputObj
 struct Engine;
 
 /// What clients put on the input link. Calls only buffer: the changes are made in the next input phase, in call order,
-/// which gives the time tags. An element that is made and removed between two input phases never enters working
-/// memory; of several updates the last one counts. The link is not a set: equal triples from two calls are two elements.
+/// which gives the time tags. An element that is made and removed between two input phases uses up a time tag (as in
+/// Soar 9.6.3) but no rule ever sees it; of several updates the last one counts. The link is not a set: equal triples from two calls are two elements.
 ///
 /// The kernel's identifier of a new object is made when its first element enters; its letter is the first letter of
 /// that element's attribute (I if it is not a letter). Structure that loses its connection with the link is collected by
@@ -62,7 +62,7 @@ class InputLink {
       if (change.constant) mark(change.constant);
     }
     for (const Element& element : elements_) {
-      if (element.live) mark(element.attribute);
+      if (element.live || element.buffered > 0) mark(element.attribute);
     }
     for (const Object& object : objects_) {
       if (object.identifier) mark(object.identifier);
@@ -70,20 +70,18 @@ class InputLink {
   }
 
  private:
-  enum class Change : std::uint8_t { kNone, kAdd, kRemove };
+  enum class Change : std::uint8_t { kAdd, kRemove };
   struct Element {
     WmeId wme = WmeId::kNone;
-    std::uint32_t pending_add = kNoPlace;     ///< Index in pending_ of a buffered addition.
-    bool live = false;
-    bool doomed = false;                      ///< Its removal is buffered.
+    bool live = false;                        ///< The handle is valid.
+    std::uint32_t buffered = 0;               ///< Changes of it that wait.
     std::uint32_t generation = 0;
     InputObject parent = InputObject::kNone;
     Symbol attribute;
   };
   struct Pending {
-    Change change = Change::kNone;
+    Change change = Change::kAdd;
     std::uint32_t element = 0;
-    WmeId wme = WmeId::kNone;       ///< kRemove.
     Symbol constant;                ///< kAdd with a constant value.
     InputObject object = InputObject::kNone;
   };
@@ -103,10 +101,10 @@ class InputLink {
   const Object* Find(InputObject object) const;
   InputObject MakeObject(Symbol identifier);
   void BufferAdd(std::uint32_t place, const InputValue& value);
-  void CancelAdd(Element& element);
   void BufferRemove(std::uint32_t place);
   void MakeElement(const Pending& change);
-  void Release(std::uint32_t place);
+  void Void(Element& element);
+  void ReleaseIfDone(std::uint32_t place);
 
   Engine& engine_;
   std::vector<Object> objects_;

@@ -34,8 +34,37 @@ std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
     // An identifier without children cannot be above `from`.
     if (target.first_child == kNone || Trace(from, to) != Ancestry::kBelow) SetParent(to, id);
   }
+  if (!target.rooted && (source.rooted || source.is_goal)) {
+    if (target.parent_link != id) {
+      if (target.parent_link != kNone) DropParent(to);
+      SetParent(to, id);
+    }
+    Root(to);
+  }
   if (source.level < target.level) promoted_.push_back(to);
   return id;
+}
+
+/// The identifier has come to hang on a goal: so does all that it reaches and that floated until now, circles included.
+void LinkGraph::Root(Symbol id) {
+  At(id).rooted = true;
+  stack_.push_back(id);
+  while (!stack_.empty()) {
+    const Symbol current = stack_.back();
+    stack_.pop_back();
+    ForEachLinkFrom(current, [&](std::uint32_t link) {
+      const Symbol target = links_[link].to;
+      IdentifierRecord& below = At(target);
+      if (below.rooted || below.is_goal) return;
+      if (below.parent_link != link) {
+        if (below.parent_link != kNone) DropParent(target);
+        SetParent(target, link);
+      }
+      below.rooted = true;
+      if (below.level > memory_.level(current)) promoted_.push_back(target);
+      stack_.push_back(target);
+    });
+  }
 }
 
 void LinkGraph::Remove(std::uint32_t id) {
@@ -112,6 +141,7 @@ void LinkGraph::Settle(std::vector<Symbol>& garbage) {
     if (!record.live || record.is_goal || record.parent_link != kNone) continue;
     if (record.first_link == kNone) {
       if (record.value_of != 0) continue;
+      record.rooted = false;
       garbage.push_back(id);
       return;
     }
@@ -234,9 +264,11 @@ void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
       std::push_heap(heap_.begin(), heap_.end(), lower);
     });
   }
-  for (const Symbol member : subtree_) {
+  for (std::size_t n = subtree_.size(); n-- > 0;) {
+    const Symbol member = subtree_[n];
     if (suspended_[member.index()] == 0) continue;
     suspended_[member.index()] = 0;
+    At(member).rooted = false;
     garbage.push_back(member);
   }
 }

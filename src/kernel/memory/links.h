@@ -64,6 +64,7 @@ class LinkGraph {
   void Queue(Symbol id);
   void Touch(Symbol id);
   void SetParent(Symbol id, std::uint32_t link);
+  void Root(Symbol id);
   void DropParent(Symbol id);
   /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
   Ancestry Trace(Symbol from, Symbol stop) const;

@@ -66,6 +66,7 @@ void WmeChanges::Flush() {
     // An element that came and went within the phase never enters the match.
     if (engine_.memory.wme(wme).live) {
       engine_.memory.mutable_record(wme).in_match = true;
+      engine_.memory.mutable_record(wme).entered = ++last_entered_;
       engine_.rete.AddWme(wme, goals);
     }
     ++engine_.counters.wme_additions;

@@ -41,6 +41,7 @@ class WmeChanges {
   WmeId Record(WmeId wme);
 
   Engine& engine_;
+  std::uint64_t last_entered_ = 0;
   std::vector<WmeId> added_, removed_, dead_, flushing_added_, flushing_removed_;
 };
 

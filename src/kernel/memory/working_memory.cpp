@@ -220,7 +220,10 @@ void WorkingMemory::InsertInSlot(PreferenceId id, SlotId slot_id) {
   preference.in_slot = true;
   ++preference.references;
   PreferenceId& head = preference.type == PreferenceType::kAcceptable ? slot.acceptable : slot.others;
-  if (preference.type == PreferenceType::kAcceptable) ++slot.acceptable_count;
+  if (preference.type == PreferenceType::kAcceptable) {
+    ++slot.acceptable_count;
+    if (preference.o_supported && preference.level > 1) ++slot.substate_facts;
+  }
   // In front of the first one that is not of a higher goal.
   PreferenceId before = head, after = PreferenceId::kNone;
   while (before != PreferenceId::kNone && preferences_[Index(before)].level < preference.level) {
@@ -250,7 +253,10 @@ void WorkingMemory::RemoveFromSlot(PreferenceId id) {
   if (preference.next_in_slot != PreferenceId::kNone) {
     preferences_[Index(preference.next_in_slot)].previous_in_slot = preference.previous_in_slot;
   }
-  if (preference.type == PreferenceType::kAcceptable) --slot.acceptable_count;
+  if (preference.type == PreferenceType::kAcceptable) {
+    --slot.acceptable_count;
+    if (preference.o_supported && preference.level > 1) --slot.substate_facts;
+  }
   preference.next_in_slot = preference.previous_in_slot = PreferenceId::kNone;
   preference.slot = SlotId::kNone;
   preference.in_slot = false;

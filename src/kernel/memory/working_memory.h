@@ -35,6 +35,7 @@ struct WmeRecord {
   SlotId slot = SlotId::kNone;                       ///< kSlot, kAcceptable. For kInput: the input link's element.
   std::uint32_t link = 0xFFFFFFFFu;                  ///< kArchitecture, kInput with an identifier as value.
   WmeId next = WmeId::kNone, previous = WmeId::kNone;  ///< The list of the slot or of the identifier.
+  std::uint64_t entered = 0;                         ///< When it entered the match: a running number.
 };
 
 /// The preferences and elements of one (identifier, attribute).
@@ -44,6 +45,7 @@ struct Slot {
   bool is_operator = false;       ///< ^operator of a goal: decided in the decide phase only.
   bool changed = false;           ///< Is on the list of changed slots.
   std::uint32_t acceptable_count = 0;
+  std::uint32_t substate_facts = 0;  ///< Of these the o-supported ones that a substate's rule made.
   WmeId wmes = WmeId::kNone;                          ///< Newest first.
   WmeId acceptable_wmes = WmeId::kNone;               ///< kAcceptable elements of an operator slot, newest first.
   PreferenceId acceptable = PreferenceId::kNone;      ///< Acceptable preferences: higher goals first, then newest first.
@@ -56,6 +58,7 @@ struct IdentifierRecord {
   bool live = false;
   bool is_goal = false;
   GoalLevel level = 0;                           ///< The highest goal (smallest number) that reaches it.
+  bool rooted = false;                           ///< Following parents ends at a goal (see links.h).
   bool queued = false;                           ///< Waits for its level to be worked out.
   std::uint32_t value_of = 0;                    ///< Elements that have it as their value.
   SlotId slots = SlotId::kNone;
