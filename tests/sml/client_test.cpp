@@ -263,6 +263,8 @@ TEST(ClientRuns, RunTextsCountAsSoarCounts) {
 
 TEST(ClientRuns, AnotherThreadCanStopARunWithoutEnd) {
   Program program(true);
+  program.agent->ExecuteCommandLine("excise --all");
+  program.agent->ExecuteCommandLine(kCounterRules);
   std::thread stopper([&] {
     while (!program.kernel->IsSoarRunning()) std::this_thread::yield();
     program.kernel->StopAllAgents();

@@ -224,6 +224,7 @@ TEST(Protocol, AHundredClientsAreServedAtOnceAndEightMayMakeInput) {
 TEST(Protocol, ADebuggersStartAndItsStopButtonWorkWhileAnAgentRuns) {
   Server server;
   sml::Agent* agent = server.kernel->CreateAgent("hal");
+  agent->ExecuteCommandLine(kCounterRules);
   Client debugger(server.port());
   debugger.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">after-agent-reinitialized</arg></command>");
   debugger.Ask("<command name=\"initial_time_tag\"></command>");
@@ -246,8 +247,7 @@ TEST(Protocol, ADebuggersStartAndItsStopButtonWorkWhileAnAgentRuns) {
   EXPECT_NE(debugger.Line("hal", "print s1").find("^superstate nil"), std::string::npos);
   EXPECT_EQ(debugger.Line("hal", "stop-soar"), "<result output=\"raw\"></result>");
   // Answers what still comes, so that the run can end.
-  std::thread::id none;
-  while (agent->GetRunState() == sml::sml_RUNSTATE_RUNNING && none == std::thread::id()) debugger.Ask("<command name=\"version\"></command>");
+  while (debugger.Ask("<command name=\"is_running\"></command>") == "<result output=\"raw\">true</result>") continue;
   runner.join();
   EXPECT_TRUE(debugger.Heard("system-start"));
   EXPECT_TRUE(debugger.Heard("print"));

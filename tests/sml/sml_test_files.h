@@ -36,3 +36,10 @@ sp {propose*cleanup (state <s> ^superstate nil ^io.output-link.<n> <c>) (<c> ^st
 sp {apply*cleanup*operator (state <s> ^operator.name cleanup ^io.output-link <ol>) (<ol> ^<n> <c>) (<c> ^status complete)
   --> (<ol> ^<n> <c> -)}
 )";
+
+/// An agent that counts for ever.
+inline constexpr const char* kCounterRules =
+    "sp {start (state <s> ^superstate nil -^count) --> (<s> ^operator <o> +) (<o> ^name start)}\n"
+    "sp {start*apply (state <s> ^operator.name start) --> (<s> ^count 0)}\n"
+    "sp {count (state <s> ^count <c>) --> (<s> ^operator <o> + =) (<o> ^name count ^from <c>)}\n"
+    "sp {count*apply (state <s> ^operator <o> ^count <c>) (<o> ^name count ^from <c>) --> (<s> ^count <c> - (+ <c> 1))}\n";

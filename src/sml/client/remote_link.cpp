@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/client/remote_link.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
+#include <cstdlib>
+#include <map>
 #include <thread>
 
 #include "sml/client/agent_data.h"
@@ -63,11 +66,25 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   // Calls ---------------------------------------------------------------------------------------------------------------
 
   std::optional<Message> Ask(Message& call, bool patient = false) override {
+    // The thread that delivers events must not take the answer away.
+    const std::lock_guard lock(mutex_);
     call.id = NextId();
     if (!SendDocument(call)) return std::nullopt;
+    waiting_.push_back(call.id);
+    std::optional<Message> answer = AwaitAnswer(call.id, patient);
+    std::erase(waiting_, call.id);
+    early_.erase(call.id);
+    return answer;
+  }
+
+  /// Serves the kernel's calls until the answer is there. A handler that calls the kernel may meet the answer to an outer
+  /// call first; that is kept for it.
+  std::optional<Message> AwaitAnswer(const std::string& id, bool patient) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
     std::string document;
     while (true) {
+      const auto kept = early_.find(id);
+      if (kept != early_.end()) return std::move(kept->second);
       Milliseconds left = kPatience;
       if (!patient) left = std::chrono::duration_cast<Milliseconds>(end - std::chrono::steady_clock::now());
       if (left.count() <= 0) return std::nullopt;
@@ -77,8 +94,12 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
       }
       std::optional<Message> message = Read(document);
       if (!message) continue;
-      if (message->type == DocType::kResponse && message->ack == call.id) return message;
-      if (message->type == DocType::kCall) HandleCall(*message);
+      if (message->type == DocType::kResponse) {
+        if (message->ack == id) return message;
+        if (std::find(waiting_.begin(), waiting_.end(), message->ack) != waiting_.end()) early_[message->ack] = std::move(*message);
+      } else if (message->type == DocType::kCall) {
+        HandleCall(*message);
+      }
     }
   }
   void Tell(Message& call) override {
@@ -397,6 +418,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   std::recursive_mutex mutex_;
   std::atomic<std::uint64_t> next_id_{0};
   std::atomic<bool> trace_{false};
+  std::vector<std::string> waiting_;          ///< Calls whose answers are awaited, the outermost first.
+  std::map<std::string, Message> early_;      ///< Answers to outer calls that came inside inner ones.
   std::thread events_;
   std::mutex wake_mutex_;
   std::condition_variable wake_;

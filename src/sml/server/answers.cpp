@@ -29,7 +29,14 @@ void AddLineResult(wire::Message& response, const cli::CommandResult& result, bo
     return;
   }
   if (!result.structured.children.empty()) {
-    response.root.children.push_back(Convert(result.structured));
+    wire::Element answer = Convert(result.structured);
+    // What was printed stands beside the elements that `print` gives.
+    const std::string& first = answer.children.front().tag;
+    if ((first == "id" || first == "wme") && !answer.Arg("message")) {
+      wire::Element& arg = answer.Add("arg");
+      arg.Set("param", "message").Set("type", "string").text = result.text;
+    }
+    response.root.children.push_back(std::move(answer));
   } else if (result.text.empty()) {
     wire::AddRawResult(response, "true");
   } else {
