@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/interpreter.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/help.h"
+#include "cli/session.h"
+#include "kernel/agent.h"
+
+namespace soarbox::cli {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class InterpreterTest : public testing::Test {
+ protected:
+  InterpreterTest() {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("soarbox_cli_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::create_directories(folder_);
+    session_.stream().SetSink([this](std::string_view text) { printed_ += text; });
+  }
+  ~InterpreterTest() override { std::filesystem::remove_all(folder_); }
+
+  CommandResult Do(const std::string& line) { return interpreter_.Execute(session_, line); }
+
+  std::string Write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+
+  std::filesystem::path folder_;
+  kernel::Agent agent_{"soar"};
+  Session session_{agent_};
+  Interpreter interpreter_;
+  std::string printed_;
+};
+
+constexpr const char* kGo = "sp {go (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name go)}";
+
+TEST_F(InterpreterTest, ACommandIsFoundByAnyUniqueBeginningAndByAlias) {
+  EXPECT_TRUE(Do("pri s1").ok);
+  EXPECT_TRUE(Do("p s1").ok);
+  EXPECT_THAT(Do("so").text, StartsWith("=====")) << "soar is the only command that begins so";
+  EXPECT_THAT(Do("ep").text, StartsWith("=====")) << "epmem";
+  EXPECT_THAT(Do("pop").text, StartsWith("Directory stack is empty."));
+  EXPECT_EQ(Do("po").text, Do("popd").text);
+  EXPECT_THAT(Do("l").text, StartsWith("Ambiguous command, possibilities: 'learn' 'load' 'ls' "));
+}
+
+TEST_F(InterpreterTest, AMisspeltCommandGetsASuggestionBesideTheTextThatToolsRead) {
+  const CommandResult result = Do("pirnt s1");
+  EXPECT_FALSE(result.ok);
+  EXPECT_EQ(result.text, "No such command: pirnt\n");
+  ASSERT_EQ(result.diagnostics.size(), 1u);
+  EXPECT_EQ(result.diagnostics[0].hint, "did you mean 'print'?");
+}
+
+TEST_F(InterpreterTest, ALineEndsWithItsFirstCommandThatFails) {
+  const CommandResult result = Do("echo a; frob; echo b");
+  EXPECT_FALSE(result.ok);
+  EXPECT_EQ(result.text, "a\nNo such command: frob\n");
+}
+
+TEST_F(InterpreterTest, RunsPrintTheirTraceAndAnswerTheirReport) {
+  EXPECT_EQ(Do(kGo).text, "*");
+  const CommandResult result = Do("run 1");
+  EXPECT_EQ(printed_, "\n     1:    O: O1 (go)");
+  EXPECT_EQ(result.text, "\n\n--> 1 decision cycle executed. 1 rule fired. ");
+}
+
+TEST_F(InterpreterTest, AFileGoesOnAfterARuleThatIsWrongAndNamesItsPlace) {
+  const std::string file = Write("agent.soar", std::string(kGo) +
+                                                   "\n"
+                                                   "sp {wrong (state <s> ^a b) --> (<s> ^c)}\n"
+                                                   "sp {last (state <s> ^a b) --> (<s> ^c d)}\n");
+  const CommandResult result = Do("source " + file);
+  EXPECT_FALSE(result.ok);
+  EXPECT_THAT(result.text, HasSubstr("Illegal value for RHS value"));
+  EXPECT_THAT(result.text, HasSubstr("agent.soar:2:"));
+  EXPECT_THAT(result.text, HasSubstr("Total: 2 productions sourced."));
+  EXPECT_NE(agent_.FindProduction("last"), kernel::ProductionId::kNone);
+}
+
+TEST_F(InterpreterTest, AFileThatSourcesItselfIsAnErrorAndNoCrash) {
+  const std::string file = Write("loop.soar", "source " + (folder_ / "loop.soar").string() + "\n");
+  const CommandResult result = Do("source " + file);
+  EXPECT_FALSE(result.ok);
+  EXPECT_THAT(result.text, HasSubstr("nested too deeply"));
+}
+
+TEST_F(InterpreterTest, SettingsOfMissingPartsAreKeptSoThatAgentsLoad) {
+  EXPECT_TRUE(Do("chunk never; learn --off; smem --set learning on; epmem --set trigger output; rl --set discount-rate 0.5").ok);
+  EXPECT_EQ(Do("rl --get discount-rate").text, "0.5");
+  EXPECT_THAT(Do("smem --query {(<x> ^a b)}").text, HasSubstr("not available in this build"));
+}
+
+TEST_F(InterpreterTest, DirectoriesAreTheInterpretersOwn) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  EXPECT_TRUE(Do("pushd " + folder_.string()).ok);
+  EXPECT_EQ(Do("pwd").text, std::filesystem::canonical(folder_).string());
+  EXPECT_TRUE(Do("popd").ok);
+  EXPECT_FALSE(Do("popd").ok);
+  EXPECT_EQ(std::filesystem::current_path(), before);
+}
+
+TEST_F(InterpreterTest, ObjectsAreAnsweredInStructuredFormToo) {
+  const CommandResult result = Do("print s1");
+  ASSERT_FALSE(result.structured.children.empty());
+  EXPECT_EQ(result.structured.children[0].tag, "id");
+  EXPECT_EQ(result.structured.children[0].children[0].tag, "wme");
+}
+
+TEST_F(InterpreterTest, CompletesCommandsSubcommandsOptionsAndRules) {
+  Do(kGo);
+  EXPECT_THAT(interpreter_.Complete(session_, "prod"), Contains("production"));
+  EXPECT_THAT(interpreter_.Complete(session_, "soar max-"), Contains("max-elaborations"));
+  EXPECT_THAT(interpreter_.Complete(session_, "print --de"), Contains("--depth"));
+  EXPECT_THAT(interpreter_.Complete(session_, "excise g"), Contains("go"));
+}
+
+TEST(CommandReference, NamesEveryCommand) {
+  const std::string reference = CommandReference();
+  for (const CommandInfo& command : Commands()) {
+    EXPECT_THAT(reference, HasSubstr("\n## " + std::string(command.name) + "\n"));
+  }
+}
+
+}  // namespace
+}  // namespace soarbox::cli
