@@ -17,68 +17,139 @@ inline std::uint32_t ElementAt(const Token* tokens, std::uint32_t token, std::ui
   return tokens[token].wme;
 }
 
+/// Takes a record for a new token. Everything but its chain and its key is set.
+[[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
+                                                      std::uint32_t wme) {
+  std::uint32_t index = state.free_tokens;
+  if (index != kNil) [[likely]] {
+    state.free_tokens = state.tokens[index].next_sibling;
+  } else {
+    index = state.tokens.Append();
+  }
+  ++state.token_count;
+  Token* all = state.tokens.data();
+  Token& token = all[index];
+  token.parent = parent;
+  token.wme = wme;
+  token.node = node;
+  token.first_child = kNil;
+  token.serial = state.next_serial++;
+  token.previous_sibling = kNil;
+  std::uint32_t sibling = kNil;
+  if (parent != kNil) [[likely]] {
+    sibling = all[parent].first_child;
+    all[parent].first_child = index;
+    if (sibling != kNil) {
+      all[sibling].previous_sibling = index;
+    }
+  }
+  token.next_sibling = sibling;
+  token.previous_of_wme = kNil;
+  std::uint32_t other = kNil;
+  if (wme != kNil) [[likely]] {
+    std::uint32_t& head = state.links[wme].first_token;
+    other = head;
+    head = index;
+    if (other != kNil) {
+      all[other].previous_of_wme = index;
+    }
+  }
+  token.next_of_wme = other;
+  return index;
+}
+
+/// The key of a token of a memory that stands for (parent, wme).
+[[gnu::always_inline]] inline std::uint32_t KeyOfPair(const ReteState& state, const Node& memory, std::uint32_t parent,
+                                                      std::uint32_t wme) {
+  if (memory.key == KeyKind::kNone) {
+    return 0;
+  }
+  const Token* tokens = state.tokens.data();
+  const Wme* wmes = state.wmes.data();
+  const std::uint32_t with_id = memory.key_id_levels == 0 ? wme : ElementAt(tokens, parent, memory.key_id_levels - 1u);
+  const std::uint32_t id = ReteState::FieldOf(wmes[with_id], memory.key_id_field);
+  if (memory.key == KeyKind::kId) {
+    return id;
+  }
+  const std::uint32_t with_value =
+      memory.key_value_levels == 0 ? wme : ElementAt(tokens, parent, memory.key_value_levels - 1u);
+  return ReteState::PairKey(id, ReteState::FieldOf(wmes[with_value], memory.key_value_field));
+}
+
+/// Puts a token at the head of its chain and lets the table grow with the memory.
+[[gnu::always_inline]] inline void InsertWithKey(ReteState& state, std::uint32_t node, std::uint32_t index,
+                                                 std::uint32_t key, bool keyed) {
+  NodeState& memory = state.nodes[node];
+  Token* all = state.tokens.data();
+  std::uint32_t& head =
+      memory.bits == 0 ? memory.head : state.tables[memory.head + ReteState::Hash(key, memory.bits)];
+  const std::uint32_t next = head;
+  head = index;
+  all[index].key = key;
+  all[index].previous_in_chain = kNil;
+  all[index].next_in_chain = next;
+  if (next != kNil) {
+    all[next].previous_in_chain = index;
+  }
+  if (++memory.count > (memory.bits == 0 ? kTinyMemory : 2u << memory.bits) && keyed) [[unlikely]] {
+    state.GrowChains(node);
+  }
+}
+
 /// Calls visit(element) for each element that the index of the right side offers for a left token, newest first. Tests
 /// are still to be made. Nothing may be added to or removed from the alpha memory meanwhile.
 template <typename Visit>
-inline void ForEachRight(ReteState& state, const Node& node, std::uint32_t left, Visit&& visit) {
+[[gnu::always_inline]] inline void ForEachRight(ReteState& state, const Node& node, std::uint32_t left, Visit&& visit) {
   const AlphaState& alpha = state.alphas[node.alpha];
-  if (node.key == KeyKind::kNone) {
-    for (std::uint32_t item = alpha.first; item != kNil;) {
-      const AlphaItem& i = state.items[item];
-      item = i.next;
-      visit(i.wme);
-    }
-    return;
-  }
-  if (node.key == KeyKind::kId) {
+  const AlphaItem* items = state.items.data();
+  if (node.key == KeyKind::kId) [[likely]] {
     const std::uint32_t id = state.tokens[left].key;
     if (alpha.id_bits == 0) {
       if (alpha.count <= kTinyMemory) {
-        for (std::uint32_t item = alpha.first; item != kNil;) {
-          const AlphaItem& i = state.items[item];
-          item = i.next;
-          if (i.id == id) {
-            visit(i.wme);
+        for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
+          if (items[item].id == id) {
+            visit(items[item].wme);
           }
         }
         return;
       }
       state.BuildIdTable(node.alpha, 5);
     }
-    std::uint32_t item = state.tables[alpha.id_table + ReteState::Hash(id, alpha.id_bits)];
-    while (item != kNil) {
-      const AlphaItem& i = state.items[item];
-      item = i.next_in_bucket;
-      if (i.id == id) {
-        visit(i.wme);
+    for (std::uint32_t item = state.tables[alpha.id_table + ReteState::Hash(id, alpha.id_bits)]; item != kNil;
+         item = items[item].next_in_bucket) {
+      if (items[item].id == id) {
+        visit(items[item].wme);
       }
     }
     return;
   }
+  if (node.key == KeyKind::kNone) {
+    for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
+      visit(items[item].wme);
+    }
+    return;
+  }
   const Token* tokens = state.tokens.data();
+  const Wme* wmes = state.wmes.data();
   const std::uint32_t id =
-      ReteState::FieldOf(state.wmes[ElementAt(tokens, left, node.key_id_levels)], node.key_id_field);
+      ReteState::FieldOf(wmes[ElementAt(tokens, left, node.key_id_levels)], node.key_id_field);
   const std::uint32_t value =
-      ReteState::FieldOf(state.wmes[ElementAt(tokens, left, node.key_value_levels)], node.key_value_field);
+      ReteState::FieldOf(wmes[ElementAt(tokens, left, node.key_value_levels)], node.key_value_field);
   if (alpha.pair_bits == 0) {
     if (alpha.count <= kTinyMemory) {
-      for (std::uint32_t item = alpha.first; item != kNil;) {
-        const AlphaItem& i = state.items[item];
-        item = i.next;
-        if (i.id == id && i.value == value) {
-          visit(i.wme);
+      for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
+        if (items[item].id == id && items[item].value == value) {
+          visit(items[item].wme);
         }
       }
       return;
     }
     state.BuildPairTable(node.alpha, 5);
   }
-  std::uint32_t item = state.tables[alpha.pair_table + ReteState::Hash(ReteState::PairKey(id, value), alpha.pair_bits)];
-  while (item != kNil) {
-    const AlphaItem& i = state.items[item];
-    item = i.next_in_pair;
-    if (i.id == id && i.value == value) {
-      visit(i.wme);
+  for (std::uint32_t item = state.tables[alpha.pair_table + ReteState::Hash(ReteState::PairKey(id, value), alpha.pair_bits)];
+       item != kNil; item = items[item].next_in_pair) {
+    if (items[item].id == id && items[item].value == value) {
+      visit(items[item].wme);
     }
   }
 }
@@ -96,9 +167,10 @@ inline std::uint32_t KeyOfElement(const Node& node, const Wme& wme) {
 /// Whether a token has the identifier and value that a kIdValue key asks for.
 inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token, const Wme& wme) {
   const Token* tokens = state.tokens.data();
-  return wme.id.bits() == ReteState::FieldOf(state.wmes[ElementAt(tokens, token, node.key_id_levels)],
+  const Wme* wmes = state.wmes.data();
+  return wme.id.bits() == ReteState::FieldOf(wmes[ElementAt(tokens, token, node.key_id_levels)],
                                              node.key_id_field) &&
-         wme.value.bits() == ReteState::FieldOf(state.wmes[ElementAt(tokens, token, node.key_value_levels)],
+         wme.value.bits() == ReteState::FieldOf(wmes[ElementAt(tokens, token, node.key_value_levels)],
                                                 node.key_value_field);
 }
 

@@ -28,7 +28,7 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
     if (test->against_binding) {
       referent = test->levels == 0
                      ? FieldOf(wme, test->referent_field)
-                     : FieldOf(wmes[ElementAt(tokens.data(), left, test->levels - 1u)], test->referent_field);
+                     : FieldOf(wmes.data()[ElementAt(tokens.data(), left, test->levels - 1u)], test->referent_field);
     }
     bool passed = false;
     switch (test->op) {
@@ -103,8 +103,7 @@ void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
   if (index != kNil) {
     free_items = items[index].next;
   } else {
-    index = static_cast<std::uint32_t>(items.size());
-    items.emplace_back();
+    index = items.Append();
   }
   AlphaState& memory = alphas[alpha];
   AlphaItem& item = items[index];
@@ -196,67 +195,15 @@ void ReteState::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
 // Tokens --------------------------------------------------------------------------------------------------------------
 
 std::uint32_t ReteState::NewToken(std::uint32_t node, std::uint32_t parent, std::uint32_t wme) {
-  std::uint32_t index = free_tokens;
-  if (index != kNil) {
-    free_tokens = tokens[index].next_sibling;
-  } else {
-    index = static_cast<std::uint32_t>(tokens.size());
-    tokens.emplace_back();
-  }
-  ++token_count;
-  Token* all = tokens.data();
-  Token& token = all[index];
-  token.parent = parent;
-  token.wme = wme;
-  token.node = node;
-  token.first_child = kNil;
-  token.serial = next_serial++;
-  token.previous_sibling = kNil;
-  token.next_sibling = kNil;
-  if (parent != kNil) {
-    const std::uint32_t sibling = all[parent].first_child;
-    token.next_sibling = sibling;
-    if (sibling != kNil) {
-      all[sibling].previous_sibling = index;
-    }
-    all[parent].first_child = index;
-  }
-  token.previous_of_wme = kNil;
-  token.next_of_wme = kNil;
-  if (wme != kNil) {
-    std::uint32_t& head = links[wme].first_token;
-    token.next_of_wme = head;
-    if (head != kNil) {
-      all[head].previous_of_wme = index;
-    }
-    head = index;
-  }
-  return index;
+  return MakeToken(*this, node, parent, wme);
 }
 
 std::uint32_t ReteState::KeyOfToken(const Node& memory, std::uint32_t token) const {
-  if (memory.key == KeyKind::kNone) {
-    return 0;
-  }
-  const std::uint32_t id = FieldOf(wmes[ElementAt(tokens.data(), token, memory.key_id_levels)], memory.key_id_field);
-  if (memory.key == KeyKind::kId) {
-    return id;
-  }
-  return PairKey(id,
-                 FieldOf(wmes[ElementAt(tokens.data(), token, memory.key_value_levels)], memory.key_value_field));
+  return KeyOfPair(*this, memory, tokens[token].parent, tokens[token].wme);
 }
 
 void ReteState::InsertInChain(std::uint32_t node, std::uint32_t index) {
-  NodeState& state = nodes[node];
-  Token& token = tokens[index];
-  std::uint32_t& head = state.bits == 0 ? state.head : tables[state.head + Hash(token.key, state.bits)];
-  token.previous_in_chain = kNil;
-  token.next_in_chain = head;
-  if (head != kNil) {
-    tokens[head].previous_in_chain = index;
-  }
-  head = index;
-  ++state.count;
+  InsertWithKey(*this, node, index, tokens[index].key, false);
 }
 
 // Each chain is split in place, oldest token first, so that tokens with equal keys stay newest first.
@@ -294,7 +241,8 @@ void ReteState::GrowChains(std::uint32_t node) {
 // Right side ----------------------------------------------------------------------------------------------------------
 
 void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
-  const Node& node = network->node(node_index);
+  const Network& net = *network;
+  const Node& node = net.node(node_index);
   const bool is_join = node.kind == NodeKind::kJoin;
   const std::uint32_t memory = is_join ? node.parent : node_index;
   if (is_join && !nodes[node_index].left_linked) {
@@ -306,11 +254,20 @@ void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
   }
   const Wme element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
-  for (std::uint32_t token = ChainHead(*this, nodes[memory], key); token != kNil;) {
+  std::uint32_t token = ChainHead(*this, nodes[memory], key);
+  if (token == kNil) {
+    return;
+  }
+  const std::uint32_t child = node.first_child;
+  const bool to_one_memory = is_join && child != kNil && net.node(child).kind == NodeKind::kMemory &&
+                             net.node(child).next_sibling == kNil;
+  while (token != kNil) {
     const std::uint32_t next = tokens[token].next_in_chain;
     if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, element)) &&
         (node.test_count == 0 || Passes(node, token, element))) {
-      if (is_join) {
+      if (to_one_memory) {
+        LeftMemory(child, token, wme);
+      } else if (is_join) {
         Emit(node_index, token, wme);
       } else {
         Block(token, wme);
@@ -352,37 +309,46 @@ void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme)
   }
 }
 
-void ReteState::LeftMemory(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
-  const std::uint32_t token = NewToken(node_index, parent, wme);
-  tokens[token].key = KeyOfToken(network->node(node_index), token);
-  InsertInChain(node_index, token);
-  const NodeState& state = nodes[node_index];
-  if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits) &&
-      network->node(node_index).key != KeyKind::kNone) {
-    GrowChains(node_index);
+/// Links a join to its alpha memory because its own memory has tokens. False if there is nothing to join with; the join
+/// is then off its memory's list.
+bool ReteState::LinkJoin(std::uint32_t node) {
+  LinkRight(node);
+  if (alphas[network->node(node).alpha].count == 0) {
+    UnlinkLeft(node);
+    return false;
   }
-  for (std::uint32_t join = state.first_linked; join != kNil;) {
+  return true;
+}
+
+void ReteState::LeftMemory(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
+  const Network& net = *network;
+  const Node& node = net.node(node_index);
+  const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
+  InsertWithKey(*this, node_index, token, KeyOfPair(*this, node, parent, wme), node.key != KeyKind::kNone);
+  for (std::uint32_t join = nodes[node_index].first_linked; join != kNil;) {
     const std::uint32_t next = nodes[join].next_left;
-    LeftJoin(join, token);
+    if (nodes[join].right_linked || LinkJoin(join)) {
+      LeftJoin(join, token);
+    }
     join = next;
   }
 }
 
 void ReteState::LeftJoin(std::uint32_t node_index, std::uint32_t token) {
-  const Node& node = network->node(node_index);
-  if (!nodes[node_index].right_linked) {
-    LinkRight(node_index);
-    if (alphas[node.alpha].count == 0) {
-      UnlinkLeft(node_index);
-      return;
-    }
-  }
-  if (node.test_count == 0) {
-    ForEachRight(*this, node, token, [&](std::uint32_t wme) { Emit(node_index, token, wme); });
+  const Network& net = *network;
+  const Node& node = net.node(node_index);
+  const std::uint32_t child = node.first_child;
+  if (child == kNil) {
     return;
   }
+  const bool to_one_memory = net.node(child).kind == NodeKind::kMemory && net.node(child).next_sibling == kNil;
   ForEachRight(*this, node, token, [&](std::uint32_t wme) {
-    if (Passes(node, token, wmes[wme])) {
+    if (node.test_count != 0 && !Passes(node, token, wmes[wme])) {
+      return;
+    }
+    if (to_one_memory) {
+      LeftMemory(child, token, wme);
+    } else {
       Emit(node_index, token, wme);
     }
   });
@@ -390,14 +356,9 @@ void ReteState::LeftJoin(std::uint32_t node_index, std::uint32_t token) {
 
 void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(node_index);
-  const std::uint32_t token = NewToken(node_index, parent, wme);
-  tokens[token].key = KeyOfToken(node, token);
-  InsertInChain(node_index, token);
-  const NodeState& state = nodes[node_index];
-  if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits) && node.key != KeyKind::kNone) {
-    GrowChains(node_index);
-  }
-  if (!state.right_linked) {
+  const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
+  InsertWithKey(*this, node_index, token, KeyOfPair(*this, node, parent, wme), node.key != KeyKind::kNone);
+  if (!nodes[node_index].right_linked) {
     LinkRight(node_index);
   }
   bool blocked = false;
@@ -421,12 +382,7 @@ void ReteState::LeftConjunctive(std::uint32_t node_index, std::uint32_t parent, 
     }
   }
   const std::uint32_t token = NewToken(node_index, parent, wme);
-  tokens[token].key = key;
-  InsertInChain(node_index, token);
-  const NodeState& state = nodes[node_index];
-  if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits)) {
-    GrowChains(node_index);
-  }
+  InsertWithKey(*this, node_index, token, key, true);
   Emit(node_index, token, kNil);
 }
 
@@ -445,12 +401,7 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   }
   if (owner == kNil) {
     owner = NewToken(node.partner | Token::kBlockedBit, owner_parent, owner_wme);
-    tokens[owner].key = key;
-    InsertInChain(node.partner, owner);
-    const NodeState& state = nodes[node.partner];
-    if (state.count > (state.bits == 0 ? kTinyMemory : 2u << state.bits)) {
-      GrowChains(node.partner);
-    }
+    InsertWithKey(*this, node.partner, owner, key, true);
   } else if ((tokens[owner].node & Token::kBlockedBit) == 0) {
     while (tokens[owner].first_child != kNil) {
       RemoveSubtree(tokens[owner].first_child);

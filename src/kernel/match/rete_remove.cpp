@@ -67,44 +67,66 @@ void ReteState::RemoveItem(std::uint32_t index) {
   free_items = index;
 }
 
-/// Takes a token off the lists of its parent and its element.
-void ReteState::UnlinkToken(std::uint32_t index) {
-  Token* all = tokens.data();
-  Token& token = all[index];
+namespace {
+
+[[gnu::always_inline]] inline void UnlinkFromElement(ReteState& state, const Token& token) {
+  if (token.wme != kNil) [[likely]] {
+    Token* all = state.tokens.data();
+    const std::uint32_t next = token.next_of_wme;
+    const std::uint32_t previous = token.previous_of_wme;
+    if (next != kNil) {
+      all[next].previous_of_wme = previous;
+    }
+    (previous != kNil ? all[previous].next_of_wme : state.links[token.wme].first_token) = next;
+  }
+}
+
+inline void UnlinkFromParent(ReteState& state, const Token& token) {
   if (token.parent != kNil) {
+    Token* all = state.tokens.data();
     if (token.next_sibling != kNil) {
       all[token.next_sibling].previous_sibling = token.previous_sibling;
     }
     (token.previous_sibling != kNil ? all[token.previous_sibling].next_sibling : all[token.parent].first_child) =
         token.next_sibling;
   }
-  if (token.wme != kNil) {
-    if (token.next_of_wme != kNil) {
-      all[token.next_of_wme].previous_of_wme = token.previous_of_wme;
-    }
-    (token.previous_of_wme != kNil ? all[token.previous_of_wme].next_of_wme : links[token.wme].first_token) =
-        token.next_of_wme;
+}
+
+[[gnu::always_inline]] inline void UnlinkFromChain(ReteState& state, NodeState& memory, const Token& token) {
+  Token* all = state.tokens.data();
+  const std::uint32_t next = token.next_in_chain;
+  const std::uint32_t previous = token.previous_in_chain;
+  if (next != kNil) {
+    all[next].previous_in_chain = previous;
   }
+  if (previous != kNil) {
+    all[previous].next_in_chain = next;
+  } else {
+    (memory.bits == 0 ? memory.head : state.tables[memory.head + ReteState::Hash(token.key, memory.bits)]) = next;
+  }
+  --memory.count;
+}
+
+[[gnu::always_inline]] inline void Free(ReteState& state, std::uint32_t index) {
+  state.tokens[index].next_sibling = state.free_tokens;
+  state.free_tokens = index;
+  --state.token_count;
+}
+
+}  // namespace
+
+/// Takes a token off the lists of its parent and its element.
+void ReteState::UnlinkToken(std::uint32_t index) {
+  UnlinkFromParent(*this, tokens[index]);
+  UnlinkFromElement(*this, tokens[index]);
 }
 
 void ReteState::FreeToken(std::uint32_t index) {
-  tokens[index].next_sibling = free_tokens;
-  free_tokens = index;
-  --token_count;
+  Free(*this, index);
 }
 
 void ReteState::RemoveFromChain(std::uint32_t node, std::uint32_t index) {
-  NodeState& state = nodes[node];
-  Token& token = tokens[index];
-  if (token.next_in_chain != kNil) {
-    tokens[token.next_in_chain].previous_in_chain = token.previous_in_chain;
-  }
-  if (token.previous_in_chain != kNil) {
-    tokens[token.previous_in_chain].next_in_chain = token.next_in_chain;
-  } else {
-    (state.bits == 0 ? state.head : tables[state.head + Hash(token.key, state.bits)]) = token.next_in_chain;
-  }
-  --state.count;
+  UnlinkFromChain(*this, nodes[node], tokens[index]);
 }
 
 /// An element that blocked a negative token is going.
@@ -118,47 +140,66 @@ void ReteState::RemoveResult(std::uint32_t index) {
 }
 
 void ReteState::RemoveSubtree(std::uint32_t root) {
+  UnlinkFromParent(*this, tokens[root]);
   std::uint32_t token = root;
   for (;;) {
-    while (tokens[token].first_child != kNil && (tokens[token].node & Token::kBlockedBit) == 0) {
-      token = tokens[token].first_child;
+    Token* all = tokens.data();
+    for (std::uint32_t child = all[token].first_child;
+         child != kNil && (all[token].node & Token::kBlockedBit) == 0; child = all[token].first_child) {
+      token = child;
     }
-    const std::uint32_t parent = tokens[token].parent;
-    RemoveLeaf(token);
     if (token == root) {
+      RemoveLeaf(token);
       return;
     }
+    // It is the first of its parent's children.
+    const std::uint32_t parent = all[token].parent;
+    const std::uint32_t next = all[token].next_sibling;
+    all[parent].first_child = next;
+    if (next != kNil) {
+      all[next].previous_sibling = kNil;
+    }
+    RemoveLeaf(token);
     token = parent;
   }
 }
 
-void ReteState::RemoveLeaf(std::uint32_t index) {
-  UnlinkToken(index);
-  const std::uint32_t node_bits = tokens[index].node;
+/// Ends a token that has no children any more and is off its parent's list.
+inline void ReteState::RemoveLeaf(std::uint32_t index) {
+  const Token& token = tokens[index];
+  UnlinkFromElement(*this, token);
+  const std::uint32_t node_bits = token.node;
   if ((node_bits & Token::kResultBit) != 0) {
-    FreeToken(index);
+    Free(*this, index);
     return;
   }
   const std::uint32_t node = node_bits & Token::kNodeMask;
-  switch (network->node(node).kind) {
-    case NodeKind::kMemory:
-      RemoveFromChain(node, index);
-      FreeToken(index);
-      if (nodes[node].count == 0) {
-        for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
-          if (nodes[join].right_linked) {
-            UnlinkRight(join);
-          }
+  const NodeKind kind = network->node(node).kind;
+  if (kind == NodeKind::kMemory || kind == NodeKind::kNegative) [[likely]] {
+    UnlinkFromChain(*this, nodes[node], token);
+    Free(*this, index);
+    if (nodes[node].count == 0) {
+      if (kind == NodeKind::kNegative) {
+        if (nodes[node].right_linked) {
+          UnlinkRight(node);
+        }
+        return;
+      }
+      for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
+        if (nodes[join].right_linked) {
+          UnlinkRight(join);
         }
       }
-      break;
-    case NodeKind::kNegative:
-      RemoveFromChain(node, index);
-      FreeToken(index);
-      if (nodes[node].count == 0 && nodes[node].right_linked) {
-        UnlinkRight(node);
-      }
-      break;
+    }
+    return;
+  }
+  RemoveRareLeaf(index, kind);
+}
+
+void ReteState::RemoveRareLeaf(std::uint32_t index, NodeKind kind) {
+  const std::uint32_t node_bits = tokens[index].node;
+  const std::uint32_t node = node_bits & Token::kNodeMask;
+  switch (kind) {
     case NodeKind::kConjunctive:
       if ((node_bits & Token::kBlockedBit) != 0) {
         for (std::uint32_t result = tokens[index].first_child; result != kNil;) {
@@ -198,6 +239,8 @@ void ReteState::RemoveLeaf(std::uint32_t index) {
       matches.TokenGone(match, can_return, last_timetag);
       break;
     }
+    case NodeKind::kMemory:
+    case NodeKind::kNegative:
     case NodeKind::kFree:
     case NodeKind::kRoot:
     case NodeKind::kJoin: break;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <span>
@@ -9,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/match/flat_array.h"
 #include "kernel/match/match_set.h"
 #include "kernel/match/network.h"
 #include "kernel/match/rete.h"
@@ -100,11 +103,11 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::shared_ptr<Network> network;                ///< Changed only while this agent alone holds it.
   std::function<void(ProductionId)> on_mixed_support;
 
-  std::vector<Token> tokens;
+  FlatArray<Token> tokens;
   std::uint32_t free_tokens = kNil;
   std::uint32_t token_count = 0;
   std::uint32_t next_serial = 0;
-  std::vector<AlphaItem> items;
+  FlatArray<AlphaItem> items;
   std::uint32_t free_items = kNil;
   std::vector<AlphaState> alphas;
   std::vector<NodeState> nodes;
@@ -135,6 +138,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftMemory(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftJoin(std::uint32_t node, std::uint32_t token);
+  bool LinkJoin(std::uint32_t node);
   void LeftNegative(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftConjunctive(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftPartner(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
@@ -161,6 +165,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void RemoveResult(std::uint32_t token);
   void RemoveSubtree(std::uint32_t token);
   void RemoveLeaf(std::uint32_t token);
+  void RemoveRareLeaf(std::uint32_t token, NodeKind kind);
   void RemoveFromChain(std::uint32_t node, std::uint32_t token);
   void UnlinkToken(std::uint32_t token);
   void FreeToken(std::uint32_t token);
@@ -202,7 +207,11 @@ struct [[gnu::visibility("hidden")]] ReteState {
   static std::uint32_t Hash(std::uint32_t key, std::uint32_t bits) { return (key * 0x9E3779B1u) >> (32u - bits); }
   static std::uint32_t PairKey(std::uint32_t id, std::uint32_t value) { return (id * 0x85EBCA6Bu) ^ (value * 0xC2B2AE35u); }
   static std::uint32_t FieldOf(const Wme& wme, Field field) {
-    return field == Field::kId ? wme.id.bits() : field == Field::kAttribute ? wme.attribute.bits() : wme.value.bits();
+    static_assert(offsetof(Wme, id) == 0 && offsetof(Wme, attribute) == 4 && offsetof(Wme, value) == 8 &&
+                  static_cast<int>(Field::kValue) == 2 && sizeof(Symbol) == 4);
+    std::uint32_t bits;
+    std::memcpy(&bits, reinterpret_cast<const char*>(&wme) + 4 * static_cast<std::size_t>(field), sizeof(bits));
+    return bits;
   }
   GoalLevel GoalLevelOf(Symbol id) const {
     return id.IsIdentifier() && id.index() < goals.level_of_goal.size() ? goals.level_of_goal[id.index()] : GoalLevel{0};
