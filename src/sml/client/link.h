@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -32,6 +33,7 @@ struct OutputWme {
   long long integer = 0;
   double real = 0.0;
   long long value_id = 0;          ///< For identifiers.
+  std::uint32_t value_hint = 0;    ///< The kernel's handle of the value, if it is in this process.
 };
 
 /// A kernel's identifier ("F12") as one number, for maps; 0 for anything else.

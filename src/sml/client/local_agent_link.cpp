@@ -87,6 +87,7 @@ OutputWme LocalAgentLink::Describe(bool add, long long tag, kernel::Symbol id, k
   if (value.IsIdentifier()) {
     wme.type = InputWme::Type::kId;
     wme.value_id = IdentifierKey(symbols.Letter(value), symbols.Number(value));
+    wme.value_hint = value.bits();
   } else if (value.IsInteger()) {
     wme.type = InputWme::Type::kInt;
     wme.integer = symbols.IntegerValue(value);

@@ -36,7 +36,7 @@ class LocalAgentLink final : public AgentLink {
   int Phase() override { return static_cast<int>(hosted_.agent().next_phase()); }
   int DecisionCount() override { return static_cast<int>(hosted_.agent().counters().decision_phases); }
   int RunState() override { return hosted_.run_state; }
-  bool OnRunList() override { return hosted_.on_run_list; }
+  bool OnRunList() override { return host_.OnRunList(hosted_); }
   int LastRunResult() override { return hosted_.last_result; }
   void StopSelf() override { hosted_.RequestStop(); }
   void Register(int event) override { host_.Register(connection_, &hosted_, event); }

@@ -56,6 +56,7 @@ class EXPORT IdentifierSymbol {
   std::vector<Identifier*> users_;
   std::list<WMElement*> children_;
   bool children_modified_ = false;
+  unsigned int hint_ = 0;  ///< The kernel's handle, if it is in this process.
 };
 
 /// An element whose value is an identifier: a node of the input or output structure. A command on the output link is

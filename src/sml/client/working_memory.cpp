@@ -53,6 +53,7 @@ IdentifierSymbol* WorkingMemory::NewSymbol(std::string_view name) {
   symbol->name_ = name;
   symbol->users_.clear();
   symbol->children_modified_ = false;
+  symbol->hint_ = 0;
   return symbol;
 }
 
@@ -239,6 +240,7 @@ InputWme WorkingMemory::Describe(const WMElement* element) const {
   InputWme described;
   described.tag = wme->time_tag_;
   described.id = wme->parent_->name_;
+  described.id_hint = wme->parent_->hint_;
   described.attribute = wme->attribute_;
   if (auto* number = wme->ConvertToFloatElement()) {
     described.type = InputWme::Type::kDouble;

@@ -86,6 +86,7 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
       Identifier* made = Take(identifiers_);
       made->symbol_ = SymbolFor(wme.value_id);
       made->symbol_->users_.push_back(made);
+      made->symbol_->hint_ = wme.value_hint;
       Attach(made, parent, wme.attribute, wme.tag, true);
       return made;
     }

@@ -9,19 +9,33 @@ namespace soarbox::server {
 
 namespace {
 
-/// The live identifier with a kernel's name such as "F12"; none if the text is no such name.
-kernel::Symbol FindIdentifier(const kernel::SymbolTable& symbols, std::string_view name) {
-  if (name.size() < 2 || name[0] < 'A' || name[0] > 'Z') return {};
+/// The number in a kernel's name such as "F12"; 0 if the text is no such name.
+std::uint64_t NumberOf(std::string_view name) {
+  if (name.size() < 2 || name[0] < 'A' || name[0] > 'Z') return 0;
   std::uint64_t number = 0;
   const auto [stop, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
-  if (error != std::errc() || stop != name.data() + name.size()) return {};
-  return symbols.FindIdentifier(name[0], number);
+  return error == std::errc() && stop == name.data() + name.size() ? number : 0;
+}
+
+/// The live identifier with a kernel's name; none if there is none.
+kernel::Symbol FindIdentifier(const kernel::SymbolTable& symbols, std::string_view name) {
+  const std::uint64_t number = NumberOf(name);
+  return number == 0 ? kernel::Symbol() : symbols.FindIdentifier(name[0], number);
 }
 
 }  // namespace
 
-kernel::InputObject AgentInput::Resolve(std::string_view name) {
+kernel::InputObject AgentInput::Resolve(std::string_view name, std::uint32_t hint) {
   if (name.empty()) return kernel::InputObject::kNone;
+  if (hint != 0) {
+    // The handle may have gone to another identifier since.
+    const kernel::Symbol symbol = kernel::Symbol::FromBits(hint);
+    const kernel::SymbolTable& symbols = std::as_const(agent_).symbols();
+    if (symbol.IsIdentifier() && agent_.memory().identifier(symbol).live && symbols.Letter(symbol) == name[0] &&
+        symbols.Number(symbol) == NumberOf(name)) {
+      return agent_.input().ObjectFor(symbol);
+    }
+  }
   const auto found = objects_.find(name);
   if (found != objects_.end()) return found->second;
   const kernel::Symbol identifier = FindIdentifier(agent_.symbols(), name);
@@ -46,7 +60,7 @@ kernel::InputValue AgentInput::Value(const InputWme& wme) {
 }
 
 void AgentInput::Add(const InputWme& wme) {
-  const kernel::InputObject parent = Resolve(wme.id);
+  const kernel::InputObject parent = Resolve(wme.id, wme.id_hint);
   if (parent == kernel::InputObject::kNone || wme.attribute.empty() || wme.tag == 0) return;
   elements_.Set(wme.tag, agent_.input().Add(parent, wme.attribute, Value(wme)));
 }

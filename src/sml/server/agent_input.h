@@ -34,7 +34,7 @@ class AgentInput {
   void Tidy();
 
  private:
-  kernel::InputObject Resolve(std::string_view name);
+  kernel::InputObject Resolve(std::string_view name, std::uint32_t hint = 0);
   kernel::InputValue Value(const InputWme& wme);
 
   kernel::Agent& agent_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,6 +31,7 @@ struct InputWme {
   bool add = true;
   long long tag = 0;
   std::string_view id;         ///< The parent, as the client or the kernel names it.
+  std::uint32_t id_hint = 0;   ///< The kernel's handle of the parent when the client heard of it; 0 if it never did.
   std::string_view attribute;
   Type type = Type::kString;
   std::string_view text;       ///< A string, or the name of an identifier.

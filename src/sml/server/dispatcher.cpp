@@ -75,7 +75,7 @@ void IsProductionLoaded(Request& request) {
   request.Raw(request.agent->agent().FindProduction(*name) != kernel::ProductionId::kNone);
 }
 
-void OnRunList(Request& request) { request.Raw(request.agent->on_run_list); }
+void OnRunList(Request& request) { request.Raw(request.host.OnRunList(*request.agent)); }
 
 void LastRunResult(Request& request) { request.Raw(static_cast<long long>(request.agent->last_result)); }
 

@@ -21,8 +21,8 @@ HostedAgent* KernelHost::CreateAgent(const std::string& name) {
   auto created = std::make_unique<HostedAgent>(name);
   HostedAgent* hosted = created.get();
   by_name_.emplace(name, std::move(created));
-  order_.clear();
-  for (const auto& entry : by_name_) order_.push_back(entry.second.get());
+  const auto before = [](const HostedAgent* known, const std::string& wanted) { return known->name() < wanted; };
+  order_.insert(std::lower_bound(order_.begin(), order_.end(), name, before), hosted);
   InstallFunctions(*hosted);
   SourceSettings(*hosted);
   return hosted;
@@ -126,7 +126,7 @@ void KernelHost::Initialize(HostedAgent& hosted) {
   hosted.FlushPrint();
   hosted.FireOutput({});
   hosted.run_state = sml_RUNSTATE_STOPPED;
-  hosted.on_run_list = false;
+  hosted.last_run = 0;
   FireAgent(hosted, smlEVENT_AFTER_AGENT_REINITIALIZED);
   hosted.FlushXmlTrace();
 }

@@ -61,6 +61,8 @@ class KernelHost : public cli::Host {
 
   kernel::RunResult RunAgents(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given);
   bool running() const { return run_.running(); }
+  /// The agent took part in the last run.
+  bool OnRunList(const HostedAgent& hosted) const { return hosted.last_run != 0 && hosted.last_run == run_.number(); }
   /// Asks all agents to stop, from any thread.
   void StopAll() { stop_requests_.fetch_add(1, std::memory_order_acq_rel); }
   /// How often that was asked; a run ends when the number changes.

@@ -42,7 +42,11 @@ bool EndsAtStopPhase(const cli::RunRequest& request) {
 
 kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
   // Requests to stop count from the moment from which others can see that there is a run.
-  for (HostedAgent* hosted : host_.agents()) hosted->ClearStop();
+  addressed.ClearStop();
+  if (!request.self_only) {
+    for (HostedAgent* hosted : host_.agents()) hosted->ClearStop();
+  }
+  ++number_;
   stop_requests_ = host_.stop_requests();
   running_ = true;
   run_flags_ = (request.self_only ? sml_RUN_SELF : sml_RUN_ALL) | (request.update_world || request.self_only ? 0 : sml_DONT_UPDATE_WORLD);
@@ -90,10 +94,9 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
     runner.active = runner.remaining > 0;
     runners_.push_back(runner);
   };
-  for (HostedAgent* hosted : host_.agents()) {
-    hosted->on_run_list = false;
-    if (request.self_only && hosted != &addressed) continue;
-    add(*hosted);
+  // A run of one agent touches no other: its cost does not depend on how many there are.
+  if (!request.self_only) {
+    for (HostedAgent* hosted : host_.agents()) add(*hosted);
   }
   if (runners_.empty()) add(addressed);
   if (request.until_goal_removed && !addressed.agent().goals().empty()) {
@@ -101,7 +104,7 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
   }
   for (std::size_t i = 0; i < runners_.size(); ++i) {
     HostedAgent& hosted = *runners_[i].hosted;
-    hosted.on_run_list = true;
+    hosted.last_run = number_;
     hosted.last_result = sml_RUN_EXECUTING;
     hosted.agent().ClearStopRequest();
     if (hosted.agent().halted()) {

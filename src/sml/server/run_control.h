@@ -28,6 +28,8 @@ class RunControl {
   /// `interleave` as in the request, unless the request leaves it open (see InterleaveOf).
   kernel::RunResult Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given);
   bool running() const { return running_; }
+  /// Of the run that is under way, or of the last one; from 1.
+  std::uint64_t number() const { return number_; }
 
   /// Elaborations between interrupt checks. Values below 1 count as 1.
   void SetInterruptCheckRate(int rate) { check_rate_ = rate < 1 ? 1 : rate; }
@@ -66,6 +68,7 @@ class RunControl {
   KernelHost& host_;
   std::atomic<bool> running_{false};
   kernel::RunUnit unit_ = kernel::RunUnit::kForever;   ///< Of the run that is under way.
+  std::uint64_t number_ = 0;
   int check_rate_ = 10;
   int run_flags_ = 0;
   std::uint64_t stop_requests_ = 0;
