@@ -42,7 +42,7 @@ ReteBuilder::Binding& ReteBuilder::BindingOf(Symbol variable) {
 
 void ReteBuilder::Unbind(std::size_t trail) {
   while (trail_.size() > trail) {
-    bindings_[trail_.back()].depth = kNil;
+    bindings_[trail_.back().variable] = trail_.back().before;
     trail_.pop_back();
   }
 }
@@ -74,15 +74,16 @@ void ReteBuilder::AddEquality(const Test& test, Field field, std::uint32_t depth
     return;
   }
   Binding& binding = BindingOf(test.referent);
-  if (binding.depth == kNil) {
-    binding.depth = depth;
-    binding.field = field;
-    trail_.push_back(test.referent.index());
+  const Binding before = binding;
+  trail_.push_back({test.referent.index(), before});
+  binding.depth = depth;
+  binding.field = field;
+  if (before.depth == kNil) {
     return;
   }
   node_test.against_binding = true;
-  node_test.levels = static_cast<std::uint16_t>(depth - binding.depth);
-  node_test.referent_field = binding.field;
+  node_test.levels = static_cast<std::uint16_t>(depth - before.depth);
+  node_test.referent_field = before.field;
   tests_.tests.push_back(node_test);
 }
 

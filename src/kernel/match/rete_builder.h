@@ -16,7 +16,8 @@ struct ReteState;
 ///
 /// Depth counts conditions from the top, negated ones and conjunctive negations as one each; inside a conjunctive
 /// negation it goes on from the conditions in front of it. A binding at depth b is seen from a condition at depth d as
-/// d - b levels up.
+/// d - b levels up. A condition that tests a variable for equality binds it anew, so that later conditions find it as
+/// few levels up as can be.
 class ReteBuilder {
  public:
   explicit ReteBuilder(ReteState& state) : state_(state) {}
@@ -28,6 +29,10 @@ class ReteBuilder {
   struct Binding {
     std::uint32_t depth = kNil;   ///< kNil: unbound.
     Field field = Field::kId;
+  };
+  struct Rebinding {
+    std::uint32_t variable = 0;
+    Binding before;
   };
   /// The tests of one condition, taken apart.
   struct Tests {
@@ -56,7 +61,7 @@ class ReteBuilder {
   ReteState& state_;
   Tests tests_;
   std::vector<Binding> bindings_;        ///< By variable.
-  std::vector<std::uint32_t> trail_;     ///< Variables bound, in order.
+  std::vector<Rebinding> trail_;         ///< What was bound, in order, and what it was before.
 };
 
 }  // namespace soarbox::kernel

@@ -91,7 +91,7 @@ inline std::uint32_t ElementAt(const Token* tokens, std::uint32_t token, std::ui
   if (next != kNil) {
     all[next].previous_in_chain = index;
   }
-  if (++memory.count > (memory.bits == 0 ? kTinyMemory : 2u << memory.bits) && keyed) [[unlikely]] {
+  if (++memory.count > (memory.bits == 0 ? kTinyMemory : 1u << memory.bits) && keyed) [[unlikely]] {
     state.GrowChains(node);
   }
 }

@@ -122,7 +122,7 @@ void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
   ++memory.count;
 
   if (memory.id_bits != 0) {
-    if (memory.count > 2u << memory.id_bits) {
+    if (memory.count > 1u << memory.id_bits) {
       BuildIdTable(alpha, static_cast<std::uint8_t>(memory.id_bits + 2));
     } else {
       std::uint32_t& head = tables[memory.id_table + Hash(item.id, memory.id_bits)];
@@ -135,7 +135,7 @@ void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
     }
   }
   if (memory.pair_bits != 0) {
-    if (memory.count > 2u << memory.pair_bits) {
+    if (memory.count > 1u << memory.pair_bits) {
       BuildPairTable(alpha, static_cast<std::uint8_t>(memory.pair_bits + 2));
     } else {
       std::uint32_t& head = tables[memory.pair_table + Hash(PairKey(item.id, item.value), memory.pair_bits)];
@@ -148,7 +148,7 @@ void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
 // Both walk from the oldest item, so that each chain is newest first again.
 void ReteState::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
   AlphaState& memory = alphas[alpha];
-  while (memory.count > 2u << bits) {
+  while (memory.count > 1u << bits) {
     ++bits;
   }
   if (memory.id_bits != 0) {
@@ -173,7 +173,7 @@ void ReteState::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
 
 void ReteState::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
   AlphaState& memory = alphas[alpha];
-  while (memory.count > 2u << bits) {
+  while (memory.count > 1u << bits) {
     ++bits;
   }
   if (memory.pair_bits != 0) {
