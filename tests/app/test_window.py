@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""The window shows the thesis' world: sky, ground, agents, debug lines and the scripts' text panel."""
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from png_picture import Picture
+from soarbox_command import COMMAND
+
+WIDTH, HEIGHT = 1280, 720
+
+
+def is_sky(r, g, b):
+    return b > 140 and b > r + 15
+
+
+def is_ground(r, g, b):
+    return r > b + 15 and 90 < r < 220 and abs(r - g) < 40
+
+
+def is_follower(r, g, b):
+    return b > 110 and b > 2 * r and b > g + 20
+
+
+def is_leader(r, g, b):
+    return r > 170 and 90 < g < 200 and b < 70
+
+
+def is_green_line(r, g, b):
+    return g > 220 and r < 90 and b < 90
+
+
+def is_text(r, g, b):
+    return min(r, g, b) > 200
+
+
+@unittest.skipUnless(shutil.which("xvfb-run"), "no virtual display at hand")
+class Window(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        path = pathlib.Path(folder.name) / "picture.png"
+        # At this moment of this run the whole group passes before the camera.
+        cls.done = subprocess.run(
+            ["xvfb-run", "-a", "-s", f"-screen 0 {WIDTH}x{HEIGHT}x24", COMMAND, "run", "thesis", "--seed", "19",
+             "--screenshot", str(path), "--at", "79.2"],
+            capture_output=True, text=True, timeout=240, check=False)
+        cls.picture = Picture(path) if path.exists() else None
+
+    def setUp(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        self.assertIsNotNone(self.picture)
+
+    def test_picture_has_the_size_asked_for(self):
+        self.assertEqual((self.picture.width, self.picture.height), (WIDTH, HEIGHT))
+
+    def test_sky_is_above_and_ground_below(self):
+        sky = self.picture.count(is_sky, (0, 40, WIDTH, 110), step=4)
+        self.assertGreater(sky, 0.8 * (WIDTH // 4) * (70 // 4))
+        ground = self.picture.count(is_ground, (0, 560, 900, HEIGHT), step=4)
+        self.assertGreater(ground, 0.7 * (900 // 4) * (160 // 4))
+
+    def test_agents_of_both_kinds_are_there(self):
+        self.assertGreater(self.picture.count(is_follower, (0, 200, 930, HEIGHT)), 1500)
+        self.assertGreater(self.picture.count(is_leader, (0, 200, 930, HEIGHT)), 1500)
+
+    def test_debug_lines_are_there(self):
+        self.assertGreater(self.picture.count(is_green_line), 300)
+
+    def test_help_panel_holds_text(self):
+        self.assertGreater(self.picture.count(is_text, (940, 495, 1260, 685)), 400)
+
+
+if __name__ == "__main__":
+    unittest.main()
