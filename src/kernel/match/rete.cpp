@@ -104,7 +104,7 @@ Rete::Statistics Rete::statistics() const {
 
 std::size_t Rete::MemoryBytes() const {
   const ReteState& s = *state_;
-  return s.tokens.capacity() * sizeof(Token) + s.items.capacity() * sizeof(AlphaItem) +
+  return s.tokens.MemoryBytes() + s.items.MemoryBytes() +
          s.alphas.capacity() * sizeof(AlphaState) + s.nodes.capacity() * sizeof(NodeState) +
          s.links.capacity() * sizeof(WmeLinks) + s.tables.MemoryBytes() + matches_.MemoryBytes();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <utility>
+
 #include "kernel/match/rete_state.h"
 
 /// The innermost loops, shared by the files of the Rete.
@@ -10,7 +12,7 @@ namespace soarbox::kernel {
 inline constexpr std::uint32_t kTinyMemory = 8;
 
 /// The element bound `levels` steps up from a token.
-inline std::uint32_t ElementAt(const Token* tokens, std::uint32_t token, std::uint32_t levels) {
+inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t token, std::uint32_t levels) {
   while (levels-- > 0) {
     token = tokens[token].parent;
   }
@@ -27,13 +29,12 @@ inline std::uint32_t ElementAt(const Token* tokens, std::uint32_t token, std::ui
     index = state.tokens.Append();
   }
   ++state.token_count;
-  Token* all = state.tokens.data();
+  const Records<Token> all = state.tokens.records();
   Token& token = all[index];
   token.parent = parent;
   token.wme = wme;
   token.node = node;
   token.first_child = kNil;
-  token.serial = state.next_serial++;
   token.previous_sibling = kNil;
   std::uint32_t sibling = kNil;
   if (parent != kNil) [[likely]] {
@@ -58,29 +59,38 @@ inline std::uint32_t ElementAt(const Token* tokens, std::uint32_t token, std::ui
   return index;
 }
 
+/// What a token of a memory is indexed by.
+struct KeyParts {
+  std::uint32_t key = 0;    ///< As in Token::key.
+  std::uint32_t id = 0;     ///< kId, kIdValue.
+  std::uint32_t value = 0;  ///< kIdValue.
+};
+
 /// The key of a token of a memory that stands for (parent, wme).
-[[gnu::always_inline]] inline std::uint32_t KeyOfPair(const ReteState& state, const Node& memory, std::uint32_t parent,
-                                                      std::uint32_t wme) {
+[[gnu::always_inline]] inline KeyParts KeyOfPair(const ReteState& state, const Node& memory, std::uint32_t parent,
+                                                 std::uint32_t wme) {
+  KeyParts parts;
   if (memory.key == KeyKind::kNone) {
-    return 0;
+    return parts;
   }
-  const Token* tokens = state.tokens.data();
+  const Records<const Token> tokens = std::as_const(state.tokens).records();
   const Wme* wmes = state.wmes.data();
   const std::uint32_t with_id = memory.key_id_levels == 0 ? wme : ElementAt(tokens, parent, memory.key_id_levels - 1u);
-  const std::uint32_t id = ReteState::FieldOf(wmes[with_id], memory.key_id_field);
-  if (memory.key == KeyKind::kId) {
-    return id;
+  parts.key = parts.id = ReteState::FieldOf(wmes[with_id], memory.key_id_field);
+  if (memory.key == KeyKind::kIdValue) {
+    const std::uint32_t with_value =
+        memory.key_value_levels == 0 ? wme : ElementAt(tokens, parent, memory.key_value_levels - 1u);
+    parts.value = ReteState::FieldOf(wmes[with_value], memory.key_value_field);
+    parts.key = ReteState::PairKey(parts.id, parts.value);
   }
-  const std::uint32_t with_value =
-      memory.key_value_levels == 0 ? wme : ElementAt(tokens, parent, memory.key_value_levels - 1u);
-  return ReteState::PairKey(id, ReteState::FieldOf(wmes[with_value], memory.key_value_field));
+  return parts;
 }
 
 /// Puts a token at the head of its chain and lets the table grow with the memory.
 [[gnu::always_inline]] inline void InsertWithKey(ReteState& state, std::uint32_t node, std::uint32_t index,
                                                  std::uint32_t key, bool keyed) {
   NodeState& memory = state.nodes[node];
-  Token* all = state.tokens.data();
+  const Records<Token> all = state.tokens.records();
   std::uint32_t& head =
       memory.bits == 0 ? memory.head : state.tables[memory.head + ReteState::Hash(key, memory.bits)];
   const std::uint32_t next = head;
@@ -96,18 +106,17 @@ inline std::uint32_t ElementAt(const Token* tokens, std::uint32_t token, std::ui
   }
 }
 
-/// Calls visit(element) for each element that the index of the right side offers for a left token, newest first. Tests
-/// are still to be made. Nothing may be added to or removed from the alpha memory meanwhile.
+/// Calls visit(element) for each element that the index of the right side offers for a left token with this key, newest
+/// first. Tests are still to be made. Nothing may be added to or removed from the alpha memory meanwhile.
 template <typename Visit>
-[[gnu::always_inline]] inline void ForEachRight(ReteState& state, const Node& node, std::uint32_t left, Visit&& visit) {
+[[gnu::always_inline]] inline void ForEachRight(ReteState& state, const Node& node, const KeyParts& key, Visit&& visit) {
   const AlphaState& alpha = state.alphas[node.alpha];
-  const AlphaItem* items = state.items.data();
+  const Records<const AlphaItem> items = std::as_const(state.items).records();
   if (node.key == KeyKind::kId) [[likely]] {
-    const std::uint32_t id = state.tokens[left].key;
     if (alpha.id_bits == 0) {
       if (alpha.count <= kTinyMemory) {
         for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
-          if (items[item].id == id) {
+          if (items[item].id == key.id) {
             visit(items[item].wme);
           }
         }
@@ -115,9 +124,9 @@ template <typename Visit>
       }
       state.BuildIdTable(node.alpha, 5);
     }
-    for (std::uint32_t item = state.tables[alpha.id_table + ReteState::Hash(id, alpha.id_bits)]; item != kNil;
+    for (std::uint32_t item = state.tables[alpha.id_table + ReteState::Hash(key.id, alpha.id_bits)]; item != kNil;
          item = items[item].next_in_bucket) {
-      if (items[item].id == id) {
+      if (items[item].id == key.id) {
         visit(items[item].wme);
       }
     }
@@ -129,16 +138,10 @@ template <typename Visit>
     }
     return;
   }
-  const Token* tokens = state.tokens.data();
-  const Wme* wmes = state.wmes.data();
-  const std::uint32_t id =
-      ReteState::FieldOf(wmes[ElementAt(tokens, left, node.key_id_levels)], node.key_id_field);
-  const std::uint32_t value =
-      ReteState::FieldOf(wmes[ElementAt(tokens, left, node.key_value_levels)], node.key_value_field);
   if (alpha.pair_bits == 0) {
     if (alpha.count <= kTinyMemory) {
       for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
-        if (items[item].id == id && items[item].value == value) {
+        if (items[item].id == key.id && items[item].value == key.value) {
           visit(items[item].wme);
         }
       }
@@ -146,9 +149,9 @@ template <typename Visit>
     }
     state.BuildPairTable(node.alpha, 5);
   }
-  for (std::uint32_t item = state.tables[alpha.pair_table + ReteState::Hash(ReteState::PairKey(id, value), alpha.pair_bits)];
-       item != kNil; item = items[item].next_in_pair) {
-    if (items[item].id == id && items[item].value == value) {
+  for (std::uint32_t item = state.tables[alpha.pair_table + ReteState::Hash(key.key, alpha.pair_bits)]; item != kNil;
+       item = items[item].next_in_pair) {
+    if (items[item].id == key.id && items[item].value == key.value) {
       visit(items[item].wme);
     }
   }
@@ -166,7 +169,7 @@ inline std::uint32_t KeyOfElement(const Node& node, const Wme& wme) {
 
 /// Whether a token has the identifier and value that a kIdValue key asks for.
 inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token, const Wme& wme) {
-  const Token* tokens = state.tokens.data();
+  const Records<const Token> tokens = std::as_const(state.tokens).records();
   const Wme* wmes = state.wmes.data();
   return wme.id.bits() == ReteState::FieldOf(wmes[ElementAt(tokens, token, node.key_id_levels)],
                                              node.key_id_field) &&

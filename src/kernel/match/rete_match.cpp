@@ -28,7 +28,7 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
     if (test->against_binding) {
       referent = test->levels == 0
                      ? FieldOf(wme, test->referent_field)
-                     : FieldOf(wmes.data()[ElementAt(tokens.data(), left, test->levels - 1u)], test->referent_field);
+                     : FieldOf(wmes.data()[ElementAt(tokens.records(), left, test->levels - 1u)], test->referent_field);
     }
     bool passed = false;
     switch (test->op) {
@@ -199,7 +199,7 @@ std::uint32_t ReteState::NewToken(std::uint32_t node, std::uint32_t parent, std:
 }
 
 std::uint32_t ReteState::KeyOfToken(const Node& memory, std::uint32_t token) const {
-  return KeyOfPair(*this, memory, tokens[token].parent, tokens[token].wme);
+  return KeyOfPair(*this, memory, tokens[token].parent, tokens[token].wme).key;
 }
 
 void ReteState::InsertInChain(std::uint32_t node, std::uint32_t index) {
@@ -324,45 +324,44 @@ void ReteState::LeftMemory(std::uint32_t node_index, std::uint32_t parent, std::
   const Network& net = *network;
   const Node& node = net.node(node_index);
   const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
-  InsertWithKey(*this, node_index, token, KeyOfPair(*this, node, parent, wme), node.key != KeyKind::kNone);
+  const KeyParts key = KeyOfPair(*this, node, parent, wme);
+  InsertWithKey(*this, node_index, token, key.key, node.key != KeyKind::kNone);
   for (std::uint32_t join = nodes[node_index].first_linked; join != kNil;) {
-    const std::uint32_t next = nodes[join].next_left;
-    if (nodes[join].right_linked || LinkJoin(join)) {
-      LeftJoin(join, token);
+    const std::uint32_t index = join;
+    join = nodes[index].next_left;
+    if (!nodes[index].right_linked && !LinkJoin(index)) {
+      continue;
     }
-    join = next;
+    const Node& joined = net.node(index);
+    const std::uint32_t child = joined.first_child;
+    if (child == kNil) {
+      continue;
+    }
+    const bool to_one_memory = net.node(child).kind == NodeKind::kMemory && net.node(child).next_sibling == kNil;
+    ForEachRight(*this, joined, key, [&](std::uint32_t element) {
+      if (joined.test_count != 0 && !Passes(joined, token, wmes[element])) {
+        return;
+      }
+      if (to_one_memory) {
+        LeftMemory(child, token, element);
+      } else {
+        Emit(index, token, element);
+      }
+    });
   }
-}
-
-void ReteState::LeftJoin(std::uint32_t node_index, std::uint32_t token) {
-  const Network& net = *network;
-  const Node& node = net.node(node_index);
-  const std::uint32_t child = node.first_child;
-  if (child == kNil) {
-    return;
-  }
-  const bool to_one_memory = net.node(child).kind == NodeKind::kMemory && net.node(child).next_sibling == kNil;
-  ForEachRight(*this, node, token, [&](std::uint32_t wme) {
-    if (node.test_count != 0 && !Passes(node, token, wmes[wme])) {
-      return;
-    }
-    if (to_one_memory) {
-      LeftMemory(child, token, wme);
-    } else {
-      Emit(node_index, token, wme);
-    }
-  });
 }
 
 void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(node_index);
   const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
-  InsertWithKey(*this, node_index, token, KeyOfPair(*this, node, parent, wme), node.key != KeyKind::kNone);
+  tokens[token].serial = next_serial++;
+  const KeyParts key = KeyOfPair(*this, node, parent, wme);
+  InsertWithKey(*this, node_index, token, key.key, node.key != KeyKind::kNone);
   if (!nodes[node_index].right_linked) {
     LinkRight(node_index);
   }
   bool blocked = false;
-  ForEachRight(*this, node, token, [&](std::uint32_t element) {
+  ForEachRight(*this, node, key, [&](std::uint32_t element) {
     if (node.test_count == 0 || Passes(node, token, wmes[element])) {
       NewToken(node_index | Token::kResultBit, token, element);
       blocked = true;
@@ -382,6 +381,7 @@ void ReteState::LeftConjunctive(std::uint32_t node_index, std::uint32_t parent, 
     }
   }
   const std::uint32_t token = NewToken(node_index, parent, wme);
+  tokens[token].serial = next_serial++;
   InsertWithKey(*this, node_index, token, key, true);
   Emit(node_index, token, kNil);
 }
@@ -401,6 +401,7 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   }
   if (owner == kNil) {
     owner = NewToken(node.partner | Token::kBlockedBit, owner_parent, owner_wme);
+    tokens[owner].serial = next_serial++;
     InsertWithKey(*this, node.partner, owner, key, true);
   } else if ((tokens[owner].node & Token::kBlockedBit) == 0) {
     while (tokens[owner].first_child != kNil) {

@@ -71,7 +71,7 @@ namespace {
 
 [[gnu::always_inline]] inline void UnlinkFromElement(ReteState& state, const Token& token) {
   if (token.wme != kNil) [[likely]] {
-    Token* all = state.tokens.data();
+    const Records<Token> all = state.tokens.records();
     const std::uint32_t next = token.next_of_wme;
     const std::uint32_t previous = token.previous_of_wme;
     if (next != kNil) {
@@ -83,7 +83,7 @@ namespace {
 
 inline void UnlinkFromParent(ReteState& state, const Token& token) {
   if (token.parent != kNil) {
-    Token* all = state.tokens.data();
+    const Records<Token> all = state.tokens.records();
     if (token.next_sibling != kNil) {
       all[token.next_sibling].previous_sibling = token.previous_sibling;
     }
@@ -93,7 +93,7 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
 }
 
 [[gnu::always_inline]] inline void UnlinkFromChain(ReteState& state, NodeState& memory, const Token& token) {
-  Token* all = state.tokens.data();
+  const Records<Token> all = state.tokens.records();
   const std::uint32_t next = token.next_in_chain;
   const std::uint32_t previous = token.previous_in_chain;
   if (next != kNil) {
@@ -143,7 +143,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
   UnlinkFromParent(*this, tokens[root]);
   std::uint32_t token = root;
   for (;;) {
-    Token* all = tokens.data();
+    const Records<Token> all = tokens.records();
     for (std::uint32_t child = all[token].first_child;
          child != kNil && (all[token].node & Token::kBlockedBit) == 0; child = all[token].first_child) {
       token = child;

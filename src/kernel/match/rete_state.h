@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/match/flat_array.h"
+#include "kernel/match/record_array.h"
 #include "kernel/match/match_set.h"
 #include "kernel/match/network.h"
 #include "kernel/match/rete.h"
@@ -38,7 +38,7 @@ struct Token {
   std::uint32_t next_of_wme, previous_of_wme;
   std::uint32_t next_in_chain, previous_in_chain;
   std::uint32_t key;
-  std::uint32_t serial;  ///< Running number; orders the tokens of a memory (all that is compared lives in one memory).
+  std::uint32_t serial;  ///< Negative, conjunctive: running number, orders the tokens of one memory.
 
   static constexpr std::uint32_t kResultBit = 0x80000000u;
   static constexpr std::uint32_t kBlockedBit = 0x40000000u;
@@ -103,11 +103,11 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::shared_ptr<Network> network;                ///< Changed only while this agent alone holds it.
   std::function<void(ProductionId)> on_mixed_support;
 
-  FlatArray<Token> tokens;
+  RecordArray<Token> tokens;
   std::uint32_t free_tokens = kNil;
   std::uint32_t token_count = 0;
   std::uint32_t next_serial = 0;
-  FlatArray<AlphaItem> items;
+  RecordArray<AlphaItem> items;
   std::uint32_t free_items = kNil;
   std::vector<AlphaState> alphas;
   std::vector<NodeState> nodes;
@@ -137,7 +137,6 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Emit(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftMemory(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
-  void LeftJoin(std::uint32_t node, std::uint32_t token);
   bool LinkJoin(std::uint32_t node);
   void LeftNegative(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftConjunctive(std::uint32_t node, std::uint32_t token, std::uint32_t wme);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+
+namespace soarbox::kernel {
+
+/// The records of a RecordArray where they are now: good until the array grows.
+template <typename T>
+class Records {
+ public:
+  using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
+  explicit Records(Byte* base) : base_(base) {}
+  T& operator[](std::uint32_t handle) const { return *reinterpret_cast<T*>(base_ + handle); }
+
+ private:
+  Byte* base_;
+};
+
+/// A growing array of plain records for the innermost loops. Records are addressed by a 32-bit handle, their distance
+/// from the start in bytes, so that following a link costs no multiplication. They are never destroyed one by one; the
+/// whole moves by reallocation, which for large arrays copies nothing.
+template <typename T>
+class RecordArray {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+ public:
+  RecordArray() = default;
+  ~RecordArray() { std::free(data_); }
+  RecordArray(const RecordArray&) = delete;
+  RecordArray& operator=(const RecordArray&) = delete;
+
+  Records<T> records() { return Records<T>(data_); }
+  Records<const T> records() const { return Records<const T>(data_); }
+  T& operator[](std::uint32_t handle) { return records()[handle]; }
+  const T& operator[](std::uint32_t handle) const { return records()[handle]; }
+  std::size_t size() const { return used_ / sizeof(T); }
+  std::size_t MemoryBytes() const { return capacity_; }
+
+  /// Appends one record, uninitialised, and returns its handle.
+  std::uint32_t Append() {
+    if (used_ == capacity_) {
+      Grow();
+    }
+    const std::uint32_t handle = used_;
+    used_ += sizeof(T);
+    return handle;
+  }
+
+ private:
+  [[gnu::noinline, gnu::cold]] void Grow() {
+    const std::size_t count = capacity_ / sizeof(T);
+    const std::size_t bytes = (count < 64 ? 64 : count + count / 2) * sizeof(T);
+    char* moved = bytes > 0xFFFFFFF0u ? nullptr : static_cast<char*>(std::realloc(data_, bytes));
+    if (moved == nullptr) {
+      throw std::bad_alloc();
+    }
+    data_ = moved;
+    capacity_ = static_cast<std::uint32_t>(bytes);
+  }
+
+  char* data_ = nullptr;
+  std::uint32_t used_ = 0;
+  std::uint32_t capacity_ = 0;
+};
+
+}  // namespace soarbox::kernel
