@@ -30,6 +30,13 @@ T* WorkingMemory::Take(Pool<T>& pool) {
   return element;
 }
 
+// Used by working_memory_output.cpp too.
+template IdentifierSymbol* WorkingMemory::Take(Pool<IdentifierSymbol>&);
+template StringElement* WorkingMemory::Take(Pool<StringElement>&);
+template IntElement* WorkingMemory::Take(Pool<IntElement>&);
+template FloatElement* WorkingMemory::Take(Pool<FloatElement>&);
+template Identifier* WorkingMemory::Take(Pool<Identifier>&);
+
 template <typename T>
 void WorkingMemory::Retire(Pool<T>& pool, T* element) {
   if (pool.spare.empty()) {
