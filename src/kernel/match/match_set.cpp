@@ -65,7 +65,12 @@ std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
       place = static_cast<std::uint32_t>(elements_.size());
       elements_.resize(elements_.size() + count);
     }
-    std::copy(arrival.elements.begin(), arrival.elements.end(), elements_.begin() + place);
+    // A few words: cheaper one by one than by a call.
+    WmeId* to = elements_.data() + place;
+    const WmeId* from = arrival.elements.data();
+    for (std::size_t n = 0; n < count; ++n) {
+      to[n] = from[n];
+    }
   }
 
   Record& record = records_[index];

@@ -107,6 +107,7 @@ std::uint32_t Network::AddAlpha(const std::uint32_t (&constants)[3], std::uint32
   head = index;
   ++alpha_count_;
   ++mask_counts_[acceptable ? 1 : 0][mask];
+  masks_in_use_[acceptable ? 1 : 0] |= 1u << mask;
   return index;
 }
 
@@ -121,7 +122,9 @@ bool Network::DropAlpha(std::uint32_t index) {
   }
   *link = alpha.hash_next;
   --alpha_count_;
-  --mask_counts_[alpha.acceptable ? 1 : 0][alpha.mask];
+  if (--mask_counts_[alpha.acceptable ? 1 : 0][alpha.mask] == 0) {
+    masks_in_use_[alpha.acceptable ? 1 : 0] &= ~(1u << alpha.mask);
+  }
   alpha = Alpha();
   alpha.hash_next = free_alphas_;
   free_alphas_ = index;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -96,15 +97,21 @@ class [[gnu::visibility("hidden")]] Network {
   /// Visits the alpha memories that an element belongs to, in the order of their masks.
   template <typename Visit>
   void ForEachAlpha(const std::uint32_t (&fields)[3], bool acceptable, Visit&& visit) const {
-    for (std::uint32_t mask = 0; mask < 8; ++mask) {
-      if (mask_counts_[acceptable ? 1 : 0][mask] == 0) {
-        continue;
-      }
-      const std::uint32_t constants[3] = {(mask & 1) ? fields[0] : 0, (mask & 2) ? fields[1] : 0,
-                                          (mask & 4) ? fields[2] : 0};
-      const std::uint32_t found = FindAlpha(constants, mask, acceptable);
-      if (found != kNil) {
-        visit(found);
+    const std::uint32_t hashes[3] = {fields[0] * kHashOfField[0], fields[1] * kHashOfField[1],
+                                     fields[2] * kHashOfField[2]};
+    for (std::uint32_t masks = masks_in_use_[acceptable ? 1 : 0]; masks != 0; masks &= masks - 1) {
+      const auto mask = static_cast<std::uint32_t>(std::countr_zero(masks));
+      const std::uint32_t use[3] = {0u - (mask & 1), 0u - (mask >> 1 & 1), 0u - (mask >> 2)};
+      const std::uint32_t hash =
+          (hashes[0] & use[0]) ^ (hashes[1] & use[1]) ^ (hashes[2] & use[2]) ^ HashOfKind(mask, acceptable);
+      for (std::uint32_t found = alpha_buckets_[hash >> alpha_shift_]; found != kNil;) {
+        const Alpha& a = alphas_[found];
+        if (a.constant[1] == (fields[1] & use[1]) && a.constant[2] == (fields[2] & use[2]) &&
+            a.constant[0] == (fields[0] & use[0]) && a.mask == mask && a.acceptable == acceptable) {
+          visit(found);
+          break;
+        }
+        found = a.hash_next;
       }
     }
   }
@@ -148,9 +155,13 @@ class [[gnu::visibility("hidden")]] Network {
   bool SameAs(const Network& other) const;
 
  private:
+  static constexpr std::uint32_t kHashOfField[3] = {0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du};
   static std::uint32_t AlphaHash(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable) {
-    return (constants[0] * 0x9E3779B1u) ^ (constants[1] * 0x85EBCA77u) ^ (constants[2] * 0xC2B2AE3Du) ^
-           ((mask * 2 + (acceptable ? 1 : 0)) * 0x27D4EB2Fu);
+    return (constants[0] * kHashOfField[0]) ^ (constants[1] * kHashOfField[1]) ^ (constants[2] * kHashOfField[2]) ^
+           HashOfKind(mask, acceptable);
+  }
+  static std::uint32_t HashOfKind(std::uint32_t mask, bool acceptable) {
+    return (mask * 2 + (acceptable ? 1 : 0)) * 0x27D4EB2Fu;
   }
   void InsertShared(std::uint32_t node);
   void LinkChild(std::uint32_t node);
@@ -169,6 +180,7 @@ class [[gnu::visibility("hidden")]] Network {
   int alpha_shift_ = 0;
   std::uint32_t alpha_count_ = 0;
   std::uint32_t mask_counts_[2][8] = {};
+  std::uint32_t masks_in_use_[2] = {};         ///< Bit n: some memory of that kind has mask n.
   std::vector<std::uint32_t> share_buckets_;
   std::uint32_t share_count_ = 0;
   std::vector<std::shared_ptr<const RuleInfo>> rules_;
