@@ -259,6 +259,13 @@ void Network::LinkChild(std::uint32_t index) {
     nodes_[head].previous_sibling = index;
   }
   head = index;
+  FindOnlyMemory(node.parent);
+}
+
+void Network::FindOnlyMemory(std::uint32_t parent) {
+  const std::uint32_t child = nodes_[parent].first_child;
+  const bool only = child != kNil && nodes_[child].next_sibling == kNil && nodes_[child].kind == NodeKind::kMemory;
+  nodes_[parent].only_memory = only ? child : kNil;
 }
 
 void Network::UnlinkChild(std::uint32_t index) {
@@ -271,6 +278,7 @@ void Network::UnlinkChild(std::uint32_t index) {
   } else {
     nodes_[node.parent].first_child = node.next_sibling;
   }
+  FindOnlyMemory(node.parent);
 }
 
 void Network::MoveToHead(std::uint32_t index) {

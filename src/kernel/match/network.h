@@ -63,9 +63,13 @@ struct Node {
   std::uint32_t partner = kNil;             ///< Between a conjunctive node and its partner.
   std::uint32_t rule = kNil;                ///< kProduction.
   std::uint32_t share_hash = 0, share_next = kNil;
+  std::uint32_t only_memory = kNil;         ///< The child if there is just one and it is a memory: the common case.
+  std::uint32_t spare = 0;                  ///< Makes it 64 bytes.
 
   friend bool operator==(const Node&, const Node&) = default;
 };
+
+static_assert(sizeof(Node) == 64, "nodes are addressed by a shift");
 
 /// An alpha memory: the elements that pass constant tests. Constants as symbol bits; 0 for "any".
 struct Alpha {
@@ -165,6 +169,7 @@ class [[gnu::visibility("hidden")]] Network {
   }
   void InsertShared(std::uint32_t node);
   void LinkChild(std::uint32_t node);
+  void FindOnlyMemory(std::uint32_t parent);
   void UnlinkChild(std::uint32_t node);
   std::uint32_t StoreTests(std::span<const NodeTest> tests, std::span<const std::uint32_t> disjuncts);
 

@@ -91,17 +91,25 @@ struct KeyParts {
                                                  std::uint32_t key, bool keyed) {
   NodeState& memory = state.nodes[node];
   const Records<Token> all = state.tokens.records();
-  std::uint32_t& head =
-      memory.bits == 0 ? memory.head : state.tables[memory.head + ReteState::Hash(key, memory.bits)];
-  const std::uint32_t next = head;
-  head = index;
+  const std::uint32_t bits = memory.bits;
+  std::uint32_t* head = &memory.head;
+  const std::uint32_t count = ++memory.count;
+  bool grow = false;
+  if (bits != 0) {
+    head = &state.tables[memory.head + ReteState::Hash(key, bits)];
+    grow = (count >> bits) != 0;
+  } else {
+    grow = count > kTinyMemory && keyed;
+  }
+  const std::uint32_t next = *head;
+  *head = index;
   all[index].key = key;
   all[index].previous_in_chain = kNil;
   all[index].next_in_chain = next;
   if (next != kNil) {
     all[next].previous_in_chain = index;
   }
-  if (++memory.count > (memory.bits == 0 ? kTinyMemory : 1u << memory.bits) && keyed) [[unlikely]] {
+  if (grow) [[unlikely]] {
     state.GrowChains(node);
   }
 }

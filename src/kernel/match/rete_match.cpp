@@ -20,6 +20,24 @@ std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t le
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
+/// Whether a pair passes, with the commonest case (one comparison for identity with a binding) at hand.
+[[gnu::always_inline]] inline bool PassesAll(const ReteState& state, const Network& network, const Node& node,
+                                             std::uint32_t left, std::uint32_t element) {
+  if (node.test_count == 0) {
+    return true;
+  }
+  const Wme* wmes = state.wmes.data();
+  if (node.test_count == 1) {
+    const NodeTest& test = *network.tests(node).data();
+    if (test.op <= TestOp::kNotEqual && test.against_binding && test.levels != 0) {
+      const std::uint32_t other = ElementAt(state.tokens.records(), left, test.levels - 1u);
+      return (ReteState::FieldOf(wmes[element], test.field) == ReteState::FieldOf(wmes[other], test.referent_field)) ==
+             (test.op == TestOp::kEqual);
+    }
+  }
+  return state.Passes(node, left, wmes[element]);
+}
+
 bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) const {
   const NodeTest* test = network->tests(node).data();
   for (const NodeTest* end = test + node.test_count; test != end; ++test) {
@@ -258,15 +276,13 @@ void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
   if (token == kNil) {
     return;
   }
-  const std::uint32_t child = node.first_child;
-  const bool to_one_memory = is_join && child != kNil && net.node(child).kind == NodeKind::kMemory &&
-                             net.node(child).next_sibling == kNil;
+  const std::uint32_t only = is_join ? node.only_memory : kNil;
   while (token != kNil) {
     const std::uint32_t next = tokens[token].next_in_chain;
     if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, element)) &&
-        (node.test_count == 0 || Passes(node, token, element))) {
-      if (to_one_memory) {
-        LeftMemory(child, token, wme);
+        PassesAll(*this, net, node, token, wme)) {
+      if (only != kNil) {
+        LeftMemory(only, token, wme);
       } else if (is_join) {
         Emit(node_index, token, wme);
       } else {
@@ -333,17 +349,13 @@ void ReteState::LeftMemory(std::uint32_t node_index, std::uint32_t parent, std::
       continue;
     }
     const Node& joined = net.node(index);
-    const std::uint32_t child = joined.first_child;
-    if (child == kNil) {
-      continue;
-    }
-    const bool to_one_memory = net.node(child).kind == NodeKind::kMemory && net.node(child).next_sibling == kNil;
+    const std::uint32_t memory = joined.only_memory;
     ForEachRight(*this, joined, key, [&](std::uint32_t element) {
-      if (joined.test_count != 0 && !Passes(joined, token, wmes[element])) {
+      if (!PassesAll(*this, net, joined, token, element)) {
         return;
       }
-      if (to_one_memory) {
-        LeftMemory(child, token, element);
+      if (memory != kNil) {
+        LeftMemory(memory, token, element);
       } else {
         Emit(index, token, element);
       }

@@ -63,7 +63,9 @@ struct AlphaState {
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
   std::uint8_t id_bits = 0, pair_bits = 0;            ///< 0: no table; the items are searched one by one.
+  std::uint32_t spare = 0;                            ///< Makes it 32 bytes.
 };
+static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
 /// A node's part of the agent's state.
 ///
@@ -203,7 +205,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
     }
   }
 
-  static std::uint32_t Hash(std::uint32_t key, std::uint32_t bits) { return (key * 0x9E3779B1u) >> (32u - bits); }
+  /// The highest `bits` bits (1 to 31) of a product.
+  static std::uint32_t Hash(std::uint32_t key, std::uint32_t bits) { return (key * 0x9E3779B1u) >> ((0u - bits) & 31u); }
   static std::uint32_t PairKey(std::uint32_t id, std::uint32_t value) { return (id * 0x85EBCA6Bu) ^ (value * 0xC2B2AE35u); }
   static std::uint32_t FieldOf(const Wme& wme, Field field) {
     static_assert(offsetof(Wme, id) == 0 && offsetof(Wme, attribute) == 4 && offsetof(Wme, value) == 8 &&
