@@ -116,7 +116,11 @@ void Agent::ResetFiringCounts() {
   for (Engine::ProductionRecord& record : engine_->productions) record.firings = 0;
 }
 
-void Agent::SetBreak(ProductionId id, bool on) { engine_->productions[Index(id)].breaks = on; }
+void Agent::SetBreak(ProductionId id, bool on) {
+  engine_->productions[Index(id)].breaks = on;
+  engine_->productions[Index(id)].silenced = !on;
+}
+
 bool Agent::HasBreak(ProductionId id) const { return engine_->productions[Index(id)].breaks; }
 
 // Running -------------------------------------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ struct ExplorationSettings;
 /// What `soar` sets. Changes hold from the next phase on.
 struct AgentSettings {
   int max_elaborations = 100;         ///< Per phase.
-  int max_goal_depth = 100;
+  int max_goal_depth = 23;
   int max_nil_output_cycles = 15;
   std::int64_t max_decision_time_us = 0;  ///< 0: unlimited.
   int max_gp = 20000;
@@ -122,7 +122,8 @@ class Agent {
   std::uint32_t CountProductions(ProductionType type) const;
   std::uint64_t FiringCount(ProductionId id) const;
   void ResetFiringCounts();
-  /// `production break`: the run is interrupted when the rule fires, as with :interrupt.
+  /// `production break`: the run is interrupted when the rule fires, as with :interrupt. Turning it off
+  /// silences the rule's own :interrupt too.
   void SetBreak(ProductionId id, bool on);
   bool HasBreak(ProductionId id) const;
 

@@ -58,6 +58,7 @@ struct Engine {
   struct ProductionRecord {
     std::uint64_t firings = 0;
     bool breaks = false;
+    bool silenced = false;   ///< Its own :interrupt was cleared.
     bool live = false;
   };
   std::vector<ProductionRecord> productions;

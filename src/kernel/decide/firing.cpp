@@ -69,7 +69,7 @@ void Firing::Fire(const PendingMatch& match) {
   ++engine_.counters.firings;
   Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
   ++record.firings;
-  const bool interrupt = rule->interrupt || record.breaks;
+  const bool interrupt = record.breaks || (rule->interrupt && !record.silenced);
 
   if (engine_.observers.Wants(Event::kAssertion)) {
     const FiringInfo info = engine_.DescribeInstantiation(id);

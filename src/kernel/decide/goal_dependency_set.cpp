@@ -62,7 +62,7 @@ void GoalDependencySets::Collect(InstantiationId id, GoalLevel level) {
 void GoalDependencySets::AddMember(WmeId wme, GoalLevel level) {
   WmeRecord& record = engine_.memory.mutable_record(wme);
   if (record.gds != 0 && record.gds <= level) return;
-  if (record.gds != 0) std::erase(engine_.goals.at(record.gds).gds, wme);
+  if (record.gds != 0 && record.gds != kGoalOfGdsGone) std::erase(engine_.goals.at(record.gds).gds, wme);
   record.gds = level;
   engine_.goals.at(level).gds.push_back(wme);
   if (engine_.observers.Wants(Event::kGds)) {
@@ -85,13 +85,13 @@ void GoalDependencySets::MemberLeaves(WmeId wme) {
 
 void GoalDependencySets::Forget(WmeId wme) {
   WmeRecord& record = engine_.memory.mutable_record(wme);
-  if (record.gds <= engine_.goals.depth()) std::erase(engine_.goals.at(record.gds).gds, wme);
+  if (record.gds != 0 && record.gds <= engine_.goals.depth()) std::erase(engine_.goals.at(record.gds).gds, wme);
   record.gds = 0;
 }
 
 void GoalDependencySets::GoalRemoved(GoalLevel level) {
   Goal& goal = engine_.goals.at(level);
-  for (const WmeId wme : goal.gds) engine_.memory.mutable_record(wme).gds = 0;
+  for (const WmeId wme : goal.gds) engine_.memory.mutable_record(wme).gds = kGoalOfGdsGone;
   goal.gds.clear();
   goal.has_gds = false;
 }

@@ -17,6 +17,7 @@ struct OutputChange {
   bool added = true;
   std::uint64_t timetag = 0;
   Symbol id, attribute, value;
+  bool from_input_link = false;   ///< A client's own element, such as ^status complete: it need not be told of it.
 };
 
 /// A command: an identifier-valued element directly on the output link.
@@ -27,8 +28,9 @@ struct OutputCommand {
 };
 
 /// What the agent says to its clients. In the output phase the structure reachable from the output link is compared
-/// with that of the last output phase, if any element in it changed; the differences stand here until the next output
-/// phase that finds a difference. Costs nothing while nothing below the output link changes.
+/// with that of the last output phase, if the agent changed any element in it (what comes from outside is no output by
+/// itself); the differences stand here until the next output phase that finds a difference. Costs nothing while nothing
+/// below the output link changes.
 class OutputLink {
  public:
   explicit OutputLink(Engine& engine) : engine_(engine) {}

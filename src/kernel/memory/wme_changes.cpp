@@ -29,7 +29,8 @@ WmeId WmeChanges::Record(WmeId wme) {
   added_.push_back(wme);
   const Wme& content = engine_.memory.wme(wme);
   if (content.value.IsIdentifier() && content.value != content.id) engine_.links.ElementAdded(content.value);
-  engine_.output.NoteChange(engine_.memory.wme(wme).id);
+  // What comes from outside is no output by itself.
+  if (engine_.memory.record(wme).kind != WmeKind::kInput) engine_.output.NoteChange(content.id);
   return wme;
 }
 
@@ -50,7 +51,7 @@ void WmeChanges::Remove(WmeId wme) {
   if (record.kind == WmeKind::kInput && record.slot != SlotId::kNone) {
     engine_.input.Forget(static_cast<std::uint32_t>(record.slot));
   }
-  engine_.output.NoteChange(engine_.memory.wme(wme).id);
+  if (record.kind != WmeKind::kInput) engine_.output.NoteChange(content.id);
   engine_.memory.Unlink(wme);
   removed_.push_back(wme);
 }

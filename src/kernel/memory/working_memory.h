@@ -24,12 +24,15 @@ enum class WmeKind : std::uint8_t {
   kInput,         ///< Made by the input link, or by a user's command.
 };
 
+/// Mark of an element that was in the dependency set of a goal that has been removed.
+constexpr GoalLevel kGoalOfGdsGone = 0xFFFF;
+
 /// What stands beside a Wme: everything that the match does not read.
 struct WmeRecord {
   WmeKind kind = WmeKind::kFree;
   bool in_match = false;                             ///< The matcher knows it.
   bool removing = false;                             ///< Waits in the removal buffer.
-  GoalLevel gds = 0;                                 ///< Level of the goal whose dependency set holds it, or 0.
+  GoalLevel gds = 0;   ///< Level of the goal whose dependency set holds it, kGoalOfGdsGone, or 0.
   std::uint32_t references = 0;                      ///< Instantiations of substates that matched it.
   PreferenceId preference = PreferenceId::kNone;     ///< The preference that put it here, if any.
   SlotId slot = SlotId::kNone;                       ///< kSlot, kAcceptable. For kInput: the input link's element.

@@ -47,7 +47,8 @@ void KernelHost::InstallFunctions(HostedAgent& hosted) {
         std::string argument;
         for (const kernel::Symbol symbol : arguments) kernel::AppendTo(argument, agent.symbols(), symbol, false);
         const auto answer = CallFunction(&hosted, smlEVENT_RHS_USER_FUNCTION, name, argument);
-        return agent.mutable_symbols().String(answer.value_or(std::string()));
+        if (answer) return agent.mutable_symbols().String(*answer);
+        return agent.mutable_symbols().String("Error: Nobody was registered to implement rhs function " + std::string(name));
       });
   hosted.agent().SetCommandRunner([this, &hosted](kernel::Agent&, std::string_view line) {
     return Execute(&hosted, line, {}).text;
