@@ -333,7 +333,7 @@ void MatchSet::GrowHash() {
 }
 
 MatchId MatchSet::Revive(const Arrival& arrival, const WmeTable& wmes) {
-  if (arrival.production >= returnable_.size() || returnable_[arrival.production] == 0) {
+  if (!MayReturn(arrival.production)) {
     return MatchId::kNone;
   }
   const std::uint32_t hash = HashOf(arrival.production, arrival.elements);

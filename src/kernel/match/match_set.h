@@ -105,6 +105,10 @@ class MatchSet {
   };
   /// An equal match that waits for its retraction and is now matched again by `arrival.token`; kNone if there is none.
   MatchId Revive(const Arrival& arrival, const WmeTable& wmes);
+  /// False if no match of the rule waits for its retraction and can come back.
+  bool MayReturn(std::uint32_t production) const {
+    return production < returnable_.size() && returnable_[production] != 0;
+  }
   /// A new pending assertion.
   MatchId Assert(const Arrival& arrival);
   /// A match that counts as fired from the start.

@@ -8,9 +8,13 @@ namespace soarbox::kernel {
 
 namespace {
 
-std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t left, std::uint32_t right) {
+bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
   constexpr std::uint32_t kSmall = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
-  if ((left >> Symbol::kIndexBits) == kSmall && (right >> Symbol::kIndexBits) == kSmall) {
+  return (left >> Symbol::kIndexBits) == kSmall && (right >> Symbol::kIndexBits) == kSmall;
+}
+
+std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t left, std::uint32_t right) {
+  if (AreSmallIntegers(left, right)) {
     return static_cast<std::int32_t>(left << 3) <=> static_cast<std::int32_t>(right << 3);
   }
   return symbols.Compare(Symbol::FromBits(left), Symbol::FromBits(right));
@@ -20,7 +24,7 @@ std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t le
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
-/// Whether a pair passes, with the commonest case (one comparison for identity with a binding) at hand.
+/// Whether a pair passes, with the commonest case (one comparison) at hand.
 [[gnu::always_inline]] inline bool PassesAll(const ReteState& state, const Network& network, const Node& node,
                                              std::uint32_t left, std::uint32_t element) {
   if (node.test_count == 0) {
@@ -29,10 +33,27 @@ std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t le
   const Wme* wmes = state.wmes.data();
   if (node.test_count == 1) {
     const NodeTest& test = *network.tests(node).data();
-    if (test.op <= TestOp::kNotEqual && test.against_binding && test.levels != 0) {
-      const std::uint32_t other = ElementAt(state.tokens.records(), left, test.levels - 1u);
-      return (ReteState::FieldOf(wmes[element], test.field) == ReteState::FieldOf(wmes[other], test.referent_field)) ==
-             (test.op == TestOp::kEqual);
+    if (test.op <= TestOp::kGreaterOrEqual) {
+      const std::uint32_t value = ReteState::FieldOf(wmes[element], test.field);
+      std::uint32_t referent = test.referent;
+      if (test.against_binding) {
+        const std::uint32_t other =
+            test.levels == 0 ? element : ElementAt(state.tokens.records(), left, test.levels - 1u);
+        referent = ReteState::FieldOf(wmes[other], test.referent_field);
+      }
+      if (test.op <= TestOp::kNotEqual) {
+        return (value == referent) == (test.op == TestOp::kEqual);
+      }
+      if (AreSmallIntegers(value, referent)) {
+        const auto left_number = static_cast<std::int32_t>(value << 3);
+        const auto right_number = static_cast<std::int32_t>(referent << 3);
+        switch (test.op) {
+          case TestOp::kLess: return left_number < right_number;
+          case TestOp::kGreater: return left_number > right_number;
+          case TestOp::kLessOrEqual: return left_number <= right_number;
+          default: return left_number >= right_number;
+        }
+      }
     }
   }
   return state.Passes(node, left, wmes[element]);
@@ -220,10 +241,6 @@ std::uint32_t ReteState::KeyOfToken(const Node& memory, std::uint32_t token) con
   return KeyOfPair(*this, memory, tokens[token].parent, tokens[token].wme).key;
 }
 
-void ReteState::InsertInChain(std::uint32_t node, std::uint32_t index) {
-  InsertWithKey(*this, node, index, tokens[index].key, false);
-}
-
 // Each chain is split in place, oldest token first, so that tokens with equal keys stay newest first.
 void ReteState::GrowChains(std::uint32_t node) {
   NodeState& state = nodes[node];
@@ -270,7 +287,7 @@ void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
       return;
     }
   }
-  const Wme element = wmes[wme];
+  const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
   std::uint32_t token = ChainHead(*this, nodes[memory], key);
   if (token == kNil) {
@@ -435,7 +452,9 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
 void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
   const std::uint32_t production = network->node(node_index).rule;
   const RuleInfo& rule = *network->rule(production);
-  elements.resize(rule.positives);
+  if (elements.size() < rule.positives) {
+    elements.resize(rule.positives);
+  }
   std::size_t place = rule.positives;
   if (wme != kNil) {
     elements[--place] = static_cast<WmeId>(wme);
@@ -445,14 +464,14 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
       elements[--place] = static_cast<WmeId>(tokens[up].wme);
     }
   }
-  const std::uint32_t token = NewToken(node_index, parent, wme);
+  const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
   MatchSet::Arrival arrival;
   arrival.production = production;
   arrival.token = token;
-  arrival.elements = elements;
+  arrival.elements = {elements.data(), rule.positives};
 
   MatchId match = MatchId::kNone;
-  if (node_index != refracting_node) {
+  if (matches.MayReturn(production) && node_index != refracting_node) {
     match = matches.Revive(arrival, wmes);
   }
   if (match == MatchId::kNone) {
@@ -465,7 +484,7 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
       }
     }
     if (rule.support == RuleInfo::Support::kByMatch) {
-      const RuleInfo::MatchSupport support = rule.SupportOf(elements, wmes, goals.level_of_goal, arrival.goal);
+      const RuleInfo::MatchSupport support = rule.SupportOf(arrival.elements, wmes, goals.level_of_goal, arrival.goal);
       arrival.o_support = support == RuleInfo::MatchSupport::kO;
       if (support == RuleInfo::MatchSupport::kMixed) {
         if (production >= mixed_reported.size()) {
@@ -486,8 +505,7 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
       match = matches.Assert(arrival);
     }
   }
-  tokens[token].key = Index(match);
-  InsertInChain(node_index, token);
+  InsertWithKey(*this, node_index, token, Index(match), false);
 }
 
 MatchId ReteState::Watch(std::span<const WmeId> watched, Symbol goal, GoalLevel level, InstantiationId instantiation) {

@@ -149,7 +149,6 @@ struct [[gnu::visibility("hidden")]] ReteState {
   bool Passes(const Node& node, std::uint32_t left, const Wme& wme) const;
   std::uint32_t KeyOfToken(const Node& memory, std::uint32_t token) const;
   std::uint32_t NewToken(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
-  void InsertInChain(std::uint32_t node, std::uint32_t token);
   void GrowChains(std::uint32_t node);
   void BuildIdTable(std::uint32_t alpha, std::uint8_t bits);
   void BuildPairTable(std::uint32_t alpha, std::uint8_t bits);
