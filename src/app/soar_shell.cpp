@@ -189,6 +189,11 @@ class Shell {
     std::fwrite(result.text.data(), 1, result.text.size(), stdout);
     if (!result.text.empty() && result.text.back() != '\n') std::fputc('\n', stdout);
     if (red) std::fputs(kPlain, stdout);
+    // The texts of Soar hold no hints; files that are sourced tell theirs with the place.
+    for (const Diagnostic& diagnostic : result.diagnostics) {
+      if (diagnostic.hint.empty() || result.text.find(diagnostic.hint) != std::string::npos) continue;
+      std::fputs(("   note: " + diagnostic.hint + "\n").c_str(), stdout);
+    }
     std::fflush(stdout);
   }
 
