@@ -24,44 +24,59 @@ std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t le
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
+/// One comparison with a constant or a binding. False in `decided` if it is none of the common ones.
+[[gnu::always_inline]] inline bool Compare(const ReteState& state, const NodeTest& test, std::uint32_t left,
+                                           const Wme& element, bool& decided) {
+  decided = true;
+  const std::uint32_t value = ReteState::FieldOf(element, test.field);
+  std::uint32_t referent = test.referent;
+  if (test.against_binding) {
+    referent = test.levels == 0
+                   ? ReteState::FieldOf(element, test.referent_field)
+                   : ReteState::FieldOf(state.wmes.data()[ElementAt(state.tokens.records(), left, test.levels - 1u)],
+                                        test.referent_field);
+  }
+  if (test.op <= TestOp::kNotEqual) {
+    return (value == referent) == (test.op == TestOp::kEqual);
+  }
+  if (test.op <= TestOp::kGreaterOrEqual && AreSmallIntegers(value, referent)) {
+    const auto a = static_cast<std::int32_t>(value << 3);
+    const auto b = static_cast<std::int32_t>(referent << 3);
+    // kLess, kGreater, kLessOrEqual, kGreaterOrEqual, in this order.
+    const bool upwards = test.op == TestOp::kLess || test.op == TestOp::kLessOrEqual;
+    const bool strict = test.op <= TestOp::kGreater;
+    return upwards ? (a < b || (!strict && a == b)) : (a > b || (!strict && a == b));
+  }
+  decided = false;
+  return false;
+}
+
 /// Whether a pair passes, with the commonest case (one comparison) at hand.
 [[gnu::always_inline]] inline bool PassesAll(const ReteState& state, const Network& network, const Node& node,
-                                             std::uint32_t left, std::uint32_t element) {
+                                             std::uint32_t left, const Wme& element) {
   if (node.test_count == 0) {
     return true;
   }
-  const Wme* wmes = state.wmes.data();
   if (node.test_count == 1) {
-    const NodeTest& test = *network.tests(node).data();
-    if (test.op <= TestOp::kGreaterOrEqual) {
-      const std::uint32_t value = ReteState::FieldOf(wmes[element], test.field);
-      std::uint32_t referent = test.referent;
-      if (test.against_binding) {
-        const std::uint32_t other =
-            test.levels == 0 ? element : ElementAt(state.tokens.records(), left, test.levels - 1u);
-        referent = ReteState::FieldOf(wmes[other], test.referent_field);
-      }
-      if (test.op <= TestOp::kNotEqual) {
-        return (value == referent) == (test.op == TestOp::kEqual);
-      }
-      if (AreSmallIntegers(value, referent)) {
-        const auto left_number = static_cast<std::int32_t>(value << 3);
-        const auto right_number = static_cast<std::int32_t>(referent << 3);
-        switch (test.op) {
-          case TestOp::kLess: return left_number < right_number;
-          case TestOp::kGreater: return left_number > right_number;
-          case TestOp::kLessOrEqual: return left_number <= right_number;
-          default: return left_number >= right_number;
-        }
-      }
+    bool decided;
+    const bool passes = Compare(state, *network.tests(node).data(), left, element, decided);
+    if (decided) {
+      return passes;
     }
   }
-  return state.Passes(node, left, wmes[element]);
+  return state.Passes(node, left, element);
 }
 
 bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) const {
   const NodeTest* test = network->tests(node).data();
   for (const NodeTest* end = test + node.test_count; test != end; ++test) {
+    bool decided;
+    if (Compare(*this, *test, left, wme, decided)) {
+      continue;
+    }
+    if (decided) {
+      return false;
+    }
     const std::uint32_t value = FieldOf(wme, test->field);
     std::uint32_t referent = test->referent;
     if (test->against_binding) {
@@ -71,8 +86,8 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
     }
     bool passed = false;
     switch (test->op) {
-      case TestOp::kEqual: passed = value == referent; break;
-      case TestOp::kNotEqual: passed = value != referent; break;
+      case TestOp::kEqual:
+      case TestOp::kNotEqual: break;  // Decided above.
       case TestOp::kLess: passed = CompareSymbols(symbols, value, referent) < 0; break;
       case TestOp::kGreater: passed = CompareSymbols(symbols, value, referent) > 0; break;
       case TestOp::kLessOrEqual: passed = CompareSymbols(symbols, value, referent) <= 0; break;
@@ -104,6 +119,43 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
     }
   }
   return true;
+}
+
+// Right side ----------------------------------------------------------------------------------------------------------
+
+[[gnu::always_inline]] inline void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
+  const Network& net = *network;
+  const Node& node = net.node(node_index);
+  const bool is_join = node.kind == NodeKind::kJoin;
+  const std::uint32_t memory = is_join ? node.parent : node_index;
+  if (is_join && !nodes[node_index].left_linked) {
+    LinkLeft(node_index);
+    if (nodes[memory].count == 0) {
+      UnlinkRight(node_index);
+      return;
+    }
+  }
+  const Wme& element = wmes[wme];
+  const std::uint32_t key = KeyOfElement(node, element);
+  std::uint32_t token = ChainHead(*this, nodes[memory], key);
+  if (token == kNil) {
+    return;
+  }
+  const std::uint32_t only = is_join ? node.only_memory : kNil;
+  while (token != kNil) {
+    const std::uint32_t next = tokens[token].next_in_chain;
+    if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, element)) &&
+        PassesAll(*this, net, node, token, element)) {
+      if (only != kNil) {
+        LeftMemory(only, token, wme);
+      } else if (is_join) {
+        Emit(node_index, token, wme);
+      } else {
+        Block(token, wme);
+      }
+    }
+    token = next;
+  }
 }
 
 // Alpha memories ------------------------------------------------------------------------------------------------------
@@ -273,42 +325,7 @@ void ReteState::GrowChains(std::uint32_t node) {
   state.bits = static_cast<std::uint8_t>(bits);
 }
 
-// Right side ----------------------------------------------------------------------------------------------------------
-
-void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
-  const Network& net = *network;
-  const Node& node = net.node(node_index);
-  const bool is_join = node.kind == NodeKind::kJoin;
-  const std::uint32_t memory = is_join ? node.parent : node_index;
-  if (is_join && !nodes[node_index].left_linked) {
-    LinkLeft(node_index);
-    if (nodes[memory].count == 0) {
-      UnlinkRight(node_index);
-      return;
-    }
-  }
-  const Wme& element = wmes[wme];
-  const std::uint32_t key = KeyOfElement(node, element);
-  std::uint32_t token = ChainHead(*this, nodes[memory], key);
-  if (token == kNil) {
-    return;
-  }
-  const std::uint32_t only = is_join ? node.only_memory : kNil;
-  while (token != kNil) {
-    const std::uint32_t next = tokens[token].next_in_chain;
-    if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, element)) &&
-        PassesAll(*this, net, node, token, wme)) {
-      if (only != kNil) {
-        LeftMemory(only, token, wme);
-      } else if (is_join) {
-        Emit(node_index, token, wme);
-      } else {
-        Block(token, wme);
-      }
-    }
-    token = next;
-  }
-}
+// Blocking -----------------------------------------------------------------------------------------------------------
 
 void ReteState::Block(std::uint32_t token, std::uint32_t wme) {
   const std::uint32_t child = tokens[token].first_child;
@@ -368,7 +385,7 @@ void ReteState::LeftMemory(std::uint32_t node_index, std::uint32_t parent, std::
     const Node& joined = net.node(index);
     const std::uint32_t memory = joined.only_memory;
     ForEachRight(*this, joined, key, [&](std::uint32_t element) {
-      if (!PassesAll(*this, net, joined, token, element)) {
+      if (!PassesAll(*this, net, joined, token, wmes[element])) {
         return;
       }
       if (memory != kNil) {
