@@ -191,7 +191,8 @@ class Shell {
     if (red) std::fputs(kPlain, stdout);
     // The texts of Soar hold no hints; files that are sourced tell theirs with the place.
     for (const Diagnostic& diagnostic : result.diagnostics) {
-      if (diagnostic.hint.empty() || result.text.find(diagnostic.hint) != std::string::npos) continue;
+      if (diagnostic.severity != Severity::kError || diagnostic.hint.empty()) continue;
+      if (result.text.find(diagnostic.hint) != std::string::npos) continue;
       std::fputs(("   note: " + diagnostic.hint + "\n").c_str(), stdout);
     }
     std::fflush(stdout);
