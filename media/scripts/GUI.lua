@@ -3,7 +3,7 @@
 -- the markup language.
 
 local kSamples = 15;
-local kPanelMargin = 20;
+local kPanelMargin = 36;  -- Below the status bar of the window.
 
 local cameraPanel;
 local profilePanel;
