@@ -20,6 +20,7 @@ const char* NameOf(sim::EventKind kind) {
     case sim::EventKind::kDiagnostic: return "diagnostic";
     case sim::EventKind::kAgentFailed: return "failed";
     case sim::EventKind::kMindLost: return "lost";
+    case sim::EventKind::kMindBack: return "back";
   }
   return "unknown";
 }

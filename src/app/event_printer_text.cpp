@@ -27,6 +27,7 @@ class TextPrinter : public EventPrinter {
       case sim::EventKind::kGap: Line(event, "no command: " + event.text); break;
       case sim::EventKind::kLog: Line(event, event.text); break;
       case sim::EventKind::kMindLost: Line(event, "paused: " + event.text); break;
+      case sim::EventKind::kMindBack: Line(event, "goes on: " + event.text); break;
       case sim::EventKind::kAgentFailed: Line(event, "stops: its script failed"); [[fallthrough]];
       case sim::EventKind::kDiagnostic:
         // Flushed first, so that a problem stands where it happened also when both streams share a terminal.

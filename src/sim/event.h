@@ -17,7 +17,8 @@ enum class EventKind : std::uint8_t {
   kLog,           ///< text: printed by a script or a rule.
   kDiagnostic,    ///< diagnostic: something that a user should mend.
   kAgentFailed,   ///< The agent's script stopped; the world goes on.
-  kMindLost,      ///< The connection to a mind's kernel is gone.
+  kMindLost,      ///< The connection to the minds' kernel is gone.
+  kMindBack,      ///< The minds live again in a kernel that answers at the same address.
 };
 
 /// One thing that happened, for the command line, the JSON output and the panels.

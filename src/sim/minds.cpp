@@ -25,18 +25,43 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
     problem.hint = "check the name, or add the folder with --path";
     return problem;
   }
-  Result<SoarHost::Loaded> loaded = host_.CreateAgent(body.name(), rules);
+  Result<SoarHost::Loaded> loaded = Load(body.name(), rules);
   if (!loaded) return loaded.error();
+  minds_.push_back({agent, request.kind == "follower", rules, SoarMind(*loaded->agent)});
+  return {};
+}
+
+Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesystem::path& rules) {
+  Result<SoarHost::Loaded> loaded = host_.CreateAgent(agent, rules);
+  if (!loaded) return loaded;
   for (Diagnostic& problem : loaded->problems) {
     if (!reported_.insert(Format(problem)).second) continue;
     Event event;
     event.kind = EventKind::kDiagnostic;
-    event.agent = body.name();
+    event.agent = agent;
     event.diagnostic = std::move(problem);
     report_(std::move(event));
   }
-  minds_.push_back({agent, request.kind == "follower", SoarMind(*loaded->agent)});
-  return {};
+  return loaded;
+}
+
+void Minds::Restore() {
+  for (Mind& mind : minds_) {
+    const std::string& name = world_.FindAgent(mind.agent)->name();
+    Result<SoarHost::Loaded> loaded = Load(name, mind.rules);
+    mind.lost = !loaded;
+    mind.decided = mind.in_gap = mind.told_halt = false;
+    if (loaded) {
+      mind.soar = SoarMind(*loaded->agent);
+      continue;
+    }
+    if (!host_.IsConnected()) return;  // Gone again: the next kernel gets them all.
+    Event event;
+    event.kind = EventKind::kDiagnostic;
+    event.agent = name;
+    event.diagnostic = loaded.error();
+    report_(std::move(event));
+  }
 }
 
 Minds::Mind* Minds::Find(world::EntityId agent) {
@@ -52,13 +77,14 @@ void Minds::Decide() {
 void Minds::Decide(Mind& mind) {
   const world::Agent& body = *world_.FindAgent(mind.agent);
   mind.decided = false;
-  if (body.Failed()) return;
+  if (body.Failed() || mind.lost || !host_.IsConnected()) return;
   world::Vec3 goal = body.Target();
   const bool has_leader = body.Leader() != world::kNoEntity;
   if (mind.follows_leader && !has_leader) return;  // Nobody to follow: no percept, no command.
   if (const world::Agent* leader = has_leader ? world_.FindAgent(body.Leader()) : nullptr) goal = leader->Position();
   mind.distance_squared_m2 = world::LengthSquared(goal - body.Position());
   mind.soar.Decide(mind.distance_squared_m2);
+  if (!host_.IsConnected()) return;  // Its kernel went meanwhile; that is no gap in the rules.
   mind.decided = true;
   if (mind.soar.commands().empty()) {
     TellGap(mind, body);

@@ -31,12 +31,17 @@ class Minds final : public script::MindFactory {
   /// matter.
   void Decide();
 
+  /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay idle.
+  void Restore();
+
   struct Mind {
     world::EntityId agent;
     bool follows_leader;          ///< Perceives its leader, else its target.
+    std::filesystem::path rules;
     SoarMind soar;
     float distance_squared_m2 = 0;
     bool decided = false;         ///< In this tick.
+    bool lost = false;            ///< Its program could not be made again.
     bool in_gap = false;
     bool told_halt = false;
     std::string last_command = {};
@@ -46,6 +51,7 @@ class Minds final : public script::MindFactory {
   std::size_t size() const { return minds_.size(); }
 
  private:
+  Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules);
   void Decide(Mind& mind);
   void TellGap(Mind& mind, const world::Agent& body);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/simulation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "script/script_host.h"
@@ -28,6 +29,8 @@ struct Simulation::Impl final : script::ScriptListener {
 
   void Report(Event event);
   void ReportDiagnostic(const Diagnostic& diagnostic);
+  /// Tells when the minds' kernel has gone, and brings the minds back once there is one again.
+  void KeepConnected();
   void ReportNewAgents();
   void ReportWarningsOfWorld();
   void ReportCommand(Minds::Mind& mind, const world::Agent& body, const std::string& command);
@@ -81,6 +84,24 @@ void Simulation::Impl::ReportDiagnostic(const Diagnostic& diagnostic) {
   Report(std::move(event));
 }
 
+void Simulation::Impl::KeepConnected() {
+  if (soar->IsConnected()) return;
+  const std::string address = soar->settings().remote_host + ":" + std::to_string(soar->settings().remote_port);
+  Event event;
+  if (std::exchange(connected, false)) {
+    event.kind = EventKind::kMindLost;
+    event.text = "the Soar kernel at " + address + " has gone; its agents stand still until one answers there";
+    Report(std::move(event));
+  }
+  if (!soar->Reconnect()) return;
+  minds->Restore();
+  if (!soar->IsConnected()) return;
+  connected = true;
+  event.kind = EventKind::kMindBack;
+  event.text = "a Soar kernel answers at " + address + " again; the agents' rules are loaded, their memories are new";
+  Report(std::move(event));
+}
+
 void Simulation::Impl::ReportNewAgents() {
   const std::span<const world::EntityId> ids = world.AgentIds();
   for (; agents_reported < ids.size(); ++agents_reported) {
@@ -112,6 +133,8 @@ void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body
 void Simulation::Impl::Act(world::EntityId id) {
   world::Agent& body = *world.FindAgent(id);
   if (Minds::Mind* mind = minds->Find(id)) {
+    // Nobody steers a body whose mind has gone with its kernel: it stops where it is, and falls if it was in the air.
+    if (!connected || mind->lost) body.SetVelocity({0, std::min(body.Velocity().y, 0.0f), 0});
     // One update per command, as the thesis has it; none in a gap.
     for (std::size_t i = 0; mind->decided && i < mind->soar.commands().size(); ++i) {
       const std::string& command = mind->soar.commands()[i];
@@ -160,21 +183,14 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
 void Simulation::Tick() {
   Impl& s = *impl_;
   s.soar->ServeClients();
-  if (!s.soar->IsConnected()) {
-    if (std::exchange(s.connected, false)) {
-      Event event;
-      event.kind = EventKind::kMindLost;
-      event.text = "the Soar kernel at " + s.soar->settings().remote_host + " has gone; its agents stand still";
-      s.Report(std::move(event));
-    }
-  }
+  s.KeepConnected();
 
   // Events.
   s.scripts->BeginTick(s.world.BeginTick());
   for (const script::InputEvent& event : std::exchange(s.input, {})) s.scripts->HandleInput(event);
   s.scripts->DeliverEvents();
   // Sense and decide.
-  if (s.connected) s.minds->Decide();
+  s.minds->Decide();
   // Act.
   s.order.assign(s.world.AgentIds().begin(), s.world.AgentIds().end());
   for (const world::EntityId id : s.order) s.Act(id);
@@ -187,7 +203,10 @@ void Simulation::Tick() {
   s.ReportWarningsOfWorld();
 }
 
-void Simulation::Idle() { impl_->soar->ServeClients(); }
+void Simulation::Idle() {
+  impl_->soar->ServeClients();
+  impl_->KeepConnected();
+}
 
 std::uint64_t Simulation::tick() const { return impl_->world.tick(); }
 double Simulation::time_s() const { return impl_->world.time_s(); }
@@ -206,6 +225,11 @@ void Simulation::MouseButton(std::string_view button, bool pressed) {
   event.button = button;
   event.pressed = pressed;
   impl_->input.push_back(std::move(event));
+}
+
+void Simulation::ReportTimes(double frame_us, double tick_us) {
+  const double between_ticks_us = static_cast<double>(impl_->world.settings().step_s) * 1e6;
+  impl_->scripts->SetProfileTimes({frame_us, tick_us, between_ticks_us});
 }
 
 void Simulation::Finish() {

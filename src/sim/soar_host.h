@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,15 +52,23 @@ class SoarHost {
 
   /// False once a remote kernel has gone away.
   bool IsConnected() const;
+  /// Looks for a kernel at the address of the one that has gone: once a second of real time, on another thread. True once
+  /// one answers; it is then the host's, and all agents have to be made again.
+  bool Reconnect();
 
   const SoarSettings& settings() const { return settings_; }
 
  private:
-  SoarHost(sml::Kernel* kernel, const SoarSettings& settings) : kernel_(kernel), settings_(settings) {}
+  class Attempt;
 
-  sml::Kernel* kernel_;
+  SoarHost(std::unique_ptr<sml::Kernel> kernel, const SoarSettings& settings);
+  bool IsRemote() const { return !settings_.remote_host.empty(); }
+
+  std::unique_ptr<sml::Kernel> kernel_;
   SoarSettings settings_;
   std::uint64_t agents_made_ = 0;
+  std::set<std::string> agents_;        ///< Names of those made, so that a remote kernel is left without them.
+  std::shared_ptr<Attempt> attempt_;    ///< To reach a kernel again; null while connected.
 };
 
 /// Reads "file:line:column: error: text" lines, as kernels print them, into diagnostics. Text without a place becomes one

@@ -6,16 +6,16 @@
 namespace soarbox::sim {
 
 SoarMind::SoarMind(sml::Agent& agent)
-    : agent_(agent), distance_(agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0)) {}
+    : agent_(&agent), distance_(agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0)) {}
 
 void SoarMind::Decide(float distance_squared_m2) {
-  agent_.Update(distance_, distance_squared_m2);
-  agent_.RunSelfTilOutput();
+  agent_->Update(distance_, distance_squared_m2);
+  agent_->RunSelfTilOutput();
   // Strings are assigned in place, so that a tick allocates nothing once the longest word has been seen.
   std::size_t count = 0;
   handles_.clear();
-  for (int i = 0; i < agent_.GetNumberCommands(); ++i) {
-    sml::Identifier* command = agent_.GetCommand(i);
+  for (int i = 0; i < agent_->GetNumberCommands(); ++i) {
+    sml::Identifier* command = agent_->GetCommand(i);
     if (command == nullptr) continue;
     if (commands_.size() == count) commands_.emplace_back();
     commands_[count++] = command->GetCommandName();
@@ -32,8 +32,8 @@ void SoarMind::Answer(std::size_t index, bool succeeded) {
   }
 }
 
-bool SoarMind::Halted() const { return agent_.GetRunState() == sml::sml_RUNSTATE_HALTED; }
+bool SoarMind::Halted() const { return agent_->GetRunState() == sml::sml_RUNSTATE_HALTED; }
 
-void SoarMind::Restart() { agent_.InitSoar(); }
+void SoarMind::Restart() { agent_->InitSoar(); }
 
 }  // namespace soarbox::sim

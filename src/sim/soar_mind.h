@@ -37,7 +37,7 @@ class SoarMind {
   void Restart();
 
  private:
-  sml::Agent& agent_;
+  sml::Agent* agent_;
   sml::FloatElement* distance_;
   std::vector<std::string> commands_;
   std::vector<sml::Identifier*> handles_;  ///< Beside commands_; valid until the next Decide.

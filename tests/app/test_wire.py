@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Minds in another process, debuggers at a running world, and hostile clients, all through the real command."""
+import json
+import os
+import signal
+import socket
+import subprocess
+import threading
+import time
+import unittest
+
+from protocol_client import Client, Refused, debugger_attach, debugger_start, frame
+from soarbox_command import COMMAND, run_json
+
+
+def free_port():
+    with socket.socket() as holder:
+        holder.bind(("127.0.0.1", 0))
+        return holder.getsockname()[1]
+
+
+class Process:
+    """A soarbox command that is still running; its lines are read as they come."""
+
+    def __init__(self, *arguments):
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        self.process = subprocess.Popen([COMMAND, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                        text=True, env=environment)
+        self.lines = []
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
+
+    def read(self):
+        for line in self.process.stdout:
+            self.lines.append(line)
+
+    def wait_for(self, wanted, limit_s=60.0):
+        """The first line that the predicate accepts."""
+        until = time.monotonic() + limit_s
+        seen = 0
+        while time.monotonic() < until:
+            while seen < len(self.lines):
+                if wanted(self.lines[seen]):
+                    return self.lines[seen]
+                seen += 1
+            if self.process.poll() is not None and not self.reader.is_alive() and seen == len(self.lines):
+                break
+            time.sleep(0.02)
+        raise AssertionError("the line did not come; last lines: " + "".join(self.lines[-5:]))
+
+    def events(self, kind):
+        found = [json.loads(line) for line in list(self.lines) if line.startswith("{")]
+        return [event for event in found if event["event"] == kind]
+
+    def interrupt(self):
+        self.process.send_signal(signal.SIGINT)
+        return self.finish()
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.finish()
+
+    def finish(self, limit_s=60.0):
+        code = self.process.wait(limit_s)
+        self.reader.join(limit_s)
+        self.process.stdout.close()
+        self.process.stderr.close()
+        return code
+
+
+def is_event(kind):
+    return lambda line: line.startswith("{") and json.loads(line)["event"] == kind
+
+
+class Case(unittest.TestCase):
+    def start(self, *arguments):
+        process = Process(*arguments)
+        self.addCleanup(process.kill)
+        return process
+
+    def start_kernel(self, port):
+        kernel = self.start("kernel", "--port", port)
+        kernel.wait_for(lambda line: f"listens on 127.0.0.1:{port}" in line)
+        return kernel
+
+
+class RemoteMinds(Case):
+    def test_a_run_over_a_socket_equals_the_run_in_process_and_leaves_the_kernel_empty(self):
+        port = free_port()
+        self.start_kernel(port)
+        arguments = ("--seconds", 20, "--every-command", "--seed", 7)
+        near = run_json("thesis", *arguments)
+        far = run_json("thesis", *arguments, "--kernel", f"127.0.0.1:{port}")
+        self.assertEqual((near.code, far.code), (0, 0), far.err)
+        self.assertGreater(len(near.of("command")), 1000)
+        self.assertEqual(near.of("command"), far.of("command"))
+        self.assertEqual(near.of("end"), far.of("end"))
+        with Client(port) as client:
+            self.assertEqual(client.agents(), [])
+
+    def test_minds_that_lose_their_kernel_stand_still_and_come_back_with_the_next_one(self):
+        port = free_port()
+        kernel = self.start_kernel(port)
+        run = self.start("run", "thesis", "--headless", "--json", "--every-command", "--seconds", 60, "--speed", 4,
+                         "--report", 0.5, "--kernel", f"127.0.0.1:{port}")
+        run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > 3)
+        kernel.kill()
+        lost = json.loads(run.wait_for(is_event("lost")))
+        self.assertIn(f"127.0.0.1:{port}", lost["text"])
+        run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > lost["time"] + 4)
+        self.start_kernel(port)
+        back = json.loads(run.wait_for(is_event("back")))
+        run.wait_for(lambda line: is_event("command")(line) and json.loads(line)["time"] > back["time"])
+        run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > back["time"] + 4)
+        self.assertEqual(run.interrupt(), 0)
+
+        commands = [event["time"] for event in run.events("command")]
+        self.assertFalse([at for at in commands if lost["time"] < at < back["time"]])
+        states = [event for event in run.events("state")]
+        while_lost = [state for state in states if lost["time"] + 1 < state["time"] < back["time"]]
+        after = [state for state in states if state["time"] > back["time"] + 3]
+
+        def moved(first, last, soar):
+            """How far each agent of a kind of mind went between two reports."""
+            there = {agent["name"]: agent["position"] for agent in last["agents"]}
+            return [sum((a - b) ** 2 for a, b in zip(agent["position"], there[agent["name"]])) ** 0.5
+                    for agent in first["agents"] if ("soar" in agent["kind"]) == soar]
+
+        self.assertLess(sorted(moved(while_lost[0], while_lost[-1], True))[-2], 0.2, "all stand but who is pushed")
+        self.assertGreater(max(moved(while_lost[0], while_lost[-1], False)), 0.2, "the world goes on")
+        self.assertGreater(max(moved(while_lost[-1], after[-1], True)), 1, "the minds act again")
+
+    def test_names_that_another_run_uses_in_that_kernel_are_told(self):
+        port = free_port()
+        self.start_kernel(port)
+        first = self.start("run", "thesis", "--headless", "--json", "--speed", 1, "--kernel", f"127.0.0.1:{port}")
+        first.wait_for(is_event("command"))
+        second = run_json("thesis", "--seconds", 1, "--kernel", f"127.0.0.1:{port}")
+        self.assertEqual(second.code, 1, second.out)
+        self.assertIn("already has an agent named", second.out)
+        self.assertEqual(first.interrupt(), 0)
+
+
+class Watched(Case):
+    """A world that runs in real time and lets debuggers attach."""
+
+    def setUp(self):
+        self.port = free_port()
+        self.world = self.start("run", "thesis", "--headless", "--json", "--seconds", 600, "--speed", 1, "--report", 0.25,
+                                "--port", self.port)
+        self.world.wait_for(is_event("state"))
+
+    def world_time(self):
+        return self.world.events("state")[-1]["time"]
+
+    def check_pace(self, seconds=2.0, at_least=0.6):
+        """The world makes at least this much of real time."""
+        before = self.world_time()
+        time.sleep(seconds)
+        self.assertGreater(self.world_time() - before, seconds * at_least)
+
+    def check_served(self):
+        with Client(self.port) as client:
+            self.assertEqual(client.text("version"), "9.6.3")
+            self.assertEqual(len(client.agents()), 5)
+
+    def test_a_debugger_attaches_traces_stops_steps_reads_and_leaves(self):
+        with Client(self.port) as client:
+            agents = debugger_start(client)
+            self.assertEqual(len(agents), 5)
+            agent = agents[0]
+            debugger_attach(client, agent)
+            client.line(agent, "watch 1")
+            client.line(agent, "sp {watched*note (state <s> ^superstate nil ^io.input-link.distance) --> (<s> ^noted yes)}")
+            self.assertEqual(client.text("is_production_loaded", agent=agent, name="watched*note"), "true")
+            client.listen(1.5)
+            self.assertTrue(client.heard("print"))
+            self.assertTrue(client.heard("after-decision-cycle"))
+            traces = [document.find("trace") for document in client.heard("xml-trace-output")]
+            self.assertTrue([trace for trace in traces if trace is not None and trace.findall("*")])
+            self.assertRegex(client.line(agent, "print s1"), r"\^noted yes")
+            self.assertIn("distance", client.line(agent, "print --depth 2 i2"))
+            response = client.call("cmdline", agent=agent, line="print s1")
+            self.assertTrue([wme for wme in response.iter("wme") if wme.get("attr") == "noted"])
+
+            client.line(agent, "production break --set watched*note")
+            self.assertIn("watched*note", client.line(agent, "production break"))
+            client.line(agent, "production break --clear watched*note")
+            client.line(agent, "stop-soar")
+            before = int(client.text("get_run_state", agent=agent, value="decision"))
+            answer = client.line(agent, "run -d 1 --self")
+            self.assertRegex(answer, r"decision cycle")
+            self.assertGreater(int(client.text("get_run_state", agent=agent, value="decision")), before)
+            with self.assertRaises(Refused):
+                client.line(agent, "no-such-command")
+            self.assertTrue(client.line(agent, "print --stack"))
+            self.assertTrue(client.line(agent, "stats"))
+        self.check_pace()
+        self.check_served()
+        self.assertEqual(self.world.interrupt(), 0)
+
+    def test_hostile_documents_hurt_nobody_else(self):
+        call = '<sml doctype="call" id="1" smlversion="9.6.3"><command name="version"></command></sml>'
+        deep = "<a>" * 100_000 + "</a>" * 100_000
+        hostile = {
+            "truncated frame": struct_length(5000) + b"<sml doctype",
+            "oversized length": b"\xff\xff\xff\xff" + call.encode(),
+            "100,000 levels": frame(deep),
+            "malformed": frame("<sml doctype='call'><command></sml>"),
+            "garbage": bytes(range(256)) * 64,
+            "numeric reference": frame(call.replace("version\"></", "version\">&#65;</")),
+            "endless reference": frame("<sml>&#" + "9" * 100_000),
+            "call without id": frame(call.replace(' id="1"', "")),
+            "call without doctype": frame(call.replace(' doctype="call"', "")),
+            "run state of nobody": frame(call.replace("version", "get_run_state")),
+            "empty message": frame(""),
+            "doctype": frame('<!DOCTYPE a [<!ENTITY b "bb"><!ENTITY c "&b;&b;">]><sml>&c;</sml>'),
+            "left in the middle": frame(call)[:-20],
+        }
+        for name, data in hostile.items():
+            with self.subTest(name):
+                with socket.create_connection(("127.0.0.1", self.port), timeout=20) as bad:
+                    bad.sendall(data)
+                    time.sleep(0.1)
+                    self.check_served()
+                self.check_served()
+        self.check_pace()
+
+    def test_a_client_that_traces_and_never_reads_does_not_slow_the_world(self):
+        with Client(self.port) as silent:
+            for agent in silent.agents():
+                silent.register("print", agent=agent)
+                silent.register("xml-trace-output", agent=agent)
+                silent.line(agent, "watch 5")
+            self.check_pace(4.0)
+            self.check_served()
+        self.check_pace()
+
+    def test_a_hundred_clients_at_once_are_served(self):
+        clients = [Client(self.port) for _ in range(100)]
+        try:
+            for client in clients:
+                self.assertEqual(client.text("version"), "9.6.3")
+            self.check_pace()
+            for client in clients:
+                self.assertEqual(len(client.agents()), 5)
+        finally:
+            for client in clients:
+                client.close()
+        self.check_served()
+
+
+def struct_length(length):
+    return length.to_bytes(4, "big")
+
+
+if __name__ == "__main__":
+    unittest.main()
