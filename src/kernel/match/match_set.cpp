@@ -43,7 +43,21 @@ void MatchSet::Unlink(std::uint32_t match) {
 
 // Records -------------------------------------------------------------------------------------------------------------
 
-std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
+inline std::uint32_t MatchSet::TakeElements(std::size_t count) {
+  if (count < free_elements_.size() && free_elements_[count] != kNil) {
+    const std::uint32_t place = free_elements_[count];
+    free_elements_[count] = Index(elements_[place]);
+    return place;
+  }
+  if (count >= free_elements_.size()) {
+    free_elements_.resize(count + 1, kNil);
+  }
+  const auto place = static_cast<std::uint32_t>(elements_.size());
+  elements_.resize(elements_.size() + count);
+  return place;
+}
+
+inline std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
   std::uint32_t index = free_records_;
   if (index != kNil) {
     free_records_ = records_[index].next;
@@ -53,24 +67,12 @@ std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
   }
 
   const std::size_t count = arrival.elements.size();
-  std::uint32_t place = 0;
-  if (count != 0) {
-    if (count >= free_elements_.size()) {
-      free_elements_.resize(count + 1, kNil);
-    }
-    place = free_elements_[count];
-    if (place != kNil) {
-      free_elements_[count] = Index(elements_[place]);
-    } else {
-      place = static_cast<std::uint32_t>(elements_.size());
-      elements_.resize(elements_.size() + count);
-    }
-    // A few words: cheaper one by one than by a call.
-    WmeId* to = elements_.data() + place;
-    const WmeId* from = arrival.elements.data();
-    for (std::size_t n = 0; n < count; ++n) {
-      to[n] = from[n];
-    }
+  const std::uint32_t place = count == 0 ? 0 : TakeElements(count);
+  // A few words: cheaper one by one than by a call.
+  WmeId* to = elements_.data() + place;
+  const WmeId* from = arrival.elements.data();
+  for (std::size_t n = 0; n < count; ++n) {
+    to[n] = from[n];
   }
 
   Record& record = records_[index];

@@ -155,6 +155,7 @@ class MatchSet {
   };
 
   std::uint32_t NewRecord(const Arrival& arrival);
+  std::uint32_t TakeElements(std::size_t count);
   void FreeRecord(std::uint32_t match);
   void Push(std::uint32_t match, std::uint8_t list);
   void Unlink(std::uint32_t match);

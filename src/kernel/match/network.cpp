@@ -60,6 +60,7 @@ std::uint32_t TakePlaces(std::vector<T>& pool, std::vector<std::uint32_t>& free,
     return place;
   }
   place = static_cast<std::uint32_t>(pool.size());
+  GrowByQuarter(pool, pool.size() + count);
   pool.resize(pool.size() + count);
   return place;
 }
@@ -199,6 +200,7 @@ std::uint32_t Network::AddNode(std::uint32_t parent, Node node, std::span<const 
     nodes_[index] = node;
   } else {
     index = static_cast<std::uint32_t>(nodes_.size());
+    GrowByQuarter(nodes_, nodes_.size() + 1);
     nodes_.push_back(node);
   }
   LinkChild(index);

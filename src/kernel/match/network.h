@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -81,6 +83,14 @@ struct Alpha {
 
   friend bool operator==(const Alpha&, const Alpha&) = default;
 };
+
+/// Makes room for `size` records in a large array that grows for long: by a quarter, where vectors would double.
+template <typename T>
+void GrowByQuarter(std::vector<T>& array, std::size_t size) {
+  if (size > array.capacity()) {
+    array.reserve(std::max(size, array.capacity() + array.capacity() / 4 + 16));
+  }
+}
 
 /// The topology of a Rete: which tests where. Holds nothing that changes while rules run, so that agents with the same
 /// rules can share it. Node 0 is the root. Children are listed newest first.

@@ -90,6 +90,7 @@ void ReteState::ExciseProduction(std::uint32_t number) {
 
 void ReteState::NodeAdded(std::uint32_t index) {
   if (index >= nodes.size()) {
+    GrowByQuarter(nodes, index + 1u);
     nodes.resize(index + 1u);
   }
   nodes[index] = NodeState();
@@ -180,6 +181,7 @@ std::uint32_t ReteState::MakeAlpha(const std::uint32_t (&constants)[3], std::uin
   }
   alpha = network->AddAlpha(constants, mask, acceptable);
   if (alpha >= alphas.size()) {
+    GrowByQuarter(alphas, alpha + 1u);
     alphas.resize(alpha + 1u);
   }
   alphas[alpha] = AlphaState();
