@@ -29,7 +29,7 @@ class Decision {
   /// operator or its impasse and everything below have been removed.
   bool CheckConsistency(GoalLevel level);
   /// Takes the operator out of its slot and removes the states below.
-  void RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable = WmeId::kNone);
+  [[gnu::noinline]] void RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable = WmeId::kNone);
   /// Operator preferences of the goal at this level changed.
   void NoteContextChanged(GoalLevel level) {
     if (changed_from_ == 0 || level < changed_from_) changed_from_ = level;

@@ -177,7 +177,8 @@ void Elaboration::AssertNew() {
   const auto is_o_reject = [](const Preference& preference) {
     return preference.o_supported && preference.type == PreferenceType::kReject;
   };
-  for (std::size_t n = made.size(); n-- > 0;) {
+  const std::size_t to_search = engine_.preferences.TakeORejectMade() ? made.size() : 0;
+  for (std::size_t n = to_search; n-- > 0;) {
     for (PreferenceId p = engine_.instantiations[made[n]].preferences; p != PreferenceId::kNone;
          p = memory.preference(p).next_of_instantiation) {
       if (is_o_reject(memory.preference(p))) o_rejects_.push_back(p);

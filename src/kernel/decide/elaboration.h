@@ -44,9 +44,9 @@ class Elaboration {
   FiringType TypeAt(GoalLevel level) const;
   void PreferencePhase(bool apply);
   void FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_level);
-  void AssertNew();
+  [[gnu::flatten]] void AssertNew();
   void RetractLevel(GoalLevel level);
-  void Retract(MatchId match);
+  [[gnu::flatten]] void Retract(MatchId match);
 
   Engine& engine_;
   GoalLevel active_ = 0;

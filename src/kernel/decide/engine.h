@@ -102,13 +102,13 @@ struct Engine {
   void ExciseLater(ProductionId production) { excisions.push_back(production); }
 
   GoalView goal_view() const { return {memory.goal_levels(), memory.long_term_identifiers()}; }
-  WmeInfo Describe(WmeId wme) const;
-  GoalInfo Describe(const Goal& goal) const;
-  FiringInfo DescribeInstantiation(InstantiationId id) const;
+  [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
+  [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;
+  [[gnu::noinline]] FiringInfo DescribeInstantiation(InstantiationId id) const;
   std::string_view ProductionName(InstantiationId id) const;
   /// The operator selected in a goal, or none.
   Symbol OperatorOf(const Goal& goal) const;
-  void Print(std::string_view text);
+  [[gnu::noinline]] void Print(std::string_view text);
   void Warn(WarningKind kind, std::string_view text);
 
   /// Between phases: frees constants and identifiers that nothing mentions, when their number has doubled.

@@ -79,6 +79,8 @@ void Firing::Fire(const PendingMatch& match) {
     const FiringInfo info = engine_.DescribeInstantiation(id);
     engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFiring(engine_.agent, info); });
   }
+  match_level_ = match.level;
+  o_support_ = match.o_support;
   RunActions(*rule, id);
   if (engine_.observers.Wants(Event::kFiring)) {
     std::vector<PreferenceId> made;
@@ -137,48 +139,46 @@ void Firing::RunAction(const Action& action, InstantiationId id) {
     Evaluate(action.value);
     return;
   }
-  Preference preference;
-  level_ = engine_.instantiations[id].level;
-  preference.id = Evaluate(action.id);
-  if (!preference.id) return;
-  if (!preference.id.IsIdentifier()) {
-    engine_.Print(BadIdentifier(engine_.symbols, preference.id, *rule_));
+  level_ = match_level_;
+  const Symbol object = Evaluate(action.id);
+  if (!object) return;
+  if (!object.IsIdentifier()) {
+    engine_.Print(BadIdentifier(engine_.symbols, object, *rule_));
     return;
   }
   // What an object's preference makes hangs on that object, so it begins with its level.
-  level_ = engine_.memory.level(preference.id);
-  preference.attribute = Evaluate(action.attribute);
-  if (!preference.attribute) return;
-  preference.value = Evaluate(action.value);
-  if (!preference.value) return;
-  preference.type = action.preference;
+  const IdentifierRecord& record = engine_.memory.identifier(object);
+  const bool is_goal = record.is_goal;
+  level_ = record.level;
+  const Symbol attribute = Evaluate(action.attribute);
+  if (!attribute) return;
+  const Symbol value = Evaluate(action.value);
+  if (!value) return;
+  PreferenceType type = action.preference;
+  Symbol referent;
   if (action.HasReferent()) {
-    preference.referent = Evaluate(action.referent);
-    if (!preference.referent) return;
+    referent = Evaluate(action.referent);
+    if (!referent) return;
     // `= x` is read as binary; what x is shows only now.
-    if (preference.type == PreferenceType::kBinaryIndifferent && preference.referent.IsNumber()) {
-      preference.type = PreferenceType::kNumericIndifferent;
-    }
+    if (type == PreferenceType::kBinaryIndifferent && referent.IsNumber()) type = PreferenceType::kNumericIndifferent;
   }
-  const bool is_operator = preference.attribute == words::kOperator && engine_.memory.identifier(preference.id).is_goal;
-  if (!is_operator && preference.type != PreferenceType::kAcceptable && preference.type != PreferenceType::kReject) {
+  // Of other slots than a state's operator only these two count.
+  if (type != PreferenceType::kAcceptable && type != PreferenceType::kReject &&
+      !(is_goal && attribute == words::kOperator)) {
     return;
   }
-  preference.o_supported = engine_.instantiations[id].o_support;
-  engine_.preferences.Make(id, preference);
+  engine_.preferences.Make(id, object, attribute, value, referent, type, o_support_);
 }
 
-Symbol Firing::Evaluate(const RhsValue& value) {
-  switch (value.kind) {
-    case RhsValueKind::kConstant: return value.symbol;
-    case RhsValueKind::kBound:
-      return FieldOf(engine_.memory.wme(wmes_[value.site.positive_condition]), value.site.field);
-    case RhsValueKind::kNew: {
-      Symbol& made = new_identifiers_[value.new_index];
-      if (!made) made = engine_.memory.NewIdentifier(LetterFor(engine_.symbols.Text(value.symbol)), level_);
-      return made;
-    }
-    case RhsValueKind::kFunction: break;
+Symbol Firing::BoundValue(BindingSite site) const {
+  return FieldOf(engine_.memory.wme(wmes_[site.positive_condition]), site.field);
+}
+
+Symbol Firing::EvaluateRare(const RhsValue& value) {
+  if (value.kind == RhsValueKind::kNew) {
+    Symbol& made = new_identifiers_[value.new_index];
+    if (!made) made = engine_.memory.NewIdentifier(LetterFor(engine_.symbols.Text(value.symbol)), level_);
+    return made;
   }
   // Arguments stand on a stack, so that calls may nest without allocating.
   const std::size_t base = argument_stack_.size();

@@ -37,16 +37,24 @@ class Firing {
   static char LetterFor(std::string_view name);
 
  private:
-  void RunActions(const Production& rule, InstantiationId id);
+  [[gnu::flatten]] void RunActions(const Production& rule, InstantiationId id);
   void RunAction(const Action& action, InstantiationId id);
   /// The value of a right-hand-side term; none if a function failed or gives nothing.
-  Symbol Evaluate(const RhsValue& value);
+  Symbol Evaluate(const RhsValue& value) {
+    if (value.kind == RhsValueKind::kConstant) return value.symbol;
+    return value.kind == RhsValueKind::kBound ? BoundValue(value.site) : EvaluateRare(value);
+  }
+  Symbol BoundValue(BindingSite site) const;
+  /// New identifiers and functions.
+  [[gnu::noinline]] Symbol EvaluateRare(const RhsValue& value);
 
   Engine& engine_;
   std::vector<InstantiationId> made_;
   std::vector<WmeId> wmes_;              ///< Of the match that fires: working memory may grow while it does.
   std::vector<Symbol> new_identifiers_;
   std::vector<Symbol> argument_stack_;
+  GoalLevel match_level_ = 0;            ///< Of the match that fires.
+  bool o_support_ = false;
   GoalLevel level_ = 0;                  ///< Of identifiers that the action at hand makes.
   const Production* rule_ = nullptr;
 };

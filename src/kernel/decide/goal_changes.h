@@ -29,7 +29,7 @@ class GoalChanges {
   /// Brings the items of the substate below `level` up to date: elements that stay keep their time tags.
   void UpdateItems(GoalLevel level, std::span<const Candidate> candidates);
   /// Removes the goal of this level and all below, the lowest first.
-  void RemoveFrom(GoalLevel level, GoalRemoval reason);
+  [[gnu::noinline]] void RemoveFrom(GoalLevel level, GoalRemoval reason);
   /// Removes what an identifier that no goal reaches owns.
   void CollectGarbage(Symbol id);
 

@@ -23,14 +23,14 @@ class GoalDependencySets {
   /// enters the substate's set.
   void NoteNewFact(WmeId wme);
   /// A member of a set is about to leave: its goal and all below go first.
-  void MemberLeaves(WmeId wme);
+  [[gnu::noinline]] void MemberLeaves(WmeId wme);
   /// The element leaves without harm to the goal.
-  void Forget(WmeId wme);
+  [[gnu::noinline]] void Forget(WmeId wme);
   /// The goal is going: its members are free.
   void GoalRemoved(GoalLevel level);
 
  private:
-  void Collect(InstantiationId instantiation, GoalLevel level);
+  [[gnu::noinline]] void Collect(InstantiationId instantiation, GoalLevel level);
   void AddMember(WmeId wme, GoalLevel level);
   void Queue(InstantiationId instantiation);
 

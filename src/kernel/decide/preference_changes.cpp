@@ -8,20 +8,31 @@
 
 namespace soarbox::kernel {
 
-PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, const Preference& content) {
-  const PreferenceId id = engine_.memory.MakePreference();
-  Preference& preference = engine_.memory.mutable_preference(id);
-  preference = content;
-  preference.live = true;
+PreferenceId PreferenceChanges::Make(InstantiationId instantiation, const Preference& content) {
+  return Make(instantiation, content.id, content.attribute, content.value, content.referent, content.type,
+              content.o_supported);
+}
+
+PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, Symbol id, Symbol attribute, Symbol value,
+                                     Symbol referent, PreferenceType type, bool o_supported) {
+  const PreferenceId made = engine_.memory.MakePreference();
+  Preference& preference = engine_.memory.mutable_preference(made);
   Instantiation& instantiation = engine_.instantiations[instantiation_id];
+  preference.id = id;
+  preference.attribute = attribute;
+  preference.value = value;
+  preference.referent = referent;
+  preference.type = type;
+  preference.o_supported = o_supported;
+  if (o_supported && type == PreferenceType::kReject) o_reject_made_ = true;
   preference.instantiation = instantiation_id;
   preference.level = instantiation.level;
   preference.next_of_instantiation = instantiation.preferences;
   if (instantiation.preferences != PreferenceId::kNone) {
-    engine_.memory.mutable_preference(instantiation.preferences).previous_of_instantiation = id;
+    engine_.memory.mutable_preference(instantiation.preferences).previous_of_instantiation = made;
   }
-  instantiation.preferences = id;
-  return id;
+  instantiation.preferences = made;
+  return made;
 }
 
 bool PreferenceChanges::Assert(PreferenceId id) {
@@ -45,7 +56,7 @@ bool PreferenceChanges::Assert(PreferenceId id) {
   MarkChanged(slot);
   if (is_operator &&
       (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
-    changed_acceptables_.push_back(slot);
+    NoteAcceptablesChanged(slot);
   }
   engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceAdded(engine_.agent, id); });
   return true;
@@ -65,7 +76,7 @@ void PreferenceChanges::Retract(PreferenceId id) {
   MarkChanged(slot);
   if (memory.slot(slot).is_operator &&
       (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
-    changed_acceptables_.push_back(slot);
+    NoteAcceptablesChanged(slot);
   }
   FreeIfUnused(id);
 }
@@ -97,7 +108,11 @@ void PreferenceChanges::DropReference(PreferenceId id) {
 
 void PreferenceChanges::FreeIfUnused(PreferenceId id) {
   if (engine_.memory.preference(id).references != 0) return;
-  unused_.push_back(id);
+  if (draining_) {
+    unused_.push_back(id);
+    return;
+  }
+  Free(id);
   Drain();
 }
 
@@ -106,19 +121,23 @@ void PreferenceChanges::FreeIfUnused(InstantiationId id) {
   Drain();
 }
 
+void PreferenceChanges::Free(PreferenceId id) {
+  const InstantiationId instantiation = engine_.memory.preference(id).instantiation;
+  if (engine_.memory.preference(id).on_goal_list) UnlinkFromGoal(id);
+  UnlinkFromChains(id);
+  engine_.memory.FreePreference(id);
+  FreeInstantiation(instantiation);
+}
+
 /// Freeing a preference may free its instantiation, whose conditions let go of other preferences: a chain as long as the
 /// reasoning in a substate was, so it is worked off here and not by recursion.
 void PreferenceChanges::Drain() {
-  if (draining_) return;
+  if (unused_.empty() || draining_) return;
   draining_ = true;
   while (!unused_.empty()) {
     const PreferenceId id = unused_.back();
     unused_.pop_back();
-    const InstantiationId instantiation = engine_.memory.preference(id).instantiation;
-    if (engine_.memory.preference(id).on_goal_list) UnlinkFromGoal(id);
-    UnlinkFromChains(id);
-    engine_.memory.FreePreference(id);
-    FreeInstantiation(instantiation);
+    Free(id);
   }
   draining_ = false;
 }
@@ -150,7 +169,7 @@ void PreferenceChanges::FreeInstantiation(InstantiationId id) {
       instantiation.preferences != PreferenceId::kNone) {
     return;
   }
-  engine_.justifier.InstantiationFreed(id);
+  if (instantiation.justification != 0xFFFFFFFFu) engine_.justifier.InstantiationFreed(id);
   for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
     engine_.changes.DropReference(trace.wme);
     if (trace.preference == PreferenceId::kNone) continue;
@@ -206,11 +225,16 @@ void PreferenceChanges::UnlinkFromGoal(PreferenceId id) {
   }
 }
 
+/// A slot that is noted twice on end is updated once: the second visit would find nothing to do.
+void PreferenceChanges::NoteAcceptablesChanged(SlotId slot) {
+  if (changed_acceptables_.empty() || changed_acceptables_.back() != slot) changed_acceptables_.push_back(slot);
+}
+
 void PreferenceChanges::MarkChanged(SlotId id) {
   Slot& slot = engine_.memory.mutable_slot(id);
   if (slot.is_operator) {
     if (!engine_.memory.identifier(slot.id).is_goal) {
-      changed_acceptables_.push_back(id);
+      NoteAcceptablesChanged(id);
       return;
     }
     engine_.decision.NoteContextChanged(engine_.memory.level(slot.id));

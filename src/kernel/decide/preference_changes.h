@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "kernel/base/ids.h"
@@ -18,8 +19,11 @@ class PreferenceChanges {
  public:
   explicit PreferenceChanges(Engine& engine) : engine_(engine) {}
 
-  /// A preference of an instantiation, at the head of its list; not in a slot yet.
+  /// A preference of an instantiation, at the head of its list; not in a slot yet. Of `content` only the symbols, the
+  /// type and the support count.
   PreferenceId Make(InstantiationId instantiation, const Preference& content);
+  PreferenceId Make(InstantiationId instantiation, Symbol id, Symbol attribute, Symbol value, Symbol referent,
+                    PreferenceType type, bool o_supported);
   /// Puts it in its slot, unless the top state has the same o-supported fact already. False if it was not added.
   bool Assert(PreferenceId preference);
   /// Takes it out of its slot and drops the slot's reference.
@@ -30,6 +34,8 @@ class PreferenceChanges {
   void LinkToGoal(InstantiationId instantiation);
   /// The goal is going: takes the preference out of its slot and off the goal's list.
   void LeaveGoal(PreferenceId preference);
+  /// True if an o-supported reject was made since the last call.
+  bool TakeORejectMade() { return std::exchange(o_reject_made_, false); }
   void AddReference(PreferenceId preference);
   void DropReference(PreferenceId preference);
   /// Frees the preference if nothing refers to it.
@@ -45,7 +51,7 @@ class PreferenceChanges {
   std::vector<SlotId>& changed_acceptables() { return changed_acceptables_; }
   /// Slots to free at the end of the phase if they are empty.
   std::vector<SlotId>& empty_slots() { return empty_slots_; }
-  void FreeEmptySlots();
+  [[gnu::flatten]] void FreeEmptySlots();
   void Clear();
 
  private:
@@ -53,6 +59,8 @@ class PreferenceChanges {
   void UnlinkFromGoal(PreferenceId preference);
   void UnlinkFromChains(PreferenceId preference);
   void FreeInstantiation(InstantiationId instantiation);
+  void NoteAcceptablesChanged(SlotId slot);
+  void Free(PreferenceId preference);
   void Drain();
 
   Engine& engine_;
@@ -60,6 +68,7 @@ class PreferenceChanges {
   std::vector<PreferenceId> unused_, rejected_;
   std::uint32_t last_stamp_ = 0;
   bool draining_ = false;
+  bool o_reject_made_ = false;
 };
 
 }  // namespace soarbox::kernel

@@ -61,18 +61,25 @@ void SlotDecision::AddValue(Symbol value, PreferenceId preference) {
 void SlotDecision::DecideChangedSlots() {
   std::vector<SlotId>& changed = engine_.preferences.changed_slots();
   while (!changed.empty()) {
-    const SlotId slot = changed.back();
+    const SlotId id = changed.back();
     changed.pop_back();
-    if (!engine_.memory.slot(slot).live || !engine_.memory.slot(slot).changed) continue;
-    engine_.memory.mutable_slot(slot).changed = false;
-    Decide(slot);
+    Slot& slot = engine_.memory.mutable_slot(id);
+    if (!slot.live || !slot.changed) continue;
+    slot.changed = false;
+    const PreferenceId only = slot.acceptable;
+    if (slot.others == PreferenceId::kNone &&
+        (only == PreferenceId::kNone || engine_.memory.preference(only).next_in_slot == PreferenceId::kNone)) {
+      DecideSingle(id, only);
+    } else {
+      Decide(id);
+    }
   }
 }
 
 void SlotDecision::Decide(SlotId slot_id) {
   WorkingMemory& memory = engine_.memory;
-  ResetValues();
   const Slot& slot = memory.slot(slot_id);
+  ResetValues();
   for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     const PreferenceType type = memory.preference(p).type;
     if (type == PreferenceType::kReject || type == PreferenceType::kProhibit) {
@@ -103,6 +110,30 @@ void SlotDecision::Decide(SlotId slot_id) {
     engine_.gds.NoteNewFact(wme);
   }
   if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);
+}
+
+void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
+  WorkingMemory& memory = engine_.memory;
+  const Symbol value = only == PreferenceId::kNone ? Symbol() : memory.preference(only).value;
+  bool present = false;
+  WmeId next;
+  for (WmeId wme = memory.slot(slot_id).wmes; wme != WmeId::kNone; wme = next) {
+    WmeRecord& record = memory.mutable_record(wme);
+    next = record.next;
+    if (memory.wme(wme).value == value) {
+      present = true;
+      record.preference = only;
+    } else {
+      engine_.changes.Lose(wme);
+    }
+  }
+  if (value && !present) {
+    const Slot& slot = memory.slot(slot_id);
+    engine_.gds.NoteNewFact(
+        engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value, slot_id, only));
+  } else if (!value && memory.SlotIsEmpty(slot_id)) {
+    engine_.preferences.empty_slots().push_back(slot_id);
+  }
 }
 
 // Operator slots ------------------------------------------------------------------------------------------------------

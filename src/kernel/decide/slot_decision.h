@@ -19,9 +19,9 @@ class SlotDecision {
   explicit SlotDecision(Engine& engine) : engine_(engine) {}
 
   /// Decides all changed ordinary slots, the one that changed last first.
-  void DecideChangedSlots();
+  [[gnu::flatten]] void DecideChangedSlots();
   /// Updates the acceptable elements of all operator slots that changed. Removes a selected operator whose own went.
-  void UpdateAcceptables();
+  [[gnu::flatten]] void UpdateAcceptables();
   void Clear() {}
 
  private:
@@ -31,7 +31,9 @@ class SlotDecision {
     bool present = false;   ///< Has an element.
   };
 
-  void Decide(SlotId slot);
+  [[gnu::noinline]] void Decide(SlotId slot);
+  /// The same for the common slot that has no preference, or one that is acceptable.
+  void DecideSingle(SlotId slot, PreferenceId only);
   void UpdateAcceptables(SlotId slot);
   /// Adds the value if it is not among values_ and not excluded.
   void AddValue(Symbol value, PreferenceId preference);

@@ -17,3 +17,4 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/slot_decision.cpp)
 soarbox_kernel_test(kernel_agent_test SOURCES decide/agent_test.cpp)
 soarbox_kernel_test(kernel_decide_test SOURCES decide/exploration_test.cpp decide/preference_semantics_test.cpp)
+soarbox_kernel_test(kernel_allocation_test SOURCES decide/allocation_test.cpp)

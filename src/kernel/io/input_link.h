@@ -54,7 +54,7 @@ class InputLink {
   /// memory dropped an element or an identifier; calls `mark` for each symbol that is needed.
   void Apply();
   void Reset();
-  void Forget(std::uint32_t element);
+  [[gnu::noinline]] void Forget(std::uint32_t element);
   void IdentifierGone(Symbol identifier);
   template <typename MarkSymbol>
   void Mark(MarkSymbol mark) const {

@@ -27,7 +27,7 @@ class SlotIndex {
     SlotId slot = SlotId::kNone;  ///< kNone: an empty place.
   };
   static std::uint32_t Hash(std::uint32_t id, std::uint32_t attribute);
-  void Grow();
+  [[gnu::noinline]] void Grow();
 
   std::vector<Entry> entries_;
   std::uint32_t count_ = 0;

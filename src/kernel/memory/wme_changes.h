@@ -27,14 +27,14 @@ class WmeChanges {
   /// architecture takes back, items and garbage, goes by Remove and costs no goal.)
   void Lose(WmeId wme);
   /// Hands everything to the match.
-  void Flush();
+  [[gnu::flatten]] void Flush();
   bool empty() const { return added_.empty() && removed_.empty(); }
 
   void AddReference(WmeId wme);
   /// Frees an element that has left the match when nothing refers to it any more.
   void DropReference(WmeId wme);
   /// Gives back the indices of removed elements. Only when no retraction is pending, whose elements may be shown.
-  void Bury();
+  [[gnu::flatten]] void Bury();
   void Clear();
 
  private:

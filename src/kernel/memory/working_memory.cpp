@@ -6,8 +6,6 @@
 namespace soarbox::kernel {
 namespace {
 
-const IdentifierRecord kUnknownIdentifier{};
-
 /// Takes an index from the free list, or makes one at the end of the arena.
 template <typename Id, typename T>
 Id Allocate(std::vector<T>& arena, std::vector<Id>& free_list) {
@@ -23,17 +21,14 @@ Id Allocate(std::vector<T>& arena, std::vector<Id>& free_list) {
 
 }  // namespace
 
+const IdentifierRecord WorkingMemory::kUnknownIdentifier{};
+
 WorkingMemory::WorkingMemory(SymbolTable& symbols) : symbols_(symbols) {}
 WorkingMemory::~WorkingMemory() = default;
 
 // Reading -------------------------------------------------------------------------------------------------------------
 
 SlotId WorkingMemory::FindSlot(Symbol id, Symbol attribute) const { return slot_index_.Find(id, attribute); }
-
-const IdentifierRecord& WorkingMemory::identifier(Symbol id) const {
-  if (!id.IsIdentifier() || id.index() >= identifiers_.size()) return kUnknownIdentifier;
-  return identifiers_[id.index()];
-}
 
 std::vector<WmeId> WorkingMemory::WmesOf(Symbol id) const {
   std::vector<WmeId> found;
@@ -135,7 +130,8 @@ void WorkingMemory::Free(WmeId wme) {
 
 Symbol WorkingMemory::NewIdentifier(char letter, GoalLevel level) {
   const Symbol id = symbols_.NewIdentifier(letter);
-  if (id.index() >= identifiers_.size()) {
+  if (id.index() >= identifier_limit_) {
+    identifier_limit_ = id.index() + 1;
     identifiers_.resize(id.index() + 1);
     goal_levels_.resize(id.index() + 1, 0);
     long_term_.resize(id.index() + 1, 0);
@@ -281,6 +277,7 @@ void WorkingMemory::Clear() {
   preferences_.clear();
   free_preferences_.clear();
   identifiers_.clear();
+  identifier_limit_ = 0;
   goal_levels_.clear();
   long_term_.clear();
   slot_index_.Clear();

@@ -96,7 +96,10 @@ class WorkingMemory {
   /// The slot of an identifier and attribute, or kNone.
   SlotId FindSlot(Symbol id, Symbol attribute) const;
   /// Identifiers that working memory does not know have a record that is not live.
-  const IdentifierRecord& identifier(Symbol id) const;
+  const IdentifierRecord& identifier(Symbol id) const {
+    if (!id.IsIdentifier() || id.index() >= identifier_limit_) return kUnknownIdentifier;
+    return identifiers_[id.index()];
+  }
   GoalLevel level(Symbol id) const { return identifier(id).level; }
   /// Elements of an identifier as `print` lists them: slot by slot (newest slot first; within a slot the values newest
   /// first, then the acceptable ones newest first), then those of the architecture, then input.
@@ -107,7 +110,7 @@ class WorkingMemory {
   WmeId FindByTimetag(std::uint64_t timetag) const;
   std::uint32_t wme_count() const { return live_wmes_; }
   std::uint64_t last_timetag() const { return next_timetag_ - 1; }
-  std::uint32_t identifier_limit() const { return static_cast<std::uint32_t>(identifiers_.size()); }
+  std::uint32_t identifier_limit() const { return identifier_limit_; }
   std::uint32_t preference_limit() const { return static_cast<std::uint32_t>(preferences_.size()); }
   std::uint32_t slot_limit() const { return static_cast<std::uint32_t>(slots_.size()); }
   std::uint32_t identifier_count() const { return live_identifiers_; }
@@ -156,6 +159,8 @@ class WorkingMemory {
   std::size_t MemoryBytes() const;
 
  private:
+  static const IdentifierRecord kUnknownIdentifier;
+
   WmeId& ListHead(const WmeRecord& record, const Wme& content);
 
   SymbolTable& symbols_;
@@ -171,6 +176,7 @@ class WorkingMemory {
   std::vector<GoalLevel> goal_levels_;
   std::vector<std::uint64_t> long_term_;
   std::uint64_t next_timetag_ = 1;
+  std::uint32_t identifier_limit_ = 0;           ///< Size of identifiers_.
   std::uint32_t live_wmes_ = 0;
   std::uint32_t live_identifiers_ = 0;
 };

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <string_view>
+
+#include "kernel/agent.h"
+#include "kernel/io/input_link.h"
+#include "kernel/io/output_link.h"
+
+// This program counts what it allocates.
+namespace {
+std::uint64_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  std::abort();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace soarbox::kernel {
+namespace {
+
+void Load(Agent& agent, std::initializer_list<std::string_view> rules) {
+  for (const std::string_view rule : rules) ASSERT_TRUE(agent.LoadProduction(rule).loaded) << rule;
+}
+
+TEST(Allocation, DecidingAndCountingAllocatesNothingInTheSteadyState) {
+  Agent agent("counter");
+  Load(agent, {"begin (state <s> ^superstate nil -^turn) --> (<s> ^operator <o> + =) (<o> ^name begin)",
+               "begun (state <s> ^operator.name begin) --> (<s> ^turn left ^steps 0)",
+               "step (state <s> ^turn <t>) --> (<s> ^operator <o> + =) (<o> ^name step ^from <t>)",
+               "idle (state <s> ^turn) --> (<s> ^operator <o> + <) (<o> ^name idle)",
+               "left (state <s> ^operator.from left ^turn left ^steps <n>) --> "
+               "(<s> ^turn left - right ^steps <n> - (+ <n> 1))",
+               "right (state <s> ^operator.from right ^turn right ^steps <n>) --> "
+               "(<s> ^turn right - left ^steps <n> - (+ <n> 1))"});
+  agent.Run(RunUnit::kDecision, 5000);
+  const std::uint64_t before = allocations;
+  agent.Run(RunUnit::kDecision, 5000);
+  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_EQ(agent.counters().decision_cycles, 9999u);
+  const Symbol steps = agent.memory().ValueOf(agent.goals().top().id, agent.mutable_symbols().String("steps"));
+  EXPECT_EQ(agent.symbols().IntegerValue(steps), 9998);
+}
+
+TEST(Allocation, PerceivingDecidingAndActingAllocatesNothingInTheSteadyState) {
+  Agent agent("seeker");
+  Load(agent, {"move (state <s> ^superstate nil ^io.input-link.range <r>) --> "
+               "(<s> ^operator <o> + =) (<o> ^name move ^speed <r>)",
+               "send (state <s> ^operator <o> ^io.output-link <out>) (<o> ^name move ^speed <v>) --> "
+               "(<out> ^move <c>) (<c> ^speed <v>)",
+               "done (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <c>) (<c> ^status complete) --> "
+               "(<out> ^<name> <c> -)"});
+  const InputElement range = agent.input().Add(InputObject::kInputLink, "range", 0.5);
+  std::uint64_t commands = 0;
+  const auto tick = [&](int number) {
+    agent.input().Update(range, number % 40 + 0.5);
+    agent.Step(RunUnit::kOutput);
+    for (const OutputCommand& command : agent.output().new_commands()) {
+      ++commands;
+      agent.input().Add(agent.input().ObjectFor(command.identifier), "status", std::string_view("complete"));
+    }
+  };
+  int number = 0;
+  while (number < 5000) tick(number++);
+  const std::uint64_t before = allocations, commands_before = commands;
+  while (number < 10000) tick(number++);
+  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_GE(commands - commands_before, 4000u);
+}
+
+}  // namespace
+}  // namespace soarbox::kernel
