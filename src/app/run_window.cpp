@@ -74,6 +74,19 @@ class Pace {
   Clock::time_point last_ = Clock::now();
 };
 
+/// A time that is smoothed over the last second or so, in microseconds.
+class SmoothTime {
+ public:
+  void Add(Clock::duration passed) {
+    const double us = std::chrono::duration<double, std::micro>(passed).count();
+    us_ = us_ == 0 ? us : us_ + (us - us_) * 0.05;
+  }
+  double us() const { return us_; }
+
+ private:
+  double us_ = 0;
+};
+
 void DeliverInput(viewer::Viewer& viewer, sim::Simulation& simulation) {
   world::World& world = simulation.world();
   world.SetScreenSize(viewer.width(), viewer.height());
@@ -105,20 +118,26 @@ int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& optio
   sim::Simulation& simulation = session.simulation();
   const double step_s = simulation.world().settings().step_s;
   Pace pace(options.speed.value_or(1));
+  SmoothTime frame_time, tick_time;
+  Clock::time_point frame_start = Clock::now();
   world::SceneSnapshot newest = simulation.Snapshot();
   world::SceneSnapshot previous = newest;
   while (!session.IsOver() && !pace.quit()) {
     viewer.SetStatus({.paused = pace.paused(), .speed = pace.speed(), .message = {}});
     viewer.Show(newest, &previous, pace.Blend(step_s));
     if (!viewer.RenderFrame()) break;
+    frame_time.Add(Clock::now() - std::exchange(frame_start, Clock::now()));
     for (const viewer::ViewerCommand command : viewer.TakeCommands()) pace.Obey(command);
     DeliverInput(viewer, simulation);
     const int due = pace.TicksDue(step_s);
     for (int i = 0; i < due && !session.IsOver(); ++i) {
+      const Clock::time_point tick_start = Clock::now();
       session.Tick();
+      tick_time.Add(Clock::now() - tick_start);
       previous = std::exchange(newest, simulation.Snapshot());
     }
     if (due == 0) session.Idle();
+    if (frame_time.us() > 0) simulation.ReportTimes(frame_time.us(), tick_time.us());
   }
   return session.Finish();
 }

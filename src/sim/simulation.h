@@ -58,6 +58,10 @@ class Simulation {
   void Key(std::string_view key, bool pressed);
   void MouseButton(std::string_view button, bool pressed);
 
+  /// What scripts are told that a frame and a tick cost, in microseconds. A window reports it for the scripts' performance
+  /// panel; without it they see the nominal times, so that headless runs stay the same.
+  void ReportTimes(double frame_us, double tick_us);
+
   /// Runs the scripts' clean-up once; no tick may follow.
   void Finish();
 
