@@ -23,7 +23,7 @@ class Firing {
   explicit Firing(Engine& engine) : engine_(engine) {}
 
   /// Fires a match that was taken from the match set.
-  void Fire(const PendingMatch& match);
+  [[gnu::flatten]] void Fire(const PendingMatch& match);
   /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number); none
   /// if there is none.
   Symbol TouchedAbove(const PendingMatch& match, GoalLevel level) const;
@@ -37,7 +37,7 @@ class Firing {
   static char LetterFor(std::string_view name);
 
  private:
-  [[gnu::flatten]] void RunActions(const Production& rule, InstantiationId id);
+  void RunActions(const Production& rule, InstantiationId id);
   void RunAction(const Action& action, InstantiationId id);
   /// The value of a right-hand-side term; none if a function failed or gives nothing.
   Symbol Evaluate(const RhsValue& value) {

@@ -41,13 +41,14 @@ PreferenceSemantics::Outcome PreferenceSemantics::Decide(std::span<const SlotPre
 void PreferenceSemantics::CollectCandidates(std::span<const SlotPreference> preferences) {
   candidates_.clear();
   IndexCandidates();
+  by_position_ = preferences.size() > kFewPreferences;
   // The list has the oldest first; candidates stand the other way round. A value is a candidate once, held by the
   // preference that comes first in the list.
   for (const SlotPreference& p : preferences) {
     if (p.type != PreferenceType::kAcceptable) continue;
     if (Find(p.value) != kNowhere) continue;
     candidates_.push_back({p.value, p.preference});
-    if (p.value.IsIdentifier()) {
+    if (by_position_ && p.value.IsIdentifier()) {
       if (position_.size() <= p.value.index()) position_.resize(p.value.index() + 1, kNowhere);
       position_[p.value.index()] = static_cast<std::uint32_t>(candidates_.size() - 1);
       indexed_.push_back(p.value.index());
@@ -158,6 +159,7 @@ void PreferenceSemantics::Keep(bool marked) {
 }
 
 void PreferenceSemantics::IndexCandidates() {
+  if (!by_position_) return;
   for (const std::uint32_t index : indexed_) position_[index] = kNowhere;
   indexed_.clear();
   for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
@@ -170,8 +172,9 @@ void PreferenceSemantics::IndexCandidates() {
 }
 
 std::uint32_t PreferenceSemantics::Find(Symbol value) const {
-  if (value.IsIdentifier()) return value.index() < position_.size() ? position_[value.index()] : kNowhere;
-  // Operators that are constants are rare.
+  if (by_position_ && value.IsIdentifier()) {
+    return value.index() < position_.size() ? position_[value.index()] : kNowhere;
+  }
   for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
     if (candidates_[i].value == value) return i;
   }

@@ -51,6 +51,7 @@ class PreferenceSemantics {
 
  private:
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;
+  static constexpr std::size_t kFewPreferences = 16;
 
   void CollectCandidates(std::span<const SlotPreference> preferences);
   Outcome DecideRequired(std::span<const SlotPreference> preferences);
@@ -70,6 +71,7 @@ class PreferenceSemantics {
   std::vector<Candidate> candidates_;
   std::vector<std::uint8_t> marks_;           ///< Beside candidates_.
   std::vector<std::uint64_t> pairs_;          ///< Scratch of AllIndifferent.
+  bool by_position_ = false;                  ///< Many preferences: candidates are found by position_.
   std::vector<std::uint32_t> position_;       ///< By identifier index; kNowhere for those that are no candidates.
   std::vector<std::uint32_t> indexed_;        ///< The identifier indices set in position_.
 };
