@@ -95,18 +95,14 @@ void PrintGoalDependencySets(CommandCall& call) {
     const auto id = static_cast<kernel::WmeId>(i);
     const kernel::GoalLevel level = agent.memory().record(id).gds;
     if (!wmes[i].live || level == 0) continue;
-    const bool goal_lives = level <= agent.goals().depth();
-    elements.emplace_back(wmes[i].timetag, (goal_lives ? "  For Goal  " + SymbolText(agent, agent.goals().at(level).id) +
-                                                             "  "
-                                                       : std::string("  Old GDS value ")) +
-                                               WmeText(agent, id) + "\n");
+    const std::string owner = level <= agent.goals().depth()
+                                  ? "  For Goal  " + SymbolText(agent, agent.goals().at(level).id) + "  "
+                                  : std::string("  Old GDS value ");
+    elements.emplace_back(agent.memory().record(id).entered, owner + WmeText(agent, id) + "\n");
   }
-  // Newest first; what belongs to the first state came in together and stands in its own order.
-  std::sort(elements.begin(), elements.end(), [](const auto& a, const auto& b) {
-    if (std::max(a.first, b.first) <= std::uint64_t{13}) return a.first < b.first;
-    return a.first > b.first;
-  });
-  for (const auto& [timetag, text] : elements) out.Print(text);
+  // The last to enter the match comes first.
+  std::sort(elements.rbegin(), elements.rend());
+  for (const auto& [entered, text] : elements) out.Print(text);
   out.Print(line + "\n");
   for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
     const kernel::Goal& goal = agent.goals().at(static_cast<kernel::GoalLevel>(level));
@@ -131,7 +127,7 @@ void PrintPattern(CommandCall& call, const std::string& text, const ObjectStyle&
     call.stream().Print(pattern.error);
     return;
   }
-  const std::vector<kernel::WmeId> found = FindWmes(agent, pattern, exact);
+  const std::vector<kernel::WmeId> found = FindWmes(agent, pattern, exact && !style.internal);
   if (!exact) {
     for (const kernel::WmeId wme : found) {
       PrintObject(call.stream(), agent, agent.memory().wme(wme).id, style, call.result.structured);

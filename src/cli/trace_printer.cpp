@@ -139,10 +139,11 @@ void TracePrinter::OnFired(const Agent& agent, const FiringInfo& info,
   }
 }
 
-void TracePrinter::OnInhibited(const Agent&, const FiringInfo& info) {
+void TracePrinter::OnInhibited(const Agent& agent, const FiringInfo& info) {
   if (!session_.trace().On(TraceFlag::kWaterfall)) return;
-  session_.stream().FreshLine();
-  Print(fmt::format("*** Match of {} waits: a higher state changes first\n", info.name));
+  Print(fmt::format("*** Waterfall: aborting firing because ({} * *) level {} is on or higher (lower int) "
+                    "than change level {}\n",
+                    SymbolText(agent, info.touched), agent.memory().level(info.touched), info.change_level));
 }
 
 void TracePrinter::OnRetracting(const Agent& agent, const FiringInfo& info) {
@@ -224,9 +225,8 @@ void TracePrinter::OnInconsistentDecision(const Agent& agent, const GoalInfo& go
   Print(fmt::format(
       "Removing substates of {0} because the operator last selected in {0} is not\n"
       "consistent with the current preferences.\n\n"
-      "       REMOVING CONTEXT SLOT: Slot Identifier [{0}] and attribute [operator]\n\n"
-      "          Decision for goal [{0}] is inconsistent.  Replacing it with....\n",
-      id));
+      "{1}          Decision for goal [{0}] is inconsistent.  Replacing it with....\n",
+      id, goal.op ? "" : "       REMOVING CONTEXT SLOT: Slot Identifier [" + id + "] and attribute [operator]\n\n"));
 }
 
 void TracePrinter::OnGdsAdded(const Agent& agent, const GoalInfo& goal, const WmeInfo& wme) {
@@ -276,6 +276,15 @@ void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::
     case kernel::WarningKind::kMaxElaborationsApply:
       if (!session_.output().warnings) return;
       Print("\nWarning: reached max-elaborations; proceeding to output phase.");
+      return;
+    case kernel::WarningKind::kUnconditional:
+      if (!session_.trace().On(TraceFlag::kChunkWarnings)) return;
+      Print(fmt::format("\nWarning: Soar has created a chunk or justification with no conditions.  Ignoring.\n\n"
+                        "         Any results created will lose support when the sub-state disappears.\n"
+                        "         To avoid this issue, the problem-solving in the sub-state must\n"
+                        "         positively test at least one item in the super-state.\n\n"
+                        "Rule firing that led to invalid chunk: {}\n",
+                        text));
       return;
     case kernel::WarningKind::kMaxDecisionTime:
     case kernel::WarningKind::kOther:

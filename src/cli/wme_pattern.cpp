@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "cli/lookup.h"
 
@@ -114,31 +115,14 @@ bool Matches(const WmePattern& pattern, const Wme& wme) {
 std::vector<WmeId> FindWmes(const Agent& agent, const WmePattern& pattern, bool by_object) {
   const kernel::WorkingMemory& memory = agent.memory();
   std::vector<WmeId> found;
-  std::vector<Symbol> objects;
   for (std::uint32_t i = 0; i < memory.wmes().size(); ++i) {
-    if (!Matches(pattern, memory.wmes()[i])) continue;
-    found.push_back(static_cast<WmeId>(i));
-    objects.push_back(memory.wmes()[i].id);
+    if (Matches(pattern, memory.wmes()[i])) found.push_back(static_cast<WmeId>(i));
   }
-  if (!by_object) {
-    std::sort(found.begin(), found.end(),
-              [&](WmeId a, WmeId b) { return memory.wme(a).timetag > memory.wme(b).timetag; });
-    return found;
-  }
-  // Objects in the order in which they were made; of each the architecture's elements first, then input, then slots.
-  std::sort(objects.begin(), objects.end(), [](Symbol a, Symbol b) { return a.index() < b.index(); });
-  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
-  found.clear();
-  for (const Symbol object : objects) {
-    std::vector<WmeId> wmes = memory.WmesOf(object);
-    std::stable_partition(wmes.begin(), wmes.end(), [&](WmeId wme) {
-      const kernel::WmeKind kind = memory.record(wme).kind;
-      return kind == kernel::WmeKind::kArchitecture || kind == kernel::WmeKind::kInput;
-    });
-    for (const WmeId wme : wmes) {
-      if (Matches(pattern, memory.wme(wme))) found.push_back(wme);
-    }
-  }
+  std::sort(found.begin(), found.end(), [&](WmeId a, WmeId b) {
+    const std::uint32_t object_a = by_object ? memory.wme(a).id.index() : 0;
+    const std::uint32_t object_b = by_object ? memory.wme(b).id.index() : 0;
+    return std::pair(object_a, memory.record(a).entered) < std::pair(object_b, memory.record(b).entered);
+  });
   return found;
 }
 

@@ -21,7 +21,8 @@ WmePattern ParseWmePattern(kernel::Agent& agent, std::string_view text);
 /// Whether an element fits the pattern.
 bool Matches(const WmePattern& pattern, const kernel::Wme& wme);
 
-/// The elements that fit. `by_object`: the elements of one object stand together.
+/// The elements that fit, in the order in which they entered the match. `by_object`: the elements of one object stand
+/// together, older objects first.
 std::vector<kernel::WmeId> FindWmes(const kernel::Agent& agent, const WmePattern& pattern, bool by_object);
 
 }  // namespace soarbox::cli

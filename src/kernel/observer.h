@@ -88,7 +88,7 @@ enum class OperatorRemoval : std::uint8_t {
 };
 
 enum class WarningKind : std::uint8_t {
-  kMaxElaborationsPropose, kMaxElaborationsApply, kGoalStackLimit, kMaxDecisionTime, kOther,
+  kMaxElaborationsPropose, kMaxElaborationsApply, kGoalStackLimit, kMaxDecisionTime, kUnconditional, kOther,
 };
 
 /// Sees what an agent does, in the order in which it happens. Callbacks run on the agent's thread, between steps of the

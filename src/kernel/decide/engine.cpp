@@ -31,8 +31,7 @@ Engine::Engine(Agent& owner, std::string agent_name)
       run(*this) {
   rete.OnMixedSupport([this](ProductionId production) {
     const std::string& rule = rete.production(production)->name;
-    Print("\nWARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " + rule +
-          "\n");
+    Print("WARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " + rule);
   });
 }
 

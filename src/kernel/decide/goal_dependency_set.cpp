@@ -11,6 +11,10 @@ void GoalDependencySets::NoteNewFact(WmeId wme) {
   const WorkingMemory& memory = engine_.memory;
   const SlotId slot = memory.record(wme).slot;
   if (memory.slot(slot).substate_facts == 0) return;
+  // A result belongs to the state above: it rests on its justification.
+  const PreferenceId maker = memory.record(wme).preference;
+  if (maker == PreferenceId::kNone) return;
+  if (!memory.preference(maker).o_supported || memory.preference(maker).level < 2) return;
   const Symbol value = memory.wme(wme).value;
   ++collection_;
   for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {

@@ -51,7 +51,6 @@ bool RunControl::ElaboratePhase(bool apply) {
   }
   if (next == Elaboration::Next::kElaborate) {
     elaboration.Run(apply);
-    if (halt_requested_) return false;  // A halt leaves the phase where it is.
     next = elaboration.Determine(apply);
   }
   if (next == Elaboration::Next::kElaborate) return false;

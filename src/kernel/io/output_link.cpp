@@ -34,9 +34,7 @@ bool OutputLink::Collect() {
   const auto visit = [&](WmeId first) {
     for (WmeId wme = first; wme != WmeId::kNone; wme = memory.record(wme).next) {
       const Wme& content = memory.wme(wme);
-      const WmeRecord& record = memory.record(wme);
-      const bool from_input_link = record.kind == WmeKind::kInput && record.slot != SlotId::kNone;
-      next_.push_back({true, content.timetag, content.id, content.attribute, content.value, from_input_link});
+      next_.push_back({true, content.timetag, content.id, content.attribute, content.value});
       if (content.value.IsIdentifier()) Traverse(content.value);
     }
   };

@@ -17,7 +17,6 @@ struct OutputChange {
   bool added = true;
   std::uint64_t timetag = 0;
   Symbol id, attribute, value;
-  bool from_input_link = false;   ///< A client's own element, such as ^status complete: it need not be told of it.
 };
 
 /// A command: an identifier-valued element directly on the output link.

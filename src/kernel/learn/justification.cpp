@@ -39,7 +39,7 @@ void Justifier::Consider(InstantiationId id) {
     results_.clear();
     if (!CollectResults(current)) return;
     Backtrace(current);
-    current = Build();
+    current = Build(current);
     if (current == InstantiationId::kNone) return;
   }
 }
@@ -273,7 +273,7 @@ std::uint32_t Justifier::NewRecord() {
   return index;
 }
 
-InstantiationId Justifier::Build() {
+InstantiationId Justifier::Build(InstantiationId base) {
   WorkingMemory& memory = engine_.memory;
   GoalLevel goal_level = 0;
   for (const WmeId ground : grounds_) {
@@ -281,7 +281,10 @@ InstantiationId Justifier::Build() {
     if (id.is_goal) goal_level = std::max(goal_level, id.level);
   }
   if (goal_level == 0) {
-    if (grounds_.empty()) return InstantiationId::kNone;
+    if (grounds_.empty()) {
+      engine_.Warn(WarningKind::kUnconditional, engine_.DescribeInstantiation(base).name);
+      return InstantiationId::kNone;
+    }
     goal_level = static_cast<GoalLevel>(level_ - 1);
   }
   const std::uint32_t index = NewRecord();

@@ -28,8 +28,8 @@ class Justifier {
   explicit Justifier(Engine& engine) : engine_(engine) {}
 
   /// Called for each instantiation of a substate right after it fired; goes on upwards as long as there are results.
-  void Consider(InstantiationId id);
-  void InstantiationFreed(InstantiationId id);
+  [[gnu::noinline]] void Consider(InstantiationId id);
+  [[gnu::noinline]] void InstantiationFreed(InstantiationId id);
   /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
   void SetLearning(Symbol state, bool learn);
   void Clear();
@@ -59,8 +59,8 @@ class Justifier {
   void VisitInstantiation(InstantiationId id);
   void VisitCondition(const ConditionTrace& trace);
   void CollectNegations(InstantiationId id);
-  /// Makes the justification of the collected results; kNone if they rest on nothing above.
-  InstantiationId Build();
+  /// Makes the justification of the results that `base` made; kNone if they rest on nothing above.
+  InstantiationId Build(InstantiationId base);
   bool IsOSupported(GoalLevel goal_level, const Preference& result) const;
   MatchId MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level);
   std::uint32_t NewRecord();

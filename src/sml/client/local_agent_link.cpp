@@ -110,7 +110,7 @@ void LocalAgentLink::Deliver(AgentData& data, std::span<const kernel::OutputChan
   }
   // Additions first, as messages have them.
   for (const kernel::OutputChange& change : changes) {
-    if (change.added && !change.from_input_link) {
+    if (change.added) {
       data.memory.ReceiveOutput(
           Describe(true, static_cast<long long>(change.timetag), change.id, change.attribute, change.value));
     }

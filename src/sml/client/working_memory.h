@@ -99,6 +99,7 @@ class WorkingMemory {
   void SendUpdated(WMElement* wme, long long old_tag);
   soarbox::server::InputWme Describe(const WMElement* wme) const;
   WMElement* MakeOutput(const OutputWme& wme, IdentifierSymbol* parent);
+  static bool HasOwn(const IdentifierSymbol& parent, const OutputWme& wme);
   void RemoveOutput(long long tag);
   bool Cancel(long long tag);
   void ReleaseBelow(IdentifierSymbol* symbol);
@@ -118,6 +119,7 @@ class WorkingMemory {
     std::string attribute, text;
   };
   std::vector<Orphan> orphans_;
+  std::vector<Orphan> waiting_orphans_;    ///< Those that EndOutput looks at again.
 
   Pool<StringElement> strings_;
   Pool<IntElement> ints_;

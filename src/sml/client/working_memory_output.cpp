@@ -98,6 +98,23 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
   return made;
 }
 
+/// Whether the element is one that this client added to the output itself, such as ^status complete.
+bool WorkingMemory::HasOwn(const IdentifierSymbol& parent, const OutputWme& wme) {
+  return std::any_of(parent.children_.begin(), parent.children_.end(), [&](WMElement* child) {
+    if (child->output_ || child->attribute_ != wme.attribute) return false;
+    switch (wme.type) {
+      case InputWme::Type::kInt:
+        return child->ConvertToIntElement() && child->ConvertToIntElement()->value_ == wme.integer;
+      case InputWme::Type::kDouble:
+        return child->ConvertToFloatElement() && child->ConvertToFloatElement()->value_ == wme.real;
+      case InputWme::Type::kString:
+        return child->ConvertToStringElement() && child->ConvertToStringElement()->value_ == wme.text;
+      case InputWme::Type::kId: return child->IsIdentifier();
+    }
+    return false;
+  });
+}
+
 void WorkingMemory::ReceiveOutput(const OutputWme& wme) {
   if (!wme.add) {
     RemoveOutput(wme.tag);
@@ -117,6 +134,7 @@ void WorkingMemory::ReceiveOutput(const OutputWme& wme) {
     orphan.wme.text = {};
     return;
   }
+  if (HasOwn(*parent, wme)) return;
   WMElement* made = MakeOutput(wme, parent);
   parent->children_modified_ = true;
   output_by_tag_.Set(wme.tag, made);
@@ -142,9 +160,9 @@ bool WorkingMemory::EndOutput() {
   bool progress = true;
   while (progress && !orphans_.empty()) {
     progress = false;
-    std::vector<Orphan> waiting;
-    waiting.swap(orphans_);
-    for (Orphan& orphan : waiting) {
+    waiting_orphans_.clear();
+    waiting_orphans_.swap(orphans_);
+    for (Orphan& orphan : waiting_orphans_) {
       if (!FindSymbol(orphan.wme.id)) {
         orphans_.push_back(std::move(orphan));
         continue;

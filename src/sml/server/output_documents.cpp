@@ -25,7 +25,7 @@ void AddOutput(wire::Element& command, const kernel::Agent& agent, std::span<con
   };
   add_link();
   for (const kernel::OutputChange& change : changes) {
-    if (!change.added || change.from_input_link) continue;
+    if (!change.added) continue;
     command.children.push_back(
         AddedWme(agent, static_cast<long long>(change.timetag), change.id, change.attribute, change.value));
   }
