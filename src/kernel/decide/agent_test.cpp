@@ -126,6 +126,16 @@ TEST_F(AgentTest, AResultOutlivesItsSubstateAndGoesWithItsReasons) {
   EXPECT_EQ(Values(Top(), "result"), "");
 }
 
+TEST_F(AgentTest, AResultLeavesNothingInTheDependencySet) {
+  Load("propose (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name task)");
+  Load("sub (state <s> ^impasse no-change ^superstate.operator.name task) --> (<s> ^operator <o> +) (<o> ^name answer)");
+  Load("answer (state <s> ^operator.name answer ^superstate <ss>) --> (<ss> ^answer yes)");
+  agent.Run(RunUnit::kDecision, 4);
+  EXPECT_EQ(Values(Top(), "answer"), "yes");
+  ASSERT_GE(agent.goals().depth(), 2u);
+  EXPECT_FALSE(agent.goals().at(2).has_gds);
+}
+
 TEST_F(AgentTest, HigherGoalsFireFirstAndLowerOnesOnlyWhereTheyDoNotDisturb) {
   Load("top-1 (state <s> ^superstate nil ^io.input-link.go yes) --> (<s> ^one yes) (write |1|)");
   Load("top-2 (state <s> ^superstate nil ^one yes) --> (<s> ^two yes) (write |2|)");
@@ -205,6 +215,15 @@ TEST_F(AgentTest, RunningToOutputGivesUpAfterTheNilOutputCycles) {
   agent.mutable_settings().max_nil_output_cycles = 3;
   agent.mutable_settings().wait_snc = true;
   EXPECT_EQ(agent.Run(RunUnit::kOutput, 1).decisions, 3u);
+}
+
+TEST_F(AgentTest, ClearingTheBreakOfARuleSilencesItsOwnInterrupt) {
+  Load("stop :interrupt (state <s> ^superstate nil) --> (<s> ^ready yes)");
+  agent.SetBreak(agent.FindProduction("stop"), false);
+  EXPECT_EQ(agent.Run(RunUnit::kDecision, 1).reason, StopReason::kCompleted);
+  agent.InitSoar();
+  agent.SetBreak(agent.FindProduction("stop"), true);
+  EXPECT_EQ(agent.Run(RunUnit::kDecision, 1).reason, StopReason::kInterrupted);
 }
 
 TEST_F(AgentTest, AHaltEndsTheRunAndRefusesOthersUntilInit) {
