@@ -142,6 +142,29 @@ class RemoteMinds(Case):
         self.assertEqual(first.interrupt(), 0)
 
 
+class Trace(Case):
+    def test_trace_that_a_client_does_not_take_is_dropped_and_counted(self):
+        port = free_port()
+        self.start_kernel(port)
+        with Client(port) as watcher, Client(port) as user:
+            user.call("create_agent", name="hal")
+            user.line("hal", "sp {begin (state <s> ^superstate nil -^count) --> (<s> ^operator <o> +) (<o> ^name begin)}")
+            user.line("hal", "sp {begun (state <s> ^operator.name begin) --> (<s> ^count 0)}")
+            user.line("hal", "sp {propose (state <s> ^superstate nil ^count <c>) --> (<s> ^operator <o> +) (<o> ^name say)}")
+            user.line("hal", "sp {say (state <s> ^operator.name say ^count <c>) --> (<s> ^count <c> - (+ <c> 1)) (write |%s|)}"
+                      % ("x" * 20_000))
+            watcher.register("print", agent="hal")
+            user.line("hal", "run -d 1500")
+            watcher.listen(3)
+            taken = len(watcher.heard("print"))
+            user.line("hal", "run -d 1")
+            watcher.listen(1)
+            told = [text for document in watcher.heard("print") for text in document.itertext() if "were left out" in text]
+            self.assertEqual(len(told), 1)
+            dropped = int(told[0].split("--- ")[1].split()[0])
+            self.assertAlmostEqual(taken + dropped, 1500, delta=3)
+
+
 class Watched(Case):
     """A world that runs in real time and lets debuggers attach."""
 

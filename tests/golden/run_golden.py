@@ -3,14 +3,22 @@
 """Runs golden cases and compares their transcripts with what Soar 9.6.3 printed.
 
 usage: run_golden.py --driver TRACE_CASE --cases FOLDER --compare COMPARE.PY [--minimum FILE] [--show] [CASE...]
+       run_golden.py --driver TRACE_CASE --cases FOLDER --remote-driver DRIVER --soarbox COMMAND [CASE...]
 
 Each case runs in a copy of its folder. Prints how many agree in meaning (compare.py's default) and letter by letter,
 and names those that do not. Fails if fewer agree than the file of minimums asks for: {"AREA": {"semantic": N,
 "verbatim": N}}, counts of cases. CASE: only cases whose names contain one of these words; then nothing is required.
+
+With --remote-driver each case runs a second time with its kernel in another process (`soarbox kernel`, started in the
+case's folder), and fails unless both transcripts are equal to the letter.
 """
 import argparse
+import contextlib
+import difflib
 import json
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -19,13 +27,31 @@ import tempfile
 TIMEOUT_S = 60
 
 
-def transcript(driver, case):
-    """What the driver prints for a case; how it ended, if badly."""
-    with tempfile.TemporaryDirectory() as folder:
+@contextlib.contextmanager
+def kernel_port(command, folder):
+    """The port of a kernel that lives in a folder for a while."""
+    with subprocess.Popen([command, "kernel", "--port", "0"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          text=True) as kernel:
+        try:
+            found = re.search(r"127\.0\.0\.1:(\d+)", kernel.stdout.readline())
+            if found is None:
+                raise RuntimeError("the kernel does not tell its port")
+            yield found.group(1)
+        finally:
+            kernel.terminate()
+
+
+def transcript(driver, case, soarbox=None):
+    """What the driver prints for a case; how it ended, if badly. With `soarbox`: the kernel is that command's."""
+    with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         copy = pathlib.Path(folder) / "case"
         shutil.copytree(case, copy)
+        environment = dict(os.environ)
+        if soarbox:
+            environment["SOARBOX_KERNEL_PORT"] = stack.enter_context(kernel_port(soarbox, copy))
         try:
-            run = subprocess.run([driver, "case.cmd"], cwd=copy, capture_output=True, timeout=TIMEOUT_S, check=False)
+            run = subprocess.run([driver, "case.cmd"], cwd=copy, capture_output=True, timeout=TIMEOUT_S, check=False,
+                                 env=environment)
         except subprocess.TimeoutExpired as expired:
             return (expired.stdout or b""), f"still running after {TIMEOUT_S} s"
         ending = "" if run.returncode == 0 else f"exit status {run.returncode}"
@@ -39,11 +65,32 @@ def same(compare, expected, actual, verbatim):
     return run.returncode == 0, run.stdout
 
 
+def compare_remote(arguments, cases):
+    """Each case in process and over a socket."""
+    driver, remote, soarbox = (pathlib.Path(name).resolve() for name in
+                               (arguments.driver, arguments.remote_driver, arguments.soarbox))
+    failed = []
+    for case in cases:
+        (near, near_ending), (far, far_ending) = transcript(driver, case), transcript(remote, case, soarbox)
+        # Paths name the folder of the run.
+        near, far = (re.sub(rb"/tmp/\w+/case", b"CASE", text) for text in (near, far))
+        if near == far and near_ending == far_ending:
+            continue
+        failed.append(case.name)
+        lines = [text.decode("utf-8", "replace").splitlines() for text in (near, far)]
+        print(f"--- {case.name} {near_ending} {far_ending}")
+        print("\n".join(list(difflib.unified_diff(*lines, "in process", "over a socket", lineterm="", n=1))[:30]))
+    print(f"{arguments.cases.name}: {len(cases) - len(failed)} of {len(cases)} cases are the same in process and over a socket")
+    return 1 if failed else 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--driver", required=True)
     parser.add_argument("--cases", required=True, type=pathlib.Path)
-    parser.add_argument("--compare", required=True)
+    parser.add_argument("--compare")
+    parser.add_argument("--remote-driver")
+    parser.add_argument("--soarbox")
     parser.add_argument("--minimum", type=pathlib.Path)
     parser.add_argument("--show", action="store_true", help="print the differences")
     parser.add_argument("words", nargs="*", metavar="CASE")
@@ -52,6 +99,10 @@ def main():
     cases = sorted(folder for folder in arguments.cases.iterdir() if (folder / "case.cmd").exists())
     if arguments.words:
         cases = [case for case in cases if any(word in case.name for word in arguments.words)]
+    if arguments.remote_driver:
+        return compare_remote(arguments, cases)
+    if not arguments.compare:
+        parser.error("--compare or --remote-driver is missing")
     semantic = verbatim = 0
     failed, nearly = [], []
     with tempfile.TemporaryDirectory() as folder:

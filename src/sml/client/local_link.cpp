@@ -5,13 +5,13 @@
 #include <thread>
 
 #include "cli/result.h"
+#include "cli/run_text.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/library.h"
 #include "sml/client/local_agent_link.h"
 #include "sml/server/answers.h"
 #include "sml/server/kernel_host.h"
 #include "sml/server/listener.h"
-#include "sml/server/run_text.h"
 #include "sml/wire/message.h"
 
 namespace sml {
@@ -151,11 +151,11 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
       host_.RunAgents(hosted, request, spec.interleave_given);
       return answer;
     }
-    const soarbox::kernel::AgentCounters before = hosted.agent().counters();
+    const auto before = soarbox::cli::RunCounts::Of(hosted.agent());
     const std::string name = hosted.name();
     const soarbox::kernel::RunResult result = host_.RunAgents(hosted, request, spec.interleave_given);
     // A handler may have destroyed the agent meanwhile.
-    if (host_.Find(name) == &hosted) answer.text = soarbox::server::RunText(before, hosted.agent(), result);
+    if (host_.Find(name) == &hosted) answer.text = soarbox::cli::RunText(hosted.agent(), before, result);
     return answer;
   }
 

@@ -80,6 +80,18 @@ std::optional<wire::Message> RemoteConnection::Call(wire::Message& call, Wait wa
   return std::nullopt;
 }
 
+std::string RemoteConnection::DroppedNote() const {
+  const unsigned long long count = channel_->dropped() - told_dropped_;
+  if (count == 0) return {};
+  return "\n--- " + std::to_string(count) + " messages of trace were left out here: they were not taken in time ---\n";
+}
+
+void RemoteConnection::SendTrace(wire::Message& call) {
+  const unsigned long long before = channel_->dropped();
+  Call(call, Wait::kNo, true);
+  if (channel_->dropped() == before) told_dropped_ = before;
+}
+
 void RemoteConnection::OnSystemEvent(int event) {
   wire::Message call = EventCall();
   Command(call).AddArg("eventid", EventName(event));
@@ -112,8 +124,8 @@ void RemoteConnection::OnProductionEvent(HostedAgent& agent, int event, std::str
 
 void RemoteConnection::OnPrint(HostedAgent& agent, const std::string& text) {
   wire::Message call = EventCall();
-  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(smlEVENT_PRINT)).AddArg("message", text);
-  Call(call, Wait::kNo, true);
+  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(smlEVENT_PRINT)).AddArg("message", DroppedNote() + text);
+  SendTrace(call);
 }
 
 void RemoteConnection::OnEcho(HostedAgent& agent, const std::string& text, bool self) {
@@ -130,7 +142,12 @@ void RemoteConnection::OnXmlTrace(HostedAgent& agent, const std::shared_ptr<cons
   wire::Message call = EventCall();
   Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(smlEVENT_XML_TRACE_OUTPUT));
   call.root.children.push_back(*trace);
-  Call(call, Wait::kNo, true);
+  if (const std::string note = DroppedNote(); !note.empty()) {
+    std::vector<wire::Element>& pieces = call.root.children.back().children;
+    pieces.insert(pieces.begin(), wire::Element{})->tag = "message";
+    pieces.front().Set("string", note);
+  }
+  SendTrace(call);
 }
 
 void RemoteConnection::OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) {

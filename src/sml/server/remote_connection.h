@@ -20,7 +20,7 @@ class KernelHost;
 ///
 /// Events whose handlers may change the agent (runs, output, agents coming and going) wait for the client's answer, as
 /// in Soar, but only until the time-out: then the client counts as slow and is not waited for until it has answered the
-/// last of them. Text and trace never wait, and are dropped when they pile up.
+/// last of them. Text and trace never wait, and are dropped when they pile up; the next that gets through tells how many.
 class RemoteConnection : public Connection {
  public:
   RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel, std::chrono::milliseconds answer_timeout);
@@ -56,6 +56,10 @@ class RemoteConnection : public Connection {
   void Handle(const wire::Message& message);
   /// Sends a call; with kForAnswer, serves the client until its answer is there. The answer, if one came.
   std::optional<wire::Message> Call(wire::Message& call, Wait wait, bool droppable = false);
+  /// Says how many messages were dropped since that was last said; empty if none.
+  std::string DroppedNote() const;
+  /// Sends text or trace that holds the note.
+  void SendTrace(wire::Message& call);
 
   KernelHost& host_;
   std::unique_ptr<wire::Channel> channel_;
@@ -65,6 +69,7 @@ class RemoteConnection : public Connection {
   std::optional<wire::Message> answer_;   ///< To the awaited call.
   bool slow_ = false;
   bool gone_ = false;
+  unsigned long long told_dropped_ = 0;   ///< How many of the dropped messages the client knows of.
   std::set<std::string> told_output_;     ///< Agents whose output this client has been told of.
 };
 
