@@ -45,10 +45,10 @@ class TagMap {
   }
   template <typename Drop>
   void RemoveIf(Drop drop) {
-    std::vector<Slot> old = std::move(slots_);
-    slots_.assign(old.size(), Slot{});
+    spare_.swap(slots_);
+    slots_.assign(spare_.size(), Slot{});
     size_ = 0;
-    for (const Slot& slot : old) {
+    for (const Slot& slot : spare_) {
       if (slot.first != 0 && !drop(slot.first, slot.second)) Insert(slot.first, slot.second);
     }
   }
@@ -99,6 +99,7 @@ class TagMap {
   }
 
   std::vector<Slot> slots_;
+  std::vector<Slot> spare_;   ///< Of RemoveIf, which is called again and again.
   std::size_t size_ = 0;
 };
 

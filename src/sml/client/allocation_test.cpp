@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+#include "sml_Client.h"
+
+// This program counts what it allocates.
+namespace {
+std::uint64_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  std::abort();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+TEST(ClientAllocation, ALoopOfInputRunAndCommandsAllocatesNothingInTheSteadyState) {
+  sml::Kernel* kernel = sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener);
+  ASSERT_FALSE(kernel->HadError());
+  sml::Agent* agent = kernel->CreateAgent("seeker");
+  agent->ExecuteCommandLine("watch 0");
+  for (const char* rule :
+       {"sp {move (state <s> ^superstate nil ^io.input-link.range <r>) --> "
+        "(<s> ^operator <o> + =) (<o> ^name move ^speed <r>)}",
+        "sp {send (state <s> ^operator <o> ^io.output-link <out>) (<o> ^name move ^speed <v>) --> "
+        "(<out> ^move <c>) (<c> ^speed <v>)}",
+        "sp {done (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <c>) (<c> ^status complete) --> "
+        "(<out> ^<name> <c> -)}"}) {
+    agent->ExecuteCommandLine(rule);
+    ASSERT_TRUE(agent->GetLastCommandLineResult()) << rule;
+  }
+  sml::FloatElement* range = agent->GetInputLink()->CreateFloatWME("range", 0.5);
+  std::uint64_t commands = 0;
+  const auto tick = [&](int number) {
+    agent->Update(range, number % 40 + 0.5);
+    agent->RunSelfTilOutput();
+    for (int n = 0; n < agent->GetNumberCommands(); ++n) {
+      ++commands;
+      agent->GetCommand(n)->AddStatusComplete();
+    }
+  };
+  int number = 0;
+  while (number < 5000) tick(number++);
+  const std::uint64_t before = allocations, commands_before = commands;
+  while (number < 15000) tick(number++);
+  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_GE(commands - commands_before, 8000u);
+  kernel->Shutdown();
+  delete kernel;
+}
+
+}  // namespace
