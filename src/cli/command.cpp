@@ -48,7 +48,11 @@ bool CommandCall::Parse(std::span<const OptionSpec> specs, ParsedWords& parsed) 
 bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid,
                    std::string_view usage_hint) {
   // Soar checks the options against those of all sub-commands before it looks at the sub-command.
+  // Where two of them use a letter in different ways, the named one's counts.
   std::vector<OptionSpec> all;
+  for (const SubcommandInfo& subcommand : command.subcommands) {
+    if (subcommand.name == call.words[1].text) all.assign(subcommand.options.begin(), subcommand.options.end());
+  }
   for (const SubcommandInfo& subcommand : command.subcommands) {
     for (const OptionSpec& option : subcommand.options) {
       bool known = false;

@@ -126,7 +126,10 @@ bool LoadFile(CommandCall& call) {
     if (outermost) call.Out("\n");
   }
   if (!outermost) return ok;
-  FreshLine(call);
+  // Counts stand apart from what was printed while rules were read.
+  const bool counted = run.sourced + run.excised + run.ignored > 0;
+  if (counted && !parsed.Has('a') && !parsed.Has('d')) call.Out("\n");
+  else FreshLine(call);
   if (!parsed.Has('d')) call.Out("Total: " + CountsText(run.sourced, run.excised, run.ignored) + "\n");
   if (parsed.Has('v') && !run.excised_names.empty()) {
     call.Out("Excised productions:\n");
