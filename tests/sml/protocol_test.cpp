@@ -187,6 +187,8 @@ TEST(Protocol, AClientThatNeverAnswersStallsTheKernelOnceAndForALimitedTime) {
   Client silent(server.port());
   silent.Exchange("<sml doctype=\"call\" id=\"0\"><command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
                   "param=\"eventid\">after-decision-cycle</arg></command></sml>");
+  // Without rules each decision adds a state; the default limit would halt the agent first.
+  server.kernel->GetAgent("hal")->ExecuteCommandLine("soar max-goal-depth 100");
   const auto start = std::chrono::steady_clock::now();
   server.kernel->GetAgent("hal")->RunSelf(50);
   EXPECT_LT(std::chrono::steady_clock::now() - start, milliseconds(4000));
