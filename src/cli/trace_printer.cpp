@@ -253,6 +253,7 @@ void TracePrinter::OnError(const Agent&, std::string_view text) { session_.strea
 void TracePrinter::OnLog(const Agent&, int channel, std::string_view text) {
   const std::vector<bool>& channels = session_.output().log_channels;
   const auto index = static_cast<std::size_t>(channel - 1);
+  if (!session_.output().agent_writes) return;
   if (channel >= 1 && index < channels.size() && channels[index]) session_.stream().Print(text);
 }
 
