@@ -3,10 +3,11 @@
 // What it costs an agent to be watched: decisions per second of an agent that applies one operator after the other, with
 // nobody attached and with one client on a socket that takes the trace at level 1, as text and as XML.
 //
-//   watched [DECISIONS]     default 100000
+//   watched [DECISIONS]     default 100000, at least 10
 //
 // Prints one line of JSON. Both runs have the trace at level 1; `kept` is the share of the speed that is left.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -32,10 +33,16 @@ std::atomic<long> g_documents{0};
 void OnText(sml::smlPrintEventId, void*, sml::Agent*, char const*) { ++g_texts; }
 void OnDocument(sml::smlXMLEventId, void*, sml::Agent*, sml::ClientXML*) { ++g_documents; }
 
+/// The best of ten parts, so that what else the machine does counts little.
 double DecisionsPerSecond(sml::Agent& agent, int decisions) {
-  const Clock::time_point start = Clock::now();
-  agent.RunSelf(decisions);
-  return decisions / std::chrono::duration<double>(Clock::now() - start).count();
+  constexpr int kParts = 10;
+  double best = 0;
+  for (int i = 0; i < kParts; ++i) {
+    const Clock::time_point start = Clock::now();
+    agent.RunSelf(decisions / kParts);
+    best = std::max(best, decisions / kParts / std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  return best;
 }
 
 /// A client in a thread of its own: connects, subscribes, and takes what comes until it is told to leave.
@@ -58,7 +65,7 @@ void Watch(int port, std::atomic<bool>& watching, std::atomic<bool>& failed, con
 
 int main(int argc, char** argv) {
   const int decisions = argc > 1 ? std::atoi(argv[1]) : 100000;
-  if (decisions < 1) {
+  if (decisions < 10) {
     std::fputs("usage: watched [DECISIONS]\n", stderr);
     return 2;
   }

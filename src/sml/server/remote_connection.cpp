@@ -20,6 +20,12 @@ wire::Element& Command(wire::Message& message) { return message.root.children.fr
 
 }  // namespace
 
+bool RemoteConnection::IsIdleAnswer(std::string_view document) const {
+  const std::string_view root = document.substr(0, document.find('>'));
+  if (root.find(" doctype=\"response\"") == std::string_view::npos) return false;
+  return root.find(" ack=\"" + awaited_id_ + '"') == std::string_view::npos;
+}
+
 RemoteConnection::RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel,
                                    std::chrono::milliseconds answer_timeout)
     : host_(host), channel_(std::move(channel)), timeout_(answer_timeout) {}
@@ -33,6 +39,7 @@ bool RemoteConnection::Serve() {
   std::string document;
   while (channel_->Pop(document)) {
     any = true;
+    if (IsIdleAnswer(document)) continue;
     if (const Result<wire::Message> message = wire::ReadMessage(document)) Handle(message.value());
   }
   gone_ = gone_ || closed;

@@ -54,6 +54,8 @@ class RemoteConnection : public Connection {
 
   std::string NextId() { return std::to_string(next_id_++); }
   void Handle(const wire::Message& message);
+  /// An answer that nobody waits for, as to each piece of trace; told without parsing it.
+  bool IsIdleAnswer(std::string_view document) const;
   /// Sends a call; with kForAnswer, serves the client until its answer is there. The answer, if one came.
   std::optional<wire::Message> Call(wire::Message& call, Wait wait, bool droppable = false);
   /// Says how many messages were dropped since that was last said; empty if none.

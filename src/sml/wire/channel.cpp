@@ -32,6 +32,14 @@ IoThread::~IoThread() {
   if (contents_->thread.joinable()) contents_->thread.join();
 }
 
+namespace {
+
+/// Messages that may be dropped wait for others to go with them: for so long, or until there are so many bytes.
+constexpr std::chrono::milliseconds kGatherTime{1};
+constexpr std::size_t kGathered = 64 * 1024;
+
+}  // namespace
+
 // A connection ----------------------------------------------------------------------------------------------------------
 
 struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
@@ -98,11 +106,26 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
                       });
   }
 
+  /// Lets text and trace pile up for a moment: a call of the system for each would cost more than the decision it tells of.
+  void Gather() {
+    timer.expires_after(kGatherTime);
+    timer.async_wait([self = shared_from_this()](const asio::error_code&) {
+      {
+        const std::lock_guard lock(self->mutex);
+        self->gathering = false;
+        if (self->writing || self->outbox.empty() || self->shut) return;
+        self->writing = true;
+      }
+      self->Write();
+    });
+  }
+
   void Shut() {
     {
       const std::lock_guard lock(mutex);
       if (shut) return;
       shut = true;
+      if (!writing && !outbox.empty()) SendNow();
     }
     asio::error_code ignored;
     socket.shutdown(tcp::socket::shutdown_both, ignored);
@@ -134,21 +157,31 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
       asio::post(socket.get_executor(), [self = shared_from_this()] { self->Shut(); });
       return false;
     }
-    std::size_t sent = 0;
-    if (!writing) {
-      // Nothing waits: what the system takes at once needs no other thread.
-      asio::error_code error;
-      sent = socket.send(asio::buffer(bytes), 0, error);
-      if (error) sent = 0;
-    }
-    if (sent == bytes.size()) return true;
-    outbox.append(bytes, sent);
-    waiting_out += bytes.size() - sent;
+    outbox += bytes;
+    waiting_out += bytes.size();
     if (writing) return true;
+    if (droppable && outbox.size() < kGathered) {
+      if (gathering) return true;
+      gathering = true;
+      lock.unlock();
+      asio::post(socket.get_executor(), [self = shared_from_this()] { self->Gather(); });
+      return true;
+    }
+    SendNow();
+    if (outbox.empty()) return true;
     writing = true;
     lock.unlock();
     asio::post(socket.get_executor(), [self = shared_from_this()] { self->Write(); });
     return true;
+  }
+
+  /// Sends what the system takes at once, which needs no other thread. The lock is held, and nothing is being written.
+  void SendNow() {
+    asio::error_code error;
+    const std::size_t sent = socket.send(asio::buffer(outbox), 0, error);
+    if (error) return;
+    outbox.erase(0, sent);
+    waiting_out -= sent;
   }
 
   /// Takes a message; the lock is held.
@@ -165,6 +198,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   }
 
   tcp::socket socket;
+  asio::steady_timer timer{socket.get_executor()};
   const ChannelLimits limits;
   FrameReader reader;
   std::array<char, 64 * 1024> piece{};
@@ -174,7 +208,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   std::deque<std::string> inbox;
   std::string outbox;
   std::size_t waiting_in = 0, waiting_out = 0;
-  bool writing = false, paused = false, shut = false;
+  bool writing = false, gathering = false, paused = false, shut = false;
   std::uint64_t dropped = 0;
   std::function<void()> wake;
 };

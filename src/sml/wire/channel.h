@@ -43,8 +43,8 @@ class Channel {
   Channel(std::shared_ptr<Socket> socket);
   ~Channel();
 
-  /// Sends a message, or queues it. `droppable`: it may be left out if the other side does not keep up. False if it was
-  /// left out or the channel is closed.
+  /// Sends a message, or queues it. `droppable`: it may be left out if the other side does not keep up, and may wait for a
+  /// millisecond, so that many go together; the order of messages stays. False if it was left out or the channel is closed.
   bool Send(const std::string& message, bool droppable = false);
   /// Takes a message that has come; false if there is none.
   bool Pop(std::string& message);
