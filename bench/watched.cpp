@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What it costs an agent to be watched: decisions per second of an agent that applies one operator after the other, with
-// nobody attached and with one client on a socket that takes the trace at level 1, as text and as XML.
+// What it costs an agent to be watched: decisions per second of an agent that applies one operator after the other,
+// with nobody attached and with one client on a socket that takes the trace at level 1, as text and as XML.
 //
 //   watched [DECISIONS]     default 100000, at least 10
 //
@@ -30,8 +30,12 @@ constexpr const char* kRules[] = {
 std::atomic<long> g_texts{0};
 std::atomic<long> g_documents{0};
 
-void OnText(sml::smlPrintEventId, void*, sml::Agent*, char const*) { ++g_texts; }
-void OnDocument(sml::smlXMLEventId, void*, sml::Agent*, sml::ClientXML*) { ++g_documents; }
+void OnText(sml::smlPrintEventId, void*, sml::Agent*, char const*) {
+  ++g_texts;
+}
+void OnDocument(sml::smlXMLEventId, void*, sml::Agent*, sml::ClientXML*) {
+  ++g_documents;
+}
 
 /// The best of ten parts, so that what else the machine does counts little.
 double DecisionsPerSecond(sml::Agent& agent, int decisions) {
@@ -95,8 +99,9 @@ int main(int argc, char** argv) {
     std::fputs("watched: the client could not attach\n", stderr);
     return 1;
   }
-  std::printf("{\"benchmark\": \"watched\", \"decisions\": %d, \"alone_per_second\": %.0f, \"watched_per_second\": %.0f, "
-              "\"kept\": %.3f, \"texts_taken\": %ld, \"documents_taken\": %ld}\n",
-              decisions, alone, watched, watched / alone, texts, documents);
+  std::printf(
+      "{\"benchmark\": \"watched\", \"decisions\": %d, \"alone_per_second\": %.0f, \"watched_per_second\": %.0f, "
+      "\"kept\": %.3f, \"texts_taken\": %ld, \"documents_taken\": %ld}\n",
+      decisions, alone, watched, watched / alone, texts, documents);
   return 0;
 }

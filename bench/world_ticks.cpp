@@ -39,10 +39,11 @@ int Measure(int agents, double seconds) {
   while (world.time_s() < seconds) world.Tick();
   const double run_s = std::chrono::duration<double>(Clock::now() - start).count();
   const double ticks = static_cast<double>(world.tick() - 1);
-  std::printf("{\"benchmark\": \"world_ticks\", \"agents\": %d, \"soar\": %zu, \"ticks\": %.0f, \"ticks_per_second\": %.1f, "
-              "\"us_per_agent_tick\": %.2f, \"set_up_seconds\": %.3f, \"state\": \"%016llx\"}\n",
-              agents, world.soar_agents(), ticks, ticks / run_s, run_s * 1e6 / (ticks * agents),
-              std::chrono::duration<double>(start - begin).count(), static_cast<unsigned long long>(world.StateHash()));
+  std::printf(
+      "{\"benchmark\": \"world_ticks\", \"agents\": %d, \"soar\": %zu, \"ticks\": %.0f, \"ticks_per_second\": %.1f, "
+      "\"us_per_agent_tick\": %.2f, \"set_up_seconds\": %.3f, \"state\": \"%016llx\"}\n",
+      agents, world.soar_agents(), ticks, ticks / run_s, run_s * 1e6 / (ticks * agents),
+      std::chrono::duration<double>(start - begin).count(), static_cast<unsigned long long>(world.StateHash()));
   std::fflush(stdout);
   return 0;
 }

@@ -16,6 +16,8 @@ Json ToJson(const Diagnostic& diagnostic) {
   return json;
 }
 
-std::string ToLine(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string ToLine(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace soarbox::app

@@ -9,18 +9,28 @@
 namespace soarbox::app {
 namespace {
 
-Json Components(const world::Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json Components(const world::Vec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
 
 const char* NameOf(sim::EventKind kind) {
   switch (kind) {
-    case sim::EventKind::kAgentCreated: return "agent";
-    case sim::EventKind::kCommand: return "command";
-    case sim::EventKind::kGap: return "gap";
-    case sim::EventKind::kLog: return "log";
-    case sim::EventKind::kDiagnostic: return "diagnostic";
-    case sim::EventKind::kAgentFailed: return "failed";
-    case sim::EventKind::kMindLost: return "lost";
-    case sim::EventKind::kMindBack: return "back";
+    case sim::EventKind::kAgentCreated:
+      return "agent";
+    case sim::EventKind::kCommand:
+      return "command";
+    case sim::EventKind::kGap:
+      return "gap";
+    case sim::EventKind::kLog:
+      return "log";
+    case sim::EventKind::kDiagnostic:
+      return "diagnostic";
+    case sim::EventKind::kAgentFailed:
+      return "failed";
+    case sim::EventKind::kMindLost:
+      return "lost";
+    case sim::EventKind::kMindBack:
+      return "back";
   }
   return "unknown";
 }
@@ -51,8 +61,12 @@ class JsonPrinter : public EventPrinter {
         json["position"] = Components(event.position);
         break;
       case sim::EventKind::kDiagnostic:
-      case sim::EventKind::kAgentFailed: json["diagnostic"] = ToJson(event.diagnostic); break;
-      default: json["text"] = event.text; break;
+      case sim::EventKind::kAgentFailed:
+        json["diagnostic"] = ToJson(event.diagnostic);
+        break;
+      default:
+        json["text"] = event.text;
+        break;
     }
     Write(json);
   }
@@ -99,6 +113,8 @@ class JsonPrinter : public EventPrinter {
 
 }  // namespace
 
-std::unique_ptr<EventPrinter> EventPrinter::MakeJson(std::ostream& out) { return std::make_unique<JsonPrinter>(out); }
+std::unique_ptr<EventPrinter> EventPrinter::MakeJson(std::ostream& out) {
+  return std::make_unique<JsonPrinter>(out);
+}
 
 }  // namespace soarbox::app

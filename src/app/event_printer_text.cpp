@@ -14,21 +14,34 @@ class TextPrinter : public EventPrinter {
   TextPrinter(std::ostream& out, std::ostream& errors) : out_(out), errors_(errors) {}
 
   void Begin(const RunHeader& header) override {
-    out_ << fmt::format("soarbox: scenario {}, seed {}{}\n", header.scenario, header.seed, header.headless ? ", headless" : "");
+    out_ << fmt::format("soarbox: scenario {}, seed {}{}\n", header.scenario, header.seed,
+                        header.headless ? ", headless" : "");
   }
 
   void Print(const sim::Event& event) override {
     switch (event.kind) {
-      case sim::EventKind::kAgentCreated: Line(event, "joins: " + event.text); break;
-      case sim::EventKind::kCommand:
-        Line(event, fmt::format("{:<14} perceives distance {:.2f}, stands at ({:.1f}, {:.1f})", event.text, event.perceived,
-                                event.position.x, event.position.z));
+      case sim::EventKind::kAgentCreated:
+        Line(event, "joins: " + event.text);
         break;
-      case sim::EventKind::kGap: Line(event, "no command: " + event.text); break;
-      case sim::EventKind::kLog: Line(event, event.text); break;
-      case sim::EventKind::kMindLost: Line(event, "paused: " + event.text); break;
-      case sim::EventKind::kMindBack: Line(event, "goes on: " + event.text); break;
-      case sim::EventKind::kAgentFailed: Line(event, "stops: its script failed"); [[fallthrough]];
+      case sim::EventKind::kCommand:
+        Line(event, fmt::format("{:<14} perceives distance {:.2f}, stands at ({:.1f}, {:.1f})", event.text,
+                                event.perceived, event.position.x, event.position.z));
+        break;
+      case sim::EventKind::kGap:
+        Line(event, "no command: " + event.text);
+        break;
+      case sim::EventKind::kLog:
+        Line(event, event.text);
+        break;
+      case sim::EventKind::kMindLost:
+        Line(event, "paused: " + event.text);
+        break;
+      case sim::EventKind::kMindBack:
+        Line(event, "goes on: " + event.text);
+        break;
+      case sim::EventKind::kAgentFailed:
+        Line(event, "stops: its script failed");
+        [[fallthrough]];
       case sim::EventKind::kDiagnostic:
         // Flushed first, so that a problem stands where it happened also when both streams share a terminal.
         out_.flush();
@@ -48,8 +61,9 @@ class TextPrinter : public EventPrinter {
   }
 
   void End(const RunFooter& footer) override {
-    out_ << fmt::format("soarbox: {} ticks, {:.1f} s simulated, {} agents ({} of them Soar), {} problems, state {:016x}\n",
-                        footer.ticks, footer.time_s, footer.agents, footer.soar_agents, footer.problems, footer.state_hash);
+    out_ << fmt::format(
+        "soarbox: {} ticks, {:.1f} s simulated, {} agents ({} of them Soar), {} problems, state {:016x}\n",
+        footer.ticks, footer.time_s, footer.agents, footer.soar_agents, footer.problems, footer.state_hash);
     out_.flush();
   }
 

@@ -63,7 +63,8 @@ int ServeKernel(const KernelServerOptions& options) {
   const std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(false, port));
   if (kernel->HadError()) {
     const char* why = kernel->GetLastErrorDescription();
-    return CannotStart("port " + std::to_string(options.port) + " cannot be opened" + (why == nullptr ? "" : std::string(" (") + why + ")"),
+    return CannotStart("port " + std::to_string(options.port) + " cannot be opened" +
+                           (why == nullptr ? "" : std::string(" (") + why + ")"),
                        "another program holds it; choose another with --port N, or any free one with --port 0");
   }
   std::set<std::string> names;

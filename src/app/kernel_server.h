@@ -8,7 +8,7 @@ namespace soarbox::app {
 
 /// What `soarbox kernel` was asked for.
 struct KernelServerOptions {
-  int port = 12121;  ///< On this machine only; 0: any free one, which is printed.
+  int port = 12121;                           ///< On this machine only; 0: any free one, which is printed.
   std::vector<std::filesystem::path> agents;  ///< One agent per file of rules, named after it.
 };
 

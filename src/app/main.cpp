@@ -19,7 +19,8 @@ using soarbox::app::SoarShellOptions;
 
 void AddRun(CLI::App& program, RunOptions& options) {
   CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
-  run->add_option("scenario", options.scenario, "A folder with Sandbox.lua, a Lua file, or a name that `soarbox list` shows")
+  run->add_option("scenario", options.scenario,
+                  "A folder with Sandbox.lua, a Lua file, or a name that `soarbox list` shows")
       ->capture_default_str();
   run->add_flag("--headless", options.headless, "No window; 60 simulated seconds unless --seconds says otherwise");
   run->add_option("--seconds", options.seconds, "End after so many simulated seconds")->check(CLI::NonNegativeNumber);
@@ -32,15 +33,20 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-  run->add_option("--width", options.width_px, "Width of the window in pixels")->capture_default_str()->check(CLI::Range(160, 7680));
-  run->add_option("--height", options.height_px, "Height of the window in pixels")->capture_default_str()->check(CLI::Range(120, 4320));
+  run->add_option("--width", options.width_px, "Width of the window in pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(160, 7680));
+  run->add_option("--height", options.height_px, "Height of the window in pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(120, 4320));
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
   run->add_option("--report", options.report_s, "Print where all agents are, each so many simulated seconds")
       ->check(CLI::PositiveNumber);
   run->add_option("--port", options.port, "Let Soar debuggers attach at this TCP port of this machine; 0: none")
       ->check(CLI::Range(0, 65535));
-  run->add_option("--kernel", options.kernel, "HOST:PORT of a Soar kernel in another process to use instead of our own");
+  run->add_option("--kernel", options.kernel,
+                  "HOST:PORT of a Soar kernel in another process to use instead of our own");
 }
 
 void AddSoar(CLI::App& program, SoarShellOptions& options) {
@@ -52,7 +58,9 @@ void AddSoar(CLI::App& program, SoarShellOptions& options) {
 void AddKernel(CLI::App& program, KernelServerOptions& options) {
   CLI::App* kernel = program.add_subcommand("kernel", "Serve a Soar kernel to clients and debuggers on this machine");
   kernel->add_option("agents", options.agents, "One agent per file of rules");
-  kernel->add_option("--port", options.port, "TCP port; 0: any free one")->capture_default_str()->check(CLI::Range(0, 65535));
+  kernel->add_option("--port", options.port, "TCP port; 0: any free one")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65535));
 }
 
 int List() {

@@ -58,7 +58,8 @@ int Run(const RunOptions& given) {
   if (!options.headless && (!HasDisplay() || !kHasWindow)) {
     Diagnostic note;
     note.message = kHasWindow ? "there is no display (DISPLAY is not set)" : "this build has no window";
-    note.hint = kHasWindow ? "on a machine without a screen, xvfb-run gives a virtual one" : "build with -DSOARBOX_VIEWER=ON";
+    note.hint =
+        kHasWindow ? "on a machine without a screen, xvfb-run gives a virtual one" : "build with -DSOARBOX_VIEWER=ON";
     if (wants_screenshot) {
       note.message += ", so no picture can be taken";
       return CannotStart(note);

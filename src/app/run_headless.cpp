@@ -16,7 +16,8 @@ using Clock = std::chrono::steady_clock;
 /// A line on stderr that is rewritten about twice a second, once a run has lasted two seconds.
 class Progress {
  public:
-  explicit Progress(const RunOptions& options) : shown_(isatty(STDERR_FILENO) != 0 && !options.json), total_s_(*options.seconds) {}
+  explicit Progress(const RunOptions& options)
+      : shown_(isatty(STDERR_FILENO) != 0 && !options.json), total_s_(*options.seconds) {}
   ~Progress() {
     if (written_) std::fputs("\r\033[K", stderr);
   }
@@ -29,7 +30,10 @@ class Progress {
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(500);
     const double wall_s = std::chrono::duration<double>(now - start_).count();
-    std::fputs(fmt::format("\r\033[K{:.0f} of {:.0f} s simulated, {:.1f} times real time", time_s, total_s_, time_s / wall_s).c_str(), stderr);
+    std::fputs(
+        fmt::format("\r\033[K{:.0f} of {:.0f} s simulated, {:.1f} times real time", time_s, total_s_, time_s / wall_s)
+            .c_str(),
+        stderr);
     written_ = true;
   }
 
@@ -51,8 +55,8 @@ int RunHeadless(RunSession& session, const RunOptions& options) {
       session.Tick();
       progress.Show(session.simulation().time_s());
       if (options.speed) {
-        std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(
-                                                  std::chrono::duration<double>(session.simulation().time_s() / *options.speed)));
+        std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
+                                                  session.simulation().time_s() / *options.speed)));
       }
     }
   }

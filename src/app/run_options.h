@@ -14,18 +14,18 @@ struct RunOptions {
   std::string scenario = "thesis";
   std::vector<std::filesystem::path> extra_folders;
   bool headless = false;
-  std::optional<double> seconds;      ///< Simulated; none: until the window is closed, or 60 s headless.
+  std::optional<double> seconds;  ///< Simulated; none: until the window is closed, or 60 s headless.
   std::uint64_t seed = 1;
-  std::optional<double> speed;        ///< Times real time; none: 1 with a window, as fast as possible without.
+  std::optional<double> speed;  ///< Times real time; none: 1 with a window, as fast as possible without.
   bool json = false;
   bool every_command = false;
-  std::optional<double> report_s;     ///< Print all agents each so many simulated seconds.
-  std::string screenshot;             ///< PNG file; empty: none.
+  std::optional<double> report_s;  ///< Print all agents each so many simulated seconds.
+  std::string screenshot;          ///< PNG file; empty: none.
   double screenshot_at_s = 5;
   int width_px = 1280;
   int height_px = 720;
-  std::optional<int> port;            ///< For debuggers; none: 12121 with a window if it is free, closed without.
-  std::string kernel;                 ///< HOST:PORT of a Soar kernel in another process; empty: our own.
+  std::optional<int> port;  ///< For debuggers; none: 12121 with a window if it is free, closed without.
+  std::string kernel;       ///< HOST:PORT of a Soar kernel in another process; empty: our own.
 };
 
 /// Carries out `soarbox run`; returns an ExitCode.

@@ -11,7 +11,9 @@ namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
-void OnInterrupt(int) { g_interrupted = 1; }
+void OnInterrupt(int) {
+  g_interrupted = 1;
+}
 
 }  // namespace
 
@@ -20,9 +22,12 @@ void CatchInterrupts() {
   std::signal(SIGTERM, &OnInterrupt);
 }
 
-bool WasInterrupted() { return g_interrupted != 0; }
+bool WasInterrupted() {
+  return g_interrupted != 0;
+}
 
-RunSession::RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer, const RunOptions& options)
+RunSession::RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer,
+                       const RunOptions& options)
     : simulation_(std::move(simulation)),
       printer_(std::move(printer)),
       end_s_(options.seconds.value_or(std::numeric_limits<double>::infinity())),
@@ -44,7 +49,9 @@ void RunSession::Idle() {
   PrintEvents();
 }
 
-bool RunSession::IsOver() const { return WasInterrupted() || simulation_->time_s() >= end_s_; }
+bool RunSession::IsOver() const {
+  return WasInterrupted() || simulation_->time_s() >= end_s_;
+}
 
 int RunSession::Finish() {
   simulation_->Finish();
@@ -62,8 +69,9 @@ int RunSession::Finish() {
 
 void RunSession::PrintEvents() {
   for (const sim::Event& event : simulation_->TakeEvents()) {
-    const bool is_problem = event.kind == sim::EventKind::kAgentFailed ||
-                            (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError);
+    const bool is_problem =
+        event.kind == sim::EventKind::kAgentFailed ||
+        (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError);
     if (is_problem) ++problems_;
     printer_->Print(event);
   }

@@ -12,7 +12,8 @@ namespace soarbox::app {
 /// One run under way: the simulation and what is told about it. The headless loop and the window's loop drive it.
 class RunSession {
  public:
-  RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer, const RunOptions& options);
+  RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer,
+             const RunOptions& options);
 
   /// Advances one tick and prints what happened.
   void Tick();
@@ -30,8 +31,8 @@ class RunSession {
 
   std::unique_ptr<sim::Simulation> simulation_;
   std::unique_ptr<EventPrinter> printer_;
-  double end_s_;             ///< Simulated time to stop at; infinite if none.
-  double report_every_s_;    ///< 0: never.
+  double end_s_;           ///< Simulated time to stop at; infinite if none.
+  double report_every_s_;  ///< 0: never.
   double next_report_s_ = 0;
   std::size_t problems_ = 0;
 };

@@ -30,11 +30,22 @@ class Pace {
 
   void Obey(viewer::ViewerCommand command) {
     switch (command) {
-      case viewer::ViewerCommand::kTogglePause: paused_ = !paused_; break;
-      case viewer::ViewerCommand::kSingleStep: paused_ = true; ++steps_; break;
-      case viewer::ViewerCommand::kFaster: speed_ = NextFaster(speed_); break;
-      case viewer::ViewerCommand::kSlower: speed_ = NextSlower(speed_); break;
-      case viewer::ViewerCommand::kQuit: quit_ = true; break;
+      case viewer::ViewerCommand::kTogglePause:
+        paused_ = !paused_;
+        break;
+      case viewer::ViewerCommand::kSingleStep:
+        paused_ = true;
+        ++steps_;
+        break;
+      case viewer::ViewerCommand::kFaster:
+        speed_ = NextFaster(speed_);
+        break;
+      case viewer::ViewerCommand::kSlower:
+        speed_ = NextSlower(speed_);
+        break;
+      case viewer::ViewerCommand::kQuit:
+        quit_ = true;
+        break;
     }
   }
 

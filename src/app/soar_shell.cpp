@@ -232,6 +232,8 @@ class Shell {
 
 }  // namespace
 
-int RunSoarShell(const SoarShellOptions& options) { return Shell(options).Run(options); }
+int RunSoarShell(const SoarShellOptions& options) {
+  return Shell(options).Run(options);
+}
 
 }  // namespace soarbox::app

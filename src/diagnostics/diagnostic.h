@@ -14,13 +14,13 @@ enum class Severity : std::uint8_t { kNote, kWarning, kError };
 /// The command line, the panels and the JSON output all show this same struct.
 struct Diagnostic {
   Severity severity = Severity::kError;
-  std::string file;      ///< As the user named it; empty for typed input.
-  int line = 0;          ///< From 1; 0 if unknown.
-  int column = 0;        ///< From 1; 0 if unknown.
-  std::string message;   ///< One sentence without a full stop: what is wrong.
-  std::string excerpt;   ///< The offending source line, if known.
+  std::string file;        ///< As the user named it; empty for typed input.
+  int line = 0;            ///< From 1; 0 if unknown.
+  int column = 0;          ///< From 1; 0 if unknown.
+  std::string message;     ///< One sentence without a full stop: what is wrong.
+  std::string excerpt;     ///< The offending source line, if known.
   int excerpt_length = 1;  ///< How many characters of the excerpt to underline.
-  std::string hint;      ///< What to do, if we can say: "did you mean <target>?".
+  std::string hint;        ///< What to do, if we can say: "did you mean <target>?".
 };
 
 /// "file:line:column: error: message", the excerpt with a caret line, "   note: hint".

@@ -19,11 +19,20 @@ class [[nodiscard]] Result {
 
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
-  T& value() { assert(ok()); return *std::get_if<0>(&content_); }
-  const T& value() const { assert(ok()); return *std::get_if<0>(&content_); }
+  T& value() {
+    assert(ok());
+    return *std::get_if<0>(&content_);
+  }
+  const T& value() const {
+    assert(ok());
+    return *std::get_if<0>(&content_);
+  }
   T& operator*() { return value(); }
   T* operator->() { return &value(); }
-  const Diagnostic& error() const { assert(!ok()); return *std::get_if<1>(&content_); }
+  const Diagnostic& error() const {
+    assert(!ok());
+    return *std::get_if<1>(&content_);
+  }
 
  private:
   std::variant<T, Diagnostic> content_;
@@ -38,7 +47,10 @@ class [[nodiscard]] Result<void> {
 
   bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }
-  const Diagnostic& error() const { assert(!ok()); return *error_; }
+  const Diagnostic& error() const {
+    assert(!ok());
+    return *error_;
+  }
 
  private:
   std::optional<Diagnostic> error_;

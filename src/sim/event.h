@@ -26,11 +26,11 @@ struct Event {
   EventKind kind = EventKind::kLog;
   std::uint64_t tick = 0;
   double time_s = 0;
-  std::string agent;        ///< Name; empty for the sandbox itself.
+  std::string agent;  ///< Name; empty for the sandbox itself.
   std::string text;
-  Diagnostic diagnostic;    ///< kDiagnostic and kAgentFailed.
-  float perceived = 0;      ///< kCommand: the ^distance that the mind saw (squared metres, as the thesis has it).
-  world::Vec3 position;     ///< kCommand: where the agent stood.
+  Diagnostic diagnostic;  ///< kDiagnostic and kAgentFailed.
+  float perceived = 0;    ///< kCommand: the ^distance that the mind saw (squared metres, as the thesis has it).
+  world::Vec3 position;   ///< kCommand: where the agent stood.
 };
 
 using EventList = std::vector<Event>;

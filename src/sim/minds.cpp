@@ -6,7 +6,9 @@
 namespace soarbox::sim {
 namespace {
 
-std::string RulesOfKind(const std::string& kind) { return kind + "agent.soar"; }
+std::string RulesOfKind(const std::string& kind) {
+  return kind + "agent.soar";
+}
 
 }  // namespace
 

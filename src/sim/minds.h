@@ -27,21 +27,22 @@ class Minds final : public script::MindFactory {
   /// waypointagent.soar. Faulty rules are reported and the others loaded.
   Result<void> MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) override;
 
-  /// Every mind perceives and decides. Minds see the world as it stands before any of them acts, so their order does not
-  /// matter.
+  /// Every mind perceives and decides. Minds see the world as it stands before any of them acts, so their order does
+  /// not matter.
   void Decide();
 
-  /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay idle.
+  /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay
+  /// idle.
   void Restore();
 
   struct Mind {
     world::EntityId agent;
-    bool follows_leader;          ///< Perceives its leader, else its target.
+    bool follows_leader;  ///< Perceives its leader, else its target.
     std::filesystem::path rules;
     SoarMind soar;
     float distance_squared_m2 = 0;
-    bool decided = false;         ///< In this tick.
-    bool lost = false;            ///< Its program could not be made again.
+    bool decided = false;  ///< In this tick.
+    bool lost = false;     ///< Its program could not be made again.
     bool in_gap = false;
     bool told_halt = false;
     std::string last_command = {};
@@ -59,8 +60,8 @@ class Minds final : public script::MindFactory {
   const Scenario& scenario_;
   SoarHost& host_;
   Report report_;
-  std::vector<Mind> minds_;                       ///< In creation order, thus in ascending agent id.
-  std::set<std::string> reported_;                ///< Problems told already: many agents share one file.
+  std::vector<Mind> minds_;         ///< In creation order, thus in ascending agent id.
+  std::set<std::string> reported_;  ///< Problems told already: many agents share one file.
 };
 
 }  // namespace soarbox::sim

@@ -25,8 +25,8 @@ struct Scenario {
   std::vector<std::filesystem::path> rule_folders;
 };
 
-/// Finds a scenario: a folder that holds Sandbox.lua, a Lua file, or the name of a scenario that comes with the program.
-/// `extra` folders are searched after the scenario's own. Errors say what was looked for and name near-misses.
+/// Finds a scenario: a folder that holds Sandbox.lua, a Lua file, or the name of a scenario that comes with the
+/// program. `extra` folders are searched after the scenario's own. Errors say what was looked for and name near-misses.
 Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data,
                               const std::vector<std::filesystem::path>& extra = {});
 

@@ -2,7 +2,6 @@
 #include "sim/scenario.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <fstream>

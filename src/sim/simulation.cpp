@@ -69,7 +69,9 @@ void Simulation::Impl::OnScriptError(world::EntityId agent, const script::Script
   Report(std::move(event));
 }
 
-void Simulation::Impl::OnScriptWarning(const Diagnostic& warning) { ReportDiagnostic(warning); }
+void Simulation::Impl::OnScriptWarning(const Diagnostic& warning) {
+  ReportDiagnostic(warning);
+}
 
 void Simulation::Impl::Report(Event event) {
   event.tick = world.tick();
@@ -167,7 +169,8 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   impl->scripts = std::make_unique<script::ScriptHost>(impl->world, scripts, impl->minds.get(), *impl);
   if (!impl->scripts->LoadSandbox(scenario.script.filename().string())) {
     for (const Event& event : impl->events) {
-      if (event.kind == EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError) return event.diagnostic;
+      if (event.kind == EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError)
+        return event.diagnostic;
     }
     Diagnostic problem;
     problem.file = scenario.script.string();
@@ -208,16 +211,34 @@ void Simulation::Idle() {
   impl_->KeepConnected();
 }
 
-std::uint64_t Simulation::tick() const { return impl_->world.tick(); }
-double Simulation::time_s() const { return impl_->world.time_s(); }
-world::World& Simulation::world() { return impl_->world; }
-const world::World& Simulation::world() const { return impl_->world; }
-world::SceneSnapshot Simulation::Snapshot() const { return impl_->world.Snapshot(); }
-std::uint64_t Simulation::StateHash() const { return impl_->world.Hash(); }
-std::size_t Simulation::soar_agents() const { return impl_->minds->size(); }
-EventList Simulation::TakeEvents() { return std::exchange(impl_->events, {}); }
+std::uint64_t Simulation::tick() const {
+  return impl_->world.tick();
+}
+double Simulation::time_s() const {
+  return impl_->world.time_s();
+}
+world::World& Simulation::world() {
+  return impl_->world;
+}
+const world::World& Simulation::world() const {
+  return impl_->world;
+}
+world::SceneSnapshot Simulation::Snapshot() const {
+  return impl_->world.Snapshot();
+}
+std::uint64_t Simulation::StateHash() const {
+  return impl_->world.Hash();
+}
+std::size_t Simulation::soar_agents() const {
+  return impl_->minds->size();
+}
+EventList Simulation::TakeEvents() {
+  return std::exchange(impl_->events, {});
+}
 
-void Simulation::Key(std::string_view key, bool pressed) { impl_->input.push_back(script::KeyEvent(std::string(key), pressed)); }
+void Simulation::Key(std::string_view key, bool pressed) {
+  impl_->input.push_back(script::KeyEvent(std::string(key), pressed));
+}
 
 void Simulation::MouseButton(std::string_view button, bool pressed) {
   script::InputEvent event;

@@ -18,11 +18,11 @@ class World;
 namespace soarbox::sim {
 
 struct SimulationSettings {
-  std::uint64_t seed = 1;        ///< Of the world, the scripts and the minds.
-  int screen_width_px = 1280;    ///< What scripts are told; the window follows it.
+  std::uint64_t seed = 1;      ///< Of the world, the scripts and the minds.
+  int screen_width_px = 1280;  ///< What scripts are told; the window follows it.
   int screen_height_px = 720;
-  bool every_command = false;    ///< Report each command of each tick, not only news.
-  SoarSettings soar;             ///< Its seed is taken from `seed`.
+  bool every_command = false;  ///< Report each command of each tick, not only news.
+  SoarSettings soar;           ///< Its seed is taken from `seed`.
 };
 
 /// A scenario in motion: the world, its scripts and its minds, advanced tick by tick.
@@ -58,8 +58,8 @@ class Simulation {
   void Key(std::string_view key, bool pressed);
   void MouseButton(std::string_view button, bool pressed);
 
-  /// What scripts are told that a frame and a tick cost, in microseconds. A window reports it for the scripts' performance
-  /// panel; without it they see the nominal times, so that headless runs stay the same.
+  /// What scripts are told that a frame and a tick cost, in microseconds. A window reports it for the scripts'
+  /// performance panel; without it they see the nominal times, so that headless runs stay the same.
   void ReportTimes(double frame_us, double tick_us);
 
   /// Runs the scripts' clean-up once; no tick may follow.

@@ -34,7 +34,9 @@ TEST(ParseDiagnostics, KeepsTextWithoutAPlaceAsOneProblemOfTheFile) {
   EXPECT_EQ(found[0].message, "Expected ) to end condition; Error while sourcing file");
 }
 
-TEST(ParseDiagnostics, FindsNothingInNothing) { EXPECT_TRUE(ParseDiagnostics("", "a.soar").empty()); }
+TEST(ParseDiagnostics, FindsNothingInNothing) {
+  EXPECT_TRUE(ParseDiagnostics("", "a.soar").empty());
+}
 
 }  // namespace
 }  // namespace soarbox::sim

@@ -74,13 +74,14 @@ Result<std::unique_ptr<SoarHost>> SoarHost::Create(const SoarSettings& settings)
   }
   if (kernel->HadError()) {
     if (!settings.remote_host.empty()) {
-      return Problem("no Soar kernel answers at " + AddressOf(settings) + " (" +
-                         ErrorText(*kernel) + ")",
-                     "start one there, for example with: soarbox kernel --port " + std::to_string(settings.remote_port));
+      return Problem(
+          "no Soar kernel answers at " + AddressOf(settings) + " (" + ErrorText(*kernel) + ")",
+          "start one there, for example with: soarbox kernel --port " + std::to_string(settings.remote_port));
     }
     if (settings.port != 0) {
-      return Problem("port " + std::to_string(settings.port) + " cannot be opened for debuggers (" + ErrorText(*kernel) + ")",
-                     "another program holds it; choose another with --port N, or none with --port 0");
+      return Problem(
+          "port " + std::to_string(settings.port) + " cannot be opened for debuggers (" + ErrorText(*kernel) + ")",
+          "another program holds it; choose another with --port N, or none with --port 0");
     }
     return Problem("the Soar kernel did not start: " + ErrorText(*kernel));
   }
@@ -99,7 +100,8 @@ SoarHost::~SoarHost() {
 Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const std::filesystem::path& rules) {
   const std::string file = rules.string();
   if (!std::ifstream(rules)) {
-    Diagnostic problem = Problem("the rules of " + name + " cannot be read", "check the name, or add their folder with --path");
+    Diagnostic problem =
+        Problem("the rules of " + name + " cannot be read", "check the name, or add their folder with --path");
     problem.file = file;
     return problem;
   }
@@ -137,10 +139,12 @@ void SoarHost::ServeClients() {
   }
 }
 
-bool SoarHost::IsConnected() const { return !IsRemote() || !kernel_->IsConnectionClosed(); }
+bool SoarHost::IsConnected() const {
+  return !IsRemote() || !kernel_->IsConnectionClosed();
+}
 
-/// One call for a kernel, on a thread of its own: an address that swallows packets would hold up the world for minutes. The
-/// thread shares this, so that a host that ends meanwhile need not wait for it.
+/// One call for a kernel, on a thread of its own: an address that swallows packets would hold up the world for minutes.
+/// The thread shares this, so that a host that ends meanwhile need not wait for it.
 class SoarHost::Attempt {
  public:
   static std::shared_ptr<Attempt> Start(const SoarSettings& settings) {

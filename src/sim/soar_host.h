@@ -21,10 +21,10 @@ namespace soarbox::sim {
 
 /// Where the Soar agents of a run live.
 struct SoarSettings {
-  int port = 0;               ///< TCP port on loopback for debuggers; 0: nobody can attach.
-  std::string remote_host;    ///< Not empty: use the kernel that listens there instead of our own.
+  int port = 0;             ///< TCP port on loopback for debuggers; 0: nobody can attach.
+  std::string remote_host;  ///< Not empty: use the kernel that listens there instead of our own.
   int remote_port = 12121;
-  std::uint64_t seed = 1;     ///< Seeds each agent's random choices.
+  std::uint64_t seed = 1;  ///< Seeds each agent's random choices.
 };
 
 /// One Soar kernel for all Soar minds of a run, reached through the public client API only: our own kernel, an official
@@ -52,8 +52,8 @@ class SoarHost {
 
   /// False once a remote kernel has gone away.
   bool IsConnected() const;
-  /// Looks for a kernel at the address of the one that has gone: once a second of real time, on another thread. True once
-  /// one answers; it is then the host's, and all agents have to be made again.
+  /// Looks for a kernel at the address of the one that has gone: once a second of real time, on another thread. True
+  /// once one answers; it is then the host's, and all agents have to be made again.
   bool Reconnect();
 
   const SoarSettings& settings() const { return settings_; }
@@ -67,12 +67,12 @@ class SoarHost {
   std::unique_ptr<sml::Kernel> kernel_;
   SoarSettings settings_;
   std::uint64_t agents_made_ = 0;
-  std::set<std::string> agents_;        ///< Names of those made, so that a remote kernel is left without them.
-  std::shared_ptr<Attempt> attempt_;    ///< To reach a kernel again; null while connected.
+  std::set<std::string> agents_;      ///< Names of those made, so that a remote kernel is left without them.
+  std::shared_ptr<Attempt> attempt_;  ///< To reach a kernel again; null while connected.
 };
 
-/// Reads "file:line:column: error: text" lines, as kernels print them, into diagnostics. Text without a place becomes one
-/// diagnostic against `file`.
+/// Reads "file:line:column: error: text" lines, as kernels print them, into diagnostics. Text without a place becomes
+/// one diagnostic against `file`.
 std::vector<Diagnostic> ParseDiagnostics(std::string_view text, const std::string& file);
 
 }  // namespace soarbox::sim

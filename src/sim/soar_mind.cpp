@@ -32,8 +32,12 @@ void SoarMind::Answer(std::size_t index, bool succeeded) {
   }
 }
 
-bool SoarMind::Halted() const { return agent_->GetRunState() == sml::sml_RUNSTATE_HALTED; }
+bool SoarMind::Halted() const {
+  return agent_->GetRunState() == sml::sml_RUNSTATE_HALTED;
+}
 
-void SoarMind::Restart() { agent_->InitSoar(); }
+void SoarMind::Restart() {
+  agent_->InitSoar();
+}
 
 }  // namespace soarbox::sim

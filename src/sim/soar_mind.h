@@ -15,8 +15,9 @@ namespace soarbox::sim {
 
 /// The mind of one agent as a Soar program: perceives one number, answers with command words.
 ///
-/// The vocabulary is the thesis': `^io.input-link.distance` holds the squared distance in m^2 from the agent's centre to
-/// its target (or its leader's centre), and each attribute that the rules put on the output link is a command, marked
+/// The vocabulary is the thesis': `^io.input-link.distance` holds the squared distance in m^2 from the agent's centre
+/// to its target (or its leader's centre), and each attribute that the rules put on the output link is a command,
+/// marked
 /// `^status complete` or `^status error` once the body has done with it.
 ///
 /// Owned by the simulation; the kernel behind it must outlive it.

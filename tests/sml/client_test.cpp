@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The client API in one process, as programs use it.
-#include "sml_Client.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -9,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "sml_Client.h"
 #include "sml_test_files.h"
 
 namespace {
@@ -157,7 +156,8 @@ TEST(ClientOutput, CommandsAreListedOnceAndHandlersHearOfThemAfterNotifications)
       &heard);
   agent->RegisterForOutputNotification(
       [](void* data, Agent* told) {
-        static_cast<std::vector<std::string>*>(data)->push_back("changes " + std::to_string(told->GetNumberOutputLinkChanges()));
+        static_cast<std::vector<std::string>*>(data)->push_back("changes " +
+                                                                std::to_string(told->GetNumberOutputLinkChanges()));
       },
       &heard);
   EXPECT_EQ(agent->GetOutputLink(), nullptr);
@@ -195,7 +195,9 @@ TEST(ClientOutput, InitSoarKeepsInputAndDropsOutput) {
 
 TEST(ClientErrors, LoadingAFaultyFileNamesFileLineAndColumnAndLoadsTheRest) {
   Program program;
-  const RuleFile faulty("sml_faulty", "sp {good*rule (state <s> ^superstate nil) --> (<s> ^a b)}\nsp {bad*rule (state <s> ^x <y>) (<s> ^a b)}\n");
+  const RuleFile faulty(
+      "sml_faulty",
+      "sp {good*rule (state <s> ^superstate nil) --> (<s> ^a b)}\nsp {bad*rule (state <s> ^x <y>) (<s> ^a b)}\n");
   EXPECT_FALSE(program.agent->LoadProductions(faulty.path().c_str()));
   EXPECT_TRUE(program.agent->HadError());
   const std::string text = program.agent->GetLastErrorDescription();
@@ -205,7 +207,8 @@ TEST(ClientErrors, LoadingAFaultyFileNamesFileLineAndColumnAndLoadsTheRest) {
   EXPECT_NE(std::string(program.agent->GetLastErrorDescription()).find("no/such/file.soar"), std::string::npos);
   EXPECT_FALSE(program.kernel->HadError());
   EXPECT_EQ(program.kernel->CreateAgent("mover"), nullptr);
-  EXPECT_STREQ(program.kernel->GetLastErrorDescription(), "Trying to create an agent that already exists in the kernel.");
+  EXPECT_STREQ(program.kernel->GetLastErrorDescription(),
+               "Trying to create an agent that already exists in the kernel.");
 }
 
 TEST(ClientErrors, ATakenPortIsAnErrorThatNamesItAndTheKernelStillWorks) {
@@ -228,12 +231,14 @@ TEST(ClientKernels, ThreeKernelsWithAgentsOfTheSameNameCoexist) {
     ASSERT_FALSE(kernels.back()->HadError());
     Agent* agent = kernels.back()->CreateAgent("agent");
     ASSERT_NE(agent, nullptr);
-    agent->ExecuteCommandLine(("sp {mine (state <s> ^superstate nil) --> (<s> ^kernel " + std::to_string(i) + ")}").c_str());
+    agent->ExecuteCommandLine(
+        ("sp {mine (state <s> ^superstate nil) --> (<s> ^kernel " + std::to_string(i) + ")}").c_str());
   }
   for (int i = 0; i < 3; ++i) {
     Agent* agent = kernels[static_cast<std::size_t>(i)]->GetAgent("agent");
     agent->RunSelf(1);
-    EXPECT_NE(std::string(agent->ExecuteCommandLine("print s1")).find("^kernel " + std::to_string(i)), std::string::npos);
+    EXPECT_NE(std::string(agent->ExecuteCommandLine("print s1")).find("^kernel " + std::to_string(i)),
+              std::string::npos);
   }
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The order of events, as Soar 9.6.3 gives them.
-#include "sml_Client.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "sml_Client.h"
 #include "sml_test_files.h"
 
 namespace {
@@ -20,14 +19,17 @@ void OnRun(smlRunEventId id, void* log, Agent*, smlPhase phase) {
   static_cast<Log*>(log)->push_back(std::string(Events().ConvertToString(id)) + "(" + std::to_string(phase) + ")");
 }
 
-void OnSystem(smlSystemEventId id, void* log, Kernel*) { static_cast<Log*>(log)->push_back(Events().ConvertToString(id)); }
+void OnSystem(smlSystemEventId id, void* log, Kernel*) {
+  static_cast<Log*>(log)->push_back(Events().ConvertToString(id));
+}
 
 void OnUpdate(smlUpdateEventId id, void* log, Kernel*, smlRunFlags flags) {
   static_cast<Log*>(log)->push_back(std::string(Events().ConvertToString(id)) + "(" + std::to_string(flags) + ")");
 }
 
 struct Listener {
-  Listener() : kernel(Kernel::CreateKernelInCurrentThread(false, Kernel::kSuppressListener)), agent(kernel->CreateAgent("a")) {
+  Listener()
+      : kernel(Kernel::CreateKernelInCurrentThread(false, Kernel::kSuppressListener)), agent(kernel->CreateAgent("a")) {
     for (int id = smlEVENT_SYSTEM_START; id <= smlEVENT_INTERRUPT_CHECK; ++id) {
       kernel->RegisterForSystemEvent(static_cast<smlSystemEventId>(id), OnSystem, &log);
     }
@@ -52,13 +54,29 @@ TEST(EventOrder, AFreshRunOfOneDecisionGoesPhaseByPhaseToTheStopPhase) {
   Listener listener;
   listener.Listen(listener.agent, smlEVENT_BEFORE_PHASE_EXECUTED, smlEVENT_AFTER_RUNNING);
   listener.agent->RunSelf(1);
-  EXPECT_EQ(listener.Take(),
-            (Log{"system-start", "before-run-starts(0)", "before-running(0)", "before-decision-cycle(0)",
-                 "before-input-phase(0)", "before-phase-executed(0)", "after-phase-executed(0)", "after-input-phase(0)",
-                 "after-running(1)", "before-running(1)", "before-propose-phase(1)", "before-phase-executed(1)",
-                 "after-phase-executed(1)", "after-propose-phase(1)", "after-running(2)", "before-running(2)",
-                 "before-decide-phase(2)", "before-phase-executed(2)", "after-phase-executed(2)", "after-decide-phase(2)",
-                 "after-running(3)", "after-run-ends(3)", "system-stop"}));
+  EXPECT_EQ(listener.Take(), (Log{"system-start",
+                                  "before-run-starts(0)",
+                                  "before-running(0)",
+                                  "before-decision-cycle(0)",
+                                  "before-input-phase(0)",
+                                  "before-phase-executed(0)",
+                                  "after-phase-executed(0)",
+                                  "after-input-phase(0)",
+                                  "after-running(1)",
+                                  "before-running(1)",
+                                  "before-propose-phase(1)",
+                                  "before-phase-executed(1)",
+                                  "after-phase-executed(1)",
+                                  "after-propose-phase(1)",
+                                  "after-running(2)",
+                                  "before-running(2)",
+                                  "before-decide-phase(2)",
+                                  "before-phase-executed(2)",
+                                  "after-phase-executed(2)",
+                                  "after-decide-phase(2)",
+                                  "after-running(3)",
+                                  "after-run-ends(3)",
+                                  "system-stop"}));
 }
 
 TEST(EventOrder, OfAPhaseEventAndTheOneForAllPhasesTheLaterRegisteredComesFirst) {
@@ -75,17 +93,33 @@ TEST(EventOrder, OfAPhaseEventAndTheOneForAllPhasesTheLaterRegisteredComesFirst)
 TEST(EventOrder, RunsAreBracketedWhetherOrNotPhasesAreHeard) {
   for (const bool phases : {false, true}) {
     Listener listener;
-    if (phases) listener.agent->RegisterForRunEvent(smlEVENT_BEFORE_INPUT_PHASE, [](smlRunEventId, void*, Agent*, smlPhase) {}, nullptr);
+    if (phases)
+      listener.agent->RegisterForRunEvent(
+          smlEVENT_BEFORE_INPUT_PHASE, [](smlRunEventId, void*, Agent*, smlPhase) {}, nullptr);
     listener.agent->RunSelf(1);
     listener.Take();
     listener.Listen(listener.agent, smlEVENT_BEFORE_RUN_STARTS, smlEVENT_AFTER_RUNNING);
     listener.agent->RunSelf(2);
-    EXPECT_EQ(listener.Take(),
-              (Log{"system-start", "before-run-starts(3)", "interrupt-check", "before-agents-run-step", "before-running(3)",
-                   "after-running(0)", "after-all-output-phases(1)", "before-agents-run-step", "before-running(0)",
-                   "after-running(0)", "after-all-output-phases(1)", "after-all-generated-output(1)", "before-running(0)",
-                   "after-running(1)", "before-running(1)", "after-running(2)", "before-running(2)", "after-running(3)",
-                   "after-run-ends(3)", "system-stop"}));
+    EXPECT_EQ(listener.Take(), (Log{"system-start",
+                                    "before-run-starts(3)",
+                                    "interrupt-check",
+                                    "before-agents-run-step",
+                                    "before-running(3)",
+                                    "after-running(0)",
+                                    "after-all-output-phases(1)",
+                                    "before-agents-run-step",
+                                    "before-running(0)",
+                                    "after-running(0)",
+                                    "after-all-output-phases(1)",
+                                    "after-all-generated-output(1)",
+                                    "before-running(0)",
+                                    "after-running(1)",
+                                    "before-running(1)",
+                                    "after-running(2)",
+                                    "before-running(2)",
+                                    "after-running(3)",
+                                    "after-run-ends(3)",
+                                    "system-stop"}));
   }
 }
 
@@ -101,15 +135,17 @@ TEST(EventOrder, AgentsTakeTurnsByPhasesInTheOrderOfTheirNames) {
         &listener.log);
   }
   listener.kernel->RunAllAgents(3, sml_PHASE);
-  EXPECT_EQ(listener.Take(), (Log{"system-start", "interrupt-check", "before-agents-run-step", "B0", "a0",
-                                  "before-agents-run-step", "B1", "a1", "before-agents-run-step", "B2", "a2", "system-stop"}));
+  EXPECT_EQ(listener.Take(),
+            (Log{"system-start", "interrupt-check", "before-agents-run-step", "B0", "a0", "before-agents-run-step",
+                 "B1", "a1", "before-agents-run-step", "B2", "a2", "system-stop"}));
 }
 
 TEST(EventOrder, InputThatAHandlerMakesBeforeTheInputPhaseIsTakenInThatPhase) {
   Listener listener;
   listener.agent->RegisterForRunEvent(
       smlEVENT_BEFORE_INPUT_PHASE,
-      [](smlRunEventId, void*, Agent* agent, smlPhase) { agent->CreateIntWME(agent->GetInputLink(), "seen", 1); }, nullptr);
+      [](smlRunEventId, void*, Agent* agent, smlPhase) { agent->CreateIntWME(agent->GetInputLink(), "seen", 1); },
+      nullptr);
   listener.agent->RunSelf(1, sml_PHASE);
   EXPECT_NE(std::string(listener.agent->ExecuteCommandLine("print i2")).find("^seen 1"), std::string::npos);
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // A client that speaks the wire protocol by hand, against a kernel that listens.
-#include "sml_Client.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,6 +10,7 @@
 
 #include "sml/wire/channel.h"
 #include "sml/wire/message.h"
+#include "sml_Client.h"
 #include "sml_test_files.h"
 
 namespace {
@@ -69,8 +68,8 @@ struct Client {
     }
   }
   std::string Line(const std::string& agent, const std::string& line) {
-    return Ask("<command name=\"cmdline\" output=\"raw\"><arg param=\"agent\">" + agent + "</arg><arg param=\"line\">" + line +
-               "</arg></command>");
+    return Ask("<command name=\"cmdline\" output=\"raw\"><arg param=\"agent\">" + agent + "</arg><arg param=\"line\">" +
+               line + "</arg></command>");
   }
   bool Heard(const std::string& piece) const {
     for (const std::string& event : events) {
@@ -107,9 +106,11 @@ TEST(Protocol, TheCapturedStartOfASessionIsAnsweredByteForByte) {
       {R"(<sml doctype="call" id="12" smlversion="9.6.3"><command name="get_input_link"><arg param="agent">hal</arg></command></sml>)",
        R"(<sml ack="12" doctype="response" id="7" smlversion="9.6.3"><result output="raw">I2</result></sml>)"},
       {R"(<sml doctype="call" id="14" smlversion="9.6.3"><command name="cmdline" output="raw"><arg param="agent">hal</arg><arg param="line">print s1</arg><arg param="echo">false</arg><arg param="nofilter">true</arg></command></sml>)",
-       "<sml ack=\"14\" doctype=\"response\" id=\"8\" smlversion=\"9.6.3\"><result output=\"raw\">(S1 ^epmem E1 ^io I1 ^reward-link R1 ^smem L1 ^superstate nil\n       ^type state)\n</result></sml>"},
+       "<sml ack=\"14\" doctype=\"response\" id=\"8\" smlversion=\"9.6.3\"><result output=\"raw\">(S1 ^epmem E1 ^io I1 "
+       "^reward-link R1 ^smem L1 ^superstate nil\n       ^type state)\n</result></sml>"},
       {R"(<sml doctype="call" id="17" smlversion="9.6.3"><command name="cmdline" output="raw"><arg param="agent">hal</arg><arg param="line">bogus-command</arg></command></sml>)",
-       "<sml ack=\"17\" doctype=\"response\" id=\"9\" smlversion=\"9.6.3\"><result output=\"raw\">No such command: bogus-command\n</result><error code=\"1\">No such command: bogus-command\n</error></sml>"},
+       "<sml ack=\"17\" doctype=\"response\" id=\"9\" smlversion=\"9.6.3\"><result output=\"raw\">No such command: "
+       "bogus-command\n</result><error code=\"1\">No such command: bogus-command\n</error></sml>"},
       {R"(<sml doctype="call" id="18" smlversion="9.6.3"><command name="cmdline"><arg param="agent">hal</arg><arg param="line">bogus-command</arg></command></sml>)",
        R"(<sml ack="18" doctype="response" id="10" smlversion="9.6.3"><result output="raw"></result><error code="1"></error></sml>)"},
       {R"(<sml doctype="call" id="19" smlversion="9.6.3"><command name="bogus"></command></sml>)",
@@ -117,7 +118,8 @@ TEST(Protocol, TheCapturedStartOfASessionIsAnsweredByteForByte) {
       {R"(<sml doctype="call" id="20" smlversion="9.6.3"><command name="get_input_link"><arg param="agent">nobody</arg></command></sml>)",
        R"(<sml ack="20" doctype="response" id="12" smlversion="9.6.3"><result output="raw">Could not find an agent with name: nobody</result><error>Could not find an agent with name: nobody</error></sml>)"},
       {R"(<sml doctype="call" id="21" smlversion="9.6.3"><command name="get_listener_port"></command></sml>)",
-       "<sml ack=\"21\" doctype=\"response\" id=\"13\" smlversion=\"9.6.3\"><result output=\"raw\">" + port + "</result></sml>"},
+       "<sml ack=\"21\" doctype=\"response\" id=\"13\" smlversion=\"9.6.3\"><result output=\"raw\">" + port +
+           "</result></sml>"},
       {R"(<sml doctype="call" id="23" smlversion="9.6.3"><command name="get_run_state"><arg param="agent">hal</arg><arg param="value">phase</arg></command></sml>)",
        R"(<sml ack="23" doctype="response" id="14" smlversion="9.6.3"><result output="raw">0</result></sml>)"},
       {R"(<sml doctype="call" id="26" smlversion="9.6.3"><command name="last_run_result"><arg param="agent">hal</arg></command></sml>)",
@@ -131,26 +133,36 @@ TEST(Protocol, InputRunOutputUpdateAndInitGoOverTheWireAsCaptured) {
   const RuleFile rules("sml_protocol_test", kMoverRules);
   Client client(server.port());
   client.Ask("<command name=\"create_agent\"><arg param=\"name\">hal</arg></command>");
-  client.Ask("<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg param=\"eventid\">output-phase</arg></command>");
-  client.Ask("<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg param=\"eventid\">print</arg></command>");
+  client.Ask(
+      "<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
+      "param=\"eventid\">output-phase</arg></command>");
+  client.Ask(
+      "<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
+      "param=\"eventid\">print</arg></command>");
   client.Line("hal", "source {" + rules.path() + "}");
-  EXPECT_EQ(client.Ask("<command name=\"input\"><arg param=\"agent\">hal</arg><wme action=\"add\" attr=\"distance\" id=\"I2\" "
-                       "tag=\"-134217730\" valtype=\"double\" value=\"10.\"></wme></command>"),
+  EXPECT_EQ(client.Ask(
+                "<command name=\"input\"><arg param=\"agent\">hal</arg><wme action=\"add\" attr=\"distance\" id=\"I2\" "
+                "tag=\"-134217730\" valtype=\"double\" value=\"10.\"></wme></command>"),
             "");
-  EXPECT_EQ(client.Ask("<command name=\"input\"><arg param=\"agent\">hal</arg><wme action=\"add\" attr=\"place\" id=\"I2\" "
-                       "tag=\"-134217731\" valtype=\"id\" value=\"p7\"></wme><wme action=\"add\" attr=\"name\" id=\"p7\" "
-                       "tag=\"-134217732\" value=\"a &lt;b&gt;\"></wme></command>"),
-            "");
+  EXPECT_EQ(
+      client.Ask("<command name=\"input\"><arg param=\"agent\">hal</arg><wme action=\"add\" attr=\"place\" id=\"I2\" "
+                 "tag=\"-134217731\" valtype=\"id\" value=\"p7\"></wme><wme action=\"add\" attr=\"name\" id=\"p7\" "
+                 "tag=\"-134217732\" value=\"a &lt;b&gt;\"></wme></command>"),
+      "");
   EXPECT_NE(client.Line("hal", "run --self --output").find("--&gt; "), std::string::npos);
   EXPECT_TRUE(client.Heard("forward)</arg>"));
-  EXPECT_TRUE(client.Heard("<command name=\"output\"><arg param=\"agent\">hal</arg><wme action=\"add\" attr=\"output-link\" id=\"I1\" "
-                           "tag=\"13\" valtype=\"id\" value=\"I3\"></wme>"));
+  EXPECT_TRUE(client.Heard(
+      "<command name=\"output\"><arg param=\"agent\">hal</arg><wme action=\"add\" attr=\"output-link\" id=\"I1\" "
+      "tag=\"13\" valtype=\"id\" value=\"I3\"></wme>"));
   EXPECT_TRUE(client.Heard("attr=\"forward\" id=\"I3\""));
   EXPECT_TRUE(client.Heard("valtype=\"double\" value=\"10.000000\""));
-  EXPECT_EQ(client.Ask("<command name=\"convert_identifier\"><arg param=\"agent\">hal</arg><arg param=\"name\">p7</arg></command>"),
-            "<result output=\"raw\">P1</result>");
+  EXPECT_EQ(
+      client.Ask(
+          "<command name=\"convert_identifier\"><arg param=\"agent\">hal</arg><arg param=\"name\">p7</arg></command>"),
+      "<result output=\"raw\">P1</result>");
   const std::string input = client.Ask("<command name=\"get_all_input\"><arg param=\"agent\">hal</arg></command>");
-  EXPECT_NE(input.find("<wme action=\"add\" attr=\"name\" id=\"P1\" tag=\"-134217732\" value=\"a &lt;b&gt;\"></wme>"), std::string::npos)
+  EXPECT_NE(input.find("<wme action=\"add\" attr=\"name\" id=\"P1\" tag=\"-134217732\" value=\"a &lt;b&gt;\"></wme>"),
+            std::string::npos)
       << input;
   client.events.clear();
   client.Line("hal", "init-soar");
@@ -160,9 +172,10 @@ TEST(Protocol, InputRunOutputUpdateAndInitGoOverTheWireAsCaptured) {
 TEST(Protocol, ForeignInputIsRefusedOrIgnoredAndTheConnectionStaysUp) {
   Server server;
   Client client(server.port());
-  for (const char* garbage : {"", "x", "<sml", "<sml></sml>", "<xml doctype=\"call\"></xml>", "<sml doctype=\"notify\" id=\"1\"></sml>",
-                              "<sml doctype=\"call\" id=\"1\"><command name=\"version\">&#65</command></sml>",
-                              "<!DOCTYPE a [<!ENTITY b \"c\">]><sml doctype=\"call\">&b;</sml>"}) {
+  for (const char* garbage :
+       {"", "x", "<sml", "<sml></sml>", "<xml doctype=\"call\"></xml>", "<sml doctype=\"notify\" id=\"1\"></sml>",
+        "<sml doctype=\"call\" id=\"1\"><command name=\"version\">&#65</command></sml>",
+        "<!DOCTYPE a [<!ENTITY b \"c\">]><sml doctype=\"call\">&b;</sml>"}) {
     client.Send(garbage);
   }
   std::string deep;
@@ -170,14 +183,19 @@ TEST(Protocol, ForeignInputIsRefusedOrIgnoredAndTheConnectionStaysUp) {
   client.Send(deep);
   EXPECT_EQ(client.Ask("<command name=\"version\"></command>"), "<result output=\"raw\">9.6.3</result>");
   // What crashes the reference is an error here, or works.
-  EXPECT_NE(client.Exchange("<sml doctype=\"call\"><command name=\"version\"></command></sml>").find("9.6.3</result>"), std::string::npos);
-  EXPECT_NE(client.Ask("<command name=\"get_run_state\"><arg param=\"value\">phase</arg></command>").find("<error>"), std::string::npos);
+  EXPECT_NE(client.Exchange("<sml doctype=\"call\"><command name=\"version\"></command></sml>").find("9.6.3</result>"),
+            std::string::npos);
+  EXPECT_NE(client.Ask("<command name=\"get_run_state\"><arg param=\"value\">phase</arg></command>").find("<error>"),
+            std::string::npos);
   EXPECT_NE(client.Ask("").find("did not contain a &lt;command&gt; tag"), std::string::npos);
   EXPECT_NE(client.Ask("<command></command>").find("name attribute"), std::string::npos);
   EXPECT_NE(client.Ask("<command name=\"input\"><wme action=\"add\"/></command>").find("<error>"), std::string::npos);
-  for (const char* command : {"create_agent", "destroy_agent", "cmdline", "register_for_event", "fire_event", "suppress_event",
-                              "set_interrupt_check_rate", "send_client_message", "is_production_loaded", "convert_identifier"}) {
-    EXPECT_NE(client.Ask("<command name=\"" + std::string(command) + "\"></command>").find("<error>"), std::string::npos) << command;
+  for (const char* command :
+       {"create_agent", "destroy_agent", "cmdline", "register_for_event", "fire_event", "suppress_event",
+        "set_interrupt_check_rate", "send_client_message", "is_production_loaded", "convert_identifier"}) {
+    EXPECT_NE(client.Ask("<command name=\"" + std::string(command) + "\"></command>").find("<error>"),
+              std::string::npos)
+        << command;
   }
 }
 
@@ -185,8 +203,9 @@ TEST(Protocol, AClientThatNeverAnswersStallsTheKernelOnceAndForALimitedTime) {
   Server server;
   server.kernel->CreateAgent("hal");
   Client silent(server.port());
-  silent.Exchange("<sml doctype=\"call\" id=\"0\"><command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
-                  "param=\"eventid\">after-decision-cycle</arg></command></sml>");
+  silent.Exchange(
+      "<sml doctype=\"call\" id=\"0\"><command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
+      "param=\"eventid\">after-decision-cycle</arg></command></sml>");
   // Without rules each decision adds a state; the default limit would halt the agent first.
   server.kernel->GetAgent("hal")->ExecuteCommandLine("soar max-goal-depth 100");
   const auto start = std::chrono::steady_clock::now();
@@ -199,10 +218,14 @@ TEST(Protocol, AClientThatLeavesInTheMiddleOfARunIsForgotten) {
   Server server;
   sml::Agent* agent = server.kernel->CreateAgent("hal");
   auto leaving = std::make_unique<Client>(server.port());
-  leaving->Ask("<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg param=\"eventid\">print</arg></command>");
+  leaving->Ask(
+      "<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
+      "param=\"eventid\">print</arg></command>");
   agent->RegisterForRunEvent(
       sml::smlEVENT_AFTER_DECISION_CYCLE,
-      [](sml::smlRunEventId, void* data, sml::Agent*, sml::smlPhase) { static_cast<std::unique_ptr<Client>*>(data)->reset(); },
+      [](sml::smlRunEventId, void* data, sml::Agent*, sml::smlPhase) {
+        static_cast<std::unique_ptr<Client>*>(data)->reset();
+      },
       &leaving);
   agent->RunSelf(20);
   Client other(server.port());
@@ -213,7 +236,8 @@ TEST(Protocol, AHundredClientsAreServedAtOnceAndEightMayMakeInput) {
   Server server;
   std::vector<std::unique_ptr<Client>> clients;
   for (int i = 0; i < 100; ++i) clients.push_back(std::make_unique<Client>(server.port()));
-  for (auto& client : clients) client->Send("<sml doctype=\"call\" id=\"5\"><command name=\"initial_time_tag\"></command></sml>");
+  for (auto& client : clients)
+    client->Send("<sml doctype=\"call\" id=\"5\"><command name=\"initial_time_tag\"></command></sml>");
   int with_tags = 0;
   for (auto& client : clients) {
     const std::string answer = client->Receive();
@@ -231,21 +255,26 @@ TEST(Protocol, ADebuggersStartAndItsStopButtonWorkWhileAnAgentRuns) {
   debugger.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">after-agent-reinitialized</arg></command>");
   debugger.Ask("<command name=\"initial_time_tag\"></command>");
   EXPECT_NE(debugger.Ask("<command name=\"get_agent_list\"></command>").find("<name>hal</name>"), std::string::npos);
-  for (const char* event : {"after-agent-created", "before-agent-destroyed", "interrupt-check", "after-all-output-phases",
-                            "system-start", "system-stop", "system-property-changed"}) {
-    EXPECT_EQ(debugger.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">" + std::string(event) + "</arg></command>"), "");
+  for (const char* event : {"after-agent-created", "before-agent-destroyed", "interrupt-check",
+                            "after-all-output-phases", "system-start", "system-stop", "system-property-changed"}) {
+    EXPECT_EQ(debugger.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">" + std::string(event) +
+                           "</arg></command>"),
+              "");
   }
   EXPECT_EQ(debugger.Ask("<command name=\"set_interrupt_check_rate\"><arg param=\"value\">50</arg></command>"), "");
   for (const char* event : {"print", "echo", "xml-trace-output", "after-decision-cycle"}) {
-    EXPECT_EQ(debugger.Ask("<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg param=\"eventid\">" +
-                           std::string(event) + "</arg></command>"),
-              "");
+    EXPECT_EQ(
+        debugger.Ask("<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg param=\"eventid\">" +
+                     std::string(event) + "</arg></command>"),
+        "");
   }
-  EXPECT_NE(debugger.Ask("<command name=\"cmdline\"><arg param=\"agent\">hal</arg><arg param=\"line\">watch</arg></command>")
-                .find("param=\"watchdecisions\""),
-            std::string::npos);
+  EXPECT_NE(
+      debugger.Ask("<command name=\"cmdline\"><arg param=\"agent\">hal</arg><arg param=\"line\">watch</arg></command>")
+          .find("param=\"watchdecisions\""),
+      std::string::npos);
   std::thread runner([&] { agent->RunSelfForever(); });
-  while (debugger.Ask("<command name=\"is_running\"></command>") != "<result output=\"raw\">true</result>") std::this_thread::yield();
+  while (debugger.Ask("<command name=\"is_running\"></command>") != "<result output=\"raw\">true</result>")
+    std::this_thread::yield();
   EXPECT_NE(debugger.Line("hal", "print s1").find("^superstate nil"), std::string::npos);
   EXPECT_EQ(debugger.Line("hal", "stop-soar"), "<result output=\"raw\"></result>");
   // Answers what still comes, so that the run can end.

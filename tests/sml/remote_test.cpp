@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The client API on a kernel at the other end of a socket: the same programs, the same results.
-#include "sml_Client.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -9,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "sml_Client.h"
 #include "sml_test_files.h"
 
 namespace {
@@ -40,7 +39,8 @@ std::vector<std::string> Play(Kernel& kernel, const std::string& rules) {
       command->AddStatusComplete();
     }
   }
-  for (const char* line : {"print --depth 3 i1", "print s1", "bogus", "run 1", "print --stack", "init-soar", "print --depth 2 i2"}) {
+  for (const char* line :
+       {"print --depth 3 i1", "print s1", "bogus", "run 1", "print --stack", "init-soar", "print --depth 2 i2"}) {
     seen.push_back(agent->ExecuteCommandLine(line));
     seen.push_back(agent->GetLastCommandLineResult() ? "ok" : "failed");
   }
@@ -77,7 +77,9 @@ TEST(Remote, EventsFunctionsAndMessagesReachTheClient) {
   std::vector<std::string> made;
   remote->RegisterForAgentEvent(
       smlEVENT_AFTER_AGENT_CREATED,
-      [](smlAgentEventId, void* data, Agent* agent) { static_cast<std::vector<std::string>*>(data)->push_back(agent->GetAgentName()); },
+      [](smlAgentEventId, void* data, Agent* agent) {
+        static_cast<std::vector<std::string>*>(data)->push_back(agent->GetAgentName());
+      },
       &made);
   Agent* agent = remote->CreateAgent("mine");
   ASSERT_NE(agent, nullptr);
@@ -94,9 +96,8 @@ TEST(Remote, EventsFunctionsAndMessagesReachTheClient) {
   agent->RunSelf(1);
   EXPECT_NE(std::string(agent->ExecuteCommandLine("print s1")).find("abab!"), std::string::npos);
 
-  server->RegisterForClientMessageEvent("host", [](smlRhsEventId, Agent*, char const*, char const* message) {
-    return "got " + std::string(message);
-  });
+  server->RegisterForClientMessageEvent(
+      "host", [](smlRhsEventId, Agent*, char const*, char const* message) { return "got " + std::string(message); });
   EXPECT_EQ(remote->SendClientMessage(agent, "host", "it"), "got it");
 
   agent->RegisterForRunEvent(
