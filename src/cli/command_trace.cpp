@@ -113,8 +113,8 @@ bool SetLevel(CommandCall& call, const std::string& word) {
   constexpr const char* kMessages[] = {
       "Trace level 0 enabled:  All trace messages disabled.\n",
       "Trace level 1 enabled:  Decision cycles, state creation and operator selection\n",
-      "Trace level 2 enabled:  All phases, state removals caused by operator selection\n"
-      "                        or a GDS violation, and any learning issues detected\n",
+      ("Trace level 2 enabled:  All phases, state removals caused by operator selection\n"
+       "                        or a GDS violation, and any learning issues detected\n"),
       "Trace level 3 enabled:  All rule firings\n",
       "Trace level 4 enabled:  Working memory element additions and removals\n",
       "Trace level 5 enabled: Preferences\n",
