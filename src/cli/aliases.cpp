@@ -143,7 +143,9 @@ void AliasTable::Define(std::string name, std::vector<std::string> expansion) {
   aliases_[std::move(name)] = std::move(expansion);
 }
 
-void AliasTable::Remove(const std::string& name) { aliases_.erase(name); }
+void AliasTable::Remove(const std::string& name) {
+  aliases_.erase(name);
+}
 
 std::string AliasTable::Expansion(const std::string& name) const {
   const auto found = aliases_.find(name);

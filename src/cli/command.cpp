@@ -5,9 +5,13 @@
 
 namespace soarbox::cli {
 
-kernel::Agent& CommandCall::agent() const { return session.agent(); }
+kernel::Agent& CommandCall::agent() const {
+  return session.agent();
+}
 
-PrintStream& CommandCall::stream() const { return session.stream(); }
+PrintStream& CommandCall::stream() const {
+  return session.stream();
+}
 
 bool CommandCall::Fail(std::string_view message) {
   Out(message);

@@ -24,7 +24,7 @@ class Session;
 struct CommandCall {
   Interpreter& interpreter;
   Session& session;
-  std::span<const Word> words;   ///< words[0] is the command's full name; aliases are expanded.
+  std::span<const Word> words;  ///< words[0] is the command's full name; aliases are expanded.
   CommandResult& result;
   /// Set by a failure: which closing line its text still needs.
   enum class Failure { kNone, kPlain, kWithMessage, kWithoutMessage, kReported } failure = Failure::kNone;
@@ -54,7 +54,8 @@ struct SubcommandInfo {
   std::string_view usage;    ///< What follows the name: "[on | off]", "NAME".
   std::string_view summary;  ///< One line.
   std::span<const OptionSpec> options = {};
-  bool (*handler)(CommandCall& call) = nullptr;  ///< Called with words[0] the sub-command's name. None: see CommandInfo.
+  bool (*handler)(CommandCall& call) =
+      nullptr;  ///< Called with words[0] the sub-command's name. None: see CommandInfo.
 };
 
 /// A command: what the interpreter needs to carry it out, and the help to describe it.

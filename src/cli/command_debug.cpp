@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
-
-#include <fmt/format.h>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -61,11 +61,16 @@ bool InternalSymbols(CommandCall& call) {
     while (next < seen.size() && seen[next] == seen[i]) ++next;
     const kernel::Symbol symbol = kernel::Symbol::FromBits(seen[i]);
     const std::string line = fmt::format("{} ({})\n", SymbolText(agent, symbol), next - i);
-    if (symbol.IsIdentifier()) identifiers.push_back(line);
-    else if (symbol.IsVariable()) variables.push_back(line);
-    else if (symbol.IsInteger()) integers.push_back(line);
-    else if (symbol.IsFloat()) floats.push_back(line);
-    else strings.push_back(line);
+    if (symbol.IsIdentifier())
+      identifiers.push_back(line);
+    else if (symbol.IsVariable())
+      variables.push_back(line);
+    else if (symbol.IsInteger())
+      integers.push_back(line);
+    else if (symbol.IsFloat())
+      floats.push_back(line);
+    else
+      strings.push_back(line);
     i = next;
   }
   const auto section = [&](std::string_view title, const std::vector<std::string>& lines) {
@@ -81,13 +86,14 @@ bool InternalSymbols(CommandCall& call) {
 }
 
 bool Help(CommandCall& call) {
-  call.Out("======================================================================\n"
-           "                     Debug Commands and Settings                      \n"
-           "======================================================================\n"
-           "allocate [pool blocks]          Memory grows by itself: does nothing\n"
-           "internal-symbols                Symbols that working memory uses\n"
-           "port                            The port that the kernel listens on\n"
-           "time <command> [args]           Carries out a command and says how long it took\n");
+  call.Out(
+      "======================================================================\n"
+      "                     Debug Commands and Settings                      \n"
+      "======================================================================\n"
+      "allocate [pool blocks]          Memory grows by itself: does nothing\n"
+      "internal-symbols                Symbols that working memory uses\n"
+      "port                            The port that the kernel listens on\n"
+      "time <command> [args]           Carries out a command and says how long it took\n");
   return call.FailPrinted();
 }
 
@@ -106,8 +112,9 @@ const std::span<const SubcommandInfo> kDebugSubcommands = kSubcommands;
 
 bool CommandDebug(CommandCall& call) {
   if (call.words.size() < 2) {
-    call.Out("The debug command contains low-level technical debugging commands.\n\n"
-             "Use 'debug ?' to learn more about the debug command.");
+    call.Out(
+        "The debug command contains low-level technical debugging commands.\n\n"
+        "Use 'debug ?' to learn more about the debug command.");
     return true;
   }
   // A command that is timed has options of its own.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <random>
-
 #include <fmt/format.h>
+
+#include <random>
 
 #include "cli/command.h"
 #include "cli/lookup.h"
@@ -63,9 +63,12 @@ bool NumericMode(CommandCall& call) {
   ExplorationSettings& settings = call.agent().mutable_exploration();
   std::string word;
   if (!parsed.arguments.empty()) word = parsed.arguments.front().text;
-  if (parsed.Has('a') || word == "avg") settings.average_numbers = true;
-  else if (parsed.Has('s') || word == "sum") settings.average_numbers = false;
-  else if (!word.empty()) return call.Fail("Invalid setting.");
+  if (parsed.Has('a') || word == "avg")
+    settings.average_numbers = true;
+  else if (parsed.Has('s') || word == "sum")
+    settings.average_numbers = false;
+  else if (!word.empty())
+    return call.Fail("Invalid setting.");
   else {
     call.Out(fmt::format("Current numeric indifferent mode: Soar will {} numeric preferences.",
                          settings.average_numbers ? "average" : "use the sum of"));
@@ -96,9 +99,12 @@ bool Parameter(CommandCall& call, bool epsilon, const ParsedWords& parsed) {
 }
 
 bool ReadReduction(std::string_view word, ReductionPolicy& policy) {
-  if (word == "exponential") policy = ReductionPolicy::kExponential;
-  else if (word == "linear") policy = ReductionPolicy::kLinear;
-  else return false;
+  if (word == "exponential")
+    policy = ReductionPolicy::kExponential;
+  else if (word == "linear")
+    policy = ReductionPolicy::kLinear;
+  else
+    return false;
   return true;
 }
 
@@ -121,8 +127,8 @@ bool Rate(CommandCall& call, const ParsedWords& parsed) {
   if (!parameter) return call.Fail("Invalid parameter.");
   if (!ReadReduction(parsed.arguments[1].text, policy)) return call.Fail("Invalid reduction policy.");
   if (parsed.arguments.size() == 2) {
-    return ShowValue(call, policy == ReductionPolicy::kExponential ? parameter->exponential_rate
-                                                                  : parameter->linear_rate);
+    return ShowValue(call,
+                     policy == ReductionPolicy::kExponential ? parameter->exponential_rate : parameter->linear_rate);
   }
   const auto rate = ParseDouble(parsed.arguments[2].text);
   if (!rate || !ExplorationSettings::SetRate(*parameter, policy, *rate)) return call.Fail("Invalid parameter value.");
@@ -168,11 +174,17 @@ bool Indifferent(CommandCall& call) {
     }
   }
   switch (letter) {
-    case 'e': return Parameter(call, true, parsed);
-    case 't': return Parameter(call, false, parsed);
-    case 'p': return Reduction(call, parsed);
-    case 'r': return Rate(call, parsed);
-    case 's': Stats(call); return true;
+    case 'e':
+      return Parameter(call, true, parsed);
+    case 't':
+      return Parameter(call, false, parsed);
+    case 'p':
+      return Reduction(call, parsed);
+    case 'r':
+      return Rate(call, parsed);
+    case 's':
+      Stats(call);
+      return true;
     case 'a':
       if (parsed.arguments.empty()) {
         call.Out(OnOff(settings.auto_reduce));
@@ -182,7 +194,8 @@ bool Indifferent(CommandCall& call) {
         settings.auto_reduce = word == "on";
       }
       return true;
-    default: return true;
+    default:
+      return true;
   }
 }
 
@@ -221,8 +234,7 @@ bool SetRandomSeed(CommandCall& call) {
 }
 
 bool Help(CommandCall& call) {
-  constexpr std::string_view kRule =
-      "-----------------------------------------------------------------------------\n";
+  constexpr std::string_view kRule = "-----------------------------------------------------------------------------\n";
   constexpr std::string_view kDouble =
       "=============================================================================\n";
   call.Out(kDouble);

@@ -16,9 +16,10 @@ void List(CommandCall& call) {
     text += fmt::format("{}\n", command.name);
     if (command.name == "explain") text += "file-system\n";
   }
-  text += "\nTo read about a command:                          help <command>\n"
-          "For an overview of its sub-commands and settings:  <command> ?\n\n"
-          "Former commands are sub-commands now: 'help <former name>' finds them.";
+  text +=
+      "\nTo read about a command:                          help <command>\n"
+      "For an overview of its sub-commands and settings:  <command> ?\n\n"
+      "Former commands are sub-commands now: 'help <former name>' finds them.";
   call.Out(text);
 }
 
@@ -31,8 +32,9 @@ bool CommandHelp(CommandCall& call) {
   }
   std::string word = call.words[1].text;
   if (word == "file-system") {
-    call.Out("cd, dirs, ls, popd, pushd and pwd move between directories, as in a shell.\n"
-             "File names in other commands start from the current directory.\n");
+    call.Out(
+        "cd, dirs, ls, popd, pushd and pwd move between directories, as in a shell.\n"
+        "File names in other commands start from the current directory.\n");
     return true;
   }
   // An alias is described with the command that it stands for.

@@ -19,7 +19,9 @@ bool SetMode(CommandCall& call, const std::string& mode) {
   return true;
 }
 
-std::string YesNo(bool yes) { return yes ? "Yes" : "No"; }
+std::string YesNo(bool yes) {
+  return yes ? "Yes" : "No";
+}
 
 void Overview(CommandCall& call) {
   const SettingStore& store = call.session.settings();
@@ -35,15 +37,17 @@ void Overview(CommandCall& call) {
   summary.Row("Chunks learned", "0").Row("Justifications learned", "0").Row("Substates analyzed", "0");
   if (mode == "only") summary.Text("Only Learning In States\nNo current learning states.\n");
   summary.Rule('-');
-  summary.Text("\nTry 'chunk ?' to learn more about chunking's sub-commands and settings.\n"
-               "For a detailed article about the chunk command, use 'help chunk'.\n");
+  summary.Text(
+      "\nTry 'chunk ?' to learn more about chunking's sub-commands and settings.\n"
+      "For a detailed article about the chunk command, use 'help chunk'.\n");
   call.Out(summary.Take());
 }
 
 void Help(CommandCall& call) {
   const SettingStore& store = call.session.settings();
-  std::string text = "===================================================\n           Chunk Commands and Settings\n"
-                     "===================================================\n";
+  std::string text =
+      "===================================================\n           Chunk Commands and Settings\n"
+      "===================================================\n";
   text += fmt::format("{:<51}   {}\n", "chunk ? | help", "this overview");
   text += fmt::format("{:<51}   {}\n", "chunk stats", "what has been learned (not available in this build)");
   text += "------------------- Settings ----------------------\n";
@@ -91,15 +95,19 @@ bool Chunk(CommandCall& call) {
 }
 
 constexpr OptionSpec kLearnTable[] = {
-    {'e', "on", OptionArgument::kNone, "learn always"},       {'e', "enable"},
-    {'d', "off", OptionArgument::kNone, "never learn"},       {'d', "disable"},
+    {'e', "on", OptionArgument::kNone, "learn always"},
+    {'e', "enable"},
+    {'d', "off", OptionArgument::kNone, "never learn"},
+    {'d', "disable"},
     {'E', "except", OptionArgument::kNone, "learn but in states that rules exclude"},
     {'o', "only", OptionArgument::kNone, "learn in states that rules name"},
     {'l', "list", OptionArgument::kNone, "show the settings"},
     {'a', "all-levels", OptionArgument::kNone, "learn in all states"},
     {'b', "bottom-up", OptionArgument::kNone, "learn in the lowest state only"},
-    {'n', "enable-through-local-negations"}, {'N', "disable-through-local-negations"},
-    {'p', "enable-desirability-prefs"},      {'P', "disable-desirability-prefs"},
+    {'n', "enable-through-local-negations"},
+    {'N', "disable-through-local-negations"},
+    {'p', "enable-desirability-prefs"},
+    {'P', "disable-desirability-prefs"},
 };
 
 constexpr SubcommandInfo kSubcommands[] = {
@@ -128,7 +136,9 @@ constexpr SubcommandInfo kSubcommands[] = {
 const std::span<const SubcommandInfo> kChunkSubcommands = kSubcommands;
 const std::span<const OptionSpec> kLearnOptions = kLearnTable;
 
-bool CommandChunk(CommandCall& call) { return Chunk(call); }
+bool CommandChunk(CommandCall& call) {
+  return Chunk(call);
+}
 
 bool CommandLearn(CommandCall& call) {
   ParsedWords parsed;
@@ -142,16 +152,35 @@ bool CommandLearn(CommandCall& call) {
   bool listed = parsed.options.empty();
   for (const ParsedOption& option : parsed.options) {
     switch (option.letter) {
-      case 'e': set("always"); break;
-      case 'd': set("never"); break;
-      case 'E': set("except"); break;
-      case 'o': set("only"); break;
-      case 'l': listed = true; break;
-      case 'a': call.session.settings().Set("chunk", "bottom-only", "off"); break;
-      case 'b': call.session.settings().Set("chunk", "bottom-only", "on"); break;
-      case 'n': call.session.settings().Set("chunk", "allow-local-negations", "on"); break;
-      case 'N': call.session.settings().Set("chunk", "allow-local-negations", "off"); break;
-      default: break;
+      case 'e':
+        set("always");
+        break;
+      case 'd':
+        set("never");
+        break;
+      case 'E':
+        set("except");
+        break;
+      case 'o':
+        set("only");
+        break;
+      case 'l':
+        listed = true;
+        break;
+      case 'a':
+        call.session.settings().Set("chunk", "bottom-only", "off");
+        break;
+      case 'b':
+        call.session.settings().Set("chunk", "bottom-only", "on");
+        break;
+      case 'n':
+        call.session.settings().Set("chunk", "allow-local-negations", "on");
+        break;
+      case 'N':
+        call.session.settings().Set("chunk", "allow-local-negations", "off");
+        break;
+      default:
+        break;
     }
   }
   if (listed) Overview(call);
@@ -167,11 +196,13 @@ bool CommandExplain(CommandCall& call) {
     summary.Row("Watch all chunk formations", YesNo(store.IsOn("explain", "all")));
     summary.Row("Explain justifications", YesNo(store.IsOn("explain", "justifications")));
     summary.Row("Number of specific rules watched", "0");
-    summary.Text("Rules watched:\nNo rule is currently being explained.\nNo chunks have been recorded.\n"
-                 "No justifications have been recorded.\n");
+    summary.Text(
+        "Rules watched:\nNo rule is currently being explained.\nNo chunks have been recorded.\n"
+        "No justifications have been recorded.\n");
     summary.Rule('-');
-    summary.Text("\nUse 'explain chunk [ <chunk-name> | id ]' to explore the formation of that chunk.\n"
-                 "Use 'explain ?' to learn more about explain's sub-command and settings.\n");
+    summary.Text(
+        "\nUse 'explain chunk [ <chunk-name> | id ]' to explore the formation of that chunk.\n"
+        "Use 'explain ?' to learn more about explain's sub-command and settings.\n");
     call.Out(summary.Take());
     return true;
   }
@@ -181,7 +212,8 @@ bool CommandExplain(CommandCall& call) {
     if (call.session.settings().Set("explain", "all", value) != SettingStore::SetResult::kOk) {
       return call.Fail("Invalid argument.  Use 'explain ?' to see a list of valid settings.");
     }
-    call.Out(value == "on" ? "Will monitor all chunks created.\n" : "Will only monitor specific chunks or time intervals.\n");
+    call.Out(value == "on" ? "Will monitor all chunks created.\n"
+                           : "Will only monitor specific chunks or time intervals.\n");
     return true;
   }
   for (const SubcommandInfo& subcommand : kExplainSubcommands) {
@@ -212,10 +244,8 @@ constexpr SubcommandInfo kExplainTable[] = {
     {"stats", "", "figures about it"},
 };
 constexpr SubcommandInfo kVisualizeTable[] = {
-    {"wm", "[ID] [DEPTH]", "working memory"},
-    {"smem", "[LTI] [DEPTH]", "semantic memory"},
-    {"epmem", "[EPISODE]", "episodic memory"},
-    {"identity_graph", "", "what explain recorded"},
+    {"wm", "[ID] [DEPTH]", "working memory"},      {"smem", "[LTI] [DEPTH]", "semantic memory"},
+    {"epmem", "[EPISODE]", "episodic memory"},     {"identity_graph", "", "what explain recorded"},
     {"ebc_analysis", "", "what explain recorded"},
 };
 }  // namespace
@@ -225,8 +255,9 @@ const std::span<const SubcommandInfo> kVisualizeSubcommands = kVisualizeTable;
 
 bool CommandVisualize(CommandCall& call) {
   if (call.words.size() < 2) {
-    call.Out("Visualize draws what Soar's memories hold.\n\n"
-             "Use 'visualize ?' and 'help visualize' to learn more about the visualize command.");
+    call.Out(
+        "Visualize draws what Soar's memories hold.\n\n"
+        "Use 'visualize ?' and 'help visualize' to learn more about the visualize command.");
     return true;
   }
   const std::string& word = call.words[1].text;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
 #include <fstream>
 #include <sstream>
-
-#include <fmt/format.h>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -120,16 +120,18 @@ bool LoadFile(CommandCall& call) {
   if (outermost) current = nullptr;
 
   if (parsed.Has('a')) {
-    call.Out(fmt::format("{}: {}\n", path.string(),
-                         CountsText(run.sourced - before.sourced, run.excised - before.excised,
-                                    run.ignored - before.ignored)));
+    call.Out(fmt::format(
+        "{}: {}\n", path.string(),
+        CountsText(run.sourced - before.sourced, run.excised - before.excised, run.ignored - before.ignored)));
     if (outermost) call.Out("\n");
   }
   if (!outermost) return ok;
   // Counts stand apart from what was printed while rules were read.
   const bool counted = run.sourced + run.excised + run.ignored > 0;
-  if (counted && !parsed.Has('a') && !parsed.Has('d')) call.Out("\n");
-  else FreshLine(call);
+  if (counted && !parsed.Has('a') && !parsed.Has('d'))
+    call.Out("\n");
+  else
+    FreshLine(call);
   if (!parsed.Has('d')) call.Out("Total: " + CountsText(run.sourced, run.excised, run.ignored) + "\n");
   if (parsed.Has('v') && !run.excised_names.empty()) {
     call.Out("Excised productions:\n");
@@ -162,15 +164,16 @@ bool LoadPercepts(CommandCall& call) {
 }
 
 bool Help(CommandCall& call) {
-  call.Out("============================================================\n"
-           "-               Load Sub-Commands and Options              -\n"
-           "============================================================\n"
-           "load file                       [--all --disable --verbose] <filename>\n"
-           "load library                    <filename> <args...>\n"
-           "load rete-network               --load <filename>\n"
-           "load percepts                   [--open <filename> | --close]\n"
-           "------------------------------------------------------------\n\n"
-           "For a detailed explanation of sub-commands:        help load\n");
+  call.Out(
+      "============================================================\n"
+      "-               Load Sub-Commands and Options              -\n"
+      "============================================================\n"
+      "load file                       [--all --disable --verbose] <filename>\n"
+      "load library                    <filename> <args...>\n"
+      "load rete-network               --load <filename>\n"
+      "load percepts                   [--open <filename> | --close]\n"
+      "------------------------------------------------------------\n\n"
+      "For a detailed explanation of sub-commands:        help load\n");
   return call.FailPrinted();
 }
 

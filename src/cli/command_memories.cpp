@@ -88,9 +88,12 @@ bool Set(CommandCall& call, const Part& part, const ParsedWords& parsed) {
     return store.Set(part.group, name, value) == SetResult::kOk;
   }
   switch (store.Set(part.group, name, value)) {
-    case SetResult::kUnknown: return call.Fail(part.unknown_set);
-    case SetResult::kInvalid: return call.Fail(part.invalid);
-    case SetResult::kOk: break;
+    case SetResult::kUnknown:
+      return call.Fail(part.unknown_set);
+    case SetResult::kInvalid:
+      return call.Fail(part.invalid);
+    case SetResult::kOk:
+      break;
   }
   if (name == "learning") HintIfSwitchedOn(call, part);
   if (!part.silent) call.Out(fmt::format("{} is now {}\n", name, value));
@@ -223,21 +226,28 @@ const std::span<const OptionSpec> kSmemOptions = kSmemTable;
 const std::span<const OptionSpec> kEpmemOptions = kEpmemTable;
 
 bool CommandRl(CommandCall& call) {
-  constexpr Part kPart{"rl",  "Reinforcement learning", "Invalid setting.", "Invalid setting.",
-                       "Invalid value for setting.", true};
+  constexpr Part kPart{
+      "rl", "Reinforcement learning", "Invalid setting.", "Invalid setting.", "Invalid value for setting.", true};
   return Run(call, kPart, kRlTable, RlOverview);
 }
 
 bool CommandSmem(CommandCall& call) {
-  constexpr Part kPart{"smem", "Semantic memory",
+  constexpr Part kPart{"smem",
+                       "Semantic memory",
                        "Invalid semantic memory parameter.  Use 'help smem' to see list of valid settings.",
-                       "Invalid SMem parameter.", "Invalid setting for SMem parameter.", false};
+                       "Invalid SMem parameter.",
+                       "Invalid setting for SMem parameter.",
+                       false};
   return Run(call, kPart, kSmemTable, SmemOverview);
 }
 
 bool CommandEpmem(CommandCall& call) {
-  constexpr Part kPart{"epmem", "Episodic memory", "Invalid epmem parameter.", "Invalid epmem parameter.",
-                       "Invalid setting for epmem parameter.", false};
+  constexpr Part kPart{"epmem",
+                       "Episodic memory",
+                       "Invalid epmem parameter.",
+                       "Invalid epmem parameter.",
+                       "Invalid setting for epmem parameter.",
+                       false};
   return Run(call, kPart, kEpmemTable, EpmemOverview);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
-
-#include <fmt/format.h>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -34,8 +34,9 @@ bool Overview(CommandCall& call) {
   summary.Row("Agent RHS write output", OnOff(output.agent_writes), "   ");
   summary.Text(ChannelText(output));
   summary.Rule('-').Row("Warnings", OnOff(output.warnings), "   ").Rule('-');
-  summary.Text("\nTo enable specific types of trace messages, use the 'trace' command.\n"
-               "Use 'output ?' for a command overview or 'help output' for the manual page.");
+  summary.Text(
+      "\nTo enable specific types of trace messages, use the 'trace' command.\n"
+      "Use 'output ?' for a command overview or 'help output' for the manual page.");
   call.Out(summary.Take());
   return true;
 }
@@ -123,8 +124,7 @@ bool PrintDepth(CommandCall& call) {
 }
 
 bool Log(CommandCall& call) {
-  constexpr std::string_view kUsage =
-      "\nUse 'output ?' and 'help output' to learn more about the output command.";
+  constexpr std::string_view kUsage = "\nUse 'output ?' and 'help output' to learn more about the output command.";
   ParsedWords parsed;
   if (!call.Parse(kOutputSubcommands[6].options, parsed)) return false;
   Session& session = call.session;
@@ -161,7 +161,8 @@ bool Log(CommandCall& call) {
 bool CommandToFile(CommandCall& call) {
   std::span<const Word> words = call.words.subspan(1);
   bool append = false;
-  if (!words.empty() && (words.front().text == "-a" || words.front().text == "-A" || words.front().text == "--append")) {
+  if (!words.empty() &&
+      (words.front().text == "-a" || words.front().text == "-A" || words.front().text == "--append")) {
     append = true;
     words = words.subspan(1);
   }
@@ -214,8 +215,10 @@ constexpr OptionSpec kLogOptions[] = {
     {'c', "off"},
 };
 constexpr OptionSpec kWarningOptions[] = {
-    {'e', "on"}, {'e', "enable", OptionArgument::kNone, "switch on"},
-    {'d', "off"}, {'d', "disable", OptionArgument::kNone, "switch off"},
+    {'e', "on"},
+    {'e', "enable", OptionArgument::kNone, "switch on"},
+    {'d', "off"},
+    {'d', "disable", OptionArgument::kNone, "switch off"},
 };
 constexpr OptionSpec kEchoOptions[] = {{'n', "nonewline", OptionArgument::kNone, "no newline at the end"}};
 

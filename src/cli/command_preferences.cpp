@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "cli/command.h"
 #include "cli/lookup.h"
@@ -230,15 +230,24 @@ bool CommandPreferences(CommandCall& call) {
   Detail detail = Detail::kNone;
   for (const ParsedOption& option : parsed.options) {
     switch (option.letter) {
-      case '0': detail = Detail::kNone; break;
+      case '0':
+        detail = Detail::kNone;
+        break;
       case '1':
       case 'n':
-      case 'N': detail = Detail::kNames; break;
+      case 'N':
+        detail = Detail::kNames;
+        break;
       case '2':
-      case 't': detail = Detail::kTimetags; break;
+      case 't':
+        detail = Detail::kTimetags;
+        break;
       case '3':
-      case 'w': detail = Detail::kWmes; break;
-      default: break;
+      case 'w':
+        detail = Detail::kWmes;
+        break;
+      default:
+        break;
     }
   }
   Agent& agent = call.agent();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "cli/command.h"
-
 #include <algorithm>
 
+#include "cli/command.h"
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
@@ -46,7 +45,9 @@ struct RuleListStyle {
   bool file = false;
 };
 
-std::string FileOf(const kernel::Production& rule) { return rule.file.empty() ? "_unknown_" : rule.file; }
+std::string FileOf(const kernel::Production& rule) {
+  return rule.file.empty() ? "_unknown_" : rule.file;
+}
 
 void PrintRule(CommandCall& call, ProductionId id, const RuleListStyle& style) {
   const kernel::Production& rule = call.agent().production(id);
@@ -163,18 +164,25 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
     if (word.size() > 1) out.Print("LTI " + word + " not found in semantic memory.\n");
   } else if (word.front() == '<' && word.back() == '>') {
     const Symbol id = FindIdentifier(agent, word);
-    if (!IsContextVariable(word)) out.Print("Expected identifier (or context variable)\n");
-    else if (!id) out.Print("There is no current " + word + ".\n");
-    else PrintObject(out, agent, id, style, call.result.structured);
+    if (!IsContextVariable(word))
+      out.Print("Expected identifier (or context variable)\n");
+    else if (!id)
+      out.Print("There is no current " + word + ".\n");
+    else
+      PrintObject(out, agent, id, style, call.result.structured);
   } else if (const auto name = ParseIdentifierName(word)) {
     const Symbol id = FindIdentifier(agent, word);
-    if (id) PrintObject(out, agent, id, style, call.result.structured);
-    else out.Print(std::string("There is no identifier ") + name->letter + std::to_string(name->number) + ".\n");
+    if (id)
+      PrintObject(out, agent, id, style, call.result.structured);
+    else
+      out.Print(std::string("There is no identifier ") + name->letter + std::to_string(name->number) + ".\n");
   } else if (const auto timetag = ParseInteger(word)) {
     const kernel::WmeId wme =
         *timetag < 0 ? kernel::WmeId::kNone : agent.memory().FindByTimetag(static_cast<std::uint64_t>(*timetag));
-    if (wme == kernel::WmeId::kNone) out.Print("No wme " + word + " in working memory.\n");
-    else PrintObject(out, agent, agent.memory().wme(wme).id, style, call.result.structured);
+    if (wme == kernel::WmeId::kNone)
+      out.Print("No wme " + word + " in working memory.\n");
+    else
+      PrintObject(out, agent, agent.memory().wme(wme).id, style, call.result.structured);
   } else {
     const ProductionId id = FindRule(agent, word);
     if (id == ProductionId::kNone) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <map>
-
-#include <fmt/format.h>
 
 #include "cli/command.h"
 #include "cli/find_rules.h"
@@ -50,8 +50,10 @@ std::vector<ProductionId> Selected(CommandCall& call, const ParsedWords& parsed)
     char letter;
     ProductionType type;
   };
-  constexpr Letter kLetters[] = {{'u', ProductionType::kUser},    {'c', ProductionType::kChunk},
-                                 {'d', ProductionType::kDefault}, {'j', ProductionType::kJustification},
+  constexpr Letter kLetters[] = {{'u', ProductionType::kUser},
+                                 {'c', ProductionType::kChunk},
+                                 {'d', ProductionType::kDefault},
+                                 {'j', ProductionType::kJustification},
                                  {'T', ProductionType::kTemplate}};
   bool any = parsed.Has('r');
   for (const Letter& letter : kLetters) any = any || parsed.Has(letter.letter);
@@ -73,8 +75,9 @@ bool Excise(CommandCall& call) {
   if (parsed.options.empty()) {
     if (parsed.arguments.empty()) return call.Fail("Production name is required.");
     if (parsed.arguments.size() > 1) {
-      return call.Fail("Only one production name allowed, call excise multiple times to excise more than one specific "
-                       "production.");
+      return call.Fail(
+          "Only one production name allowed, call excise multiple times to excise more than one specific "
+          "production.");
     }
     const ProductionId id = FindRule(agent, parsed.arguments.front().text);
     if (id == ProductionId::kNone) return call.Fail("Production not found.");
@@ -82,13 +85,13 @@ bool Excise(CommandCall& call) {
   } else {
     for (const ProductionId id : agent.Productions()) {
       const Production& rule = agent.production(id);
-      const bool wanted = parsed.Has('a') || (parsed.Has('c') && rule.type == ProductionType::kChunk) ||
-                          (parsed.Has('d') && rule.type == ProductionType::kDefault) ||
-                          (parsed.Has('u') && rule.type == ProductionType::kUser) ||
-                          (parsed.Has('T') && rule.type == ProductionType::kTemplate) ||
-                          (parsed.Has('t') &&
-                           (rule.type == ProductionType::kUser || rule.type == ProductionType::kDefault)) ||
-                          (parsed.Has('r') && rule.is_rl) || (parsed.Has('n') && agent.FiringCount(id) == 0);
+      const bool wanted =
+          parsed.Has('a') || (parsed.Has('c') && rule.type == ProductionType::kChunk) ||
+          (parsed.Has('d') && rule.type == ProductionType::kDefault) ||
+          (parsed.Has('u') && rule.type == ProductionType::kUser) ||
+          (parsed.Has('T') && rule.type == ProductionType::kTemplate) ||
+          (parsed.Has('t') && (rule.type == ProductionType::kUser || rule.type == ProductionType::kDefault)) ||
+          (parsed.Has('r') && rule.is_rl) || (parsed.Has('n') && agent.FiringCount(id) == 0);
       if (wanted) rules.push_back(id);
     }
   }
@@ -301,29 +304,42 @@ constexpr OptionSpec kBreakOptions[] = {
     {'p', "print", kNone, "list the rules at which runs stop"},
 };
 constexpr OptionSpec kExciseOptions[] = {
-    {'a', "all", kNone, "all rules"},          {'c', "chunks", kNone, "learned rules"},
-    {'d', "default", kNone, "default rules"},  {'n', "never-fired", kNone, "rules that never fired"},
-    {'r', "rl", kNone, "reinforcement learning's"}, {'t', "task", kNone, "user and default rules"},
-    {'T', "templates", kNone, "templates"},    {'u', "user", kNone, "ordinary rules"},
+    {'a', "all", kNone, "all rules"},
+    {'c', "chunks", kNone, "learned rules"},
+    {'d', "default", kNone, "default rules"},
+    {'n', "never-fired", kNone, "rules that never fired"},
+    {'r', "rl", kNone, "reinforcement learning's"},
+    {'t', "task", kNone, "user and default rules"},
+    {'T', "templates", kNone, "templates"},
+    {'u', "user", kNone, "ordinary rules"},
 };
 constexpr OptionSpec kFindOptions[] = {
-    {'l', "lhs", kNone, "search conditions"},      {'r', "rhs", kNone, "search actions"},
+    {'l', "lhs", kNone, "search conditions"},
+    {'r', "rhs", kNone, "search actions"},
     {'s', "show-bindings", kNone, "show what the pattern's variables stand for"},
-    {'c', "chunks", kNone, "learned rules only"},  {'n', "nochunks", kNone, "no learned rules"},
+    {'c', "chunks", kNone, "learned rules only"},
+    {'n', "nochunks", kNone, "no learned rules"},
 };
 constexpr OptionSpec kCountOptions[] = {
-    {'a', "all", kNone, "all rules"},         {'c', "chunks", kNone, "learned rules"},
-    {'d', "default", kNone, "default rules"}, {'j', "justifications", kNone, "justifications"},
-    {'r', "rl", kNone, "reinforcement learning's"}, {'T', "templates", kNone, "templates"},
-    {'u', "user", kNone, "ordinary rules"},   {'f', "fired", kNone, "only rules that fired"},
+    {'a', "all", kNone, "all rules"},
+    {'c', "chunks", kNone, "learned rules"},
+    {'d', "default", kNone, "default rules"},
+    {'j', "justifications", kNone, "justifications"},
+    {'r', "rl", kNone, "reinforcement learning's"},
+    {'T', "templates", kNone, "templates"},
+    {'u', "user", kNone, "ordinary rules"},
+    {'f', "fired", kNone, "only rules that fired"},
 };
 constexpr OptionSpec kMatchesOptions[] = {
-    {'a', "assertions", kNone, "rules about to fire"},   {'r', "retractions", kNone, "matches about to retract"},
-    {'n', "names", kNone, "names only"},                 {'c', "count", kNone, "counts only"},
-    {'t', "timetags", kNone, "with time tags"},          {'w', "wmes", kNone, "with elements"},
+    {'a', "assertions", kNone, "rules about to fire"},
+    {'r', "retractions", kNone, "matches about to retract"},
+    {'n', "names", kNone, "names only"},
+    {'c', "count", kNone, "counts only"},
+    {'t', "timetags", kNone, "with time tags"},
+    {'w', "wmes", kNone, "with elements"},
 };
 constexpr OptionSpec kMemoryOptions[] = {
-    {'c', "chunks", kNone, "learned rules"},  {'d', "default", kNone, "default rules"},
+    {'c', "chunks", kNone, "learned rules"},          {'d', "default", kNone, "default rules"},
     {'j', "justifications", kNone, "justifications"}, {'T', "templates", kNone, "templates"},
     {'u', "user", kNone, "ordinary rules"},
 };
@@ -339,7 +355,10 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"firing-counts", "[N | RULE]", "how often rules fired", kCountOptions, FiringCounts},
     {"matches", "[RULE]", "how far a rule matches, or what is about to fire", kMatchesOptions, Matches},
     {"memory-usage", "[N | RULE]", "how many partial matches rules hold", kMemoryOptions, MemoryUsage},
-    {"optimize-attribute", "[ATTRIBUTE [N]]", "how many values of an attribute the matcher expects", {},
+    {"optimize-attribute",
+     "[ATTRIBUTE [N]]",
+     "how many values of an attribute the matcher expects",
+     {},
      OptimizeAttribute},
     {"watch", "[RULE]", "shows firings of a rule at any trace level", kWatchOptions, Watch},
     {"?", "", "an overview of the sub-commands", {}, Help},

@@ -22,21 +22,31 @@ constexpr OptionSpec kOptions[] = {
 };
 
 bool ReadUnit(std::string_view letter, RunUnit& unit) {
-  if (letter == "e") unit = RunUnit::kElaboration;
-  else if (letter == "p") unit = RunUnit::kPhase;
-  else if (letter == "d") unit = RunUnit::kDecision;
-  else if (letter == "o") unit = RunUnit::kOutput;
-  else return false;
+  if (letter == "e")
+    unit = RunUnit::kElaboration;
+  else if (letter == "p")
+    unit = RunUnit::kPhase;
+  else if (letter == "d")
+    unit = RunUnit::kDecision;
+  else if (letter == "o")
+    unit = RunUnit::kOutput;
+  else
+    return false;
   return true;
 }
 
 int Size(RunUnit unit) {
   switch (unit) {
-    case RunUnit::kElaboration: return 0;
-    case RunUnit::kPhase: return 1;
-    case RunUnit::kDecision: return 2;
-    case RunUnit::kOutput: return 3;
-    case RunUnit::kForever: return 4;
+    case RunUnit::kElaboration:
+      return 0;
+    case RunUnit::kPhase:
+      return 1;
+    case RunUnit::kDecision:
+      return 2;
+    case RunUnit::kOutput:
+      return 3;
+    case RunUnit::kForever:
+      return 4;
   }
   return 4;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <fstream>
-
 #include <fmt/format.h>
+
+#include <fstream>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -52,7 +52,8 @@ std::string SettingsText(CommandCall& call) {
   parameter("epsilon", exploration.epsilon.value, 0.1);
   parameter("temperature", exploration.temperature.value, 25);
   for (const SettingStore::Changed& changed : call.session.settings().Differences()) {
-    if (changed.group == "chunk" && changed.name == "mode") text += "chunk " + changed.value + "\n";
+    if (changed.group == "chunk" && changed.name == "mode")
+      text += "chunk " + changed.value + "\n";
     else if (changed.group == "chunk" || changed.group == "explain" || changed.group == "visualize" ||
              changed.group == "soar") {
       text += fmt::format("{} {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
@@ -101,15 +102,16 @@ bool SaveRete(CommandCall& call) {
 }
 
 bool Help(CommandCall& call) {
-  call.Out("======================================================\n"
-           "-            Save Sub-Commands and Options           -\n"
-           "======================================================\n"
-           "save agent                           <filename>\n"
-           "save chunks                          <filename>\n"
-           "save percepts                        [--open <filename> | --close | --flush]\n"
-           "save rete-network                    --save <filename>\n"
-           "------------------------------------------------------\n\n"
-           "For a detailed explanation of sub-commands:  help save\n");
+  call.Out(
+      "======================================================\n"
+      "-            Save Sub-Commands and Options           -\n"
+      "======================================================\n"
+      "save agent                           <filename>\n"
+      "save chunks                          <filename>\n"
+      "save percepts                        [--open <filename> | --close | --flush]\n"
+      "save rete-network                    --save <filename>\n"
+      "------------------------------------------------------\n\n"
+      "For a detailed explanation of sub-commands:  help save\n");
   return call.FailPrinted();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
 #include <functional>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -25,28 +25,41 @@ constexpr std::string_view kInvalidArgument = "Invalid argument. Use 'soar ?' to
 
 std::string_view PhaseName(Phase phase) {
   switch (phase) {
-    case Phase::kInput: return "input";
-    case Phase::kPropose: return "propose";
-    case Phase::kDecide: return "decide";
-    case Phase::kApply: return "apply";
-    case Phase::kOutput: return "output";
+    case Phase::kInput:
+      return "input";
+    case Phase::kPropose:
+      return "propose";
+    case Phase::kDecide:
+      return "decide";
+    case Phase::kApply:
+      return "apply";
+    case Phase::kOutput:
+      return "output";
   }
   return "";
 }
 
 /// Words and options that name a phase.
 bool ReadPhase(std::string_view word, Phase& phase) {
-  if (word == "input") phase = Phase::kInput;
-  else if (word == "propose") phase = Phase::kPropose;
-  else if (word == "decide" || word == "decision") phase = Phase::kDecide;
-  else if (word == "apply") phase = Phase::kApply;
-  else if (word == "output") phase = Phase::kOutput;
-  else return false;
+  if (word == "input")
+    phase = Phase::kInput;
+  else if (word == "propose")
+    phase = Phase::kPropose;
+  else if (word == "decide" || word == "decision")
+    phase = Phase::kDecide;
+  else if (word == "apply")
+    phase = Phase::kApply;
+  else if (word == "output")
+    phase = Phase::kOutput;
+  else
+    return false;
   return true;
 }
 
 /// The part of an argument that a number can be read from, as Soar reads it: nothing gives 0.
-std::int64_t LooseInteger(const std::string& text) { return ParseInteger(text).value_or(0); }
+std::int64_t LooseInteger(const std::string& text) {
+  return ParseInteger(text).value_or(0);
+}
 
 std::string Value(CommandCall& call, std::string_view name) {
   const AgentSettings& settings = call.agent().settings();
@@ -162,9 +175,12 @@ bool ReadSwitch(CommandCall& call, std::optional<bool>& on) {
   if (parsed.Has('d')) on = false;
   if (parsed.arguments.empty()) return true;
   const std::string& word = parsed.arguments.front().text;
-  if (word == "on") on = true;
-  else if (word == "off") on = false;
-  else return call.Fail(kInvalidArgument);
+  if (word == "on")
+    on = true;
+  else if (word == "off")
+    on = false;
+  else
+    return call.Fail(kInvalidArgument);
   return true;
 }
 
@@ -273,12 +289,23 @@ bool StopPhase(CommandCall& call) {
   std::string word;
   for (const ParsedOption& option : parsed.options) {
     switch (option.letter) {
-      case 'i': word = "input"; break;
-      case 'p': word = "propose"; break;
-      case 'd': word = "decide"; break;
-      case 'a': word = "apply"; break;
-      case 'o': word = "output"; break;
-      default: break;
+      case 'i':
+        word = "input";
+        break;
+      case 'p':
+        word = "propose";
+        break;
+      case 'd':
+        word = "decide";
+        break;
+      case 'a':
+        word = "apply";
+        break;
+      case 'o':
+        word = "output";
+        break;
+      default:
+        break;
     }
   }
   if (!parsed.arguments.empty()) word = parsed.arguments.front().text;
@@ -297,8 +324,10 @@ bool StopPhase(CommandCall& call) {
 
 constexpr OptionSpec kStopOptions[] = {{'s', "self", OptionArgument::kNone, "stop this agent only"}};
 constexpr OptionSpec kSwitchOptions[] = {
-    {'e', "on"}, {'e', "enable", OptionArgument::kNone, "switch on"},
-    {'d', "off"}, {'d', "disable", OptionArgument::kNone, "switch off"},
+    {'e', "on"},
+    {'e', "enable", OptionArgument::kNone, "switch on"},
+    {'d', "off"},
+    {'d', "disable", OptionArgument::kNone, "switch off"},
 };
 constexpr OptionSpec kStopPhaseOptions[] = {
     {'i', "input"}, {'p', "propose"}, {'p', "proposal"}, {'d', "decide"}, {'d', "decision"},

@@ -84,10 +84,10 @@ void System(CommandCall& call) {
 
 void Memory(CommandCall& call) {
   const kernel::Agent& agent = call.agent();
-  call.Out(fmt::format("{:8} bytes total memory allocated\n{:8} bytes of this agent alone\n"
-                       "{:8} bytes of rules and match network, shared with agents that run the same rules\n",
-                       agent.MemoryBytes() + agent.SharedMemoryBytes(), agent.MemoryBytes(),
-                       agent.SharedMemoryBytes()));
+  call.Out(
+      fmt::format("{:8} bytes total memory allocated\n{:8} bytes of this agent alone\n"
+                  "{:8} bytes of rules and match network, shared with agents that run the same rules\n",
+                  agent.MemoryBytes() + agent.SharedMemoryBytes(), agent.MemoryBytes(), agent.SharedMemoryBytes()));
 }
 
 void Rete(CommandCall& call) {
@@ -105,8 +105,9 @@ void Rete(CommandCall& call) {
 
 void Maximums(CommandCall& call) {
   const AgentCounters& counters = call.agent().counters();
-  call.Out("Single decision cycle maximums:\nStat             Value       Cycle\n"
-           "---------------- ----------- -----------\n");
+  call.Out(
+      "Single decision cycle maximums:\nStat             Value       Cycle\n"
+      "---------------- ----------- -----------\n");
   const auto row = [&](std::string_view name, std::uint64_t value, std::uint64_t cycle) {
     call.Out(fmt::format("{:>16} {:>10} {:>11}\n", name, value, cycle));
   };
@@ -140,8 +141,7 @@ void AddStructured(CommandCall& call) {
   real("statskernelcputime", 0);
   real("statstotalcputime", 0);
   for (const std::string kind : {"phase", "monitor"}) {
-    for (const std::string phase :
-         {"input", "propose", "decision", "apply", "output", "preference", "workingmemory"}) {
+    for (const std::string phase : {"input", "propose", "decision", "apply", "output", "preference", "workingmemory"}) {
       real("stats" + kind + "time" + phase + "phase", 0);
     }
   }
@@ -177,14 +177,28 @@ bool CommandStats(CommandCall& call) {
   if (parsed.options.empty()) System(call);
   for (const ParsedOption& option : parsed.options) {
     switch (option.letter) {
-      case 's': System(call); break;
-      case 'm': Memory(call); break;
-      case 'r': Rete(call); break;
-      case 'M': Maximums(call); break;
-      case 'd': call.Out(std::to_string(call.agent().counters().decision_phases)); break;
-      case 'a': call.Out("Agent counters:\nCounter          Value\n---------------- -----------\n"); break;
-      case 'l': return call.Fail("Learning is not available in this build.");
-      default: break;
+      case 's':
+        System(call);
+        break;
+      case 'm':
+        Memory(call);
+        break;
+      case 'r':
+        Rete(call);
+        break;
+      case 'M':
+        Maximums(call);
+        break;
+      case 'd':
+        call.Out(std::to_string(call.agent().counters().decision_phases));
+        break;
+      case 'a':
+        call.Out("Agent counters:\nCounter          Value\n---------------- -----------\n");
+        break;
+      case 'l':
+        return call.Fail("Learning is not available in this build.");
+      default:
+        break;
     }
   }
   return true;

@@ -49,7 +49,9 @@ const TraceFlagInfo* FlagOfLetter(char letter) {
   return nullptr;
 }
 
-const TraceFlagInfo& InfoOf(TraceFlag flag) { return TraceSettings::Infos()[static_cast<std::size_t>(flag)]; }
+const TraceFlagInfo& InfoOf(TraceFlag flag) {
+  return TraceSettings::Infos()[static_cast<std::size_t>(flag)];
+}
 
 std::string Rule(std::string_view title) {
   const std::size_t free = 60 - title.size() - 2;
@@ -74,7 +76,8 @@ std::string Table(const TraceSettings& trace) {
   text += Rule("Level 2");
   for (const TraceFlag which : {kPhases, kChunkWarnings, kGds, kConsistency}) flag(which);
   text += Rule("Level 3: Rule firings");
-  for (const TraceFlag which : {kDefaultRules, kUserRules, kChunks, kJustifications, kTemplates, kWaterfall}) flag(which);
+  for (const TraceFlag which : {kDefaultRules, kUserRules, kChunks, kJustifications, kTemplates, kWaterfall})
+    flag(which);
   text += Rule("Level 4");
   flag(kWmes);
   text += Rule("Level 5");
@@ -185,7 +188,8 @@ bool ApplyOption(CommandCall& call, const ParsedOption& option, Changes& changes
     changes.changed[static_cast<int>(flag)] = true;
   };
   switch (option.letter) {
-    case 'L': return SetLearning(call, *option.argument, changes);
+    case 'L':
+      return SetLearning(call, *option.argument, changes);
     case 'f':
     case 'n':
     case 't':
@@ -200,12 +204,13 @@ bool ApplyOption(CommandCall& call, const ParsedOption& option, Changes& changes
       changes.learning = changes.detail = true;
       return true;
     case 'P':
-      for (const TraceFlag flag : {TraceFlag::kDefaultRules, TraceFlag::kUserRules, TraceFlag::kChunks,
-                                   TraceFlag::kJustifications}) {
+      for (const TraceFlag flag :
+           {TraceFlag::kDefaultRules, TraceFlag::kUserRules, TraceFlag::kChunks, TraceFlag::kJustifications}) {
         set(flag);
       }
       return true;
-    default: break;
+    default:
+      break;
   }
   if (const TraceFlagInfo* info = FlagOfLetter(option.letter)) set(info->flag);
   return true;

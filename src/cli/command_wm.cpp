@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -139,9 +139,12 @@ bool Activation(CommandCall& call) {
       return call.Fail("Activation of working memory is not available in this build.");
     }
     switch (store.Set("wma", name, value)) {
-      case SettingStore::SetResult::kUnknown: return call.Fail("Invalid setting.");
-      case SettingStore::SetResult::kInvalid: return call.Fail("Invalid value for setting.");
-      case SettingStore::SetResult::kOk: return true;
+      case SettingStore::SetResult::kUnknown:
+        return call.Fail("Invalid setting.");
+      case SettingStore::SetResult::kInvalid:
+        return call.Fail("Invalid value for setting.");
+      case SettingStore::SetResult::kOk:
+        return true;
     }
   }
   if (parsed.Has('h')) {
@@ -167,21 +170,22 @@ bool Activation(CommandCall& call) {
 }
 
 bool Help(CommandCall& call) {
-  call.Out("=========================================================\n"
-           "-               WM Sub-Commands and Options             -\n"
-           "=========================================================\n"
-           "wm add          <id> [^]<attribute> <value> [+]\n"
-           "wm remove       <timetag>\n"
-           "wm activation   --get <parameter>\n"
-           "wm activation   --set <parameter> <value>\n"
-           "wm activation   [--history <timetag> | --stats | --timers]\n"
-           "wm watch        --add-filter    [--type <t>] <id> <attribute> <value>\n"
-           "wm watch        --remove-filter [--type <t>] <id> <attribute> <value>\n"
-           "wm watch        --list-filter   [--type <t>]\n"
-           "wm watch        --reset-filter  [--type <t>]\n"
-           "                <t> = adds, removes or both\n"
-           "---------------------------------------------------------\n\n"
-           "For a detailed explanation of sub-commands:       help wm\n");
+  call.Out(
+      "=========================================================\n"
+      "-               WM Sub-Commands and Options             -\n"
+      "=========================================================\n"
+      "wm add          <id> [^]<attribute> <value> [+]\n"
+      "wm remove       <timetag>\n"
+      "wm activation   --get <parameter>\n"
+      "wm activation   --set <parameter> <value>\n"
+      "wm activation   [--history <timetag> | --stats | --timers]\n"
+      "wm watch        --add-filter    [--type <t>] <id> <attribute> <value>\n"
+      "wm watch        --remove-filter [--type <t>] <id> <attribute> <value>\n"
+      "wm watch        --list-filter   [--type <t>]\n"
+      "wm watch        --reset-filter  [--type <t>]\n"
+      "                <t> = adds, removes or both\n"
+      "---------------------------------------------------------\n\n"
+      "For a detailed explanation of sub-commands:       help wm\n");
   return call.FailPrinted();
 }
 
@@ -216,9 +220,10 @@ const std::span<const SubcommandInfo> kWmSubcommands = kSubcommands;
 
 bool CommandWm(CommandCall& call) {
   if (call.words.size() < 2) {
-    return call.Fail("The 'wm' commands contains commands and settings related to working memomory: add, remove, "
-                     "activation and watch.\n\nUse 'wm ?' to see an overview of the command or 'help wm' to read the "
-                     "manual page.");
+    return call.Fail(
+        "The 'wm' commands contains commands and settings related to working memomory: add, remove, "
+        "activation and watch.\n\nUse 'wm ?' to see an overview of the command or 'help wm' to read the "
+        "manual page.");
   }
   std::string error;
   return RunSubcommand(call, *FindCommand("wm", error),

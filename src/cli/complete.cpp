@@ -52,8 +52,10 @@ std::vector<std::string> Interpreter::Complete(Session& session, std::string_vie
   if (!command) return {};
   const SubcommandInfo* subcommand = nullptr;
   for (const SubcommandInfo& candidate : command->subcommands) {
-    if (words.size() == 1) add(candidate.name);
-    else if (candidate.name.starts_with(words[1].text) && !words[1].text.empty()) subcommand = &candidate;
+    if (words.size() == 1)
+      add(candidate.name);
+    else if (candidate.name.starts_with(words[1].text) && !words[1].text.empty())
+      subcommand = &candidate;
   }
   const std::span<const OptionSpec> options = subcommand ? subcommand->options : command->options;
   if (word.starts_with('-')) {

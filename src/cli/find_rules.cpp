@@ -67,8 +67,10 @@ class Finder {
     if (test.kind != TestKind::kConjunction) return nullptr;
     const Test* found = nullptr;
     for (const Test& part : test.parts) {
-      if (part.kind == TestKind::kEqual) found = &part;
-      else if (part.kind != TestKind::kState && part.kind != TestKind::kImpasse) return nullptr;
+      if (part.kind == TestKind::kEqual)
+        found = &part;
+      else if (part.kind != TestKind::kState && part.kind != TestKind::kImpasse)
+        return nullptr;
     }
     return found;
   }
@@ -124,8 +126,8 @@ void FindRules(PrintStream& stream, kernel::Agent& agent, const std::string& pat
       if (!show_bindings) continue;
       const Bindings& bindings = finder.bindings();
       for (auto binding = bindings.rbegin(); binding != bindings.rend(); ++binding) {
-        stream.Print(fmt::format("   ({} -> {})\n", SymbolText(agent, binding->first),
-                                 SymbolText(agent, binding->second)));
+        stream.Print(
+            fmt::format("   ({} -> {})\n", SymbolText(agent, binding->first), SymbolText(agent, binding->second)));
       }
     }
   }

@@ -12,6 +12,7 @@ namespace soarbox::cli {
 /// `production find`: prints the names of the rules that have a condition for every condition of the pattern, newest
 /// first. A variable of the pattern stands for one variable of the rule throughout; `*` fits any single test. Negated
 /// conditions of rules are not looked at. Without `searches` the pattern is read and nothing found.
-void FindRules(PrintStream& stream, kernel::Agent& agent, const std::string& pattern, bool searches, bool show_bindings, const std::function<bool(const kernel::Production&)>& wanted);
+void FindRules(PrintStream& stream, kernel::Agent& agent, const std::string& pattern, bool searches, bool show_bindings,
+               const std::function<bool(const kernel::Production&)>& wanted);
 
 }  // namespace soarbox::cli

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/generate_rules.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace soarbox::cli {
 namespace {
 
-bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool IsBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 /// The index after the closing `quote` of the quoted text that begins at `start`; the end if there is none.
 std::size_t SkipQuoted(std::string_view text, std::size_t start, char quote) {
@@ -38,8 +40,10 @@ bool ReadValues(std::string_view text, std::size_t& position, std::vector<std::s
       position = end;
       continue;
     }
-    if (IsBlank(c)) finish();
-    else value += c;
+    if (IsBlank(c))
+      finish();
+    else
+      value += c;
     ++position;
   }
   return false;

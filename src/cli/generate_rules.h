@@ -12,7 +12,7 @@ namespace soarbox::cli {
 /// rules are numbered: NAME*1, NAME*2, ... The first list changes fastest.
 struct GeneratedRules {
   std::uint64_t count = 0;
-  std::string error;               ///< Not empty: there are no rules, and this says why.
+  std::string error;  ///< Not empty: there are no rules, and this says why.
   std::string name;
   std::vector<std::string> texts;  ///< What stands before, between and after the lists.
   std::vector<std::vector<std::string>> values;

@@ -44,7 +44,9 @@ void AppendOptions(std::string& text, std::span<const OptionSpec> options, std::
   }
 }
 
-std::string_view FirstWord(std::string_view text) { return text.substr(0, text.find(' ')); }
+std::string_view FirstWord(std::string_view text) {
+  return text.substr(0, text.find(' '));
+}
 
 }  // namespace
 
@@ -59,8 +61,7 @@ std::string HelpText(const CommandInfo& command, const AliasTable& aliases) {
     text += "\nSub-commands and settings\n";
     for (const SubcommandInfo& subcommand : command.subcommands) {
       if (subcommand.name == "?" || subcommand.name == "help") continue;
-      text += fmt::format("  {:<28} {}\n", fmt::format("{} {}", subcommand.name, subcommand.usage),
-                          subcommand.summary);
+      text += fmt::format("  {:<28} {}\n", fmt::format("{} {}", subcommand.name, subcommand.usage), subcommand.summary);
       AppendOptions(text, subcommand.options, "      ");
     }
   }
@@ -73,9 +74,10 @@ std::string HelpText(const CommandInfo& command, const AliasTable& aliases) {
 }
 
 std::string CommandReference() {
-  std::string text = "# The Soar command language\n\nEvery command, with its options and sub-commands. A command or "
-                     "sub-command may be shortened to any unique beginning.\nThis page is made from the table that "
-                     "the command line itself works by (`help` shows the same).\n";
+  std::string text =
+      "# The Soar command language\n\nEvery command, with its options and sub-commands. A command or "
+      "sub-command may be shortened to any unique beginning.\nThis page is made from the table that "
+      "the command line itself works by (`help` shows the same).\n";
   for (const CommandInfo& command : Commands()) {
     text += fmt::format("\n## {}\n\n`{}`: {}.\n", command.name, Usage(command), command.summary);
     if (!command.details.empty()) text += fmt::format("\n{}\n", command.details);

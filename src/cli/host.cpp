@@ -16,8 +16,7 @@ kernel::RunResult Host::Run(Session& session, const RunRequest& request) {
   // One step at a time until the state that is the lowest now has gone, or the count is used up.
   if (!agent.goals().empty()) agent.SetGoalToWatch(agent.goals().bottom().id);
   kernel::RunResult total;
-  const kernel::RunUnit step =
-      request.unit == kernel::RunUnit::kForever ? kernel::RunUnit::kDecision : request.unit;
+  const kernel::RunUnit step = request.unit == kernel::RunUnit::kForever ? kernel::RunUnit::kDecision : request.unit;
   for (std::uint64_t i = 0; request.unit == kernel::RunUnit::kForever || i < request.count; ++i) {
     const kernel::RunResult part = agent.Run(step, 1);
     total.reason = part.reason;
@@ -30,10 +29,16 @@ kernel::RunResult Host::Run(Session& session, const RunRequest& request) {
   return total;
 }
 
-void Host::Stop(Session& session, bool) { session.agent().RequestStop(); }
+void Host::Stop(Session& session, bool) {
+  session.agent().RequestStop();
+}
 
-void Host::Reinitialize(Session& session) { session.agent().InitSoar(); }
+void Host::Reinitialize(Session& session) {
+  session.agent().InitSoar();
+}
 
-bool Host::IsRunning(Session& session) const { return session.agent().running(); }
+bool Host::IsRunning(Session& session) const {
+  return session.agent().running();
+}
 
 }  // namespace soarbox::cli

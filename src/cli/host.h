@@ -15,9 +15,9 @@ struct RunRequest {
   std::uint64_t count = 1;
   kernel::RunUnit interleave = kernel::RunUnit::kPhase;
   bool interleave_given = false;  ///< Else the host chooses: the run's unit, or phases for a run without end.
-  bool self_only = false;       ///< Only the agent that the command is addressed to.
+  bool self_only = false;         ///< Only the agent that the command is addressed to.
   bool until_goal_removed = false;
-  bool update_world = true;     ///< Ask the environment to advance.
+  bool update_world = true;  ///< Ask the environment to advance.
 };
 
 /// Who owns the agents and lets them run: the command line asks, the host does. The default serves one agent and no

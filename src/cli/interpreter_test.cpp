@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/interpreter.h"
 
-#include <filesystem>
-#include <fstream>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "cli/help.h"
 #include "cli/session.h"
@@ -96,7 +96,9 @@ TEST_F(InterpreterTest, AFileThatSourcesItselfIsAnErrorAndNoCrash) {
 }
 
 TEST_F(InterpreterTest, SettingsOfMissingPartsAreKeptSoThatAgentsLoad) {
-  EXPECT_TRUE(Do("chunk never; learn --off; smem --set learning on; epmem --set trigger output; rl --set discount-rate 0.5").ok);
+  EXPECT_TRUE(
+      Do("chunk never; learn --off; smem --set learning on; epmem --set trigger output; rl --set discount-rate 0.5")
+          .ok);
   EXPECT_EQ(Do("rl --get discount-rate").text, "0.5");
   EXPECT_THAT(Do("smem --query {(<x> ^a b)}").text, HasSubstr("not available in this build"));
 }

@@ -10,7 +10,9 @@ namespace {
 using kernel::Agent;
 using kernel::Symbol;
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+bool IsDigit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 }  // namespace
 
@@ -69,8 +71,10 @@ Symbol MakeConstant(Agent& agent, std::string_view text) {
   bool digits = text.size() > sign;
   bool point = false;
   for (const char c : text.substr(sign)) {
-    if (c == '.') point = true;
-    else if (!IsDigit(c) && c != 'e' && c != 'E' && c != '-' && c != '+') digits = false;
+    if (c == '.')
+      point = true;
+    else if (!IsDigit(c) && c != 'e' && c != 'E' && c != '-' && c != '+')
+      digits = false;
   }
   if (digits && !point) {
     if (const auto integer = ParseInteger(text)) return symbols.Integer(*integer);

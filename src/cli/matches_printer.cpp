@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/matches_printer.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
@@ -79,16 +79,20 @@ class PartialMatchPrinter {
   void PrintMeeting(const std::vector<std::uint16_t>& path, const std::string& indent) {
     stream_.Print(indent + "*** Matches For Left ***\n");
     const bool first = path.size() == 1 && path[0] == 0;
-    if (first) stream_.Print(indent + "\n");
-    else PrintTokens(agent_.rete().MatchesBefore(rule_, path), indent);
+    if (first)
+      stream_.Print(indent + "\n");
+    else
+      PrintTokens(agent_.rete().MatchesBefore(rule_, path), indent);
     stream_.Print(indent + "*** Matches for Right ***\n" + indent);
     for (const WmeId wme : agent_.rete().RightMatches(rule_, path)) PrintWme(wme);
     stream_.Print("\n");
   }
 
   void PrintWme(WmeId wme) {
-    if (detail_ == WmeDetail::kTimetags) stream_.Print(fmt::format("{} ", agent_.memory().wme(wme).timetag));
-    else stream_.Print(WmeText(agent_, wme) + "\n ");
+    if (detail_ == WmeDetail::kTimetags)
+      stream_.Print(fmt::format("{} ", agent_.memory().wme(wme).timetag));
+    else
+      stream_.Print(WmeText(agent_, wme) + "\n ");
   }
 
   void PrintTokens(const kernel::Rete::PartialMatches& matches, const std::string& indent) {
@@ -130,8 +134,10 @@ void PrintList(PrintStream& stream, const Agent& agent, MatchSet::List list, Wme
       const std::string line = head(match);
       const auto same = [&](const auto& entry) { return entry.first == line; };
       const auto found = std::find_if(counted.begin(), counted.end(), same);
-      if (found == counted.end()) counted.emplace_back(line, 1);
-      else ++found->second;
+      if (found == counted.end())
+        counted.emplace_back(line, 1);
+      else
+        ++found->second;
     }
     for (const auto& [line, count] : counted) {
       stream.Print(line + (count > 1 ? fmt::format("({})", count) : std::string()) + "\n");

@@ -14,7 +14,7 @@ void PrintPartialMatches(PrintStream& stream, const kernel::Agent& agent, kernel
                          ResultNode& structured);
 
 /// Shows the rules that are about to fire and the matches that are about to retract.
-void PrintMatchSet(PrintStream& stream, const kernel::Agent& agent, bool assertions, bool retractions,
-                   WmeDetail detail, ResultNode& structured);
+void PrintMatchSet(PrintStream& stream, const kernel::Agent& agent, bool assertions, bool retractions, WmeDetail detail,
+                   ResultNode& structured);
 
 }  // namespace soarbox::cli

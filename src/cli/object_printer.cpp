@@ -19,11 +19,16 @@ constexpr std::string_view kContinuation = "       ";
 std::string ValueType(const Agent& agent, Symbol symbol) {
   (void)agent;
   switch (symbol.kind()) {
-    case kernel::SymbolKind::kIdentifier: return "id";
-    case kernel::SymbolKind::kInteger: return "int";
-    case kernel::SymbolKind::kFloat: return "double";
-    case kernel::SymbolKind::kVariable: return "variable";
-    default: return "string";
+    case kernel::SymbolKind::kIdentifier:
+      return "id";
+    case kernel::SymbolKind::kInteger:
+      return "int";
+    case kernel::SymbolKind::kFloat:
+      return "double";
+    case kernel::SymbolKind::kVariable:
+      return "variable";
+    default:
+      return "string";
   }
 }
 
@@ -109,8 +114,8 @@ class ObjectPrinter {
     stream_.Print(indent + "(" + Show(agent_, id, style_.variables));
     for (const WmeId wme_id : wmes) {
       const Wme& wme = agent_.memory().wme(wme_id);
-      std::string text = " ^" + Show(agent_, wme.attribute, style_.variables) + " " +
-                         Show(agent_, wme.value, style_.variables);
+      std::string text =
+          " ^" + Show(agent_, wme.attribute, style_.variables) + " " + Show(agent_, wme.value, style_.variables);
       if (wme.acceptable) text += " +";
       if (stream_.column() + static_cast<int>(text.size()) >= kLineWidth) {
         stream_.Print("\n" + indent + std::string(kContinuation.substr(0, kContinuation.size() - 1)));
@@ -130,12 +135,13 @@ class ObjectPrinter {
 
 }  // namespace
 
-void PrintObject(PrintStream& stream, const Agent& agent, Symbol id, const ObjectStyle& style,
-                 ResultNode& structured) {
+void PrintObject(PrintStream& stream, const Agent& agent, Symbol id, const ObjectStyle& style, ResultNode& structured) {
   ObjectPrinter(stream, agent, style, structured).Print(id);
 }
 
-std::string SymbolText(const Agent& agent, Symbol symbol) { return kernel::ToString(agent.symbols(), symbol); }
+std::string SymbolText(const Agent& agent, Symbol symbol) {
+  return kernel::ToString(agent.symbols(), symbol);
+}
 
 std::string WmeText(const Agent& agent, WmeId id, bool timetag, bool variables) {
   const Wme& wme = agent.memory().wme(id);

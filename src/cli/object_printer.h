@@ -12,10 +12,10 @@ namespace soarbox::cli {
 
 /// How objects of working memory are printed.
 struct ObjectStyle {
-  int depth = 1;          ///< How many levels of objects; less than 1 counts as 1.
-  bool internal = false;  ///< One line per element, with its time tag.
-  bool tree = false;      ///< One line per element, objects below the element that leads to them.
-  bool variables = false; ///< Identifiers in angle brackets.
+  int depth = 1;           ///< How many levels of objects; less than 1 counts as 1.
+  bool internal = false;   ///< One line per element, with its time tag.
+  bool tree = false;       ///< One line per element, objects below the element that leads to them.
+  bool variables = false;  ///< Identifiers in angle brackets.
 };
 
 /// Prints an object and those below it, each once, at its smallest depth. Attributes stand in the order of their

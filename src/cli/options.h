@@ -15,8 +15,8 @@ enum class OptionArgument { kNone, kRequired, kOptional };
 
 /// One option of a command: `-d N`, `--depth N`.
 struct OptionSpec {
-  char letter = 0;             ///< The short form, and how handlers know the option.
-  std::string_view name;       ///< The long form, without dashes.
+  char letter = 0;        ///< The short form, and how handlers know the option.
+  std::string_view name;  ///< The long form, without dashes.
   OptionArgument argument = OptionArgument::kNone;
   std::string_view help = {};  ///< One line for help texts.
 };

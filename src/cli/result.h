@@ -36,9 +36,9 @@ struct ResultNode {
 /// What a command line answered.
 struct CommandResult {
   bool ok = true;
-  std::string text;                      ///< As Soar prints it: output, then the message of a failure.
+  std::string text;                             ///< As Soar prints it: output, then the message of a failure.
   ResultNode structured{"result", {}, {}, {}};  ///< The same for programs; empty if the command only printed text.
-  std::vector<Diagnostic> diagnostics;   ///< Errors with file, line, column and hint; warnings too.
+  std::vector<Diagnostic> diagnostics;          ///< Errors with file, line, column and hint; warnings too.
 };
 
 }  // namespace soarbox::cli

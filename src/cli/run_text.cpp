@@ -18,8 +18,7 @@ std::vector<std::string> RunLines(const kernel::Agent& agent, const RunCounts& b
                               firings == 0   ? std::string("No rules")
                               : firings == 1 ? std::string("1 rule")
                                              : fmt::format("{} rules", firings)));
-  const bool stopped =
-      run.reason == kernel::StopReason::kInterrupted || run.reason == kernel::StopReason::kLimit;
+  const bool stopped = run.reason == kernel::StopReason::kInterrupted || run.reason == kernel::StopReason::kLimit;
   if (stopped) lines.push_back("\nRun stopped (interrupted).");
   if (agent.halted()) lines.push_back("\nAn agent halted during the run.");
   return lines;

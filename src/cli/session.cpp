@@ -28,7 +28,9 @@ Session::Session(kernel::Agent& agent, std::string name)
 
 Session::~Session() = default;
 
-void Session::UpdateTrace() { trace_printer_->Update(); }
+void Session::UpdateTrace() {
+  trace_printer_->Update();
+}
 
 bool Session::OpenLog(const std::string& path, bool append) {
   auto log = std::make_unique<LogFile>();
@@ -46,7 +48,9 @@ void Session::CloseLog() {
   stream_.SetCopy(nullptr);
 }
 
-bool Session::log_open() const { return log_ != nullptr; }
+bool Session::log_open() const {
+  return log_ != nullptr;
+}
 
 void Session::Log(std::string_view text) {
   if (!log_) return;

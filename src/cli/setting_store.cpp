@@ -133,9 +133,12 @@ bool IsChoice(std::string_view choices, std::string_view value) {
 
 bool Fits(const SettingInfo& info, const std::string& value) {
   switch (info.kind) {
-    case kSwitch: return value == "on" || value == "off";
-    case kChoice: return IsChoice(info.choices, value);
-    case kText: return true;
+    case kSwitch:
+      return value == "on" || value == "off";
+    case kChoice:
+      return IsChoice(info.choices, value);
+    case kText:
+      return true;
     case kInteger: {
       const auto number = ParseInteger(value);
       return number && static_cast<double>(*number) >= info.minimum && static_cast<double>(*number) <= info.maximum;
@@ -150,7 +153,9 @@ bool Fits(const SettingInfo& info, const std::string& value) {
 
 }  // namespace
 
-std::span<const SettingInfo> SettingStore::All() { return kSettings; }
+std::span<const SettingInfo> SettingStore::All() {
+  return kSettings;
+}
 
 const SettingInfo* SettingStore::Find(std::string_view group, std::string_view name, bool prefix) {
   const SettingInfo* found = nullptr;

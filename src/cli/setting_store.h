@@ -13,7 +13,7 @@ enum class SettingKind { kSwitch, kInteger, kReal, kChoice, kText };
 
 /// A setting of a part of Soar that the kernel reads through its name only: learning and the long-term memories.
 struct SettingInfo {
-  std::string_view group;    ///< The command it belongs to: "chunk", "rl", "smem", ...
+  std::string_view group;  ///< The command it belongs to: "chunk", "rl", "smem", ...
   std::string_view name;
   SettingKind kind;
   std::string_view initial;

@@ -19,11 +19,16 @@ std::string LineStart(const GoalInfo& goal, const std::string& cycle) {
 
 std::string ImpasseName(kernel::ImpasseType type) {
   switch (type) {
-    case kernel::ImpasseType::kTie: return "tie";
-    case kernel::ImpasseType::kConflict: return "conflict";
-    case kernel::ImpasseType::kConstraintFailure: return "constraint-failure";
-    case kernel::ImpasseType::kNoChange: return "no-change";
-    case kernel::ImpasseType::kNone: break;
+    case kernel::ImpasseType::kTie:
+      return "tie";
+    case kernel::ImpasseType::kConflict:
+      return "conflict";
+    case kernel::ImpasseType::kConstraintFailure:
+      return "constraint-failure";
+    case kernel::ImpasseType::kNoChange:
+      return "no-change";
+    case kernel::ImpasseType::kNone:
+      break;
   }
   return {};
 }
@@ -41,9 +46,10 @@ std::string StateLine(const Agent& agent, const GoalInfo& goal, const std::strin
 
 std::string OperatorLine(const Agent& agent, const GoalInfo& goal, const std::string& cycle) {
   const std::string name = OperatorName(agent, goal.op);
-  return LineStart(goal, cycle) + "   O: " + SymbolText(agent, goal.op) + (!name.empty()                 ? " (" + name + ")"
-                                                                                    : goal.op.IsIdentifier() ? " "
-                                                                                                             : "");
+  return LineStart(goal, cycle) + "   O: " + SymbolText(agent, goal.op) +
+         (!name.empty()            ? " (" + name + ")"
+          : goal.op.IsIdentifier() ? " "
+                                   : "");
 }
 
 std::string OperatorName(const Agent& agent, Symbol op) {

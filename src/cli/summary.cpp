@@ -42,6 +42,8 @@ Summary& Summary::Text(std::string_view text) {
   return *this;
 }
 
-std::string Shortest(double value) { return fmt::format("{}", value); }
+std::string Shortest(double value) {
+  return fmt::format("{}", value);
+}
 
 }  // namespace soarbox::cli

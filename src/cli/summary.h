@@ -28,6 +28,8 @@ class Summary {
 
 /// Numbers as settings show them: the shortest text that reads back the same.
 std::string Shortest(double value);
-inline std::string_view OnOff(bool on) { return on ? "on" : "off"; }
+inline std::string_view OnOff(bool on) {
+  return on ? "on" : "off";
+}
 
 }  // namespace soarbox::cli

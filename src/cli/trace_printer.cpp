@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/trace_printer.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
@@ -22,16 +22,23 @@ using kernel::GoalInfo;
 using kernel::Phase;
 using kernel::WmeInfo;
 
-const char* TypeName(FiringType type) { return type == FiringType::kPe ? "PE" : "IE"; }
+const char* TypeName(FiringType type) {
+  return type == FiringType::kPe ? "PE" : "IE";
+}
 
 /// The input phase's lines end with a blank.
 const char* PhaseTitle(Phase phase) {
   switch (phase) {
-    case Phase::kInput: return "Input Phase --- ";
-    case Phase::kPropose: return "Propose Phase ---";
-    case Phase::kDecide: return "Decision Phase ---";
-    case Phase::kApply: return "Application Phase ---";
-    case Phase::kOutput: return "Output Phase ---";
+    case Phase::kInput:
+      return "Input Phase --- ";
+    case Phase::kPropose:
+      return "Propose Phase ---";
+    case Phase::kDecide:
+      return "Decision Phase ---";
+    case Phase::kApply:
+      return "Application Phase ---";
+    case Phase::kOutput:
+      return "Output Phase ---";
   }
   return "";
 }
@@ -46,20 +53,29 @@ int PhaseNumber(const Agent& agent) {
 TraceFlag FlagOf(const FiringInfo& info) {
   if (!info.rule) return TraceFlag::kJustifications;
   switch (info.rule->type) {
-    case kernel::ProductionType::kUser: return TraceFlag::kUserRules;
-    case kernel::ProductionType::kDefault: return TraceFlag::kDefaultRules;
-    case kernel::ProductionType::kChunk: return TraceFlag::kChunks;
-    case kernel::ProductionType::kJustification: return TraceFlag::kJustifications;
-    case kernel::ProductionType::kTemplate: return TraceFlag::kTemplates;
+    case kernel::ProductionType::kUser:
+      return TraceFlag::kUserRules;
+    case kernel::ProductionType::kDefault:
+      return TraceFlag::kDefaultRules;
+    case kernel::ProductionType::kChunk:
+      return TraceFlag::kChunks;
+    case kernel::ProductionType::kJustification:
+      return TraceFlag::kJustifications;
+    case kernel::ProductionType::kTemplate:
+      return TraceFlag::kTemplates;
   }
   return TraceFlag::kUserRules;
 }
 
-std::string Level(kernel::GoalLevel level) { return level > 1 ? fmt::format(" [level {}]", level) : std::string(); }
+std::string Level(kernel::GoalLevel level) {
+  return level > 1 ? fmt::format(" [level {}]", level) : std::string();
+}
 
 }  // namespace
 
-TracePrinter::~TracePrinter() { session_.agent().RemoveObserver(*this); }
+TracePrinter::~TracePrinter() {
+  session_.agent().RemoveObserver(*this);
+}
 
 void TracePrinter::Update() {
   const TraceSettings& trace = session_.trace();
@@ -85,11 +101,17 @@ void TracePrinter::Update() {
   session_.agent().AddObserver(*this, mask);
 }
 
-void TracePrinter::Print(const std::string& text) { session_.stream().Print(text); }
+void TracePrinter::Print(const std::string& text) {
+  session_.stream().Print(text);
+}
 
-void TracePrinter::OnPhaseBegin(const Agent&, Phase phase) { Print(fmt::format("\n--- {}\n", PhaseTitle(phase))); }
+void TracePrinter::OnPhaseBegin(const Agent&, Phase phase) {
+  Print(fmt::format("\n--- {}\n", PhaseTitle(phase)));
+}
 
-void TracePrinter::OnPhaseEnd(const Agent&, Phase phase) { Print(fmt::format("\n--- END {}\n", PhaseTitle(phase))); }
+void TracePrinter::OnPhaseEnd(const Agent&, Phase phase) {
+  Print(fmt::format("\n--- END {}\n", PhaseTitle(phase)));
+}
 
 void TracePrinter::OnPreferencePhase(const Agent& agent, FiringType type, kernel::GoalLevel level) {
   if (!session_.trace().On(TraceFlag::kPhases) || agent.next_phase() != Phase::kApply) return;
@@ -141,9 +163,10 @@ void TracePrinter::OnFired(const Agent& agent, const FiringInfo& info,
 
 void TracePrinter::OnInhibited(const Agent& agent, const FiringInfo& info) {
   if (!session_.trace().On(TraceFlag::kWaterfall)) return;
-  Print(fmt::format("*** Waterfall: aborting firing because ({} * *) level {} is on or higher (lower int) "
-                    "than change level {}\n",
-                    SymbolText(agent, info.touched), agent.memory().level(info.touched), info.change_level));
+  Print(
+      fmt::format("*** Waterfall: aborting firing because ({} * *) level {} is on or higher (lower int) "
+                  "than change level {}\n",
+                  SymbolText(agent, info.touched), agent.memory().level(info.touched), info.change_level));
 }
 
 void TracePrinter::OnRetracting(const Agent& agent, const FiringInfo& info) {
@@ -201,13 +224,20 @@ void TracePrinter::OnStateRemoved(const Agent& agent, const GoalInfo& goal, kern
   if (!session_.trace().On(TraceFlag::kConsistency)) return;
   const char* reason = nullptr;
   switch (why) {
-    case kernel::GoalRemoval::kDecision: reason = "of a decision."; break;
-    case kernel::GoalRemoval::kWrongImpasseType: reason = "it's the wrong type of impasse."; break;
-    case kernel::GoalRemoval::kOperatorRemoval: reason = "of an operator removal."; break;
+    case kernel::GoalRemoval::kDecision:
+      reason = "of a decision.";
+      break;
+    case kernel::GoalRemoval::kWrongImpasseType:
+      reason = "it's the wrong type of impasse.";
+      break;
+    case kernel::GoalRemoval::kOperatorRemoval:
+      reason = "of an operator removal.";
+      break;
     case kernel::GoalRemoval::kGdsChange:
     case kernel::GoalRemoval::kInconsistent:
     case kernel::GoalRemoval::kWithSuperstate:
-    case kernel::GoalRemoval::kInit: return;
+    case kernel::GoalRemoval::kInit:
+      return;
   }
   session_.stream().FreshLine();
   Print(fmt::format("Removing state {} because {}\n", SymbolText(agent, goal.goal), reason));
@@ -248,7 +278,9 @@ void TracePrinter::OnPrint(const Agent&, std::string_view text) {
   if (session_.output().agent_writes) session_.stream().Print(text);
 }
 
-void TracePrinter::OnError(const Agent&, std::string_view text) { session_.stream().Print(text); }
+void TracePrinter::OnError(const Agent&, std::string_view text) {
+  session_.stream().Print(text);
+}
 
 void TracePrinter::OnLog(const Agent&, int channel, std::string_view text) {
   const std::vector<bool>& channels = session_.output().log_channels;
@@ -264,11 +296,12 @@ void TracePrinter::OnTraceText(const Agent&, int level, std::string_view text) {
 void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::string_view text) {
   switch (kind) {
     case kernel::WarningKind::kGoalStackLimit:
-      Print(fmt::format("\nGoal stack depth exceeded {} on a no-change impasse.\n"
-                        "Soar appears to be in an infinite loop.  \n"
-                        "Continuing to subgoal may cause Soar to \n"
-                        "exceed the program stack of your system.\n",
-                        agent.settings().max_goal_depth));
+      Print(
+          fmt::format("\nGoal stack depth exceeded {} on a no-change impasse.\n"
+                      "Soar appears to be in an infinite loop.  \n"
+                      "Continuing to subgoal may cause Soar to \n"
+                      "exceed the program stack of your system.\n",
+                      agent.settings().max_goal_depth));
       return;
     case kernel::WarningKind::kMaxElaborationsPropose:
       if (!session_.output().warnings) return;
@@ -280,12 +313,13 @@ void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::
       return;
     case kernel::WarningKind::kUnconditional:
       if (!session_.trace().On(TraceFlag::kChunkWarnings)) return;
-      Print(fmt::format("\nWarning: Soar has created a chunk or justification with no conditions.  Ignoring.\n\n"
-                        "         Any results created will lose support when the sub-state disappears.\n"
-                        "         To avoid this issue, the problem-solving in the sub-state must\n"
-                        "         positively test at least one item in the super-state.\n\n"
-                        "Rule firing that led to invalid chunk: {}\n",
-                        text));
+      Print(
+          fmt::format("\nWarning: Soar has created a chunk or justification with no conditions.  Ignoring.\n\n"
+                      "         Any results created will lose support when the sub-state disappears.\n"
+                      "         To avoid this issue, the problem-solving in the sub-state must\n"
+                      "         positively test at least one item in the super-state.\n\n"
+                      "Rule firing that led to invalid chunk: {}\n",
+                      text));
       return;
     case kernel::WarningKind::kMaxDecisionTime:
     case kernel::WarningKind::kOther:
@@ -304,9 +338,10 @@ void TracePrinter::OnInterrupt(const Agent& agent, std::string_view reason) {
   if (reason.starts_with(kRule)) {
     std::string_view name = reason.substr(kRule.size());
     if (name.ends_with(" ***")) name.remove_suffix(4);
-    Print(fmt::format("\n*** Production match-time interrupt (:interrupt), probably from {}\n"
-                      "    [Phase] (Interrupt, Stop) is [{}] (2,1)\n",
-                      name, PhaseNumber(agent)));
+    Print(
+        fmt::format("\n*** Production match-time interrupt (:interrupt), probably from {}\n"
+                    "    [Phase] (Interrupt, Stop) is [{}] (2,1)\n",
+                    name, PhaseNumber(agent)));
     Print("\n:interrupt\n");
   } else {
     Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));
@@ -314,7 +349,7 @@ void TracePrinter::OnInterrupt(const Agent& agent, std::string_view reason) {
   session_.stream().PrintUncounted("Interrupt received.");
 }
 
-void TracePrinter::OnHalt(const Agent&) { 
+void TracePrinter::OnHalt(const Agent&) {
   Print("\nSystem halted.\n");
   session_.stream().PrintUncounted("Interrupt received.This Agent halted.");
 }
@@ -343,25 +378,32 @@ void TracePrinter::OnCandidate(const Agent& agent, kernel::Symbol candidate, dou
 
 char PreferenceCharacter(kernel::PreferenceType type) {
   switch (type) {
-    case kernel::PreferenceType::kAcceptable: return '+';
-    case kernel::PreferenceType::kRequire: return '!';
-    case kernel::PreferenceType::kReject: return '-';
-    case kernel::PreferenceType::kProhibit: return '~';
+    case kernel::PreferenceType::kAcceptable:
+      return '+';
+    case kernel::PreferenceType::kRequire:
+      return '!';
+    case kernel::PreferenceType::kReject:
+      return '-';
+    case kernel::PreferenceType::kProhibit:
+      return '~';
     case kernel::PreferenceType::kBest:
-    case kernel::PreferenceType::kBetter: return '>';
+    case kernel::PreferenceType::kBetter:
+      return '>';
     case kernel::PreferenceType::kWorst:
-    case kernel::PreferenceType::kWorse: return '<';
+    case kernel::PreferenceType::kWorse:
+      return '<';
     case kernel::PreferenceType::kUnaryIndifferent:
     case kernel::PreferenceType::kNumericIndifferent:
-    case kernel::PreferenceType::kBinaryIndifferent: return '=';
+    case kernel::PreferenceType::kBinaryIndifferent:
+      return '=';
   }
   return '?';
 }
 
 std::string PreferenceText(const Agent& agent, const kernel::Preference& preference, bool support) {
-  std::string text = fmt::format("({} ^{} {} {}", SymbolText(agent, preference.id),
-                                 SymbolText(agent, preference.attribute), SymbolText(agent, preference.value),
-                                 PreferenceCharacter(preference.type));
+  std::string text =
+      fmt::format("({} ^{} {} {}", SymbolText(agent, preference.id), SymbolText(agent, preference.attribute),
+                  SymbolText(agent, preference.value), PreferenceCharacter(preference.type));
   if (preference.referent) text += " " + SymbolText(agent, preference.referent);
   if (support && preference.o_supported) text += "  :O ";
   return text + ")";

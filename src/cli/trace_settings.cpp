@@ -19,14 +19,14 @@ constexpr TraceFlagInfo kInfos[] = {
     {kDecisions, 'd', "decisions", "Operator decisions and states", "states created and operators selected",
      "watchdecisions"},
     {kDefaultRules, 'D', "default", "Default rules", "when rules marked as :default fire", "watchproductiondefault"},
-    {kGdsWmes, 'G', "gds-wmes", "Goal dependency set changes",
-     "all WMEs added or removed from the Goal Dependency Set", "watchgds"},
+    {kGdsWmes, 'G', "gds-wmes", "Goal dependency set changes", "all WMEs added or removed from the Goal Dependency Set",
+     "watchgds"},
     {kGds, 'g', "gds", "State removals caused by GDS violation", "when a state is removed because of a GDS violation",
      "watchgdsstateremoval"},
     {kIndifferent, 'i', "indifferent-selection", "Numeric preference calculations",
      "how Soar calculates and resolves numeric preferences", "watchindifferentselection"},
-    {kRl, 'R', "rl", "Reinforcement learning value updates",
-     "reinforcement learning value updates and gap intervals", "watchrl"},
+    {kRl, 'R', "rl", "Reinforcement learning value updates", "reinforcement learning value updates and gap intervals",
+     "watchrl"},
     {kEpmem, 'e', "epmem", "Episodic memory recording and queries",
      "when episodic memory records a new episode or considers an episode in a query", "watchepmem"},
     {kJustifications, 'j', "justifications", "Justifications", "when justifications fire",
@@ -51,14 +51,16 @@ struct Leveled {
 };
 
 constexpr Leveled kLevels[] = {
-    {kDecisions, 1}, {kPhases, 2}, {kConsistency, 2}, {kGds, 2}, {kChunkWarnings, 2}, {kDefaultRules, 3},
-    {kUserRules, 3}, {kChunks, 3}, {kJustifications, 3}, {kTemplates, 3}, {kWaterfall, 3}, {kWmes, 4},
+    {kDecisions, 1},   {kPhases, 2}, {kConsistency, 2},    {kGds, 2},       {kChunkWarnings, 2}, {kDefaultRules, 3},
+    {kUserRules, 3},   {kChunks, 3}, {kJustifications, 3}, {kTemplates, 3}, {kWaterfall, 3},     {kWmes, 4},
     {kPreferences, 5},
 };
 
 }  // namespace
 
-TraceSettings::TraceSettings() { SetLevel(1); }
+TraceSettings::TraceSettings() {
+  SetLevel(1);
+}
 
 void TraceSettings::SetLevel(int level) {
   level_ = level;
@@ -71,6 +73,8 @@ void TraceSettings::SetLevel(int level) {
   for (const Leveled& leveled : kLevels) Set(leveled.flag, leveled.level <= level);
 }
 
-std::span<const TraceFlagInfo> TraceSettings::Infos() { return kInfos; }
+std::span<const TraceFlagInfo> TraceSettings::Infos() {
+  return kInfos;
+}
 
 }  // namespace soarbox::cli

@@ -10,9 +10,27 @@ namespace soarbox::cli {
 
 /// What the trace of one agent can show. The order is that in which `trace` reports changes.
 enum class TraceFlag {
-  kAssertions, kBacktracing, kChunks, kChunkWarnings, kConsistency, kDecisions, kDefaultRules, kGdsWmes, kGds,
-  kIndifferent, kRl, kEpmem, kJustifications, kTemplates, kPhases, kPreferences, kSmem, kUserRules, kWmes,
-  kWaterfall, kWma,
+  kAssertions,
+  kBacktracing,
+  kChunks,
+  kChunkWarnings,
+  kConsistency,
+  kDecisions,
+  kDefaultRules,
+  kGdsWmes,
+  kGds,
+  kIndifferent,
+  kRl,
+  kEpmem,
+  kJustifications,
+  kTemplates,
+  kPhases,
+  kPreferences,
+  kSmem,
+  kUserRules,
+  kWmes,
+  kWaterfall,
+  kWma,
 };
 inline constexpr int kTraceFlagCount = static_cast<int>(TraceFlag::kWma) + 1;
 
@@ -23,10 +41,10 @@ enum class WmeDetail { kNone, kTimetags, kFull };
 struct TraceFlagInfo {
   TraceFlag flag;
   char letter;
-  std::string_view option;   ///< The long option.
-  std::string_view title;    ///< In the table of `trace`.
-  std::string_view message;  ///< "Now printing <message>." and "Will not print <message>."
-  std::string_view argument; ///< Its name in the structured answer; empty if it has none.
+  std::string_view option;    ///< The long option.
+  std::string_view title;     ///< In the table of `trace`.
+  std::string_view message;   ///< "Now printing <message>." and "Will not print <message>."
+  std::string_view argument;  ///< Its name in the structured answer; empty if it has none.
 };
 
 /// Which parts of the trace are on.

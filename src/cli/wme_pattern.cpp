@@ -22,7 +22,8 @@ class PatternLexer {
 
   /// The next word; empty at the end.
   std::string Next() {
-    while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\t' || text_[position_] == '\n')) {
+    while (position_ < text_.size() &&
+           (text_[position_] == ' ' || text_[position_] == '\t' || text_[position_] == '\n')) {
       ++position_;
     }
     if (position_ == text_.size()) return {};
@@ -108,8 +109,7 @@ WmePattern ParseWmePattern(Agent& agent, std::string_view text) {
 
 bool Matches(const WmePattern& pattern, const Wme& wme) {
   return wme.live && wme.acceptable == pattern.acceptable && (!pattern.id || pattern.id == wme.id) &&
-         (!pattern.attribute || pattern.attribute == wme.attribute) &&
-         (!pattern.value || pattern.value == wme.value);
+         (!pattern.attribute || pattern.attribute == wme.attribute) && (!pattern.value || pattern.value == wme.value);
 }
 
 std::vector<WmeId> FindWmes(const Agent& agent, const WmePattern& pattern, bool by_object) {

@@ -37,13 +37,11 @@ TEST(CommandReader, ACommentInsideBracesEndsWithItsLine) {
 }
 
 TEST(CommandReader, AWordThatBeginsAfterAClosingBraceOrQuoteIsItsOwn) {
-  EXPECT_THAT(Commands(R"({a}b "c"d a{b}c a"b")"),
-              ElementsAre(ElementsAre("a", "b", "c", "d", "a{b}c", "a\"b\"")));
+  EXPECT_THAT(Commands(R"({a}b "c"d a{b}c a"b")"), ElementsAre(ElementsAre("a", "b", "c", "d", "a{b}c", "a\"b\"")));
 }
 
 TEST(CommandReader, BackslashesEscapeOutsideBracesOnly) {
-  EXPECT_THAT(Commands(R"(a\ b "x\ty\q" {a\ b \} c})"),
-              ElementsAre(ElementsAre("a b", "x\tyq", R"(a\ b \} c)")));
+  EXPECT_THAT(Commands(R"(a\ b "x\ty\q" {a\ b \} c})"), ElementsAre(ElementsAre("a b", "x\tyq", R"(a\ b \} c)")));
 }
 
 TEST(CommandReader, TextBetweenBarsIsLiteralInBareWordsToo) {
