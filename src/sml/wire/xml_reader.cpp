@@ -181,6 +181,7 @@ class Reader {
       if (!ReadText(quote, value)) return false;
       if (AtEnd()) return Bad("an attribute's value does not end");
       ++at_;
+      if (element.attributes.size() >= limits_.max_attributes) return Bad("an element has too many attributes");
       if (!element.Attribute(*name)) element.Set(std::string(*name), std::move(value));
     }
   }
@@ -229,6 +230,7 @@ class Reader {
         const std::size_t begin = at_ + 9;
         if (!SkipTo("]]>", "a character data section does not end")) return false;
         element.text = text_.substr(begin, at_ - 3 - begin);
+        if (element.text.find('\0') != std::string::npos) return Bad("a document holds no zero bytes");
       } else if (StartsWith("<?")) {
         if (!SkipTo("?>", "a processing instruction does not end")) return false;
       } else if (StartsWith("</")) {

@@ -13,6 +13,7 @@ namespace soarbox::wire {
 struct ReadLimits {
   int max_depth = 200;                   ///< Elements inside elements.
   std::size_t max_elements = 1'000'000;  ///< In the whole document.
+  std::size_t max_attributes = 1'000;    ///< Of one element: each is compared with those before it.
 };
 
 /// Reads one document. Takes more than is ever written: a header, comments, self-closing tags, white space, single
