@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Agents share nothing that changes: their transcripts are the same to the letter whether each ran alone, all took
+// turns on one thread, or many threads drove them. Agents with equal rules share those, so each script runs several
+// times at once; some change their rules while others that share them run.
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "agent_scripts.h"
+#include "script_runner.h"
+
+namespace {
+
+using Runners = std::vector<std::unique_ptr<ScriptRunner>>;
+
+constexpr int kCopies = 3;
+
+std::vector<std::string> RunEachAlone(const std::vector<AgentScript>& scripts) {
+  std::vector<std::string> transcripts;
+  for (const AgentScript& script : scripts) {
+    ScriptRunner runner(script);
+    while (runner.Step()) {
+    }
+    transcripts.push_back(runner.transcript());
+  }
+  return transcripts;
+}
+
+Runners MakeRunners(const std::vector<AgentScript>& scripts) {
+  Runners runners;
+  for (int copy = 0; copy < kCopies; ++copy) {
+    for (const AgentScript& script : scripts) runners.push_back(std::make_unique<ScriptRunner>(script));
+  }
+  return runners;
+}
+
+void RunInTurns(Runners& runners) {
+  std::deque<ScriptRunner*> queue;
+  for (const auto& runner : runners) queue.push_back(runner.get());
+  while (!queue.empty()) {
+    ScriptRunner* runner = queue.front();
+    queue.pop_front();
+    if (runner->Step()) queue.push_back(runner);
+  }
+}
+
+/// Threads take whichever agent waits longest and carry out one line of it, so that an agent wanders from thread to
+/// thread.
+void RunOnThreads(Runners& runners, int thread_count) {
+  std::mutex mutex;
+  std::deque<ScriptRunner*> queue;
+  for (const auto& runner : runners) queue.push_back(runner.get());
+  std::vector<std::thread> threads;
+  for (int n = 0; n < thread_count; ++n) {
+    threads.emplace_back([&] {
+      while (true) {
+        ScriptRunner* runner = nullptr;
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          // Another thread may still put its agent back; it then goes on with that itself.
+          if (queue.empty()) return;
+          runner = queue.front();
+          queue.pop_front();
+        }
+        if (!runner->Step()) continue;
+        const std::lock_guard<std::mutex> lock(mutex);
+        queue.push_back(runner);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+/// Agents are made, run and destroyed by the thread that takes them, so that agents that share rules come and go.
+void RunWholeOnThreads(const std::vector<AgentScript>& scripts, const std::vector<std::string>& wanted,
+                       int thread_count) {
+  std::vector<std::thread> threads;
+  for (int n = 0; n < thread_count; ++n) {
+    threads.emplace_back([&, n] {
+      for (std::size_t i = 0; i < scripts.size(); ++i) {
+        const std::size_t which = n % 2 == 0 ? i : scripts.size() - 1 - i;
+        ScriptRunner runner(scripts[which]);
+        while (runner.Step()) {
+        }
+        EXPECT_EQ(runner.transcript(), wanted[which]) << scripts[which].name << " on thread " << n;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+void ExpectSame(const Runners& runners, const std::vector<AgentScript>& scripts,
+                const std::vector<std::string>& wanted) {
+  for (std::size_t i = 0; i < runners.size(); ++i) {
+    const std::size_t script = i % scripts.size();
+    ASSERT_EQ(runners[i]->transcript(), wanted[script]) << scripts[script].name;
+  }
+}
+
+void ExpectTheSameHoweverTheyRun(const std::vector<AgentScript>& scripts, int repetitions) {
+  const std::vector<std::string> wanted = RunEachAlone(scripts);
+  for (std::size_t i = 0; i < scripts.size(); ++i) ASSERT_GT(wanted[i].size(), 200u) << scripts[i].name;
+  {
+    Runners runners = MakeRunners(scripts);
+    RunInTurns(runners);
+    ExpectSame(runners, scripts, wanted);
+  }
+  for (int repetition = 0; repetition < repetitions && !testing::Test::HasFailure(); ++repetition) {
+    for (const int thread_count : {2, 4, 8}) {
+      Runners runners = MakeRunners(scripts);
+      RunOnThreads(runners, thread_count);
+      ExpectSame(runners, scripts, wanted);
+    }
+    RunWholeOnThreads(scripts, wanted, 4);
+  }
+}
+
+TEST(ManyThreads, OurAgentsRunAsTheyDoAlone) {
+  ExpectTheSameHoweverTheyRun(LocalScripts(), 10);
+}
+
+TEST(ManyThreads, TheGoldenCasesRunAsTheyDoAlone) {
+  const std::vector<AgentScript> scripts = GoldenScripts(SOARBOX_SHARED_DIR "/golden/core");
+  if (scripts.empty()) GTEST_SKIP() << "the golden cases are not at hand";
+  ExpectTheSameHoweverTheyRun(scripts, 3);
+}
+
+TEST(ManyThreads, TheBenchmarkAgentsRunAsTheyDoAlone) {
+  const std::vector<AgentScript> scripts = BenchmarkScripts(SOARBOX_SHARED_DIR "/bench/agents", 100);
+  if (scripts.empty()) GTEST_SKIP() << "the benchmark agents are not at hand";
+  ExpectTheSameHoweverTheyRun(scripts, 1);
+}
+
+}  // namespace
