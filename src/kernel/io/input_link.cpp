@@ -73,7 +73,7 @@ Symbol InputLink::Identifier(InputObject object) const {
 
 // Buffering -----------------------------------------------------------------------------------------------------------
 
-InputElement InputLink::Add(InputObject parent, std::string_view attribute, const InputValue& value) {
+InputElement InputLink::Add(InputObject parent, std::string_view attribute, const InputValue& value, std::int64_t tag) {
   if (Find(parent) == nullptr) return InputElement::kNone;
   if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr) {
     return InputElement::kNone;
@@ -84,25 +84,31 @@ InputElement InputLink::Add(InputObject parent, std::string_view attribute, cons
     free_elements_.pop_back();
   } else {
     place = static_cast<std::uint32_t>(elements_.size());
-    elements_.emplace_back();
+    elements_.emplace_back().generation = first_generation_;
   }
   Element& element = elements_[place];
   element.live = true;
+  element.tag = tag;
   element.wme = WmeId::kNone;
   element.parent = parent;
   element.attribute = engine_.symbols.String(attribute);
   BufferAdd(place, value);
-  return static_cast<InputElement>(place | element.generation << kPlaceBits);
+  return HandleOf(place);
 }
 
 void InputLink::BufferAdd(std::uint32_t place, const InputValue& value) {
   Pending change;
   change.change = Change::kAdd;
   change.element = place;
-  if (const auto* text = std::get_if<std::string_view>(&value)) change.constant = engine_.symbols.String(*text);
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) change.constant = engine_.symbols.Integer(*integer);
-  if (const auto* number = std::get_if<double>(&value)) change.constant = engine_.symbols.Float(*number);
-  if (const auto* object = std::get_if<InputObject>(&value)) change.object = *object;
+  if (const auto* number = std::get_if<double>(&value)) {
+    change.constant = engine_.symbols.Float(*number);
+  } else if (const auto* text = std::get_if<std::string_view>(&value)) {
+    change.constant = engine_.symbols.String(*text);
+  } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    change.constant = engine_.symbols.Integer(*integer);
+  } else {
+    change.object = std::get<InputObject>(value);
+  }
   ++elements_[place].buffered;
   pending_.push_back(change);
 }
@@ -115,10 +121,11 @@ void InputLink::BufferRemove(std::uint32_t place) {
   pending_.push_back(change);
 }
 
-void InputLink::Update(InputElement handle, const InputValue& value) {
+void InputLink::Update(InputElement handle, const InputValue& value, std::int64_t tag) {
   Element* element = Find(handle);
   if (element == nullptr) return;
   if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr) return;
+  element->tag = tag;
   const std::uint32_t place = static_cast<std::uint32_t>(handle) & kPlaceMask;
   BufferRemove(place);
   BufferAdd(place, value);
@@ -205,6 +212,7 @@ void InputLink::Reset() {
   free_objects_.clear();
   elements_.clear();
   free_elements_.clear();
+  first_generation_ = (first_generation_ + 1) & kGenerationMask;
   pending_.clear();
   object_of_.clear();
   MakeObject(engine_.goal_changes.input_link());

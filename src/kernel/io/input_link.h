@@ -39,9 +39,10 @@ class InputLink {
   InputObject NewObject();
   /// A handle for an identifier that exists in working memory already (a command on the output link).
   InputObject ObjectFor(Symbol identifier);
-  InputElement Add(InputObject parent, std::string_view attribute, const InputValue& value);
-  /// Removes the element and adds one with the new value. The same handle goes on.
-  void Update(InputElement element, const InputValue& value);
+  /// `tag`: a number by which the client knows the element; the link only keeps it.
+  InputElement Add(InputObject parent, std::string_view attribute, const InputValue& value, std::int64_t tag = 0);
+  /// Removes the element and adds one with the new value and tag. The same handle goes on.
+  void Update(InputElement element, const InputValue& value, std::int64_t tag = 0);
   void Remove(InputElement element);
 
   /// The working memory element behind a handle; kNone before the input phase and after its removal.
@@ -49,6 +50,15 @@ class InputLink {
   /// The kernel's identifier of an object; none before the input phase that makes it.
   Symbol Identifier(InputObject object) const;
   bool HasPendingChanges() const { return !pending_.empty(); }
+  /// Calls `visit(element, wme, tag)` for each element of a client that has a tag, in no order that means anything; `wme`
+  /// is kNone before the input phase that makes it.
+  template <typename Visit>
+  void ForEachTagged(Visit visit) const {
+    for (std::uint32_t place = 0; place < elements_.size(); ++place) {
+      const Element& element = elements_[place];
+      if (element.live && element.tag != 0) visit(HandleOf(place), element.wme, element.tag);
+    }
+  }
 
   /// For the engine: makes the buffered changes (input phase); forgets everything (init-soar); learns that working
   /// memory dropped an element or an identifier; calls `mark` for each symbol that is needed.
@@ -78,6 +88,7 @@ class InputLink {
     std::uint32_t generation = 0;
     InputObject parent = InputObject::kNone;
     Symbol attribute;
+    std::int64_t tag = 0;
   };
   struct Pending {
     Change change = Change::kAdd;
@@ -95,6 +106,9 @@ class InputLink {
   static constexpr std::uint32_t kPlaceMask = (1u << kPlaceBits) - 1;
   static constexpr std::uint32_t kGenerationMask = (1u << (32 - kPlaceBits)) - 1;
 
+  InputElement HandleOf(std::uint32_t place) const {
+    return static_cast<InputElement>(place | elements_[place].generation << kPlaceBits);
+  }
   Element* Find(InputElement element);
   const Element* Find(InputElement element) const;
   Object* Find(InputObject object);
@@ -110,6 +124,7 @@ class InputLink {
   std::vector<Object> objects_;
   std::vector<std::uint32_t> free_objects_;
   std::vector<Element> elements_;
+  std::uint32_t first_generation_ = 0;     ///< Of places made since the last init-soar, so that older handles are void.
   std::vector<std::uint32_t> free_elements_;
   std::vector<Pending> pending_;
   std::vector<std::uint32_t> object_of_;   ///< By identifier index: place of its object, or kNoPlace.

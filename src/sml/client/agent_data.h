@@ -53,8 +53,8 @@ struct AgentData {
   void OnProduction(int event, std::string_view name);
   void OnPrint(int event, const std::string& text, bool self);
   void OnXml(int event, const std::shared_ptr<const soarbox::wire::Element>& element);
-  /// After all changes of a message are in memory.
-  void OnOutputReceived();
+  /// After all changes of a message are in memory; not `complete` if some found no place there.
+  void OnOutputReceived(bool complete);
   void OnReinitialized();
 };
 

@@ -7,7 +7,7 @@ namespace sml {
 
 namespace {
 
-using Lock = std::unique_lock<std::recursive_mutex>;
+using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
 /// Holds the kernel for a call; nothing to hold once the kernel is gone.
 Lock Hold(AgentData& data) {

@@ -8,7 +8,7 @@ namespace sml {
 
 namespace {
 
-using Lock = std::unique_lock<std::recursive_mutex>;
+using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
 Lock Hold(AgentData& data) {
   KernelLink* link = data.kernel_data().link.get();

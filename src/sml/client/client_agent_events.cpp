@@ -9,7 +9,7 @@ namespace sml {
 
 namespace {
 
-using Lock = std::unique_lock<std::recursive_mutex>;
+using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
 Lock Hold(AgentData& data) {
   KernelLink* link = data.kernel_data().link.get();
@@ -135,9 +135,10 @@ void AgentData::OnXml(int event, const std::shared_ptr<const soarbox::wire::Elem
   });
 }
 
-void AgentData::OnOutputReceived() {
-  if (!memory.EndOutput()) SetError(kOutputError, nullptr);
+void AgentData::OnOutputReceived(bool complete) {
+  if (!complete) SetError(kOutputError, nullptr);
   if (!memory.tracking()) return;
+  if (notification_handlers.empty() && output_handlers.empty()) return;
   notification_handlers.ForEach(kAnyEvent, [&](const auto& entry) { entry.handler(entry.data, &agent); });
   if (output_handlers.empty() || !memory.OutputLink()) return;
   // Handlers may register others and change what they like: both lists are looked at afresh each time.

@@ -19,6 +19,11 @@ std::list<WMElement*> no_children;
 
 IdentifierSymbol::~IdentifierSymbol() = default;
 
+std::string const& IdentifierSymbol::Name() {
+  if (name_.empty() && key_ != 0) AssignIdentifierName(name_, key_);
+  return name_;
+}
+
 void IdentifierSymbol::UsedBy(Identifier* pIdentifier) { users_.push_back(pIdentifier); }
 
 void IdentifierSymbol::NoLongerUsedBy(Identifier* pIdentifier) { std::erase(users_, pIdentifier); }
@@ -27,6 +32,7 @@ void IdentifierSymbol::AddChild(WMElement* pWME) {
   if (!pWME || pWME->parent_ == this) return;
   if (pWME->parent_) pWME->parent_->RemoveChild(pWME);
   children_.push_back(pWME);
+  has_own_ = true;
   pWME->parent_ = this;
   pWME->place_ = std::prev(children_.end());
   children_modified_ = true;
@@ -50,6 +56,7 @@ void IdentifierSymbol::TransferChildren(IdentifierSymbol* pFrom) {
   if (!pFrom || pFrom == this) return;
   for (WMElement* child : pFrom->children_) child->parent_ = this;
   children_.splice(children_.end(), pFrom->children_);
+  has_own_ = true;
   children_modified_ = true;
 }
 
@@ -134,10 +141,10 @@ Identifier* Identifier::CreateSharedIdWME(char const* pAttribute, Identifier* pS
   return GetAgent() ? GetAgent()->CreateSharedIdWME(this, pAttribute, pSharedValue) : nullptr;
 }
 
-char const* Identifier::GetValueAsString() const { return symbol_ ? symbol_->name_.c_str() : ""; }
+char const* Identifier::GetValueAsString() const { return symbol_ ? symbol_->Name().c_str() : ""; }
 
 char const* Identifier::GetValueAsString(std::string& buf) const {
-  buf = symbol_ ? symbol_->name_ : std::string();
+  buf = symbol_ ? symbol_->Name() : std::string();
   return buf.c_str();
 }
 

@@ -10,7 +10,7 @@ namespace sml {
 
 namespace {
 
-using Lock = std::unique_lock<std::recursive_mutex>;
+using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
 Lock Hold(KernelData& data) { return data.link ? Lock(data.link->mutex()) : Lock(); }
 

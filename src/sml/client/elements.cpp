@@ -27,10 +27,15 @@ long long IdentifierKey(std::string_view name) {
 
 void AssignIdentifierName(std::string& out, long long key) {
   char buffer[32];
-  buffer[0] = static_cast<char>(key >> 56);
-  const auto [stop, error] = std::to_chars(buffer + 1, buffer + sizeof buffer, key & ((1LL << 56) - 1));
-  static_cast<void>(error);
-  out.assign(buffer, static_cast<std::size_t>(stop - buffer));
+  char* const end = buffer + sizeof buffer;
+  char* begin = end;
+  auto number = static_cast<std::uint64_t>(key & ((1LL << 56) - 1));
+  do {
+    *--begin = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  *--begin = static_cast<char>(key >> 56);
+  out.assign(begin, static_cast<std::size_t>(end - begin));
 }
 
 WMElement::~WMElement() = default;

@@ -28,6 +28,7 @@ class HandlerTable {
     }
     return 0;
   }
+  bool empty() const { return entries_.empty(); }
   /// True if the event has no handler.
   bool Empty(int event) const {
     return std::none_of(entries_.begin(), entries_.end(),

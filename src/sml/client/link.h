@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "sml/client/sml_Events.h"
+#include "sml/server/call_mutex.h"
 #include "sml/server/connection.h"
 #include "sml/wire/element.h"
 
@@ -37,10 +37,8 @@ struct OutputWme {
 };
 
 /// A kernel's identifier ("F12") as one number, for maps; 0 for anything else.
+using soarbox::server::IdentifierKey;
 long long IdentifierKey(std::string_view name);
-inline long long IdentifierKey(char letter, unsigned long long number) {
-  return (static_cast<long long>(letter) << 56) | static_cast<long long>(number);
-}
 /// Writes the name of an identifier.
 void AssignIdentifierName(std::string& out, long long key);
 
@@ -73,6 +71,10 @@ struct LineRequest {
   bool structured = false;
 };
 
+/// A link's own name for an element of the input.
+using InputHandle = std::uint32_t;
+constexpr InputHandle kNoInputHandle = 0xFFFFFFFFu;
+
 /// The way to one agent.
 class AgentLink {
  public:
@@ -80,10 +82,11 @@ class AgentLink {
 
   virtual std::string InputLinkName() = 0;
 
-  /// Changes of input; they belong together until FlushInput.
-  virtual void AddInput(const soarbox::server::InputWme& wme) = 0;
-  virtual void UpdateInput(long long old_tag, const soarbox::server::InputWme& wme) = 0;
-  virtual void RemoveInput(long long tag) = 0;
+  /// Changes of input; they belong together until FlushInput. A new element's handle serves later calls; a link that
+  /// names elements by their tags gives none.
+  virtual InputHandle AddInput(const soarbox::server::InputWme& wme) = 0;
+  virtual InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) = 0;
+  virtual void RemoveInput(InputHandle element, long long tag) = 0;
   virtual void FlushInput() = 0;
 
   /// How many apply phases the agent has completed; counts only while they are watched.
@@ -113,7 +116,7 @@ class KernelLink {
   virtual ~KernelLink() = default;
 
   /// Held by every call of the API; recursive.
-  virtual std::recursive_mutex& mutex() = 0;
+  virtual soarbox::server::CallMutex& mutex() = 0;
   virtual bool remote() const = 0;
   virtual bool closed() const = 0;
   /// Ends the kernel, or leaves it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/client/local_agent_link.h"
 
+#include <algorithm>
+
 #include "sml/client/agent_data.h"
 #include "sml/server/listing.h"
 
@@ -19,32 +21,38 @@ void LocalAgentLink::Note(const InputWme& wme) {
   noted_.push_back(wme);
 }
 
-void LocalAgentLink::AddInput(const InputWme& wme) {
-  hosted_.input().Add(wme);
+InputHandle LocalAgentLink::AddInput(const InputWme& wme) {
+  const kernel::InputElement element = hosted_.input().Add(wme);
   if (hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) Note(wme);
+  return static_cast<InputHandle>(element);
 }
 
-void LocalAgentLink::UpdateInput(long long old_tag, const InputWme& wme) {
-  hosted_.input().Update(old_tag, wme);
-  if (!hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) return;
-  InputWme removal;
-  removal.add = false;
-  removal.tag = old_tag;
-  Note(removal);
-  Note(wme);
+InputHandle LocalAgentLink::UpdateInput(InputHandle element, long long old_tag, const InputWme& wme) {
+  const kernel::InputElement updated = hosted_.input().Update(static_cast<kernel::InputElement>(element), wme);
+  if (hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) {
+    NoteRemoval(old_tag);
+    Note(wme);
+  }
+  return static_cast<InputHandle>(updated);
 }
 
-void LocalAgentLink::RemoveInput(long long tag) {
-  hosted_.input().Remove(tag);
-  if (!hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) return;
+void LocalAgentLink::RemoveInput(InputHandle element, long long tag) {
+  if (element == kNoInputHandle) {
+    hosted_.input().RemoveByTag(tag);
+  } else {
+    hosted_.input().Remove(static_cast<kernel::InputElement>(element));
+  }
+  if (hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) NoteRemoval(tag);
+}
+
+void LocalAgentLink::NoteRemoval(long long tag) {
   InputWme removal;
   removal.add = false;
   removal.tag = tag;
   Note(removal);
 }
 
-void LocalAgentLink::FlushInput() {
-  if (noted_.empty()) return;
+void LocalAgentLink::TellInput() {
   std::vector<InputWme> wmes;
   std::vector<std::string> texts;
   wmes.swap(noted_);
@@ -70,12 +78,10 @@ bool LocalAgentLink::IsProductionLoaded(std::string_view name) {
   return hosted_.agent().FindProduction(name) != kernel::ProductionId::kNone;
 }
 
-OutputWme LocalAgentLink::Describe(bool add, long long tag, kernel::Symbol id, kernel::Symbol attribute, kernel::Symbol value) {
+OutputWme LocalAgentLink::Describe(long long tag, kernel::Symbol id, kernel::Symbol attribute, kernel::Symbol value) {
   const kernel::SymbolTable& symbols = std::as_const(hosted_).agent().symbols();
   OutputWme wme;
-  wme.add = add;
   wme.tag = tag;
-  if (!add) return wme;
   wme.id = IdentifierKey(symbols.Letter(id), symbols.Number(id));
   if (attribute.IsString()) {
     wme.attribute = symbols.Text(attribute);
@@ -105,33 +111,36 @@ void LocalAgentLink::Deliver(AgentData& data, std::span<const kernel::OutputChan
   if (!data.memory.OutputLink()) {
     const kernel::WmeInfo link = soarbox::server::OutputLinkWme(hosted_.agent());
     if (link.timetag != 0) {
-      data.memory.ReceiveOutput(Describe(true, static_cast<long long>(link.timetag), link.id, link.attribute, link.value));
+      data.memory.ReceiveOutput(Describe(static_cast<long long>(link.timetag), link.id, link.attribute, link.value));
     }
   }
-  // Additions first, as messages have them.
+  // Additions first, as messages have them. A child that comes before its parent waits till the end.
+  deferred_.clear();
   for (const kernel::OutputChange& change : changes) {
-    if (change.added) {
-      data.memory.ReceiveOutput(
-          Describe(true, static_cast<long long>(change.timetag), change.id, change.attribute, change.value));
-    }
+    if (change.added && !data.memory.AddOutput(Describe(change))) deferred_.push_back(&change);
   }
   for (const kernel::OutputChange& change : changes) {
-    if (!change.added) data.memory.ReceiveOutput(Describe(false, static_cast<long long>(change.timetag), {}, {}, {}));
+    if (!change.added) data.memory.RemoveOutput(static_cast<long long>(change.timetag));
   }
-  data.OnOutputReceived();
+  while (!deferred_.empty()) {
+    const std::size_t left =
+        std::erase_if(deferred_, [&](const kernel::OutputChange* change) { return data.memory.AddOutput(Describe(*change)); });
+    if (left == 0) break;
+  }
+  data.OnOutputReceived(deferred_.empty());
 }
 
 void LocalAgentLink::ListInput(const std::function<void(const OutputWme&)>& visit) {
   for (const soarbox::server::InputListing& entry : soarbox::server::ListInput(hosted_)) {
-    visit(Describe(true, entry.tag, entry.wme.id, entry.wme.attribute, entry.wme.value));
+    visit(Describe(entry.tag, entry.wme.id, entry.wme.attribute, entry.wme.value));
   }
 }
 
 void LocalAgentLink::ListOutput(const std::function<void(const OutputWme&)>& visit) {
   const kernel::WmeInfo link = soarbox::server::OutputLinkWme(hosted_.agent());
-  if (link.timetag != 0) visit(Describe(true, static_cast<long long>(link.timetag), link.id, link.attribute, link.value));
+  if (link.timetag != 0) visit(Describe(static_cast<long long>(link.timetag), link.id, link.attribute, link.value));
   for (const kernel::OutputChange& wme : std::as_const(hosted_).agent().output().current()) {
-    visit(Describe(true, static_cast<long long>(wme.timetag), wme.id, wme.attribute, wme.value));
+    visit(Describe(static_cast<long long>(wme.timetag), wme.id, wme.attribute, wme.value));
   }
 }
 

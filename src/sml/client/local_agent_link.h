@@ -25,10 +25,12 @@ class LocalAgentLink final : public AgentLink {
   void Deliver(AgentData& data, std::span<const soarbox::kernel::OutputChange> changes);
 
   std::string InputLinkName() override;
-  void AddInput(const soarbox::server::InputWme& wme) override;
-  void UpdateInput(long long old_tag, const soarbox::server::InputWme& wme) override;
-  void RemoveInput(long long tag) override;
-  void FlushInput() override;
+  InputHandle AddInput(const soarbox::server::InputWme& wme) override;
+  InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) override;
+  void RemoveInput(InputHandle element, long long tag) override;
+  void FlushInput() override {
+    if (!noted_.empty()) TellInput();
+  }
   unsigned long long ApplyCount() override;
   void WatchApplyPhases(bool) override {}
   std::string KernelName(std::string_view client_name) override { return hosted_.input().KernelName(client_name); }
@@ -45,14 +47,20 @@ class LocalAgentLink final : public AgentLink {
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 
  private:
-  OutputWme Describe(bool add, long long tag, soarbox::kernel::Symbol id, soarbox::kernel::Symbol attribute,
+  OutputWme Describe(long long tag, soarbox::kernel::Symbol id, soarbox::kernel::Symbol attribute,
                      soarbox::kernel::Symbol value);
+  OutputWme Describe(const soarbox::kernel::OutputChange& change) {
+    return Describe(static_cast<long long>(change.timetag), change.id, change.attribute, change.value);
+  }
   void Note(const soarbox::server::InputWme& wme);
+  void NoteRemoval(long long tag);
+  void TellInput();
 
   soarbox::server::KernelHost& host_;
   soarbox::server::Connection& connection_;
   soarbox::server::HostedAgent& hosted_;
-  std::string attribute_, text_;                       ///< Room for texts while they are handed over.
+  std::string attribute_;                              ///< Room for a text while it is handed over.
+  std::vector<const soarbox::kernel::OutputChange*> deferred_;   ///< Output whose parent has not come yet.
   std::vector<soarbox::server::InputWme> noted_;       ///< For xml-input-received.
   std::vector<std::string> noted_texts_;
 };

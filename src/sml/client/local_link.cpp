@@ -13,6 +13,7 @@
 #include "sml/server/kernel_host.h"
 #include "sml/server/listener.h"
 #include "sml/wire/message.h"
+#include "sml/wire/xml_reader.h"
 
 namespace sml {
 
@@ -59,7 +60,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
 
   ~LocalLink() override { Shutdown(); }
 
-  std::recursive_mutex& mutex() override { return host_.mutex(); }
+  soarbox::server::CallMutex& mutex() override { return host_.mutex(); }
   bool remote() const override { return false; }
   bool closed() const override { return closed_; }
   bool embedded() const override { return true; }
@@ -220,8 +221,11 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     if (Peer(agent)) Data(agent).OnPrint(smlEVENT_PRINT, text, false);
   }
   void OnEcho(HostedAgent& agent, const std::string& text, bool self) override { Data(agent).OnPrint(smlEVENT_ECHO, text, self); }
-  void OnXmlTrace(HostedAgent& agent, const std::shared_ptr<const soarbox::wire::Element>& trace) override {
-    Data(agent).OnXml(smlEVENT_XML_TRACE_OUTPUT, trace);
+  void OnXmlTrace(HostedAgent& agent, std::string_view pieces) override {
+    auto trace = soarbox::wire::ReadXml("<trace>" + std::string(pieces) + "</trace>");
+    if (!trace) return;
+    auto shared = std::make_shared<soarbox::wire::Element>(std::move(trace.value()));
+    Data(agent).OnXml(smlEVENT_XML_TRACE_OUTPUT, shared);
   }
   void OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) override {
     Data(agent).OnXml(smlEVENT_XML_INPUT_RECEIVED, soarbox::server::InputReceivedDocument(agent, wmes));

@@ -44,7 +44,7 @@ void ReceiveOutputMessage(AgentData& agent, const Element& command) {
   if (!agent.link) return;
   agent.memory.BeginOutput();
   ReadWmes(command, [&](const OutputWme& wme) { agent.memory.ReceiveOutput(wme); });
-  agent.OnOutputReceived();
+  agent.OnOutputReceived(agent.memory.EndOutput());
 }
 
 Message RemoteAgentLink::Call(const char* command) const {
@@ -70,7 +70,7 @@ Element& RemoteAgentLink::Batch() {
   return batch_->root.children.front();
 }
 
-void RemoteAgentLink::AddInput(const InputWme& wme) {
+InputHandle RemoteAgentLink::AddInput(const InputWme& wme) {
   Element& element = Batch().Add("wme");
   element.Set("action", "add").Set("attr", std::string(wme.attribute)).Set("id", std::string(wme.id));
   element.Set("tag", std::to_string(wme.tag));
@@ -80,15 +80,16 @@ void RemoteAgentLink::AddInput(const InputWme& wme) {
     case InputWme::Type::kInt: element.Set("valtype", "int").Set("value", std::to_string(wme.integer)); break;
     case InputWme::Type::kDouble: element.Set("valtype", "double").Set("value", soarbox::wire::ShortDouble(wme.real)); break;
   }
+  return kNoInputHandle;
 }
 
-void RemoteAgentLink::RemoveInput(long long tag) {
+void RemoteAgentLink::RemoveInput(InputHandle, long long tag) {
   Batch().Add("wme").Set("action", "remove").Set("tag", std::to_string(tag));
 }
 
-void RemoteAgentLink::UpdateInput(long long old_tag, const InputWme& wme) {
-  RemoveInput(old_tag);
-  AddInput(wme);
+InputHandle RemoteAgentLink::UpdateInput(InputHandle element, long long old_tag, const InputWme& wme) {
+  RemoveInput(element, old_tag);
+  return AddInput(wme);
 }
 
 void RemoteAgentLink::FlushInput() {

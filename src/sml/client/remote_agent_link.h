@@ -30,9 +30,9 @@ class RemoteAgentLink final : public AgentLink {
   void CountApplyPhase() { ++apply_phases_; }
 
   std::string InputLinkName() override;
-  void AddInput(const soarbox::server::InputWme& wme) override;
-  void UpdateInput(long long old_tag, const soarbox::server::InputWme& wme) override;
-  void RemoveInput(long long tag) override;
+  InputHandle AddInput(const soarbox::server::InputWme& wme) override;
+  InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) override;
+  void RemoveInput(InputHandle element, long long tag) override;
   void FlushInput() override;
   unsigned long long ApplyCount() override { return apply_phases_; }
   void WatchApplyPhases(bool on) override;

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <mutex>
 #include <thread>
 
 #include "sml/client/agent_data.h"
@@ -51,7 +52,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     return true;
   }
 
-  std::recursive_mutex& mutex() override { return mutex_; }
+  soarbox::server::CallMutex& mutex() override { return mutex_; }
   bool remote() const override { return true; }
   bool closed() const override { return channel_->closed(); }
 
@@ -415,7 +416,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   KernelData& kernel_;
   soarbox::wire::IoThread io_;
   std::unique_ptr<Channel> channel_;
-  std::recursive_mutex mutex_;
+  soarbox::server::CallMutex mutex_;
   std::atomic<std::uint64_t> next_id_{0};
   std::atomic<bool> trace_{false};
   std::vector<std::string> waiting_;          ///< Calls whose answers are awaited, the outermost first.

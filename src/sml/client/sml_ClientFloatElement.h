@@ -22,7 +22,8 @@ class EXPORT FloatElement : public WMElement {
 
  private:
   friend class WorkingMemory;
-  FloatElement() = default;
+  friend class HuskPool<FloatElement>;
+  FloatElement() : WMElement(Kind::kFloat) {}
 
   double value_ = 0.0;
 };

@@ -23,7 +23,7 @@ class EXPORT IdentifierSymbol {
   IdentifierSymbol& operator=(IdentifierSymbol const&) = delete;
   ~IdentifierSymbol();
 
-  char const* GetIdentifierSymbol() { return name_.c_str(); }
+  char const* GetIdentifierSymbol() { return Name().c_str(); }
   void SetIdentifierSymbol(char const* pID) { name_ = pID ? pID : ""; }
 
   /// True if children came or went since the list of output changes was last cleared.
@@ -49,10 +49,14 @@ class EXPORT IdentifierSymbol {
  private:
   friend class Identifier;
   friend class WorkingMemory;
+  friend class HuskPool<IdentifierSymbol>;
   IdentifierSymbol() = default;
+  std::string const& Name();
 
   WorkingMemory* memory_ = nullptr;
-  std::string name_;
+  std::string name_;          ///< Empty until somebody asks, if the kernel made it.
+  long long key_ = 0;         ///< The kernel's name as a number; 0 for names that clients gave.
+  bool has_own_ = false;      ///< May have children that the agent did not make.
   std::vector<Identifier*> users_;
   std::list<WMElement*> children_;
   bool children_modified_ = false;
@@ -111,7 +115,8 @@ class EXPORT Identifier : public WMElement {
  private:
   friend class WorkingMemory;
   friend class IdentifierSymbol;
-  Identifier() = default;
+  friend class HuskPool<Identifier>;
+  Identifier() : WMElement(Kind::kIdentifier) {}
 
   IdentifierSymbol* symbol_ = nullptr;
 };

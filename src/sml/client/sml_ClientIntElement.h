@@ -22,7 +22,8 @@ class EXPORT IntElement : public WMElement {
 
  private:
   friend class WorkingMemory;
-  IntElement() = default;
+  friend class HuskPool<IntElement>;
+  IntElement() : WMElement(Kind::kInt) {}
 
   long long value_ = 0;
 };

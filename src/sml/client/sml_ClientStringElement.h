@@ -22,7 +22,8 @@ class EXPORT StringElement : public WMElement {
 
  private:
   friend class WorkingMemory;
-  StringElement() = default;
+  friend class HuskPool<StringElement>;
+  StringElement() : WMElement(Kind::kString) {}
 
   std::string value_;
 };

@@ -15,6 +15,8 @@ class IntElement;
 class FloatElement;
 class StringElement;
 class WorkingMemory;
+template <typename T>
+class HuskPool;
 
 /// An element of working memory as a client sees it: input that it made, or output that its agent made.
 ///
@@ -63,7 +65,8 @@ class EXPORT WMElement {
   WMElement& operator=(WMElement const&) = delete;
 
  protected:
-  WMElement() = default;
+  enum class Kind : unsigned char { kString, kInt, kFloat, kIdentifier };
+  explicit WMElement(Kind kind) : kind_(kind) {}
 
  private:
   friend class WorkingMemory;
@@ -73,6 +76,8 @@ class EXPORT WMElement {
   IdentifierSymbol* parent_ = nullptr;
   std::string attribute_;
   long long time_tag_ = 0;
+  unsigned int input_ = 0;  ///< Its handle on the way to the kernel.
+  Kind kind_;
   bool just_added_ = false;
   bool live_ = false;    ///< False for husks.
   bool output_ = false;  ///< Made by the agent.

@@ -15,6 +15,7 @@ struct TagWme {
   bool remove = false;
   long long time_tag = 0;
   WMElement* wme = nullptr;  ///< The element to add; NULL for removals.
+  unsigned int input = 0;    ///< The handle of an element to remove on the way to the kernel.
 };
 
 /// The changes of the input link that wait for Agent::Commit(), in the order in which they were made.

@@ -10,42 +10,7 @@ namespace sml {
 
 using soarbox::server::InputWme;
 
-namespace {
-
-/// How many destroyed elements of a type stay husks.
-constexpr std::size_t kQuarantine = 32;
-
-}  // namespace
-
 WorkingMemory::~WorkingMemory() = default;
-
-template <typename T>
-T* WorkingMemory::Take(Pool<T>& pool) {
-  if (pool.husks.size() <= kQuarantine) {
-    pool.all.push_back(std::unique_ptr<T>(new T));
-    return pool.all.back().get();
-  }
-  T* element = pool.husks.front();
-  pool.spare.splice(pool.spare.end(), pool.husks, pool.husks.begin());
-  return element;
-}
-
-// Used by working_memory_output.cpp too.
-template IdentifierSymbol* WorkingMemory::Take(Pool<IdentifierSymbol>&);
-template StringElement* WorkingMemory::Take(Pool<StringElement>&);
-template IntElement* WorkingMemory::Take(Pool<IntElement>&);
-template FloatElement* WorkingMemory::Take(Pool<FloatElement>&);
-template Identifier* WorkingMemory::Take(Pool<Identifier>&);
-
-template <typename T>
-void WorkingMemory::Retire(Pool<T>& pool, T* element) {
-  if (pool.spare.empty()) {
-    pool.husks.push_back(element);
-    return;
-  }
-  pool.spare.front() = element;
-  pool.husks.splice(pool.husks.end(), pool.spare, pool.spare.begin());
-}
 
 bool WorkingMemory::Owns(const WMElement* wme) const { return wme && wme->live_ && wme->agent_ == &data_.agent; }
 
@@ -54,20 +19,21 @@ IdentifierSymbol* WorkingMemory::FindSymbol(long long key) {
   return found ? *found : nullptr;
 }
 
-IdentifierSymbol* WorkingMemory::NewSymbol(std::string_view name) {
-  IdentifierSymbol* symbol = Take(symbols_);
+IdentifierSymbol* WorkingMemory::NewSymbol(std::string_view name, long long key) {
+  IdentifierSymbol* symbol = symbols_.Take();
   symbol->memory_ = this;
   symbol->name_ = name;
+  symbol->key_ = key;
   symbol->users_.clear();
   symbol->children_modified_ = false;
+  symbol->has_own_ = false;
   symbol->hint_ = 0;
   return symbol;
 }
 
 IdentifierSymbol* WorkingMemory::SymbolFor(long long key) {
   if (IdentifierSymbol* found = FindSymbol(key)) return found;
-  IdentifierSymbol* symbol = NewSymbol({});
-  AssignIdentifierName(symbol->name_, key);
+  IdentifierSymbol* symbol = NewSymbol({}, key);
   symbols_by_key_.Set(key, symbol);
   return symbol;
 }
@@ -79,8 +45,10 @@ void WorkingMemory::Attach(WMElement* wme, IdentifierSymbol* parent, std::string
   wme->time_tag_ = tag;
   wme->just_added_ = output;
   wme->live_ = true;
+  wme->input_ = kNoInputHandle;
   wme->output_ = output;
   if (!parent) return;
+  if (!output) parent->has_own_ = true;
   if (spare_nodes_.empty()) {
     parent->children_.push_back(wme);
   } else {
@@ -97,10 +65,12 @@ void WorkingMemory::Detach(WMElement* wme) {
 }
 
 void WorkingMemory::RetireElement(WMElement* wme) {
-  if (auto* text = wme->ConvertToStringElement()) return Retire(strings_, text);
-  if (auto* number = wme->ConvertToIntElement()) return Retire(ints_, number);
-  if (auto* number = wme->ConvertToFloatElement()) return Retire(floats_, number);
-  Retire(identifiers_, wme->ConvertToIdentifier());
+  switch (wme->kind_) {
+    case WMElement::Kind::kString: strings_.GiveBack(static_cast<StringElement*>(wme)); break;
+    case WMElement::Kind::kInt: ints_.GiveBack(static_cast<IntElement*>(wme)); break;
+    case WMElement::Kind::kFloat: floats_.GiveBack(static_cast<FloatElement*>(wme)); break;
+    case WMElement::Kind::kIdentifier: identifiers_.GiveBack(static_cast<Identifier*>(wme)); break;
+  }
 }
 
 /// Ends an identifier's use of its symbol. If it was the last one, the symbol goes, and its children with it.
@@ -108,15 +78,20 @@ void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& 
   IdentifierSymbol* symbol = identifier->symbol_;
   if (!symbol) return;
   identifier->symbol_ = nullptr;
-  std::erase(symbol->users_, identifier);
-  if (!symbol->users_.empty()) return;
-  for (WMElement* child : symbol->children_) {
-    child->parent_ = nullptr;
-    below.push_back(child);
+  if (symbol->users_.size() > 1) {
+    std::erase(symbol->users_, identifier);
+    return;
   }
-  spare_nodes_.splice(spare_nodes_.end(), symbol->children_);
-  if (const long long key = IdentifierKey(symbol->name_)) symbols_by_key_.Take(key);
-  Retire(symbols_, symbol);
+  symbol->users_.clear();
+  if (!symbol->children_.empty()) {
+    for (WMElement* child : symbol->children_) {
+      child->parent_ = nullptr;
+      below.push_back(child);
+    }
+    spare_nodes_.splice(spare_nodes_.end(), symbol->children_);
+  }
+  if (symbol->key_ != 0) symbols_by_key_.Take(symbol->key_);
+  symbols_.GiveBack(symbol);
 }
 
 /// Makes husks of an element and of everything below it that nothing else shares.
@@ -127,8 +102,9 @@ void WorkingMemory::Release(WMElement* wme) {
     WMElement* element = work_.back();
     work_.pop_back();
     Detach(element);
-    if (Identifier* identifier = element->ConvertToIdentifier()) DropSymbol(identifier, work_);
-    if (element->output_) output_by_tag_.Take(element->time_tag_);
+    if (element->kind_ == WMElement::Kind::kIdentifier) DropSymbol(static_cast<Identifier*>(element), work_);
+    // (What was told to be removed is out of the table already.)
+    if (element->output_ && element->live_) output_by_tag_.Take(element->time_tag_);
     Cancel(element->time_tag_);
     if (!element->live_ && std::find(removed_.begin(), removed_.end(), element) != removed_.end()) continue;
     element->live_ = false;
@@ -155,9 +131,9 @@ Identifier* WorkingMemory::InputLink() {
     data_.SetError(kFailedToGetResponse, "The kernel did not tell the name of the input link");
     return nullptr;
   }
-  input_link_ = Take(identifiers_);
+  input_link_ = identifiers_.Take();
   const long long key = IdentifierKey(name);
-  IdentifierSymbol* symbol = key ? SymbolFor(key) : NewSymbol(name);
+  IdentifierSymbol* symbol = key ? SymbolFor(key) : NewSymbol(name, 0);
   input_link_->symbol_ = symbol;
   symbol->users_.push_back(input_link_);
   Attach(input_link_, nullptr, "input-link", --data_.kernel_data().next_tag, false);
@@ -182,7 +158,7 @@ StringElement* WorkingMemory::CreateString(Identifier* parent, char const* attri
     std::fprintf(stderr, "sml: an element without a value was created; its value is \"nil\"\n");
     value = "nil";
   }
-  StringElement* wme = Take(strings_);
+  StringElement* wme = strings_.Take();
   wme->value_ = value;
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
@@ -191,7 +167,7 @@ StringElement* WorkingMemory::CreateString(Identifier* parent, char const* attri
 
 IntElement* WorkingMemory::CreateInt(Identifier* parent, char const* attribute, long long value) {
   if (!CheckParent(parent, attribute)) return nullptr;
-  IntElement* wme = Take(ints_);
+  IntElement* wme = ints_.Take();
   wme->value_ = value;
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
@@ -200,7 +176,7 @@ IntElement* WorkingMemory::CreateInt(Identifier* parent, char const* attribute, 
 
 FloatElement* WorkingMemory::CreateFloat(Identifier* parent, char const* attribute, double value) {
   if (!CheckParent(parent, attribute)) return nullptr;
-  FloatElement* wme = Take(floats_);
+  FloatElement* wme = floats_.Take();
   wme->value_ = value;
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
@@ -216,8 +192,8 @@ std::string WorkingMemory::NewName(char const* attribute) {
 
 Identifier* WorkingMemory::CreateId(Identifier* parent, char const* attribute) {
   if (!CheckParent(parent, attribute)) return nullptr;
-  Identifier* wme = Take(identifiers_);
-  wme->symbol_ = NewSymbol(NewName(attribute));
+  Identifier* wme = identifiers_.Take();
+  wme->symbol_ = NewSymbol(NewName(attribute), 0);
   wme->symbol_->users_.push_back(wme);
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
@@ -234,7 +210,7 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
     Identifier* identifier = child->ConvertToIdentifier();
     if (identifier && identifier->symbol_ == shared->symbol_ && identifier->attribute_ == attribute) return nullptr;
   }
-  Identifier* wme = Take(identifiers_);
+  Identifier* wme = identifiers_.Take();
   wme->symbol_ = shared->symbol_;
   wme->symbol_->users_.push_back(wme);
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
@@ -242,45 +218,49 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
   return wme;
 }
 
-InputWme WorkingMemory::Describe(const WMElement* element) const {
-  auto* wme = const_cast<WMElement*>(element);
+InputWme WorkingMemory::Describe(WMElement* wme) {
   InputWme described;
   described.tag = wme->time_tag_;
-  described.id = wme->parent_->name_;
+  described.id = wme->parent_->Name();
+  described.id_key = wme->parent_->key_;
   described.id_hint = wme->parent_->hint_;
   described.attribute = wme->attribute_;
-  if (auto* number = wme->ConvertToFloatElement()) {
-    described.type = InputWme::Type::kDouble;
-    described.real = number->value_;
-  } else if (auto* whole = wme->ConvertToIntElement()) {
-    described.type = InputWme::Type::kInt;
-    described.integer = whole->value_;
-  } else if (auto* text = wme->ConvertToStringElement()) {
-    described.text = text->value_;
-  } else {
-    described.type = InputWme::Type::kId;
-    described.text = wme->ConvertToIdentifier()->symbol_->name_;
+  switch (wme->kind_) {
+    case WMElement::Kind::kString: described.text = static_cast<StringElement*>(wme)->value_; break;
+    case WMElement::Kind::kInt:
+      described.type = InputWme::Type::kInt;
+      described.integer = static_cast<IntElement*>(wme)->value_;
+      break;
+    case WMElement::Kind::kFloat:
+      described.type = InputWme::Type::kDouble;
+      described.real = static_cast<FloatElement*>(wme)->value_;
+      break;
+    case WMElement::Kind::kIdentifier:
+      described.type = InputWme::Type::kId;
+      described.text = static_cast<Identifier*>(wme)->symbol_->Name();
+      break;
   }
   return described;
 }
 
 void WorkingMemory::SendNew(WMElement* wme) {
   if (!data_.kernel_data().auto_commit) {
-    pending_.changes_.push_back({false, wme->time_tag_, wme});
+    pending_.changes_.push_back({false, wme->time_tag_, wme, kNoInputHandle});
     return;
   }
-  data_.link->AddInput(Describe(wme));
+  wme->input_ = data_.link->AddInput(Describe(wme));
   data_.link->FlushInput();
 }
 
 void WorkingMemory::SendUpdated(WMElement* wme, long long old_tag) {
   if (data_.kernel_data().auto_commit) {
-    data_.link->UpdateInput(old_tag, Describe(wme));
+    wme->input_ = data_.link->UpdateInput(wme->input_, old_tag, Describe(wme));
     data_.link->FlushInput();
     return;
   }
-  if (!Cancel(old_tag)) pending_.changes_.push_back({true, old_tag, nullptr});
-  pending_.changes_.push_back({false, wme->time_tag_, wme});
+  if (!Cancel(old_tag)) pending_.changes_.push_back({true, old_tag, nullptr, wme->input_});
+  wme->input_ = kNoInputHandle;
+  pending_.changes_.push_back({false, wme->time_tag_, wme, kNoInputHandle});
 }
 
 bool WorkingMemory::CheckUpdate(WMElement* wme) {
@@ -339,10 +319,10 @@ bool WorkingMemory::Destroy(WMElement* wme) {
   if (!data_.Usable()) return false;
   if (!Cancel(wme->time_tag_)) {
     if (data_.kernel_data().auto_commit) {
-      data_.link->RemoveInput(wme->time_tag_);
+      data_.link->RemoveInput(wme->input_, wme->time_tag_);
       data_.link->FlushInput();
     } else {
-      pending_.changes_.push_back({true, wme->time_tag_, nullptr});
+      pending_.changes_.push_back({true, wme->time_tag_, nullptr, wme->input_});
     }
   }
   Release(wme);
@@ -357,9 +337,9 @@ bool WorkingMemory::Commit() {
   changes.swap(pending_.changes_);
   for (const TagWme& change : changes) {
     if (change.remove) {
-      link->RemoveInput(change.time_tag);
+      link->RemoveInput(change.input, change.time_tag);
     } else {
-      link->AddInput(Describe(change.wme));
+      change.wme->input_ = link->AddInput(Describe(change.wme));
     }
   }
   link->FlushInput();
@@ -371,17 +351,19 @@ void WorkingMemory::Refresh() {
   AgentLink* link = data_.Usable();
   if (!input_link_ || !link) return;
   const std::string name = link->InputLinkName();
-  if (!name.empty() && name != input_link_->symbol_->name_) {
-    symbols_by_key_.Take(IdentifierKey(input_link_->symbol_->name_));
-    input_link_->symbol_->name_ = name;
-    symbols_by_key_.Set(IdentifierKey(name), input_link_->symbol_);
+  if (!name.empty() && name != input_link_->symbol_->Name()) {
+    IdentifierSymbol* symbol = input_link_->symbol_;
+    symbols_by_key_.Take(symbol->key_);
+    symbol->name_ = name;
+    symbol->key_ = IdentifierKey(name);
+    symbols_by_key_.Set(symbol->key_, symbol);
   }
   std::vector<IdentifierSymbol*> seen{input_link_->symbol_};
   std::vector<WMElement*> open(input_link_->symbol_->children_.rbegin(), input_link_->symbol_->children_.rend());
   while (!open.empty()) {
     WMElement* wme = open.back();
     open.pop_back();
-    link->AddInput(Describe(wme));
+    wme->input_ = link->AddInput(Describe(wme));
     Identifier* identifier = wme->ConvertToIdentifier();
     if (!identifier || std::find(seen.begin(), seen.end(), identifier->symbol_) != seen.end()) continue;
     seen.push_back(identifier->symbol_);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sml/client/husk_pool.h"
 #include "sml/client/link.h"
 #include "sml/client/sml_ClientIdentifier.h"
 #include "sml/client/sml_DeltaList.h"
@@ -19,8 +20,7 @@ struct AgentData;
 
 /// The elements that one client sees of one agent: its input, and the output that it was told of.
 ///
-/// Elements are recycled: in the steady state of a host's loop nothing is allocated. One that was destroyed stays a
-/// husk until a number of others have been destroyed after it, so that a stale pointer is found out.
+/// Elements are recycled: in the steady state of a host's loop nothing is allocated.
 class WorkingMemory {
  public:
   explicit WorkingMemory(AgentData& data) : data_(data) {}
@@ -60,8 +60,11 @@ class WorkingMemory {
 
   void BeginOutput();
   void ReceiveOutput(const OutputWme& wme);
+  /// Adds an element of the output; false if its parent is not known (yet).
+  bool AddOutput(const OutputWme& wme);
+  void RemoveOutput(long long tag);
   /// Attaches what waited for its parent; true if everything found one.
-  bool EndOutput();
+  bool EndOutput() { return orphans_.empty() || AttachOrphans(); }
   /// init-soar: the output is gone.
   void InvalidateOutput();
   bool SynchronizeOutput();
@@ -74,18 +77,6 @@ class WorkingMemory {
   friend class IdentifierSymbol;
   enum class Tracking { kAutoOff, kUserOff, kOn };
 
-  /// Recycles the objects of one type.
-  template <typename T>
-  struct Pool {
-    std::vector<std::unique_ptr<T>> all;
-    std::list<T*> husks;   ///< Oldest first.
-    std::list<T*> spare;   ///< Nodes for `husks`.
-  };
-  template <typename T>
-  T* Take(Pool<T>& pool);
-  template <typename T>
-  void Retire(Pool<T>& pool, T* element);
-
   bool CheckParent(Identifier* parent, char const*& attribute);
   bool CheckUpdate(WMElement* wme);
   void Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag, bool output);
@@ -93,14 +84,14 @@ class WorkingMemory {
   void Release(WMElement* wme);
   void DropSymbol(Identifier* identifier, std::vector<WMElement*>& below);
   void RetireElement(WMElement* wme);
-  IdentifierSymbol* NewSymbol(std::string_view name);
+  IdentifierSymbol* NewSymbol(std::string_view name, long long key);
   IdentifierSymbol* SymbolFor(long long key);
   void SendNew(WMElement* wme);
   void SendUpdated(WMElement* wme, long long old_tag);
-  soarbox::server::InputWme Describe(const WMElement* wme) const;
+  static soarbox::server::InputWme Describe(WMElement* wme);
   WMElement* MakeOutput(const OutputWme& wme, IdentifierSymbol* parent);
   static bool HasOwn(const IdentifierSymbol& parent, const OutputWme& wme);
-  void RemoveOutput(long long tag);
+  bool AttachOrphans();
   bool Cancel(long long tag);
   void ReleaseBelow(IdentifierSymbol* symbol);
   std::string NewName(char const* attribute);
@@ -113,6 +104,7 @@ class WorkingMemory {
   Tracking tracking_ = Tracking::kAutoOff;
   unsigned long long changes_at_ = 0;      ///< Apply phases when the last change came.
   std::vector<WMElement*> removed_;        ///< Removed output that the list of changes still shows.
+  std::vector<WMElement*> releasing_;      ///< Those that ClearChanges releases just now.
   std::vector<WMElement*> work_;           ///< Elements that Release has still to look at.
   struct Orphan {
     OutputWme wme;
@@ -121,11 +113,11 @@ class WorkingMemory {
   std::vector<Orphan> orphans_;
   std::vector<Orphan> waiting_orphans_;    ///< Those that EndOutput looks at again.
 
-  Pool<StringElement> strings_;
-  Pool<IntElement> ints_;
-  Pool<FloatElement> floats_;
-  Pool<Identifier> identifiers_;
-  Pool<IdentifierSymbol> symbols_;
+  HuskPool<StringElement> strings_;
+  HuskPool<IntElement> ints_;
+  HuskPool<FloatElement> floats_;
+  HuskPool<Identifier> identifiers_;
+  HuskPool<IdentifierSymbol> symbols_;
   std::list<WMElement*> spare_nodes_;      ///< Nodes for lists of children.
   soarbox::server::TagMap<WMElement*> output_by_tag_;
   soarbox::server::TagMap<IdentifierSymbol*> symbols_by_key_;

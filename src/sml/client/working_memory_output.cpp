@@ -35,12 +35,10 @@ void WorkingMemory::ClearChanges() {
     if (wme->parent_) wme->parent_->children_modified_ = false;
   }
   changes_.deltas_.clear();
-  std::vector<WMElement*> removed;
-  removed.swap(removed_);
-  for (WMElement* wme : removed) Release(wme);
-  removed.clear();
-  // Gives the room back for the next cycle.
-  removed_.swap(removed);
+  if (removed_.empty()) return;
+  releasing_.swap(removed_);
+  for (WMElement* wme : releasing_) Release(wme);
+  releasing_.clear();
 }
 
 int WorkingMemory::CountCommands() {
@@ -48,7 +46,7 @@ int WorkingMemory::CountCommands() {
   if (!output_link_) return 0;
   int count = 0;
   for (const WMElement* child : output_link_->symbol_->children_) {
-    if (child->just_added_ && child->IsIdentifier()) ++count;
+    if (child->just_added_ && child->kind_ == WMElement::Kind::kIdentifier) ++count;
   }
   return count;
 }
@@ -57,7 +55,8 @@ Identifier* WorkingMemory::Command(int index) {
   DropOldChanges();
   if (!output_link_ || index < 0) return nullptr;
   for (WMElement* child : output_link_->symbol_->children_) {
-    if (child->just_added_ && child->IsIdentifier() && index-- == 0) return child->ConvertToIdentifier();
+    if (!child->just_added_ || child->kind_ != WMElement::Kind::kIdentifier) continue;
+    if (index-- == 0) return static_cast<Identifier*>(child);
   }
   return nullptr;
 }
@@ -70,20 +69,20 @@ void WorkingMemory::BeginOutput() {
 WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* parent) {
   switch (wme.type) {
     case InputWme::Type::kInt: {
-      IntElement* made = Take(ints_);
+      IntElement* made = ints_.Take();
       made->value_ = wme.integer;
       Attach(made, parent, wme.attribute, wme.tag, true);
       return made;
     }
     case InputWme::Type::kDouble: {
-      FloatElement* made = Take(floats_);
+      FloatElement* made = floats_.Take();
       made->value_ = wme.real;
       Attach(made, parent, wme.attribute, wme.tag, true);
       return made;
     }
     case InputWme::Type::kId: {
       if (wme.value_id == 0) break;
-      Identifier* made = Take(identifiers_);
+      Identifier* made = identifiers_.Take();
       made->symbol_ = SymbolFor(wme.value_id);
       made->symbol_->users_.push_back(made);
       made->symbol_->hint_ = wme.value_hint;
@@ -92,7 +91,7 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
     }
     case InputWme::Type::kString: break;
   }
-  StringElement* made = Take(strings_);
+  StringElement* made = strings_.Take();
   made->value_ = wme.text;
   Attach(made, parent, wme.attribute, wme.tag, true);
   return made;
@@ -118,27 +117,29 @@ bool WorkingMemory::HasOwn(const IdentifierSymbol& parent, const OutputWme& wme)
 void WorkingMemory::ReceiveOutput(const OutputWme& wme) {
   if (!wme.add) {
     RemoveOutput(wme.tag);
-    return;
+  } else if (!AddOutput(wme)) {
+    Orphan& orphan = orphans_.emplace_back(Orphan{wme, std::string(wme.attribute), std::string(wme.text)});
+    orphan.wme.attribute = {};
+    orphan.wme.text = {};
   }
-  if (wme.tag == 0 || output_by_tag_.Find(wme.tag)) return;
+}
+
+bool WorkingMemory::AddOutput(const OutputWme& wme) {
+  if (wme.tag == 0 || output_by_tag_.Find(wme.tag)) return true;
   if (!output_link_ && wme.type == InputWme::Type::kId && wme.value_id != 0 && wme.attribute == "output-link") {
     output_link_ = static_cast<Identifier*>(MakeOutput(wme, nullptr));
     output_link_->just_added_ = false;
     output_by_tag_.Set(wme.tag, output_link_);
-    return;
+    return true;
   }
   IdentifierSymbol* parent = FindSymbol(wme.id);
-  if (!parent) {
-    Orphan& orphan = orphans_.emplace_back(Orphan{wme, std::string(wme.attribute), std::string(wme.text)});
-    orphan.wme.attribute = {};
-    orphan.wme.text = {};
-    return;
-  }
-  if (HasOwn(*parent, wme)) return;
+  if (!parent) return false;
+  if (parent->has_own_ && HasOwn(*parent, wme)) return true;
   WMElement* made = MakeOutput(wme, parent);
   parent->children_modified_ = true;
   output_by_tag_.Set(wme.tag, made);
   if (tracking()) changes_.deltas_.emplace_back(WMDelta::kAdded, made);
+  return true;
 }
 
 void WorkingMemory::RemoveOutput(long long tag) {
@@ -156,7 +157,7 @@ void WorkingMemory::RemoveOutput(long long tag) {
   changes_.deltas_.emplace_back(WMDelta::kRemoved, wme);
 }
 
-bool WorkingMemory::EndOutput() {
+bool WorkingMemory::AttachOrphans() {
   bool progress = true;
   while (progress && !orphans_.empty()) {
     progress = false;

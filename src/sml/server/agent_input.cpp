@@ -25,17 +25,21 @@ kernel::Symbol FindIdentifier(const kernel::SymbolTable& symbols, std::string_vi
 
 }  // namespace
 
-kernel::InputObject AgentInput::Resolve(std::string_view name, std::uint32_t hint) {
-  if (name.empty()) return kernel::InputObject::kNone;
-  if (hint != 0) {
+kernel::InputObject AgentInput::Resolve(const InputWme& wme) {
+  if (wme.id_hint != 0) {
     // The handle may have gone to another identifier since.
-    const kernel::Symbol symbol = kernel::Symbol::FromBits(hint);
+    const kernel::Symbol symbol = kernel::Symbol::FromBits(wme.id_hint);
     const kernel::SymbolTable& symbols = std::as_const(agent_).symbols();
-    if (symbol.IsIdentifier() && agent_.memory().identifier(symbol).live && symbols.Letter(symbol) == name[0] &&
-        symbols.Number(symbol) == NumberOf(name)) {
+    if (symbol.IsIdentifier() && std::as_const(agent_).memory().identifier(symbol).live &&
+        IdentifierKey(symbols.Letter(symbol), symbols.Number(symbol)) == wme.id_key) {
       return agent_.input().ObjectFor(symbol);
     }
   }
+  return Resolve(wme.id);
+}
+
+kernel::InputObject AgentInput::Resolve(std::string_view name) {
+  if (name.empty()) return kernel::InputObject::kNone;
   const auto found = objects_.find(name);
   if (found != objects_.end()) return found->second;
   const kernel::Symbol identifier = FindIdentifier(agent_.symbols(), name);
@@ -59,28 +63,37 @@ kernel::InputValue AgentInput::Value(const InputWme& wme) {
   return object;
 }
 
-void AgentInput::Add(const InputWme& wme) {
-  const kernel::InputObject parent = Resolve(wme.id, wme.id_hint);
-  if (parent == kernel::InputObject::kNone || wme.attribute.empty() || wme.tag == 0) return;
-  elements_.Set(wme.tag, agent_.input().Add(parent, wme.attribute, Value(wme)));
+kernel::InputElement AgentInput::Add(const InputWme& wme) {
+  if (wme.attribute.empty() || wme.tag == 0) return kernel::InputElement::kNone;
+  const kernel::InputObject parent = Resolve(wme);
+  if (parent == kernel::InputObject::kNone) return kernel::InputElement::kNone;
+  return agent_.input().Add(parent, wme.attribute, Value(wme), wme.tag);
 }
 
-void AgentInput::Update(long long old_tag, const InputWme& wme) {
-  const std::optional<kernel::InputElement> element = elements_.Take(old_tag);
-  if (!element) {
-    Add(wme);
-    return;
-  }
-  agent_.input().Update(*element, Value(wme));
-  elements_.Set(wme.tag, *element);
+kernel::InputElement AgentInput::Update(kernel::InputElement element, const InputWme& wme) {
+  if (element == kernel::InputElement::kNone) return Add(wme);
+  agent_.input().Update(element, Value(wme), wme.tag);
+  return element;
 }
 
-void AgentInput::Remove(long long tag) {
+void AgentInput::AddByTag(const InputWme& wme) {
+  const kernel::InputElement element = Add(wme);
+  if (element != kernel::InputElement::kNone) elements_.Set(wme.tag, element);
+}
+
+void AgentInput::RemoveByTag(long long tag) {
   if (const std::optional<kernel::InputElement> element = elements_.Take(tag)) {
     agent_.input().Remove(*element);
     return;
   }
-  if (tag <= 0) return;
+  if (tag <= 0) {
+    kernel::InputElement found = kernel::InputElement::kNone;
+    agent_.input().ForEachTagged([&](kernel::InputElement element, kernel::WmeId, std::int64_t other) {
+      if (other == tag) found = element;
+    });
+    if (found != kernel::InputElement::kNone) agent_.input().Remove(found);
+    return;
+  }
   // A client that took over the kernel's own view of the input names elements by the kernel's tags.
   const kernel::WmeId wme = agent_.memory().FindByTimetag(static_cast<std::uint64_t>(tag));
   if (wme != kernel::WmeId::kNone && agent_.memory().record(wme).kind == kernel::WmeKind::kInput) {
@@ -97,8 +110,7 @@ std::string AgentInput::KernelName(std::string_view client_name) const {
 
 std::vector<std::pair<kernel::WmeId, long long>> AgentInput::ClientTags() const {
   std::vector<std::pair<kernel::WmeId, long long>> tags;
-  elements_.ForEach([&](std::int64_t tag, kernel::InputElement element) {
-    const kernel::WmeId wme = std::as_const(agent_).input().Wme(element);
+  std::as_const(agent_).input().ForEachTagged([&](kernel::InputElement, kernel::WmeId wme, std::int64_t tag) {
     if (wme != kernel::WmeId::kNone) tags.emplace_back(wme, tag);
   });
   std::sort(tags.begin(), tags.end());

@@ -20,10 +20,17 @@ class AgentInput {
  public:
   explicit AgentInput(kernel::Agent& agent) : agent_(agent) {}
 
-  void Add(const InputWme& wme);
-  /// Removes the element and adds it again with another value and tag.
-  void Update(long long old_tag, const InputWme& wme);
-  void Remove(long long tag);
+  /// Adds an element. A client in this process keeps the handle; for others see AddByTag.
+  kernel::InputElement Add(const InputWme& wme);
+  /// Removes the element and adds it again with another value and tag. Adds it if the handle is none.
+  kernel::InputElement Update(kernel::InputElement element, const InputWme& wme);
+  void Remove(kernel::InputElement element) { agent_.input().Remove(element); }
+
+  /// Adds an element that will be named by its tag.
+  void AddByTag(const InputWme& wme);
+  /// Removes the element with this tag, whichever client made it.
+  void RemoveByTag(long long tag);
+
   /// The kernel's name for an identifier that a client named; empty if there is none yet.
   std::string KernelName(std::string_view client_name) const;
   /// The tag that a client knows an element by; the kernel's own if no client made it.
@@ -34,7 +41,8 @@ class AgentInput {
   void Tidy();
 
  private:
-  kernel::InputObject Resolve(std::string_view name, std::uint32_t hint = 0);
+  kernel::InputObject Resolve(const InputWme& wme);
+  kernel::InputObject Resolve(std::string_view name);
   kernel::InputValue Value(const InputWme& wme);
 
   kernel::Agent& agent_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,7 +9,6 @@
 
 #include "kernel/io/output_link.h"
 #include "sml/server/event_set.h"
-#include "sml/wire/element.h"
 
 namespace soarbox::server {
 
@@ -24,6 +22,11 @@ struct ConnectionInfo {
   std::string agent_status;
 };
 
+/// A kernel's identifier ("F12") as one number, for maps; never 0.
+inline long long IdentifierKey(char letter, unsigned long long number) {
+  return (static_cast<long long>(letter) << 56) | static_cast<long long>(number);
+}
+
 /// One element that a client adds to the input (or one that it takes away: only the tag counts then).
 struct InputWme {
   enum class Type : std::uint8_t { kString, kInt, kDouble, kId };
@@ -31,6 +34,7 @@ struct InputWme {
   bool add = true;
   long long tag = 0;
   std::string_view id;         ///< The parent, as the client or the kernel names it.
+  long long id_key = 0;        ///< The same as one number (IdentifierKey), if the kernel named it.
   std::uint32_t id_hint = 0;   ///< The kernel's handle of the parent when the client heard of it; 0 if it never did.
   std::string_view attribute;
   Type type = Type::kString;
@@ -59,7 +63,8 @@ class Connection {
   virtual void OnPrint(HostedAgent& agent, const std::string& text) = 0;
   /// `self`: this client's own command line is echoed.
   virtual void OnEcho(HostedAgent& agent, const std::string& text, bool self) = 0;
-  virtual void OnXmlTrace(HostedAgent& agent, const std::shared_ptr<const wire::Element>& trace) = 0;
+  /// `pieces`: the children of <trace> as a document shows them.
+  virtual void OnXmlTrace(HostedAgent& agent, std::string_view pieces) = 0;
   virtual void OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) = 0;
   virtual void OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) = 0;
   virtual void OnOutputInit(HostedAgent& agent) = 0;

@@ -124,9 +124,9 @@ void Input(Request& request) {
   AgentInput& input = request.agent->input();
   for (const InputWme& wme : wmes) {
     if (wme.add) {
-      input.Add(wme);
+      input.AddByTag(wme);
     } else {
-      input.Remove(wme.tag);
+      input.RemoveByTag(wme.tag);
     }
   }
   if (!wmes.empty()) request.agent->FireXmlInput(wmes);

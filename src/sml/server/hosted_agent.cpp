@@ -13,10 +13,14 @@ namespace {
 /// Printed text that nobody flushes is sent on when it has grown to this size.
 constexpr std::size_t kPrintChunk = 64 * 1024;
 
+/// How many agents this program has had.
+std::atomic<std::uint64_t> agents_made{0};
+
 }  // namespace
 
 HostedAgent::HostedAgent(std::string name)
     : name_(std::move(name)),
+      number_(++agents_made),
       agent_(name_),
       session_(*this, agent_, name_),
       input_(agent_),
@@ -142,9 +146,12 @@ void HostedAgent::PrepareRun() {
 
 void HostedAgent::FlushXmlTrace() {
   if (!Listens(::sml::smlEVENT_XML_TRACE_OUTPUT)) return;
-  const std::shared_ptr<const wire::Element> trace = tracer_->Take();
-  if (!trace) return;
-  Tell(::sml::smlEVENT_XML_TRACE_OUTPUT, [&](Connection& connection) { connection.OnXmlTrace(*this, trace); });
+  std::string pieces = std::move(trace_pieces_);
+  if (tracer_->Take(pieces)) {
+    Tell(::sml::smlEVENT_XML_TRACE_OUTPUT, [&](Connection& connection) { connection.OnXmlTrace(*this, pieces); });
+  }
+  // Keeps the room for the next ones.
+  trace_pieces_ = std::move(pieces);
 }
 
 void HostedAgent::DeliverOutput() {

@@ -44,6 +44,8 @@ class HostedAgent {
   HostedAgent& operator=(const HostedAgent&) = delete;
 
   const std::string& name() const { return name_; }
+  /// Differs from that of every other agent of the program, those before it too.
+  std::uint64_t number() const { return number_; }
   kernel::Agent& agent() { return agent_; }
   const kernel::Agent& agent() const { return agent_; }
   HostedSession& session() { return session_; }
@@ -113,6 +115,7 @@ class HostedAgent {
   void Tell(int event, Call call);
 
   std::string name_;
+  std::uint64_t number_;
   kernel::Agent agent_;
   HostedSession session_;
   AgentInput input_;
@@ -124,6 +127,7 @@ class HostedAgent {
   std::array<std::uint32_t, ::sml::smlEVENT_LAST> registered_at_{};
   std::uint32_t registrations_ = 0;
   std::string printed_;
+  std::string trace_pieces_;   ///< Of the structured trace, while they are handed out.
   std::uint64_t output_generation_ = 0;
   std::atomic<bool> stop_{false};
 };

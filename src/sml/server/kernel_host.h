@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "cli/host.h"
 #include "cli/interpreter.h"
 #include "cli/result.h"
+#include "sml/server/call_mutex.h"
 #include "sml/server/connection.h"
 #include "sml/server/hosted_agent.h"
 #include "sml/server/run_control.h"
@@ -30,7 +30,7 @@ class KernelHost : public cli::Host {
   KernelHost();
   ~KernelHost() override;
 
-  std::recursive_mutex& mutex() { return mutex_; }
+  CallMutex& mutex() { return mutex_; }
 
   // Agents ----------------------------------------------------------------------------------------------------------
 
@@ -126,7 +126,7 @@ class KernelHost : public cli::Host {
   cli::CommandResult ExecuteUnfiltered(HostedAgent& hosted, std::string_view line, const LineOptions& options);
   std::optional<cli::CommandResult> PassFilters(HostedAgent& hosted, std::string& line);
 
-  std::recursive_mutex mutex_;
+  CallMutex mutex_;
   RunControl run_;
   cli::Interpreter interpreter_;
   std::map<std::string, std::unique_ptr<HostedAgent>, std::less<>> by_name_;

@@ -5,6 +5,7 @@
 #include "sml/server/dispatcher.h"
 #include "sml/server/hosted_agent.h"
 #include "sml/server/output_documents.h"
+#include "sml/wire/xml_writer.h"
 
 namespace soarbox::server {
 
@@ -93,9 +94,24 @@ std::string RemoteConnection::DroppedNote() const {
   return "\n--- " + std::to_string(count) + " messages of trace were left out here: they were not taken in time ---\n";
 }
 
-void RemoteConnection::SendTrace(wire::Message& call) {
+template <typename Note>
+void RemoteConnection::SendTrace(HostedAgent& agent, int event, std::string_view piece, std::string_view opening,
+                                 std::string_view closing, Note note) {
+  const std::uint64_t series = agent.number() * smlEVENT_LAST + static_cast<std::uint64_t>(event);
   const unsigned long long before = channel_->dropped();
-  Call(call, Wait::kNo, true);
+  if (before == told_dropped_ && channel_->Join(series, piece)) return;
+  head_ = "<sml doctype=\"call\" id=\"";
+  head_ += NextId();
+  head_ += "\" smlversion=\"";
+  head_ += wire::kSmlVersion;
+  head_ += "\"><command name=\"event\"><arg param=\"agent\">";
+  wire::AppendEscaped(head_, agent.name());
+  head_ += "</arg><arg param=\"eventid\">";
+  head_ += Events().ConvertToString(event);
+  head_ += "</arg>";
+  head_ += opening;
+  if (const std::string told = DroppedNote(); !told.empty()) note(head_, told);
+  channel_->SendOpen(series, head_, piece, closing);
   if (channel_->dropped() == before) told_dropped_ = before;
 }
 
@@ -130,9 +146,10 @@ void RemoteConnection::OnProductionEvent(HostedAgent& agent, int event, std::str
 }
 
 void RemoteConnection::OnPrint(HostedAgent& agent, const std::string& text) {
-  wire::Message call = EventCall();
-  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(smlEVENT_PRINT)).AddArg("message", DroppedNote() + text);
-  SendTrace(call);
+  piece_.clear();
+  wire::AppendEscaped(piece_, text);
+  SendTrace(agent, smlEVENT_PRINT, piece_, "<arg param=\"message\">", "</arg></command></sml>",
+            [](std::string& out, std::string_view note) { wire::AppendEscaped(out, note); });
 }
 
 void RemoteConnection::OnEcho(HostedAgent& agent, const std::string& text, bool self) {
@@ -145,16 +162,9 @@ void RemoteConnection::OnEcho(HostedAgent& agent, const std::string& text, bool 
   Call(call, Wait::kNo, true);
 }
 
-void RemoteConnection::OnXmlTrace(HostedAgent& agent, const std::shared_ptr<const wire::Element>& trace) {
-  wire::Message call = EventCall();
-  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(smlEVENT_XML_TRACE_OUTPUT));
-  call.root.children.push_back(*trace);
-  if (const std::string note = DroppedNote(); !note.empty()) {
-    std::vector<wire::Element>& pieces = call.root.children.back().children;
-    pieces.insert(pieces.begin(), wire::Element{})->tag = "message";
-    pieces.front().Set("string", note);
-  }
-  SendTrace(call);
+void RemoteConnection::OnXmlTrace(HostedAgent& agent, std::string_view pieces) {
+  SendTrace(agent, smlEVENT_XML_TRACE_OUTPUT, pieces, "</command><trace>", "</trace></sml>",
+            [](std::string& out, std::string_view note) { wire::XmlPen(out).Begin("message").Set("string", note).End("message"); });
 }
 
 void RemoteConnection::OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) {

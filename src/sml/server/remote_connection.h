@@ -41,7 +41,7 @@ class RemoteConnection : public Connection {
   void OnProductionEvent(HostedAgent& agent, int event, std::string_view name) override;
   void OnPrint(HostedAgent& agent, const std::string& text) override;
   void OnEcho(HostedAgent& agent, const std::string& text, bool self) override;
-  void OnXmlTrace(HostedAgent& agent, const std::shared_ptr<const wire::Element>& trace) override;
+  void OnXmlTrace(HostedAgent& agent, std::string_view pieces) override;
   void OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) override;
   void OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) override;
   void OnOutputInit(HostedAgent& agent) override;
@@ -60,8 +60,11 @@ class RemoteConnection : public Connection {
   std::optional<wire::Message> Call(wire::Message& call, Wait wait, bool droppable = false);
   /// Says how many messages were dropped since that was last said; empty if none.
   std::string DroppedNote() const;
-  /// Sends text or trace that holds the note.
-  void SendTrace(wire::Message& call);
+  /// Sends text or trace, together with more of the same if more comes soon. `note` turns the note about dropped messages
+  /// into such a piece.
+  template <typename Note>
+  void SendTrace(HostedAgent& agent, int event, std::string_view piece, std::string_view opening, std::string_view closing,
+                 Note note);
 
   KernelHost& host_;
   std::unique_ptr<wire::Channel> channel_;
@@ -72,6 +75,7 @@ class RemoteConnection : public Connection {
   bool slow_ = false;
   bool gone_ = false;
   unsigned long long told_dropped_ = 0;   ///< How many of the dropped messages the client knows of.
+  std::string head_, piece_;              ///< Room for parts of documents.
   std::set<std::string> told_output_;     ///< Agents whose output this client has been told of.
 };
 

@@ -51,8 +51,8 @@ kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest&
   running_ = true;
   run_flags_ = (request.self_only ? sml_RUN_SELF : sml_RUN_ALL) | (request.update_world || request.self_only ? 0 : sml_DONT_UPDATE_WORLD);
   unit_ = request.unit;
-  const kernel::AgentCounters before = addressed.agent().counters();
-
+  const kernel::AgentCounters& counters = std::as_const(addressed).agent().counters();
+  const kernel::RunResult before{StopReason::kCompleted, counters.decision_cycles, counters.elaborations, counters.firings};
 
   host_.FireSystem(smlEVENT_SYSTEM_START);
   Begin(addressed, request);
@@ -70,10 +70,9 @@ kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest&
   running_ = false;
   if (!host_.system_stop_suppressed()) host_.FireSystem(smlEVENT_SYSTEM_STOP);
 
-  const kernel::AgentCounters& after = addressed.agent().counters();
-  result.decisions = after.decision_cycles - before.decision_cycles;
-  result.elaborations = after.elaborations - before.elaborations;
-  result.firings = after.firings - before.firings;
+  result.decisions = counters.decision_cycles - before.decisions;
+  result.elaborations = counters.elaborations - before.elaborations;
+  result.firings = counters.firings - before.firings;
   host_.EndOfRun();
   return result;
 }

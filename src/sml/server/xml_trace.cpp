@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/server/xml_trace.h"
 
-#include <algorithm>
-#include <string>
+#include <cstdint>
+#include <string_view>
 
 #include "cli/trace_printer.h"
 #include "kernel/base/words.h"
@@ -16,8 +16,8 @@ using kernel::Event;
 
 namespace {
 
-/// A trace that nobody takes is cut off at this many elements.
-constexpr std::size_t kMaxElements = 100'000;
+/// A trace that nobody takes is cut off at this many bytes.
+constexpr std::size_t kMaxBytes = 16u << 20;
 
 const char* PhaseName(kernel::Phase phase) {
   switch (phase) {
@@ -55,8 +55,6 @@ TraceFlag FlagOf(const kernel::FiringInfo& info) {
   return TraceFlag::kUserRules;
 }
 
-std::string Text(const kernel::Agent& agent, kernel::Symbol symbol) { return kernel::ToString(agent.symbols(), symbol); }
-
 }  // namespace
 
 const char* ValueTypeName(kernel::Symbol symbol) {
@@ -66,14 +64,24 @@ const char* ValueTypeName(kernel::Symbol symbol) {
   return "string";
 }
 
-wire::Element WmeElement(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool with_tag) {
-  wire::Element element("wme");
-  element.Set("attr", Text(agent, wme.attribute)).Set("id", Text(agent, wme.id));
-  if (wme.acceptable) element.Set("preference", "+");
-  if (with_tag) element.Set("tag", std::to_string(wme.timetag));
-  element.Set("valtype", ValueTypeName(wme.value)).Set("value", Text(agent, wme.value));
-  return element;
+void XmlTracer::Set(const kernel::Agent& agent, std::string_view name, kernel::Symbol symbol) {
+  symbol_.clear();
+  kernel::AppendTo(symbol_, agent.symbols(), symbol, true);
+  pen_.Set(name, symbol_);
 }
+
+/// <wme attr id [preference] tag valtype value>
+void XmlTracer::AddWme(const kernel::Agent& agent, const kernel::WmeInfo& wme) {
+  pen_.Begin("wme");
+  Set(agent, "attr", wme.attribute);
+  Set(agent, "id", wme.id);
+  if (wme.acceptable) pen_.Set("preference", "+");
+  pen_.Set("tag", wme.timetag).Set("valtype", ValueTypeName(wme.value));
+  Set(agent, "value", wme.value);
+  pen_.End("wme");
+}
+
+void XmlTracer::AddText(std::string_view tag, std::string_view text) { pen_.Begin(tag).Set("string", text).End(tag); }
 
 XmlTracer::~XmlTracer() {
   if (subscribed_) hosted_.agent().RemoveObserver(*this);
@@ -82,7 +90,7 @@ XmlTracer::~XmlTracer() {
 void XmlTracer::SetOn(bool on) {
   if (on == on_) return;
   on_ = on;
-  trace_->children.clear();
+  pieces_.clear();
   Refresh();
 }
 
@@ -110,73 +118,84 @@ void XmlTracer::Refresh() {
   subscribed_ = true;
 }
 
-std::shared_ptr<const wire::Element> XmlTracer::Take() {
-  if (trace_->children.empty()) return nullptr;
-  std::shared_ptr<wire::Element> taken = std::make_shared<wire::Element>("trace");
-  taken.swap(trace_);
-  return taken;
+bool XmlTracer::Take(std::string& pieces) {
+  if (pieces_.empty()) return false;
+  pieces.clear();
+  pieces.swap(pieces_);
+  return true;
 }
 
 void XmlTracer::OnPhaseBegin(const kernel::Agent&, kernel::Phase phase) {
-  if (trace_->children.size() > kMaxElements) trace_->children.clear();
-  if (hosted_.session().trace().On(TraceFlag::kPhases)) trace_->Add("phase").Set("name", PhaseName(phase));
+  if (pieces_.size() > kMaxBytes) pieces_.clear();
+  if (hosted_.session().trace().On(TraceFlag::kPhases)) pen_.Begin("phase").Set("name", PhaseName(phase)).End("phase");
   if (phase == kernel::Phase::kOutput) hosted_.FlushXmlTrace();
 }
 
 void XmlTracer::OnPhaseEnd(const kernel::Agent&, kernel::Phase phase) {
   if (!hosted_.session().trace().On(TraceFlag::kPhases)) return;
-  trace_->Add("phase").Set("name", PhaseName(phase)).Set("status", "end");
+  pen_.Begin("phase").Set("name", PhaseName(phase)).Set("status", "end").End("phase");
 }
 
 void XmlTracer::OnPreferencePhase(const kernel::Agent& agent, kernel::FiringType type, kernel::GoalLevel level) {
   if (agent.next_phase() != kernel::Phase::kApply) return;
-  trace_->Add("subphase").Set("firing_type", TypeName(type)).Set("level_num", std::to_string(level)).Set("name", "firingprods");
+  pen_.Begin("subphase").Set("firing_type", TypeName(type)).Set("level_num", std::uint64_t{level});
+  pen_.Set("name", "firingprods").End("subphase");
 }
 
 void XmlTracer::OnWorkingMemoryPhase(const kernel::Agent& agent, kernel::FiringType type) {
   if (agent.next_phase() != kernel::Phase::kApply) return;
-  trace_->Add("subphase").Set("firing_type", TypeName(type)).Set("name", "changingwm");
+  pen_.Begin("subphase").Set("firing_type", TypeName(type)).Set("name", "changingwm").End("subphase");
 }
 
 bool XmlTracer::ShowsFiring(const kernel::FiringInfo& info) const { return hosted_.session().trace().On(FlagOf(info)); }
 
-void XmlTracer::AddRule(const char* tag, const kernel::Agent& agent, const kernel::FiringInfo& info) {
-  wire::Element& production = trace_->Add(tag).Add("production").Set("prodname", std::string(info.name));
-  const cli::WmeDetail detail = hosted_.session().trace().wme_detail();
-  if (detail == cli::WmeDetail::kNone) return;
-  for (const kernel::WmeId wme : info.wmes) {
-    production.Add("wme").Set("tag", std::to_string(agent.memory().wme(wme).timetag));
+void XmlTracer::AddRule(std::string_view tag, const kernel::Agent& agent, const kernel::FiringInfo& info) {
+  pen_.Begin(tag).Begin("production").Set("prodname", info.name);
+  if (hosted_.session().trace().wme_detail() != cli::WmeDetail::kNone) {
+    for (const kernel::WmeId wme : info.wmes) {
+      pen_.Begin("wme").Set("tag", agent.memory().wme(wme).timetag).End("wme");
+    }
   }
+  pen_.End("production").End(tag);
 }
 
 void XmlTracer::OnFiring(const kernel::Agent& agent, const kernel::FiringInfo& info) {
   if (!ShowsFiring(info)) return;
   AddRule("firing_production", agent, info);
-  if (hosted_.session().trace().wme_detail() != cli::WmeDetail::kNone) trace_->Add("actionsidemarker");
+  if (hosted_.session().trace().wme_detail() == cli::WmeDetail::kNone) return;
+  pen_.Begin("actionsidemarker").End("actionsidemarker");
 }
 
 void XmlTracer::OnRetracting(const kernel::Agent& agent, const kernel::FiringInfo& info) {
   if (!ShowsFiring(info)) return;
   AddRule("retracting_production", agent, info);
-  if (hosted_.session().trace().On(TraceFlag::kPreferences)) trace_->Add("actionsidemarker");
+  if (!hosted_.session().trace().On(TraceFlag::kPreferences)) return;
+  pen_.Begin("actionsidemarker").End("actionsidemarker");
 }
 
 void XmlTracer::OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) {
-  trace_->Add("adding_wme").children.push_back(WmeElement(agent, wme));
+  pen_.Begin("adding_wme");
+  AddWme(agent, wme);
+  pen_.End("adding_wme");
 }
 
 void XmlTracer::OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) {
-  trace_->Add("removing_wme").children.push_back(WmeElement(agent, wme));
+  pen_.Begin("removing_wme");
+  AddWme(agent, wme);
+  pen_.End("removing_wme");
 }
 
 void XmlTracer::AddPreference(const kernel::Agent& agent, kernel::PreferenceId id) {
   const kernel::Preference& preference = agent.memory().preference(id);
-  wire::Element& element = trace_->Add("preference");
-  element.Set("attr", Text(agent, preference.attribute)).Set("id", Text(agent, preference.id));
-  if (preference.o_supported) element.Set("o_supported", ":O");
-  element.Set("pref_type", std::string(1, cli::PreferenceCharacter(preference.type)));
-  if (preference.referent) element.Set("referent", Text(agent, preference.referent));
-  element.Set("value", Text(agent, preference.value));
+  const char type = cli::PreferenceCharacter(preference.type);
+  pen_.Begin("preference");
+  Set(agent, "attr", preference.attribute);
+  Set(agent, "id", preference.id);
+  if (preference.o_supported) pen_.Set("o_supported", ":O");
+  pen_.Set("pref_type", std::string_view(&type, 1));
+  if (preference.referent) Set(agent, "referent", preference.referent);
+  Set(agent, "value", preference.value);
+  pen_.End("preference");
 }
 
 void XmlTracer::OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) { AddPreference(agent, id); }
@@ -185,51 +204,45 @@ void XmlTracer::OnPreferenceRemoved(const kernel::Agent& agent, kernel::Preferen
 
 void XmlTracer::OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t decision) {
   if (!hosted_.session().trace().On(TraceFlag::kDecisions)) return;
-  const std::string level = std::to_string(goal.level - 1);
+  const std::uint64_t level = goal.level - 1u;
   if (goal.op) {
-    wire::Element& element = trace_->Add("operator");
-    element.Set("current_operator_id", Text(agent, goal.op)).Set("decision_cycle_count", std::to_string(decision));
-    const kernel::Symbol name = agent.memory().ValueOf(goal.op, kernel::words::kName);
-    if (name) element.Set("name", Text(agent, name));
-    element.Set("stack_level", level);
+    pen_.Begin("operator");
+    Set(agent, "current_operator_id", goal.op);
+    pen_.Set("decision_cycle_count", decision);
+    if (const kernel::Symbol name = agent.memory().ValueOf(goal.op, kernel::words::kName)) Set(agent, "name", name);
+    pen_.Set("stack_level", level).End("operator");
     return;
   }
-  wire::Element& element = trace_->Add("state");
-  element.Set("current_state_id", Text(agent, goal.goal)).Set("decision_cycle_count", std::to_string(decision));
+  pen_.Begin("state");
+  Set(agent, "current_state_id", goal.goal);
+  pen_.Set("decision_cycle_count", decision);
   if (goal.impasse != kernel::ImpasseType::kNone) {
-    element.Set("impasse_object", goal.on_operator ? "operator" : "state").Set("impasse_type", ImpasseName(goal.impasse));
+    pen_.Set("impasse_object", goal.on_operator ? "operator" : "state").Set("impasse_type", ImpasseName(goal.impasse));
   }
-  element.Set("stack_level", level);
-  const kernel::Symbol name = agent.memory().ValueOf(goal.goal, kernel::words::kName);
-  if (name) element.Set("name", Text(agent, name));
+  if (const kernel::Symbol name = agent.memory().ValueOf(goal.goal, kernel::words::kName)) Set(agent, "name", name);
+  pen_.Set("stack_level", level).End("state");
 }
 
 void XmlTracer::OnOperatorRemoved(const kernel::Agent& agent, const kernel::GoalInfo&, kernel::OperatorRemoval why,
                                   const kernel::WmeInfo& wme) {
   if (!hosted_.session().trace().On(TraceFlag::kConsistency) || why != kernel::OperatorRemoval::kProposalGone) return;
-  trace_->children.push_back(WmeElement(agent, wme));
+  AddWme(agent, wme);
 }
 
-void XmlTracer::OnPrint(const kernel::Agent&, std::string_view text) {
-  trace_->Add("rhs_write").Set("string", std::string(text));
-}
+void XmlTracer::OnPrint(const kernel::Agent&, std::string_view text) { AddText("rhs_write", text); }
 
-void XmlTracer::OnWarning(const kernel::Agent&, kernel::WarningKind, std::string_view text) {
-  trace_->Add("warning").Set("string", std::string(text));
-}
+void XmlTracer::OnWarning(const kernel::Agent&, kernel::WarningKind, std::string_view text) { AddText("warning", text); }
 
 void XmlTracer::OnInterrupt(const kernel::Agent&, std::string_view reason) {
-  trace_->Add("message").Set("string", reason.empty() ? "Interrupt received." : std::string(reason));
+  AddText("message", reason.empty() ? "Interrupt received." : reason);
 }
 
-void XmlTracer::OnHalt(const kernel::Agent&) { trace_->Add("message").Set("string", "This Agent halted."); }
+void XmlTracer::OnHalt(const kernel::Agent&) { AddText("message", "This Agent halted."); }
 
 void XmlTracer::OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate, double value, double probability) {
-  trace_->Add("candidate")
-      .Set("exp", wire::FixedDouble(probability))
-      .Set("name", Text(agent, candidate))
-      .Set("type", "sum")
-      .Set("value", wire::FixedDouble(value));
+  pen_.Begin("candidate").Set("exp", wire::FixedDouble(probability));
+  Set(agent, "name", candidate);
+  pen_.Set("type", "sum").Set("value", wire::FixedDouble(value)).End("candidate");
 }
 
 }  // namespace soarbox::server

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <memory>
+#include <string>
+#include <string_view>
 
 #include "kernel/agent.h"
 #include "kernel/observer.h"
-#include "sml/wire/element.h"
+#include "sml/wire/xml_writer.h"
 
 namespace soarbox::server {
 
 class HostedAgent;
 
 /// Builds the structured trace of an agent: what the command line's trace settings show, as elements. Switched on only
-/// while a client listens. The pieces are sent at the start of every output phase and at the end of runs.
+/// while a client listens. The pieces are sent at the start of every output phase and at the end of runs. They are
+/// written as the text that goes to clients elsewhere.
 class XmlTracer : public kernel::Observer {
  public:
   explicit XmlTracer(HostedAgent& hosted) : hosted_(hosted) {}
@@ -21,8 +23,8 @@ class XmlTracer : public kernel::Observer {
   void SetOn(bool on);
   /// Subscribes to what the trace settings need now; call after they may have changed.
   void Refresh();
-  /// What has gathered, as <trace>; null if nothing has.
-  std::shared_ptr<const wire::Element> Take();
+  /// Moves what has gathered, the children of <trace>, into `pieces`; false if nothing has.
+  bool Take(std::string& pieces);
 
   void OnPhaseBegin(const kernel::Agent& agent, kernel::Phase phase) override;
   void OnPhaseEnd(const kernel::Agent& agent, kernel::Phase phase) override;
@@ -45,17 +47,21 @@ class XmlTracer : public kernel::Observer {
 
  private:
   bool ShowsFiring(const kernel::FiringInfo& info) const;
-  void AddRule(const char* tag, const kernel::Agent& agent, const kernel::FiringInfo& info);
+  void AddRule(std::string_view tag, const kernel::Agent& agent, const kernel::FiringInfo& info);
   void AddPreference(const kernel::Agent& agent, kernel::PreferenceId id);
+  void AddWme(const kernel::Agent& agent, const kernel::WmeInfo& wme);
+  void AddText(std::string_view tag, std::string_view text);
+  /// Sets an attribute to a symbol's text.
+  void Set(const kernel::Agent& agent, std::string_view name, kernel::Symbol symbol);
 
   HostedAgent& hosted_;
   bool on_ = false;
   bool subscribed_ = false;
-  std::shared_ptr<wire::Element> trace_ = std::make_shared<wire::Element>("trace");
+  std::string pieces_;
+  std::string symbol_;           ///< Room for a symbol's text.
+  wire::XmlPen pen_{pieces_};
 };
 
-/// <wme attr id [preference] [tag] valtype value> as traces and answers show it.
-wire::Element WmeElement(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool with_tag = true);
 /// "string", "int", "double" or "id".
 const char* ValueTypeName(kernel::Symbol symbol);
 

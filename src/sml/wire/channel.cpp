@@ -3,6 +3,8 @@
 
 #include <asio.hpp>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -37,6 +39,10 @@ namespace {
 /// Messages that may be dropped wait for others to go with them: for so long, or until there are so many bytes.
 constexpr std::chrono::milliseconds kGatherTime{1};
 constexpr std::size_t kGathered = 64 * 1024;
+/// No part joins a message that would become longer than this.
+constexpr std::size_t kLongestJoined = 16 * 1024;
+/// So many messages can be open at once.
+constexpr std::size_t kMostOpen = 8;
 
 }  // namespace
 
@@ -85,6 +91,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     std::string bytes;
     {
       const std::lock_guard lock(mutex);
+      if (outbox.empty()) CloseOpen();
       if (outbox.empty() || shut) {
         writing = false;
         return;
@@ -113,6 +120,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
       {
         const std::lock_guard lock(self->mutex);
         self->gathering = false;
+        self->CloseOpen();
         if (self->writing || self->outbox.empty() || self->shut) return;
         self->writing = true;
       }
@@ -125,6 +133,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
       const std::lock_guard lock(mutex);
       if (shut) return;
       shut = true;
+      CloseOpen();
       if (!writing && !outbox.empty()) SendNow();
     }
     asio::error_code ignored;
@@ -145,33 +154,85 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
 
   // On any thread.
   bool Send(const std::string& message, bool droppable) {
-    std::string bytes = Frame(message);
+    const std::array<char, 4> header = FrameHeader(message.size());
+    const std::size_t size = header.size() + message.size();
     std::unique_lock lock(mutex);
     if (shut) return false;
-    if (droppable && waiting_out + bytes.size() > limits.max_waiting_out / 2) {
+    if (droppable && waiting_out + size > limits.max_waiting_out / 2) {
       ++dropped;
       return false;
     }
-    if (waiting_out + bytes.size() > limits.max_waiting_out) {
+    if (waiting_out + size > limits.max_waiting_out) {
       lock.unlock();
       asio::post(socket.get_executor(), [self = shared_from_this()] { self->Shut(); });
       return false;
     }
-    outbox += bytes;
-    waiting_out += bytes.size();
-    if (writing) return true;
-    if (droppable && outbox.size() < kGathered) {
-      if (gathering) return true;
-      gathering = true;
-      lock.unlock();
-      asio::post(socket.get_executor(), [self = shared_from_this()] { self->Gather(); });
+    CloseOpen();
+    outbox.append(header.data(), header.size());
+    outbox += message;
+    waiting_out += size;
+    return SendSoon(lock, droppable);
+  }
+
+  bool Join(std::uint64_t series, std::string_view part) {
+    std::unique_lock lock(mutex);
+    for (Open& message : open) {
+      if (message.series != series) continue;
+      if (message.bytes.size() + part.size() > kLongestJoined) return false;
+      message.bytes += part;
+      waiting_out += part.size();
       return true;
     }
-    SendNow();
-    if (outbox.empty()) return true;
-    writing = true;
+    return false;
+  }
+
+  bool SendOpen(std::uint64_t series, std::string_view head, std::string_view part, std::string_view tail) {
+    const std::size_t size = 4 + head.size() + part.size() + tail.size();
+    std::unique_lock lock(mutex);
+    if (shut) return false;
+    if (waiting_out + size > limits.max_waiting_out / 2) {
+      ++dropped;
+      return false;
+    }
+    const bool again = std::any_of(open.begin(), open.end(), [&](const Open& message) { return message.series == series; });
+    if (again || open.size() >= kMostOpen) CloseOpen();
+    if (spare.empty()) spare.emplace_back();
+    Open& message = open.emplace_back(std::move(spare.back()));
+    spare.pop_back();
+    message.series = series;
+    message.bytes.assign(head).append(part);
+    message.tail.assign(tail);
+    waiting_out += size;
+    return SendSoon(lock, true);
+  }
+
+  /// Ends the open messages and puts them into the outbox; the lock is held.
+  void CloseOpen() {
+    for (Open& message : open) {
+      const std::array<char, 4> header = FrameHeader(message.bytes.size() + message.tail.size());
+      outbox.append(header.data(), header.size()).append(message.bytes).append(message.tail);
+      spare.push_back(std::move(message));
+    }
+    open.clear();
+  }
+
+  /// Sees to it that what has been put into the outbox goes, at once or after a moment, and that open messages get closed.
+  bool SendSoon(std::unique_lock<std::mutex>& lock, bool may_wait) {
+    // (What is being written takes the rest with it.)
+    if (writing) return true;
+    if (!may_wait || outbox.size() >= kGathered) {
+      SendNow();
+      if (!outbox.empty()) {
+        writing = true;
+        lock.unlock();
+        asio::post(socket.get_executor(), [self = shared_from_this()] { self->Write(); });
+        return true;
+      }
+    }
+    if (gathering || (outbox.empty() && open.empty())) return true;
+    gathering = true;
     lock.unlock();
-    asio::post(socket.get_executor(), [self = shared_from_this()] { self->Write(); });
+    asio::post(socket.get_executor(), [self = shared_from_this()] { self->Gather(); });
     return true;
   }
 
@@ -207,6 +268,12 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   std::condition_variable arrived;
   std::deque<std::string> inbox;
   std::string outbox;
+  /// A message that waits for further parts.
+  struct Open {
+    std::uint64_t series = 0;
+    std::string bytes, tail;
+  };
+  std::vector<Open> open, spare;
   std::size_t waiting_in = 0, waiting_out = 0;
   bool writing = false, gathering = false, paused = false, shut = false;
   std::uint64_t dropped = 0;
@@ -221,6 +288,12 @@ Channel::~Channel() {
 }
 
 bool Channel::Send(const std::string& message, bool droppable) { return socket_->Send(message, droppable); }
+
+bool Channel::Join(std::uint64_t series, std::string_view part) { return socket_->Join(series, part); }
+
+bool Channel::SendOpen(std::uint64_t series, std::string_view head, std::string_view part, std::string_view tail) {
+  return socket_->SendOpen(series, head, part, tail);
+}
 
 bool Channel::Pop(std::string& message) {
   const std::lock_guard lock(socket_->mutex);

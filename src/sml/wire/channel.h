@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "diagnostics/result.h"
 
@@ -46,6 +47,11 @@ class Channel {
   /// Sends a message, or queues it. `droppable`: it may be left out if the other side does not keep up, and may wait for a
   /// millisecond, so that many go together; the order of messages stays. False if it was left out or the channel is closed.
   bool Send(const std::string& message, bool droppable = false);
+  /// Adds to a message of this series that SendOpen left open. False if there is none any more: begin one.
+  bool Join(std::uint64_t series, std::string_view part);
+  /// Sends `head`, `part` and `tail` as a message that may be left out. For a moment, and unless another message goes
+  /// first, further parts can join: many small pieces of text or trace then cost as much as one.
+  bool SendOpen(std::uint64_t series, std::string_view head, std::string_view part, std::string_view tail);
   /// Takes a message that has come; false if there is none.
   bool Pop(std::string& message);
   /// Waits for a message; false if the time is over, or the channel closed and empty.

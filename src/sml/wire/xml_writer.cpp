@@ -2,26 +2,50 @@
 #include "sml/wire/xml_writer.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 namespace soarbox::wire {
+
+namespace {
+
+/// The entity for each character that needs one.
+constexpr auto kEntities = [] {
+  std::array<std::string_view, 256> entities{};
+  entities['<'] = "&lt;";
+  entities['>'] = "&gt;";
+  entities['&'] = "&amp;";
+  entities['"'] = "&quot;";
+  entities['\''] = "&apos;";
+  return entities;
+}();
+
+constexpr auto kPlain = [] {
+  std::array<bool, 256> plain{};
+  for (std::size_t c = 0; c < plain.size(); ++c) plain[c] = kEntities[c].empty();
+  return plain;
+}();
+
+}  // namespace
 
 void AppendEscaped(std::string& out, std::string_view text) {
   std::size_t from = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    std::string_view entity;
-    switch (text[i]) {
-      case '<': entity = "&lt;"; break;
-      case '>': entity = "&gt;"; break;
-      case '&': entity = "&amp;"; break;
-      case '"': entity = "&quot;"; break;
-      case '\'': entity = "&apos;"; break;
-      default: continue;
-    }
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (kPlain[c]) continue;
     out.append(text, from, i - from);
-    out.append(entity);
+    out.append(kEntities[c]);
     from = i + 1;
   }
   out.append(text, from);
+}
+
+XmlPen& XmlPen::Set(std::string_view name, std::uint64_t value) {
+  BeginValue(name);
+  char digits[20];
+  out_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+  out_ += '"';
+  return *this;
 }
 
 void AppendXml(std::string& out, const Element& element, const WriteOptions& options) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,49 @@ struct WriteOptions {
 void AppendEscaped(std::string& out, std::string_view text);
 void AppendXml(std::string& out, const Element& element, const WriteOptions& options = {});
 std::string ToXml(const Element& element, const WriteOptions& options = {});
+
+/// Writes elements straight into a text, for what is written too often to build it first. Attributes are to be given in
+/// byte order of their names.
+class XmlPen {
+ public:
+  explicit XmlPen(std::string& out) : out_(out) {}
+
+  XmlPen& Begin(std::string_view tag) {
+    EndStart();
+    out_ += '<';
+    out_ += tag;
+    in_start_ = true;
+    return *this;
+  }
+  XmlPen& Set(std::string_view name, std::string_view value) {
+    BeginValue(name);
+    AppendEscaped(out_, value);
+    out_ += '"';
+    return *this;
+  }
+  XmlPen& Set(std::string_view name, std::uint64_t value);
+  /// Ends the element that was begun with this tag.
+  XmlPen& End(std::string_view tag) {
+    EndStart();
+    out_ += "</";
+    out_ += tag;
+    out_ += '>';
+    return *this;
+  }
+
+ private:
+  void EndStart() {
+    if (in_start_) out_ += '>';
+    in_start_ = false;
+  }
+  void BeginValue(std::string_view name) {
+    out_ += ' ';
+    out_ += name;
+    out_ += "=\"";
+  }
+
+  std::string& out_;
+  bool in_start_ = false;
+};
 
 }  // namespace soarbox::wire

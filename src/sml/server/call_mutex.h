@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <atomic>
+
+namespace soarbox::server {
+
+/// A recursive mutex that costs a few instructions while nobody else wants it: every call of the client API takes it.
+/// Whoever finds it taken sleeps until it is free; no order is promised among those who wait.
+class CallMutex {
+ public:
+  void lock() {
+    const void* self = Self();
+    if (owner_.load(std::memory_order_relaxed) == self) {
+      ++depth_;
+      return;
+    }
+    int expected = kFree;
+    if (!state_.compare_exchange_strong(expected, kHeld, std::memory_order_acquire, std::memory_order_relaxed)) Wait();
+    owner_.store(self, std::memory_order_relaxed);
+    depth_ = 1;
+  }
+  bool try_lock() {
+    const void* self = Self();
+    if (owner_.load(std::memory_order_relaxed) != self) {
+      int expected = kFree;
+      if (!state_.compare_exchange_strong(expected, kHeld, std::memory_order_acquire, std::memory_order_relaxed)) return false;
+      owner_.store(self, std::memory_order_relaxed);
+    }
+    ++depth_;
+    return true;
+  }
+  void unlock() {
+    if (--depth_ > 0) return;
+    owner_.store(nullptr, std::memory_order_relaxed);
+    if (state_.exchange(kFree, std::memory_order_release) == kWanted) state_.notify_one();
+  }
+
+ private:
+  enum : int { kFree, kHeld, kWanted };
+
+  /// An address that differs from thread to thread.
+  static const void* Self() {
+    static thread_local const char mark = 0;
+    return &mark;
+  }
+  /// The holder wakes one who sleeps only if it reads kWanted, so whoever has slept leaves that mark behind.
+  [[gnu::noinline]] void Wait() {
+    while (state_.exchange(kWanted, std::memory_order_acquire) != kFree) state_.wait(kWanted, std::memory_order_relaxed);
+  }
+
+  std::atomic<int> state_{kFree};
+  std::atomic<const void*> owner_{nullptr};
+  int depth_ = 0;   ///< Of the owner's locks.
+};
+
+}  // namespace soarbox::server
