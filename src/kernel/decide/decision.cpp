@@ -87,6 +87,8 @@ void Decision::Install(GoalLevel level, const Candidate& winner) {
   }
   const Goal& goal = engine_.goals.at(level);
   engine_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
+  // The element outlives a preference that goes while another one still proposes the operator.
+  engine_.preferences.AddReference(winner.preference);
   if (!engine_.forced_operator.empty() && ToString(engine_.symbols, winner.value) == engine_.forced_operator) {
     engine_.forced_operator.clear();
   }
@@ -121,7 +123,7 @@ void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acc
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
   }
   const SlotId slot = goal.operator_slot;
-  while (engine_.memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(engine_.memory.slot(slot).wmes);
+  engine_.preferences.RemoveSelected(slot);
   if (engine_.goals.depth() > level) {
     const GoalRemoval why =
         reason == OperatorRemoval::kInconsistent ? GoalRemoval::kInconsistent : GoalRemoval::kOperatorRemoval;

@@ -142,7 +142,8 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
   const bool o_support = firing_ == FiringType::kPe;
   while (matches.HasAssertions(level, o_support)) {
     const PendingMatch match = matches.TakeAssertion(level, o_support);
-    if (engine_.rete.production(match.production)->type == ProductionType::kJustification) {
+    const Production& rule = *engine_.rete.production(match.production);
+    if (rule.type == ProductionType::kJustification) {
       matches.Release(match.match);  // A justification that matches again does not fire.
       continue;
     }
@@ -152,7 +153,7 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
       if (engine_.observers.Wants(Event::kFiring)) {
         FiringInfo info;
         info.production = match.production;
-        info.rule = engine_.rete.production(match.production).get();
+        info.rule = &rule;
         info.name = info.rule->name;
         info.goal = match.goal;
         info.level = match.level;
@@ -164,7 +165,7 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
       continue;
     }
     fired = true;
-    engine_.firing.Fire(match);
+    engine_.firing.Fire(match, rule);
   }
   matches.PutBack(put_back_);
   if (fired) change_level = level;
@@ -240,19 +241,22 @@ void Elaboration::Retract(MatchId match) {
 // The working memory phase --------------------------------------------------------------------------------------------
 
 void Elaboration::ApplyWorkingMemoryChanges() {
-  engine_.slot_decision.DecideChangedSlots();
-  engine_.slot_decision.UpdateAcceptables();
+  const std::size_t retired = engine_.preferences.retired();
+  if (!engine_.preferences.changed_slots().empty()) engine_.slot_decision.DecideChangedSlots();
+  if (!engine_.preferences.changed_acceptables().empty()) engine_.slot_decision.UpdateAcceptables();
+  if (retired > 0) engine_.preferences.ReleaseRetired(retired);
   while (engine_.links.HasWork()) {
     garbage_.clear();
     engine_.links.Settle(garbage_);
     for (const Symbol id : garbage_) engine_.goal_changes.CollectGarbage(id);
   }
-  engine_.changes.Flush();
-  engine_.preferences.FreeEmptySlots();
+  if (!engine_.changes.empty()) engine_.changes.Flush();
+  if (!engine_.preferences.empty_slots().empty()) engine_.preferences.FreeEmptySlots();
   if (!engine_.excisions.empty()) {
     for (const ProductionId production : engine_.excisions) engine_.rete.ExciseProduction(production);
     engine_.excisions.clear();
   }
+  if (!engine_.changes.HasDead()) return;
   // Elements of matches that wait for their retraction may still be shown.
   const MatchSet& matches = engine_.rete.matches();
   for (GoalLevel level = 0; level <= engine_.goals.depth(); ++level) {

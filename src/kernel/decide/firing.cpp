@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/decide/firing.h"
 
-#include <cctype>
-
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
 #include "kernel/rules/functions/builtin_functions.h"
@@ -30,9 +28,9 @@ std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Productio
 
 char Firing::LetterFor(std::string_view name) {
   if (!name.empty() && name.front() == '<') name.remove_prefix(1);
-  if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0) return 'I';
-  const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-  return letter == 'S' ? 'I' : letter;
+  if (name.empty()) return 'I';
+  const char letter = static_cast<char>(name.front() & ~0x20);  // The capital of a letter of ASCII.
+  return letter < 'A' || letter > 'Z' || letter == 'S' ? 'I' : letter;
 }
 
 Symbol Firing::TouchedAbove(const PendingMatch& match, GoalLevel level) const {
@@ -48,9 +46,7 @@ Symbol Firing::TouchedAbove(const PendingMatch& match, GoalLevel level) const {
   return {};
 }
 
-void Firing::Fire(const PendingMatch& match) {
-  // The rule stays alive through this pointer even if an action excises it.
-  const ProductionPtr rule = engine_.rete.production(match.production);
+void Firing::Fire(const PendingMatch& match, const Production& rule) {
   const InstantiationId id = engine_.instantiations.Make();
   {
     Instantiation& instantiation = engine_.instantiations[id];
@@ -62,14 +58,16 @@ void Firing::Fire(const PendingMatch& match) {
     instantiation.held = true;
   }
   const std::span<const WmeId> wmes = engine_.rete.Wmes(match.match);
-  wmes_.assign(wmes.begin(), wmes.end());
+  if (wmes_.size() < wmes.size()) wmes_.resize(wmes.size());
+  WmeId* const copy = wmes_.data();
+  for (std::size_t n = 0; n < wmes.size(); ++n) copy[n] = wmes[n];
   engine_.rete.matches().MarkFired(match.match, id);
-  if (match.level > 1) TraceConditions(id, wmes_);
+  if (match.level > 1) TraceConditions(id, {copy, wmes.size()});
 
   ++engine_.counters.firings;
   Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
   ++record.firings;
-  const bool interrupt = record.breaks || (rule->interrupt && !record.silenced);
+  const bool interrupt = record.breaks || (rule.interrupt && !record.silenced);
 
   if (engine_.observers.Wants(Event::kAssertion)) {
     const FiringInfo info = engine_.DescribeInstantiation(id);
@@ -81,7 +79,7 @@ void Firing::Fire(const PendingMatch& match) {
   }
   match_level_ = match.level;
   o_support_ = match.o_support;
-  RunActions(*rule, id);
+  RunActions(rule, id);
   if (engine_.observers.Wants(Event::kFiring)) {
     std::vector<PreferenceId> made;
     for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
@@ -93,7 +91,7 @@ void Firing::Fire(const PendingMatch& match) {
   }
   engine_.preferences.LinkToGoal(id);
   made_.push_back(id);
-  if (interrupt) engine_.run.InterruptByRule(rule->name);
+  if (interrupt) engine_.run.InterruptByRule(rule.name);
   if (match.level > 1) engine_.justifier.Consider(id);
 }
 
@@ -102,7 +100,9 @@ void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
   const std::span<ConditionTrace> traces = engine_.instantiations.MakeTrace(id, wmes.size());
   for (std::size_t n = 0; n < wmes.size(); ++n) {
     const WmeId wme = wmes[n];
-    PreferenceId preference = engine_.memory.record(wme).preference;
+    // A justification may rest on an element that has left since: so may the preference that made it.
+    const WmeRecord& record = engine_.memory.record(wme);
+    PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
     if (preference != PreferenceId::kNone) preference = CloneAtLevel(preference, level);
     traces[n] = {wme, engine_.memory.level(engine_.memory.wme(wme).id), preference};
     engine_.changes.AddReference(wme);
@@ -126,7 +126,9 @@ PreferenceId Firing::CloneAtLevel(PreferenceId preference, GoalLevel level) cons
 
 void Firing::RunActions(const Production& rule, InstantiationId id) {
   if (rule.type == ProductionType::kTemplate) return;
-  new_identifiers_.assign(rule.new_identifiers.size(), Symbol());
+  const std::size_t new_count = rule.new_identifiers.size();
+  if (new_identifiers_.size() < new_count) new_identifiers_.resize(new_count);
+  for (std::size_t n = 0; n < new_count; ++n) new_identifiers_[n] = Symbol();
   rule_ = &rule;
   engine_.context.SetFiring(id);
   for (const Action& action : rule.actions) RunAction(action, id);

@@ -174,7 +174,7 @@ void GoalChanges::RemoveBottom() {
   engine_.gds.GoalRemoved(goal.level);  // First: the set holds elements of the goal itself, which go now.
   while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
   const SlotId slot = goal.operator_slot;
-  while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
+  engine_.preferences.RemoveSelected(slot);
   ForEachItemInRemovalOrder(goal, [&](WmeId item) { engine_.changes.Remove(item); });
   goal.items.clear();
   while (memory.identifier(goal.id).architecture_wmes != WmeId::kNone) {

@@ -53,10 +53,14 @@ bool PreferenceChanges::Assert(PreferenceId id) {
   if (preference.referent.IsIdentifier()) {
     preference.referent_link = engine_.links.Add(preference.id, preference.referent);
   }
-  MarkChanged(slot);
-  if (is_operator &&
-      (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
-    NoteAcceptablesChanged(slot);
+  Slot& record = memory.mutable_slot(slot);
+  if (!is_operator && !record.is_operator) {
+    MarkOrdinary(slot, record);
+  } else {
+    MarkChanged(slot);
+    if (is_operator && (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
+      NoteAcceptablesChanged(slot);
+    }
   }
   engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceAdded(engine_.agent, id); });
   return true;
@@ -68,17 +72,40 @@ void PreferenceChanges::Retract(PreferenceId id) {
   if (!preference.in_slot) return;
   engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceRemoved(engine_.agent, id); });
   const SlotId slot = preference.slot;
-  engine_.links.Remove(preference.value_link);
-  engine_.links.Remove(preference.referent_link);
+  if (preference.value_link != LinkGraph::kNone) engine_.links.Remove(preference.value_link);
+  if (preference.referent_link != LinkGraph::kNone) engine_.links.Remove(preference.referent_link);
   preference.value_link = preference.referent_link = LinkGraph::kNone;
   if (preference.on_goal_list) UnlinkFromGoal(id);
   memory.RemoveFromSlot(id);
-  MarkChanged(slot);
-  if (memory.slot(slot).is_operator &&
-      (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
-    NoteAcceptablesChanged(slot);
+  Slot& record = memory.mutable_slot(slot);
+  if (!record.is_operator) {
+    MarkOrdinary(slot, record);
+  } else {
+    MarkChanged(slot);
+    if (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire) {
+      NoteAcceptablesChanged(slot);
+    }
   }
-  FreeIfUnused(id);
+  if (engine_.goals.depth() > 1) {
+    AddReference(id);
+    retired_.push_back(id);
+  } else {
+    FreeIfUnused(id);
+  }
+}
+
+void PreferenceChanges::ReleaseRetired(std::size_t count) {
+  for (std::size_t n = 0; n < count; ++n) DropReference(retired_[n]);
+  retired_.erase(retired_.begin(), retired_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+void PreferenceChanges::RemoveSelected(SlotId slot) {
+  while (engine_.memory.slot(slot).wmes != WmeId::kNone) {
+    const WmeId wme = engine_.memory.slot(slot).wmes;
+    const PreferenceId maker = engine_.memory.record(wme).preference;
+    engine_.changes.Remove(wme);
+    DropReference(maker);
+  }
 }
 
 void PreferenceChanges::ApplyOReject(PreferenceId reject) {
@@ -241,9 +268,7 @@ void PreferenceChanges::MarkChanged(SlotId id) {
     slot.changed = true;
     return;
   }
-  if (slot.changed) return;
-  slot.changed = true;
-  changed_slots_.push_back(id);
+  MarkOrdinary(id, slot);
 }
 
 void PreferenceChanges::FreeEmptySlots() {
@@ -261,6 +286,7 @@ void PreferenceChanges::Clear() {
   changed_acceptables_.clear();
   empty_slots_.clear();
   unused_.clear();
+  retired_.clear();
 }
 
 }  // namespace soarbox::kernel

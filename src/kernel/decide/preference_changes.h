@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
-#include "kernel/memory/preference.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -26,8 +27,15 @@ class PreferenceChanges {
                     PreferenceType type, bool o_supported);
   /// Puts it in its slot, unless the top state has the same o-supported fact already. False if it was not added.
   bool Assert(PreferenceId preference);
-  /// Takes it out of its slot and drops the slot's reference.
+  /// Takes it out of its slot and drops the slot's reference. While there are substates it lives on until its slot has
+  /// been decided: until then the element that it made may be matched, and learning asks for the element's maker.
   void Retract(PreferenceId preference);
+  /// How many retracted preferences wait for their slots to be decided.
+  std::size_t retired() const { return retired_.size(); }
+  /// Lets go of the `count` that have waited longest.
+  void ReleaseRetired(std::size_t count);
+  /// Removes the selected operator of a goal's slot, and the hold of its element on its preference.
+  void RemoveSelected(SlotId slot);
   /// Removes every preference for the same value from the slot of an o-supported reject.
   void ApplyOReject(PreferenceId reject);
   /// Puts the preferences of a new instantiation of a substate on its goal's list: they go when the goal goes.
@@ -55,6 +63,11 @@ class PreferenceChanges {
   void Clear();
 
  private:
+  void MarkOrdinary(SlotId id, Slot& slot) {
+    if (slot.changed) return;
+    slot.changed = true;
+    changed_slots_.push_back(id);
+  }
   void LinkToGoal(PreferenceId preference);
   void UnlinkFromGoal(PreferenceId preference);
   void UnlinkFromChains(PreferenceId preference);
@@ -65,7 +78,7 @@ class PreferenceChanges {
 
   Engine& engine_;
   std::vector<SlotId> changed_slots_, changed_acceptables_, empty_slots_;
-  std::vector<PreferenceId> unused_, rejected_;
+  std::vector<PreferenceId> unused_, rejected_, retired_;
   std::uint32_t last_stamp_ = 0;
   bool draining_ = false;
   bool o_reject_made_ = false;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
+#include <utility>
 
 namespace soarbox::kernel {
 
@@ -21,16 +21,16 @@ class Search {
     }
     const Condition& condition = conditions[at];
     if (condition.kind == ConditionKind::kConjunctiveNegation) {
-      const auto saved = bindings_;
+      const std::size_t bound = bindings_.size();
       const std::size_t tags = tags_.size();
       const bool none = Run(condition.conditions, 0, [] { return false; });
-      bindings_ = saved;
+      bindings_.resize(bound);
       tags_.resize(tags);
       return !none || Run(conditions, at + 1, visit);
     }
     bool blocked = false;
     for (const WmeId wme : live_) {
-      const auto saved = bindings_;
+      const std::size_t bound = bindings_.size();
       if (Fits(condition, wmes_[Index(wme)])) {
         if (condition.kind == ConditionKind::kNegative) {
           blocked = true;
@@ -43,7 +43,7 @@ class Search {
           }
         }
       }
-      bindings_ = saved;
+      bindings_.resize(bound);
     }
     return condition.kind == ConditionKind::kPositive || blocked || Run(conditions, at + 1, visit);
   }
@@ -70,37 +70,57 @@ class Search {
     if (!test.referent.IsVariable()) {
       return test.referent == value;
     }
-    const auto [it, inserted] = bindings_.emplace(test.referent.bits(), value);
-    return inserted || it->second == value;
+    if (const Symbol* known = Find(test.referent)) {
+      return *known == value;
+    }
+    bindings_.emplace_back(test.referent, value);
+    return true;
   }
 
-  std::uint64_t Lti(Symbol symbol) const {
-    return symbol.IsIdentifier() ? goals_.lti_of[symbol.index()] : 0;
+  const Symbol* Find(Symbol variable) const {
+    for (const auto& [name, value] : bindings_) {
+      if (name == variable) {
+        return &value;
+      }
+    }
+    return nullptr;
   }
+
+  std::uint64_t Lti(Symbol symbol) const { return symbol.IsIdentifier() ? goals_.lti_of[symbol.index()] : 0; }
 
   bool Holds(const Test& test, Symbol value) const {
     Symbol other = test.referent;
     if (other.IsVariable() && test.kind != TestKind::kState) {
-      const auto it = bindings_.find(other.bits());
-      if (it == bindings_.end()) {
+      const Symbol* known = Find(other);
+      if (!known) {
         return false;
       }
-      other = it->second;
+      other = *known;
     }
     switch (test.kind) {
       case TestKind::kBlank:
-      case TestKind::kEqual: return true;
-      case TestKind::kNotEqual: return value != other;
-      case TestKind::kLess: return symbols_.Compare(value, other) < 0;
-      case TestKind::kGreater: return symbols_.Compare(value, other) > 0;
-      case TestKind::kLessOrEqual: return symbols_.Compare(value, other) <= 0;
-      case TestKind::kGreaterOrEqual: return symbols_.Compare(value, other) >= 0;
-      case TestKind::kSameType: return value.kind() == other.kind();
-      case TestKind::kDisjunction: return std::ranges::find(test.disjuncts, value) != test.disjuncts.end();
+      case TestKind::kEqual:
+        return true;
+      case TestKind::kNotEqual:
+        return value != other;
+      case TestKind::kLess:
+        return symbols_.Compare(value, other) < 0;
+      case TestKind::kGreater:
+        return symbols_.Compare(value, other) > 0;
+      case TestKind::kLessOrEqual:
+        return symbols_.Compare(value, other) <= 0;
+      case TestKind::kGreaterOrEqual:
+        return symbols_.Compare(value, other) >= 0;
+      case TestKind::kSameType:
+        return value.kind() == other.kind();
+      case TestKind::kDisjunction:
+        return std::ranges::find(test.disjuncts, value) != test.disjuncts.end();
       case TestKind::kConjunction:
         return std::ranges::all_of(test.parts, [&](const Test& part) { return Holds(part, value); });
-      case TestKind::kState: return value.IsIdentifier() && goals_.level_of_goal[value.index()] != 0;
-      case TestKind::kImpasse: return false;
+      case TestKind::kState:
+        return value.IsIdentifier() && goals_.level_of_goal[value.index()] != 0;
+      case TestKind::kImpasse:
+        return false;
       case TestKind::kSameLti:
       case TestKind::kNotSameLti: {
         const std::uint64_t wanted =
@@ -108,8 +128,10 @@ class Search {
         const bool same = Lti(value) != 0 && Lti(value) == wanted;
         return same == (test.kind == TestKind::kSameLti);
       }
-      case TestKind::kIsLti: return Lti(value) != 0;
-      case TestKind::kIsNotLti: return Lti(value) == 0;
+      case TestKind::kIsLti:
+        return Lti(value) != 0;
+      case TestKind::kIsNotLti:
+        return Lti(value) == 0;
     }
     return false;
   }
@@ -118,7 +140,7 @@ class Search {
   const WmeTable& wmes_;
   std::span<const WmeId> live_;
   const GoalView& goals_;
-  std::map<std::uint32_t, Symbol> bindings_;
+  std::vector<std::pair<Symbol, Symbol>> bindings_;  ///< Variables and their values; the last are taken back first.
   std::vector<std::uint64_t> tags_;
 };
 

@@ -13,22 +13,34 @@ namespace soarbox::kernel {
 namespace {
 
 /// Random rules over random changes; after each step the Rete must agree with the naive matcher, its conflict set with
-/// what it reported, and its own structure with its invariants.
+/// what it reported, and its own structure with its invariants. On request a rule goes and comes back before each step.
 class RandomCase {
  public:
-  explicit RandomCase(std::uint32_t seed) : random_(fixture_, seed), seed_(seed) {}
+  RandomCase(std::uint32_t seed, bool swap_rules) : random_(fixture_, seed), seed_(seed), swap_rules_(swap_rules) {}
 
   void Run(int steps) {
     for (int n = 0; n < 3; ++n) {
       AddRule();
     }
     for (step_ = 0; step_ < steps && !testing::Test::HasFailure(); ++step_) {
+      if (swap_rules_ && !rules_.empty()) SwapRule();
       Change();
       Check();
     }
   }
 
  private:
+  void SwapRule() {
+    const std::size_t n = random_.Below(static_cast<std::uint32_t>(rules_.size()));
+    const ProductionPtr rule = fixture_.rete.production(rules_[n]);
+    fixture_.rete.ExciseProduction(rules_[n]);
+    rules_.erase(rules_.begin() + static_cast<std::ptrdiff_t>(n));
+    Check();
+    const Rete::Added added = fixture_.rete.AddProduction(rule, fixture_.Goals());
+    if (added.result == Rete::AddResult::kAdded) rules_.push_back(added.production);
+    Check();
+  }
+
   void AddRule() {
     const Rete::Added added = fixture_.rete.AddProduction(
         std::make_shared<const Production>(random_.NextRule("rule" + std::to_string(next_rule_++))), fixture_.Goals());
@@ -39,7 +51,9 @@ class RandomCase {
 
   void Change() {
     switch (random_.Below(20)) {
-      case 0: AddRule(); break;
+      case 0:
+        AddRule();
+        break;
       case 1:
         if (rules_.size() > 1) {
           const std::size_t n = random_.Below(static_cast<std::uint32_t>(rules_.size()));
@@ -47,7 +61,9 @@ class RandomCase {
           rules_.erase(rules_.begin() + static_cast<std::ptrdiff_t>(n));
         }
         break;
-      case 2: Fire(); break;
+      case 2:
+        Fire();
+        break;
       case 3:
         if (random_.Below(6) == 0) {
           fixture_.rete.Clear();
@@ -117,21 +133,31 @@ class RandomCase {
   MatchFixture fixture_;
   RandomRules random_;
   std::uint32_t seed_;
+  bool swap_rules_;
   int step_ = 0;
   int next_rule_ = 0;
   std::vector<ProductionId> rules_;
   std::map<MatchId, std::pair<ProductionId, std::vector<std::uint64_t>>> fired_;
 };
 
-void RunSeeds(std::uint32_t first, std::uint32_t count) {
+void RunSeeds(std::uint32_t first, std::uint32_t count, bool swap_rules) {
   for (std::uint32_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
-    RandomCase(seed).Run(150);
+    RandomCase(seed, swap_rules).Run(150);
   }
 }
 
-TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesA) { RunSeeds(1, 350); }
-TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesB) { RunSeeds(100'000, 350); }
-TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesC) { RunSeeds(200'000, 350); }
+TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesA) {
+  RunSeeds(1, 1500, false);
+}
+TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesB) {
+  RunSeeds(100'000, 1500, false);
+}
+TEST(ReteAgainstNaiveMatcher, AgreesOnRandomRulesAndChangesC) {
+  RunSeeds(200'000, 1500, false);
+}
+TEST(ReteAgainstNaiveMatcher, AgreesWhileRulesGoAndComeAtEveryStep) {
+  RunSeeds(300'000, 1000, true);
+}
 
 }  // namespace
 }  // namespace soarbox::kernel

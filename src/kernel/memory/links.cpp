@@ -11,7 +11,8 @@ namespace soarbox::kernel {
 // Adding and removing -------------------------------------------------------------------------------------------------
 
 std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
-  if (memory_.identifier(to).is_goal || from == to) return kNone;
+  IdentifierRecord& target = At(to);
+  if (target.is_goal || from == to) return kNone;
   std::uint32_t id;
   if (!free_links_.empty()) {
     id = free_links_.back();
@@ -20,19 +21,20 @@ std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
     id = static_cast<std::uint32_t>(links_.size());
     links_.emplace_back();
   }
-  IdentifierRecord& target = At(to);
   Link& link = links_[id];
-  link = Link{};
   link.from = from;
   link.to = to;
   link.next_in = target.first_link;
+  link.previous_in = link.next_child = link.previous_child = kNone;
   if (target.first_link != kNone) links_[target.first_link].previous_in = id;
   target.first_link = id;
 
   const IdentifierRecord& source = At(from);
   if (target.parent_link == kNone) {
+    // One that has just lost its hold on a higher level finds its new one when links settle: its level falls then.
+    const bool falls = target.rooted && source.level > target.level;
     // An identifier without children cannot be above `from`.
-    if (target.first_child == kNone || Trace(from, to) != Ancestry::kBelow) SetParent(to, id);
+    if (!falls && (target.first_child == kNone || Trace(from, to) != Ancestry::kBelow)) SetParent(to, id);
   }
   if (!target.rooted && (source.rooted || source.is_goal)) {
     if (target.parent_link != id) {
@@ -47,7 +49,9 @@ std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
 
 /// The identifier has come to hang on a goal: so does all that it reaches and that floated until now, circles included.
 void LinkGraph::Root(Symbol id) {
-  At(id).rooted = true;
+  IdentifierRecord& first = At(id);
+  first.rooted = true;
+  if (first.slots == SlotId::kNone && first.architecture_wmes == WmeId::kNone && first.input_wmes == WmeId::kNone) return;
   stack_.push_back(id);
   while (!stack_.empty()) {
     const Symbol current = stack_.back();
@@ -83,7 +87,6 @@ void LinkGraph::Remove(std::uint32_t id) {
     target.first_link = link.next_in;
   }
   if (link.next_in != kNone) links_[link.next_in].previous_in = link.previous_in;
-  link = Link{};
   free_links_.push_back(id);
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::kernel {
+
+/// Draws the rules of agents that do nothing sensible but much of everything: operators and preferences of all kinds,
+/// impasses and results, objects, negations, arithmetic, elaborations that come and go. Few words, so that much
+/// matches. The same seed draws the same. For tests.
+class RandomAgents {
+ public:
+  explicit RandomAgents(std::uint32_t seed) : random_(seed) {}
+
+  /// The body of a rule (what stands between the braces of sp), under a name of its own.
+  std::string NextRule();
+  std::uint32_t Below(std::uint32_t limit) { return random_() % limit; }
+  std::string_view Attribute();
+  std::string_view Constant();
+
+ private:
+  /// What the conditions of the rule in hand bind, and so what its actions may use.
+  struct Scope {
+    std::vector<std::string> objects;  ///< States and parts of them.
+    std::vector<std::string> values;
+    std::vector<std::string> operators;  ///< That are proposed in <s>.
+    struct Element {
+      std::string id, attribute, value;
+    };
+    std::vector<Element> elements;  ///< That conditions match, so that actions can reject them.
+    bool substate = false;
+    bool may_make = true;  ///< No condition matches what rules make: else objects would beget objects without end.
+  };
+
+  std::string NewVariable(std::string_view kind);
+  std::string ValueTest(Scope& scope, bool may_bind, std::string& bound);
+  std::string Tests(Scope& scope, const std::string& object, std::uint32_t count);
+  std::string Conditions(Scope& scope);
+  std::string NextAction(Scope& scope);
+  std::string Preference(Scope& scope);
+  template <typename T>
+  const T& Pick(const std::vector<T>& from) {
+    return from[Below(static_cast<std::uint32_t>(from.size()))];
+  }
+  bool Chance(std::uint32_t percent) { return Below(100) < percent; }
+
+  std::mt19937 random_;
+  int rules_ = 0;
+  int variables_ = 0;
+};
+
+}  // namespace soarbox::kernel
