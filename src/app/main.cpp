@@ -47,6 +47,10 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(CLI::Range(0, 65535));
   run->add_option("--kernel", options.kernel,
                   "HOST:PORT of a Soar kernel in another process to use instead of our own");
+  run->add_option("--kernel-limit", options.kernel_limit_s,
+                  "Seconds that this kernel may be silent before it counts as gone")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 3600.0));
 }
 
 void AddSoar(CLI::App& program, SoarShellOptions& options) {

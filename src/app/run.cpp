@@ -77,6 +77,7 @@ int Run(const RunOptions& given) {
   settings.screen_height_px = options.height_px;
   settings.every_command = options.every_command;
   settings.soar.seed = options.seed;
+  settings.soar.remote_limit_ms = static_cast<int>(options.kernel_limit_s * 1000);
   if (!options.kernel.empty()) {
     if (const Result<void> read = ReadKernelAddress(options.kernel, settings.soar); !read) {
       std::cerr << Format(read.error());

@@ -26,6 +26,7 @@ struct RunOptions {
   int height_px = 720;
   std::optional<int> port;  ///< For debuggers; none: 12121 with a window if it is free, closed without.
   std::string kernel;       ///< HOST:PORT of a Soar kernel in another process; empty: our own.
+  double kernel_limit_s = 2.0;  ///< How long that kernel may be silent before it counts as gone.
 };
 
 /// Carries out `soarbox run`; returns an ExitCode.

@@ -24,10 +24,18 @@ std::string AddressOf(const SoarSettings& settings) {
   return settings.remote_host + ":" + std::to_string(settings.remote_port);
 }
 
+/// Our client library can give up a kernel that does not answer; an official Soar in its place waits on.
+template <typename Kernel>
+void SetAnswerLimit(Kernel& kernel, int milliseconds) {
+  if constexpr (requires { kernel.SetAnswerLimit(milliseconds); }) kernel.SetAnswerLimit(milliseconds);
+}
+
 /// Never null; asks for HadError().
 std::unique_ptr<::sml::Kernel> Connect(const SoarSettings& settings) {
-  return std::unique_ptr<::sml::Kernel>(
+  std::unique_ptr<::sml::Kernel> kernel(
       ::sml::Kernel::CreateRemoteConnection(true, settings.remote_host.c_str(), settings.remote_port));
+  SetAnswerLimit(*kernel, settings.remote_limit_ms);
+  return kernel;
 }
 
 void RemoveAgents(::sml::Kernel& kernel, const std::set<std::string>& names) {

@@ -2,15 +2,32 @@
 """Minds in another process, debuggers at a running world, and hostile clients, all through the real command."""
 import json
 import os
+import pathlib
 import signal
 import socket
 import subprocess
+import tempfile
 import threading
 import time
 import unittest
 
 from protocol_client import Client, Refused, debugger_attach, debugger_start, frame
 from soarbox_command import COMMAND, run_json
+
+
+# One small decision and one command with a parameter for each new reading; finished commands are taken back.
+SEEKER_RULES = """
+sp {propose*advance (state <s> ^superstate nil ^io.input-link.range { <r> >= 12.0 })
+   --> (<s> ^operator <o> + =) (<o> ^name advance ^speed <r>)}
+sp {propose*hold (state <s> ^superstate nil ^io.input-link.range { <r> < 12.0 >= 4.0 })
+   --> (<s> ^operator <o> + =) (<o> ^name hold ^speed 0.0)}
+sp {propose*retreat (state <s> ^superstate nil ^io.input-link.range { <r> < 4.0 })
+   --> (<s> ^operator <o> + =) (<o> ^name retreat ^speed (- 4.0 <r>))}
+sp {apply*send (state <s> ^operator <o> ^io.output-link <out>)
+   (<o> ^name { <name> << advance hold retreat >> } ^speed <v>) --> (<out> ^<name> <cmd>) (<cmd> ^speed <v>)}
+sp {apply*drop (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <cmd>) (<cmd> ^status complete)
+   --> (<out> ^<name> <cmd> -)}
+"""
 
 
 def free_port():
@@ -99,6 +116,24 @@ class RemoteMinds(Case):
         with Client(port) as client:
             self.assertEqual(client.agents(), [])
 
+    def test_a_host_loop_gives_the_same_commands_over_a_socket_as_in_process(self):
+        port = free_port()
+        self.start_kernel(port)
+        with tempfile.TemporaryDirectory() as folder:
+            rules = pathlib.Path(folder) / "seeker.soar"
+            rules.write_text(SEEKER_RULES, encoding="utf-8")
+
+            def loop(*arguments):
+                done = subprocess.run([os.environ["SOARBOX_HOST_LOOP"], rules, "3", "40", *map(str, arguments)],
+                                      capture_output=True, text=True, timeout=120, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                return done.stdout.splitlines()
+
+            near, far = loop(), loop("127.0.0.1", port)
+        self.assertEqual(len(near), 3 * 40)
+        self.assertTrue({"advance", "hold", "retreat"} <= {line.split()[2] for line in near})
+        self.assertEqual(near, far)
+
     def test_minds_that_lose_their_kernel_stand_still_and_come_back_with_the_next_one(self):
         port = free_port()
         kernel = self.start_kernel(port)
@@ -130,6 +165,26 @@ class RemoteMinds(Case):
         self.assertLess(sorted(moved(while_lost[0], while_lost[-1], True))[-2], 0.2, "all stand but who is pushed")
         self.assertGreater(max(moved(while_lost[0], while_lost[-1], False)), 0.2, "the world goes on")
         self.assertGreater(max(moved(while_lost[-1], after[-1], True)), 1, "the minds act again")
+
+    def test_a_kernel_that_hangs_is_given_up_and_the_world_goes_on(self):
+        port = free_port()
+        kernel = self.start_kernel(port)
+        run = self.start("run", "thesis", "--headless", "--json", "--every-command", "--seconds", 600, "--speed", 2,
+                         "--report", 0.5, "--kernel", f"127.0.0.1:{port}", "--kernel-limit", 0.5)
+        run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > 3)
+        kernel.process.send_signal(signal.SIGSTOP)
+        stopped = time.monotonic()
+        lost = json.loads(run.wait_for(is_event("lost")))
+        self.assertLess(time.monotonic() - stopped, 15)
+        run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > lost["time"] + 6)
+        # The world itself stood still for the limit at most, not for as long as the kernel is silent.
+        self.assertLess(time.monotonic() - stopped, 25)
+        kernel.process.send_signal(signal.SIGCONT)
+        back = json.loads(run.wait_for(is_event("back")))
+        run.wait_for(lambda line: is_event("command")(line) and json.loads(line)["time"] > back["time"])
+        commands = [event["time"] for event in run.events("command")]
+        self.assertFalse([at for at in commands if lost["time"] < at < back["time"]])
+        self.assertEqual(run.interrupt(), 0)
 
     def test_names_that_another_run_uses_in_that_kernel_are_told(self):
         port = free_port()

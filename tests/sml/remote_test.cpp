@@ -2,6 +2,8 @@
 // The client API on a kernel at the other end of a socket: the same programs, the same results.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
 #include <memory>
 #include <string>
 #include <thread>
@@ -125,6 +127,26 @@ TEST(Remote, AKernelThatGoesAwayIsAnErrorAndNotAHang) {
   EXPECT_FALSE(remote->GetLastCommandLineResult());
   agent->CreateIntWME(agent->GetInputLink(), "x", 1);
   EXPECT_TRUE(remote->HadError() || agent->HadError());
+}
+
+TEST(Remote, AKernelThatIsSilentForLongerThanTheLimitCountsAsGone) {
+  const std::unique_ptr<Kernel> server(Kernel::CreateKernelInNewThread(Kernel::kUseAnyPort));
+  std::promise<void> go_on;
+  server->AddRhsFunction("hang", [&, wait = go_on.get_future().share()](smlRhsEventId, Agent*, char const*, char const*) {
+    wait.wait();
+    return std::string("over");
+  });
+  const std::unique_ptr<Kernel> remote(Kernel::CreateRemoteConnection(true, "127.0.0.1", server->GetListenerPort()));
+  Agent* agent = remote->CreateAgent("a");
+  agent->ExecuteCommandLine("sp {hang (state <s> ^superstate nil) --> (<s> ^answer (exec hang))}");
+  remote->SetAnswerLimit(200);
+  const auto begun = std::chrono::steady_clock::now();
+  agent->RunSelf(1);
+  EXPECT_FALSE(remote->GetLastCommandLineResult());
+  EXPECT_TRUE(remote->IsConnectionClosed());
+  for (int i = 0; i < 1000; ++i) agent->RunSelfTilOutput();
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(10));
+  go_on.set_value();
 }
 
 TEST(Remote, ARunCanBeStoppedFromAnotherThread) {

@@ -14,6 +14,9 @@ using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
 Lock Hold(KernelData& data) { return data.link ? Lock(data.link->mutex()) : Lock(); }
 
+/// How long a kernel may take for its first answers.
+constexpr int kGreetingLimitMs = 10'000;
+
 /// How many destroyed agents answer calls with errors; pointers to earlier ones are void.
 constexpr std::size_t kGraves = 64;
 
@@ -64,9 +67,15 @@ Kernel* Kernel::CreateRemoteConnection(bool, char const* pIPaddress, int port, b
     kernel->SetDetailedError(kConnectionFailed, error.c_str());
     return kernel;
   }
+  kernel->data_->link->SetAnswerLimit(kGreetingLimitMs);
   kernel->data_->link->Register(smlEVENT_AFTER_AGENT_REINITIALIZED);
   kernel->data_->next_tag = kernel->data_->link->InitialTimeTag();
   kernel->data_->next_name = -kernel->data_->next_tag;
+  if (kernel->data_->link->closed()) {
+    kernel->SetDetailedError(kConnectionFailed, "The kernel took the connection, but does not answer");
+    return kernel;
+  }
+  kernel->data_->link->SetAnswerLimit(0);
   if (kernel->data_->next_tag == 0) {
     kernel->SetDetailedError(kConnectionFailed, "The kernel has no time tags left for another client: it serves eight");
     return kernel;
@@ -108,6 +117,9 @@ void Kernel::SetAutoCommit(bool state) {
   data_->auto_commit = state;
 }
 bool Kernel::IsAutoCommitEnabled() { return data_->auto_commit; }
+void Kernel::SetAnswerLimit(int milliseconds) {
+  if (data_->link) data_->link->SetAnswerLimit(milliseconds);
+}
 bool Kernel::IsConnectionClosed() { return !data_->link || data_->shut_down || data_->link->closed(); }
 bool Kernel::IsRemoteConnection() { return data_->link && data_->link->remote(); }
 bool Kernel::IsDirectConnection() { return data_->direct; }

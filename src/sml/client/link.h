@@ -121,6 +121,8 @@ class KernelLink {
   virtual bool closed() const = 0;
   /// Ends the kernel, or leaves it.
   virtual void Shutdown() = 0;
+  /// How long a kernel elsewhere may be silent while it is asked something; 0: the default.
+  virtual void SetAnswerLimit(int milliseconds) { static_cast<void>(milliseconds); }
 
   virtual int ListenerPort() = 0;
   virtual long long InitialTimeTag() = 0;

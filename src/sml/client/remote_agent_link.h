@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,8 +16,10 @@ struct AgentData;
 class RemoteCaller {
  public:
   virtual ~RemoteCaller() = default;
-  /// None if the connection is lost, or the kernel does not answer in time (never with `patient`).
-  virtual std::optional<soarbox::wire::Message> Ask(soarbox::wire::Message& call, bool patient = false) = 0;
+  /// How long an answer may take: that of a plain call, of a run, and of any other command line.
+  enum class Work : std::uint8_t { kCall, kRun, kLine };
+  /// None if the connection is lost, or the kernel does not answer in time.
+  virtual std::optional<soarbox::wire::Message> Ask(soarbox::wire::Message& call, Work work = Work::kCall) = 0;
   /// Sends a call whose answer nobody waits for.
   virtual void Tell(soarbox::wire::Message& call) = 0;
   virtual bool ChangeRegistration(const char* command, const std::string& agent, int event, const std::string& name) = 0;

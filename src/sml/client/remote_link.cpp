@@ -29,8 +29,11 @@ namespace {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// How long a kernel may take to answer anything but a command line, which may run for as long as it likes.
+/// How long a kernel may be silent before it answers a call, unless the program sets a limit. Command lines may then take as
+/// long as they like.
 constexpr Milliseconds kPatience{60'000};
+/// Command lines that are no runs load files, among other things: they get so many times the limit.
+constexpr int kLineFactor = 5;
 
 /// A program's client of a kernel elsewhere. A thread delivers events between calls; inside a call, the calling thread
 /// does.
@@ -54,7 +57,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
 
   soarbox::server::CallMutex& mutex() override { return mutex_; }
   bool remote() const override { return true; }
-  bool closed() const override { return channel_->closed(); }
+  bool closed() const override { return lost_ || channel_->closed(); }
 
   void Shutdown() override {
     StopEventThread();
@@ -66,32 +69,40 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
 
   // Calls ---------------------------------------------------------------------------------------------------------------
 
-  std::optional<Message> Ask(Message& call, bool patient = false) override {
+  void SetAnswerLimit(int milliseconds) override { limit_ms_ = std::max(0, milliseconds); }
+
+  std::optional<Message> Ask(Message& call, Work work = Work::kCall) override {
     // The thread that delivers events must not take the answer away.
     const std::lock_guard lock(mutex_);
     call.id = NextId();
     if (!SendDocument(call)) return std::nullopt;
     waiting_.push_back(call.id);
-    std::optional<Message> answer = AwaitAnswer(call.id, patient);
+    std::optional<Message> answer = AwaitAnswer(call.id, LimitOf(work));
     std::erase(waiting_, call.id);
     early_.erase(call.id);
     return answer;
   }
 
-  /// Serves the kernel's calls until the answer is there. A handler that calls the kernel may meet the answer to an outer
-  /// call first; that is kept for it.
-  std::optional<Message> AwaitAnswer(const std::string& id, bool patient) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
+  /// None: however long it takes.
+  std::optional<Milliseconds> LimitOf(Work work) const {
+    const Milliseconds limit{limit_ms_.load()};
+    if (limit.count() == 0) return work == Work::kCall ? std::optional(kPatience) : std::nullopt;
+    return work == Work::kLine ? limit * kLineFactor : limit;
+  }
+
+  /// Serves the kernel's calls until the answer is there, or the kernel has said nothing at all for too long. A handler
+  /// that calls the kernel may meet the answer to an outer call first; that is kept for it.
+  std::optional<Message> AwaitAnswer(const std::string& id, std::optional<Milliseconds> limit) {
     std::string document;
     while (true) {
       const auto kept = early_.find(id);
       if (kept != early_.end()) return std::move(kept->second);
-      Milliseconds left = kPatience;
-      if (!patient) left = std::chrono::duration_cast<Milliseconds>(end - std::chrono::steady_clock::now());
-      if (left.count() <= 0) return std::nullopt;
-      if (!channel_->Wait(document, left)) {
-        if (channel_->closed()) return std::nullopt;
-        continue;
+      if (!channel_->Wait(document, limit.value_or(kPatience))) {
+        if (closed()) return std::nullopt;
+        if (!limit) continue;
+        // One that has a limit set counts as lost, so that no later call waits for it again.
+        if (limit_ms_ != 0) GiveUp();
+        return std::nullopt;
       }
       std::optional<Message> message = Read(document);
       if (!message) continue;
@@ -102,6 +113,10 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
         HandleCall(*message);
       }
     }
+  }
+  void GiveUp() {
+    lost_ = true;
+    channel_->Close();
   }
   void Tell(Message& call) override {
     call.id = NextId();
@@ -170,6 +185,9 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   }
 
   LineAnswer Execute(const char* agent, AgentLink*, const LineRequest& request) override {
+    return ExecuteLine(agent, request, Work::kLine);
+  }
+  LineAnswer ExecuteLine(const char* agent, const LineRequest& request, Work work) {
     Message call = MakeCall("cmdline");
     Element& command = Command(call);
     if (!request.structured) command.Set("output", "raw");
@@ -177,7 +195,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     command.AddArg("line", std::string(request.line))
         .AddArg("echo", request.echo ? "true" : "false")
         .AddArg("nofilter", request.no_filter ? "true" : "false");
-    const std::optional<Message> response = Ask(call, true);
+    const std::optional<Message> response = Ask(call, work);
     LineAnswer answer;
     if (!response) {
       answer.ok = false;
@@ -192,9 +210,9 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     if (request.structured) answer.document = std::make_shared<const Element>(response->root);
     return answer;
   }
-  LineAnswer Run(const char* agent, AgentLink* link, const RunSpec& spec, bool) override {
+  LineAnswer Run(const char* agent, AgentLink*, const RunSpec& spec, bool) override {
     const std::string line = RunLine(spec);
-    return Execute(agent, link, {line, false, false, false});
+    return ExecuteLine(agent, {line, false, false, false}, Work::kRun);
   }
 
   void StopAll() override {
@@ -322,7 +340,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   bool SendDocument(const Message& message) {
     const std::string document = ToDocument(message);
     if (trace_) std::printf("sent: %s\n", document.c_str());
-    return channel_->Send(document);
+    return !lost_ && channel_->Send(document);
   }
 
   std::optional<Message> Read(const std::string& document) {
@@ -416,6 +434,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   KernelData& kernel_;
   soarbox::wire::IoThread io_;
   std::unique_ptr<Channel> channel_;
+  std::atomic<int> limit_ms_{0};      ///< For answers; 0: kPatience.
+  std::atomic<bool> lost_{false};     ///< The kernel did not answer within the limit.
   soarbox::server::CallMutex mutex_;
   std::atomic<std::uint64_t> next_id_{0};
   std::atomic<bool> trace_{false};

@@ -276,7 +276,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   std::vector<Open> open, spare;
   std::size_t waiting_in = 0, waiting_out = 0;
   bool writing = false, gathering = false, paused = false, shut = false;
-  std::uint64_t dropped = 0;
+  std::atomic<std::uint64_t> dropped{0};
   std::function<void()> wake;
 };
 
@@ -315,10 +315,7 @@ void Channel::Close() {
   asio::post(socket_->socket.get_executor(), [socket = socket_] { socket->Shut(); });
 }
 
-std::uint64_t Channel::dropped() const {
-  const std::lock_guard lock(socket_->mutex);
-  return socket_->dropped;
-}
+std::uint64_t Channel::dropped() const { return socket_->dropped.load(std::memory_order_relaxed); }
 
 void Channel::SetWake(std::function<void()> wake) {
   const std::lock_guard lock(socket_->mutex);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/wire/xml_reader.h"
 
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,16 @@ bool IsNameStart(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-bool IsNameCharacter(char c) { return IsNameStart(c) || (c >= '0' && c <= '9') || c == '-' || c == '.'; }
+constexpr auto kNameCharacters = [] {
+  std::array<bool, 256> in_names{};
+  for (std::size_t c = 0; c < in_names.size(); ++c) {
+    in_names[c] = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == ':' ||
+                  c == '-' || c == '.' || c >= 0x80;
+  }
+  return in_names;
+}();
+
+bool IsNameCharacter(char c) { return kNameCharacters[static_cast<unsigned char>(c)]; }
 
 bool IsOnlySpace(std::string_view text) {
   for (char c : text) {
