@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Gives every file of a folder to a fuzzer's entry, once: a regression test that needs no libFuzzer.
+// Gives every file of a folder and the folders in it to a fuzzer's entry, once: a regression test that needs no libFuzzer.
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(argv[1])) {
+    if (!entry.is_regular_file()) continue;
     std::ifstream file(entry.path(), std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
