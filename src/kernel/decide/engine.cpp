@@ -82,10 +82,7 @@ void Engine::Warn(WarningKind kind, std::string_view text) {
 
 // Sweeping ------------------------------------------------------------------------------------------------------------
 
-void Engine::SweepSymbols() {
-  const bool identifiers_due = memory.identifier_count() >= sweep_identifiers_at;
-  const bool constants_due = symbols.UnpinnedCount() >= sweep_constants_at;
-  if (!identifiers_due && !constants_due) return;
+void Engine::Sweep() {
   if (!changes.empty() || links.HasWork()) return;
   for (GoalLevel level = 0; level <= goals.depth(); ++level) {
     if (rete.matches().HasRetractions(level)) return;  // Their elements are readable until they are released.

@@ -112,7 +112,10 @@ struct Engine {
   void Warn(WarningKind kind, std::string_view text);
 
   /// Between phases: frees constants and identifiers that nothing mentions, when their number has doubled.
-  void SweepSymbols();
+  void SweepSymbols() {
+    if (memory.identifier_count() >= sweep_identifiers_at || symbols.UnpinnedCount() >= sweep_constants_at) Sweep();
+  }
+  [[gnu::noinline]] void Sweep();
   /// Empties everything but the rules and makes the first state; tells observers of it if `announce` is set.
   void Initialize(bool announce);
   /// Checks, in builds with SOARBOX_CHECK_INVARIANTS, that the parts agree; aborts with the reason if not.

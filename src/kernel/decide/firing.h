@@ -22,8 +22,8 @@ class Firing {
  public:
   explicit Firing(Engine& engine) : engine_(engine) {}
 
-  /// Fires a match that was taken from the match set.
-  [[gnu::flatten]] void Fire(const PendingMatch& match);
+  /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave when the elaboration ends.
+  [[gnu::flatten]] void Fire(const PendingMatch& match, const Production& rule);
   /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number); none
   /// if there is none.
   Symbol TouchedAbove(const PendingMatch& match, GoalLevel level) const;
@@ -50,7 +50,7 @@ class Firing {
 
   Engine& engine_;
   std::vector<InstantiationId> made_;
-  std::vector<WmeId> wmes_;              ///< Of the match that fires: working memory may grow while it does.
+  std::vector<WmeId> wmes_;              ///< Of the match that fires (the match set may grow while it does) and more.
   std::vector<Symbol> new_identifiers_;
   std::vector<Symbol> argument_stack_;
   GoalLevel match_level_ = 0;            ///< Of the match that fires.

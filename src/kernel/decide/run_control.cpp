@@ -136,7 +136,7 @@ void RunControl::WatchGoal(Symbol goal) {
   watched_goal_gone_ = false;
 }
 
-bool RunControl::CheckStop() {
+bool RunControl::Stop() {
   if (halt_requested_) {
     halt_requested_ = false;
     halted_ = true;

@@ -59,7 +59,11 @@ class RunControl {
   void BeginPhase();
   void EndPhase(Phase next);
   /// After each elaboration and phase: halts or interrupts that were asked for. True if the run must end.
-  bool CheckStop();
+  bool CheckStop() {
+    const bool due = halt_requested_ | goal_stack_limit_ | watched_goal_gone_ | stop_.load(std::memory_order_relaxed);
+    return due && Stop();
+  }
+  [[gnu::noinline]] bool Stop();
   struct Start {
     std::uint64_t decisions, elaborations, firings;
   };

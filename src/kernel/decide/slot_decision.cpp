@@ -105,9 +105,8 @@ void SlotDecision::Decide(SlotId slot_id) {
   for (std::size_t n = values_.size(); n-- > 0;) {
     if (values_[n].present) continue;
     const Value value = values_[n];
-    const WmeId wme = engine_.changes.Add(WmeKind::kSlot, memory.slot(slot_id).id, memory.slot(slot_id).attribute,
-                                          value.value, slot_id, value.preference);
-    engine_.gds.NoteNewFact(wme);
+    const WmeId wme = engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
+    if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
   }
   if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);
 }
@@ -115,9 +114,10 @@ void SlotDecision::Decide(SlotId slot_id) {
 void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
   WorkingMemory& memory = engine_.memory;
   const Symbol value = only == PreferenceId::kNone ? Symbol() : memory.preference(only).value;
+  const Slot& slot = memory.slot(slot_id);
   bool present = false;
   WmeId next;
-  for (WmeId wme = memory.slot(slot_id).wmes; wme != WmeId::kNone; wme = next) {
+  for (WmeId wme = slot.wmes; wme != WmeId::kNone; wme = next) {
     WmeRecord& record = memory.mutable_record(wme);
     next = record.next;
     if (memory.wme(wme).value == value) {
@@ -127,11 +127,11 @@ void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
       engine_.changes.Lose(wme);
     }
   }
-  if (value && !present) {
-    const Slot& slot = memory.slot(slot_id);
-    engine_.gds.NoteNewFact(
-        engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value, slot_id, only));
-  } else if (!value && memory.SlotIsEmpty(slot_id)) {
+  if (value) {
+    if (present) return;
+    const WmeId wme = engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value, slot_id, only);
+    if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
+  } else if (slot.wmes == WmeId::kNone && slot.acceptable_wmes == WmeId::kNone) {
     engine_.preferences.empty_slots().push_back(slot_id);
   }
 }
@@ -185,7 +185,7 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
     if (values_[n].present) continue;
     const Value value = values_[n];
     const WmeId wme = engine_.changes.AddAcceptable(slot_id, value.value, value.preference);
-    engine_.gds.NoteNewFact(wme);
+    if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
   }
 }
 

@@ -11,27 +11,24 @@ WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, S
   WmeRecord& record = engine_.memory.mutable_record(wme);
   record.preference = preference;
   // Elements with a preference are linked through it.
-  if (preference == PreferenceId::kNone && value.IsIdentifier()) {
-    const std::uint32_t link = engine_.links.Add(id, value);
-    engine_.memory.mutable_record(wme).link = link;
-  }
-  return Record(wme);
+  if (preference == PreferenceId::kNone && value.IsIdentifier()) record.link = engine_.links.Add(id, value);
+  Record(wme, kind, id, value);
+  return wme;
 }
 
 WmeId WmeChanges::AddAcceptable(SlotId slot, Symbol value, PreferenceId preference) {
   const Symbol id = engine_.memory.slot(slot).id;
   const WmeId wme = engine_.memory.Make(WmeKind::kAcceptable, id, words::kOperator, value, true, slot);
   engine_.memory.mutable_record(wme).preference = preference;
-  return Record(wme);
+  Record(wme, WmeKind::kAcceptable, id, value);
+  return wme;
 }
 
-WmeId WmeChanges::Record(WmeId wme) {
+void WmeChanges::Record(WmeId wme, WmeKind kind, Symbol id, Symbol value) {
   added_.push_back(wme);
-  const Wme& content = engine_.memory.wme(wme);
-  if (content.value.IsIdentifier() && content.value != content.id) engine_.links.ElementAdded(content.value);
+  if (value.IsIdentifier() && value != id) engine_.links.ElementAdded(value);
   // What comes from outside is no output by itself.
-  if (engine_.memory.record(wme).kind != WmeKind::kInput) engine_.output.NoteChange(content.id);
-  return wme;
+  if (kind != WmeKind::kInput) engine_.output.NoteChange(id);
 }
 
 void WmeChanges::Lose(WmeId wme) {
@@ -57,20 +54,21 @@ void WmeChanges::Remove(WmeId wme) {
 }
 
 void WmeChanges::Flush() {
-  if (empty()) return;
   flushing_added_.swap(added_);
   flushing_removed_.swap(removed_);
   const bool tell = engine_.observers.Wants(Event::kWme);
   const GoalView goals = engine_.goal_view();
+  engine_.counters.wme_additions += flushing_added_.size();
+  engine_.counters.wme_removals += flushing_removed_.size();
   for (std::size_t n = flushing_added_.size(); n-- > 0;) {
     const WmeId wme = flushing_added_[n];
     // An element that came and went within the phase never enters the match.
     if (engine_.memory.wme(wme).live) {
-      engine_.memory.mutable_record(wme).in_match = true;
-      engine_.memory.mutable_record(wme).entered = ++last_entered_;
+      WmeRecord& record = engine_.memory.mutable_record(wme);
+      record.in_match = true;
+      record.entered = ++last_entered_;
       engine_.rete.AddWme(wme, goals);
     }
-    ++engine_.counters.wme_additions;
     if (tell) {
       const WmeInfo info = engine_.Describe(wme);
       engine_.observers.Notify(Event::kWme, [&](Observer& o) { o.OnWmeAdded(engine_.agent, info); });
@@ -82,7 +80,6 @@ void WmeChanges::Flush() {
     if (record.in_match) engine_.rete.RemoveWme(wme, goals);
     record.in_match = false;
     record.removing = true;
-    ++engine_.counters.wme_removals;
     if (tell) {
       const WmeInfo info = engine_.Describe(wme);
       engine_.observers.Notify(Event::kWme, [&](Observer& o) { o.OnWmeRemoved(engine_.agent, info); });

@@ -29,6 +29,8 @@ class WmeChanges {
   /// Hands everything to the match.
   [[gnu::flatten]] void Flush();
   bool empty() const { return added_.empty() && removed_.empty(); }
+  /// True if Bury would give indices back.
+  bool HasDead() const { return !dead_.empty(); }
 
   void AddReference(WmeId wme);
   /// Frees an element that has left the match when nothing refers to it any more.
@@ -38,7 +40,7 @@ class WmeChanges {
   void Clear();
 
  private:
-  WmeId Record(WmeId wme);
+  void Record(WmeId wme, WmeKind kind, Symbol id, Symbol value);
 
   Engine& engine_;
   std::uint64_t last_entered_ = 0;

@@ -28,7 +28,16 @@ WorkingMemory::~WorkingMemory() = default;
 
 // Reading -------------------------------------------------------------------------------------------------------------
 
-SlotId WorkingMemory::FindSlot(Symbol id, Symbol attribute) const { return slot_index_.Find(id, attribute); }
+SlotId WorkingMemory::FindSlot(Symbol id, Symbol attribute) const {
+  const IdentifierRecord& owner = identifier(id);
+  if (owner.slots_indexed) return slot_index_.Find(id, attribute);
+  for (SlotId slot = owner.slots; slot != SlotId::kNone;) {
+    const Slot& record = slots_[Index(slot)];
+    if (record.attribute == attribute) return slot;
+    slot = record.next;
+  }
+  return SlotId::kNone;
+}
 
 std::vector<WmeId> WorkingMemory::WmesOf(Symbol id) const {
   std::vector<WmeId> found;
@@ -165,7 +174,7 @@ void WorkingMemory::FreeIdentifier(Symbol id) {
 // Slots ---------------------------------------------------------------------------------------------------------------
 
 SlotId WorkingMemory::FindOrMakeSlot(Symbol id, Symbol attribute, bool is_operator) {
-  const SlotId found = slot_index_.Find(id, attribute);
+  const SlotId found = FindSlot(id, attribute);
   if (found != SlotId::kNone) return found;
   const SlotId made = Allocate(slots_, free_slots_);
   Slot& slot = slots_[Index(made)];
@@ -177,20 +186,37 @@ SlotId WorkingMemory::FindOrMakeSlot(Symbol id, Symbol attribute, bool is_operat
   slot.next = owner.slots;
   if (owner.slots != SlotId::kNone) slots_[Index(owner.slots)].previous = made;
   owner.slots = made;
-  slot_index_.Insert(id, attribute, made);
+  if (owner.slots_indexed) {
+    slot_index_.Insert(id, attribute, made);
+  } else if (++owner.slot_count > kFewSlots) {
+    IndexSlots(id);
+  }
   return made;
+}
+
+void WorkingMemory::IndexSlots(Symbol id) {
+  IdentifierRecord& owner = identifiers_[id.index()];
+  owner.slots_indexed = true;
+  for (SlotId slot = owner.slots; slot != SlotId::kNone; slot = slots_[Index(slot)].next) {
+    slot_index_.Insert(id, slots_[Index(slot)].attribute, slot);
+  }
 }
 
 void WorkingMemory::FreeSlot(SlotId id) {
   Slot& slot = slots_[Index(id)];
   assert(slot.live && SlotIsEmpty(id));
+  IdentifierRecord& owner = identifiers_[slot.id.index()];
   if (slot.previous != SlotId::kNone) {
     slots_[Index(slot.previous)].next = slot.next;
   } else {
-    identifiers_[slot.id.index()].slots = slot.next;
+    owner.slots = slot.next;
   }
   if (slot.next != SlotId::kNone) slots_[Index(slot.next)].previous = slot.previous;
-  slot_index_.Erase(slot.id, slot.attribute);
+  if (owner.slots_indexed) {
+    slot_index_.Erase(slot.id, slot.attribute);
+  } else {
+    --owner.slot_count;
+  }
   slot.live = false;
   free_slots_.push_back(id);
 }

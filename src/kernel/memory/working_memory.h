@@ -63,6 +63,8 @@ struct IdentifierRecord {
   GoalLevel level = 0;                           ///< The highest goal (smallest number) that reaches it.
   bool rooted = false;                           ///< Following parents ends at a goal (see links.h).
   bool queued = false;                           ///< Waits for its level to be worked out.
+  bool slots_indexed = false;                    ///< It has had more slots than are searched one by one.
+  std::uint16_t slot_count = 0;                  ///< While not slots_indexed.
   std::uint32_t value_of = 0;                    ///< Elements that have it as their value.
   SlotId slots = SlotId::kNone;
   WmeId architecture_wmes = WmeId::kNone;        ///< Newest first.
@@ -160,6 +162,10 @@ class WorkingMemory {
 
  private:
   static const IdentifierRecord kUnknownIdentifier;
+  /// Slots of an identifier that has no more than this are found along its list, those of others by slot_index_.
+  static constexpr std::uint16_t kFewSlots = 4;
+
+  void IndexSlots(Symbol id);
 
   WmeId& ListHead(const WmeRecord& record, const Wme& content);
 
