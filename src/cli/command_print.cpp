@@ -46,7 +46,7 @@ struct RuleListStyle {
 };
 
 std::string FileOf(const kernel::Production& rule) {
-  return rule.file.empty() ? "_unknown_" : rule.file;
+  return rule.file().empty() ? "_unknown_" : rule.file();
 }
 
 void PrintRule(CommandCall& call, ProductionId id, const RuleListStyle& style) {

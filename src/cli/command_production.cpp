@@ -97,7 +97,7 @@ bool Excise(CommandCall& call) {
   }
   std::vector<std::string>& watched = call.session.watched_rules();
   for (const ProductionId id : rules) {
-    const std::string name = agent.production(id).name;
+    const std::string name(agent.production(id).name);
     std::erase(watched, name);
     call.AddArgument("name", "string", name);
     if (parsed.Has('n') || parsed.Has('r')) call.Out("#");
@@ -132,7 +132,7 @@ bool Watch(CommandCall& call) {
   }
   const ProductionId id = FindRule(call.agent(), parsed.arguments.front().text);
   if (id == ProductionId::kNone) return call.Fail("Production not found.");
-  const std::string& name = call.agent().production(id).name;
+  const std::string name(call.agent().production(id).name);
   std::erase(watched, name);
   if (!parsed.Has('d')) watched.push_back(name);
   call.session.UpdateTrace();

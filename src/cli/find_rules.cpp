@@ -24,7 +24,7 @@ class Finder {
   explicit Finder(Symbol anything) : anything_(anything) {}
 
   /// Finds a condition of the rule for each of the pattern's, from `next` on.
-  bool Match(const std::vector<Condition>& pattern, std::size_t next, const std::vector<Condition>& conditions) {
+  bool Match(std::span<const Condition> pattern, std::size_t next, std::span<const Condition> conditions) {
     if (next == pattern.size()) return true;
     if (++steps_ > kMaxSteps) return false;
     for (const Condition& condition : conditions) {
@@ -56,7 +56,7 @@ class Finder {
   }
 
   static bool HasState(const Test& test) {
-    for (const Test& part : test.parts) {
+    for (const Test& part : test.parts()) {
       if (part.kind == TestKind::kState) return true;
     }
     return false;
@@ -66,7 +66,7 @@ class Finder {
     if (test.kind == TestKind::kEqual) return &test;
     if (test.kind != TestKind::kConjunction) return nullptr;
     const Test* found = nullptr;
-    for (const Test& part : test.parts) {
+    for (const Test& part : test.parts()) {
       if (part.kind == TestKind::kEqual)
         found = &part;
       else if (part.kind != TestKind::kState && part.kind != TestKind::kImpasse)
@@ -78,13 +78,13 @@ class Finder {
   bool FitsTest(const Test& pattern, const Test& test) {
     if (pattern.kind == TestKind::kBlank) return true;
     if (pattern.kind != TestKind::kEqual || test.kind != TestKind::kEqual) return pattern == test;
-    if (pattern.referent == anything_) return true;
-    if (!pattern.referent.IsVariable()) return pattern.referent == test.referent;
-    if (!test.referent.IsVariable()) return false;
+    if (pattern.referent() == anything_) return true;
+    if (!pattern.referent().IsVariable()) return pattern.referent() == test.referent();
+    if (!test.referent().IsVariable()) return false;
     for (const auto& [variable, bound] : bindings_) {
-      if (variable == pattern.referent) return bound == test.referent;
+      if (variable == pattern.referent()) return bound == test.referent();
     }
-    bindings_.emplace_back(pattern.referent, test.referent);
+    bindings_.emplace_back(pattern.referent(), test.referent());
     return true;
   }
 

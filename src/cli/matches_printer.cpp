@@ -43,7 +43,7 @@ class PartialMatchPrinter {
   }
 
  private:
-  void PrintConditions(const std::vector<Condition>& conditions, std::vector<std::uint16_t> path,
+  void PrintConditions(std::span<const Condition> conditions, std::vector<std::uint16_t> path,
                        const std::string& indent, bool& failed) {
     path.push_back(0);
     for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -52,7 +52,7 @@ class PartialMatchPrinter {
       if (condition.kind == ConditionKind::kConjunctiveNegation) {
         stream_.Print(indent + "    -{\n");
         bool inner_failed = failed;
-        PrintConditions(condition.conditions, path, indent + std::string(kBeyond), inner_failed);
+        PrintConditions(condition.conditions(), path, indent + std::string(kBeyond), inner_failed);
         PrintMark(path, indent, failed);
         stream_.Print("}\n");
         continue;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/words.h"
 
+#include <algorithm>
+#include <array>
+
 namespace soarbox::cli {
 namespace {
 
@@ -11,6 +14,13 @@ bool IsBlank(char c) {
 bool EndsCommand(char c) {
   return c == '\n' || c == ';';
 }
+
+/// The characters that mean something between braces.
+constexpr std::array<bool, 256> kBraceCharacters = [] {
+  std::array<bool, 256> table{};
+  for (const char c : {'\\', '|', '#', '{', '}', '\n'}) table[static_cast<unsigned char>(c)] = true;
+  return table;
+}();
 
 bool IsLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -156,42 +166,66 @@ bool CommandReader::ReadQuoted(Word& word) {
   return Fail("unexpected eof", word, start);
 }
 
+// Rules are long and stand between braces: what needs no attention is passed over quickly and taken in one piece.
 bool CommandReader::ReadBraced(Word& word) {
   const std::size_t start = position_;
   Advance();
   word.line = line_;
   word.column = column_;
+  std::size_t at = position_;
+  std::size_t taken = at;                                               // What stands before is in the word.
+  std::size_t line_start = at + 1 - static_cast<std::size_t>(column_);  // May be "negative": only differences count.
+  const auto take = [&](std::size_t end) { word.text.append(text_, taken, end - taken); };
+  const auto begin_line = [&](std::size_t first) {
+    ++line_;
+    line_start = first;
+  };
+  const auto stop = [&](std::size_t end) {
+    position_ = end;
+    column_ = static_cast<int>(end - line_start) + 1;
+  };
   int depth = 1;
   bool in_bars = false;
-  while (!AtEnd()) {
-    const char c = Peek();
-    if (c == '\\' && position_ + 1 < text_.size()) {
-      const char next = text_[position_ + 1];
-      Advance();
-      Advance();
-      if (next == '\n' && !in_bars) {
-        word.text += ' ';
-      } else {
-        word.text += c;
-        word.text += next;
-      }
-      continue;
-    }
-    if (c == '|') in_bars = !in_bars;
-    if (!in_bars) {
-      if (c == '#') {
-        SkipComment();
-        continue;
-      }
-      if (c == '{') ++depth;
-      if (c == '}' && --depth == 0) {
-        Advance();
+  for (; at < text_.size(); ++at) {
+    const char c = text_[at];
+    if (!kBraceCharacters[static_cast<unsigned char>(c)]) continue;
+    switch (c) {
+      case '\n':
+        begin_line(at + 1);
+        break;
+      case '|':
+        in_bars = !in_bars;
+        break;
+      case '\\':
+        if (at + 1 == text_.size()) break;
+        if (text_[at + 1] == '\n') {
+          begin_line(at + 2);
+          if (!in_bars) {
+            take(at);
+            word.text += ' ';
+            taken = at + 2;
+          }
+        }
+        ++at;
+        break;
+      case '#':
+        if (in_bars) break;
+        take(at);
+        at = std::min(text_.find('\n', at), text_.size());
+        taken = at;
+        --at;
+        break;
+      case '{':
+        depth += in_bars ? 0 : 1;
+        break;
+      default:  // }
+        if (in_bars || --depth != 0) break;
+        take(at);
+        stop(at + 1);
         return true;
-      }
     }
-    word.text += c;
-    Advance();
   }
+  stop(text_.size());
   return Fail("unexpected eof, unmatched opening brace", word, start);
 }
 

@@ -26,7 +26,9 @@ Agent::Agent(std::string name) : engine_(std::make_unique<Engine>(*this, std::mo
 }
 Agent::~Agent() = default;
 
-const std::string& Agent::name() const { return engine_->name; }
+const std::string& Agent::name() const {
+  return engine_->name;
+}
 
 // Rules ---------------------------------------------------------------------------------------------------------------
 
@@ -55,7 +57,7 @@ LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& plac
 
 LoadOutcome Agent::AddProduction(ProductionPtr production) {
   LoadOutcome outcome;
-  outcome.name = production->name;
+  outcome.name = std::string(production->name);
   const ProductionId older = FindProduction(production->name);
   if (older != ProductionId::kNone) {
     Excise(older);
@@ -75,7 +77,7 @@ LoadOutcome Agent::AddProduction(ProductionPtr production) {
   engine_->loading_order.push_back(added.production);
   engine_->rules_changed = true;
   ++engine_->type_counts[static_cast<std::size_t>(production->type)];
-  engine_->production_names.emplace(production->name, added.production);
+  engine_->NameProduction(production->name, added.production);
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, added.production); });
   return outcome;
 }
@@ -88,7 +90,7 @@ void Agent::Excise(ProductionId id) {
   std::erase(engine_->loading_order, id);
   engine_->rules_changed = true;
   --engine_->type_counts[static_cast<std::size_t>(rule->type)];
-  engine_->production_names.erase(rule->name);
+  engine_->NameProduction(rule->name, ProductionId::kNone);
   if (running()) {
     engine_->ExciseLater(id);
   } else {
@@ -97,20 +99,29 @@ void Agent::Excise(ProductionId id) {
 }
 
 ProductionId Agent::FindProduction(std::string_view name) const {
-  const auto found = engine_->production_names.find(name);
-  return found == engine_->production_names.end() ? ProductionId::kNone : found->second;
+  const Symbol symbol = engine_->symbols.FindString(name);
+  const std::vector<ProductionId>& named = engine_->production_of_name;
+  return symbol && symbol.index() < named.size() ? named[symbol.index()] : ProductionId::kNone;
 }
 
-const Production& Agent::production(ProductionId id) const { return *engine_->rete.production(id); }
-const ProductionPtr& Agent::production_ptr(ProductionId id) const { return engine_->rete.production(id); }
-std::vector<ProductionId> Agent::Productions() const { return engine_->loading_order; }
+const Production& Agent::production(ProductionId id) const {
+  return *engine_->rete.production(id);
+}
+const ProductionPtr& Agent::production_ptr(ProductionId id) const {
+  return engine_->rete.production(id);
+}
+std::vector<ProductionId> Agent::Productions() const {
+  return engine_->loading_order;
+}
 
 std::uint32_t Agent::CountProductions(ProductionType type) const {
   if (type == ProductionType::kJustification) return static_cast<std::uint32_t>(engine_->justifier.Live().size());
   return engine_->type_counts[static_cast<std::size_t>(type)];
 }
 
-std::uint64_t Agent::FiringCount(ProductionId id) const { return engine_->productions[Index(id)].firings; }
+std::uint64_t Agent::FiringCount(ProductionId id) const {
+  return engine_->productions[Index(id)].firings;
+}
 
 void Agent::ResetFiringCounts() {
   for (Engine::ProductionRecord& record : engine_->productions) record.firings = 0;
@@ -121,22 +132,48 @@ void Agent::SetBreak(ProductionId id, bool on) {
   engine_->productions[Index(id)].silenced = !on;
 }
 
-bool Agent::HasBreak(ProductionId id) const { return engine_->productions[Index(id)].breaks; }
+bool Agent::HasBreak(ProductionId id) const {
+  return engine_->productions[Index(id)].breaks;
+}
 
 // Running -------------------------------------------------------------------------------------------------------------
 
-RunResult Agent::Run(RunUnit unit, std::uint64_t count) { return engine_->run.Run(unit, count); }
-RunResult Agent::Step(RunUnit unit) { return engine_->run.Step(unit); }
-RunResult Agent::RunToPhase(Phase phase) { return engine_->run.RunToPhase(phase); }
-Phase Agent::next_phase() const { return engine_->run.phase(); }
-bool Agent::in_middle_of_phase() const { return engine_->run.in_middle(); }
-void Agent::RequestStop(std::string_view reason) { engine_->run.RequestStop(reason); }
-void Agent::ClearStopRequest() { engine_->run.ClearStop(); }
-bool Agent::stop_requested() const { return engine_->run.stop_requested(); }
-bool Agent::halted() const { return engine_->run.halted(); }
-bool Agent::running() const { return engine_->run.running(); }
-void Agent::SetGoalToWatch(Symbol goal) { engine_->run.WatchGoal(goal); }
-bool Agent::watched_goal_gone() const { return engine_->run.watched_goal_gone(); }
+RunResult Agent::Run(RunUnit unit, std::uint64_t count) {
+  return engine_->run.Run(unit, count);
+}
+RunResult Agent::Step(RunUnit unit) {
+  return engine_->run.Step(unit);
+}
+RunResult Agent::RunToPhase(Phase phase) {
+  return engine_->run.RunToPhase(phase);
+}
+Phase Agent::next_phase() const {
+  return engine_->run.phase();
+}
+bool Agent::in_middle_of_phase() const {
+  return engine_->run.in_middle();
+}
+void Agent::RequestStop(std::string_view reason) {
+  engine_->run.RequestStop(reason);
+}
+void Agent::ClearStopRequest() {
+  engine_->run.ClearStop();
+}
+bool Agent::stop_requested() const {
+  return engine_->run.stop_requested();
+}
+bool Agent::halted() const {
+  return engine_->run.halted();
+}
+bool Agent::running() const {
+  return engine_->run.running();
+}
+void Agent::SetGoalToWatch(Symbol goal) {
+  engine_->run.WatchGoal(goal);
+}
+bool Agent::watched_goal_gone() const {
+  return engine_->run.watched_goal_gone();
+}
 
 void Agent::InitSoar() {
   if (running()) return;
@@ -148,11 +185,21 @@ void Agent::InitSoar() {
 
 // Settings ------------------------------------------------------------------------------------------------------------
 
-const AgentSettings& Agent::settings() const { return engine_->settings; }
-AgentSettings& Agent::mutable_settings() { return engine_->settings; }
-const ExplorationSettings& Agent::exploration() const { return engine_->exploration; }
-ExplorationSettings& Agent::mutable_exploration() { return engine_->exploration; }
-RandomStream& Agent::random() { return engine_->random; }
+const AgentSettings& Agent::settings() const {
+  return engine_->settings;
+}
+AgentSettings& Agent::mutable_settings() {
+  return engine_->settings;
+}
+const ExplorationSettings& Agent::exploration() const {
+  return engine_->exploration;
+}
+ExplorationSettings& Agent::mutable_exploration() {
+  return engine_->exploration;
+}
+RandomStream& Agent::random() {
+  return engine_->random;
+}
 
 void Agent::SelectOperator(std::string_view identifier) {
   engine_->forced_operator = identifier;
@@ -162,27 +209,57 @@ void Agent::SelectOperator(std::string_view identifier) {
   }
 }
 
-std::string_view Agent::selected_operator() const { return engine_->forced_operator; }
-std::string Agent::PredictDecision() { return engine_->decision.Predict(); }
-void Agent::SetAgentWrites(bool on) { engine_->agent_writes = on; }
-bool Agent::agent_writes() const { return engine_->agent_writes; }
+std::string_view Agent::selected_operator() const {
+  return engine_->forced_operator;
+}
+std::string Agent::PredictDecision() {
+  return engine_->decision.Predict();
+}
+void Agent::SetAgentWrites(bool on) {
+  engine_->agent_writes = on;
+}
+bool Agent::agent_writes() const {
+  return engine_->agent_writes;
+}
 
 // Observing -----------------------------------------------------------------------------------------------------------
 
-void Agent::AddObserver(Observer& observer, EventMask events) { engine_->observers.Add(observer, events); }
-void Agent::RemoveObserver(Observer& observer) { engine_->observers.Remove(observer); }
-EventMask Agent::observed() const { return engine_->observers.mask(); }
+void Agent::AddObserver(Observer& observer, EventMask events) {
+  engine_->observers.Add(observer, events);
+}
+void Agent::RemoveObserver(Observer& observer) {
+  engine_->observers.Remove(observer);
+}
+EventMask Agent::observed() const {
+  return engine_->observers.mask();
+}
 
 // Inspecting ----------------------------------------------------------------------------------------------------------
 
-const SymbolTable& Agent::symbols() const { return engine_->symbols; }
-SymbolTable& Agent::mutable_symbols() { return engine_->symbols; }
-const WorkingMemory& Agent::memory() const { return engine_->memory; }
-const GoalStack& Agent::goals() const { return engine_->goals; }
-const Rete& Agent::rete() const { return engine_->rete; }
-const AgentCounters& Agent::counters() const { return engine_->counters; }
-const Instantiation& Agent::instantiation(InstantiationId id) const { return engine_->instantiations[id]; }
-std::string_view Agent::ProductionName(InstantiationId id) const { return engine_->ProductionName(id); }
+const SymbolTable& Agent::symbols() const {
+  return engine_->symbols;
+}
+SymbolTable& Agent::mutable_symbols() {
+  return engine_->symbols;
+}
+const WorkingMemory& Agent::memory() const {
+  return engine_->memory;
+}
+const GoalStack& Agent::goals() const {
+  return engine_->goals;
+}
+const Rete& Agent::rete() const {
+  return engine_->rete;
+}
+const AgentCounters& Agent::counters() const {
+  return engine_->counters;
+}
+const Instantiation& Agent::instantiation(InstantiationId id) const {
+  return engine_->instantiations[id];
+}
+std::string_view Agent::ProductionName(InstantiationId id) const {
+  return engine_->ProductionName(id);
+}
 
 std::span<const WmeId> Agent::MatchedWmes(InstantiationId id) const {
   const Instantiation& instantiation = engine_->instantiations[id];
@@ -190,15 +267,21 @@ std::span<const WmeId> Agent::MatchedWmes(InstantiationId id) const {
   return engine_->rete.Wmes(instantiation.match);
 }
 
-std::vector<Production> Agent::Justifications() const {
-  std::vector<Production> rules;
+std::vector<ProductionPtr> Agent::Justifications() const {
+  std::vector<ProductionPtr> rules;
   for (const std::uint32_t index : engine_->justifier.Live()) rules.push_back(engine_->justifier.AsRule(index));
   return rules;
 }
 
-WmeInfo Agent::Describe(WmeId id) const { return engine_->Describe(id); }
-GoalInfo Agent::Describe(const Goal& goal) const { return engine_->Describe(goal); }
-Symbol Agent::OperatorOf(const Goal& goal) const { return engine_->OperatorOf(goal); }
+WmeInfo Agent::Describe(WmeId id) const {
+  return engine_->Describe(id);
+}
+GoalInfo Agent::Describe(const Goal& goal) const {
+  return engine_->Describe(goal);
+}
+Symbol Agent::OperatorOf(const Goal& goal) const {
+  return engine_->OperatorOf(goal);
+}
 
 std::vector<PreferenceId> Agent::PreferencesOf(SlotId slot, PreferenceType type) const {
   std::vector<PreferenceId> found;
@@ -215,9 +298,9 @@ std::vector<Agent::CandidateChance> Agent::SelectionProbabilities(const Goal& go
   std::vector<CandidateChance> chances;
   const PreferenceSemantics::Outcome outcome = engine_->decision.Evaluate(goal);
   if (outcome.impasse != ImpasseType::kNone || outcome.candidates.empty()) return chances;
-  const std::vector<double> probabilities =
-      outcome.candidates.size() == 1 ? std::vector<double>{1.0}
-                                     : SelectionChances(outcome.candidates, engine_->exploration);
+  const std::vector<double> probabilities = outcome.candidates.size() == 1
+                                                ? std::vector<double>{1.0}
+                                                : SelectionChances(outcome.candidates, engine_->exploration);
   for (std::size_t n = 0; n < outcome.candidates.size(); ++n) {
     const Candidate& candidate = outcome.candidates[n];
     chances.push_back(
@@ -226,15 +309,27 @@ std::vector<Agent::CandidateChance> Agent::SelectionProbabilities(const Goal& go
   return chances;
 }
 
-std::span<const WmeId> Agent::GoalDependencySet(const Goal& goal) const { return goal.gds; }
+std::span<const WmeId> Agent::GoalDependencySet(const Goal& goal) const {
+  return goal.gds;
+}
 
 // Input and output ----------------------------------------------------------------------------------------------------
 
-InputLink& Agent::input() { return engine_->input; }
-const InputLink& Agent::input() const { return engine_->input; }
-const OutputLink& Agent::output() const { return engine_->output; }
-Symbol Agent::InputLinkIdentifier() const { return engine_->goal_changes.input_link(); }
-Symbol Agent::OutputLinkIdentifier() const { return engine_->goal_changes.output_link(); }
+InputLink& Agent::input() {
+  return engine_->input;
+}
+const InputLink& Agent::input() const {
+  return engine_->input;
+}
+const OutputLink& Agent::output() const {
+  return engine_->output;
+}
+Symbol Agent::InputLinkIdentifier() const {
+  return engine_->goal_changes.input_link();
+}
+Symbol Agent::OutputLinkIdentifier() const {
+  return engine_->goal_changes.output_link();
+}
 
 Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable) {
   if (running()) return Refusal("working memory cannot be changed while the agent runs");
@@ -247,7 +342,9 @@ Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acce
   return wme;
 }
 
-Symbol Agent::NewIdentifier(char letter) { return engine_->memory.NewIdentifier(letter, 1); }
+Symbol Agent::NewIdentifier(char letter) {
+  return engine_->memory.NewIdentifier(letter, 1);
+}
 
 Result<void> Agent::RemoveWme(WmeId wme) {
   if (running()) return Refusal("working memory cannot be changed while the agent runs");
@@ -300,7 +397,9 @@ const std::map<std::string, std::uint64_t, std::less<>>& Agent::rule_counters() 
   return engine_->rule_counters;
 }
 
-void Agent::SetLineReader(std::function<std::string()> reader) { engine_->line_reader = std::move(reader); }
+void Agent::SetLineReader(std::function<std::string()> reader) {
+  engine_->line_reader = std::move(reader);
+}
 
 // Memory --------------------------------------------------------------------------------------------------------------
 
@@ -309,7 +408,11 @@ std::size_t Agent::MemoryBytes() const {
          engine_->links.MemoryBytes() + engine_->instantiations.MemoryBytes() + engine_->rete.MemoryBytes();
 }
 
-std::size_t Agent::SharedMemoryBytes() const { return engine_->rete.NetworkBytes(); }
-std::string Agent::CheckInvariants() const { return FindViolation(*engine_); }
+std::size_t Agent::SharedMemoryBytes() const {
+  return engine_->rete.NetworkBytes();
+}
+std::string Agent::CheckInvariants() const {
+  return FindViolation(*engine_);
+}
 
 }  // namespace soarbox::kernel

@@ -21,8 +21,8 @@
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
 #include "kernel/match/rete.h"
-#include "kernel/memory/working_memory.h"
 #include "kernel/memory/wme.h"
+#include "kernel/memory/working_memory.h"
 #include "kernel/observer.h"
 #include "kernel/rules/parser.h"
 #include "kernel/rules/production.h"
@@ -36,14 +36,14 @@ struct ExplorationSettings;
 
 /// What `soar` sets. Changes hold from the next phase on.
 struct AgentSettings {
-  int max_elaborations = 100;         ///< Per phase.
+  int max_elaborations = 100;  ///< Per phase.
   int max_goal_depth = 23;
   int max_nil_output_cycles = 15;
   std::int64_t max_decision_time_us = 0;  ///< 0: unlimited.
   int max_gp = 20000;
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
-  Phase stop_phase = Phase::kApply;   ///< `run -d` stops before this phase.
+  Phase stop_phase = Phase::kApply;  ///< `run -d` stops before this phase.
 };
 
 enum class RunUnit : std::uint8_t { kElaboration, kPhase, kDecision, kOutput, kForever };
@@ -51,28 +51,28 @@ enum class StopReason : std::uint8_t { kCompleted, kInterrupted, kHalted, kLimit
 
 struct RunResult {
   StopReason reason = StopReason::kCompleted;
-  std::uint64_t decisions = 0;        ///< Decision cycles (output phases) completed by this run.
+  std::uint64_t decisions = 0;  ///< Decision cycles (output phases) completed by this run.
   std::uint64_t elaborations = 0;
   std::uint64_t firings = 0;
 };
 
 /// Counted since the agent was made or initialised (init-soar), for `stats`. Plain numbers; reading is free.
 struct AgentCounters {
-  std::uint64_t decision_phases = 0;     ///< The number in the trace's decision lines.
-  std::uint64_t decision_cycles = 0;     ///< Output phases completed.
+  std::uint64_t decision_phases = 0;  ///< The number in the trace's decision lines.
+  std::uint64_t decision_cycles = 0;  ///< Output phases completed.
   std::uint64_t elaborations = 0;
   std::uint64_t inner_elaborations = 0;
   std::uint64_t pe_elaborations = 0;
   std::uint64_t firings = 0;
   std::uint64_t wme_additions = 0;
   std::uint64_t wme_removals = 0;
-  std::uint64_t phases = 0;              ///< Samples of the working memory size: one after each phase.
-  std::uint64_t wm_size_sum = 0;         ///< Sum of the samples: the mean is wm_size_sum / phases.
+  std::uint64_t phases = 0;       ///< Samples of the working memory size: one after each phase.
+  std::uint64_t wm_size_sum = 0;  ///< Sum of the samples: the mean is wm_size_sum / phases.
   std::uint64_t wm_size_maximum = 0;
-  std::uint64_t justifications = 0;      ///< Made so far.
+  std::uint64_t justifications = 0;                              ///< Made so far.
   std::uint64_t max_wme_changes = 0, max_wme_changes_cycle = 0;  ///< Of one decision cycle.
   std::uint64_t max_firings = 0, max_firings_cycle = 0;
-  std::uint64_t inits = 0;               ///< How often init-soar ran. Not reset by it.
+  std::uint64_t inits = 0;  ///< How often init-soar ran. Not reset by it.
 };
 
 /// What became of a rule's text.
@@ -82,14 +82,14 @@ struct LoadOutcome {
   std::string name;                               ///< As far as it could be read.
   /// What Soar prints while it reads the rule, before and after it tells ("#") that an older one was excised.
   std::vector<RuleMessage> printed, printed_late;
-  bool replaced = false;                          ///< A rule of that name was excised first ("#").
-  std::string duplicate_of;                       ///< "Ignoring X because it is a duplicate of Y".
-  std::vector<Diagnostic> messages;               ///< Our own diagnostics: places and hints, in the order of the text.
+  bool replaced = false;             ///< A rule of that name was excised first ("#").
+  std::string duplicate_of;          ///< "Ignoring X because it is a duplicate of Y".
+  std::vector<Diagnostic> messages;  ///< Our own diagnostics: places and hints, in the order of the text.
 };
 
 /// A function that rules can call: (exec name ...) or (name ...). Gets one argument, a string of all that the rule gave
-/// without blanks between; gives a symbol, or none for no value. An error skips the action and is printed. Runs on the agent's thread in the middle of a phase: it must not run,
-/// initialise or change the agent, except for Stop().
+/// without blanks between; gives a symbol, or none for no value. An error skips the action and is printed. Runs on the
+/// agent's thread in the middle of a phase: it must not run, initialise or change the agent, except for Stop().
 using UserFunction = std::function<Result<Symbol>(class Agent&, std::span<const Symbol> arguments)>;
 
 /// One Soar agent. Agents share nothing that changes: different agents may run on different threads at the same time;
@@ -147,8 +147,8 @@ class Agent {
   void RequestStop(std::string_view reason = {});
   void ClearStopRequest();
   bool stop_requested() const;
-  bool halted() const;       ///< (halt) ran: Run and Step do nothing until InitSoar.
-  bool running() const;      ///< In the middle of Run or Step.
+  bool halted() const;   ///< (halt) ran: Run and Step do nothing until InitSoar.
+  bool running() const;  ///< In the middle of Run or Step.
   /// A goal whose removal ends the run (`run -g`); the none symbol for none.
   void SetGoalToWatch(Symbol goal);
   bool watched_goal_gone() const;
@@ -160,13 +160,14 @@ class Agent {
 
   const AgentSettings& settings() const;
   AgentSettings& mutable_settings();
-  const ExplorationSettings& exploration() const;   ///< decide/exploration.h
+  const ExplorationSettings& exploration() const;  ///< decide/exploration.h
   ExplorationSettings& mutable_exploration();
   RandomStream& random();
   /// `decide select`: the operator to select at the next decision of its goal, if it is proposed. Empty: none.
   void SelectOperator(std::string_view identifier);
   std::string_view selected_operator() const;
-  /// `decide predict`: what the next decide phase would do: an operator's name, "none", "tie", "conflict", "constraint".
+  /// `decide predict`: what the next decide phase would do: an operator's name, "none", "tie", "conflict",
+  /// "constraint".
   std::string PredictDecision();
   /// Whether (write ...) and (crlf) print (`output agent-writes`).
   void SetAgentWrites(bool on);
@@ -190,19 +191,19 @@ class Agent {
   const Rete& rete() const;
   const AgentCounters& counters() const;
   const Instantiation& instantiation(InstantiationId id) const;
-  std::string_view ProductionName(InstantiationId id) const;   ///< "justify1" and the like included.
+  std::string_view ProductionName(InstantiationId id) const;  ///< "justify1" and the like included.
   /// The elements that an instantiation's positive conditions matched, in condition order.
   std::span<const WmeId> MatchedWmes(InstantiationId id) const;
   /// The justifications that live, oldest first, as rules with literal conditions (`print --justifications`).
-  std::vector<Production> Justifications() const;
+  std::vector<ProductionPtr> Justifications() const;
   WmeInfo Describe(WmeId id) const;
   GoalInfo Describe(const Goal& goal) const;
   /// The selected operator of a goal, or none.
   Symbol OperatorOf(const Goal& goal) const;
   /// The preferences of one type in a slot, in list order.
   std::vector<PreferenceId> PreferencesOf(SlotId slot, PreferenceType type) const;
-  /// The candidates of a goal's operator slot with the chances that exploration gives them, in candidate order; empty if
-  /// the decision would be an impasse or need no choice.
+  /// The candidates of a goal's operator slot with the chances that exploration gives them, in candidate order; empty
+  /// if the decision would be an impasse or need no choice.
   struct CandidateChance {
     PreferenceId preference = PreferenceId::kNone;
     Symbol value;
@@ -230,7 +231,8 @@ class Agent {
   /// RHS functions of the host. A null function takes the name away. Names of built-in functions are refused.
   Result<void> SetUserFunction(std::string_view name, UserFunction function);
   /// Called for a name that nobody registered; without it such a call yields the empty string.
-  void SetFallbackFunction(std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function);
+  void SetFallbackFunction(
+      std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function);
   /// Runs a command line for (cmd ...) and gives its text.
   void SetCommandRunner(std::function<std::string(Agent&, std::string_view line)> runner);
   /// Counters of the RHS function `count` (stats --agent).
@@ -240,8 +242,8 @@ class Agent {
 
   // Memory ----------------------------------------------------------------------------------------------------------
 
-  std::size_t MemoryBytes() const;          ///< This agent's own part.
-  std::size_t SharedMemoryBytes() const;    ///< Rules and network, shared by agents with equal rules.
+  std::size_t MemoryBytes() const;        ///< This agent's own part.
+  std::size_t SharedMemoryBytes() const;  ///< Rules and network, shared by agents with equal rules.
   /// Checks the invariants of support, links, slots and matches; the first violation in words, or empty.
   std::string CheckInvariants() const;
 

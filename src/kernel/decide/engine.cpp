@@ -30,9 +30,18 @@ Engine::Engine(Agent& owner, std::string agent_name)
       elaboration(*this),
       run(*this) {
   rete.OnMixedSupport([this](ProductionId production) {
-    const std::string& rule = rete.production(production)->name;
+    const std::string rule(rete.production(production)->name);
     Print("WARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " + rule);
   });
+}
+
+void Engine::NameProduction(std::string_view name, ProductionId production) {
+  const SymbolTable::PinScope pin(symbols);
+  const Symbol symbol = symbols.String(name);
+  if (symbol.index() >= production_of_name.size()) {
+    production_of_name.resize(symbol.index() + 1u, ProductionId::kNone);
+  }
+  production_of_name[symbol.index()] = production;
 }
 
 // Describing ----------------------------------------------------------------------------------------------------------

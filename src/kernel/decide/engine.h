@@ -64,7 +64,7 @@ struct Engine {
   std::vector<ProductionRecord> productions;
   std::vector<ProductionId> loading_order;        ///< Live rules, oldest first.
   bool rules_changed = false;                     ///< Since they were last offered for sharing.
-  std::map<std::string, ProductionId, std::less<>> production_names;
+  std::vector<ProductionId> production_of_name;   ///< By the index of the string that is a rule's name.
   std::array<std::uint32_t, 5> type_counts{};     ///< Live rules by ProductionType.
 
   // What happens, in the order of the cycle.
@@ -101,6 +101,8 @@ struct Engine {
   std::vector<ProductionId> excisions;
   void ExciseLater(ProductionId production) { excisions.push_back(production); }
 
+  /// Notes which rule has a name; kNone: none has it any more.
+  void NameProduction(std::string_view name, ProductionId production);
   GoalView goal_view() const { return {memory.goal_levels(), memory.long_term_identifiers()}; }
   [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
   [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;

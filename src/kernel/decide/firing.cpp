@@ -20,7 +20,7 @@ Symbol FieldOf(const Wme& wme, Field field) {
 /// What the trace prints of a preference that cannot be made.
 std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Production& rule) {
   std::string text = "\nError: RHS makes a preference for " + ToString(symbols, id) + " (not an identifier)";
-  text += " in rule " + rule.name + "\n";
+  text += " in rule " + std::string(rule.name) + "\n";
   return text;
 }
 
@@ -39,8 +39,8 @@ Symbol Firing::TouchedAbove(const PendingMatch& match, GoalLevel level) const {
   const std::span<const WmeId> wmes = engine_.rete.Wmes(match.match);
   for (const Action& action : rule.actions) {
     if (action.is_function_call || action.id.kind != RhsValueKind::kBound) continue;
-    const Wme& wme = engine_.memory.wme(wmes[action.id.site.positive_condition]);
-    const Symbol id = FieldOf(wme, action.id.site.field);
+    const Wme& wme = engine_.memory.wme(wmes[action.id.site().positive_condition]);
+    const Symbol id = FieldOf(wme, action.id.site().field);
     if (id.IsIdentifier() && engine_.memory.level(id) <= level) return id;
   }
   return {};
@@ -178,13 +178,13 @@ Symbol Firing::BoundValue(BindingSite site) const {
 
 Symbol Firing::EvaluateRare(const RhsValue& value) {
   if (value.kind == RhsValueKind::kNew) {
-    Symbol& made = new_identifiers_[value.new_index];
-    if (!made) made = engine_.memory.NewIdentifier(LetterFor(engine_.symbols.Text(value.symbol)), level_);
+    Symbol& made = new_identifiers_[value.new_index()];
+    if (!made) made = engine_.memory.NewIdentifier(LetterFor(engine_.symbols.Text(value.symbol())), level_);
     return made;
   }
   // Arguments stand on a stack, so that calls may nest without allocating.
   const std::size_t base = argument_stack_.size();
-  for (const RhsValue& argument : value.arguments) {
+  for (const RhsValue& argument : value.arguments()) {
     const Symbol symbol = Evaluate(argument);
     if (!symbol) {
       argument_stack_.resize(base);
@@ -193,7 +193,7 @@ Symbol Firing::EvaluateRare(const RhsValue& value) {
     argument_stack_.push_back(symbol);
   }
   const std::span<const Symbol> arguments(argument_stack_.data() + base, argument_stack_.size() - base);
-  const Symbol result = kernel::Evaluate(engine_.context, value.function_index, arguments);
+  const Symbol result = kernel::Evaluate(engine_.context, value.function_index(), arguments);
   argument_stack_.resize(base);
   return result;
 }

@@ -41,8 +41,8 @@ class Firing {
   void RunAction(const Action& action, InstantiationId id);
   /// The value of a right-hand-side term; none if a function failed or gives nothing.
   Symbol Evaluate(const RhsValue& value) {
-    if (value.kind == RhsValueKind::kConstant) return value.symbol;
-    return value.kind == RhsValueKind::kBound ? BoundValue(value.site) : EvaluateRare(value);
+    if (value.kind == RhsValueKind::kConstant) return value.symbol();
+    return value.kind == RhsValueKind::kBound ? BoundValue(value.site()) : EvaluateRare(value);
   }
   Symbol BoundValue(BindingSite site) const;
   /// New identifiers and functions.

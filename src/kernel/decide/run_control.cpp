@@ -122,8 +122,8 @@ void RunControl::RequestStop(std::string_view reason) {
 
 void RunControl::ClearStop() { stop_.store(false, std::memory_order_relaxed); }
 
-void RunControl::InterruptByRule(const std::string& rule) {
-  RequestStop("*** Production interrupt: " + rule + " ***");
+void RunControl::InterruptByRule(std::string_view rule) {
+  RequestStop("*** Production interrupt: " + std::string(rule) + " ***");
 }
 
 void RunControl::GoalStackLimit() {

@@ -39,7 +39,7 @@ class RunControl {
 
   /// (halt): the current elaboration finishes, then the run ends.
   void Halt() { halt_requested_ = true; }
-  void InterruptByRule(const std::string& rule);
+  void InterruptByRule(std::string_view rule);
   /// The goal stack is at its limit: the run ends as if halted, but may go on.
   void GoalStackLimit();
   void WatchGoal(Symbol goal);

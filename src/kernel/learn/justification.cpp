@@ -17,15 +17,8 @@ bool Mark(std::vector<std::uint32_t>& marks, std::uint32_t index, std::uint32_t 
   return true;
 }
 
-Test EqualTo(Symbol symbol) {
-  Test test;
-  test.kind = TestKind::kEqual;
-  test.referent = symbol;
-  return test;
-}
-
-RhsValue Constant(Symbol symbol) {
-  RhsValue value;
+ValueDraft Constant(Symbol symbol) {
+  ValueDraft value;
   value.symbol = symbol;
   return value;
 }
@@ -98,6 +91,7 @@ void Justifier::AddResultsBelow(Symbol id, InstantiationId base) {
 void Justifier::Backtrace(InstantiationId base) {
   grounds_.clear();
   negations_.clear();
+  drafts_.Clear();
   queue_.clear();
   VisitInstantiation(base);
   for (const PreferenceId result : results_) VisitInstantiation(engine_.memory.preference(result).instantiation);
@@ -151,9 +145,9 @@ Symbol ValueOfVariable(const Production& rule, Symbol variable, std::span<const 
     if (positive >= traces.size()) break;
     const Wme& wme = memory.wme(traces[positive++].wme);
     const auto binds = [&](const Test& test) {
-      if (test.kind == TestKind::kEqual) return test.referent == variable;
-      return std::any_of(test.parts.begin(), test.parts.end(), [&](const Test& part) {
-        return part.kind == TestKind::kEqual && part.referent == variable;
+      if (test.kind == TestKind::kEqual) return test.referent() == variable;
+      return std::ranges::any_of(test.parts(), [&](const Test& part) {
+        return part.kind == TestKind::kEqual && part.referent() == variable;
       });
     };
     if (binds(condition.id)) return wme.id;
@@ -163,46 +157,40 @@ Symbol ValueOfVariable(const Production& rule, Symbol variable, std::span<const 
   return {};
 }
 
-void InstantiateTest(Test& test, const Production& rule, std::span<const ConditionTrace> traces,
+void InstantiateTest(TestDraft& test, const Production& rule, std::span<const ConditionTrace> traces,
                      const WorkingMemory& memory) {
   if (test.referent.IsVariable()) {
     const Symbol value = ValueOfVariable(rule, test.referent, traces, memory);
     if (value) test.referent = value;
   }
-  for (Test& part : test.parts) InstantiateTest(part, rule, traces, memory);
+  for (TestDraft& part : test.parts) InstantiateTest(part, rule, traces, memory);
 }
 
-void InstantiateCondition(Condition& condition, const Production& rule, std::span<const ConditionTrace> traces,
+void InstantiateCondition(ConditionDraft& condition, const Production& rule, std::span<const ConditionTrace> traces,
                           const WorkingMemory& memory) {
   InstantiateTest(condition.id, rule, traces, memory);
   InstantiateTest(condition.attribute, rule, traces, memory);
   InstantiateTest(condition.value, rule, traces, memory);
-  for (Condition& inner : condition.conditions) InstantiateCondition(inner, rule, traces, memory);
-}
-
-Symbol EqualityOf(const Test& test) {
-  if (test.kind == TestKind::kEqual) return test.referent;
-  for (const Test& part : test.parts) {
-    if (part.kind == TestKind::kEqual) return part.referent;
-  }
-  return {};
+  for (ConditionDraft& inner : condition.conditions) InstantiateCondition(inner, rule, traces, memory);
 }
 
 }  // namespace
 
-Condition Justifier::Instantiate(const Condition& condition, InstantiationId id) const {
-  Condition copy = condition;
+ConditionDraft Justifier::Instantiate(const Condition& condition, InstantiationId id) {
+  ConditionDraft copy = ToDraft(condition, drafts_);
   const Production& rule = *engine_.rete.production(engine_.instantiations[id].production);
   InstantiateCondition(copy, rule, engine_.instantiations.Trace(id), engine_.memory);
   return copy;
 }
 
-bool Justifier::RefersToHigherOnly(const Condition& condition) const {
+bool Justifier::RefersToHigherOnly(const ConditionDraft& condition) const {
   if (condition.kind == ConditionKind::kConjunctiveNegation) {
-    return std::all_of(condition.conditions.begin(), condition.conditions.end(),
-                       [&](const Condition& inner) { return RefersToHigherOnly(inner); });
+    for (const ConditionDraft& inner : condition.conditions) {
+      if (!RefersToHigherOnly(inner)) return false;
+    }
+    return true;
   }
-  const Symbol id = EqualityOf(condition.id);
+  const Symbol id = EqualitySymbol(condition.id);
   return !id.IsIdentifier() || engine_.memory.level(id) < level_;
 }
 
@@ -210,8 +198,11 @@ void Justifier::CollectNegations(InstantiationId id) {
   const Instantiation& instantiation = engine_.instantiations[id];
   if (instantiation.production == ProductionId::kNone) {
     if (instantiation.justification != 0xFFFFFFFFu) {
-      for (const Condition& negation : records_[instantiation.justification].negations) {
-        if (RefersToHigherOnly(negation)) negations_.push_back(negation);
+      const ProductionPtr& known = records_[instantiation.justification].negations;
+      if (known == nullptr) return;
+      for (const Condition& negation : known->conditions) {
+        const ConditionDraft copy = ToDraft(negation, drafts_);
+        if (RefersToHigherOnly(copy)) negations_.push_back(copy);
       }
     }
     return;
@@ -220,10 +211,10 @@ void Justifier::CollectNegations(InstantiationId id) {
   if (rule == nullptr) return;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind == ConditionKind::kPositive) continue;
-    Condition literal = Instantiate(condition, id);
+    const ConditionDraft literal = Instantiate(condition, id);
     if (!RefersToHigherOnly(literal)) continue;
     if (std::find(negations_.begin(), negations_.end(), literal) == negations_.end()) {
-      negations_.push_back(std::move(literal));
+      negations_.push_back(literal);
     }
   }
 }
@@ -257,7 +248,7 @@ std::uint32_t Justifier::NewRecord() {
     index = free_records_.back();
     free_records_.pop_back();
     records_[index].grounds.clear();
-    records_[index].negations.clear();
+    records_[index].negations.reset();
   } else {
     index = static_cast<std::uint32_t>(records_.size());
     records_.emplace_back();
@@ -297,7 +288,11 @@ InstantiationId Justifier::Build(InstantiationId base) {
   Record& record = records_[index];
   record.instantiation = id;
   record.grounds = grounds_;
-  record.negations = negations_;
+  if (!negations_.empty()) {
+    RuleDraft kept;
+    for (ConditionDraft& negation : negations_) kept.conditions.Add(&negation);
+    record.negations = Production::Make(kept);
+  }
   ++engine_.counters.justifications;
   if (goal_level > 1) engine_.firing.TraceConditions(id, grounds_);
 
@@ -337,12 +332,12 @@ InstantiationId Justifier::Build(InstantiationId base) {
 /// matter.
 MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level) {
   Record& record = records_[index];
-  if (!record.negations.empty()) {
+  if (record.negations != nullptr) {
     Rete::AddOptions options;
     options.refracted = record.grounds;
     options.instantiation = id;
     const Rete::Added added =
-        engine_.rete.AddProduction(std::make_shared<const Production>(AsRule(index)), engine_.goal_view(), options);
+        engine_.rete.AddProduction(AsRule(index), engine_.goal_view(), options);
     if (added.result == Rete::AddResult::kAdded) {
       record.production = added.production;
       if (added.refracted != MatchId::kNone) return added.refracted;
@@ -367,34 +362,39 @@ void Justifier::SetLearning(Symbol state, bool learn) {
 
 std::vector<std::uint32_t> Justifier::Live() const { return record_order_; }
 
-Production Justifier::AsRule(std::uint32_t index) const {
+ProductionPtr Justifier::AsRule(std::uint32_t index) const {
   const Record& record = records_[index];
   const WorkingMemory& memory = engine_.memory;
-  Production rule;
+  Arena arena;
+  RuleDraft rule;
   rule.name = record.name;
   rule.type = ProductionType::kJustification;
   for (const WmeId ground : record.grounds) {
     const Wme& wme = memory.wme(ground);
-    Condition condition;
-    condition.id = EqualTo(wme.id);
-    condition.attribute = EqualTo(wme.attribute);
-    condition.value = EqualTo(wme.value);
-    condition.tests_acceptable = wme.acceptable;
-    rule.conditions.push_back(std::move(condition));
+    ConditionDraft* const condition = arena.New<ConditionDraft>();
+    condition->id = MakeTest(TestKind::kEqual, wme.id);
+    condition->attribute = MakeTest(TestKind::kEqual, wme.attribute);
+    condition->value = MakeTest(TestKind::kEqual, wme.value);
+    condition->tests_acceptable = wme.acceptable;
+    rule.conditions.Add(condition);
   }
-  rule.conditions.insert(rule.conditions.end(), record.negations.begin(), record.negations.end());
+  if (record.negations != nullptr) {
+    for (const Condition& negation : record.negations->conditions) {
+      rule.conditions.Add(arena.New(ToDraft(negation, arena)));
+    }
+  }
   for (PreferenceId p = engine_.instantiations[record.instantiation].preferences; p != PreferenceId::kNone;
        p = memory.preference(p).next_of_instantiation) {
     const Preference& preference = memory.preference(p);
-    Action action;
-    action.preference = preference.type;
-    action.id = Constant(preference.id);
-    action.attribute = Constant(preference.attribute);
-    action.value = Constant(preference.value);
-    action.referent = Constant(preference.referent);
-    rule.actions.push_back(std::move(action));
+    ActionDraft* const action = arena.New<ActionDraft>();
+    action->preference = preference.type;
+    action->id = Constant(preference.id);
+    action->attribute = Constant(preference.attribute);
+    action->value = Constant(preference.value);
+    action->referent = Constant(preference.referent);
+    rule.actions.Add(action);
   }
-  return rule;
+  return Production::Make(rule);
 }
 
 void Justifier::ExciseAll() {

@@ -10,7 +10,7 @@
 #include "kernel/base/symbol.h"
 #include "kernel/decide/instantiation.h"
 #include "kernel/memory/preference.h"
-#include "kernel/rules/production.h"
+#include "kernel/rules/draft.h"
 
 namespace soarbox::kernel {
 
@@ -43,13 +43,13 @@ class Justifier {
     InstantiationId instantiation = InstantiationId::kNone;
     ProductionId production = ProductionId::kNone;        ///< If it stands in the network.
     std::vector<WmeId> grounds;
-    std::vector<Condition> negations;
+    ProductionPtr negations;                              ///< A rule of the negated conditions; none if there are none.
   };
   const Record& record(std::uint32_t index) const { return records_[index]; }
   /// Indices of the live records, oldest first.
   std::vector<std::uint32_t> Live() const;
   /// The justification as a rule, for printing: literal conditions and actions.
-  Production AsRule(std::uint32_t index) const;
+  ProductionPtr AsRule(std::uint32_t index) const;
 
  private:
   bool CollectResults(InstantiationId id);
@@ -64,8 +64,8 @@ class Justifier {
   bool IsOSupported(GoalLevel goal_level, const Preference& result) const;
   MatchId MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level);
   std::uint32_t NewRecord();
-  Condition Instantiate(const Condition& condition, InstantiationId id) const;
-  bool RefersToHigherOnly(const Condition& condition) const;
+  ConditionDraft Instantiate(const Condition& condition, InstantiationId id);
+  bool RefersToHigherOnly(const ConditionDraft& condition) const;
 
   Engine& engine_;
   std::vector<Record> records_;
@@ -79,7 +79,8 @@ class Justifier {
   std::vector<PreferenceId> results_;
   std::vector<WmeId> grounds_;
   std::vector<InstantiationId> queue_;
-  std::vector<Condition> negations_;
+  std::vector<ConditionDraft> negations_;
+  Arena drafts_;                                          ///< Of the negations.
   std::vector<std::uint32_t> seen_identifiers_, seen_wmes_, seen_results_;
 };
 

@@ -6,6 +6,16 @@
 
 namespace soarbox::kernel {
 
+namespace {
+
+/// The drafts that tests build live until the program ends.
+Arena& Drafts() {
+  static Arena arena;
+  return arena;
+}
+
+}  // namespace
+
 Symbol MatchFixture::Word(std::string_view text) {
   if (text.front() == '<') {
     return symbols.Variable(text);
@@ -66,8 +76,8 @@ void MatchFixture::Remove(WmeId wme) {
   free_.push_back(wme);
 }
 
-ProductionId MatchFixture::AddRule(Production production) {
-  return rete.AddProduction(std::make_shared<const Production>(std::move(production)), Goals()).production;
+ProductionId MatchFixture::AddRule(ProductionPtr production) {
+  return rete.AddProduction(std::move(production), Goals()).production;
 }
 
 std::multiset<std::vector<std::uint64_t>> MatchFixture::MatchesOf(ProductionId production) const {
@@ -89,7 +99,7 @@ std::vector<std::string> MatchFixture::FireAll() {
   for (GoalLevel level = 0; level < 8; ++level) {
     for (const bool o_support : {false, true}) {
       while (const PendingMatch taken = set.TakeAssertion(level, o_support)) {
-        fired.push_back(rete.production(taken.production)->name);
+        fired.emplace_back(rete.production(taken.production)->name);
         set.MarkFired(taken.match, static_cast<InstantiationId>(1));
       }
     }
@@ -100,51 +110,66 @@ std::vector<std::string> MatchFixture::FireAll() {
   return fired;
 }
 
-Test Equal(Symbol symbol) {
+TestDraft Equal(Symbol symbol) {
   return Relation(TestKind::kEqual, symbol);
 }
 
-Test Relation(TestKind kind, Symbol symbol) {
-  Test test;
-  test.kind = kind;
-  test.referent = symbol;
+TestDraft Relation(TestKind kind, Symbol symbol) {
+  return MakeTest(kind, symbol);
+}
+
+TestDraft Both(const TestDraft& a, const TestDraft& b) {
+  TestDraft test = MakeTest(TestKind::kConjunction);
+  test.parts.Add(Drafts().New(a));
+  test.parts.Add(Drafts().New(b));
   return test;
 }
 
-Test Both(Test a, Test b) {
-  Test test;
-  test.kind = TestKind::kConjunction;
-  test.parts = {std::move(a), std::move(b)};
+TestDraft OneOf(const std::vector<Symbol>& constants) {
+  TestDraft test = MakeTest(TestKind::kDisjunction);
+  Symbol* const stored = Drafts().NewArray<Symbol>(constants.size());
+  std::ranges::copy(constants, stored);
+  test.disjuncts = stored;
+  test.disjunct_count = static_cast<std::uint32_t>(constants.size());
   return test;
 }
 
-Condition Positive(Test id, Test attribute, Test value, bool acceptable) {
-  Condition condition;
-  condition.id = std::move(id);
-  condition.attribute = std::move(attribute);
-  condition.value = std::move(value);
+ConditionDraft Positive(const TestDraft& id, const TestDraft& attribute, const TestDraft& value, bool acceptable) {
+  ConditionDraft condition;
+  condition.id = id;
+  condition.attribute = attribute;
+  condition.value = value;
   condition.tests_acceptable = acceptable;
   return condition;
 }
 
-Condition Negative(Test id, Test attribute, Test value, bool acceptable) {
-  Condition condition = Positive(std::move(id), std::move(attribute), std::move(value), acceptable);
+ConditionDraft Negative(const TestDraft& id, const TestDraft& attribute, const TestDraft& value, bool acceptable) {
+  ConditionDraft condition = Positive(id, attribute, value, acceptable);
   condition.kind = ConditionKind::kNegative;
   return condition;
 }
 
-Condition Conjunction(std::vector<Condition> conditions) {
-  Condition condition;
+ConditionDraft Conjunction(const std::vector<ConditionDraft>& conditions) {
+  ConditionDraft condition;
   condition.kind = ConditionKind::kConjunctiveNegation;
-  condition.conditions = std::move(conditions);
+  for (const ConditionDraft& inner : conditions) {
+    condition.conditions.Add(Drafts().New(inner));
+  }
   return condition;
 }
 
-Production Rule(std::string name, std::vector<Condition> conditions) {
-  Production production;
-  production.name = std::move(name);
-  production.conditions = std::move(conditions);
-  return production;
+ProductionPtr Rule(std::string_view name, const std::vector<ConditionDraft>& conditions,
+                   const std::vector<ActionDraft>& actions) {
+  Arena arena;
+  RuleDraft rule;
+  rule.name = name;
+  for (const ConditionDraft& condition : conditions) {
+    rule.conditions.Add(arena.New(condition));
+  }
+  for (const ActionDraft& action : actions) {
+    rule.actions.Add(arena.New(action));
+  }
+  return Production::Make(rule);
 }
 
 }  // namespace soarbox::kernel

@@ -10,7 +10,7 @@
 
 #include "kernel/base/symbol_table.h"
 #include "kernel/match/rete.h"
-#include "kernel/rules/production.h"
+#include "kernel/rules/draft.h"
 
 namespace soarbox::kernel {
 
@@ -29,7 +29,7 @@ class MatchFixture {
   WmeId Add(std::string_view id, std::string_view attribute, std::string_view value, bool acceptable = false);
   WmeId Add(Symbol id, Symbol attribute, Symbol value, bool acceptable = false);
   void Remove(WmeId wme);
-  ProductionId AddRule(Production production);
+  ProductionId AddRule(ProductionPtr production);
 
   /// The elements of all matches of a rule that are not retractions, as time tags.
   std::multiset<std::vector<std::uint64_t>> MatchesOf(ProductionId production) const;
@@ -39,7 +39,7 @@ class MatchFixture {
   SymbolTable symbols;
   WmeTable wmes;
   Rete rete;
-  std::vector<WmeId> live;          ///< In the order of adding.
+  std::vector<WmeId> live;  ///< In the order of adding.
 
  private:
   std::vector<GoalLevel> levels_;
@@ -50,13 +50,16 @@ class MatchFixture {
 };
 
 // Building rules by hand.
-Test Equal(Symbol symbol);
-Test Relation(TestKind kind, Symbol symbol);
-Test Both(Test a, Test b);
-Condition Positive(Test id, Test attribute, Test value, bool acceptable = false);
-Condition Negative(Test id, Test attribute, Test value, bool acceptable = false);
-Condition Conjunction(std::vector<Condition> conditions);
-/// A rule without actions.
-Production Rule(std::string name, std::vector<Condition> conditions);
+TestDraft Equal(Symbol symbol);
+TestDraft Relation(TestKind kind, Symbol symbol);
+TestDraft Both(const TestDraft& a, const TestDraft& b);
+TestDraft OneOf(const std::vector<Symbol>& constants);
+ConditionDraft Positive(const TestDraft& id, const TestDraft& attribute, const TestDraft& value,
+                        bool acceptable = false);
+ConditionDraft Negative(const TestDraft& id, const TestDraft& attribute, const TestDraft& value,
+                        bool acceptable = false);
+ConditionDraft Conjunction(const std::vector<ConditionDraft>& conditions);
+ProductionPtr Rule(std::string_view name, const std::vector<ConditionDraft>& conditions,
+                   const std::vector<ActionDraft>& actions = {});
 
 }  // namespace soarbox::kernel

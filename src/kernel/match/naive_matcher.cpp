@@ -23,7 +23,7 @@ class Search {
     if (condition.kind == ConditionKind::kConjunctiveNegation) {
       const std::size_t bound = bindings_.size();
       const std::size_t tags = tags_.size();
-      const bool none = Run(condition.conditions, 0, [] { return false; });
+      const bool none = Run(condition.conditions(), 0, [] { return false; });
       bindings_.resize(bound);
       tags_.resize(tags);
       return !none || Run(conditions, at + 1, visit);
@@ -62,18 +62,18 @@ class Search {
 
   bool Bind(const Test& test, Symbol value) {
     if (test.kind == TestKind::kConjunction) {
-      return std::ranges::all_of(test.parts, [&](const Test& part) { return Bind(part, value); });
+      return std::ranges::all_of(test.parts(), [&](const Test& part) { return Bind(part, value); });
     }
     if (test.kind != TestKind::kEqual) {
       return true;
     }
-    if (!test.referent.IsVariable()) {
-      return test.referent == value;
+    if (!test.referent().IsVariable()) {
+      return test.referent() == value;
     }
-    if (const Symbol* known = Find(test.referent)) {
+    if (const Symbol* known = Find(test.referent())) {
       return *known == value;
     }
-    bindings_.emplace_back(test.referent, value);
+    bindings_.emplace_back(test.referent(), value);
     return true;
   }
 
@@ -89,7 +89,7 @@ class Search {
   std::uint64_t Lti(Symbol symbol) const { return symbol.IsIdentifier() ? goals_.lti_of[symbol.index()] : 0; }
 
   bool Holds(const Test& test, Symbol value) const {
-    Symbol other = test.referent;
+    Symbol other = test.referent();
     if (other.IsVariable() && test.kind != TestKind::kState) {
       const Symbol* known = Find(other);
       if (!known) {
@@ -114,9 +114,9 @@ class Search {
       case TestKind::kSameType:
         return value.kind() == other.kind();
       case TestKind::kDisjunction:
-        return std::ranges::find(test.disjuncts, value) != test.disjuncts.end();
+        return std::ranges::find(test.disjuncts(), value) != test.disjuncts().end();
       case TestKind::kConjunction:
-        return std::ranges::all_of(test.parts, [&](const Test& part) { return Holds(part, value); });
+        return std::ranges::all_of(test.parts(), [&](const Test& part) { return Holds(part, value); });
       case TestKind::kState:
         return value.IsIdentifier() && goals_.level_of_goal[value.index()] != 0;
       case TestKind::kImpasse:

@@ -18,8 +18,8 @@ void Mix(std::uint32_t& hash, std::uint32_t value) {
 
 std::uint32_t Bits(const NodeTest& test) {
   return static_cast<std::uint32_t>(test.op) | static_cast<std::uint32_t>(test.field) << 4 |
-         static_cast<std::uint32_t>(test.against_binding) << 6 |
-         static_cast<std::uint32_t>(test.referent_field) << 7 | static_cast<std::uint32_t>(test.levels) << 9;
+         static_cast<std::uint32_t>(test.against_binding) << 6 | static_cast<std::uint32_t>(test.referent_field) << 7 |
+         static_cast<std::uint32_t>(test.levels) << 9;
 }
 
 std::uint32_t ShareHash(std::uint32_t parent, const Node& node, std::span<const NodeTest> tests,
@@ -166,8 +166,8 @@ std::uint32_t Network::FindProduction(std::uint32_t parent, std::uint32_t action
   probe.kind = NodeKind::kProduction;
   const std::uint32_t hash = ShareHash(parent, probe, {}, {}, actions_digest);
   std::uint32_t n = after == kNil ? share_buckets_[hash & (share_buckets_.size() - 1)] : nodes_[after].share_next;
-  while (n != kNil && (nodes_[n].share_hash != hash || nodes_[n].parent != parent ||
-                       nodes_[n].kind != NodeKind::kProduction)) {
+  while (n != kNil &&
+         (nodes_[n].share_hash != hash || nodes_[n].parent != parent || nodes_[n].kind != NodeKind::kProduction)) {
     n = nodes_[n].share_next;
   }
   return n;
@@ -309,7 +309,8 @@ void Network::RemoveRule(std::uint32_t number) {
 std::size_t Network::MemoryBytes() const {
   return nodes_.capacity() * sizeof(Node) + tests_.capacity() * sizeof(NodeTest) +
          (free_tests_.capacity() + disjuncts_.capacity() + free_disjuncts_.capacity() + alpha_buckets_.capacity() +
-          share_buckets_.capacity()) * 4 +
+          share_buckets_.capacity()) *
+             4 +
          alphas_.capacity() * sizeof(Alpha) + rules_.size() * (sizeof(rules_[0]) + sizeof(RuleInfo) + 64);
 }
 
@@ -322,8 +323,8 @@ bool Network::SameAs(const Network& other) const {
            }
            return a->node == b->node && a->support == b->support && a->rule->name == b->rule->name &&
                   a->rule->type == b->rule->type &&
-                  (a->rule == b->rule ||
-                   (a->rule->conditions == b->rule->conditions && a->rule->actions == b->rule->actions));
+                  (a->rule == b->rule || (std::ranges::equal(a->rule->conditions, b->rule->conditions) &&
+                                          std::ranges::equal(a->rule->actions, b->rule->actions)));
          });
 }
 

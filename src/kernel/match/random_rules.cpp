@@ -29,15 +29,15 @@ Symbol RandomRules::NewVariable() {
   return fixture_.symbols.Variable("<v" + std::to_string(next_variable_++) + ">");
 }
 
-Test RandomRules::NextRelation(const std::vector<Symbol>& bound, const std::vector<Symbol>& constants) {
-  constexpr TestKind kKinds[] = {TestKind::kNotEqual,       TestKind::kLess,    TestKind::kGreater,
-                                 TestKind::kLessOrEqual,    TestKind::kGreaterOrEqual, TestKind::kSameType,
-                                 TestKind::kNotEqual,       TestKind::kSameLti, TestKind::kNotSameLti,
-                                 TestKind::kIsLti,          TestKind::kIsNotLti, TestKind::kDisjunction};
-  Test test;
+TestDraft RandomRules::NextRelation(const std::vector<Symbol>& bound, const std::vector<Symbol>& constants) {
+  constexpr TestKind kKinds[] = {TestKind::kNotEqual,    TestKind::kLess,           TestKind::kGreater,
+                                 TestKind::kLessOrEqual, TestKind::kGreaterOrEqual, TestKind::kSameType,
+                                 TestKind::kNotEqual,    TestKind::kSameLti,        TestKind::kNotSameLti,
+                                 TestKind::kIsLti,       TestKind::kIsNotLti,       TestKind::kDisjunction};
+  TestDraft test;
   test.kind = kKinds[Below(std::size(kKinds))];
   if (test.kind == TestKind::kDisjunction) {
-    test.disjuncts = {Pick(constants), Pick(constants)};
+    test = OneOf({Pick(constants), Pick(constants)});
   } else if (test.kind == TestKind::kSameLti || test.kind == TestKind::kNotSameLti) {
     test.referent = bound.empty() || Below(2) == 0 ? fixture_.Word("7") : Pick(bound);
   } else if (test.kind != TestKind::kIsLti && test.kind != TestKind::kIsNotLti) {
@@ -46,11 +46,12 @@ Test RandomRules::NextRelation(const std::vector<Symbol>& bound, const std::vect
   return test;
 }
 
-Test RandomRules::NextTest(std::vector<Symbol>& bound, std::vector<Symbol>& fresh, const std::vector<Symbol>& constants,
-                           bool may_bind) {
-  const auto equality = [&]() -> Test {
+TestDraft RandomRules::NextTest(std::vector<Symbol>& bound, std::vector<Symbol>& fresh,
+                                const std::vector<Symbol>& constants, bool may_bind) {
+  const auto equality = [&]() -> TestDraft {
     switch (Below(3)) {
-      case 0: return Equal(Pick(constants));
+      case 0:
+        return Equal(Pick(constants));
       case 1:
         if (!bound.empty()) {
           return Equal(Pick(bound));
@@ -68,30 +69,33 @@ Test RandomRules::NextTest(std::vector<Symbol>& bound, std::vector<Symbol>& fres
     }
   };
   switch (Below(6)) {
-    case 0: return Test();
-    case 1: return NextRelation(bound, constants);
+    case 0:
+      return TestDraft();
+    case 1:
+      return NextRelation(bound, constants);
     case 2: {
-      Test first = equality();
-      return Both(std::move(first), NextRelation(bound, constants));
+      TestDraft first = equality();
+      return Both(first, NextRelation(bound, constants));
     }
-    default: return equality();
+    default:
+      return equality();
   }
 }
 
-Condition RandomRules::NextCondition(std::vector<Symbol>& bound, int depth) {
+ConditionDraft RandomRules::NextCondition(std::vector<Symbol>& bound, int depth) {
   const std::uint32_t kind = Below(10);
   if (kind < 2 && depth < 3 && !bound.empty()) {
     std::vector<Symbol> inner = bound;
-    std::vector<Condition> conditions;
+    std::vector<ConditionDraft> conditions;
     const std::uint32_t count = 1 + Below(3);
     for (std::uint32_t n = 0; n < count; ++n) {
       conditions.push_back(NextCondition(inner, depth + 1));
     }
-    return Conjunction(std::move(conditions));
+    return Conjunction(conditions);
   }
   std::vector<Symbol> inner = bound;
   std::vector<Symbol> fresh;
-  Condition condition;
+  ConditionDraft condition;
   condition.kind = kind < 5 && !bound.empty() ? ConditionKind::kNegative : ConditionKind::kPositive;
   if (!inner.empty() && Below(8) != 0) {
     condition.id = Equal(Pick(inner));
@@ -99,7 +103,8 @@ Condition RandomRules::NextCondition(std::vector<Symbol>& bound, int depth) {
     condition.id = NextTest(inner, fresh, ids_, true);
   }
   if (Below(6) == 0) {
-    condition.id = condition.id.kind == TestKind::kEqual ? Both(condition.id, Relation(TestKind::kState, Symbol())) : condition.id;
+    condition.id =
+        condition.id.kind == TestKind::kEqual ? Both(condition.id, Relation(TestKind::kState, Symbol())) : condition.id;
   }
   condition.attribute = Below(5) == 0 ? NextTest(inner, fresh, attributes_, true) : Equal(Pick(attributes_));
   condition.value = NextTest(inner, fresh, Below(2) == 0 ? values_ : constants_, true);
@@ -110,14 +115,14 @@ Condition RandomRules::NextCondition(std::vector<Symbol>& bound, int depth) {
   return condition;
 }
 
-Production RandomRules::NextRule(std::string name) {
+ProductionPtr RandomRules::NextRule(std::string name) {
   std::vector<Symbol> bound;
-  std::vector<Condition> conditions;
+  std::vector<ConditionDraft> conditions;
   const std::uint32_t count = 1 + Below(6);
   for (std::uint32_t n = 0; n < count; ++n) {
     conditions.push_back(NextCondition(bound, 0));
   }
-  return Rule(std::move(name), std::move(conditions));
+  return Rule(std::move(name), conditions);
 }
 
 }  // namespace soarbox::kernel

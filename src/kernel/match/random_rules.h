@@ -15,7 +15,7 @@ class RandomRules {
  public:
   RandomRules(MatchFixture& fixture, std::uint32_t seed);
 
-  Production NextRule(std::string name);
+  ProductionPtr NextRule(std::string name);
   struct Triple {
     Symbol id, attribute, value;
     bool acceptable = false;
@@ -24,9 +24,10 @@ class RandomRules {
   std::uint32_t Below(std::uint32_t limit) { return random_() % limit; }
 
  private:
-  Condition NextCondition(std::vector<Symbol>& bound, int depth);
-  Test NextTest(std::vector<Symbol>& bound, std::vector<Symbol>& fresh, const std::vector<Symbol>& constants, bool may_bind);
-  Test NextRelation(const std::vector<Symbol>& bound, const std::vector<Symbol>& constants);
+  ConditionDraft NextCondition(std::vector<Symbol>& bound, int depth);
+  TestDraft NextTest(std::vector<Symbol>& bound, std::vector<Symbol>& fresh, const std::vector<Symbol>& constants,
+                     bool may_bind);
+  TestDraft NextRelation(const std::vector<Symbol>& bound, const std::vector<Symbol>& constants);
   Symbol Pick(const std::vector<Symbol>& from) { return from[Below(static_cast<std::uint32_t>(from.size()))]; }
   Symbol NewVariable();
 

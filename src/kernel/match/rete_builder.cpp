@@ -9,22 +9,36 @@ namespace {
 
 TestOp OpOf(TestKind kind) {
   switch (kind) {
-    case TestKind::kEqual: return TestOp::kEqual;
-    case TestKind::kNotEqual: return TestOp::kNotEqual;
-    case TestKind::kLess: return TestOp::kLess;
-    case TestKind::kGreater: return TestOp::kGreater;
-    case TestKind::kLessOrEqual: return TestOp::kLessOrEqual;
-    case TestKind::kGreaterOrEqual: return TestOp::kGreaterOrEqual;
-    case TestKind::kSameType: return TestOp::kSameType;
-    case TestKind::kDisjunction: return TestOp::kDisjunction;
-    case TestKind::kState: return TestOp::kIsGoal;
-    case TestKind::kSameLti: return TestOp::kSameLti;
-    case TestKind::kNotSameLti: return TestOp::kNotSameLti;
-    case TestKind::kIsLti: return TestOp::kIsLti;
-    case TestKind::kIsNotLti: return TestOp::kIsNotLti;
+    case TestKind::kEqual:
+      return TestOp::kEqual;
+    case TestKind::kNotEqual:
+      return TestOp::kNotEqual;
+    case TestKind::kLess:
+      return TestOp::kLess;
+    case TestKind::kGreater:
+      return TestOp::kGreater;
+    case TestKind::kLessOrEqual:
+      return TestOp::kLessOrEqual;
+    case TestKind::kGreaterOrEqual:
+      return TestOp::kGreaterOrEqual;
+    case TestKind::kSameType:
+      return TestOp::kSameType;
+    case TestKind::kDisjunction:
+      return TestOp::kDisjunction;
+    case TestKind::kState:
+      return TestOp::kIsGoal;
+    case TestKind::kSameLti:
+      return TestOp::kSameLti;
+    case TestKind::kNotSameLti:
+      return TestOp::kNotSameLti;
+    case TestKind::kIsLti:
+      return TestOp::kIsLti;
+    case TestKind::kIsNotLti:
+      return TestOp::kIsNotLti;
     case TestKind::kImpasse:  // No identifier is an attribute impasse any more.
     case TestKind::kBlank:
-    case TestKind::kConjunction: break;
+    case TestKind::kConjunction:
+      break;
   }
   return TestOp::kNever;
 }
@@ -52,7 +66,7 @@ void ReteBuilder::Unbind(std::size_t trail) {
 void ReteBuilder::AddEquality(const Test& test, Field field, std::uint32_t depth) {
   const auto place = static_cast<std::uint32_t>(field);
   if (test.kind == TestKind::kConjunction) {
-    for (const Test& part : test.parts) {
+    for (const Test& part : test.parts()) {
       AddEquality(part, field, depth);
     }
     return;
@@ -63,19 +77,19 @@ void ReteBuilder::AddEquality(const Test& test, Field field, std::uint32_t depth
   NodeTest node_test;
   node_test.op = TestOp::kEqual;
   node_test.field = field;
-  if (!test.referent.IsVariable()) {
+  if (!test.referent().IsVariable()) {
     if (tests_.constants[place] == 0) {
-      tests_.constants[place] = test.referent.bits();
+      tests_.constants[place] = test.referent().bits();
       tests_.mask |= 1u << place;
       return;
     }
-    node_test.referent = test.referent.bits();
+    node_test.referent = test.referent().bits();
     tests_.tests.push_back(node_test);
     return;
   }
-  Binding& binding = BindingOf(test.referent);
+  Binding& binding = BindingOf(test.referent());
   const Binding before = binding;
-  trail_.push_back({test.referent.index(), before});
+  trail_.push_back({test.referent().index(), before});
   binding.depth = depth;
   binding.field = field;
   if (before.depth == kNil) {
@@ -89,7 +103,7 @@ void ReteBuilder::AddEquality(const Test& test, Field field, std::uint32_t depth
 
 void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
   if (test.kind == TestKind::kConjunction) {
-    for (const Test& part : test.parts) {
+    for (const Test& part : test.parts()) {
       AddTest(part, field, depth);
     }
     return;
@@ -102,12 +116,12 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
   node_test.field = field;
   if (test.kind == TestKind::kDisjunction) {
     node_test.referent = static_cast<std::uint32_t>(tests_.disjuncts.size());
-    node_test.count = static_cast<std::uint16_t>(test.disjuncts.size());
-    for (const Symbol symbol : test.disjuncts) {
+    node_test.count = static_cast<std::uint16_t>(test.disjuncts().size());
+    for (const Symbol symbol : test.disjuncts()) {
       tests_.disjuncts.push_back(symbol.bits());
     }
-  } else if (test.referent.IsVariable() && node_test.op != TestOp::kIsGoal && node_test.op != TestOp::kNever) {
-    const Binding& binding = BindingOf(test.referent);
+  } else if (test.referent().IsVariable() && node_test.op != TestOp::kIsGoal && node_test.op != TestOp::kNever) {
+    const Binding& binding = BindingOf(test.referent());
     if (binding.depth == kNil) {
       node_test.op = TestOp::kNever;  // Rules are checked before they come here; this cannot be satisfied.
     } else {
@@ -116,7 +130,7 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
       node_test.referent_field = binding.field;
     }
   } else {
-    node_test.referent = test.referent.bits();
+    node_test.referent = test.referent().bits();
   }
   tests_.tests.push_back(node_test);
 }
@@ -182,7 +196,8 @@ std::uint32_t ReteBuilder::NearestAncestor(std::uint32_t node, std::uint32_t alp
 }
 
 std::uint32_t ReteBuilder::MakeNode(std::uint32_t parent, Node node, bool with_tests) {
-  const std::span<const NodeTest> tests = with_tests ? std::span<const NodeTest>(tests_.tests) : std::span<const NodeTest>();
+  const std::span<const NodeTest> tests =
+      with_tests ? std::span<const NodeTest>(tests_.tests) : std::span<const NodeTest>();
   const std::uint32_t shared = state_.network->FindShared(parent, node, tests, tests_.disjuncts);
   if (shared != kNil) {
     if (node.alpha != kNil) {
@@ -224,7 +239,7 @@ std::uint32_t ReteBuilder::BuildNegative(const Condition& condition, std::uint32
 // stand in front of it.
 std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::size_t trail = trail_.size();
-  const std::uint32_t bottom = BuildAll(condition.conditions, emitter, depth);
+  const std::uint32_t bottom = BuildAll(condition.conditions(), emitter, depth);
   Unbind(trail);
   if (bottom == emitter) {
     return emitter;  // An empty conjunction; the parser never makes one.
@@ -232,7 +247,7 @@ std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uin
   Network& network = *state_.network;
   Node partner;
   partner.kind = NodeKind::kPartner;
-  partner.key_id_levels = static_cast<std::uint16_t>(condition.conditions.size());
+  partner.key_id_levels = static_cast<std::uint16_t>(condition.conditions().size());
   const std::uint32_t shared = network.FindShared(bottom, partner, {}, {});
   if (shared != kNil) {
     return network.node(shared).partner;
@@ -257,9 +272,15 @@ std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uin
 std::uint32_t ReteBuilder::BuildAll(std::span<const Condition> conditions, std::uint32_t emitter, std::uint32_t depth) {
   for (const Condition& condition : conditions) {
     switch (condition.kind) {
-      case ConditionKind::kPositive: emitter = BuildPositive(condition, emitter, depth); break;
-      case ConditionKind::kNegative: emitter = BuildNegative(condition, emitter, depth); break;
-      case ConditionKind::kConjunctiveNegation: emitter = BuildConjunctive(condition, emitter, depth); break;
+      case ConditionKind::kPositive:
+        emitter = BuildPositive(condition, emitter, depth);
+        break;
+      case ConditionKind::kNegative:
+        emitter = BuildNegative(condition, emitter, depth);
+        break;
+      case ConditionKind::kConjunctiveNegation:
+        emitter = BuildConjunctive(condition, emitter, depth);
+        break;
     }
     ++depth;
   }

@@ -21,7 +21,9 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
   std::vector<Emission> emissions;
   const Node& node = network->node(index);
   switch (node.kind) {
-    case NodeKind::kRoot: emissions.emplace_back(kNil, kNil); break;
+    case NodeKind::kRoot:
+      emissions.emplace_back(kNil, kNil);
+      break;
     case NodeKind::kJoin: {
       const NodeState& memory = nodes[node.parent];
       if (memory.count == 0) {
@@ -31,8 +33,7 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
         const std::uint32_t wme = items[item].wme;
         const std::uint32_t key = KeyOfElement(node, wmes[wme]);
         for (std::uint32_t token = ChainHead(*this, memory, key); token != kNil; token = tokens[token].next_in_chain) {
-          if (tokens[token].key == key &&
-              (node.key != KeyKind::kIdValue || HasKey(*this, node, token, wmes[wme])) &&
+          if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, wmes[wme])) &&
               Passes(node, token, wmes[wme])) {
             emissions.emplace_back(token, wme);
           }
@@ -58,7 +59,8 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
     case NodeKind::kFree:
     case NodeKind::kMemory:
     case NodeKind::kPartner:
-    case NodeKind::kProduction: break;
+    case NodeKind::kProduction:
+      break;
   }
   return emissions;
 }
@@ -95,7 +97,7 @@ Place PlaceOf(const Network& network, const RuleInfo& rule, std::span<const std:
       return {};
     }
     emitter = network.node(network.node(place.node).partner).parent;
-    conditions = condition.conditions;
+    conditions = condition.conditions();
   }
   return {};
 }

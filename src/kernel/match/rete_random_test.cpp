@@ -42,8 +42,8 @@ class RandomCase {
   }
 
   void AddRule() {
-    const Rete::Added added = fixture_.rete.AddProduction(
-        std::make_shared<const Production>(random_.NextRule("rule" + std::to_string(next_rule_++))), fixture_.Goals());
+    const Rete::Added added =
+        fixture_.rete.AddProduction(random_.NextRule("rule" + std::to_string(next_rule_++)), fixture_.Goals());
     if (added.result == Rete::AddResult::kAdded) {
       rules_.push_back(added.production);
     }

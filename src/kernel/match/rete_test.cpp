@@ -21,13 +21,13 @@ class ReteTest : public testing::Test, public MatchFixture {
     SetGoal("S1", 1);
     SetGoal("S2", 2);
   }
-  kernel::Test Is(std::string_view word) { return Equal(Word(word)); }
+  TestDraft Is(std::string_view word) { return Equal(Word(word)); }
   /// (<s> ^attribute value) with <s> a goal.
-  Condition OnState(std::string_view attribute, std::string_view value) {
+  ConditionDraft OnState(std::string_view attribute, std::string_view value) {
     return Positive(Both(Is("<s>"), Relation(TestKind::kState, Symbol())), Is(attribute), Is(value));
   }
-  Action Make(BindingSite id, std::string_view attribute) {
-    Action action;
+  ActionDraft Make(BindingSite id, std::string_view attribute) {
+    ActionDraft action;
     action.id.kind = RhsValueKind::kBound;
     action.id.site = id;
     action.attribute.symbol = Word(attribute);
@@ -37,17 +37,14 @@ class ReteTest : public testing::Test, public MatchFixture {
 };
 
 TEST_F(ReteTest, TheFirstLoadedRuleIsTakenFirstWhenAnElementArrivesAndTheLastWhenItWasThere) {
-  Production a = Rule("a", {OnState("x", "1")});
-  Production b = Rule("b", {OnState("x", "1")});
-  b.actions.push_back(Make({0, Field::kId}, "y"));
+  const ProductionPtr a = Rule("a", {OnState("x", "1")});
+  const ProductionPtr b = Rule("b", {OnState("x", "1")}, {Make({0, Field::kId}, "y")});
   AddRule(a);
   AddRule(b);
   Add("S1", "x", "1");
   EXPECT_THAT(FireAll(), ElementsAre("a", "b"));
-  Production c = Rule("c", {OnState("x", "1")});
-  c.actions.push_back(Make({0, Field::kId}, "c"));
-  Production d = Rule("d", {OnState("x", "1")});
-  d.actions.push_back(Make({0, Field::kId}, "d"));
+  const ProductionPtr c = Rule("c", {OnState("x", "1")}, {Make({0, Field::kId}, "c")});
+  const ProductionPtr d = Rule("d", {OnState("x", "1")}, {Make({0, Field::kId}, "d")});
   AddRule(c);
   AddRule(d);
   EXPECT_THAT(FireAll(), ElementsAre("d", "c"));
@@ -55,14 +52,13 @@ TEST_F(ReteTest, TheFirstLoadedRuleIsTakenFirstWhenAnElementArrivesAndTheLastWhe
 
 TEST_F(ReteTest, ARuleWithTheSameConditionsAndActionsIsADuplicate) {
   const ProductionId first = AddRule(Rule("a", {OnState("x", "<v>")}));
-  const Rete::Added again =
-      rete.AddProduction(std::make_shared<const Production>(Rule("b", {OnState("x", "<other>")})), Goals());
+  const Rete::Added again = rete.AddProduction(Rule("b", {OnState("x", "<other>")}), Goals());
   EXPECT_EQ(again.result, Rete::AddResult::kDuplicate);
   EXPECT_EQ(again.production, first);
 }
 
 TEST_F(ReteTest, AMatchThatComesBackBeforeItsRetractionStaysFired) {
-  AddRule(Rule("a", {OnState("x", "1"), Negative(Is("<s>"), Is("y"), kernel::Test())}));
+  AddRule(Rule("a", {OnState("x", "1"), Negative(Is("<s>"), Is("y"), TestDraft())}));
   Add("S1", "x", "1");
   ASSERT_THAT(FireAll(), ElementsAre("a"));
   const WmeId blocker = Add("S1", "y", "1");
@@ -73,7 +69,7 @@ TEST_F(ReteTest, AMatchThatComesBackBeforeItsRetractionStaysFired) {
 }
 
 TEST_F(ReteTest, AMatchOfANewElementDoesNotReplaceTheRetractionOfAnOldOneInTheSamePlace) {
-  AddRule(Rule("a", {OnState("x", "1"), Negative(Is("<s>"), Is("y"), kernel::Test())}));
+  AddRule(Rule("a", {OnState("x", "1"), Negative(Is("<s>"), Is("y"), TestDraft())}));
   const WmeId old = Add("S1", "x", "1");
   ASSERT_THAT(FireAll(), ElementsAre("a"));
   const WmeId blocker = Add("S1", "y", "1");
@@ -112,12 +108,9 @@ TEST_F(ReteTest, AssertionsPutBackAreTakenAgainInTheSameOrder) {
 }
 
 TEST_F(ReteTest, TestingTheSelectedOperatorOfTheLowestGoalGivesOSupport) {
-  Production apply = Rule("apply", {OnState("operator", "<o>")});
-  apply.actions.push_back(Make({0, Field::kId}, "done"));
-  Production elaborate = Rule("elaborate", {OnState("operator", "<o>")});
-  elaborate.actions.push_back(Make({0, Field::kValue}, "done"));
-  Production propose = Rule("propose", {OnState("operator", "<o>")});
-  propose.actions.push_back(Make({0, Field::kId}, "operator"));
+  const ProductionPtr apply = Rule("apply", {OnState("operator", "<o>")}, {Make({0, Field::kId}, "done")});
+  const ProductionPtr elaborate = Rule("elaborate", {OnState("operator", "<o>")}, {Make({0, Field::kValue}, "done")});
+  const ProductionPtr propose = Rule("propose", {OnState("operator", "<o>")}, {Make({0, Field::kId}, "operator")});
   AddRule(apply);
   AddRule(elaborate);
   AddRule(propose);
@@ -128,8 +121,9 @@ TEST_F(ReteTest, TestingTheSelectedOperatorOfTheLowestGoalGivesOSupport) {
 }
 
 TEST_F(ReteTest, AnOperatorOfAHigherGoalGivesISupport) {
-  Production rule = Rule("deep", {OnState("operator", "<o>"), Positive(Is("<sub>"), Is("superstate"), Is("<s>"))});
-  rule.actions.push_back(Make({0, Field::kId}, "done"));
+  const ProductionPtr rule =
+      Rule("deep", {OnState("operator", "<o>"), Positive(Is("<sub>"), Is("superstate"), Is("<s>"))},
+           {Make({0, Field::kId}, "done")});
   AddRule(rule);
   Add("S1", "operator", "O1");
   Add("S2", "superstate", "S1");
@@ -138,9 +132,8 @@ TEST_F(ReteTest, AnOperatorOfAHigherGoalGivesISupport) {
 }
 
 TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedOnceAndGetsISupport) {
-  Production rule = Rule("mixed", {OnState("operator", "<o>")});
-  rule.actions.push_back(Make({0, Field::kId}, "done"));
-  rule.actions.push_back(Make({0, Field::kValue}, "done"));
+  const ProductionPtr rule =
+      Rule("mixed", {OnState("operator", "<o>")}, {Make({0, Field::kId}, "done"), Make({0, Field::kValue}, "done")});
   int reports = 0;
   rete.OnMixedSupport([&](ProductionId) { ++reports; });
   AddRule(rule);
@@ -176,8 +169,7 @@ TEST_F(ReteTest, ANewRulesRefractedMatchIsSilentUntilItGoes) {
   const std::vector<WmeId> elements = {wme};
   options.refracted = elements;
   options.instantiation = static_cast<InstantiationId>(9);
-  const Rete::Added added =
-      rete.AddProduction(std::make_shared<const Production>(Rule("chunk", {OnState("x", "<v>")})), Goals(), options);
+  const Rete::Added added = rete.AddProduction(Rule("chunk", {OnState("x", "<v>")}), Goals(), options);
   ASSERT_NE(added.refracted, MatchId::kNone);
   EXPECT_EQ(FireAll().size(), 1u);
   Remove(wme);

@@ -5,29 +5,18 @@
 #include <functional>
 
 #include "kernel/base/words.h"
+#include "kernel/rules/draft.h"
 
 namespace soarbox::kernel {
 
 namespace {
 
-const Test* EqualityIn(const Test& test) {
-  if (test.kind == TestKind::kEqual) {
-    return &test;
-  }
-  for (const Test& part : test.parts) {
-    if (part.kind == TestKind::kEqual) {
-      return &part;
-    }
-  }
-  return nullptr;
-}
-
 bool MayTestSelectedOperator(const Condition& condition) {
   if (condition.tests_acceptable) {
     return false;
   }
-  const Test* attribute = EqualityIn(condition.attribute);
-  return attribute == nullptr || attribute->referent.IsVariable() || attribute->referent == words::kOperator;
+  const Symbol attribute = EqualitySymbol(condition.attribute);
+  return !attribute || attribute.IsVariable() || attribute == words::kOperator;
 }
 
 Symbol SymbolAt(const BindingSite& site, std::span<const WmeId> elements, const WmeTable& wmes) {
@@ -43,12 +32,16 @@ bool SameValue(const RhsValue& a, const RhsValue& b) {
     return false;
   }
   switch (a.kind) {
-    case RhsValueKind::kConstant: return a.symbol == b.symbol;
-    case RhsValueKind::kBound: return a.site == b.site;
-    case RhsValueKind::kNew: return a.new_index == b.new_index;
-    case RhsValueKind::kFunction: break;
+    case RhsValueKind::kConstant:
+      return a.symbol() == b.symbol();
+    case RhsValueKind::kBound:
+      return a.site() == b.site();
+    case RhsValueKind::kNew:
+      return a.new_index() == b.new_index();
+    case RhsValueKind::kFunction:
+      break;
   }
-  return a.function == b.function && std::ranges::equal(a.arguments, b.arguments, SameValue);
+  return a.function_index() == b.function_index() && std::ranges::equal(a.arguments(), b.arguments(), SameValue);
 }
 
 void Mix(std::uint32_t& hash, std::uint32_t value) {
@@ -59,16 +52,18 @@ void Mix(std::uint32_t& hash, std::uint32_t value) {
 void MixValue(std::uint32_t& hash, const RhsValue& value) {
   Mix(hash, static_cast<std::uint32_t>(value.kind));
   switch (value.kind) {
-    case RhsValueKind::kConstant: Mix(hash, value.symbol.bits()); break;
-    case RhsValueKind::kBound:
-      Mix(hash, value.site.positive_condition * 4u + static_cast<std::uint32_t>(value.site.field));
+    case RhsValueKind::kConstant:
+      Mix(hash, value.symbol().bits());
       break;
-    case RhsValueKind::kNew: Mix(hash, value.new_index); break;
+    case RhsValueKind::kBound:
+      Mix(hash, value.site().positive_condition * 4u + static_cast<std::uint32_t>(value.site().field));
+      break;
+    case RhsValueKind::kNew:
+      Mix(hash, value.new_index());
+      break;
     case RhsValueKind::kFunction:
-      for (const char c : value.function) {
-        Mix(hash, static_cast<unsigned char>(c));
-      }
-      for (const RhsValue& argument : value.arguments) {
+      Mix(hash, value.function_index());
+      for (const RhsValue& argument : value.arguments()) {
         MixValue(hash, argument);
       }
       break;
@@ -83,11 +78,11 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
     if (condition.kind != ConditionKind::kPositive) {
       continue;
     }
-    const Test* id = EqualityIn(condition.id);
-    if (id == nullptr || std::ranges::find(id_variables, id->referent) == id_variables.end()) {
+    const Symbol id = EqualitySymbol(condition.id);
+    if (!id || std::ranges::find(id_variables, id) == id_variables.end()) {
       id_conditions.push_back(positives);
-      if (id != nullptr) {
-        id_variables.push_back(id->referent);
+      if (id) {
+        id_variables.push_back(id);
       }
     }
     if (MayTestSelectedOperator(condition)) {
@@ -97,8 +92,9 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
   }
   for (const Action& action : rule->actions) {
     if (!action.is_function_call && action.preference == PreferenceType::kAcceptable &&
-        action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol == words::kOperator && action.id.kind == RhsValueKind::kBound) {
-      proposal_ids.push_back(action.id.site);
+        action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol() == words::kOperator &&
+        action.id.kind == RhsValueKind::kBound) {
+      proposal_ids.push_back(action.id.site());
     }
   }
   if (rule->declared_support != DeclaredSupport::kUndeclared) {
@@ -128,7 +124,7 @@ RuleInfo::MatchSupport RuleInfo::SupportOf(std::span<const WmeId> elements, cons
         continue;
       }
       const bool on_operator =
-          action.id.kind == RhsValueKind::kBound && SymbolAt(action.id.site, elements, wmes) == wme.value;
+          action.id.kind == RhsValueKind::kBound && SymbolAt(action.id.site(), elements, wmes) == wme.value;
       (on_operator ? elaborates : applies) = true;
     }
   }

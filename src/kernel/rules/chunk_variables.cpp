@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/rules/chunk_variables.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "kernel/base/characters.h"
-#include "kernel/rules/rule_reader.h"
 
 namespace soarbox::kernel {
 
@@ -18,8 +16,8 @@ class Renamer {
  public:
   explicit Renamer(SymbolTable& symbols) : symbols_(symbols) {}
 
-  void Rename(std::vector<Condition>& conditions) {
-    for (Condition& condition : conditions) {
+  void Rename(const DraftList<ConditionDraft>& conditions) {
+    for (ConditionDraft& condition : conditions) {
       if (condition.kind == ConditionKind::kConjunctiveNegation) {
         Rename(condition.conditions);
         continue;
@@ -31,8 +29,8 @@ class Renamer {
   }
 
   /// The value of a make action names its variable; those that only functions use come last.
-  void Rename(std::vector<Action>& actions) {
-    for (Action& action : actions) {
+  void Rename(const DraftList<ActionDraft>& actions) {
+    for (ActionDraft& action : actions) {
       if (!action.is_function_call) {
         RenamePlain(action.id, 's');
         RenamePlain(action.attribute, 'a');
@@ -40,22 +38,16 @@ class Renamer {
         RenamePlain(action.referent, 'r');
       }
     }
-    for (Action& action : actions) {
-      for (RhsValue* value : {&action.attribute, &action.value, &action.referent}) {
+    for (ActionDraft& action : actions) {
+      for (ValueDraft* value : {&action.attribute, &action.value, &action.referent}) {
         RenameArguments(*value);
       }
     }
   }
 
  private:
-  void RenameField(Test& test, char letter) {
-    // The equality test comes first when Soar makes a condition from its network.
-    const auto equality = std::find_if(test.parts.begin(), test.parts.end(),
-                                       [](const Test& part) { return part.kind == TestKind::kEqual; });
-    if (equality != test.parts.end()) {
-      const auto goal = [](const Test& part) { return part.kind == TestKind::kState || part.kind == TestKind::kImpasse; };
-      std::rotate(std::find_if_not(test.parts.begin(), equality, goal), equality, equality + 1);
-    }
+  void RenameField(TestDraft& test, char letter) {
+    PutEqualityFirst(test);
     const Symbol symbol = EqualitySymbol(test);
     if (symbol.IsVariable()) {
       NewName(symbol, letter);
@@ -63,23 +55,41 @@ class Renamer {
     Replace(test);
   }
 
-  void Replace(Test& test) {
+  /// The equality test comes first, behind goal tests, when Soar makes a condition from its network.
+  static void PutEqualityFirst(TestDraft& test) {
+    DraftList<TestDraft> goals, equality, others;
+    for (TestDraft* part = test.parts.first; part != nullptr;) {
+      TestDraft* const next = part->next;
+      const bool goal = part->kind == TestKind::kState || part->kind == TestKind::kImpasse;
+      if (part->kind == TestKind::kEqual) {
+        equality.Add(part);
+      } else {
+        (goal && others.empty() ? goals : others).Add(part);
+      }
+      part = next;
+    }
+    test.parts = goals;
+    test.parts.Append(equality);
+    test.parts.Append(others);
+  }
+
+  void Replace(TestDraft& test) {
     if (test.referent.IsVariable()) {
       test.referent = NewName(test.referent, 'v');
     }
-    for (Test& part : test.parts) {
+    for (TestDraft& part : test.parts) {
       Replace(part);
     }
   }
 
-  void RenamePlain(RhsValue& value, char letter) {
+  void RenamePlain(ValueDraft& value, char letter) {
     if (value.kind != RhsValueKind::kFunction && value.symbol.IsVariable()) {
       value.symbol = NewName(value.symbol, letter);
     }
   }
 
-  void RenameArguments(RhsValue& value) {
-    for (RhsValue& argument : value.arguments) {
+  void RenameArguments(ValueDraft& value) {
+    for (ValueDraft& argument : value.arguments) {
       RenamePlain(argument, 'v');
       RenameArguments(argument);
     }
@@ -118,7 +128,7 @@ class Renamer {
 
 }  // namespace
 
-void RenameVariables(Production& rule, SymbolTable& symbols) {
+void RenameVariables(RuleDraft& rule, SymbolTable& symbols) {
   Renamer renamer(symbols);
   renamer.Rename(rule.conditions);
   renamer.Rename(rule.actions);

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "kernel/base/symbol_table.h"
-#include "kernel/rules/production.h"
+#include "kernel/rules/draft.h"
 
 namespace soarbox::kernel {
 
 /// Renames the variables of a rule whose own names Soar does not keep (chunks and justifications): <s1> for states,
 /// else a letter from the attribute in front of the first occurrence and a number, in match order. Call before the
 /// actions' variables are bound.
-void RenameVariables(Production& rule, SymbolTable& symbols);
+void RenameVariables(RuleDraft& rule, SymbolTable& symbols);
 
 }  // namespace soarbox::kernel

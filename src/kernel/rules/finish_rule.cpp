@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/rules/finish_rule.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "kernel/base/words.h"
 #include "kernel/rules/chunk_variables.h"
 #include "kernel/rules/print_production.h"
 #include "kernel/rules/reorder.h"
-#include "kernel/rules/rule_reader.h"
+#include "kernel/rules/variable_index.h"
 
 namespace soarbox::kernel {
 
@@ -17,7 +16,7 @@ namespace {
 void AddTrap(ParseOutcome& out, const SourcePlace& place, Severity severity, std::string message, std::string hint) {
   Diagnostic diagnostic;
   diagnostic.severity = severity;
-  diagnostic.file = place.file;
+  diagnostic.file = place.file.text();
   diagnostic.line = place.line;
   diagnostic.column = place.column;
   diagnostic.message = std::move(message);
@@ -25,21 +24,35 @@ void AddTrap(ParseOutcome& out, const SourcePlace& place, Severity severity, std
   out.diagnostics.push_back(std::move(diagnostic));
 }
 
-VariableSet VariablesOfPositiveConditions(const std::vector<Condition>& conditions) {
-  VariableSet out;
-  for (const Condition& condition : conditions) {
-    if (condition.kind == ConditionKind::kPositive) {
-      out.Add(EqualitySymbol(condition.id));
-      out.Add(EqualitySymbol(condition.attribute));
-      out.Add(EqualitySymbol(condition.value));
+/// The variables that the actions can rely on.
+class KnownVariables {
+ public:
+  KnownVariables(const RuleDraft& rule, const VariableIndex& variables, Arena& arena)
+      : variables_(variables), known_(variables, arena) {
+    for (const ConditionDraft& condition : rule.conditions) {
+      if (condition.kind == ConditionKind::kPositive) {
+        Add(EqualitySymbol(condition.id));
+        Add(EqualitySymbol(condition.attribute));
+        Add(EqualitySymbol(condition.value));
+      }
     }
   }
-  return out;
-}
+
+  void Add(Symbol symbol) {
+    if (symbol.IsVariable()) {
+      known_.Add(variables_[symbol]);
+    }
+  }
+  bool Has(Symbol symbol) const { return symbol.IsVariable() && known_.Has(variables_[symbol]); }
+
+ private:
+  const VariableIndex& variables_;
+  VariableBits known_;
+};
 
 /// The arguments of a function must be known before it is called; a plain variable may stand for a new identifier.
-bool FunctionIsReady(const RhsValue& value, const VariableSet& known) {
-  for (const RhsValue& argument : value.arguments) {
+bool FunctionIsReady(const ValueDraft& value, const KnownVariables& known) {
+  for (const ValueDraft& argument : value.arguments) {
     if (argument.kind == RhsValueKind::kFunction ? !FunctionIsReady(argument, known)
                                                  : argument.symbol.IsVariable() && !known.Has(argument.symbol)) {
       return false;
@@ -48,11 +61,11 @@ bool FunctionIsReady(const RhsValue& value, const VariableSet& known) {
   return true;
 }
 
-bool IsReady(const RhsValue& value, const VariableSet& known) {
+bool IsReady(const ValueDraft& value, const KnownVariables& known) {
   return value.kind != RhsValueKind::kFunction || FunctionIsReady(value, known);
 }
 
-bool IsReady(const Action& action, const VariableSet& known) {
+bool IsReady(const ActionDraft& action, const KnownVariables& known) {
   if (action.is_function_call) {
     return FunctionIsReady(action.value, known);
   }
@@ -61,37 +74,38 @@ bool IsReady(const Action& action, const VariableSet& known) {
 }
 
 /// Puts each action behind those that make its identifier known. False if some hang on nothing.
-bool OrderActions(Production& rule, const SymbolTable& symbols, ParseOutcome& out, const SourcePlace& place) {
-  VariableSet known = VariablesOfPositiveConditions(rule.conditions);
-  std::vector<Action> ordered;
-  ordered.reserve(rule.actions.size());
-  std::vector<Action> waiting = std::move(rule.actions);
-  for (bool progress = true; progress && !waiting.empty();) {
+bool OrderActions(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols, Arena& arena,
+                  ParseOutcome& out, const SourcePlace& place) {
+  KnownVariables known(rule, variables, arena);
+  DraftList<ActionDraft> ordered;
+  ActionDraft* waiting = rule.actions.first;
+  for (bool progress = true; progress && waiting != nullptr;) {
     progress = false;
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-      if (!IsReady(waiting[i], known)) {
+    for (ActionDraft** link = &waiting; *link != nullptr; link = &(*link)->next) {
+      ActionDraft* const action = *link;
+      if (!IsReady(*action, known)) {
         continue;
       }
-      for (const RhsValue* value : {&waiting[i].attribute, &waiting[i].value, &waiting[i].referent}) {
-        known.Add(value->symbol);
-      }
-      ordered.push_back(std::move(waiting[i]));
-      waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(i));
+      known.Add(action->attribute.symbol);
+      known.Add(action->value.symbol);
+      known.Add(action->referent.symbol);
+      *link = action->next;
+      ordered.Add(action);
       progress = true;
       break;
     }
   }
-  rule.actions = std::move(ordered);
-  if (waiting.empty()) {
+  rule.actions = ordered;
+  if (waiting == nullptr) {
     return true;
   }
   std::string text =
       "Attempted to add rule with ungrounded action(s).\n"
       "The following RHS actions contain variables that are not tested\n"
       "in a positive condition on the LHS: \n\n";
-  for (const Action& action : waiting) {
+  for (const ActionDraft* action = waiting; action != nullptr; action = action->next) {
     std::string line;
-    AppendUngroundedAction(line, symbols, action);
+    AppendUngroundedAction(line, symbols, *action);
     text += "        " + line + "\n";
     AddTrap(out, place, Severity::kError, "the action " + line + " uses a variable that no condition binds",
             "bind it in a positive condition, or link it to a state in another action");
@@ -103,9 +117,10 @@ bool OrderActions(Production& rule, const SymbolTable& symbols, ParseOutcome& ou
 /// Says for each variable of the actions where it is bound, or which new identifier it stands for.
 class Binder {
  public:
-  explicit Binder(Production& rule) : rule_(rule) {
+  Binder(RuleDraft& rule, const VariableIndex& variables, Arena& arena)
+      : rule_(rule), variables_(variables), places_(arena.NewArray<Place>(variables.size())) {
     std::uint16_t position = 0;
-    for (const Condition& condition : rule.conditions) {
+    for (const ConditionDraft& condition : rule.conditions) {
       if (condition.kind != ConditionKind::kPositive) {
         continue;
       }
@@ -116,9 +131,9 @@ class Binder {
     }
   }
 
-  void Bind(RhsValue& value) {
+  void Bind(ValueDraft& value) {
     if (value.kind == RhsValueKind::kFunction) {
-      for (RhsValue& argument : value.arguments) {
+      for (ValueDraft& argument : value.arguments) {
         Bind(argument);
       }
       return;
@@ -126,51 +141,70 @@ class Binder {
     if (!value.symbol.IsVariable()) {
       return;
     }
-    for (const auto& [variable, site] : sites_) {
-      if (variable == value.symbol) {
-        value.kind = RhsValueKind::kBound;
-        value.site = site;
-        return;
-      }
+    Place& place = places_[variables_[value.symbol]];
+    if (place.kind == RhsValueKind::kConstant) {
+      place.kind = RhsValueKind::kNew;
+      place.index = static_cast<std::uint16_t>(rule_.new_identifiers.size());
+      rule_.new_identifiers.push_back(value.symbol);
     }
-    std::vector<Symbol>& fresh = rule_.new_identifiers;
-    const auto found = std::find(fresh.begin(), fresh.end(), value.symbol);
-    value.kind = RhsValueKind::kNew;
-    value.new_index = static_cast<std::uint16_t>(found - fresh.begin());
-    if (found == fresh.end()) {
-      fresh.push_back(value.symbol);
-    }
+    value.kind = place.kind;
+    value.site = place.site;
+    value.index = place.index;
   }
 
  private:
-  void Note(const Test& test, std::uint16_t position, Field field) {
+  /// What a variable stands for; kConstant while that is not known.
+  struct Place {
+    RhsValueKind kind = RhsValueKind::kConstant;
+    BindingSite site;
+    std::uint16_t index = 0;
+  };
+
+  void Note(const TestDraft& test, std::uint16_t position, Field field) {
     const Symbol symbol = EqualitySymbol(test);
     if (!symbol.IsVariable()) {
       return;
     }
-    for (const auto& [variable, site] : sites_) {
-      if (variable == symbol) {
-        return;
-      }
+    Place& place = places_[variables_[symbol]];
+    if (place.kind == RhsValueKind::kConstant) {
+      place.kind = RhsValueKind::kBound;
+      place.site = {position, field};
     }
-    sites_.push_back({symbol, {position, field}});
   }
 
-  Production& rule_;
-  std::vector<std::pair<Symbol, BindingSite>> sites_;
+  RuleDraft& rule_;
+  const VariableIndex& variables_;
+  Place* places_;
 };
 
-bool TestsGoal(const Test& test) {
+bool TestsGoal(const TestDraft& test) {
   if (test.kind == TestKind::kState || test.kind == TestKind::kImpasse) {
     return true;
   }
-  return std::any_of(test.parts.begin(), test.parts.end(), TestsGoal);
+  for (const TestDraft& part : test.parts) {
+    if (TestsGoal(part)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if a positive condition tests that the variable is a state.
+bool IsTestedGoal(const RuleDraft& rule, Symbol variable) {
+  for (const ConditionDraft& condition : rule.conditions) {
+    if (condition.kind == ConditionKind::kPositive && TestsGoal(condition.id) &&
+        EqualitySymbol(condition.id) == variable) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// The attributes of states that the architecture makes: a rule that makes another value under one is probably wrong.
 bool IsArchitectureLink(Symbol attribute) {
-  for (const Symbol link : {words::kSuperstate, words::kType, words::kIo, words::kImpasse, words::kRewardLink, words::kEpmem,
-                            words::kSmem, words::kQuiescence, words::kChoices, words::kAttribute, words::kItem}) {
+  for (const Symbol link :
+       {words::kSuperstate, words::kType, words::kIo, words::kImpasse, words::kRewardLink, words::kEpmem, words::kSmem,
+        words::kQuiescence, words::kChoices, words::kAttribute, words::kItem}) {
     if (link == attribute) {
       return true;
     }
@@ -178,32 +212,47 @@ bool IsArchitectureLink(Symbol attribute) {
   return false;
 }
 
-void WarnOfArchitectureLinks(const Production& rule, const SymbolTable& symbols, const SourcePlace& place, ParseOutcome& out) {
-  VariableSet goals;
-  for (const Condition& condition : rule.conditions) {
-    if (condition.kind == ConditionKind::kPositive && TestsGoal(condition.id)) {
-      goals.Add(EqualitySymbol(condition.id));
-    }
-  }
-  for (const Action& action : rule.actions) {
-    if (!action.is_function_call && action.preference == PreferenceType::kAcceptable && goals.Has(action.id.symbol) &&
-        action.attribute.kind == RhsValueKind::kConstant && IsArchitectureLink(action.attribute.symbol)) {
+void WarnOfArchitectureLinks(const RuleDraft& rule, const SymbolTable& symbols, const SourcePlace& place,
+                             ParseOutcome& out) {
+  for (const ActionDraft& action : rule.actions) {
+    if (!action.is_function_call && action.preference == PreferenceType::kAcceptable &&
+        action.attribute.kind == RhsValueKind::kConstant && IsArchitectureLink(action.attribute.symbol) &&
+        IsTestedGoal(rule, action.id.symbol)) {
       AddTrap(out, place, Severity::kWarning,
-              rule.name + " makes ^" + ToString(symbols, action.attribute.symbol) +
+              std::string(rule.name) + " makes ^" + ToString(symbols, action.attribute.symbol) +
                   " on a state, beside the one that the architecture makes",
               "use another attribute");
     }
   }
 }
 
+void NumberVariables(const RuleDraft& rule, VariableIndex& variables) {
+  variables.AddAll(rule.conditions);
+  for (const ActionDraft& action : rule.actions) {
+    for (const ValueDraft* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
+      variables.AddAll(*value);
+    }
+  }
+}
+
+void BindVariables(RuleDraft& rule, const VariableIndex& variables, Arena& arena) {
+  Binder binder(rule, variables, arena);
+  for (ActionDraft& action : rule.actions) {
+    for (ValueDraft* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
+      binder.Bind(*value);
+    }
+  }
+}
+
 }  // namespace
 
-bool FinishRule(Production& rule, const SourcePlace& place, SymbolTable& symbols, ParseOutcome& out) {
-  if (!OrderActions(rule, symbols, out, place)) {
+bool FinishRule(RuleDraft& rule, const SourcePlace& place, SymbolTable& symbols, Arena& arena, ParseOutcome& out) {
+  VariableIndex variables;
+  NumberVariables(rule, variables);
+  if (!OrderActions(rule, variables, symbols, arena, out, place)) {
     return false;
   }
-  const std::string name = ToString(symbols, symbols.String(rule.name));
-  ReorderOutcome order = ReorderConditions(name, rule.conditions, symbols);
+  ReorderOutcome order = ReorderConditions(rule, variables, symbols, arena);
   for (RuleMessage& message : order.messages) {
     if (!order.ok && message.text.starts_with("Error: ")) {
       AddTrap(out, place, Severity::kError, message.text.substr(7, message.text.find('\n') - 7), "");
@@ -214,24 +263,27 @@ bool FinishRule(Production& rule, const SourcePlace& place, SymbolTable& symbols
     return false;
   }
   for (const Symbol variable : order.unconnected) {
+    const std::string text(symbols.Text(variable));
     AddTrap(out, place, Severity::kWarning,
-            name + ": " + std::string(symbols.Text(variable)) + " is not connected to a state; the rule will look at all of working memory",
-            "link it to a state, as in (state <s> ^thing " + std::string(symbols.Text(variable)) + ")");
+            ToString(symbols, symbols.String(rule.name)) + ": " + text +
+                " is not connected to a state; the rule will look at all of working memory",
+            "link it to a state, as in (state <s> ^thing " + text + ")");
   }
   if (rule.explain) {
-    out.late_messages.push_back({"Now watching any chunks formed by rule '" + rule.name + "'\n", false, false});
+    out.late_messages.push_back(
+        {"Now watching any chunks formed by rule '" + std::string(rule.name) + "'\n", false, false});
   }
   if (rule.type == ProductionType::kChunk) {
     RenameVariables(rule, symbols);
+    VariableIndex renamed;
+    NumberVariables(rule, renamed);
+    BindVariables(rule, renamed, arena);
+  } else {
+    BindVariables(rule, variables, arena);
   }
-  Binder binder(rule);
-  for (Action& action : rule.actions) {
-    for (RhsValue* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
-      binder.Bind(*value);
-    }
-  }
-  rule.is_rl = rule.type != ProductionType::kTemplate && rule.actions.size() == 1 &&
-               rule.actions[0].preference == PreferenceType::kNumericIndifferent;
+  rule.is_rl = rule.type != ProductionType::kTemplate && rule.actions.first != nullptr &&
+               rule.actions.first == rule.actions.last &&
+               rule.actions.first->preference == PreferenceType::kNumericIndifferent;
   WarnOfArchitectureLinks(rule, symbols, place, out);
   return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include "kernel/rules/draft.h"
 #include "kernel/rules/parser.h"
 
 namespace soarbox::kernel {
@@ -9,6 +10,6 @@ namespace soarbox::kernel {
 /// binds variables and sets what follows from the contents (new identifiers, is_rl). Adds Soar's messages to
 /// `out.late_messages` and our own to `out.diagnostics`; false if the rule must be refused. Learned rules pass through
 /// here as well.
-bool FinishRule(Production& rule, const SourcePlace& place, SymbolTable& symbols, ParseOutcome& out);
+bool FinishRule(RuleDraft& rule, const SourcePlace& place, SymbolTable& symbols, Arena& arena, ParseOutcome& out);
 
 }  // namespace soarbox::kernel

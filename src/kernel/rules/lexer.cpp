@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/rules/lexer.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
-#include <utility>
 
 #include "kernel/base/characters.h"
 
@@ -10,27 +11,66 @@ namespace soarbox::kernel {
 
 namespace {
 
+/// What a character can be part of.
+enum CharacterClass : std::uint8_t {
+  kWordCharacter = 1,  ///< Of symbols written without bars.
+  kDigitCharacter = 2,
+  kLetterCharacter = 4,
+  kSignCharacter = 8,  ///< Of the signs that are made of word characters.
+  kDelimiter = 16,     ///< A bar or a quote.
+};
+
+struct CharacterTable {
+  std::array<std::uint8_t, 256> classes{};
+  std::array<TokenKind, 256> single{};  ///< The tokens of one character that end words; kEnd for others.
+
+  constexpr std::uint8_t ClassOf(char c) const { return classes[static_cast<unsigned char>(c)]; }
+  constexpr TokenKind Single(char c) const { return single[static_cast<unsigned char>(c)]; }
+};
+
+constexpr CharacterTable kCharacters = [] {
+  CharacterTable table;
+  for (int n = 0; n < 256; ++n) {
+    const char c = static_cast<char>(n);
+    const bool sign = std::string_view("+-=<>&").find(c) != std::string_view::npos;
+    table.classes[static_cast<std::size_t>(n)] = static_cast<std::uint8_t>(
+        (IsConstituent(c) ? kWordCharacter : 0) | (IsDigit(c) ? kDigitCharacter : 0) |
+        (IsLetter(c) ? kLetterCharacter : 0) | (sign ? kSignCharacter : 0) | (c == '|' || c == '"' ? kDelimiter : 0));
+  }
+  constexpr std::pair<char, TokenKind> kSingles[] = {
+      {'(', TokenKind::kLeftParen},  {')', TokenKind::kRightParen}, {'{', TokenKind::kLeftBrace},
+      {'}', TokenKind::kRightBrace}, {'^', TokenKind::kUpArrow},    {'!', TokenKind::kExclamation},
+      {'~', TokenKind::kTilde},      {'.', TokenKind::kPeriod},     {',', TokenKind::kComma}};
+  for (const auto& [c, kind] : kSingles) {
+    table.single[static_cast<unsigned char>(c)] = kind;
+  }
+  return table;
+}();
+
 constexpr std::pair<std::string_view, TokenKind> kSigns[] = {
-    {"+", TokenKind::kPlus},           {"-", TokenKind::kMinus},         {"=", TokenKind::kEqual},
-    {"<", TokenKind::kLess},           {">", TokenKind::kGreater},       {"<=", TokenKind::kLessOrEqual},
-    {">=", TokenKind::kGreaterOrEqual}, {"<>", TokenKind::kNotEqual},    {"<=>", TokenKind::kSameType},
-    {"<<", TokenKind::kLeftAngles},    {">>", TokenKind::kRightAngles},  {"-->", TokenKind::kArrow},
+    {"+", TokenKind::kPlus},
+    {"-", TokenKind::kMinus},
+    {"=", TokenKind::kEqual},
+    {"<", TokenKind::kLess},
+    {">", TokenKind::kGreater},
+    {"<=", TokenKind::kLessOrEqual},
+    {">=", TokenKind::kGreaterOrEqual},
+    {"<>", TokenKind::kNotEqual},
+    {"<=>", TokenKind::kSameType},
+    {"<<", TokenKind::kLeftAngles},
+    {">>", TokenKind::kRightAngles},
+    {"-->", TokenKind::kArrow},
     {"&", TokenKind::kAmpersand},
 };
 
-TokenKind SingleCharacterKind(char c) {
-  switch (c) {
-    case '(': return TokenKind::kLeftParen;
-    case ')': return TokenKind::kRightParen;
-    case '{': return TokenKind::kLeftBrace;
-    case '}': return TokenKind::kRightBrace;
-    case '^': return TokenKind::kUpArrow;
-    case '!': return TokenKind::kExclamation;
-    case '~': return TokenKind::kTilde;
-    case '.': return TokenKind::kPeriod;
-    case ',': return TokenKind::kComma;
-    default: return TokenKind::kEnd;
+/// The sign that a word is, or kEnd.
+TokenKind SignOf(std::string_view word) {
+  for (const auto& [sign, kind] : kSigns) {
+    if (word == sign) {
+      return kind;
+    }
   }
+  return TokenKind::kEnd;
 }
 
 bool IsSignOrDigits(std::string_view text) {
@@ -69,188 +109,228 @@ bool ReadsAsFloat(std::string_view text) {
   return i == text.size();
 }
 
-/// Numbers too large to hold are 0 and give a warning, as in Soar.
+/// Numbers too large to hold are 0, as in Soar; false then.
 template <typename Number>
-void ReadNumber(std::string_view text, Number& number, std::string& warning, const char* message) {
+bool ReadNumber(std::string_view text, Number& number) {
+  number = 0;
   if (!text.empty() && text[0] == '+') {
     text.remove_prefix(1);
   }
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (result.ec == std::errc::result_out_of_range) {
-    number = 0;
-    warning = message;
-  } else if (result.ec != std::errc()) {
-    number = 0;
+  Number read = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), read);
+  if (result.ec == std::errc()) {
+    number = read;
   }
+  return result.ec != std::errc::result_out_of_range;
 }
 
-std::string NormalIdentifier(std::string_view text) {
-  std::string out(1, ToUpper(text[0]));
+bool ReadInteger(std::string_view word, std::int64_t& number) {
+  constexpr std::size_t kSurelyFits = 18;
+  if (word.size() > kSurelyFits) {
+    return ReadNumber(word, number);
+  }
+  const bool negative = word[0] == '-';
+  number = 0;
+  for (const char c : word.substr(negative || word[0] == '+' ? 1 : 0)) {
+    number = number * 10 + (c - '0');
+  }
+  number = negative ? -number : number;
+  return true;
+}
+
+std::string_view NormalIdentifier(std::string_view text, Arena& arena) {
+  const char letter = ToUpper(text[0]);
   text.remove_prefix(1);
   while (text.size() > 1 && text[0] == '0') {
     text.remove_prefix(1);
   }
-  return out.append(text);
+  std::string out(1, letter);
+  return arena.Copy(out.append(text));
 }
 
 }  // namespace
 
-void Lexer::Step() {
-  if (text_[at_] == '\n') {
-    ++line_;
-    column_ = 1;
-  } else {
-    ++column_;
+std::string Token::Warning() const {
+  if (!suspicious) {
+    return {};
   }
-  ++at_;
+  switch (kind) {
+    case TokenKind::kUnclosed: {
+      const char mark = text.data()[-1];
+      return std::string("Error:  opening '") + mark + "' without closing '" + mark + "'\n";
+    }
+    case TokenKind::kFloat:
+      return "Error: bad floating point number\n";
+    case TokenKind::kInteger:
+      return "Error: bad integer (probably too large)\n";
+    default:
+      return "Warning: Suspicious string constant \"" + std::string(text) + "\"\n";
+  }
 }
 
 void Lexer::SkipBlanks() {
-  while (at_ < text_.size()) {
-    const char c = text_[at_];
-    if (c == '#') {
-      while (at_ < text_.size() && text_[at_] != '\n') {
-        Step();
-      }
-    } else if (IsConstituent(c) || c == '|' || c == '"' || SingleCharacterKind(c) != TokenKind::kEnd) {
-      return;
-    } else {
-      Step();
+  const std::size_t begin = at_;
+  const char* const end = text_.data() + text_.size();
+  const char* p = text_.data() + at_;
+  for (; p != end; ++p) {
+    if ((kCharacters.ClassOf(*p) & (kWordCharacter | kDelimiter)) != 0 || kCharacters.Single(*p) != TokenKind::kEnd) {
+      break;
     }
+    if (*p == '#') {
+      p = std::find(p, end, '\n');
+      if (p == end) {
+        break;
+      }
+    }
+  }
+  at_ = static_cast<std::size_t>(p - text_.data());
+  if (at_ != begin) {
     after_name_ = false;
   }
 }
 
-Token Lexer::Finish(Token token, std::size_t end) {
+void Lexer::Finish(Token& token, TokenKind kind, std::size_t end) {
+  token.kind = kind;
   token.offset = at_;
   token.length = end - at_;
-  token.line = line_;
-  token.column = column_;
-  while (at_ < end) {
-    Step();
-  }
-  after_name_ = token.kind == TokenKind::kString || token.kind == TokenKind::kVariable ||
-                token.kind == TokenKind::kIdentifier;
-  return token;
+  at_ = end;
+  after_name_ = kind == TokenKind::kString || kind == TokenKind::kVariable || kind == TokenKind::kIdentifier;
 }
 
-Token Lexer::Next() {
+void Lexer::Read(Token& token) {
   SkipBlanks();
+  token.suspicious = false;
   if (at_ >= text_.size()) {
-    return Finish({}, at_);
+    token.text = {};
+    return Finish(token, TokenKind::kEnd, at_);
   }
   const char c = text_[at_];
-  if (c == '|') {
-    return ReadBarred();
-  }
-  if (c == '"') {
-    return ReadQuoted();
-  }
-  if (c == '@') {
+  if (const TokenKind single = kCharacters.Single(c); single != TokenKind::kEnd) {
+    const bool starts_float = c == '.' && !after_name_ && at_ + 1 < text_.size() && IsDigit(text_[at_ + 1]);
+    if (!starts_float) {
+      token.text = text_.substr(at_, 1);
+      return Finish(token, single, at_ + 1);
+    }
+  } else if (c == '|') {
+    return ReadDelimited(token, c, TokenKind::kString);
+  } else if (c == '"') {
+    return ReadDelimited(token, c, TokenKind::kQuoted);
+  } else if (c == '@') {
     const bool with_sign = WordEnd(at_) - at_ == 2 && (text_[at_ + 1] == '+' || text_[at_ + 1] == '-');
-    Token token;
-    token.kind = !with_sign ? TokenKind::kAt : text_[at_ + 1] == '+' ? TokenKind::kAtPlus : TokenKind::kAtMinus;
-    token.text.push_back('@');
-    if (with_sign) {
-      token.text.push_back(text_[at_ + 1]);
-    }
-    return Finish(std::move(token), at_ + (with_sign ? 2 : 1));
+    const std::size_t length = with_sign ? 2 : 1;
+    token.text = text_.substr(at_, length);
+    const TokenKind kind = !with_sign              ? TokenKind::kAt
+                           : text_[at_ + 1] == '+' ? TokenKind::kAtPlus
+                                                   : TokenKind::kAtMinus;
+    return Finish(token, kind, at_ + length);
   }
-  const bool starts_float = c == '.' && !after_name_ && at_ + 1 < text_.size() && IsDigit(text_[at_ + 1]);
-  if (SingleCharacterKind(c) != TokenKind::kEnd && !starts_float) {
-    Token token;
-    token.kind = SingleCharacterKind(c);
-    token.text = c;
-    return Finish(std::move(token), at_ + 1);
-  }
-  return ReadWord();
+  ReadWord(token);
 }
 
-Token Lexer::ReadBarred() {
-  Token token;
-  token.kind = TokenKind::kString;
+void Lexer::ReadDelimited(Token& token, char delimiter, TokenKind kind) {
   std::size_t i = at_ + 1;
-  for (; i < text_.size() && text_[i] != '|'; ++i) {
+  bool escapes = false;
+  for (; i < text_.size() && text_[i] != delimiter; ++i) {
     if (text_[i] == '\\' && i + 1 < text_.size()) {
+      escapes = true;
       ++i;
     }
-    token.text += text_[i];
   }
-  if (i >= text_.size()) {
-    token.kind = TokenKind::kUnclosed;
-    token.warning = "Error:  opening '|' without closing '|'\n";
-    return Finish(std::move(token), text_.size());
-  }
-  return Finish(std::move(token), i + 1);
-}
-
-Token Lexer::ReadQuoted() {
-  Token token;
-  token.kind = TokenKind::kQuoted;
-  std::size_t i = at_ + 1;
-  for (; i < text_.size() && text_[i] != '"'; ++i) {
-    if (text_[i] == '\\' && i + 1 < text_.size()) {
-      ++i;
+  const bool closed = i < text_.size();
+  token.text = text_.substr(at_ + 1, i - at_ - 1);
+  token.suspicious = !closed;
+  if (escapes && closed) {
+    std::string text;
+    for (std::size_t n = 0; n < token.text.size(); ++n) {
+      n += token.text[n] == '\\' && n + 1 < token.text.size() ? 1 : 0;
+      text += token.text[n];
     }
-    token.text += text_[i];
+    token.text = arena_.Copy(text);
   }
-  if (i >= text_.size()) {
-    token.kind = TokenKind::kUnclosed;
-    token.warning = "Error:  opening '\"' without closing '\"'\n";
-    return Finish(std::move(token), text_.size());
-  }
-  return Finish(std::move(token), i + 1);
+  Finish(token, closed ? kind : TokenKind::kUnclosed, closed ? i + 1 : text_.size());
 }
 
 std::size_t Lexer::WordEnd(std::size_t from) const {
-  while (from < text_.size() && IsConstituent(text_[from])) {
+  while (from < text_.size() && (kCharacters.ClassOf(text_[from]) & kWordCharacter) != 0) {
     ++from;
   }
   return from;
 }
 
-Token Lexer::ReadWord() {
-  Token token;
-  std::size_t end = WordEnd(at_);
-  // A number may go on behind a dot; if that does not make a float, the dot is a token of its own.
-  if (end < text_.size() && text_[end] == '.' && IsSignOrDigits(text_.substr(at_, end - at_))) {
-    const std::size_t float_end = WordEnd(end + 1);
-    const std::string_view candidate = text_.substr(at_, float_end - at_);
-    if (ReadsAsFloat(candidate)) {
-      token.kind = TokenKind::kFloat;
-      token.text = candidate;
-      ReadNumber(candidate, token.real, token.warning, "Error: bad floating point number\n");
-      return Finish(std::move(token), float_end);
-    }
-    if (end == at_) {
-      token.kind = TokenKind::kPeriod;
-      token.text = ".";
-      return Finish(std::move(token), at_ + 1);
+/// Reads a number that goes on behind the dot at `end`; if that does not make a float, the dot is a token of its own.
+bool Lexer::ReadFloat(Token& token, std::size_t end) {
+  const std::size_t float_end = WordEnd(end + 1);
+  const std::string_view candidate = text_.substr(at_, float_end - at_);
+  if (ReadsAsFloat(candidate)) {
+    token.text = candidate;
+    token.suspicious = !ReadNumber(candidate, token.real);
+    Finish(token, TokenKind::kFloat, float_end);
+    return true;
+  }
+  if (end == at_) {
+    token.text = text_.substr(at_, 1);
+    Finish(token, TokenKind::kPeriod, at_ + 1);
+    return true;
+  }
+  return false;
+}
+
+void Lexer::ReadWord(Token& token) {
+  const char* const begin = text_.data() + at_;
+  const char* const text_end = text_.data() + text_.size();
+  // The classes that all characters but the first share.
+  std::uint8_t shared = 0xFF;
+  const char* p = begin;
+  const std::uint8_t first = kCharacters.ClassOf(*begin);
+  if ((first & kWordCharacter) != 0) {
+    for (++p; p != text_end; ++p) {
+      const std::uint8_t c = kCharacters.ClassOf(*p);
+      if ((c & kWordCharacter) == 0) {
+        break;
+      }
+      shared &= c;
     }
   }
+  const std::size_t end = static_cast<std::size_t>(p - text_.data());
   const std::string_view word = text_.substr(at_, end - at_);
+  if (p != text_end && *p == '.' && IsSignOrDigits(word) && ReadFloat(token, end)) {
+    return;
+  }
   token.text = word;
-  for (const auto& [sign, kind] : kSigns) {
-    if (word == sign) {
-      token.kind = kind;
-      return Finish(std::move(token), end);
+  if ((first & kSignCharacter) != 0 && word.size() <= 3) {
+    if (const TokenKind sign = SignOf(word); sign != TokenKind::kEnd) {
+      return Finish(token, sign, end);
     }
   }
-  if (LooksLikeVariable(word)) {
-    token.kind = TokenKind::kVariable;
-  } else if (LooksLikeInteger(word)) {
-    token.kind = TokenKind::kInteger;
-    ReadNumber(word, token.integer, token.warning, "Error: bad integer (probably too large)\n");
-  } else if (LooksLikeIdentifier(word)) {
-    token.kind = TokenKind::kIdentifier;
-    token.text = NormalIdentifier(word);
-  } else {
-    token.kind = TokenKind::kString;
-    if (word.front() == '<' || word.back() == '>') {
-      token.warning.append("Warning: Suspicious string constant \"").append(word).append("\"\n");
+  if (word.front() == '<' && word.back() == '>' && word.size() >= 3) {
+    return Finish(token, TokenKind::kVariable, end);
+  }
+  if ((shared & kDigitCharacter) != 0) {
+    const bool signed_number = (word.front() == '+' || word.front() == '-') && word.size() > 1;
+    if ((first & kDigitCharacter) != 0 || signed_number) {
+      token.suspicious = !ReadInteger(word, token.integer);
+      return Finish(token, TokenKind::kInteger, end);
+    }
+    if ((first & kLetterCharacter) != 0 && word.size() > 1) {
+      token.text = NormalIdentifier(word, arena_);
+      return Finish(token, TokenKind::kIdentifier, end);
     }
   }
-  return Finish(std::move(token), end);
+  token.suspicious = word.front() == '<' || word.back() == '>';
+  Finish(token, TokenKind::kString, end);
+}
+
+TextPlace PlaceFinder::Find(std::size_t offset) {
+  offset = std::min(offset, text_.size());
+  const auto lines = [this](std::size_t from, std::size_t to) {
+    return static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(from),
+                                       text_.begin() + static_cast<std::ptrdiff_t>(to), '\n'));
+  };
+  line_ += offset >= at_ ? lines(at_, offset) : -lines(offset, at_);
+  at_ = offset;
+  const std::size_t before = offset == 0 ? std::string_view::npos : text_.rfind('\n', offset - 1);
+  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  return {line_, static_cast<int>(offset - begin) + 1};
 }
 
 }  // namespace soarbox::kernel

@@ -5,58 +5,103 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/base/arena.h"
+
 namespace soarbox::kernel {
 
 enum class TokenKind : std::uint8_t {
   kEnd,
-  kString,          ///< A string constant; `text` without bars.
-  kQuoted,          ///< "documentation"; `text` as written between the quotes.
-  kInteger, kFloat,
-  kVariable,        ///< `text` with its brackets.
-  kIdentifier,      ///< s1: `text` in upper case without leading zeros. A string constant inside rules.
-  kLeftParen, kRightParen, kLeftBrace, kRightBrace,
-  kUpArrow, kExclamation, kTilde, kPeriod, kComma,
-  kAt, kAtPlus, kAtMinus,
-  kPlus, kMinus, kEqual, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kNotEqual, kSameType,
-  kLeftAngles, kRightAngles,  ///< << and >>
-  kArrow,           ///< -->
-  kAmpersand,       ///< A sign that nothing uses any more.
-  kUnclosed,        ///< A bar or quote without its partner.
+  kString,  ///< A string constant; `text` without bars.
+  kQuoted,  ///< "documentation"; `text` as written between the quotes.
+  kInteger,
+  kFloat,
+  kVariable,    ///< `text` with its brackets.
+  kIdentifier,  ///< s1: `text` in upper case without leading zeros. A string constant inside rules.
+  kLeftParen,
+  kRightParen,
+  kLeftBrace,
+  kRightBrace,
+  kUpArrow,
+  kExclamation,
+  kTilde,
+  kPeriod,
+  kComma,
+  kAt,
+  kAtPlus,
+  kAtMinus,
+  kPlus,
+  kMinus,
+  kEqual,
+  kLess,
+  kGreater,
+  kLessOrEqual,
+  kGreaterOrEqual,
+  kNotEqual,
+  kSameType,
+  kLeftAngles,
+  kRightAngles,  ///< << and >>
+  kArrow,        ///< -->
+  kAmpersand,    ///< A sign that nothing uses any more.
+  kUnclosed,     ///< A bar or quote without its partner.
 };
 
 struct Token {
   TokenKind kind = TokenKind::kEnd;
-  std::string text;            ///< Contents; for signs the characters themselves.
+  bool suspicious = false;  ///< Something is wrong with it: see Warning().
+  std::string_view text;    ///< Contents; for signs the characters themselves. Lives as long as the text and the arena.
   std::int64_t integer = 0;
   double real = 0;
-  std::size_t offset = 0;      ///< Of the first character in the text that is read.
+  std::size_t offset = 0;  ///< Of the first character in the text that is read.
   std::size_t length = 0;
-  int line = 1, column = 1;    ///< Of the first character, from 1, within the text that is read.
-  std::string warning;         ///< What Soar prints when it meets the token, with its line end; usually empty.
+
+  /// What Soar prints when it meets the token, with its line end; usually empty.
+  std::string Warning() const;
 };
 
 /// Cuts the text of a rule into tokens, as Soar's lexer does: any text gives tokens, characters that no token can hold
-/// count as blanks.
+/// count as blanks. Texts that are not in the source as they are (with escapes in them) are made in the arena.
 class Lexer {
  public:
-  explicit Lexer(std::string_view text) : text_(text) {}
+  Lexer(std::string_view text, Arena& arena) : text_(text), arena_(arena) {}
 
-  /// The next token; kEnd again and again once the text is used up.
-  Token Next();
+  /// Reads the next token; kEnd again and again once the text is used up.
+  void Read(Token& token);
+  Token Next() {
+    Token token;
+    Read(token);
+    return token;
+  }
 
  private:
   void SkipBlanks();
-  void Step();
-  Token ReadBarred();
-  Token ReadQuoted();
-  Token ReadWord();
+  void ReadDelimited(Token& token, char delimiter, TokenKind kind);
+  void ReadWord(Token& token);
+  bool ReadFloat(Token& token, std::size_t end);
   std::size_t WordEnd(std::size_t from) const;
-  Token Finish(Token token, std::size_t end);
+  void Finish(Token& token, TokenKind kind, std::size_t end);
 
   std::string_view text_;
+  Arena& arena_;
   std::size_t at_ = 0;
-  int line_ = 1, column_ = 1;
-  bool after_name_ = false;    ///< The character before is the last of a string or variable: a dot here is a path dot.
+  bool after_name_ = false;  ///< The character before is the last of a string or variable: a dot here is a path dot.
+};
+
+/// A position in a text, counted from 1.
+struct TextPlace {
+  int line = 1;
+  int column = 1;
+};
+
+/// Finds the lines and columns of offsets in a text; quick if each is near the one before.
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(std::string_view text) : text_(text) {}
+  TextPlace Find(std::size_t offset);
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 1;
 };
 
 }  // namespace soarbox::kernel

@@ -8,8 +8,10 @@
 namespace soarbox::kernel {
 namespace {
 
+/// The text must outlive the tokens; what the lexer makes lives until the test program ends.
 std::vector<Token> Tokens(std::string_view text) {
-  Lexer lexer(text);
+  static Arena arena;
+  Lexer lexer(text, arena);
   std::vector<Token> tokens;
   for (Token token = lexer.Next(); token.kind != TokenKind::kEnd; token = lexer.Next()) {
     tokens.push_back(token);
@@ -22,14 +24,30 @@ std::string Shape(std::string_view text) {
   std::string out;
   for (const Token& token : Tokens(text)) {
     switch (token.kind) {
-      case TokenKind::kString: out += 's'; break;
-      case TokenKind::kInteger: out += 'i'; break;
-      case TokenKind::kFloat: out += 'f'; break;
-      case TokenKind::kVariable: out += 'v'; break;
-      case TokenKind::kIdentifier: out += 'I'; break;
-      case TokenKind::kQuoted: out += 'q'; break;
-      case TokenKind::kUnclosed: out += 'u'; break;
-      default: out += '[' + token.text + ']'; break;
+      case TokenKind::kString:
+        out += 's';
+        break;
+      case TokenKind::kInteger:
+        out += 'i';
+        break;
+      case TokenKind::kFloat:
+        out += 'f';
+        break;
+      case TokenKind::kVariable:
+        out += 'v';
+        break;
+      case TokenKind::kIdentifier:
+        out += 'I';
+        break;
+      case TokenKind::kQuoted:
+        out += 'q';
+        break;
+      case TokenKind::kUnclosed:
+        out += 'u';
+        break;
+      default:
+        out.append("[").append(token.text).append("]");
+        break;
     }
   }
   return out;
@@ -65,10 +83,10 @@ TEST(Lexer, KnowsVariablesIdentifiersAndSigns) {
 
 TEST(Lexer, WarnsOfStringsThatLookLikeVariables) {
   for (const char* text : {"<s", "s>", "<5", "->", "=>", "<>a", "a>>"}) {
-    EXPECT_EQ(Tokens(text)[0].warning, "Warning: Suspicious string constant \"" + std::string(text) + "\"\n");
+    EXPECT_EQ(Tokens(text)[0].Warning(), "Warning: Suspicious string constant \"" + std::string(text) + "\"\n");
   }
   for (const char* text : {">5", ">=5", "-abc", "-->x", ">>x"}) {
-    EXPECT_EQ(Tokens(text)[0].warning, "") << text;
+    EXPECT_EQ(Tokens(text)[0].Warning(), "") << text;
   }
 }
 
@@ -82,23 +100,30 @@ TEST(Lexer, BarsTakeEverythingAndBackslashTheNextCharacter) {
 }
 
 TEST(Lexer, CommentsSemicolonsAndForeignCharactersAreBlanks) {
-  EXPECT_EQ(Shape("a # b c\nd;e\xC3\xA9" "f[g]'h"), "ssssss");
+  EXPECT_EQ(Shape("a # b c\nd;e\xC3\xA9"
+                  "f[g]'h"),
+            "ssssss");
   EXPECT_EQ(Shape("|# no comment|"), "s");
 }
 
 TEST(Lexer, NumbersThatAreTooLargeAreZeroWithAWarning) {
   EXPECT_EQ(Tokens("9223372036854775808")[0].integer, 0);
-  EXPECT_EQ(Tokens("9223372036854775808")[0].warning, "Error: bad integer (probably too large)\n");
+  EXPECT_EQ(Tokens("9223372036854775808")[0].Warning(), "Error: bad integer (probably too large)\n");
   EXPECT_EQ(Tokens("1.0e999")[0].real, 0.0);
-  EXPECT_EQ(Tokens("1.0e999")[0].warning, "Error: bad floating point number\n");
+  EXPECT_EQ(Tokens("1.0e999")[0].Warning(), "Error: bad floating point number\n");
 }
 
 TEST(Lexer, TokensKnowTheirPlace) {
-  const std::vector<Token> tokens = Tokens("(state\n   <s> ^a)");
-  EXPECT_EQ(tokens[2].line, 2);
-  EXPECT_EQ(tokens[2].column, 4);
+  constexpr std::string_view kText = "(state\n   <s> ^a)";
+  const std::vector<Token> tokens = Tokens(kText);
   EXPECT_EQ(tokens[2].offset, 10u);
   EXPECT_EQ(tokens[2].length, 3u);
+  PlaceFinder places(kText);
+  for (const std::size_t offset : {10u, 1u, 10u}) {
+    const TextPlace place = places.Find(offset);
+    EXPECT_EQ(place.line, offset == 10 ? 2 : 1);
+    EXPECT_EQ(place.column, offset == 10 ? 4 : 2);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/base/words.h"
+#include "kernel/rules/draft.h"
 #include "kernel/rules/finish_rule.h"
 #include "kernel/rules/rule_reader.h"
 
@@ -22,37 +23,35 @@ std::string_view LineAt(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-RuleReader::RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, ParseOutcome& out)
-    : body_(body), place_(place), symbols_(symbols), out_(out), names_(symbols, body), lexer_(body) {
+RuleReader::RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, Arena& arena,
+                       ParseOutcome& out)
+    : body_(body),
+      place_(place),
+      symbols_(symbols),
+      arena_(arena),
+      out_(out),
+      names_(symbols, body),
+      lexer_(body, arena),
+      places_(body) {
   Advance();
 }
 
-void RuleReader::Advance() {
-  token_ = lexer_.Next();
-  if (token_.warning.empty()) {
-    return;
-  }
-  Say(token_.warning, Is(TokenKind::kString));
+/// Says what is wrong with the token at hand.
+void RuleReader::Complain() {
+  Say(token_.Warning(), Is(TokenKind::kString));
+  const std::string text(token_.text);
   switch (token_.kind) {
     case TokenKind::kUnclosed:
       Report(Severity::kError, token_, "this bar or quote has no partner", "close it, or write \\ in front of it");
       break;
     case TokenKind::kString:
-      Report(Severity::kWarning, token_, token_.text + " is read as a string, not as a variable",
+      Report(Severity::kWarning, token_, text + " is read as a string, not as a variable",
              "a variable has < in front and > behind, and no blanks");
       break;
     default:
-      Report(Severity::kWarning, token_, "the number " + token_.text + " is too large and is read as 0", "");
+      Report(Severity::kWarning, token_, "the number " + text + " is too large and is read as 0", "");
       break;
   }
-}
-
-bool RuleReader::Accept(TokenKind kind) {
-  if (!Is(kind)) {
-    return false;
-  }
-  Advance();
-  return true;
 }
 
 void RuleReader::Say(std::string text, bool is_warning) {
@@ -60,14 +59,15 @@ void RuleReader::Say(std::string text, bool is_warning) {
 }
 
 void RuleReader::Report(Severity severity, const Token& token, std::string message, std::string hint) {
+  const TextPlace at = places_.Find(token.offset);
   Diagnostic diagnostic;
   diagnostic.severity = severity;
-  diagnostic.file = place_.file;
-  diagnostic.line = place_.line + token.line - 1;
-  diagnostic.column = token.line == 1 ? place_.column + token.column - 1 : token.column;
+  diagnostic.file = place_.file.text();
+  diagnostic.line = place_.line + at.line - 1;
+  diagnostic.column = at.line == 1 ? place_.column + at.column - 1 : at.column;
   diagnostic.message = std::move(message);
   diagnostic.excerpt = LineAt(body_, token.offset);
-  if (token.line == 1) {
+  if (at.line == 1) {
     // The first line of the text stands somewhere within a line of the file.
     diagnostic.excerpt.insert(0, static_cast<std::size_t>(std::max(0, place_.column - 1)), ' ');
   }
@@ -78,7 +78,9 @@ void RuleReader::Report(Severity severity, const Token& token, std::string messa
 
 bool RuleReader::Fail(std::string_view message, std::string_view hint) {
   Say(std::string(message) + "\n");
-  std::string found = token_.kind == TokenKind::kEnd ? "the end of the rule" : "'" + std::string(body_.substr(token_.offset, token_.length)) + "'";
+  std::string found = token_.kind == TokenKind::kEnd
+                          ? "the end of the rule"
+                          : "'" + std::string(body_.substr(token_.offset, token_.length)) + "'";
   Report(Severity::kError, token_, std::string(message) + ", found " + found, std::string(hint));
   return false;
 }
@@ -86,23 +88,33 @@ bool RuleReader::Fail(std::string_view message, std::string_view hint) {
 Symbol RuleReader::ConstantOrVariable() {
   Symbol symbol;
   switch (token_.kind) {
-    case TokenKind::kVariable: symbol = symbols_.Variable(token_.text); break;
-    case TokenKind::kString: symbol = symbols_.String(token_.text); break;
+    case TokenKind::kVariable:
+      symbol = symbols_.Variable(token_.text);
+      break;
+    case TokenKind::kString:
+      symbol = symbols_.String(token_.text);
+      break;
     case TokenKind::kIdentifier:
-      Report(Severity::kWarning, token_, std::string(body_.substr(token_.offset, token_.length)) +
-             " looks like an identifier and is read as the string |" + token_.text + "|",
+      Report(Severity::kWarning, token_,
+             std::string(body_.substr(token_.offset, token_.length)) +
+                 " looks like an identifier and is read as the string |" + std::string(token_.text) + "|",
              "rules cannot name identifiers; put bars around a constant of this form");
       symbol = symbols_.String(token_.text);
       break;
-    case TokenKind::kInteger: symbol = symbols_.Integer(token_.integer); break;
-    case TokenKind::kFloat: symbol = symbols_.Float(token_.real); break;
-    default: return symbol;
+    case TokenKind::kInteger:
+      symbol = symbols_.Integer(token_.integer);
+      break;
+    case TokenKind::kFloat:
+      symbol = symbols_.Float(token_.real);
+      break;
+    default:
+      return symbol;
   }
   Advance();
   return symbol;
 }
 
-bool RuleReader::ReadFlags(Production& rule) {
+bool RuleReader::ReadFlags(RuleDraft& rule) {
   if (Is(TokenKind::kQuoted)) {
     rule.documentation = token_.text;
     rule.has_documentation = true;
@@ -124,19 +136,20 @@ bool RuleReader::ReadFlags(Production& rule) {
     } else if (token_.text == ":explain") {
       rule.explain = true;
     } else {
-      return token_.text[0] != ':' ||
-             Fail("Expected ( to begin condition element", "there is no flag of this name; flags are :o-support :i-support "
-                                                           ":default :chunk :template :interrupt :explain");
+      return token_.text[0] != ':' || Fail("Expected ( to begin condition element",
+                                           "there is no flag of this name; flags are :o-support :i-support "
+                                           ":default :chunk :template :interrupt :explain");
     }
     Advance();
   }
   return true;
 }
 
-bool RuleReader::ReadRule(Production& rule) {
+bool RuleReader::ReadRule(RuleDraft& rule) {
   if (!Is(TokenKind::kString)) {
-    return Fail("Expected symbol for production name",
-                Is(TokenKind::kIdentifier) ? "a name of this form reads as an identifier; use at least two letters" : "");
+    return Fail(
+        "Expected symbol for production name",
+        Is(TokenKind::kIdentifier) ? "a name of this form reads as an identifier; use at least two letters" : "");
   }
   rule.name = token_.text;
   out_.name = rule.name;
@@ -158,25 +171,27 @@ bool RuleReader::ReadRule(Production& rule) {
 ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols) {
   const SymbolTable::PinScope pin(symbols);
   ParseOutcome out;
-  auto rule = std::make_shared<Production>();
-  rule->file = place.file;
-  rule->line = place.line;
+  Arena arena;
+  RuleDraft rule;
+  rule.file = place.file;
+  rule.line = place.line;
   const auto ignore = [&](std::vector<RuleMessage>& messages) {
     if (!out.name.empty()) {
-      messages.push_back({"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
+      messages.push_back(
+          {"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
     }
   };
-  RuleReader reader(body, place, symbols, out);
-  if (!reader.ReadRule(*rule)) {
+  RuleReader reader(body, place, symbols, arena, out);
+  if (!reader.ReadRule(rule)) {
     ignore(out.messages);
     return out;
   }
   out.syntax_ok = true;
-  if (!FinishRule(*rule, place, symbols, out)) {
+  if (!FinishRule(rule, place, symbols, arena, out)) {
     ignore(out.late_messages);
     return out;
   }
-  out.production = std::move(rule);
+  out.production = Production::Make(rule);
   return out;
 }
 

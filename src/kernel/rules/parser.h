@@ -13,8 +13,8 @@ namespace soarbox::kernel {
 
 /// Where a rule's text stands.
 struct SourcePlace {
-  std::string file;   ///< As the user named it; empty for typed rules.
-  int line = 1;       ///< Of the first character of the text.
+  FileName file;  ///< As the user named it; empty for typed rules.
+  int line = 1;   ///< Of the first character of the text.
   int column = 1;
 };
 
@@ -26,8 +26,8 @@ struct RuleMessage {
 };
 
 struct ParseOutcome {
-  ProductionPtr production;   ///< None if the rule was refused.
-  std::string name;           ///< Empty if not even the name could be read.
+  ProductionPtr production;  ///< None if the rule was refused.
+  std::string name;          ///< Empty if not even the name could be read.
   std::vector<RuleMessage> messages;
   /// True once the text is read without an error of syntax. An older rule of this name is then excised (and `#`
   /// printed), even if this one is refused in the end; `late_messages` come after that.

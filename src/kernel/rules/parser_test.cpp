@@ -28,7 +28,8 @@ class ParserTest : public testing::Test {
 
   std::string Printed(std::string_view body, bool internal = false) {
     const ParseOutcome outcome = Parse(body);
-    return outcome.production ? PrintProduction(symbols_, *outcome.production, {internal}) : "refused: " + Messages(body);
+    return outcome.production ? PrintProduction(symbols_, *outcome.production, {internal})
+                              : "refused: " + Messages(body);
   }
 
   SymbolTable symbols_;
@@ -116,7 +117,8 @@ TEST_F(ParserTest, TrapsAreToldOfBesideSoarsOwnTexts) {
     for (const Diagnostic& diagnostic : Parse(body).diagnostics) text += diagnostic.message + "\n";
     return text;
   };
-  EXPECT_THAT(traps("ab (state <s> ^x <o1> <o2>) --> (<s> ^operator <o1> + = <o2> + =)"), HasSubstr("takes <o2> as its referent"));
+  EXPECT_THAT(traps("ab (state <s> ^x <o1> <o2>) --> (<s> ^operator <o1> + = <o2> + =)"),
+              HasSubstr("takes <o2> as its referent"));
   EXPECT_THAT(traps("ab (state <s> ^x r2) --> (<s> ^y z)"), HasSubstr("r2 looks like an identifier"));
   EXPECT_THAT(traps("ab (state <s> ^x y) --> (<s> ^superstate z)"), HasSubstr("^superstate on a state"));
   EXPECT_THAT(traps("ab (state <s> ^x y) (<q> ^z 1) --> (<s> ^y z)"), HasSubstr("<q> is not connected to a state"));
@@ -152,15 +154,16 @@ TEST_F(ParserTest, ConditionsAreOrderedAndPrintedAsSoarDoes) {
 }
 
 TEST_F(ParserTest, RelationalTestsMoveToWhereBothSidesAreBoundAndTurnRound) {
-  EXPECT_EQ(Printed("ab (state <s> ^a b) (<s> ^b {<x> > 3} ^c { <y> > <x> } ^d {<z> < <y> > <x> <> 3}) --> (<s> ^y 1)", true),
-            "sp {ab\n"
-            "    (state <s> ^a b)\n"
-            "    (<s> ^d { <> 3 <z> })\n"
-            "    (<s> ^c { > <z> <y> })\n"
-            "    (<s> ^b { > 3 < <y> < <z> <x> })\n"
-            "    -->\n"
-            "    (<s> ^y 1)\n"
-            "}\n");
+  EXPECT_EQ(
+      Printed("ab (state <s> ^a b) (<s> ^b {<x> > 3} ^c { <y> > <x> } ^d {<z> < <y> > <x> <> 3}) --> (<s> ^y 1)", true),
+      "sp {ab\n"
+      "    (state <s> ^a b)\n"
+      "    (<s> ^d { <> 3 <z> })\n"
+      "    (<s> ^c { > <z> <y> })\n"
+      "    (<s> ^b { > 3 < <y> < <z> <x> })\n"
+      "    -->\n"
+      "    (<s> ^y 1)\n"
+      "}\n");
 }
 
 TEST_F(ParserTest, TiesGoToTheMostRecentConstant) {
@@ -203,14 +206,15 @@ TEST_F(ParserTest, ChunksGetTheVariableNamesOfTheNetwork) {
 }
 
 TEST_F(ParserTest, VariablesOfActionsAreBoundToFieldsOrNewIdentifiers) {
-  const ParseOutcome outcome = Parse("ab (state <s> ^a <x>) -{(<s> ^b <y>)} (<x> ^<k> 3) --> (<n> ^<k> <x>) (<s> ^new <n> <y>)");
+  const ParseOutcome outcome =
+      Parse("ab (state <s> ^a <x>) -{(<s> ^b <y>)} (<x> ^<k> 3) --> (<n> ^<k> <x>) (<s> ^new <n> <y>)");
   ASSERT_NE(outcome.production, nullptr);
   const Production& rule = *outcome.production;
   ASSERT_EQ(rule.actions.size(), 3u);
   EXPECT_EQ(rule.actions[0].value.kind, RhsValueKind::kNew) << "the action that makes <n> comes first";
-  EXPECT_EQ(rule.actions[0].value.new_index, 0);
-  EXPECT_EQ(rule.actions[1].attribute.site, (BindingSite{1, Field::kAttribute}));
-  EXPECT_EQ(rule.actions[1].value.site, (BindingSite{0, Field::kValue}));
+  EXPECT_EQ(rule.actions[0].value.new_index(), 0);
+  EXPECT_EQ(rule.actions[1].attribute.site(), (BindingSite{1, Field::kAttribute}));
+  EXPECT_EQ(rule.actions[1].value.site(), (BindingSite{0, Field::kValue}));
   EXPECT_EQ(rule.actions[2].value.kind, RhsValueKind::kNew) << "<y> is bound in the negation only";
   EXPECT_EQ(rule.new_identifiers.size(), 2u);
 }

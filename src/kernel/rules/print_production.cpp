@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/rules/print_production.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "kernel/base/words.h"
-#include "kernel/rules/reorder.h"
-#include "kernel/rules/rule_reader.h"
+#include "kernel/rules/functions/builtin_functions.h"
 
 namespace soarbox::kernel {
 
@@ -13,19 +13,30 @@ namespace {
 
 std::string_view SignOf(TestKind kind) {
   switch (kind) {
-    case TestKind::kNotEqual: return "<> ";
-    case TestKind::kLess: return "< ";
-    case TestKind::kGreater: return "> ";
-    case TestKind::kLessOrEqual: return "<= ";
-    case TestKind::kGreaterOrEqual: return ">= ";
-    case TestKind::kSameType: return "<=> ";
-    case TestKind::kSameLti: return "@ ";
-    case TestKind::kNotSameLti: return "!@ ";
-    default: return "";
+    case TestKind::kNotEqual:
+      return "<> ";
+    case TestKind::kLess:
+      return "< ";
+    case TestKind::kGreater:
+      return "> ";
+    case TestKind::kLessOrEqual:
+      return "<= ";
+    case TestKind::kGreaterOrEqual:
+      return ">= ";
+    case TestKind::kSameType:
+      return "<=> ";
+    case TestKind::kSameLti:
+      return "@ ";
+    case TestKind::kNotSameLti:
+      return "!@ ";
+    default:
+      return "";
   }
 }
 
-bool IsGoalTest(const Test& test) { return test.kind == TestKind::kState || test.kind == TestKind::kImpasse; }
+bool IsGoalTest(const Test& test) {
+  return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
+}
 
 std::size_t Column(const std::string& out) {
   const std::size_t line = out.rfind('\n');
@@ -39,9 +50,9 @@ class ObjectPrinter {
       : out_(out), symbols_(symbols), internal_(internal) {}
 
   /// `first_in_line`: the list goes on in the line that is open.
-  void Conditions(const std::vector<Condition>& conditions, std::size_t indent, bool first_in_line) {
+  void Conditions(std::span<const Condition> conditions, std::size_t indent, bool first_in_line) {
     std::vector<bool> printed(conditions.size(), false);
-    VariableSet bound_as_value;
+    std::vector<Symbol> bound_as_value;
     for (std::size_t i = 0; i < conditions.size(); ++i) {
       if (printed[i]) {
         continue;
@@ -55,13 +66,13 @@ class ObjectPrinter {
       out_.append(indent - (negation ? 1 : 0) - std::min(Column(out_), indent - (negation ? 1 : 0)), ' ');
       if (negation) {
         out_ += "-{";
-        Conditions(condition.conditions, indent + 2, true);
+        Conditions(condition.conditions(), indent + 2, true);
         out_ += '}';
         continue;
       }
       out_ += '(';
       const Symbol id = EqualitySymbol(condition.id);
-      AppendId(condition, !bound_as_value.Has(id));
+      AppendId(condition, std::ranges::find(bound_as_value, id) == bound_as_value.end());
       for (std::size_t j = i; j < conditions.size(); ++j) {
         if (printed[j] || (j != i && !SameObject(conditions[j], id))) {
           continue;
@@ -75,13 +86,13 @@ class ObjectPrinter {
       out_ += ')';
       for (std::size_t j = 0; j < conditions.size(); ++j) {
         if (printed[j] && conditions[j].kind == ConditionKind::kPositive) {
-          bound_as_value.Add(EqualitySymbol(conditions[j].value));
+          bound_as_value.push_back(EqualitySymbol(conditions[j].value));
         }
       }
     }
   }
 
-  void Actions(const std::vector<Action>& actions, std::size_t indent) {
+  void Actions(std::span<const Action> actions, std::size_t indent) {
     std::vector<bool> printed(actions.size(), false);
     bool first = true;
     for (std::size_t i = 0; i < actions.size(); ++i) {
@@ -100,7 +111,7 @@ class ObjectPrinter {
       out_ += '(';
       AppendRhsValue(out_, symbols_, actions[i].id);
       for (std::size_t j = i; j < actions.size(); ++j) {
-        if (printed[j] || actions[j].is_function_call || actions[j].id.symbol != actions[i].id.symbol) {
+        if (printed[j] || actions[j].is_function_call || actions[j].id.symbol() != actions[i].id.symbol()) {
           continue;
         }
         Item(ActionText(actions[j], false), indent + 7);
@@ -135,7 +146,8 @@ class ObjectPrinter {
     AppendRhsValue(text, symbols_, action.attribute);
     text += ' ';
     AppendRhsValue(text, symbols_, action.value);
-    const bool is_operator = action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol == words::kOperator;
+    const bool is_operator =
+        action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol() == words::kOperator;
     if (always_signed || is_operator || action.preference != PreferenceType::kAcceptable) {
       text += ' ';
       text += PreferenceSign(action.preference);
@@ -148,29 +160,36 @@ class ObjectPrinter {
   }
 
   void AppendId(const Condition& condition, bool with_goal_test) {
-    Test rest = condition.id;
-    if (rest.kind == TestKind::kConjunction) {
-      std::vector<Test> parts;
-      for (const Test& part : condition.id.parts) {
-        if (!IsGoalTest(part)) {
-          parts.push_back(part);
-        } else if (with_goal_test) {
-          out_ += part.kind == TestKind::kState ? "state " : "impasse ";
-        }
-      }
-      if (parts.size() == 1) {
-        rest = parts.front();
-      } else {
-        rest.parts = std::move(parts);
+    std::vector<const Test*> rest;
+    for (const Test& part : condition.id.parts()) {
+      if (!IsGoalTest(part)) {
+        rest.push_back(&part);
+      } else if (with_goal_test) {
+        out_ += part.kind == TestKind::kState ? "state " : "impasse ";
       }
     }
-    AppendTest(out_, symbols_, rest);
+    if (condition.id.kind != TestKind::kConjunction) {
+      AppendTest(out_, symbols_, condition.id);
+    } else if (rest.size() == 1) {
+      AppendTest(out_, symbols_, *rest.front());
+    } else {
+      AppendConjunction(rest);
+    }
   }
 
  private:
   bool SameObject(const Condition& condition, Symbol id) const {
     return condition.kind != ConditionKind::kConjunctiveNegation && condition.id.kind == TestKind::kEqual &&
-           condition.id.referent == id;
+           condition.id.referent() == id;
+  }
+
+  void AppendConjunction(const std::vector<const Test*>& parts) {
+    out_ += "{ ";
+    for (const Test* part : parts) {
+      AppendTest(out_, symbols_, *part);
+      out_ += ' ';
+    }
+    out_ += '}';
   }
 
   /// Adds a text to the object, in a new line if it does not fit any more.
@@ -202,26 +221,44 @@ void AppendQuoted(std::string& out, std::string_view text) {
 
 std::string_view PreferenceSign(PreferenceType type) {
   switch (type) {
-    case PreferenceType::kAcceptable: return "+";
-    case PreferenceType::kRequire: return "!";
-    case PreferenceType::kReject: return "-";
-    case PreferenceType::kProhibit: return "~";
-    case PreferenceType::kBest: case PreferenceType::kBetter: return ">";
-    case PreferenceType::kWorst: case PreferenceType::kWorse: return "<";
-    default: return "=";
+    case PreferenceType::kAcceptable:
+      return "+";
+    case PreferenceType::kRequire:
+      return "!";
+    case PreferenceType::kReject:
+      return "-";
+    case PreferenceType::kProhibit:
+      return "~";
+    case PreferenceType::kBest:
+    case PreferenceType::kBetter:
+      return ">";
+    case PreferenceType::kWorst:
+    case PreferenceType::kWorse:
+      return "<";
+    default:
+      return "=";
   }
 }
 
 void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) {
   switch (test.kind) {
-    case TestKind::kBlank: return;
-    case TestKind::kState: out += "state"; return;
-    case TestKind::kImpasse: out += "impasse"; return;
-    case TestKind::kIsLti: out += "@+"; return;
-    case TestKind::kIsNotLti: out += "@-"; return;
+    case TestKind::kBlank:
+      return;
+    case TestKind::kState:
+      out += "state";
+      return;
+    case TestKind::kImpasse:
+      out += "impasse";
+      return;
+    case TestKind::kIsLti:
+      out += "@+";
+      return;
+    case TestKind::kIsNotLti:
+      out += "@-";
+      return;
     case TestKind::kDisjunction:
       out += "<< ";
-      for (const Symbol symbol : test.disjuncts) {
+      for (const Symbol symbol : test.disjuncts()) {
         AppendTo(out, symbols, symbol);
         out += ' ';
       }
@@ -229,7 +266,7 @@ void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) 
       return;
     case TestKind::kConjunction:
       out += "{ ";
-      for (const Test& part : test.parts) {
+      for (const Test& part : test.parts()) {
         AppendTest(out, symbols, part);
         out += ' ';
       }
@@ -237,24 +274,25 @@ void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) 
       return;
     default:
       out += SignOf(test.kind);
-      AppendTo(out, symbols, test.referent);
+      AppendTo(out, symbols, test.referent());
       return;
   }
 }
 
 void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue& value) {
   if (value.kind != RhsValueKind::kFunction) {
-    AppendTo(out, symbols, value.symbol);
+    AppendTo(out, symbols, value.symbol());
     return;
   }
+  const std::string_view function = BuiltinFunctions()[value.function_index()].name;
   out += '(';
-  const bool sign = value.function.size() == 1 && std::string_view("+-*/").find(value.function[0]) != std::string_view::npos;
-  if (sign || ReadsAsPlainString(value.function)) {
-    out += value.function;
+  const bool sign = function.size() == 1 && std::string_view("+-*/").find(function[0]) != std::string_view::npos;
+  if (sign || ReadsAsPlainString(function)) {
+    out += function;
   } else {
-    out += '|' + value.function + '|';
+    out.append("|").append(function).append("|");
   }
-  for (const RhsValue& argument : value.arguments) {
+  for (const RhsValue& argument : value.arguments()) {
     out += ' ';
     AppendRhsValue(out, symbols, argument);
   }
@@ -262,10 +300,33 @@ void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue
 }
 
 void AppendAction(std::string& out, const SymbolTable& symbols, const Action& action) {
-  ObjectPrinter(out, symbols, true).Actions({action}, 0);
+  ObjectPrinter(out, symbols, true).Actions({&action, 1}, 0);
 }
 
-void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const Action& action) {
+// What is not finished yet is printed seldom: it is made the only part of a rule.
+
+void AppendTest(std::string& out, const SymbolTable& symbols, const TestDraft& test) {
+  ConditionDraft condition;
+  condition.value = test;
+  RuleDraft rule;
+  rule.conditions.Add(&condition);
+  AppendTest(out, symbols, Production::Make(rule)->conditions[0].value);
+}
+
+void AppendRhsValue(std::string& out, const SymbolTable& symbols, const ValueDraft& value) {
+  ActionDraft action;
+  action.value = value;
+  RuleDraft rule;
+  rule.actions.Add(&action);
+  AppendRhsValue(out, symbols, Production::Make(rule)->actions[0].value);
+}
+
+void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const ActionDraft& draft) {
+  ActionDraft copy = draft;
+  RuleDraft rule;
+  rule.actions.Add(&copy);
+  const ProductionPtr made = Production::Make(rule);
+  const Action& action = made->actions[0];
   if (action.is_function_call) {
     AppendRhsValue(out, symbols, action.value);
     return;
@@ -278,7 +339,7 @@ void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const 
 void AppendCondition(std::string& out, const SymbolTable& symbols, const Condition& condition) {
   if (condition.kind == ConditionKind::kConjunctiveNegation) {
     out += "-{";
-    for (const Condition& inner : condition.conditions) {
+    for (const Condition& inner : condition.conditions()) {
       out += ' ';
       AppendCondition(out, symbols, inner);
     }
@@ -306,10 +367,17 @@ std::string PrintProduction(const SymbolTable& symbols, const Production& produc
     out += '\n';
   }
   switch (production.type) {
-    case ProductionType::kDefault: out += "    :default\n"; break;
-    case ProductionType::kChunk: out += "    :chunk\n"; break;
-    case ProductionType::kTemplate: out += "   :template\n"; break;
-    default: break;
+    case ProductionType::kDefault:
+      out += "    :default\n";
+      break;
+    case ProductionType::kChunk:
+      out += "    :chunk\n";
+      break;
+    case ProductionType::kTemplate:
+      out += "   :template\n";
+      break;
+    default:
+      break;
   }
   if (production.declared_support == DeclaredSupport::kOSupport) {
     out += "    :o-support\n";

@@ -1,114 +1,160 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "kernel/base/symbol.h"
+#include "kernel/rules/file_name.h"
+#include "kernel/rules/rule_kinds.h"
 
-/// The syntax tree of a rule after reading, checking and reordering: what the match, the firing and the printers work
-/// on. Immutable once made, and shared by agents that run the same rules; symbols are handles of their table.
+/// A rule after reading, checking and reordering: what the match, the firing and the printers work on. Immutable once
+/// made, and shared by agents that run the same rules; symbols are handles of their table.
+///
+/// The tree of a rule lies in one block of memory and is small, because there are many: its parts refer to each other
+/// by their distance in the block. So they cannot be copied one by one; ToDraft (draft.h) gives a copy that can be
+/// changed.
 namespace soarbox::kernel {
 
-enum class TestKind : std::uint8_t {
-  kBlank,         ///< Matches anything (an attribute or value that was not written).
-  kEqual, kNotEqual, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kSameType,
-  kDisjunction,   ///< << a b c >>
-  kConjunction,   ///< { ... }
-  kState,         ///< The word `state` before an identifier test. On a positive condition's identifier only once per
-                  ///< variable, on the first condition (in match order) with this variable as its identifier.
-  kImpasse,       ///< The word `impasse`.
-  kSameLti, kNotSameLti,  ///< @ x, !@ x
-  kIsLti, kIsNotLti,      ///< @+, @-
-};
+struct RuleDraft;
 
+/// What a field of a condition must be.
 struct Test {
-  TestKind kind = TestKind::kBlank;
-  Symbol referent;                  ///< Constant or variable, for the relational kinds and @.
-  std::vector<Symbol> disjuncts;    ///< kDisjunction.
-  std::vector<Test> parts;          ///< kConjunction; never nested, at most one part is kEqual.
+  TestKind kind : 8 = TestKind::kBlank;
 
-  friend bool operator==(const Test&, const Test&) = default;
+  /// Constant or variable, for the relational kinds and @; else none.
+  Symbol referent() const { return IsList() ? Symbol() : Symbol::FromBits(data_); }
+  /// Of kConjunction; never nested, at most one is kEqual.
+  std::span<const Test> parts() const;
+  /// Of kDisjunction.
+  std::span<const Symbol> disjuncts() const;
+
+  Test() = default;
+  Test(const Test&) = delete;
+  Test& operator=(const Test&) = delete;
+  friend bool operator==(const Test& a, const Test& b);
+
+ private:
+  friend class RuleWriter;
+  friend struct Condition;
+  bool IsList() const { return kind == TestKind::kConjunction || kind == TestKind::kDisjunction; }
+  const std::byte* Items() const { return reinterpret_cast<const std::byte*>(this) + data_; }
+
+  std::uint32_t count_ : 24 = 0;  ///< Of the items, for lists.
+  std::uint32_t data_ = 0;        ///< The referent's bits, or how many bytes behind this test its items begin.
 };
-
-enum class ConditionKind : std::uint8_t { kPositive, kNegative, kConjunctiveNegation };
+static_assert(sizeof(Test) == 8);
 
 struct Condition {
   ConditionKind kind = ConditionKind::kPositive;
-  Test id, attribute, value;           ///< kPositive, kNegative.
-  bool tests_acceptable = false;       ///< ^operator <o> +
-  std::vector<Condition> conditions;   ///< kConjunctiveNegation.
+  bool tests_acceptable = false;  ///< ^operator <o> +
+  Test id, attribute, value;      ///< kPositive, kNegative.
 
-  friend bool operator==(const Condition&, const Condition&) = default;
+  /// Of kConjunctiveNegation.
+  std::span<const Condition> conditions() const {
+    if (kind != ConditionKind::kConjunctiveNegation) return {};
+    return {reinterpret_cast<const Condition*>(id.Items()), id.count_};
+  }
+
+  friend bool operator==(const Condition& a, const Condition& b);
 };
+static_assert(sizeof(Condition) == 28);
 
-/// A field of a working memory element.
-enum class Field : std::uint8_t { kId, kAttribute, kValue };
+inline std::span<const Test> Test::parts() const {
+  if (kind != TestKind::kConjunction) return {};
+  return {reinterpret_cast<const Test*>(Items()), count_};
+}
 
-/// Where a variable is bound: the n-th positive top-level condition (in match order, counted from 0 over positive
-/// conditions only) and the field in it.
-struct BindingSite {
-  std::uint16_t positive_condition = 0;
-  Field field = Field::kId;
+inline std::span<const Symbol> Test::disjuncts() const {
+  if (kind != TestKind::kDisjunction) return {};
+  return {reinterpret_cast<const Symbol*>(Items()), count_};
+}
 
-  friend bool operator==(const BindingSite&, const BindingSite&) = default;
-};
-
-enum class PreferenceType : std::uint8_t {
-  kAcceptable, kRequire, kReject, kProhibit, kBest, kWorst, kUnaryIndifferent,
-  kNumericIndifferent, kBinaryIndifferent, kBetter, kWorse,
-};
-
-enum class RhsValueKind : std::uint8_t {
-  kConstant,       ///< symbol
-  kBound,          ///< A variable that a condition binds: site (and symbol, its name).
-  kNew,            ///< A variable that no condition binds: one new identifier per firing; new_index, symbol.
-  kFunction,       ///< function and arguments
-};
-
+/// A term of an action.
 struct RhsValue {
   RhsValueKind kind = RhsValueKind::kConstant;
-  Symbol symbol;
-  BindingSite site;
-  std::uint16_t new_index = 0;        ///< Which of the rule's new identifiers.
-  std::string function;               ///< As written: "+", "write", "exec".
-  std::uint16_t function_index = 0;   ///< Index in the table of built-in functions; kUserFunction for others.
-  std::vector<RhsValue> arguments;
+
+  /// The constant or the variable's name; none for functions.
+  Symbol symbol() const { return kind == RhsValueKind::kFunction ? Symbol() : Symbol::FromBits(data_); }
+  /// Of kBound.
+  BindingSite site() const { return {index_, field_}; }
+  /// Of kNew: which of the rule's new identifiers.
+  std::uint16_t new_index() const { return index_; }
+  /// Of kFunction: index in the table of built-in functions.
+  std::uint16_t function_index() const { return index_; }
+  std::span<const RhsValue> arguments() const;
 
   static constexpr std::uint16_t kUserFunction = 0xFFFF;
-  friend bool operator==(const RhsValue&, const RhsValue&) = default;
+
+  RhsValue() = default;
+  RhsValue(const RhsValue&) = delete;
+  RhsValue& operator=(const RhsValue&) = delete;
+  friend bool operator==(const RhsValue& a, const RhsValue& b);
+
+ private:
+  friend class RuleWriter;
+  Field field_ = Field::kId;
+  std::uint16_t index_ = 0;
+  std::uint32_t data_ = 0;  ///< The symbol's bits, or how many bytes behind this value the number of arguments stands;
+                            ///< they follow it.
 };
+static_assert(sizeof(RhsValue) == 8);
+
+inline std::span<const RhsValue> RhsValue::arguments() const {
+  if (kind != RhsValueKind::kFunction) return {};
+  const std::byte* const count = reinterpret_cast<const std::byte*>(this) + data_;
+  return {reinterpret_cast<const RhsValue*>(count + sizeof(std::uint32_t)),
+          *reinterpret_cast<const std::uint32_t*>(count)};
+}
 
 struct Action {
-  bool is_function_call = false;      ///< (write ...): only `value` is used.
+  bool is_function_call = false;  ///< (write ...): only `value` is used.
   PreferenceType preference = PreferenceType::kAcceptable;
   RhsValue id, attribute, value;
-  RhsValue referent;                  ///< The binary preferences and kNumericIndifferent.
+  RhsValue referent;  ///< The binary preferences and kNumericIndifferent.
 
-  bool HasReferent() const { return preference >= PreferenceType::kNumericIndifferent; }
-  friend bool operator==(const Action&, const Action&) = default;
+  bool HasReferent() const { return kernel::HasReferent(preference); }
+  friend bool operator==(const Action& a, const Action& b);
 };
+static_assert(sizeof(Action) == 36);
 
-enum class ProductionType : std::uint8_t { kUser, kDefault, kChunk, kJustification, kTemplate };
-enum class DeclaredSupport : std::uint8_t { kUndeclared, kOSupport, kISupport };
+class Production {
+ public:
+  /// Makes a rule of a draft whose variables are bound.
+  static std::shared_ptr<const Production> Make(const RuleDraft& draft);
 
-struct Production {
-  std::string name;
-  std::string documentation;
-  bool has_documentation = false;     ///< An empty documentation string differs from none.
   ProductionType type = ProductionType::kUser;
   DeclaredSupport declared_support = DeclaredSupport::kUndeclared;
-  bool interrupt = false;             ///< :interrupt
-  bool explain = false;               ///< :explain
-  bool is_rl = false;                 ///< Exactly one action, a numeric-indifferent preference for an operator.
-                                      ///< Never for templates.
-  std::vector<Condition> conditions;  ///< In match order.
-  std::vector<Action> actions;        ///< In firing order.
-  std::vector<Symbol> new_identifiers;  ///< The variables behind RhsValueKind::kNew, by new_index.
-  std::string file;                   ///< Where it was read; empty for typed rules.
-  int line = 0;                       ///< Of the rule's first line in `file`; 0 if unknown.
+  bool has_documentation = false;  ///< An empty documentation string differs from none.
+  bool interrupt = false;          ///< :interrupt
+  bool explain = false;            ///< :explain
+  bool is_rl = false;              ///< Exactly one action, a numeric-indifferent preference for an operator.
+                                   ///< Never for templates.
+  int line = 0;                    ///< Of the rule's first line in `file`; 0 if unknown.
+  std::string_view name;
+  std::string_view documentation;
+  std::span<const Condition> conditions;    ///< In match order.
+  std::span<const Action> actions;          ///< In firing order.
+  std::span<const Symbol> new_identifiers;  ///< The variables behind RhsValueKind::kNew, by new_index.
+
+  /// Where it was read; empty for typed rules.
+  const std::string& file() const { return file_.text(); }
+  std::size_t MemoryBytes() const { return sizeof(Production) + block_bytes_; }
+
+  Production(const Production&) = delete;
+  Production& operator=(const Production&) = delete;
+
+ protected:
+  Production() = default;
+
+ private:
+  FileName file_;
+  std::unique_ptr<std::byte[]> block_;
+  std::size_t block_bytes_ = 0;
 };
 
 using ProductionPtr = std::shared_ptr<const Production>;

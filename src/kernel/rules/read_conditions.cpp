@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <utility>
+#include <algorithm>
 
 #include "kernel/base/characters.h"
 #include "kernel/base/words.h"
@@ -11,87 +11,66 @@ namespace {
 
 constexpr const char* kExpectedTest = "Expected variable or constant for test";
 
-Test Equal(Symbol symbol) {
-  Test test;
-  test.kind = TestKind::kEqual;
-  test.referent = symbol;
-  return test;
-}
-
-/// Denies a list of conditions: one is toggled, several become a conjunctive negation.
-void Negate(std::vector<Condition> conditions, std::vector<Condition>& out) {
-  if (conditions.size() == 1) {
-    Condition& only = conditions.front();
-    switch (only.kind) {
-      case ConditionKind::kPositive: only.kind = ConditionKind::kNegative; break;
-      case ConditionKind::kNegative: only.kind = ConditionKind::kPositive; break;
-      case ConditionKind::kConjunctiveNegation:
-        for (Condition& inner : only.conditions) {
-          out.push_back(std::move(inner));
-        }
-        return;
-    }
-    out.push_back(std::move(only));
-    return;
-  }
-  Condition negation;
-  negation.kind = ConditionKind::kConjunctiveNegation;
-  negation.conditions = std::move(conditions);
-  out.push_back(std::move(negation));
+TestDraft Equal(Symbol symbol) {
+  return MakeTest(TestKind::kEqual, symbol);
 }
 
 TestKind RelationOf(TokenKind kind) {
   switch (kind) {
-    case TokenKind::kEqual: return TestKind::kEqual;
-    case TokenKind::kNotEqual: return TestKind::kNotEqual;
-    case TokenKind::kLess: return TestKind::kLess;
-    case TokenKind::kGreater: return TestKind::kGreater;
-    case TokenKind::kLessOrEqual: return TestKind::kLessOrEqual;
-    case TokenKind::kGreaterOrEqual: return TestKind::kGreaterOrEqual;
-    case TokenKind::kSameType: return TestKind::kSameType;
-    case TokenKind::kAt: return TestKind::kSameLti;
-    default: return TestKind::kBlank;
+    case TokenKind::kEqual:
+      return TestKind::kEqual;
+    case TokenKind::kNotEqual:
+      return TestKind::kNotEqual;
+    case TokenKind::kLess:
+      return TestKind::kLess;
+    case TokenKind::kGreater:
+      return TestKind::kGreater;
+    case TokenKind::kLessOrEqual:
+      return TestKind::kLessOrEqual;
+    case TokenKind::kGreaterOrEqual:
+      return TestKind::kGreaterOrEqual;
+    case TokenKind::kSameType:
+      return TestKind::kSameType;
+    case TokenKind::kAt:
+      return TestKind::kSameLti;
+    default:
+      return TestKind::kBlank;
   }
 }
 
 }  // namespace
 
-Symbol EqualitySymbol(const Test& test) {
-  if (test.kind == TestKind::kEqual) {
-    return test.referent;
-  }
-  for (const Test& part : test.parts) {
-    if (part.kind == TestKind::kEqual) {
-      return part.referent;
-    }
-  }
-  return {};
-}
-
-VariableNames::VariableNames(SymbolTable& symbols, std::string_view body) : symbols_(symbols) {
-  // Only names of the form <x*...> can clash, and few rules write any.
+// Only names of the form <x*...> can clash, and few rules write any.
+void VariableNames::CollectWritten() {
+  collected_ = true;
   bool may_clash = false;
-  for (std::size_t at = body.find('*'); at != std::string_view::npos && !may_clash; at = body.find('*', at + 1)) {
-    may_clash = at >= 2 && body[at - 2] == '<';
+  for (std::size_t at = body_.find('*'); at != std::string_view::npos && !may_clash; at = body_.find('*', at + 1)) {
+    may_clash = at >= 2 && body_[at - 2] == '<';
   }
   if (!may_clash) {
     return;
   }
-  Lexer lexer(body);
+  Arena arena;
+  Lexer lexer(body_, arena);
   for (Token token = lexer.Next(); token.kind != TokenKind::kEnd; token = lexer.Next()) {
     if (token.kind == TokenKind::kVariable) {
-      written_.insert(std::move(token.text));
+      written_.emplace(token.text);
     }
   }
 }
 
 Symbol VariableNames::Make(char letter) {
+  if (!collected_) {
+    CollectWritten();
+  }
   letter = ToLower(letter);
   int& count = count_[static_cast<std::size_t>(letter - 'a')];
   std::string name;
   do {
-    name = std::string("<") + letter + "*" + std::to_string(++count) + ">";
-  } while (written_.contains(name));
+    name = {'<', letter, '*'};
+    name += std::to_string(++count);
+    name += '>';
+  } while (!written_.empty() && written_.contains(name));
   return symbols_.Variable(name);
 }
 
@@ -109,7 +88,31 @@ char VariableNames::LetterFor(Symbol attribute) const {
   return IsLetter(first) ? ToLower(first) : 'v';
 }
 
-bool RuleReader::ReadConditions(std::vector<Condition>& out, int depth) {
+/// Denies a list of conditions: one is toggled, several become a conjunctive negation.
+void RuleReader::Negate(const Conditions& conditions, Conditions& out) {
+  if (conditions.first == conditions.last) {
+    ConditionDraft* const only = conditions.first;
+    switch (only->kind) {
+      case ConditionKind::kPositive:
+        only->kind = ConditionKind::kNegative;
+        break;
+      case ConditionKind::kNegative:
+        only->kind = ConditionKind::kPositive;
+        break;
+      case ConditionKind::kConjunctiveNegation:
+        out.Append(only->conditions);
+        return;
+    }
+    out.Add(only);
+    return;
+  }
+  ConditionDraft* const negation = arena_.New<ConditionDraft>();
+  negation->kind = ConditionKind::kConjunctiveNegation;
+  negation->conditions = conditions;
+  out.Add(negation);
+}
+
+bool RuleReader::ReadConditions(Conditions& out, int depth) {
   do {
     if (!ReadCondition(out, depth)) {
       return false;
@@ -118,19 +121,19 @@ bool RuleReader::ReadConditions(std::vector<Condition>& out, int depth) {
   return true;
 }
 
-bool RuleReader::ReadCondition(std::vector<Condition>& out, int depth) {
+bool RuleReader::ReadCondition(Conditions& out, int depth) {
   if (!Accept(TokenKind::kMinus)) {
     return ReadPositiveCondition(out, depth);
   }
-  std::vector<Condition> denied;
+  Conditions denied;
   if (!ReadPositiveCondition(denied, depth)) {
     return false;
   }
-  Negate(std::move(denied), out);
+  Negate(denied, out);
   return true;
 }
 
-bool RuleReader::ReadPositiveCondition(std::vector<Condition>& out, int depth) {
+bool RuleReader::ReadPositiveCondition(Conditions& out, int depth) {
   if (depth > kMaxDepth) {
     return Fail("Conditions are nested too deeply");
   }
@@ -151,21 +154,19 @@ bool RuleReader::ReadPositiveCondition(std::vector<Condition>& out, int depth) {
   return ReadObject(out, true, 's', id, depth);
 }
 
-bool RuleReader::ReadObject(std::vector<Condition>& out, bool may_be_goal, char id_letter, Symbol& id_symbol, int depth) {
+bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, Symbol& id_symbol, int depth) {
   if (depth > kMaxDepth) {
     return Fail("Conditions are nested too deeply");
   }
   Advance();  // (
-  std::vector<Test> parts;
+  TestDraft goal;
   if (may_be_goal && Is(TokenKind::kString) && (token_.text == "state" || token_.text == "impasse")) {
-    Test goal;
     goal.kind = token_.text == "state" ? TestKind::kState : TestKind::kImpasse;
-    parts.push_back(goal);
     Advance();
   }
-  const bool is_goal = !parts.empty();
+  const bool is_goal = goal.kind != TestKind::kBlank;
 
-  Test id;
+  TestDraft id;
   if (!Is(TokenKind::kUpArrow) && !Is(TokenKind::kMinus) && !Is(TokenKind::kRightParen)) {
     if (!ReadIdTest(id)) {
       return false;
@@ -174,26 +175,27 @@ bool RuleReader::ReadObject(std::vector<Condition>& out, bool may_be_goal, char 
   AddEquality(id, id_letter);
   id_symbol = EqualitySymbol(id);
   if (is_goal) {
+    TestDraft both = MakeTest(TestKind::kConjunction);
+    both.parts.Add(arena_.New(goal));
     if (id.kind == TestKind::kConjunction) {
-      parts.insert(parts.end(), id.parts.begin(), id.parts.end());
+      both.parts.Append(id.parts);
     } else {
-      parts.push_back(id);
+      both.parts.Add(arena_.New(id));
     }
-    id = Test{};
-    id.kind = TestKind::kConjunction;
-    id.parts = std::move(parts);
+    id = both;
   }
 
   if (Is(TokenKind::kRightParen)) {
     if (is_goal) {
-      return Fail("Error: Expected attribute-value test after state/impasse test. Did you forget to add "
-                  "\"^type state\" or \"^superstate nil\"?");
+      return Fail(
+          "Error: Expected attribute-value test after state/impasse test. Did you forget to add "
+          "\"^type state\" or \"^superstate nil\"?");
     }
-    Condition any;
-    any.id = id;
-    AddEquality(any.attribute, 'a');
-    AddEquality(any.value, 'v');
-    out.push_back(std::move(any));
+    ConditionDraft* const any = arena_.New<ConditionDraft>();
+    any->id = id;
+    AddEquality(any->attribute, 'a');
+    AddEquality(any->value, 'v');
+    out.Add(any);
   } else if (!ReadAttributes(id, out, depth)) {
     return false;
   }
@@ -201,7 +203,7 @@ bool RuleReader::ReadObject(std::vector<Condition>& out, bool may_be_goal, char 
   return true;
 }
 
-bool RuleReader::ReadIdTest(Test& id) {
+bool RuleReader::ReadIdTest(TestDraft& id) {
   const Token at = token_;
   if (!ReadTest(id)) {
     return false;
@@ -217,43 +219,42 @@ bool RuleReader::ReadIdTest(Test& id) {
   return true;
 }
 
-bool RuleReader::ReadAttributes(const Test& id, std::vector<Condition>& out, int depth) {
+bool RuleReader::ReadAttributes(const TestDraft& id, Conditions& out, int depth) {
   while (!Is(TokenKind::kRightParen)) {
     const bool negated = Accept(TokenKind::kMinus);
     if (!Is(TokenKind::kUpArrow)) {
       return Fail("Expected ^ followed by attribute");
     }
     Advance();
-    std::vector<Condition> read;
+    Conditions read;
     if (!ReadAttribute(id, read, depth)) {
       return false;
     }
     if (negated) {
-      Negate(std::move(read), out);
+      Negate(read, out);
     } else {
-      for (Condition& condition : read) {
-        out.push_back(std::move(condition));
-      }
+      out.Append(read);
     }
   }
   return true;
 }
 
-bool RuleReader::ReadAttribute(const Test& first_id, std::vector<Condition>& out, int depth) {
-  Test id = first_id;
-  Test attribute;
+// No two conditions share the parts of a test: later stages change them in place.
+bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int depth) {
+  TestDraft id = first_id;
+  TestDraft attribute;
   if (!ReadTest(attribute)) {
     return false;
   }
   AddEquality(attribute, 'a');
   while (Accept(TokenKind::kPeriod)) {
-    Condition step;
-    step.id = std::move(id);
-    step.value = Equal(names_.Make(names_.LetterFor(EqualitySymbol(attribute))));
-    step.attribute = std::move(attribute);
-    id = step.value;
-    out.push_back(std::move(step));
-    attribute = Test{};
+    ConditionDraft* const step = arena_.New<ConditionDraft>();
+    step->id = Copy(id, arena_);
+    step->attribute = attribute;
+    step->value = Equal(names_.Make(names_.LetterFor(EqualitySymbol(attribute))));
+    out.Add(step);
+    id = step->value;
+    attribute = TestDraft();
     if (!ReadTest(attribute)) {
       return false;
     }
@@ -262,65 +263,62 @@ bool RuleReader::ReadAttribute(const Test& first_id, std::vector<Condition>& out
   const char letter = names_.LetterFor(EqualitySymbol(attribute));
   bool has_value = false;
   while (!Is(TokenKind::kUpArrow) && !Is(TokenKind::kMinus) && !Is(TokenKind::kRightParen)) {
-    Condition condition;
-    condition.id = id;
-    condition.attribute = attribute;
-    std::vector<Condition> inner;
+    ConditionDraft* const condition = arena_.New<ConditionDraft>();
+    condition->id = Copy(id, arena_);
+    condition->attribute = Copy(attribute, arena_);
+    Conditions inner;
     if (Is(TokenKind::kLeftParen)) {
       Symbol object;
       if (!ReadObject(inner, false, letter, object, depth + 1)) {
         return false;
       }
-      condition.value = Equal(object);
+      condition->value = Equal(object);
     } else {
-      if (!ReadTest(condition.value)) {
+      if (!ReadTest(condition->value)) {
         return false;
       }
-      AddEquality(condition.value, letter);
+      AddEquality(condition->value, letter);
     }
-    condition.tests_acceptable = Accept(TokenKind::kPlus);
-    out.push_back(std::move(condition));
-    for (Condition& nested : inner) {
-      out.push_back(std::move(nested));
-    }
+    condition->tests_acceptable = Accept(TokenKind::kPlus);
+    out.Add(condition);
+    out.Append(inner);
     has_value = true;
   }
   if (!has_value) {
-    Condition condition;
-    condition.id = std::move(id);
-    condition.attribute = std::move(attribute);
-    AddEquality(condition.value, letter);
-    out.push_back(std::move(condition));
+    ConditionDraft* const condition = arena_.New<ConditionDraft>();
+    condition->id = Copy(id, arena_);
+    condition->attribute = attribute;
+    AddEquality(condition->value, letter);
+    out.Add(condition);
   }
   return true;
 }
 
-bool RuleReader::ReadTest(Test& test) {
+bool RuleReader::ReadTest(TestDraft& test) {
   if (!Accept(TokenKind::kLeftBrace)) {
     return ReadSimpleTest(test);
   }
-  std::vector<Test> parts;
+  DraftList<TestDraft> parts;
   do {
-    Test part;
+    TestDraft part;
     if (!ReadSimpleTest(part)) {
       return false;
     }
-    AddToConjunction(parts, std::move(part));
+    AddToConjunction(parts, part);
   } while (!Is(TokenKind::kRightBrace));
   Advance();
-  if (parts.size() == 1) {
-    test = std::move(parts.front());
+  if (parts.first == parts.last) {
+    test = *parts.first;
   } else {
-    test = Test{};
-    test.kind = TestKind::kConjunction;
-    test.parts = std::move(parts);
+    test = MakeTest(TestKind::kConjunction);
+    test.parts = parts;
   }
   return true;
 }
 
-void RuleReader::AddToConjunction(std::vector<Test>& parts, Test test) {
+void RuleReader::AddToConjunction(DraftList<TestDraft>& parts, const TestDraft& test) {
   if (test.kind == TestKind::kEqual) {
-    for (Test& part : parts) {
+    for (TestDraft& part : parts) {
       if (part.kind != TestKind::kEqual) {
         continue;
       }
@@ -332,16 +330,16 @@ void RuleReader::AddToConjunction(std::vector<Test>& parts, Test test) {
       Report(Severity::kWarning, token_, "two equality tests in one conjunctive test: " + dropped + " is ignored",
              "test " + dropped + " in a condition of its own");
       if (replace) {
-        part = std::move(test);
+        part.referent = test.referent;
       }
       return;
     }
   }
-  parts.push_back(std::move(test));
+  parts.Add(arena_.New(test));
 }
 
-bool RuleReader::ReadSimpleTest(Test& test) {
-  test = Test{};
+bool RuleReader::ReadSimpleTest(TestDraft& test) {
+  test = TestDraft();
   if (Accept(TokenKind::kAtPlus)) {
     test.kind = TestKind::kIsLti;
     return true;
@@ -372,9 +370,10 @@ bool RuleReader::ReadSimpleTest(Test& test) {
   return true;
 }
 
-bool RuleReader::ReadDisjunction(Test& test) {
+bool RuleReader::ReadDisjunction(TestDraft& test) {
   Advance();  // <<
   test.kind = TestKind::kDisjunction;
+  disjuncts_.clear();
   while (!Is(TokenKind::kRightAngles)) {
     if (Is(TokenKind::kVariable)) {
       return Fail("Expected constant or >> while reading disjunction test",
@@ -384,28 +383,31 @@ bool RuleReader::ReadDisjunction(Test& test) {
     if (!constant) {
       return Fail("Expected constant or >> while reading disjunction test");
     }
-    test.disjuncts.push_back(constant);
+    disjuncts_.push_back(constant);
   }
   Advance();
+  Symbol* const stored = arena_.NewArray<Symbol>(disjuncts_.size());
+  std::ranges::copy(disjuncts_, stored);
+  test.disjuncts = stored;
+  test.disjunct_count = static_cast<std::uint32_t>(disjuncts_.size());
   return true;
 }
 
-void RuleReader::AddEquality(Test& test, char letter) {
+void RuleReader::AddEquality(TestDraft& test, char letter) {
   if (EqualitySymbol(test)) {
     return;
   }
-  Test equality = Equal(names_.Make(letter));
+  const TestDraft equality = Equal(names_.Make(letter));
   if (test.kind == TestKind::kBlank) {
-    test = std::move(equality);
+    test = equality;
     return;
   }
   if (test.kind != TestKind::kConjunction) {
-    Test conjunction;
-    conjunction.kind = TestKind::kConjunction;
-    conjunction.parts.push_back(std::move(test));
-    test = std::move(conjunction);
+    TestDraft conjunction = MakeTest(TestKind::kConjunction);
+    conjunction.parts.Add(arena_.New(test));
+    test = conjunction;
   }
-  test.parts.push_back(std::move(equality));
+  test.parts.Add(arena_.New(equality));
 }
 
 }  // namespace soarbox::kernel

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/rules/reorder.h"
 
+#include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "kernel/rules/print_production.h"
-#include "kernel/rules/rule_reader.h"
 
 namespace soarbox::kernel {
 
@@ -14,17 +13,34 @@ namespace {
 constexpr std::int64_t kInfinite = 10000005;
 constexpr std::int64_t kUnboundCost = 8;
 
+/// What a field is equated with, as the number of a variable.
+constexpr std::uint32_t kNoVariable = 0xFFFFFFFFu;
+
 /// A test that was taken off its field, to be put back where both sides are bound.
 struct SavedTest {
   Symbol field;  ///< What the field that the test stood on is equated with.
-  Test test;
+  TestDraft test;
   bool placed = false;
+  SavedTest* next = nullptr;
+};
+
+struct GoalTest {
+  Symbol variable;
+  TestKind kind = TestKind::kState;
+  bool placed = false;
+  GoalTest* next = nullptr;
 };
 
 bool IsStrippable(TestKind kind) {
   switch (kind) {
-    case TestKind::kNotEqual: case TestKind::kLess: case TestKind::kGreater: case TestKind::kLessOrEqual:
-    case TestKind::kGreaterOrEqual: case TestKind::kSameType: case TestKind::kDisjunction: case TestKind::kSameLti:
+    case TestKind::kNotEqual:
+    case TestKind::kLess:
+    case TestKind::kGreater:
+    case TestKind::kLessOrEqual:
+    case TestKind::kGreaterOrEqual:
+    case TestKind::kSameType:
+    case TestKind::kDisjunction:
+    case TestKind::kSameLti:
     case TestKind::kNotSameLti:
       return true;
     default:
@@ -34,136 +50,171 @@ bool IsStrippable(TestKind kind) {
 
 TestKind TurnedRound(TestKind kind) {
   switch (kind) {
-    case TestKind::kLess: return TestKind::kGreater;
-    case TestKind::kGreater: return TestKind::kLess;
-    case TestKind::kLessOrEqual: return TestKind::kGreaterOrEqual;
-    case TestKind::kGreaterOrEqual: return TestKind::kLessOrEqual;
-    default: return kind;
+    case TestKind::kLess:
+      return TestKind::kGreater;
+    case TestKind::kGreater:
+      return TestKind::kLess;
+    case TestKind::kLessOrEqual:
+      return TestKind::kGreaterOrEqual;
+    case TestKind::kGreaterOrEqual:
+      return TestKind::kLessOrEqual;
+    default:
+      return kind;
   }
 }
 
 /// The parts of a test as a list, whatever its form.
-std::vector<Test> Parts(Test test) {
+DraftList<TestDraft> Parts(const TestDraft& test, Arena& arena) {
   if (test.kind == TestKind::kConjunction) {
-    return std::move(test.parts);
+    return test.parts;
   }
-  std::vector<Test> parts;
+  DraftList<TestDraft> parts;
   if (test.kind != TestKind::kBlank) {
-    parts.push_back(std::move(test));
+    parts.Add(arena.New(test));
   }
   return parts;
 }
 
-Test Joined(std::vector<Test> parts) {
-  if (parts.size() == 1) {
-    return std::move(parts.front());
+TestDraft Joined(const DraftList<TestDraft>& parts) {
+  TestDraft test;
+  if (parts.first == parts.last) {
+    if (parts.first != nullptr) {
+      test = *parts.first;
+    }
+    return test;
   }
-  Test test;
-  if (!parts.empty()) {
-    test.kind = TestKind::kConjunction;
-    test.parts = std::move(parts);
-  }
+  test.kind = TestKind::kConjunction;
+  test.parts = parts;
   return test;
 }
 
-void RemoveGoalTests(Test& test) {
-  std::vector<Test> parts = Parts(std::move(test));
-  std::erase_if(parts, [](const Test& part) { return part.kind == TestKind::kState || part.kind == TestKind::kImpasse; });
-  test = Joined(std::move(parts));
+bool IsGoalTest(const TestDraft& test) {
+  return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
 }
 
-void CollectVariables(const Test& test, VariableSet& out) {
-  out.Add(test.referent);
-  for (const Test& part : test.parts) {
-    CollectVariables(part, out);
+void RemoveGoalTests(TestDraft& test, Arena& arena) {
+  DraftList<TestDraft> kept;
+  for (TestDraft* part = Parts(test, arena).first; part != nullptr;) {
+    TestDraft* const next = part->next;
+    if (!IsGoalTest(*part)) {
+      kept.Add(part);
+    }
+    part = next;
   }
+  test = Joined(kept);
 }
 
-void CollectVariables(const Condition& condition, VariableSet& out) {
-  CollectVariables(condition.id, out);
-  CollectVariables(condition.attribute, out);
-  CollectVariables(condition.value, out);
-  for (const Condition& inner : condition.conditions) {
-    CollectVariables(inner, out);
-  }
-}
+/// A condition that waits to be placed.
+struct Waiting {
+  ConditionDraft* condition = nullptr;
+  std::uint32_t fields[3] = {kNoVariable, kNoVariable, kNoVariable};  ///< The variables of the fields' equality tests.
+  VariableBits needs;  ///< Of negated conditions: their variables that positive conditions of this list bind.
+};
 
 /// Orders one list of conditions: those of a rule, or those inside a conjunctive negation.
 class ListReorderer {
  public:
-  ListReorderer(std::string_view rule_name, const SymbolTable& symbols, VariableSet& bound, VariableSet known_goals,
-                ReorderOutcome& out)
-      : rule_name_(rule_name), symbols_(symbols), bound_(bound), known_goals_(std::move(known_goals)), out_(out) {}
+  ListReorderer(std::string_view rule_name, const SymbolTable& symbols, const VariableIndex& variables, Arena& arena,
+                const VariableBits& bound, const VariableBits& known_goals, ReorderOutcome& out)
+      : rule_name_(rule_name),
+        symbols_(symbols),
+        variables_(variables),
+        arena_(arena),
+        bound_(bound),
+        known_goals_(known_goals),
+        out_(out),
+        roots_(variables, arena),
+        positive_values_(variables, arena),
+        positive_variables_(variables, arena) {}
 
   /// `needs_goal`: the list must hang on something; for the top level of a rule.
-  void Reorder(std::vector<Condition>& conditions, bool needs_goal) {
+  void Reorder(DraftList<ConditionDraft>& conditions, bool needs_goal) {
     Strip(conditions);
-    if (!FindRoots(conditions) && needs_goal) {
-      Warn("Error: production " + std::string(rule_name_) +
+    if (!FindRoots() && needs_goal) {
+      Warn("Error: production " + RuleName() +
            " has no positive conditions that reference a goal state.\n"
            "Did you forget to add \"^type state\" or \"^superstate nil\"?\n");
       out_.ok = false;
       return;
     }
-    NoteNeeds(conditions);
-    std::vector<Condition> ordered;
-    ordered.reserve(conditions.size());
-    std::vector<std::size_t> remaining(conditions.size());
-    for (std::size_t i = 0; i < remaining.size(); ++i) {
-      remaining[i] = i;
+    NoteNeeds();
+    conditions = {};
+    while (count_ != 0) {
+      const std::size_t at = Choose();
+      ConditionDraft* const chosen = waiting_[at].condition;
+      --count_;
+      std::copy(waiting_ + at + 1, waiting_ + count_ + 1, waiting_ + at);
+      Place(*chosen);
+      conditions.Add(chosen);
     }
-    while (!remaining.empty()) {
-      const std::size_t at = Choose(conditions, remaining);
-      Condition chosen = std::move(conditions[remaining[at]]);
-      remaining.erase(remaining.begin() + static_cast<std::ptrdiff_t>(at));
-      Place(chosen);
-      ordered.push_back(std::move(chosen));
-    }
-    conditions = std::move(ordered);
     TidyGoalTests(conditions);
   }
 
  private:
-  struct GoalTest {
-    Symbol variable;
-    TestKind kind;
-    bool placed = false;
-  };
-
   void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
 
+  /// The name as messages show it.
+  std::string RuleName() const {
+    const Symbol name = symbols_.FindString(rule_name_);
+    return name ? ToString(symbols_, name) : std::string(rule_name_);
+  }
+
+  std::uint32_t NumberOf(Symbol symbol) const { return symbol.IsVariable() ? variables_[symbol] : kNoVariable; }
+  static void Add(VariableBits& set, std::uint32_t variable) {
+    if (variable != kNoVariable) {
+      set.Add(variable);
+    }
+  }
+  bool Known(std::uint32_t variable) const { return variable == kNoVariable || bound_.Has(variable); }
+  bool Known(Symbol symbol) const { return Known(NumberOf(symbol)); }
+
   /// Takes the tests that may have to move off the positive conditions, in text order.
-  void Strip(std::vector<Condition>& conditions) {
-    for (Condition& condition : conditions) {
-      if (condition.kind != ConditionKind::kPositive) {
-        continue;
+  void Strip(const DraftList<ConditionDraft>& conditions) {
+    count_ = conditions.Count();
+    waiting_ = arena_.NewArray<Waiting>(count_);
+    tied_ = arena_.NewArray<std::uint32_t>(count_);
+    Waiting* at = waiting_;
+    for (ConditionDraft& condition : conditions) {
+      at->condition = &condition;
+      if (condition.kind == ConditionKind::kPositive) {
+        StripField(condition.id);
+        StripField(condition.attribute);
+        StripField(condition.value);
       }
-      StripField(condition.id);
-      StripField(condition.attribute);
-      StripField(condition.value);
-      positive_values_.Add(EqualitySymbol(condition.value));
-      positive_variables_.Add(EqualitySymbol(condition.id));
-      positive_variables_.Add(EqualitySymbol(condition.attribute));
-      positive_variables_.Add(EqualitySymbol(condition.value));
+      at->fields[0] = NumberOf(EqualitySymbol(condition.id));
+      at->fields[1] = NumberOf(EqualitySymbol(condition.attribute));
+      at->fields[2] = NumberOf(EqualitySymbol(condition.value));
+      if (condition.kind == ConditionKind::kPositive) {
+        Add(positive_values_, at->fields[2]);
+        for (const std::uint32_t field : at->fields) {
+          Add(positive_variables_, field);
+        }
+      }
+      ++at;
     }
   }
 
-  void StripField(Test& test) {
-    const Symbol field = EqualitySymbol(test);
-    std::vector<Test> kept, equality;
-    for (Test& part : Parts(std::move(test))) {
-      if (part.kind == TestKind::kEqual) {
-        equality.push_back(std::move(part));
-      } else if (part.kind == TestKind::kState || part.kind == TestKind::kImpasse) {
-        SaveGoalTest(field, part.kind);
-      } else if (IsStrippable(part.kind)) {
-        SaveTest({field, std::move(part)});
-      } else {
-        kept.push_back(std::move(part));
-      }
+  void StripField(TestDraft& test) {
+    if (test.kind == TestKind::kEqual) {
+      return;
     }
-    kept.insert(kept.end(), equality.begin(), equality.end());
-    test = Joined(std::move(kept));
+    const Symbol field = EqualitySymbol(test);
+    DraftList<TestDraft> kept, equality;
+    for (TestDraft* part = Parts(test, arena_).first; part != nullptr;) {
+      TestDraft* const next = part->next;
+      if (part->kind == TestKind::kEqual) {
+        equality.Add(part);
+      } else if (IsGoalTest(*part)) {
+        SaveGoalTest(field, part->kind);
+      } else if (IsStrippable(part->kind)) {
+        SaveTest(field, *part);
+      } else {
+        kept.Add(part);
+      }
+      part = next;
+    }
+    kept.Append(equality);
+    test = Joined(kept);
   }
 
   void SaveGoalTest(Symbol variable, TestKind kind) {
@@ -172,17 +223,25 @@ class ListReorderer {
         return;
       }
     }
-    goal_tests_.push_back({variable, kind, known_goals_.Has(variable)});
+    GoalTest test;
+    test.variable = variable;
+    test.kind = kind;
+    test.placed = variable.IsVariable() && known_goals_.Has(variables_[variable]);
+    goal_tests_.Add(arena_.New(test));
   }
 
   /// A test that is written on several conditions with the same identifier is kept once.
-  void SaveTest(SavedTest saved) {
+  void SaveTest(Symbol field, const TestDraft& test) {
     for (const SavedTest& known : saved_) {
-      if (known.field == saved.field && known.test == saved.test) {
+      if (known.field == field && known.test == test) {
         return;
       }
     }
-    saved_.push_back(std::move(saved));
+    SavedTest saved;
+    saved.field = field;
+    saved.test = test;
+    saved_.Add(arena_.New(saved));
+    ++unplaced_;
   }
 
   bool IsGoalVariable(Symbol variable) const {
@@ -195,159 +254,171 @@ class ListReorderer {
   }
 
   /// Roots are the identifiers that no condition has as its value; without any, the goals.
-  bool FindRoots(const std::vector<Condition>& conditions) {
-    for (const Condition& condition : conditions) {
-      const Symbol id = EqualitySymbol(condition.id);
-      if (condition.kind != ConditionKind::kPositive || bound_.Has(id) || positive_values_.Has(id) || roots_.Has(id)) {
+  bool FindRoots() {
+    bool any = false;
+    for (std::size_t n = 0; n < count_; ++n) {
+      const std::uint32_t id = waiting_[n].fields[0];
+      if (id == kNoVariable || waiting_[n].condition->kind != ConditionKind::kPositive || bound_.Has(id) ||
+          positive_values_.Has(id) || roots_.Has(id)) {
         continue;
       }
       roots_.Add(id);
-      if (!IsGoalVariable(id)) {
-        out_.unconnected.push_back(id);
-        // Soar repeats the earlier complaints with each new one.
-        for (const Symbol root : roots_.members()) {
-          if (!IsGoalVariable(root)) {
-            Warn("\nWarning: On the LHS of production " + std::string(rule_name_) + ", identifier " +
-                 std::string(symbols_.Text(root)) + " is not connected to any goal or impasse.\n");
-          }
-        }
+      any = true;
+      if (!IsGoalVariable(variables_.variable(id))) {
+        NoteUnconnected(variables_.variable(id));
       }
     }
-    if (roots_.members().empty()) {
-      for (const GoalTest& test : goal_tests_) {
-        roots_.Add(test.variable);
+    if (any) {
+      return true;
+    }
+    for (const GoalTest& test : goal_tests_) {
+      if (test.variable.IsVariable()) {
+        roots_.Add(variables_[test.variable]);
+        any = true;
       }
     }
-    return !roots_.members().empty();
+    return any;
   }
 
-  /// What a negated condition needs bound before it: its variables that positive conditions of this list bind.
-  void NoteNeeds(const std::vector<Condition>& conditions) {
-    needs_.resize(conditions.size());
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
-      if (conditions[i].kind == ConditionKind::kPositive) {
-        continue;
-      }
-      VariableSet all;
-      CollectVariables(conditions[i], all);
-      for (const Symbol variable : all.members()) {
-        if (positive_variables_.Has(variable)) {
-          needs_[i].push_back(variable);
-        }
-      }
+  /// Soar repeats the earlier complaints with each new one.
+  void NoteUnconnected(Symbol root) {
+    out_.unconnected.push_back(root);
+    unconnected_.push_back(root);
+    for (const Symbol variable : unconnected_) {
+      Warn("\nWarning: On the LHS of production " + RuleName() + ", identifier " +
+           std::string(symbols_.Text(variable)) + " is not connected to any goal or impasse.\n");
     }
   }
 
-  bool Known(Symbol symbol) const { return !symbol.IsVariable() || bound_.Has(symbol); }
-
-  std::int64_t Cost(const Condition& condition, std::size_t index) const {
-    if (condition.kind != ConditionKind::kPositive) {
-      for (const Symbol variable : needs_[index]) {
-        if (!bound_.Has(variable)) {
-          return kInfinite;
-        }
+  void NoteNeeds() {
+    for (std::size_t n = 0; n < count_; ++n) {
+      const ConditionDraft& condition = *waiting_[n].condition;
+      if (condition.kind != ConditionKind::kPositive) {
+        waiting_[n].needs = VariableBits(variables_, arena_);
+        AddVariables(condition, waiting_[n].needs);
+        waiting_[n].needs.KeepOnly(positive_variables_);
       }
-      return 1;
     }
-    const Symbol id = EqualitySymbol(condition.id);
-    if (!Known(id) && !roots_.Has(id)) {
+  }
+
+  void AddVariables(const TestDraft& test, VariableBits& out) const {
+    Add(out, NumberOf(test.referent));
+    for (const TestDraft& part : test.parts) {
+      AddVariables(part, out);
+    }
+  }
+
+  void AddVariables(const ConditionDraft& condition, VariableBits& out) const {
+    AddVariables(condition.id, out);
+    AddVariables(condition.attribute, out);
+    AddVariables(condition.value, out);
+    for (const ConditionDraft& inner : condition.conditions) {
+      AddVariables(inner, out);
+    }
+  }
+
+  std::int64_t Cost(const Waiting& waiting) const {
+    if (waiting.condition->kind != ConditionKind::kPositive) {
+      return bound_.Covers(waiting.needs) ? 1 : kInfinite;
+    }
+    if (!Known(waiting.fields[0]) && !roots_.Has(waiting.fields[0])) {
       return kInfinite;
     }
     std::int64_t cost = 1;
-    if (!Known(EqualitySymbol(condition.attribute))) {
+    if (!Known(waiting.fields[1])) {
       cost *= kUnboundCost;
     }
-    if (!Known(EqualitySymbol(condition.value))) {
+    if (!Known(waiting.fields[2])) {
       cost *= kUnboundCost;
     }
     return cost;
   }
 
   /// The cheapest cost among the others once `taken` has been chosen.
-  std::int64_t LookAhead(const std::vector<Condition>& conditions, const std::vector<std::size_t>& remaining,
-                         std::size_t taken) {
-    std::vector<Symbol> added;
-    const Condition& condition = conditions[taken];
-    for (const Test* test : {&condition.id, &condition.attribute, &condition.value}) {
-      const Symbol symbol = EqualitySymbol(*test);
-      if (symbol.IsVariable() && !bound_.Has(symbol)) {
-        bound_.Add(symbol);
-        added.push_back(symbol);
+  std::int64_t LookAhead(std::size_t taken) {
+    std::uint32_t added[3];
+    std::size_t added_count = 0;
+    for (const std::uint32_t field : waiting_[taken].fields) {
+      if (!Known(field)) {
+        bound_.Add(field);
+        added[added_count++] = field;
       }
     }
     std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();
-    for (const std::size_t other : remaining) {
+    for (std::size_t other = 0; other < count_ && cheapest > 1; ++other) {
       if (other != taken) {
-        cheapest = std::min(cheapest, Cost(conditions[other], other));
+        cheapest = std::min(cheapest, Cost(waiting_[other]));
       }
     }
-    for (const Symbol symbol : added) {
-      bound_.Remove(symbol);
+    while (added_count > 0) {
+      bound_.Remove(added[--added_count]);
     }
     return cheapest;
   }
 
-  std::uint32_t StampOf(const Test& test) const {
+  std::uint32_t StampOf(const TestDraft& test) const {
     const Symbol symbol = EqualitySymbol(test);
     return symbol.IsConstant() ? symbols_.Stamp(symbol) : 0;
   }
 
   /// True if `candidate` goes before `incumbent`, everything else being equal.
-  bool NewerConstants(const Condition& incumbent, const Condition& candidate) const {
+  bool NewerConstants(const ConditionDraft& incumbent, const ConditionDraft& candidate) const {
     const std::uint32_t a = StampOf(incumbent.attribute), b = StampOf(candidate.attribute);
     return a < b || (a == b && StampOf(incumbent.value) < StampOf(candidate.value));
   }
 
-  /// The position in `remaining` of the condition to take next.
-  std::size_t Choose(const std::vector<Condition>& conditions, const std::vector<std::size_t>& remaining) {
+  /// Which of the waiting conditions to take next.
+  std::size_t Choose() {
+    if (count_ == 1 && warned_) {
+      return 0;
+    }
     std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();
-    std::vector<std::size_t> tied;  // Positions in `remaining`, last in the text first.
-    for (std::size_t at = remaining.size(); at-- > 0;) {
-      const std::int64_t cost = Cost(conditions[remaining[at]], remaining[at]);
+    std::size_t tied = 0;  // How many of tied_ count; last in the text first.
+    for (std::size_t at = count_; at-- > 0;) {
+      const std::int64_t cost = Cost(waiting_[at]);
       if (cost < cheapest) {
         cheapest = cost;
-        tied.clear();
+        tied = 0;
       }
       if (cost == cheapest) {
-        tied.push_back(at);
+        tied_[tied++] = static_cast<std::uint32_t>(at);
       }
     }
     if (cheapest >= kInfinite) {
       if (!warned_) {
-        Warn("Warning:  in production " + std::string(rule_name_) +
-             ",\n     The LHS conditions are not all connected.\n");
+        Warn("Warning:  in production " + RuleName() + ",\n     The LHS conditions are not all connected.\n");
         warned_ = true;
       }
-      return tied.front();
+      return tied_[0];
     }
-    std::size_t incumbent = tied.front();
+    std::size_t incumbent = tied_[0];
     std::int64_t best = 0;
-    const bool look_ahead = cheapest > 1 && tied.size() > 1;
+    const bool look_ahead = cheapest > 1 && tied > 1;
     if (look_ahead) {
-      best = LookAhead(conditions, remaining, remaining[incumbent]);
+      best = LookAhead(incumbent);
     }
-    for (std::size_t i = 1; i < tied.size(); ++i) {
-      const Condition& held = conditions[remaining[incumbent]];
-      const Condition& candidate = conditions[remaining[tied[i]]];
+    for (std::size_t i = 1; i < tied; ++i) {
+      const ConditionDraft& held = *waiting_[incumbent].condition;
+      const ConditionDraft& candidate = *waiting_[tied_[i]].condition;
       const bool held_positive = held.kind == ConditionKind::kPositive;
       const bool positive = candidate.kind == ConditionKind::kPositive;
       bool replace = false;
       if (look_ahead) {
-        const std::int64_t ahead = LookAhead(conditions, remaining, remaining[tied[i]]);
+        const std::int64_t ahead = LookAhead(tied_[i]);
         replace = ahead < best || (ahead == best && held_positive && positive && NewerConstants(held, candidate));
         best = replace ? ahead : best;
       } else {
         replace = held_positive && (!positive || NewerConstants(held, candidate));
       }
       if (replace) {
-        incumbent = tied[i];
+        incumbent = tied_[i];
       }
     }
     return incumbent;
   }
 
   /// Binds the condition's variables and puts back the tests that can be decided here.
-  void Place(Condition& condition) {
+  void Place(ConditionDraft& condition) {
     switch (condition.kind) {
       case ConditionKind::kPositive:
         PlaceField(condition.id);
@@ -358,126 +429,137 @@ class ListReorderer {
         CheckNegated(condition);
         return;
       case ConditionKind::kConjunctiveNegation: {
-        VariableSet inner_bound = bound_;
-        VariableSet inner_goals = known_goals_;
+        VariableBits inner_bound(variables_, arena_), inner_goals(variables_, arena_);
+        inner_bound.Assign(bound_);
+        inner_goals.Assign(known_goals_);
         for (const GoalTest& goal : goal_tests_) {
-          if (bound_.Has(goal.variable)) {
-            inner_goals.Add(goal.variable);
+          const std::uint32_t variable = NumberOf(goal.variable);
+          if (variable != kNoVariable && bound_.Has(variable)) {
+            inner_goals.Add(variable);
           }
         }
-        ListReorderer inner(rule_name_, symbols_, inner_bound, std::move(inner_goals), out_);
+        ListReorderer inner(rule_name_, symbols_, variables_, arena_, inner_bound, inner_goals, out_);
         inner.Reorder(condition.conditions, false);
         return;
       }
     }
   }
 
-  void PlaceField(Test& test) {
+  void PlaceField(TestDraft& test) {
     const Symbol symbol = EqualitySymbol(test);
-    bound_.Add(symbol);
-    std::vector<Test> placed;
+    Add(bound_, NumberOf(symbol));
+    if (unplaced_ == 0) {
+      return;
+    }
+    DraftList<TestDraft> placed;
     for (SavedTest& saved : saved_) {
       if (saved.placed) {
         continue;
       }
       const Symbol referent = saved.test.referent;
       if (saved.field == symbol && Known(referent)) {
-        placed.push_back(std::move(saved.test));
-        saved.placed = true;
+        placed.Add(arena_.New(saved.test));
       } else if (referent == symbol && referent.IsVariable() && Known(saved.field)) {
-        Test turned = std::move(saved.test);
+        TestDraft turned = saved.test;
         turned.kind = TurnedRound(turned.kind);
         turned.referent = saved.field;
-        placed.push_back(std::move(turned));
-        saved.placed = true;
+        placed.Add(arena_.New(turned));
+      } else {
+        continue;
       }
+      saved.placed = true;
+      --unplaced_;
     }
     if (placed.empty()) {
       return;
     }
-    for (Test& part : Parts(std::move(test))) {
-      placed.push_back(std::move(part));
-    }
-    test = Joined(std::move(placed));
+    placed.Append(Parts(test, arena_));
+    test = Joined(placed);
   }
 
-  void CheckNegated(const Condition& condition) {
-    VariableSet local;
-    for (const Test* test : {&condition.id, &condition.attribute, &condition.value}) {
-      local.Add(EqualitySymbol(*test));
+  void CheckNegated(const ConditionDraft& condition) {
+    VariableBits local(variables_, arena_);
+    for (const TestDraft* test : {&condition.id, &condition.attribute, &condition.value}) {
+      Add(local, NumberOf(EqualitySymbol(*test)));
       CheckReferents(*test, local);
     }
   }
 
-  void CheckReferents(const Test& test, const VariableSet& local) {
-    for (const Test& part : test.parts) {
+  void CheckReferents(const TestDraft& test, const VariableBits& local) {
+    for (const TestDraft& part : test.parts) {
       CheckReferents(part, local);
     }
-    if (!IsStrippable(test.kind) || Known(test.referent) || local.Has(test.referent)) {
+    if (!IsStrippable(test.kind) || Known(test.referent) || local.Has(NumberOf(test.referent))) {
       return;
     }
     std::string text;
     AppendTest(text, symbols_, test);
-    out_.messages.push_back({"Error: production " + std::string(rule_name_) +
-                                 " has an unbound referent in negated relational test " + text + ".\n",
-                             false, false});
+    out_.messages.push_back(
+        {"Error: production " + RuleName() + " has an unbound referent in negated relational test " + text + ".\n",
+         false, false});
     Warn("\nAttempted to add an invalid rule:\n      Unbound relational test in negative condition of rule \n");
     out_.ok = false;
   }
 
   /// Each goal test once: on the first positive condition with its variable as identifier. A negated condition keeps
   /// one only for a variable that no positive condition has tested.
-  void TidyGoalTests(std::vector<Condition>& conditions) {
-    for (Condition& condition : conditions) {
-      const Symbol id = EqualitySymbol(condition.id);
+  void TidyGoalTests(const DraftList<ConditionDraft>& conditions) {
+    for (ConditionDraft& condition : conditions) {
       if (condition.kind == ConditionKind::kPositive) {
-        std::vector<Test> parts;
-        for (GoalTest& goal : goal_tests_) {
-          if (!goal.placed && goal.variable == id) {
-            Test test;
-            test.kind = goal.kind;
-            parts.push_back(test);
-            goal.placed = true;
-          }
-        }
-        if (!parts.empty()) {
-          for (Test& part : Parts(std::move(condition.id))) {
-            parts.push_back(std::move(part));
-          }
-          condition.id = Joined(std::move(parts));
-        }
+        PlaceGoalTests(condition.id);
       } else if (condition.kind == ConditionKind::kNegative) {
-        bool known = known_goals_.Has(id);
+        const Symbol id = EqualitySymbol(condition.id);
+        bool known = id.IsVariable() && known_goals_.Has(variables_[id]);
         for (const GoalTest& goal : goal_tests_) {
           known = known || (goal.placed && goal.variable == id);
         }
         if (known) {
-          RemoveGoalTests(condition.id);
+          RemoveGoalTests(condition.id, arena_);
         }
       }
     }
   }
 
+  void PlaceGoalTests(TestDraft& id) {
+    DraftList<TestDraft> parts;
+    for (GoalTest& goal : goal_tests_) {
+      if (!goal.placed && goal.variable == EqualitySymbol(id)) {
+        parts.Add(arena_.New(MakeTest(goal.kind)));
+        goal.placed = true;
+      }
+    }
+    if (!parts.empty()) {
+      parts.Append(Parts(id, arena_));
+      id = Joined(parts);
+    }
+  }
+
   std::string_view rule_name_;
   const SymbolTable& symbols_;
-  VariableSet& bound_;
-  VariableSet known_goals_;  ///< Variables that conditions around this list test to be goals.
+  const VariableIndex& variables_;
+  Arena& arena_;
+  VariableBits bound_;
+  VariableBits known_goals_;  ///< Variables that conditions around this list test to be goals.
   ReorderOutcome& out_;
-  VariableSet roots_, positive_values_, positive_variables_;
-  std::vector<SavedTest> saved_;
-  std::vector<GoalTest> goal_tests_;
-  std::vector<std::vector<Symbol>> needs_;
+  VariableBits roots_, positive_values_, positive_variables_;
+  std::vector<Symbol> unconnected_;  ///< Roots of this list that are no goals.
+  DraftList<SavedTest> saved_;
+  std::size_t unplaced_ = 0;  ///< Saved tests not put back yet.
+  DraftList<GoalTest> goal_tests_;
+  Waiting* waiting_ = nullptr;  ///< Conditions that are not placed yet, in text order.
+  std::size_t count_ = 0;
+  std::uint32_t* tied_ = nullptr;  ///< Scratch of Choose.
   bool warned_ = false;
 };
 
 }  // namespace
 
-ReorderOutcome ReorderConditions(std::string_view rule_name, std::vector<Condition>& conditions,
-                                 const SymbolTable& symbols) {
+ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols,
+                                 Arena& arena) {
   ReorderOutcome out;
-  VariableSet bound;
-  ListReorderer reorderer(rule_name, symbols, bound, {}, out);
-  reorderer.Reorder(conditions, true);
+  const VariableBits bound(variables, arena), goals(variables, arena);
+  ListReorderer reorderer(rule.name, symbols, variables, arena, bound, goals, out);
+  reorderer.Reorder(rule.conditions, true);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "kernel/rules/draft.h"
 #include "kernel/rules/lexer.h"
 #include "kernel/rules/parser.h"
 
@@ -15,79 +16,100 @@ namespace soarbox::kernel {
 /// Makes the variables that a rule needs but does not write: <a*1>, <a*2>, ... per letter, none that the rule writes.
 class VariableNames {
  public:
-  VariableNames(SymbolTable& symbols, std::string_view body);
+  VariableNames(SymbolTable& symbols, std::string_view body) : symbols_(symbols), body_(body) {}
   /// A new variable whose name starts with `letter` in lower case.
   Symbol Make(char letter);
   /// The first letter for a variable that stands for the value of `attribute`.
   char LetterFor(Symbol attribute) const;
 
  private:
+  void CollectWritten();
+
   SymbolTable& symbols_;
-  std::unordered_set<std::string> written_;
+  std::string_view body_;
+  bool collected_ = false;
+  std::unordered_set<std::string> written_;  ///< Those that could clash; known when the first variable is made.
   std::array<int, 26> count_{};
 };
-
-/// The variable or constant that a test equates its field with; none if it has no equality test.
-Symbol EqualitySymbol(const Test& test);
 
 /// Reads the text of one rule by recursive descent; for ParseProduction only. Reading stops at the first error: the
 /// functions return false then, and the messages say why.
 class RuleReader {
  public:
-  RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, ParseOutcome& out);
+  RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, Arena& arena, ParseOutcome& out);
 
   /// Reads everything into `rule`; conditions and actions in text order, variables not yet bound.
-  bool ReadRule(Production& rule);
+  bool ReadRule(RuleDraft& rule);
 
  private:
   static constexpr int kMaxDepth = 200;  ///< Of brackets within brackets.
 
+  using Conditions = DraftList<ConditionDraft>;
+  using Actions = DraftList<ActionDraft>;
+
   // Tokens (parser.cpp)
-  void Advance();
+  void Advance() {
+    lexer_.Read(token_);
+    if (token_.suspicious) {
+      Complain();
+    }
+  }
+  void Complain();
   bool Is(TokenKind kind) const { return token_.kind == kind; }
-  bool Accept(TokenKind kind);
+  bool Accept(TokenKind kind) {
+    if (!Is(kind)) {
+      return false;
+    }
+    Advance();
+    return true;
+  }
   bool Fail(std::string_view message, std::string_view hint = {});
   void Report(Severity severity, const Token& token, std::string message, std::string hint);
   void Say(std::string text, bool is_warning = false);
   Symbol ConstantOrVariable();
-  bool ReadFlags(Production& rule);
+  bool ReadFlags(RuleDraft& rule);
 
   // Left-hand side (read_conditions.cpp)
-  bool ReadConditions(std::vector<Condition>& out, int depth);
-  bool ReadCondition(std::vector<Condition>& out, int depth);
-  bool ReadPositiveCondition(std::vector<Condition>& out, int depth);
-  bool ReadObject(std::vector<Condition>& out, bool may_be_goal, char id_letter, Symbol& id, int depth);
-  bool ReadIdTest(Test& id);
-  bool ReadAttributes(const Test& id, std::vector<Condition>& out, int depth);
-  bool ReadAttribute(const Test& id, std::vector<Condition>& out, int depth);
-  bool ReadTest(Test& test);
-  bool ReadSimpleTest(Test& test);
-  bool ReadDisjunction(Test& test);
-  void AddToConjunction(std::vector<Test>& parts, Test test);
-  void AddEquality(Test& test, char letter);
+  bool ReadConditions(Conditions& out, int depth);
+  bool ReadCondition(Conditions& out, int depth);
+  bool ReadPositiveCondition(Conditions& out, int depth);
+  bool ReadObject(Conditions& out, bool may_be_goal, char id_letter, Symbol& id, int depth);
+  bool ReadIdTest(TestDraft& id);
+  bool ReadAttributes(const TestDraft& id, Conditions& out, int depth);
+  bool ReadAttribute(const TestDraft& id, Conditions& out, int depth);
+  bool ReadTest(TestDraft& test);
+  bool ReadSimpleTest(TestDraft& test);
+  bool ReadDisjunction(TestDraft& test);
+  void AddToConjunction(DraftList<TestDraft>& parts, const TestDraft& test);
+  void AddEquality(TestDraft& test, char letter);
+  void Negate(const Conditions& conditions, Conditions& out);
 
   // Right-hand side (read_actions.cpp)
-  bool ReadActions(std::vector<Action>& out);
-  bool ReadMakeActions(std::vector<Action>& out);
-  bool ReadValues(const RhsValue& id, const RhsValue& attribute, std::vector<Action>& out);
-  bool ReadRhsValue(RhsValue& value, int depth);
-  bool ReadFunction(RhsValue& value, bool as_action, int depth);
-  bool ReadOperatorPreferences(Action action, std::vector<Action>& out);
-  bool ReadOtherPreferences(Action action, std::vector<Action>& out);
+  bool ReadActions(Actions& out);
+  bool ReadMakeActions(Actions& out);
+  bool ReadValues(const ValueDraft& id, const ValueDraft& attribute, Actions& out);
+  bool ReadRhsValue(ValueDraft& value, int depth);
+  bool ReadFunction(ValueDraft& value, bool as_action, int depth);
+  bool ReadOperatorPreferences(const ActionDraft& action, Actions& out);
+  bool ReadOtherPreferences(ActionDraft& action, Actions& out);
   bool ReadPreferenceType(PreferenceType& type);
   bool StartsReferent() const;
   void InsertExec(const Token& name);
-  std::string DescribeAction(const Action& action) const;
+  std::string DescribeAction(const ActionDraft& action) const;
+  ActionDraft CopyOf(const ActionDraft& action);
 
   std::string_view body_;
   const SourcePlace& place_;
   SymbolTable& symbols_;
+  Arena& arena_;
   ParseOutcome& out_;
   VariableNames names_;
   Lexer lexer_;
+  PlaceFinder places_;
   Token token_;
-  std::string edited_;          ///< The text with `exec` inserted; empty as long as none has been.
-  std::size_t inserted_ = 0;    ///< How many characters were inserted.
+  std::vector<Symbol> disjuncts_;  ///< Scratch.
+  std::string edited_;             ///< The text with `exec` inserted; empty as long as none has been.
+  std::size_t inserted_ = 0;       ///< How many characters were inserted.
 };
 
 }  // namespace soarbox::kernel

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "kernel/base/arena.h"
+#include "kernel/rules/production.h"
+
+/// Rules while they are read, checked, reordered or derived from others: trees that can be changed. They live in an
+/// arena and go with it. Production::Make turns a draft into a finished rule.
+namespace soarbox::kernel {
+
+/// Items in a row, linked through their `next`. Copies of a list share the items.
+template <typename T>
+struct DraftList {
+  T* first = nullptr;
+  T* last = nullptr;
+
+  class Iterator {
+   public:
+    explicit Iterator(T* item) : item_(item) {}
+    T& operator*() const { return *item_; }
+    Iterator& operator++() {
+      item_ = item_->next;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return item_ != other.item_; }
+
+   private:
+    T* item_;
+  };
+  Iterator begin() const { return Iterator(first); }
+  Iterator end() const { return Iterator(nullptr); }
+  bool empty() const { return first == nullptr; }
+  std::uint32_t Count() const {
+    std::uint32_t count = 0;
+    for (const T* item = first; item != nullptr; item = item->next) {
+      ++count;
+    }
+    return count;
+  }
+  /// The item must not stand in another list any more.
+  void Add(T* item) {
+    item->next = nullptr;
+    (first == nullptr ? first : last->next) = item;
+    last = item;
+  }
+  void Append(const DraftList& other) {
+    if (other.first == nullptr) {
+      return;
+    }
+    (first == nullptr ? first : last->next) = other.first;
+    last = other.last;
+  }
+};
+
+struct TestDraft {
+  TestKind kind = TestKind::kBlank;
+  std::uint32_t disjunct_count = 0;
+  Symbol referent;                    ///< Constant or variable, for the relational kinds and @.
+  const Symbol* disjuncts = nullptr;  ///< kDisjunction.
+  DraftList<TestDraft> parts;         ///< kConjunction; never nested, at most one part is kEqual.
+  TestDraft* next = nullptr;
+};
+bool operator==(const TestDraft& a, const TestDraft& b);
+
+struct ConditionDraft {
+  ConditionKind kind = ConditionKind::kPositive;
+  bool tests_acceptable = false;
+  TestDraft id, attribute, value;
+  DraftList<ConditionDraft> conditions;  ///< kConjunctiveNegation.
+  ConditionDraft* next = nullptr;
+};
+bool operator==(const ConditionDraft& a, const ConditionDraft& b);
+
+struct ValueDraft {
+  RhsValueKind kind = RhsValueKind::kConstant;
+  BindingSite site;         ///< kBound.
+  std::uint16_t index = 0;  ///< kNew: of the new identifier; kFunction: of the function.
+  Symbol symbol;
+  DraftList<ValueDraft> arguments;  ///< kFunction.
+  ValueDraft* next = nullptr;
+};
+
+struct ActionDraft {
+  bool is_function_call = false;
+  PreferenceType preference = PreferenceType::kAcceptable;
+  ValueDraft id, attribute, value;
+  ValueDraft referent;
+  ActionDraft* next = nullptr;
+
+  bool HasReferent() const { return kernel::HasReferent(preference); }
+};
+
+struct RuleDraft {
+  std::string_view name;  ///< As long as the arena lives.
+  std::string_view documentation;
+  bool has_documentation = false;
+  ProductionType type = ProductionType::kUser;
+  DeclaredSupport declared_support = DeclaredSupport::kUndeclared;
+  bool interrupt = false;
+  bool explain = false;
+  bool is_rl = false;
+  DraftList<ConditionDraft> conditions;
+  DraftList<ActionDraft> actions;
+  std::vector<Symbol> new_identifiers;
+  FileName file;
+  int line = 0;
+};
+
+/// A test of one symbol.
+inline TestDraft MakeTest(TestKind kind, Symbol referent = {}) {
+  TestDraft test;
+  test.kind = kind;
+  test.referent = referent;
+  return test;
+}
+
+/// Deep copies.
+TestDraft Copy(const TestDraft& test, Arena& arena);
+ConditionDraft Copy(const ConditionDraft& condition, Arena& arena);
+ValueDraft Copy(const ValueDraft& value, Arena& arena);
+TestDraft ToDraft(const Test& test, Arena& arena);
+ConditionDraft ToDraft(const Condition& condition, Arena& arena);
+
+/// The variable or constant that a test equates its field with; none if it has no equality test.
+Symbol EqualitySymbol(const TestDraft& test);
+Symbol EqualitySymbol(const Test& test);
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+
+/// The words that rules are described in, drafts and finished rules alike.
+namespace soarbox::kernel {
+
+enum class TestKind : std::uint8_t {
+  kBlank,  ///< Matches anything (an attribute or value that was not written).
+  kEqual,
+  kNotEqual,
+  kLess,
+  kGreater,
+  kLessOrEqual,
+  kGreaterOrEqual,
+  kSameType,
+  kDisjunction,  ///< << a b c >>
+  kConjunction,  ///< { ... }
+  kState,        ///< The word `state` before an identifier test. On a positive condition's identifier only once per
+                 ///< variable, on the first condition (in match order) with this variable as its identifier.
+  kImpasse,      ///< The word `impasse`.
+  kSameLti,
+  kNotSameLti,  ///< @ x, !@ x
+  kIsLti,
+  kIsNotLti,  ///< @+, @-
+};
+
+enum class ConditionKind : std::uint8_t { kPositive, kNegative, kConjunctiveNegation };
+
+/// A field of a working memory element.
+enum class Field : std::uint8_t { kId, kAttribute, kValue };
+
+/// Where a variable is bound: the n-th positive top-level condition (in match order, counted from 0 over positive
+/// conditions only) and the field in it.
+struct BindingSite {
+  std::uint16_t positive_condition = 0;
+  Field field = Field::kId;
+
+  friend bool operator==(const BindingSite&, const BindingSite&) = default;
+};
+
+enum class PreferenceType : std::uint8_t {
+  kAcceptable,
+  kRequire,
+  kReject,
+  kProhibit,
+  kBest,
+  kWorst,
+  kUnaryIndifferent,
+  kNumericIndifferent,
+  kBinaryIndifferent,
+  kBetter,
+  kWorse,
+};
+constexpr bool HasReferent(PreferenceType type) {
+  return type >= PreferenceType::kNumericIndifferent;
+}
+
+enum class RhsValueKind : std::uint8_t {
+  kConstant,  ///< symbol
+  kBound,     ///< A variable that a condition binds: site (and symbol, its name).
+  kNew,       ///< A variable that no condition binds: one new identifier per firing; new_index, symbol.
+  kFunction,  ///< function and arguments
+};
+
+enum class ProductionType : std::uint8_t { kUser, kDefault, kChunk, kJustification, kTemplate };
+enum class DeclaredSupport : std::uint8_t { kUndeclared, kOSupport, kISupport };
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/rules/draft.h"
+
+namespace soarbox::kernel {
+
+/// Numbers the variables of one rule from 0, in the order in which they are first met, so that sets of them are bits.
+class VariableIndex {
+ public:
+  VariableIndex() : slots_(first_slots_) {}
+  VariableIndex(const VariableIndex&) = delete;
+  VariableIndex& operator=(const VariableIndex&) = delete;
+
+  /// The number of a variable; makes one if it is new. Symbols that are no variables have none.
+  std::uint32_t Add(Symbol variable) {
+    const std::uint32_t slot = Slot(variable);
+    if (slots_[slot] != 0) {
+      return slots_[slot] - 1u;
+    }
+    return AddNew(variable, slot);
+  }
+  void AddAll(const TestDraft& test);
+  void AddAll(const DraftList<ConditionDraft>& conditions);
+  void AddAll(const ValueDraft& value);
+
+  /// The number of a variable that has one.
+  std::uint32_t operator[](Symbol variable) const { return slots_[Slot(variable)] - 1u; }
+  std::uint32_t size() const { return size_; }
+  Symbol variable(std::uint32_t number) const { return number < kFirst ? first_[number] : more_[number - kFirst]; }
+
+ private:
+  static constexpr std::uint32_t kFirst = 32, kFirstSlots = 64;
+
+  std::uint32_t Slot(Symbol variable) const {
+    const std::uint32_t hash = variable.index() * 0x9E3779B1u;
+    std::uint32_t slot = (hash ^ hash >> 15) & mask_;
+    while (slots_[slot] != 0 && this->variable(slots_[slot] - 1u) != variable) {
+      slot = (slot + 1) & mask_;
+    }
+    return slot;
+  }
+  std::uint32_t AddNew(Symbol variable, std::uint32_t slot);
+
+  std::uint32_t size_ = 0;
+  std::uint32_t mask_ = kFirstSlots - 1;
+  std::uint32_t* slots_;  ///< By hash: a number plus one, or 0. At most half full.
+  std::uint32_t first_slots_[kFirstSlots] = {};
+  Symbol first_[kFirst];
+  std::vector<Symbol> more_;
+  std::vector<std::uint32_t> more_slots_;
+};
+
+/// A set of the variables of one rule. Copies share their members: use Assign.
+class VariableBits {
+ public:
+  VariableBits() = default;
+  VariableBits(const VariableIndex& index, Arena& arena)
+      : words_(arena.NewArray<std::uint64_t>(WordsFor(index))), count_(WordsFor(index)) {}
+
+  bool Has(std::uint32_t variable) const { return (words_[variable / 64] >> (variable % 64) & 1u) != 0; }
+  void Add(std::uint32_t variable) { words_[variable / 64] |= std::uint64_t{1} << (variable % 64); }
+  void Remove(std::uint32_t variable) { words_[variable / 64] &= ~(std::uint64_t{1} << (variable % 64)); }
+  bool Covers(const VariableBits& other) const {
+    for (std::size_t n = 0; n < count_; ++n) {
+      if ((other.words_[n] & ~words_[n]) != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+  void KeepOnly(const VariableBits& other) {
+    for (std::size_t n = 0; n < count_; ++n) {
+      words_[n] &= other.words_[n];
+    }
+  }
+  void Assign(const VariableBits& other) { std::copy_n(other.words_, count_, words_); }
+
+ private:
+  static std::size_t WordsFor(const VariableIndex& index) { return index.size() / 64 + 1; }
+
+  std::uint64_t* words_ = nullptr;
+  std::size_t count_ = 0;
+};
+
+}  // namespace soarbox::kernel
