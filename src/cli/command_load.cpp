@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
+#include "cli/load_image.h"
 #include "cli/source_run.h"
 
 namespace soarbox::cli {
@@ -103,8 +104,9 @@ bool LoadFile(CommandCall& call) {
   if (!in || std::filesystem::is_directory(path, error)) {
     return call.Fail("Failed to open file for reading: " + file);
   }
+  const bool is_image = path.extension() == ".soarx";
   std::ostringstream content;
-  content << in.rdbuf();
+  if (!is_image) content << in.rdbuf();
   const std::string text = std::move(content).str();
 
   SourceRun own;
@@ -115,7 +117,7 @@ bool LoadFile(CommandCall& call) {
   if (parsed.Has('v')) call.Out("Sourcing " + file + ".\n");
   const SourceRun before = run;
   run.files.push_back(path.string());
-  const bool ok = RunCommands(call, run, path.string(), text);
+  const bool ok = is_image ? LoadRuleImage(call, file) : RunCommands(call, run, path.string(), text);
   run.files.pop_back();
   if (outermost) current = nullptr;
 
@@ -152,7 +154,12 @@ bool LoadLibrary(CommandCall& call) {
 }
 
 bool LoadRete(CommandCall& call) {
-  return call.Fail("Images of the match network are not available in this build; source the rules instead.");
+  ParsedWords parsed;
+  if (!call.Parse(kLoadSubcommands[2].options, parsed)) return false;
+  const auto load = parsed.Argument('l');
+  const std::optional<std::string> file = load ? load : parsed.Argument('r');
+  if (!file || !parsed.arguments.empty()) return call.Fail("Syntax: load rete-network --load <filename>");
+  return LoadRuleImage(call, *file);
 }
 
 bool LoadPercepts(CommandCall& call) {
@@ -190,7 +197,8 @@ constexpr OptionSpec kPerceptsOptions[] = {{'o', "open", OptionArgument::kRequir
 constexpr SubcommandInfo kSubcommands[] = {
     {"file", "[--all --disable --verbose] FILE", "carries out the commands of a file", kFileOptions, LoadFile},
     {"library", "NAME [ARGUMENTS]", "loads a library", {}, LoadLibrary},
-    {"rete-network", "--load FILE", "loads an image of the match network", kReteOptions, LoadRete},
+    {"rete-network", "--load FILE", "replaces all rules by those of an image, and initialises the agent", kReteOptions,
+     LoadRete},
     {"percepts", "[--open FILE | --close]", "replays recorded input", kPerceptsOptions, LoadPercepts},
     {"?", "", "an overview of the sub-commands", {}, Help},
     {"help", "", "an overview of the sub-commands", {}, Help},

@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
+#include "cli/load_image.h"
 #include "cli/rule_text.h"
 #include "cli/setting_store.h"
 #include "cli/summary.h"
@@ -98,7 +99,11 @@ bool SavePercepts(CommandCall& call) {
 }
 
 bool SaveRete(CommandCall& call) {
-  return call.Fail("Images of the match network are not available in this build; use 'save agent' instead.");
+  ParsedWords parsed;
+  if (!call.Parse(kSaveSubcommands[3].options, parsed)) return false;
+  const std::optional<std::string> file = parsed.Argument('s');
+  if (!file || !parsed.arguments.empty()) return call.Fail("Syntax: save rete-network --save <filename>");
+  return SaveRuleImage(call, *file);
 }
 
 bool Help(CommandCall& call) {
@@ -126,7 +131,8 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"agent", "FILE", "writes the agent's settings and rules to a file that can be sourced", {}, SaveAgent},
     {"chunks", "FILE", "writes learned rules to a file", {}, SaveChunks},
     {"percepts", "[--open FILE | --close | --flush]", "records input", kPerceptsOptions, SavePercepts},
-    {"rete-network", "--save FILE", "writes an image of the match network", kReteOptions, SaveRete},
+    {"rete-network", "--save FILE", "writes an image of the rules, which loads faster than their text", kReteOptions,
+     SaveRete},
     {"?", "", "an overview of the sub-commands", {}, Help},
     {"help", "", "an overview of the sub-commands", {}, Help},
 };
