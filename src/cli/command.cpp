@@ -106,9 +106,11 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
 }
 
 const CommandInfo* FindCommand(std::string_view word, std::string& error) {
-  std::vector<const CommandInfo*> found;
   for (const CommandInfo& command : Commands()) {
     if (command.name == word) return &command;
+  }
+  std::vector<const CommandInfo*> found;
+  for (const CommandInfo& command : Commands()) {
     if (!word.empty() && command.name.starts_with(word)) found.push_back(&command);
   }
   if (found.size() == 1) return found.front();

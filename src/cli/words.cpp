@@ -187,9 +187,9 @@ bool CommandReader::ReadBraced(Word& word) {
   int depth = 1;
   bool in_bars = false;
   for (; at < text_.size(); ++at) {
-    const char c = text_[at];
-    if (!kBraceCharacters[static_cast<unsigned char>(c)]) continue;
-    switch (c) {
+    while (at < text_.size() && !kBraceCharacters[static_cast<unsigned char>(text_[at])]) ++at;
+    if (at == text_.size()) break;
+    switch (text_[at]) {
       case '\n':
         begin_line(at + 1);
         break;

@@ -36,6 +36,12 @@ class Arena {
     std::uninitialized_value_construct_n(made, count);
     return made;
   }
+  /// Room for `count` values that the caller makes.
+  template <typename T>
+  T* NewRoom(std::size_t count) {
+    static_assert(std::is_trivially_destructible_v<T>);
+    return static_cast<T*>(Take(sizeof(T) * count, alignof(T)));
+  }
   std::string_view Copy(std::string_view text) {
     char* const made = static_cast<char*>(Take(text.size(), 1));
     text.copy(made, text.size());

@@ -73,20 +73,24 @@ void MixValue(std::uint32_t& hash, const RhsValue& value) {
 }  // namespace
 
 RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
-  std::vector<Symbol> id_variables;
+  const std::size_t conditions = rule->conditions.size();
+  Arena arena;
+  Symbol* const ids = arena.NewArray<Symbol>(conditions);  // That are in `new_ids` so far.
+  std::uint16_t* const new_ids = arena.NewArray<std::uint16_t>(conditions);
+  std::uint16_t* const operators = arena.NewArray<std::uint16_t>(conditions);
+  BindingSite* const proposals = arena.NewArray<BindingSite>(rule->actions.size());
+  std::size_t new_id_count = 0, operator_count = 0, proposal_count = 0;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind != ConditionKind::kPositive) {
       continue;
     }
     const Symbol id = EqualitySymbol(condition.id);
-    if (!id || std::ranges::find(id_variables, id) == id_variables.end()) {
-      id_conditions.push_back(positives);
-      if (id) {
-        id_variables.push_back(id);
-      }
+    if (!id || std::find(ids, ids + new_id_count, id) == ids + new_id_count) {
+      ids[new_id_count] = id;
+      new_ids[new_id_count++] = positives;
     }
     if (MayTestSelectedOperator(condition)) {
-      operator_conditions.push_back(positives);
+      operators[operator_count++] = positives;
     }
     ++positives;
   }
@@ -94,9 +98,17 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
     if (!action.is_function_call && action.preference == PreferenceType::kAcceptable &&
         action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol() == words::kOperator &&
         action.id.kind == RhsValueKind::kBound) {
-      proposal_ids.push_back(action.id.site());
+      proposals[proposal_count++] = action.id.site();
     }
   }
+  static_assert(sizeof(BindingSite) == 2 * sizeof(std::uint16_t) && alignof(BindingSite) == alignof(std::uint16_t));
+  lists_ = std::make_unique_for_overwrite<std::uint16_t[]>(new_id_count + operator_count + 2 * proposal_count);
+  std::uint16_t* const operator_list = std::copy_n(new_ids, new_id_count, lists_.get());
+  std::uint16_t* const proposal_list = std::copy_n(operators, operator_count, operator_list);
+  std::uninitialized_copy_n(proposals, proposal_count, reinterpret_cast<BindingSite*>(proposal_list));
+  id_conditions = {lists_.get(), new_id_count};
+  operator_conditions = {operator_list, operator_count};
+  proposal_ids = {reinterpret_cast<const BindingSite*>(proposal_list), proposal_count};
   if (rule->declared_support != DeclaredSupport::kUndeclared) {
     support = rule->declared_support == DeclaredSupport::kOSupport ? Support::kO : Support::kI;
   } else {

@@ -22,18 +22,23 @@ struct RuleInfo {
   enum class MatchSupport : std::uint8_t { kI, kO, kMixed };
 
   ProductionPtr rule;
-  std::uint32_t node = 0xFFFFFFFFu;                ///< Its production node.
-  std::uint16_t positives = 0;                     ///< Positive top-level conditions.
+  std::uint32_t node = 0xFFFFFFFFu;  ///< Its production node.
+  std::uint16_t positives = 0;       ///< Positive top-level conditions.
   Support support = Support::kI;
-  std::vector<std::uint16_t> id_conditions;        ///< Positive conditions that bring a new identifier variable.
-  std::vector<std::uint16_t> operator_conditions;  ///< Positive conditions that may test a selected operator.
-  std::vector<BindingSite> proposal_ids;           ///< The identifiers of actions that make operator preferences.
+  std::span<const std::uint16_t> id_conditions;        ///< Positive conditions that bring a new identifier variable.
+  std::span<const std::uint16_t> operator_conditions;  ///< Positive conditions that may test a selected operator.
+  std::span<const BindingSite> proposal_ids;           ///< The identifiers of actions that make operator preferences.
 
   explicit RuleInfo(ProductionPtr production);
+  RuleInfo(const RuleInfo&) = delete;
+  RuleInfo& operator=(const RuleInfo&) = delete;
 
   /// The support of a match; only for Support::kByMatch. `elements` as in MatchSet.
   MatchSupport SupportOf(std::span<const WmeId> elements, const WmeTable& wmes,
                          std::span<const GoalLevel> level_of_goal, Symbol goal) const;
+
+ private:
+  std::unique_ptr<std::uint16_t[]> lists_;  ///< The lists, one behind the other.
 };
 
 /// True if the actions do the same: variables count by where they are bound, not by name. With `ignore_rl_value` the

@@ -56,12 +56,16 @@ struct DraftList {
   }
 };
 
+/// Variables of a rule are numbered from 0 (VariableIndex); this stands for constants and for nothing at all.
+inline constexpr std::uint32_t kNoVariable = 0xFFFFFFFFu;
+
 struct TestDraft {
   TestKind kind = TestKind::kBlank;
   std::uint32_t disjunct_count = 0;
-  Symbol referent;                    ///< Constant or variable, for the relational kinds and @.
-  const Symbol* disjuncts = nullptr;  ///< kDisjunction.
-  DraftList<TestDraft> parts;         ///< kConjunction; never nested, at most one part is kEqual.
+  std::uint32_t variable = kNoVariable;  ///< The referent's number, once variables are numbered.
+  Symbol referent;                       ///< Constant or variable, for the relational kinds and @.
+  const Symbol* disjuncts = nullptr;     ///< kDisjunction.
+  DraftList<TestDraft> parts;            ///< kConjunction; never nested, at most one part is kEqual.
   TestDraft* next = nullptr;
 };
 bool operator==(const TestDraft& a, const TestDraft& b);
@@ -77,8 +81,9 @@ bool operator==(const ConditionDraft& a, const ConditionDraft& b);
 
 struct ValueDraft {
   RhsValueKind kind = RhsValueKind::kConstant;
-  BindingSite site;         ///< kBound.
-  std::uint16_t index = 0;  ///< kNew: of the new identifier; kFunction: of the function.
+  BindingSite site;                      ///< kBound.
+  std::uint16_t index = 0;               ///< kNew: of the new identifier; kFunction: of the function.
+  std::uint32_t variable = kNoVariable;  ///< The symbol's number, once variables are numbered.
   Symbol symbol;
   DraftList<ValueDraft> arguments;  ///< kFunction.
   ValueDraft* next = nullptr;
@@ -127,6 +132,18 @@ ConditionDraft ToDraft(const Condition& condition, Arena& arena);
 
 /// The variable or constant that a test equates its field with; none if it has no equality test.
 Symbol EqualitySymbol(const TestDraft& test);
+/// Its number, if it is a variable.
+inline std::uint32_t EqualityVariable(const TestDraft& test) {
+  if (test.kind == TestKind::kEqual) {
+    return test.variable;
+  }
+  for (const TestDraft& part : test.parts) {
+    if (part.kind == TestKind::kEqual) {
+      return part.variable;
+    }
+  }
+  return kNoVariable;
+}
 Symbol EqualitySymbol(const Test& test);
 
 }  // namespace soarbox::kernel

@@ -28,33 +28,32 @@ void AddTrap(ParseOutcome& out, const SourcePlace& place, Severity severity, std
 class KnownVariables {
  public:
   KnownVariables(const RuleDraft& rule, const VariableIndex& variables, Arena& arena)
-      : variables_(variables), known_(variables, arena) {
+      : known_(arena.NewArray<bool>(variables.size())) {
     for (const ConditionDraft& condition : rule.conditions) {
       if (condition.kind == ConditionKind::kPositive) {
-        Add(EqualitySymbol(condition.id));
-        Add(EqualitySymbol(condition.attribute));
-        Add(EqualitySymbol(condition.value));
+        Add(EqualityVariable(condition.id));
+        Add(EqualityVariable(condition.attribute));
+        Add(EqualityVariable(condition.value));
       }
     }
   }
 
-  void Add(Symbol symbol) {
-    if (symbol.IsVariable()) {
-      known_.Add(variables_[symbol]);
+  void Add(std::uint32_t variable) {
+    if (variable != kNoVariable) {
+      known_[variable] = true;
     }
   }
-  bool Has(Symbol symbol) const { return symbol.IsVariable() && known_.Has(variables_[symbol]); }
+  bool Has(std::uint32_t variable) const { return variable != kNoVariable && known_[variable]; }
 
  private:
-  const VariableIndex& variables_;
-  VariableBits known_;
+  bool* known_;
 };
 
 /// The arguments of a function must be known before it is called; a plain variable may stand for a new identifier.
 bool FunctionIsReady(const ValueDraft& value, const KnownVariables& known) {
   for (const ValueDraft& argument : value.arguments) {
     if (argument.kind == RhsValueKind::kFunction ? !FunctionIsReady(argument, known)
-                                                 : argument.symbol.IsVariable() && !known.Has(argument.symbol)) {
+                                                 : argument.variable != kNoVariable && !known.Has(argument.variable)) {
       return false;
     }
   }
@@ -69,7 +68,7 @@ bool IsReady(const ActionDraft& action, const KnownVariables& known) {
   if (action.is_function_call) {
     return FunctionIsReady(action.value, known);
   }
-  return known.Has(action.id.symbol) && IsReady(action.attribute, known) && IsReady(action.value, known) &&
+  return known.Has(action.id.variable) && IsReady(action.attribute, known) && IsReady(action.value, known) &&
          IsReady(action.referent, known);
 }
 
@@ -86,9 +85,9 @@ bool OrderActions(RuleDraft& rule, const VariableIndex& variables, const SymbolT
       if (!IsReady(*action, known)) {
         continue;
       }
-      known.Add(action->attribute.symbol);
-      known.Add(action->value.symbol);
-      known.Add(action->referent.symbol);
+      known.Add(action->attribute.variable);
+      known.Add(action->value.variable);
+      known.Add(action->referent.variable);
       *link = action->next;
       ordered.Add(action);
       progress = true;
@@ -118,7 +117,7 @@ bool OrderActions(RuleDraft& rule, const VariableIndex& variables, const SymbolT
 class Binder {
  public:
   Binder(RuleDraft& rule, const VariableIndex& variables, Arena& arena)
-      : rule_(rule), variables_(variables), places_(arena.NewArray<Place>(variables.size())) {
+      : rule_(rule), places_(arena.NewArray<Place>(variables.size())) {
     std::uint16_t position = 0;
     for (const ConditionDraft& condition : rule.conditions) {
       if (condition.kind != ConditionKind::kPositive) {
@@ -138,10 +137,10 @@ class Binder {
       }
       return;
     }
-    if (!value.symbol.IsVariable()) {
+    if (value.variable == kNoVariable) {
       return;
     }
-    Place& place = places_[variables_[value.symbol]];
+    Place& place = places_[value.variable];
     if (place.kind == RhsValueKind::kConstant) {
       place.kind = RhsValueKind::kNew;
       place.index = static_cast<std::uint16_t>(rule_.new_identifiers.size());
@@ -161,11 +160,11 @@ class Binder {
   };
 
   void Note(const TestDraft& test, std::uint16_t position, Field field) {
-    const Symbol symbol = EqualitySymbol(test);
-    if (!symbol.IsVariable()) {
+    const std::uint32_t variable = EqualityVariable(test);
+    if (variable == kNoVariable) {
       return;
     }
-    Place& place = places_[variables_[symbol]];
+    Place& place = places_[variable];
     if (place.kind == RhsValueKind::kConstant) {
       place.kind = RhsValueKind::kBound;
       place.site = {position, field};
@@ -173,7 +172,6 @@ class Binder {
   }
 
   RuleDraft& rule_;
-  const VariableIndex& variables_;
   Place* places_;
 };
 
@@ -227,12 +225,8 @@ void WarnOfArchitectureLinks(const RuleDraft& rule, const SymbolTable& symbols, 
 }
 
 void NumberVariables(const RuleDraft& rule, VariableIndex& variables) {
-  variables.AddAll(rule.conditions);
-  for (const ActionDraft& action : rule.actions) {
-    for (const ValueDraft* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
-      variables.AddAll(*value);
-    }
-  }
+  variables.NumberAll(rule.conditions);
+  variables.NumberAll(rule.actions);
 }
 
 void BindVariables(RuleDraft& rule, const VariableIndex& variables, Arena& arena) {

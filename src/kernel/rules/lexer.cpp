@@ -17,7 +17,8 @@ enum CharacterClass : std::uint8_t {
   kDigitCharacter = 2,
   kLetterCharacter = 4,
   kSignCharacter = 8,  ///< Of the signs that are made of word characters.
-  kDelimiter = 16,     ///< A bar or a quote.
+  kStartsToken = 16,   ///< Anything but blanks.
+  kStartsComment = 32,
 };
 
 struct CharacterTable {
@@ -34,8 +35,9 @@ constexpr CharacterTable kCharacters = [] {
     const char c = static_cast<char>(n);
     const bool sign = std::string_view("+-=<>&").find(c) != std::string_view::npos;
     table.classes[static_cast<std::size_t>(n)] = static_cast<std::uint8_t>(
-        (IsConstituent(c) ? kWordCharacter : 0) | (IsDigit(c) ? kDigitCharacter : 0) |
-        (IsLetter(c) ? kLetterCharacter : 0) | (sign ? kSignCharacter : 0) | (c == '|' || c == '"' ? kDelimiter : 0));
+        (IsConstituent(c) ? kWordCharacter | kStartsToken : 0) | (IsDigit(c) ? kDigitCharacter : 0) |
+        (IsLetter(c) ? kLetterCharacter : 0) | (sign ? kSignCharacter : 0) | (c == '|' || c == '"' ? kStartsToken : 0) |
+        (c == '#' ? kStartsComment : 0));
   }
   constexpr std::pair<char, TokenKind> kSingles[] = {
       {'(', TokenKind::kLeftParen},  {')', TokenKind::kRightParen}, {'{', TokenKind::kLeftBrace},
@@ -43,34 +45,52 @@ constexpr CharacterTable kCharacters = [] {
       {'~', TokenKind::kTilde},      {'.', TokenKind::kPeriod},     {',', TokenKind::kComma}};
   for (const auto& [c, kind] : kSingles) {
     table.single[static_cast<unsigned char>(c)] = kind;
+    table.classes[static_cast<unsigned char>(c)] |= kStartsToken;
   }
   return table;
 }();
 
-constexpr std::pair<std::string_view, TokenKind> kSigns[] = {
-    {"+", TokenKind::kPlus},
-    {"-", TokenKind::kMinus},
-    {"=", TokenKind::kEqual},
-    {"<", TokenKind::kLess},
-    {">", TokenKind::kGreater},
-    {"<=", TokenKind::kLessOrEqual},
-    {">=", TokenKind::kGreaterOrEqual},
-    {"<>", TokenKind::kNotEqual},
-    {"<=>", TokenKind::kSameType},
-    {"<<", TokenKind::kLeftAngles},
-    {">>", TokenKind::kRightAngles},
-    {"-->", TokenKind::kArrow},
-    {"&", TokenKind::kAmpersand},
-};
-
-/// The sign that a word is, or kEnd.
-TokenKind SignOf(std::string_view word) {
-  for (const auto& [sign, kind] : kSigns) {
-    if (word == sign) {
-      return kind;
-    }
+/// A word of up to three characters as a number.
+constexpr std::uint32_t Packed(std::string_view word) {
+  std::uint32_t packed = 0;
+  for (const char c : word) {
+    packed = packed << 8 | static_cast<unsigned char>(c);
   }
-  return TokenKind::kEnd;
+  return packed;
+}
+
+/// The sign that a word of up to three characters is, or kEnd.
+TokenKind SignOf(std::string_view word) {
+  switch (Packed(word)) {
+    case Packed("+"):
+      return TokenKind::kPlus;
+    case Packed("-"):
+      return TokenKind::kMinus;
+    case Packed("="):
+      return TokenKind::kEqual;
+    case Packed("<"):
+      return TokenKind::kLess;
+    case Packed(">"):
+      return TokenKind::kGreater;
+    case Packed("<="):
+      return TokenKind::kLessOrEqual;
+    case Packed(">="):
+      return TokenKind::kGreaterOrEqual;
+    case Packed("<>"):
+      return TokenKind::kNotEqual;
+    case Packed("<=>"):
+      return TokenKind::kSameType;
+    case Packed("<<"):
+      return TokenKind::kLeftAngles;
+    case Packed(">>"):
+      return TokenKind::kRightAngles;
+    case Packed("-->"):
+      return TokenKind::kArrow;
+    case Packed("&"):
+      return TokenKind::kAmpersand;
+    default:
+      return TokenKind::kEnd;
+  }
 }
 
 bool IsSignOrDigits(std::string_view text) {
@@ -172,15 +192,14 @@ void Lexer::SkipBlanks() {
   const std::size_t begin = at_;
   const char* const end = text_.data() + text_.size();
   const char* p = text_.data() + at_;
-  for (; p != end; ++p) {
-    if ((kCharacters.ClassOf(*p) & (kWordCharacter | kDelimiter)) != 0 || kCharacters.Single(*p) != TokenKind::kEnd) {
+  while (p != end) {
+    const std::uint8_t c = kCharacters.ClassOf(*p);
+    if ((c & (kStartsToken | kStartsComment)) == 0) {
+      ++p;
+    } else if ((c & kStartsToken) != 0) {
       break;
-    }
-    if (*p == '#') {
+    } else {
       p = std::find(p, end, '\n');
-      if (p == end) {
-        break;
-      }
     }
   }
   at_ = static_cast<std::size_t>(p - text_.data());

@@ -13,19 +13,17 @@ namespace {
 constexpr std::int64_t kInfinite = 10000005;
 constexpr std::int64_t kUnboundCost = 8;
 
-/// What a field is equated with, as the number of a variable.
-constexpr std::uint32_t kNoVariable = 0xFFFFFFFFu;
-
 /// A test that was taken off its field, to be put back where both sides are bound.
 struct SavedTest {
   Symbol field;  ///< What the field that the test stood on is equated with.
+  std::uint32_t field_variable = kNoVariable;
   TestDraft test;
   bool placed = false;
   SavedTest* next = nullptr;
 };
 
 struct GoalTest {
-  Symbol variable;
+  std::uint32_t variable = kNoVariable;
   TestKind kind = TestKind::kState;
   bool placed = false;
   GoalTest* next = nullptr;
@@ -104,18 +102,13 @@ void RemoveGoalTests(TestDraft& test, Arena& arena) {
   test = Joined(kept);
 }
 
-/// A condition that waits to be placed.
-struct Waiting {
-  ConditionDraft* condition = nullptr;
-  std::uint32_t fields[3] = {kNoVariable, kNoVariable, kNoVariable};  ///< The variables of the fields' equality tests.
-  VariableBits needs;  ///< Of negated conditions: their variables that positive conditions of this list bind.
-};
-
-/// Orders one list of conditions: those of a rule, or those inside a conjunctive negation.
+/// Orders one list of conditions: those of a rule, or those inside a conjunctive negation. `Set` is a set of variables.
+template <typename Set>
 class ListReorderer {
  public:
+  /// `bound` has kNoVariable as well: constants are known.
   ListReorderer(std::string_view rule_name, const SymbolTable& symbols, const VariableIndex& variables, Arena& arena,
-                const VariableBits& bound, const VariableBits& known_goals, ReorderOutcome& out)
+                const Set& bound, const Set& known_goals, ReorderOutcome& out)
       : rule_name_(rule_name),
         symbols_(symbols),
         variables_(variables),
@@ -151,6 +144,15 @@ class ListReorderer {
   }
 
  private:
+  /// A condition that waits to be placed.
+  struct Waiting {
+    Waiting(ConditionDraft* waiting, const Set& no_needs) : condition(waiting), needs(no_needs) {}
+    ConditionDraft* condition;
+    bool positive = false;
+    std::uint32_t fields[3] = {};  ///< The variables of the fields' equality tests.
+    Set needs;                     ///< Of negated conditions: their variables that positive ones of this list bind.
+  };
+
   void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
 
   /// The name as messages show it.
@@ -159,38 +161,36 @@ class ListReorderer {
     return name ? ToString(symbols_, name) : std::string(rule_name_);
   }
 
-  std::uint32_t NumberOf(Symbol symbol) const { return symbol.IsVariable() ? variables_[symbol] : kNoVariable; }
-  static void Add(VariableBits& set, std::uint32_t variable) {
+  static void AddVariable(Set& set, std::uint32_t variable) {
     if (variable != kNoVariable) {
       set.Add(variable);
     }
   }
-  bool Known(std::uint32_t variable) const { return variable == kNoVariable || bound_.Has(variable); }
-  bool Known(Symbol symbol) const { return Known(NumberOf(symbol)); }
 
   /// Takes the tests that may have to move off the positive conditions, in text order.
   void Strip(const DraftList<ConditionDraft>& conditions) {
     count_ = conditions.Count();
-    waiting_ = arena_.NewArray<Waiting>(count_);
-    tied_ = arena_.NewArray<std::uint32_t>(count_);
-    Waiting* at = waiting_;
+    waiting_ = arena_.NewRoom<Waiting>(count_);
+    tied_ = arena_.NewRoom<std::uint32_t>(count_);
+    const Set none(variables_, arena_);
+    Waiting* next = waiting_;
     for (ConditionDraft& condition : conditions) {
-      at->condition = &condition;
-      if (condition.kind == ConditionKind::kPositive) {
+      Waiting& waiting = *new (next++) Waiting(&condition, none);
+      waiting.positive = condition.kind == ConditionKind::kPositive;
+      if (waiting.positive) {
         StripField(condition.id);
         StripField(condition.attribute);
         StripField(condition.value);
       }
-      at->fields[0] = NumberOf(EqualitySymbol(condition.id));
-      at->fields[1] = NumberOf(EqualitySymbol(condition.attribute));
-      at->fields[2] = NumberOf(EqualitySymbol(condition.value));
-      if (condition.kind == ConditionKind::kPositive) {
-        Add(positive_values_, at->fields[2]);
-        for (const std::uint32_t field : at->fields) {
-          Add(positive_variables_, field);
+      waiting.fields[0] = EqualityVariable(condition.id);
+      waiting.fields[1] = EqualityVariable(condition.attribute);
+      waiting.fields[2] = EqualityVariable(condition.value);
+      if (waiting.positive) {
+        AddVariable(positive_values_, waiting.fields[2]);
+        for (const std::uint32_t field : waiting.fields) {
+          AddVariable(positive_variables_, field);
         }
       }
-      ++at;
     }
   }
 
@@ -199,15 +199,16 @@ class ListReorderer {
       return;
     }
     const Symbol field = EqualitySymbol(test);
+    const std::uint32_t variable = EqualityVariable(test);
     DraftList<TestDraft> kept, equality;
     for (TestDraft* part = Parts(test, arena_).first; part != nullptr;) {
       TestDraft* const next = part->next;
       if (part->kind == TestKind::kEqual) {
         equality.Add(part);
       } else if (IsGoalTest(*part)) {
-        SaveGoalTest(field, part->kind);
+        SaveGoalTest(variable, part->kind);
       } else if (IsStrippable(part->kind)) {
-        SaveTest(field, *part);
+        SaveTest(field, variable, *part);
       } else {
         kept.Add(part);
       }
@@ -217,7 +218,7 @@ class ListReorderer {
     test = Joined(kept);
   }
 
-  void SaveGoalTest(Symbol variable, TestKind kind) {
+  void SaveGoalTest(std::uint32_t variable, TestKind kind) {
     for (const GoalTest& known : goal_tests_) {
       if (known.variable == variable && known.kind == kind) {
         return;
@@ -226,12 +227,12 @@ class ListReorderer {
     GoalTest test;
     test.variable = variable;
     test.kind = kind;
-    test.placed = variable.IsVariable() && known_goals_.Has(variables_[variable]);
+    test.placed = variable != kNoVariable && known_goals_.Has(variable);
     goal_tests_.Add(arena_.New(test));
   }
 
   /// A test that is written on several conditions with the same identifier is kept once.
-  void SaveTest(Symbol field, const TestDraft& test) {
+  void SaveTest(Symbol field, std::uint32_t variable, const TestDraft& test) {
     for (const SavedTest& known : saved_) {
       if (known.field == field && known.test == test) {
         return;
@@ -239,12 +240,13 @@ class ListReorderer {
     }
     SavedTest saved;
     saved.field = field;
+    saved.field_variable = variable;
     saved.test = test;
     saved_.Add(arena_.New(saved));
     ++unplaced_;
   }
 
-  bool IsGoalVariable(Symbol variable) const {
+  bool IsGoalVariable(std::uint32_t variable) const {
     for (const GoalTest& test : goal_tests_) {
       if (test.variable == variable) {
         return true;
@@ -258,13 +260,12 @@ class ListReorderer {
     bool any = false;
     for (std::size_t n = 0; n < count_; ++n) {
       const std::uint32_t id = waiting_[n].fields[0];
-      if (id == kNoVariable || waiting_[n].condition->kind != ConditionKind::kPositive || bound_.Has(id) ||
-          positive_values_.Has(id) || roots_.Has(id)) {
+      if (id == kNoVariable || !waiting_[n].positive || bound_.Has(id) || positive_values_.Has(id) || roots_.Has(id)) {
         continue;
       }
       roots_.Add(id);
       any = true;
-      if (!IsGoalVariable(variables_.variable(id))) {
+      if (!IsGoalVariable(id)) {
         NoteUnconnected(variables_.variable(id));
       }
     }
@@ -272,8 +273,8 @@ class ListReorderer {
       return true;
     }
     for (const GoalTest& test : goal_tests_) {
-      if (test.variable.IsVariable()) {
-        roots_.Add(variables_[test.variable]);
+      if (test.variable != kNoVariable) {
+        roots_.Add(test.variable);
         any = true;
       }
     }
@@ -292,23 +293,23 @@ class ListReorderer {
 
   void NoteNeeds() {
     for (std::size_t n = 0; n < count_; ++n) {
-      const ConditionDraft& condition = *waiting_[n].condition;
-      if (condition.kind != ConditionKind::kPositive) {
-        waiting_[n].needs = VariableBits(variables_, arena_);
-        AddVariables(condition, waiting_[n].needs);
-        waiting_[n].needs.KeepOnly(positive_variables_);
+      if (!waiting_[n].positive) {
+        Set needs(variables_, arena_);
+        AddVariables(*waiting_[n].condition, needs);
+        needs.KeepOnly(positive_variables_);
+        waiting_[n].needs = needs;
       }
     }
   }
 
-  void AddVariables(const TestDraft& test, VariableBits& out) const {
-    Add(out, NumberOf(test.referent));
+  static void AddVariables(const TestDraft& test, Set& out) {
+    AddVariable(out, test.variable);
     for (const TestDraft& part : test.parts) {
       AddVariables(part, out);
     }
   }
 
-  void AddVariables(const ConditionDraft& condition, VariableBits& out) const {
+  static void AddVariables(const ConditionDraft& condition, Set& out) {
     AddVariables(condition.id, out);
     AddVariables(condition.attribute, out);
     AddVariables(condition.value, out);
@@ -318,20 +319,13 @@ class ListReorderer {
   }
 
   std::int64_t Cost(const Waiting& waiting) const {
-    if (waiting.condition->kind != ConditionKind::kPositive) {
+    if (!waiting.positive) {
       return bound_.Covers(waiting.needs) ? 1 : kInfinite;
     }
-    if (!Known(waiting.fields[0]) && !roots_.Has(waiting.fields[0])) {
+    if (!bound_.Has(waiting.fields[0]) && !roots_.Has(waiting.fields[0])) {
       return kInfinite;
     }
-    std::int64_t cost = 1;
-    if (!Known(waiting.fields[1])) {
-      cost *= kUnboundCost;
-    }
-    if (!Known(waiting.fields[2])) {
-      cost *= kUnboundCost;
-    }
-    return cost;
+    return (bound_.Has(waiting.fields[1]) ? 1 : kUnboundCost) * (bound_.Has(waiting.fields[2]) ? 1 : kUnboundCost);
   }
 
   /// The cheapest cost among the others once `taken` has been chosen.
@@ -339,7 +333,7 @@ class ListReorderer {
     std::uint32_t added[3];
     std::size_t added_count = 0;
     for (const std::uint32_t field : waiting_[taken].fields) {
-      if (!Known(field)) {
+      if (!bound_.Has(field)) {
         bound_.Add(field);
         added[added_count++] = field;
       }
@@ -400,8 +394,8 @@ class ListReorderer {
     for (std::size_t i = 1; i < tied; ++i) {
       const ConditionDraft& held = *waiting_[incumbent].condition;
       const ConditionDraft& candidate = *waiting_[tied_[i]].condition;
-      const bool held_positive = held.kind == ConditionKind::kPositive;
-      const bool positive = candidate.kind == ConditionKind::kPositive;
+      const bool held_positive = waiting_[incumbent].positive;
+      const bool positive = waiting_[tied_[i]].positive;
       bool replace = false;
       if (look_ahead) {
         const std::int64_t ahead = LookAhead(tied_[i]);
@@ -429,13 +423,12 @@ class ListReorderer {
         CheckNegated(condition);
         return;
       case ConditionKind::kConjunctiveNegation: {
-        VariableBits inner_bound(variables_, arena_), inner_goals(variables_, arena_);
+        Set inner_bound(variables_, arena_), inner_goals(variables_, arena_);
         inner_bound.Assign(bound_);
         inner_goals.Assign(known_goals_);
         for (const GoalTest& goal : goal_tests_) {
-          const std::uint32_t variable = NumberOf(goal.variable);
-          if (variable != kNoVariable && bound_.Has(variable)) {
-            inner_goals.Add(variable);
+          if (goal.variable != kNoVariable && bound_.Has(goal.variable)) {
+            inner_goals.Add(goal.variable);
           }
         }
         ListReorderer inner(rule_name_, symbols_, variables_, arena_, inner_bound, inner_goals, out_);
@@ -446,23 +439,28 @@ class ListReorderer {
   }
 
   void PlaceField(TestDraft& test) {
-    const Symbol symbol = EqualitySymbol(test);
-    Add(bound_, NumberOf(symbol));
-    if (unplaced_ == 0) {
-      return;
+    AddVariable(bound_, EqualityVariable(test));
+    if (unplaced_ != 0) {
+      PutBack(test);
     }
+  }
+
+  /// Puts the saved tests back that can be decided now that this field is bound.
+  void PutBack(TestDraft& test) {
+    const Symbol symbol = EqualitySymbol(test);
     DraftList<TestDraft> placed;
     for (SavedTest& saved : saved_) {
       if (saved.placed) {
         continue;
       }
       const Symbol referent = saved.test.referent;
-      if (saved.field == symbol && Known(referent)) {
+      if (saved.field == symbol && bound_.Has(saved.test.variable)) {
         placed.Add(arena_.New(saved.test));
-      } else if (referent == symbol && referent.IsVariable() && Known(saved.field)) {
+      } else if (referent == symbol && referent.IsVariable() && bound_.Has(saved.field_variable)) {
         TestDraft turned = saved.test;
         turned.kind = TurnedRound(turned.kind);
         turned.referent = saved.field;
+        turned.variable = saved.field_variable;
         placed.Add(arena_.New(turned));
       } else {
         continue;
@@ -478,18 +476,18 @@ class ListReorderer {
   }
 
   void CheckNegated(const ConditionDraft& condition) {
-    VariableBits local(variables_, arena_);
+    Set local(variables_, arena_);
     for (const TestDraft* test : {&condition.id, &condition.attribute, &condition.value}) {
-      Add(local, NumberOf(EqualitySymbol(*test)));
+      AddVariable(local, EqualityVariable(*test));
       CheckReferents(*test, local);
     }
   }
 
-  void CheckReferents(const TestDraft& test, const VariableBits& local) {
+  void CheckReferents(const TestDraft& test, const Set& local) {
     for (const TestDraft& part : test.parts) {
       CheckReferents(part, local);
     }
-    if (!IsStrippable(test.kind) || Known(test.referent) || local.Has(NumberOf(test.referent))) {
+    if (!IsStrippable(test.kind) || bound_.Has(test.variable) || local.Has(test.variable)) {
       return;
     }
     std::string text;
@@ -508,8 +506,8 @@ class ListReorderer {
       if (condition.kind == ConditionKind::kPositive) {
         PlaceGoalTests(condition.id);
       } else if (condition.kind == ConditionKind::kNegative) {
-        const Symbol id = EqualitySymbol(condition.id);
-        bool known = id.IsVariable() && known_goals_.Has(variables_[id]);
+        const std::uint32_t id = EqualityVariable(condition.id);
+        bool known = id != kNoVariable && known_goals_.Has(id);
         for (const GoalTest& goal : goal_tests_) {
           known = known || (goal.placed && goal.variable == id);
         }
@@ -523,7 +521,7 @@ class ListReorderer {
   void PlaceGoalTests(TestDraft& id) {
     DraftList<TestDraft> parts;
     for (GoalTest& goal : goal_tests_) {
-      if (!goal.placed && goal.variable == EqualitySymbol(id)) {
+      if (!goal.placed && goal.variable == EqualityVariable(id)) {
         parts.Add(arena_.New(MakeTest(goal.kind)));
         goal.placed = true;
       }
@@ -538,10 +536,10 @@ class ListReorderer {
   const SymbolTable& symbols_;
   const VariableIndex& variables_;
   Arena& arena_;
-  VariableBits bound_;
-  VariableBits known_goals_;  ///< Variables that conditions around this list test to be goals.
+  Set bound_;
+  Set known_goals_;  ///< Variables that conditions around this list test to be goals.
   ReorderOutcome& out_;
-  VariableBits roots_, positive_values_, positive_variables_;
+  Set roots_, positive_values_, positive_variables_;
   std::vector<Symbol> unconnected_;  ///< Roots of this list that are no goals.
   DraftList<SavedTest> saved_;
   std::size_t unplaced_ = 0;  ///< Saved tests not put back yet.
@@ -552,14 +550,25 @@ class ListReorderer {
   bool warned_ = false;
 };
 
+template <typename Set>
+void Reorder(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols, Arena& arena,
+             ReorderOutcome& out) {
+  Set bound(variables, arena);
+  bound.Add(kNoVariable);
+  const Set goals(variables, arena);
+  ListReorderer<Set>(rule.name, symbols, variables, arena, bound, goals, out).Reorder(rule.conditions, true);
+}
+
 }  // namespace
 
 ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols,
                                  Arena& arena) {
   ReorderOutcome out;
-  const VariableBits bound(variables, arena), goals(variables, arena);
-  ListReorderer reorderer(rule.name, symbols, variables, arena, bound, goals, out);
-  reorderer.Reorder(rule.conditions, true);
+  if (variables.size() <= FewVariables::kMost) {
+    Reorder<FewVariables>(rule, variables, symbols, arena, out);
+  } else {
+    Reorder<ManyVariables>(rule, variables, symbols, arena, out);
+  }
   return out;
 }
 

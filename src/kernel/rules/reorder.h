@@ -20,7 +20,7 @@ struct ReorderOutcome {
 /// Brings a rule's conditions into match order, as Soar does (kernel_algorithms: cheapest next, one step of look-ahead,
 /// ties by creation stamps), and moves every test to the first place where both its sides are bound, turned round if
 /// need be. Relational tests that nothing binds vanish from positive conditions and are errors in negated ones.
-/// `variables` holds all variables of the conditions.
+/// `variables` has numbered all variables of the conditions.
 ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols,
                                  Arena& arena);
 

@@ -21,30 +21,39 @@ std::uint32_t VariableIndex::AddNew(Symbol variable, std::uint32_t slot) {
   return size_ - 1;
 }
 
-void VariableIndex::AddAll(const TestDraft& test) {
+void VariableIndex::Number(TestDraft& test) {
   if (test.referent.IsVariable()) {
-    Add(test.referent);
+    test.variable = Add(test.referent);
   }
-  for (const TestDraft& part : test.parts) {
-    AddAll(part);
-  }
-}
-
-void VariableIndex::AddAll(const DraftList<ConditionDraft>& conditions) {
-  for (const ConditionDraft& condition : conditions) {
-    AddAll(condition.id);
-    AddAll(condition.attribute);
-    AddAll(condition.value);
-    AddAll(condition.conditions);
+  for (TestDraft& part : test.parts) {
+    Number(part);
   }
 }
 
-void VariableIndex::AddAll(const ValueDraft& value) {
+void VariableIndex::Number(ValueDraft& value) {
   if (value.symbol.IsVariable()) {
-    Add(value.symbol);
+    value.variable = Add(value.symbol);
   }
-  for (const ValueDraft& argument : value.arguments) {
-    AddAll(argument);
+  for (ValueDraft& argument : value.arguments) {
+    Number(argument);
+  }
+}
+
+void VariableIndex::NumberAll(const DraftList<ConditionDraft>& conditions) {
+  for (ConditionDraft& condition : conditions) {
+    Number(condition.id);
+    Number(condition.attribute);
+    Number(condition.value);
+    NumberAll(condition.conditions);
+  }
+}
+
+void VariableIndex::NumberAll(const DraftList<ActionDraft>& actions) {
+  for (ActionDraft& action : actions) {
+    Number(action.id);
+    Number(action.attribute);
+    Number(action.value);
+    Number(action.referent);
   }
 }
 

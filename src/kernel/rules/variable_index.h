@@ -26,12 +26,10 @@ class VariableIndex {
     }
     return AddNew(variable, slot);
   }
-  void AddAll(const TestDraft& test);
-  void AddAll(const DraftList<ConditionDraft>& conditions);
-  void AddAll(const ValueDraft& value);
+  /// Number all variables of a draft and write the numbers into it.
+  void NumberAll(const DraftList<ConditionDraft>& conditions);
+  void NumberAll(const DraftList<ActionDraft>& actions);
 
-  /// The number of a variable that has one.
-  std::uint32_t operator[](Symbol variable) const { return slots_[Slot(variable)] - 1u; }
   std::uint32_t size() const { return size_; }
   Symbol variable(std::uint32_t number) const { return number < kFirst ? first_[number] : more_[number - kFirst]; }
 
@@ -47,6 +45,8 @@ class VariableIndex {
     return slot;
   }
   std::uint32_t AddNew(Symbol variable, std::uint32_t slot);
+  void Number(TestDraft& test);
+  void Number(ValueDraft& value);
 
   std::uint32_t size_ = 0;
   std::uint32_t mask_ = kFirstSlots - 1;
@@ -57,17 +57,38 @@ class VariableIndex {
   std::vector<std::uint32_t> more_slots_;
 };
 
-/// A set of the variables of one rule. Copies share their members: use Assign.
-class VariableBits {
+/// A set of the variables of a rule that has few: the usual case.
+class FewVariables {
  public:
-  VariableBits() = default;
-  VariableBits(const VariableIndex& index, Arena& arena)
-      : words_(arena.NewArray<std::uint64_t>(WordsFor(index))), count_(WordsFor(index)) {}
+  static constexpr std::uint32_t kMost = 63;
 
-  bool Has(std::uint32_t variable) const { return (words_[variable / 64] >> (variable % 64) & 1u) != 0; }
-  void Add(std::uint32_t variable) { words_[variable / 64] |= std::uint64_t{1} << (variable % 64); }
-  void Remove(std::uint32_t variable) { words_[variable / 64] &= ~(std::uint64_t{1} << (variable % 64)); }
-  bool Covers(const VariableBits& other) const {
+  FewVariables(const VariableIndex&, Arena&) {}
+
+  /// kNoVariable stands for the last bit, which is set in sets of bound variables only.
+  bool Has(std::uint32_t variable) const { return (bits_ >> (variable % 64) & 1u) != 0; }
+  void Add(std::uint32_t variable) { bits_ |= std::uint64_t{1} << (variable % 64); }
+  void Remove(std::uint32_t variable) { bits_ &= ~(std::uint64_t{1} << (variable % 64)); }
+  bool Covers(const FewVariables& other) const { return (other.bits_ & ~bits_) == 0; }
+  void KeepOnly(const FewVariables& other) { bits_ &= other.bits_; }
+  void Assign(const FewVariables& other) { bits_ = other.bits_; }
+
+ private:
+  std::uint64_t bits_ = 0;
+};
+
+/// The same for any number of variables. Copies share their members: use Assign.
+class ManyVariables {
+ public:
+  ManyVariables(const VariableIndex& index, Arena& arena)
+      : last_(index.size()), count_(index.size() / 64 + 1), words_(arena.NewArray<std::uint64_t>(count_)) {}
+
+  bool Has(std::uint32_t variable) const {
+    const std::uint32_t bit = Bit(variable);
+    return (words_[bit / 64] >> (bit % 64) & 1u) != 0;
+  }
+  void Add(std::uint32_t variable) { words_[Bit(variable) / 64] |= std::uint64_t{1} << (Bit(variable) % 64); }
+  void Remove(std::uint32_t variable) { words_[Bit(variable) / 64] &= ~(std::uint64_t{1} << (Bit(variable) % 64)); }
+  bool Covers(const ManyVariables& other) const {
     for (std::size_t n = 0; n < count_; ++n) {
       if ((other.words_[n] & ~words_[n]) != 0) {
         return false;
@@ -75,18 +96,19 @@ class VariableBits {
     }
     return true;
   }
-  void KeepOnly(const VariableBits& other) {
+  void KeepOnly(const ManyVariables& other) {
     for (std::size_t n = 0; n < count_; ++n) {
       words_[n] &= other.words_[n];
     }
   }
-  void Assign(const VariableBits& other) { std::copy_n(other.words_, count_, words_); }
+  void Assign(const ManyVariables& other) { std::copy_n(other.words_, count_, words_); }
 
  private:
-  static std::size_t WordsFor(const VariableIndex& index) { return index.size() / 64 + 1; }
+  std::uint32_t Bit(std::uint32_t variable) const { return std::min(variable, last_); }
 
-  std::uint64_t* words_ = nullptr;
-  std::size_t count_ = 0;
+  std::uint32_t last_;
+  std::size_t count_;
+  std::uint64_t* words_;
 };
 
 }  // namespace soarbox::kernel
