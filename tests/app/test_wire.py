@@ -197,6 +197,20 @@ class RemoteMinds(Case):
         self.assertEqual(first.interrupt(), 0)
 
 
+class Pieces(Case):
+    def test_a_client_that_sends_lengths_by_themselves_waits_for_no_delayed_acknowledgement(self):
+        port = free_port()
+        self.start_kernel(port)
+        call = frame('<sml doctype="call" id="1" smlversion="9.6.3"><command name="version"></command></sml>')
+        with socket.create_connection(("127.0.0.1", port), timeout=20) as client:
+            begun = time.monotonic()
+            for _ in range(100):
+                client.sendall(call[:4])
+                client.sendall(call[4:])
+                self.assertIn(b"9.6.3", client.recv(4096))
+            self.assertLess(time.monotonic() - begun, 2.0, "40 ms each are 4 s")
+
+
 class Trace(Case):
     def test_trace_that_a_client_does_not_take_is_dropped_and_counted(self):
         port = free_port()

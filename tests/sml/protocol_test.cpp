@@ -46,6 +46,13 @@ struct Client {
     Send(document);
     return Receive();
   }
+  /// Answers an event.
+  void Answer(const std::string& document) {
+    const auto message = soarbox::wire::ReadMessage(document);
+    Message response = soarbox::wire::MakeResponse(message.value().id);
+    response.id = std::to_string(next_id++);
+    Send(ToDocument(response));
+  }
   /// Sends <command ...>...</command> and returns what stands in the response.
   std::string Ask(const std::string& command) {
     const std::string id = std::to_string(next_id++);
@@ -57,9 +64,7 @@ struct Client {
       EXPECT_TRUE(message.ok()) << document;
       if (message.value().type == soarbox::wire::DocType::kCall) {
         events.push_back(document);
-        Message response = soarbox::wire::MakeResponse(message.value().id);
-        response.id = std::to_string(next_id++);
-        Send(ToDocument(response));
+        Answer(document);
         continue;
       }
       if (message.value().ack != id) continue;
@@ -203,6 +208,9 @@ TEST(Protocol, AClientThatNeverAnswersStallsTheKernelOnceAndForALimitedTime) {
   Server server;
   server.kernel->CreateAgent("hal");
   Client silent(server.port());
+  silent.Ask(
+      "<command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
+      "param=\"eventid\">output-phase</arg></command>");
   silent.Exchange(
       "<sml doctype=\"call\" id=\"0\"><command name=\"register_for_event\"><arg param=\"agent\">hal</arg><arg "
       "param=\"eventid\">after-decision-cycle</arg></command></sml>");
@@ -212,6 +220,50 @@ TEST(Protocol, AClientThatNeverAnswersStallsTheKernelOnceAndForALimitedTime) {
   server.kernel->GetAgent("hal")->RunSelf(20);
   EXPECT_LT(std::chrono::steady_clock::now() - start, milliseconds(4000));
   EXPECT_EQ(server.kernel->GetAgent("hal")->GetDecisionCycleCounter(), 20);
+}
+
+/// The name of an event; empty if the document is none.
+std::string EventOf(const std::string& document) {
+  const auto message = soarbox::wire::ReadMessage(document);
+  const auto* command = message.ok() ? message.value().Command() : nullptr;
+  const std::string* event = command ? command->Arg("eventid") : nullptr;
+  return event ? *event : std::string();
+}
+
+TEST(Protocol, AClientThatOnlyWatchesHoldsUpNoRunAndHearsOfWhatItMissedOnceAndInOrder) {
+  Server server;
+  sml::Agent* agent = server.kernel->CreateAgent("hal");
+  agent->ExecuteCommandLine(kCounterRules);
+  Client watcher(server.port());
+  for (const char* event : {"system-start", "system-stop"}) {
+    watcher.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">" + std::string(event) + "</arg></command>");
+  }
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 20; ++i) agent->RunSelf(1);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, milliseconds(1500)) << "less than a single wait";
+  std::vector<std::string> heard;
+  for (std::string document = watcher.Receive(); !document.empty(); document = watcher.Receive(milliseconds(300))) {
+    heard.push_back(EventOf(document));
+    watcher.Answer(document);
+  }
+  EXPECT_EQ(heard, (std::vector<std::string>{"system-start", "system-start", "system-stop"}));
+}
+
+TEST(Protocol, AnAnswerThatAnEventMayHaveCrossedIsSentOnceMore) {
+  Server server;
+  sml::Agent* agent = server.kernel->CreateAgent("hal");
+  Client client(server.port());
+  client.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">system-start</arg></command>");
+  agent->RunSelf(1);
+  const std::string event = client.Receive();
+  ASSERT_EQ(EventOf(event), "system-start");
+  const std::string outer = client.Exchange("<sml doctype=\"call\" id=\"outer\"><command name=\"version\"></command></sml>");
+  EXPECT_NE(outer.find("ack=\"outer\""), std::string::npos);
+  const std::string inner = client.Exchange("<sml doctype=\"call\" id=\"inner\"><command name=\"is_running\"></command></sml>");
+  EXPECT_NE(inner.find("ack=\"inner\""), std::string::npos);
+  client.Answer(event);
+  EXPECT_EQ(client.Receive(), outer);
+  EXPECT_EQ(client.Receive(milliseconds(300)), "");
 }
 
 TEST(Protocol, AClientThatLeavesInTheMiddleOfARunIsForgotten) {

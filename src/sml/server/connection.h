@@ -52,6 +52,7 @@ class Connection {
   ConnectionInfo info;
   EventSet kernel_events;           ///< Registered events that belong to no agent.
   long long initial_time_tag = 0;   ///< 0: has not asked.
+  bool takes_part = false;          ///< Takes output or makes input: more than a watcher.
 
   virtual bool embedded() const = 0;
 

@@ -121,6 +121,7 @@ void Input(Request& request) {
   for (const wire::Element& child : request.command.children) {
     if (child.tag == "wme") wmes.push_back(ReadWme(child));
   }
+  if (!wmes.empty()) request.from.takes_part = true;
   AgentInput& input = request.agent->input();
   for (const InputWme& wme : wmes) {
     if (wme.add) {
@@ -187,6 +188,7 @@ void ChangeRegistration(Request& request, bool add) {
   if (of_agent && !request.agent) return request.Fail("No agent name for an event that is handled by an agent");
   HostedAgent* agent = of_agent ? request.agent : nullptr;
   if (add) {
+    request.from.takes_part = request.from.takes_part || IsWorkingMemoryEventID(event);
     request.host.Register(request.from, agent, event);
   } else {
     request.host.Unregister(request.from, agent, event);

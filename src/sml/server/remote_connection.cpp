@@ -24,7 +24,12 @@ wire::Element& Command(wire::Message& message) { return message.root.children.fr
 bool RemoteConnection::IsIdleAnswer(std::string_view document) const {
   const std::string_view root = document.substr(0, document.find('>'));
   if (root.find(" doctype=\"response\"") == std::string_view::npos) return false;
-  return root.find(" ack=\"" + awaited_id_ + '"') == std::string_view::npos;
+  constexpr std::string_view kAck = " ack=\"";
+  const std::size_t found = root.find(kAck);
+  if (found == std::string_view::npos) return true;
+  const std::string_view rest = root.substr(found + kAck.size());
+  const std::string_view ack = rest.substr(0, rest.find('"'));
+  return ack != awaited_id_ && ack != notice_id_ && !open_events_.Has(ack);
 }
 
 RemoteConnection::RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel,
@@ -51,16 +56,62 @@ void RemoteConnection::Handle(const wire::Message& message) {
   switch (message.type) {
     case wire::DocType::kNotify: return;
     case wire::DocType::kResponse:
-      if (message.ack.empty() || message.ack != awaited_id_) return;
-      slow_ = false;
-      answer_ = message;
+      if (message.ack.empty()) return;
+      if (message.ack == awaited_id_) {
+        slow_ = false;
+        answer_ = message;
+      }
+      Answered(message.ack);
       return;
     case wire::DocType::kCall: break;
   }
   wire::Message response = wire::MakeResponse(message.id);
   response.id = NextId();
+  ++serving_;
   Dispatcher(host_, *this).Handle(message, response);
-  channel_->Send(wire::ToDocument(response));
+  --serving_;
+  const std::string document = wire::ToDocument(response);
+  if (serving_ == 0) open_events_.Called(document);
+  channel_->Send(document);
+  if (serving_ == 0) SendNotice();
+}
+
+void RemoteConnection::Answered(const std::string& id) {
+  if (const std::string again = open_events_.Answered(id); !again.empty()) channel_->Send(again);
+  if (id == notice_id_) notice_id_.clear();
+  if (serving_ == 0) SendNotice();
+}
+
+wire::Message RemoteConnection::NoticeCall(const Notice& notice) {
+  wire::Message call = EventCall();
+  wire::Element& command = Command(call);
+  if (!notice.agent.empty()) command.AddArg("agent", notice.agent);
+  command.AddArg("eventid", EventName(notice.event));
+  if (!notice.parameter.empty()) command.AddArg(std::string(notice.parameter), std::to_string(notice.value));
+  return call;
+}
+
+void RemoteConnection::Announce(Notice notice) {
+  std::erase_if(notices_, [&](const Notice& old) { return old.event == notice.event && old.agent == notice.agent; });
+  if (!slow_ && (takes_part || serving_ > 0)) {
+    wire::Message call = NoticeCall(notice);
+    Call(call, Wait::kForAnswer);
+    return;
+  }
+  notices_.push_back(std::move(notice));
+  SendNotice();
+}
+
+void RemoteConnection::SendNotice() {
+  if (slow_ || !notice_id_.empty()) return;
+  // What happens again and again must not keep the others back, and what happened last is told last.
+  if (round_.empty()) round_.swap(notices_);
+  if (round_.empty()) return;
+  wire::Message call = NoticeCall(round_.front());
+  round_.erase(round_.begin());
+  call.id = notice_id_ = NextId();
+  open_events_.Sent(call.id);
+  channel_->Send(wire::ToDocument(call));
 }
 
 std::optional<wire::Message> RemoteConnection::Call(wire::Message& call, Wait wait, bool droppable) {
@@ -70,6 +121,7 @@ std::optional<wire::Message> RemoteConnection::Call(wire::Message& call, Wait wa
   const std::string id = call.id;
   awaited_id_ = id;
   answer_.reset();
+  if (serving_ == 0) open_events_.Sent(id);
   if (slow_) return std::nullopt;
   const auto end = std::chrono::steady_clock::now() + timeout_;
   std::string document;
@@ -80,7 +132,10 @@ std::optional<wire::Message> RemoteConnection::Call(wire::Message& call, Wait wa
     if (!message) continue;
     // An event inside an event waits for an answer of its own; this one's is then awaited again.
     const std::string awaited = awaited_id_;
-    if (message.value().type == wire::DocType::kResponse && message.value().ack == id) return message.value();
+    if (message.value().type == wire::DocType::kResponse && message.value().ack == id) {
+      Answered(id);
+      return message.value();
+    }
     Handle(message.value());
     awaited_id_ = awaited;
   }
@@ -115,28 +170,23 @@ void RemoteConnection::SendTrace(HostedAgent& agent, int event, std::string_view
   if (channel_->dropped() == before) told_dropped_ = before;
 }
 
-void RemoteConnection::OnSystemEvent(int event) {
-  wire::Message call = EventCall();
-  Command(call).AddArg("eventid", EventName(event));
-  Call(call, Wait::kForAnswer);
-}
+void RemoteConnection::OnSystemEvent(int event) { Announce({event, {}, {}, 0}); }
 
-void RemoteConnection::OnUpdateEvent(int event, int run_flags) {
-  wire::Message call = EventCall();
-  Command(call).AddArg("eventid", EventName(event)).AddArg("value", std::to_string(run_flags));
-  Call(call, Wait::kForAnswer);
-}
+void RemoteConnection::OnUpdateEvent(int event, int run_flags) { Announce({event, {}, "value", run_flags}); }
 
 void RemoteConnection::OnAgentEvent(HostedAgent& agent, int event) {
+  if (event == smlEVENT_BEFORE_AGENT_DESTROYED) {
+    const auto of_agent = [&](const Notice& notice) { return notice.agent == agent.name(); };
+    std::erase_if(notices_, of_agent);
+    std::erase_if(round_, of_agent);
+  }
   wire::Message call = EventCall();
   Command(call).AddArg("name", agent.name()).AddArg("eventid", EventName(event));
   Call(call, Wait::kForAnswer);
 }
 
 void RemoteConnection::OnRunEvent(HostedAgent& agent, int event, int phase) {
-  wire::Message call = EventCall();
-  Command(call).AddArg("agent", agent.name()).AddArg("eventid", EventName(event)).AddArg("phase", std::to_string(phase));
-  Call(call, Wait::kForAnswer);
+  Announce({event, agent.name(), "phase", phase});
 }
 
 void RemoteConnection::OnProductionEvent(HostedAgent& agent, int event, std::string_view name) {

@@ -7,8 +7,10 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sml/server/connection.h"
+#include "sml/server/open_events.h"
 #include "sml/wire/channel.h"
 #include "sml/wire/message.h"
 
@@ -21,6 +23,10 @@ class KernelHost;
 /// Events whose handlers may change the agent (runs, output, agents coming and going) wait for the client's answer, as
 /// in Soar, but only until the time-out: then the client counts as slow and is not waited for until it has answered the
 /// last of them. Text and trace never wait, and are dropped when they pile up; the next that gets through tells how many.
+///
+/// A client that only watches (it takes no output and makes no input, as a debugger) does not hold up a run that it has
+/// not started itself: of the events that come with every decision it is sent the next one when it has answered the one
+/// before, and each kind waits once, however often it happened meanwhile. The same goes for a slow client.
 class RemoteConnection : public Connection {
  public:
   RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel, std::chrono::milliseconds answer_timeout);
@@ -52,12 +58,27 @@ class RemoteConnection : public Connection {
  private:
   enum class Wait { kNo, kForAnswer };
 
+  /// An event that comes with every run, phase or decision.
+  struct Notice {
+    int event = 0;
+    std::string agent;            ///< Empty: of the kernel.
+    std::string_view parameter;   ///< What `value` is called; empty: there is none.
+    int value = 0;
+  };
+
   std::string NextId() { return std::to_string(next_id_++); }
   void Handle(const wire::Message& message);
   /// An answer that nobody waits for, as to each piece of trace; told without parsing it.
   bool IsIdleAnswer(std::string_view document) const;
   /// Sends a call; with kForAnswer, serves the client until its answer is there. The answer, if one came.
   std::optional<wire::Message> Call(wire::Message& call, Wait wait, bool droppable = false);
+  /// Sends a notice, or keeps it for later; see above.
+  void Announce(Notice notice);
+  /// Sends the next of the notices that wait, unless the client has yet to answer the last one.
+  void SendNotice();
+  /// The client has answered an event.
+  void Answered(const std::string& id);
+  static wire::Message NoticeCall(const Notice& notice);
   /// Says how many messages were dropped since that was last said; empty if none.
   std::string DroppedNote() const;
   /// Sends text or trace, together with more of the same if more comes soon. `note` turns the note about dropped messages
@@ -72,6 +93,11 @@ class RemoteConnection : public Connection {
   std::uint64_t next_id_ = 0;
   std::string awaited_id_;                ///< Of the last call that is waited for; slow until it is answered.
   std::optional<wire::Message> answer_;   ///< To the awaited call.
+  OpenEvents open_events_;
+  std::vector<Notice> notices_;           ///< That wait, in the order in which they happened last.
+  std::vector<Notice> round_;             ///< Those of them that are being sent, one after another.
+  std::string notice_id_;                 ///< Of the notice that was sent and not answered; empty: none.
+  int serving_ = 0;                       ///< How many of the client's calls are being carried out, one in another.
   bool slow_ = false;
   bool gone_ = false;
   unsigned long long told_dropped_ = 0;   ///< How many of the dropped messages the client knows of.
