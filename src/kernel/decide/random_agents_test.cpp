@@ -146,7 +146,14 @@ class RandomCase {
   std::uint64_t matches_ = 0;
 };
 
+#ifdef SOARBOX_CHECK_INVARIANTS
+constexpr std::uint32_t kSlowness = 20;  // Sanitizers, and the invariants once more after each phase.
+#else
+constexpr std::uint32_t kSlowness = 1;
+#endif
+
 void RunSeeds(std::uint32_t first, std::uint32_t count, bool change_rules) {
+  count /= kSlowness;
   Tally tally;
   for (std::uint32_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
     RandomCase(seed, change_rules).Run(40, tally);
