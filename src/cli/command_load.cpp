@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/interpreter.h"
 #include "cli/load_image.h"
+#include "cli/percepts.h"
 #include "cli/source_run.h"
 
 namespace soarbox::cli {
@@ -165,8 +166,49 @@ bool LoadRete(CommandCall& call) {
 bool LoadPercepts(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kLoadSubcommands[3].options, parsed)) return false;
-  if (parsed.Has('o')) return call.Fail("Recorded input is not available in this build.");
-  if (!parsed.Has('c')) call.Out("closed");
+  if (!parsed.arguments.empty()) return call.Fail("Syntax: load percepts [--open <filename> | --close]");
+  std::unique_ptr<PerceptPlayer>& player = call.session.percept_player();
+  const bool playing = player && player->playing();
+  if (parsed.Has('c')) {
+    if (!player) return call.Fail("Input is not being replayed: begin with 'load percepts --open FILE'.");
+    if (call.interpreter.host().IsRunning(call.session)) {
+      return call.Fail("The replay of input cannot be ended while the agent runs.");
+    }
+    player.reset();
+    return true;
+  }
+  if (!parsed.Has('o')) {
+    call.Out(playing ? "open" : "closed");
+    return true;
+  }
+  if (playing) return call.Fail("Input is being replayed already: end that with 'load percepts --close'.");
+  if (call.session.percept_recorder()) {
+    return call.Fail("Input is being recorded: end that with 'save percepts --close' before a replay.");
+  }
+  if (call.interpreter.host().IsRunning(call.session)) {
+    return call.Fail("A replay of input cannot begin while the agent runs.");
+  }
+  const std::string file = *parsed.Argument('o');
+  std::error_code error;
+  const std::filesystem::path path = call.interpreter.Resolve(file);
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path, error)) return call.Fail("Failed to open file for reading: " + file);
+  std::ostringstream content;
+  content << in.rdbuf();
+  Result<PerceptFile> read = ReadPercepts(std::move(content).str(), file);
+  if (!read) {
+    call.Fail(fmt::format("{}:{}: {}", file, read.error().line, read.error().message));
+    call.result.diagnostics.back() = read.error();
+    return false;
+  }
+  const std::size_t changes = read->changes;
+  player.reset();
+  player = std::make_unique<PerceptPlayer>(call.agent(), *std::move(read),
+                                           [&session = call.session](const std::string& line) {
+                                             session.stream().FreshLine();
+                                             session.stream().Print(line + "\n");
+                                           });
+  call.Out(fmt::format("Loaded {} actions.", changes));
   return true;
 }
 
@@ -199,7 +241,8 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"library", "NAME [ARGUMENTS]", "loads a library", {}, LoadLibrary},
     {"rete-network", "--load FILE", "replaces all rules by those of an image, and initialises the agent", kReteOptions,
      LoadRete},
-    {"percepts", "[--open FILE | --close]", "replays recorded input", kPerceptsOptions, LoadPercepts},
+    {"percepts", "[--open FILE | --close]", "replays recorded input in the place of clients'", kPerceptsOptions,
+     LoadPercepts},
     {"?", "", "an overview of the sub-commands", {}, Help},
     {"help", "", "an overview of the sub-commands", {}, Help},
 };

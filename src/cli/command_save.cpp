@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/interpreter.h"
 #include "cli/load_image.h"
+#include "cli/percepts.h"
 #include "cli/rule_text.h"
 #include "cli/setting_store.h"
 #include "cli/summary.h"
@@ -93,8 +94,36 @@ bool SaveChunks(CommandCall& call) {
 bool SavePercepts(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kSaveSubcommands[2].options, parsed)) return false;
-  if (parsed.Has('o')) return call.Fail("Recording of input is not available in this build.");
-  if (!parsed.Has('c')) call.Out("closed");
+  if (!parsed.arguments.empty()) return call.Fail("Syntax: save percepts [--open <filename> | --close | --flush]");
+  std::unique_ptr<PerceptRecorder>& recorder = call.session.percept_recorder();
+  if (parsed.Has('o')) {
+    const std::string file = *parsed.Argument('o');
+    if (recorder) return call.Fail("Input is being recorded already: end that with 'save percepts --close'.");
+    if (call.session.percept_player()) {
+      return call.Fail("Input is being replayed: end that with 'load percepts --close' before recording.");
+    }
+    auto opened = std::make_unique<PerceptRecorder>(call.agent(), call.interpreter.Resolve(file).string());
+    if (!opened->good()) return call.Fail("Failed to open file for writing: " + file);
+    recorder = std::move(opened);
+    call.Out(fmt::format("Capturing input with random seed: {}", recorder->seed()));
+    return true;
+  }
+  if (!parsed.Has('c') && !parsed.Has('f')) {
+    call.Out(recorder ? "open" : "closed");
+    return true;
+  }
+  if (!recorder) return call.Fail("Input is not being recorded: begin with 'save percepts --open FILE'.");
+  if (parsed.Has('f')) {
+    recorder->Flush();
+    if (!recorder->good()) return call.Fail("The recorded input could not be written: the disk may be full.");
+  }
+  if (parsed.Has('c')) {
+    const bool written = recorder->Close();
+    const std::uint64_t changes = recorder->changes();
+    recorder.reset();
+    if (!written) return call.Fail("The recorded input could not be written: the disk may be full.");
+    call.Out(fmt::format("Captured {} actions.", changes));
+  }
   return true;
 }
 
@@ -130,7 +159,8 @@ constexpr OptionSpec kReteOptions[] = {{'s', "save", OptionArgument::kRequired, 
 constexpr SubcommandInfo kSubcommands[] = {
     {"agent", "FILE", "writes the agent's settings and rules to a file that can be sourced", {}, SaveAgent},
     {"chunks", "FILE", "writes learned rules to a file", {}, SaveChunks},
-    {"percepts", "[--open FILE | --close | --flush]", "records input", kPerceptsOptions, SavePercepts},
+    {"percepts", "[--open FILE | --close | --flush]", "records what clients put on the input link", kPerceptsOptions,
+     SavePercepts},
     {"rete-network", "--save FILE", "writes an image of the rules, which loads faster than their text", kReteOptions,
      SaveRete},
     {"?", "", "an overview of the sub-commands", {}, Help},

@@ -63,7 +63,10 @@ std::span<const CommandInfo> Commands() {
        {},
        kLoadSubcommands,
        "After a command that fails the file goes on, so that all its errors are reported at once. `source FILE` is "
-       "short for `load file FILE`."},
+       "short for `load file FILE`. A replay of input begins the random numbers with the recording's seed; until it "
+       "has "
+       "come to its end, what clients put on the input link is dropped. Replay into an agent with the same rules, from "
+       "the same beginning: the replay says when the two runs part."},
       {"ls", "", "lists the current directory", CommandLs},
       {"output", "[SETTING [VALUE]]", "what is printed, and where it goes", CommandOutput, {}, kOutputSubcommands},
       {"popd", "", "goes back to the directory that pushd left", CommandPopd},
@@ -107,7 +110,15 @@ std::span<const CommandInfo> Commands() {
        "Without a count and a unit it runs until something stops it; a unit alone counts to one; a count alone counts "
        "decisions. A run by decisions stops before the phase that `soar stop-phase` names. All agents of the kernel "
        "run, unless --self is given. `run 0` goes on to the stop phase only."},
-      {"save", "SUBCOMMAND", "writes rules and settings to files", CommandSave, {}, kSaveSubcommands},
+      {"save",
+       "SUBCOMMAND",
+       "writes rules, settings and input to files",
+       CommandSave,
+       {},
+       kSaveSubcommands,
+       "An image of rules cannot be written while there are justifications. A recording of input begins the agent's "
+       "random numbers anew and keeps their seed. It holds what clients change on the input link, cycle by cycle; "
+       "`wm add` and `wm remove` are commands, and not in it."},
       {"smem",
        "[OPTIONS]",
        "settings of semantic memory",

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "cli/percepts.h"
 #include "cli/setting_store.h"
 #include "cli/stack_printer.h"
 #include "cli/trace_printer.h"

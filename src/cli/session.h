@@ -17,6 +17,8 @@ class Agent;
 
 namespace soarbox::cli {
 
+class PerceptPlayer;
+class PerceptRecorder;
 class TracePrinter;
 class SettingStore;
 
@@ -69,6 +71,10 @@ class Session {
   /// `production optimize-attribute`: how many values of an attribute to expect.
   std::map<std::string, std::int64_t>& multi_attributes() { return multi_attributes_; }
 
+  /// `save percepts` and `load percepts`: at most one of them is there.
+  std::unique_ptr<PerceptRecorder>& percept_recorder() { return percept_recorder_; }
+  std::unique_ptr<PerceptPlayer>& percept_player() { return percept_player_; }
+
   /// `output log`: every text and every command line also goes into a file.
   bool OpenLog(const std::string& path, bool append);
   void CloseLog();
@@ -88,6 +94,8 @@ class Session {
   std::vector<std::string> watched_rules_;
   std::map<std::string, std::int64_t> multi_attributes_;
   std::unique_ptr<LogFile> log_;
+  std::unique_ptr<PerceptRecorder> percept_recorder_;
+  std::unique_ptr<PerceptPlayer> percept_player_;
   std::unique_ptr<TracePrinter> trace_printer_;
 };
 

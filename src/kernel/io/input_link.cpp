@@ -2,6 +2,7 @@
 #include "kernel/io/input_link.h"
 
 #include "kernel/decide/engine.h"
+#include "kernel/io/input_tap.h"
 
 namespace soarbox::kernel {
 
@@ -155,14 +156,55 @@ void InputLink::ReleaseIfDone(std::uint32_t place) {
 // The input phase -----------------------------------------------------------------------------------------------------
 
 void InputLink::Apply() {
+  if (tap_ != nullptr) [[unlikely]] {
+    ApplyTapped();
+    return;
+  }
+  for (std::size_t n = 0; n < pending_.size(); ++n) ApplyChange(pending_[n]);
+  pending_.clear();
+}
+
+void InputLink::ApplyChange(const Pending& buffered) {
+  const Pending change = buffered;
+  if (change.change == Change::kAdd) {
+    MakeElement(change);
+  } else if (const WmeId wme = elements_[change.element].wme; wme != WmeId::kNone) {
+    // (The element may have gone already, with the structure that it hung on.)
+    engine_.changes.Lose(wme);
+  }
+  --elements_[change.element].buffered;
+  ReleaseIfDone(change.element);
+}
+
+void InputLink::ApplyTapped() {
+  tap_->OnInputPhase(*this);
+  const auto describe = [this](WmeId wme, InputChange& told) {
+    const kernel::Wme& content = engine_.memory.wme(wme);
+    told.timetag = content.timetag;
+    told.id = content.id;
+    told.attribute = content.attribute;
+    told.value = content.value;
+  };
   for (std::size_t n = 0; n < pending_.size(); ++n) {
     const Pending change = pending_[n];
-    if (change.change == Change::kAdd) {
-      MakeElement(change);
-    } else if (const WmeId wme = elements_[change.element].wme; wme != WmeId::kNone) {
-      // (The element may have gone already, with the structure that it hung on.)
-      engine_.changes.Lose(wme);
+    InputChange told;
+    told.added = change.change == Change::kAdd;
+    const WmeId before = elements_[change.element].wme;
+    if (told.added) {
+      const Object* object = Find(change.object);
+      told.new_identifier = object != nullptr && !object->identifier;
+    } else if (before != WmeId::kNone) {
+      describe(before, told);
     }
+    ApplyChange(change);
+    if (const WmeId made = elements_[change.element].wme; told.added && made != before) describe(made, told);
+    if (told.timetag != 0) tap_->OnInputChange(told);
+  }
+  pending_.clear();
+}
+
+void InputLink::DropPending() {
+  for (const Pending& change : pending_) {
     --elements_[change.element].buffered;
     ReleaseIfDone(change.element);
   }
@@ -208,6 +250,7 @@ void InputLink::IdentifierGone(Symbol identifier) {
 }
 
 void InputLink::Reset() {
+  if (tap_ != nullptr) tap_->OnInputReset();
   objects_.clear();
   free_objects_.clear();
   elements_.clear();

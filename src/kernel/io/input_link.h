@@ -23,6 +23,7 @@ enum class InputElement : std::uint32_t { kNone = 0xFFFFFFFFu };
 using InputValue = std::variant<std::string_view, std::int64_t, double, InputObject>;
 
 struct Engine;
+class InputTap;
 
 /// What clients put on the input link. Calls only buffer: the changes are made in the next input phase, in call order,
 /// which gives the time tags. An element that is made and removed between two input phases uses up a time tag (as in
@@ -59,6 +60,12 @@ class InputLink {
       if (element.live && element.tag != 0) visit(HandleOf(place), element.wme, element.tag);
     }
   }
+
+  /// Who records or replays input (input_tap.h); null for nobody. Not owned: taken away before it dies.
+  void SetTap(InputTap* tap) { tap_ = tap; }
+  InputTap* tap() const { return tap_; }
+  /// Forgets the buffered changes. Handles of elements that they would have made are void.
+  void DropPending();
 
   /// For the engine: makes the buffered changes (input phase); forgets everything (init-soar); learns that working
   /// memory dropped an element or an identifier; calls `mark` for each symbol that is needed.
@@ -117,10 +124,13 @@ class InputLink {
   void BufferAdd(std::uint32_t place, const InputValue& value);
   void BufferRemove(std::uint32_t place);
   void MakeElement(const Pending& change);
+  void ApplyChange(const Pending& change);
+  [[gnu::noinline]] void ApplyTapped();
   void Void(Element& element);
   void ReleaseIfDone(std::uint32_t place);
 
   Engine& engine_;
+  InputTap* tap_ = nullptr;
   std::vector<Object> objects_;
   std::vector<std::uint32_t> free_objects_;
   std::vector<Element> elements_;
