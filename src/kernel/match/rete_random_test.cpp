@@ -141,7 +141,7 @@ class RandomCase {
 };
 
 #ifdef SOARBOX_CHECK_INVARIANTS
-constexpr std::uint32_t kSlowness = 20;  // Such builds have sanitizers as well.
+constexpr std::uint32_t kSlowness = 10;  // Such builds have sanitizers as well.
 #else
 constexpr std::uint32_t kSlowness = 1;
 #endif
