@@ -242,7 +242,7 @@ TEST(Protocol, AClientThatOnlyWatchesHoldsUpNoRunAndHearsOfWhatItMissedOnceAndIn
   for (int i = 0; i < 20; ++i) agent->RunSelf(1);
   EXPECT_LT(std::chrono::steady_clock::now() - start, milliseconds(1500)) << "less than a single wait";
   std::vector<std::string> heard;
-  for (std::string document = watcher.Receive(); !document.empty(); document = watcher.Receive(milliseconds(300))) {
+  for (std::string document = watcher.Receive(); !document.empty(); document = watcher.Receive(milliseconds(1000))) {
     heard.push_back(EventOf(document));
     watcher.Answer(document);
   }

@@ -13,6 +13,9 @@ using namespace ::sml;
 
 namespace {
 
+/// A debugger that brings all of its windows up to date needs about so long.
+constexpr std::chrono::milliseconds kRoundPause{500};
+
 std::string EventName(int event) { return Events().ConvertToString(event); }
 
 wire::Message EventCall() { return wire::MakeCall("event"); }
@@ -48,6 +51,7 @@ bool RemoteConnection::Serve() {
     if (IsIdleAnswer(document)) continue;
     if (const Result<wire::Message> message = wire::ReadMessage(document)) Handle(message.value());
   }
+  if (serving_ == 0) SendNotice();
   gone_ = gone_ || closed;
   return any;
 }
@@ -102,11 +106,24 @@ void RemoteConnection::Announce(Notice notice) {
   SendNotice();
 }
 
+bool RemoteConnection::BeginRound() {
+  if (notices_.empty()) return false;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_round_) {
+    if (!alarm_set_) channel_->WakeAfter(std::chrono::ceil<std::chrono::milliseconds>(next_round_ - now));
+    alarm_set_ = true;
+    return false;
+  }
+  alarm_set_ = false;
+  next_round_ = now + kRoundPause;
+  round_.swap(notices_);
+  return true;
+}
+
 void RemoteConnection::SendNotice() {
   if (slow_ || !notice_id_.empty()) return;
   // What happens again and again must not keep the others back, and what happened last is told last.
-  if (round_.empty()) round_.swap(notices_);
-  if (round_.empty()) return;
+  if (round_.empty() && !BeginRound()) return;
   wire::Message call = NoticeCall(round_.front());
   round_.erase(round_.begin());
   call.id = notice_id_ = NextId();

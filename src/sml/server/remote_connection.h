@@ -26,7 +26,8 @@ class KernelHost;
 ///
 /// A client that only watches (it takes no output and makes no input, as a debugger) does not hold up a run that it has
 /// not started itself: of the events that come with every decision it is sent the next one when it has answered the one
-/// before, and each kind waits once, however often it happened meanwhile. The same goes for a slow client.
+/// before, and each kind waits once, however often it happened meanwhile. Between two rounds of them it gets time to redraw
+/// what it shows. The same goes for a slow client.
 class RemoteConnection : public Connection {
  public:
   RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel, std::chrono::milliseconds answer_timeout);
@@ -76,6 +77,8 @@ class RemoteConnection : public Connection {
   void Announce(Notice notice);
   /// Sends the next of the notices that wait, unless the client has yet to answer the last one.
   void SendNotice();
+  /// Takes the notices that wait for the next round, if it is time.
+  bool BeginRound();
   /// The client has answered an event.
   void Answered(const std::string& id);
   static wire::Message NoticeCall(const Notice& notice);
@@ -96,6 +99,8 @@ class RemoteConnection : public Connection {
   OpenEvents open_events_;
   std::vector<Notice> notices_;           ///< That wait, in the order in which they happened last.
   std::vector<Notice> round_;             ///< Those of them that are being sent, one after another.
+  std::chrono::steady_clock::time_point next_round_{};
+  bool alarm_set_ = false;                ///< For the next round.
   std::string notice_id_;                 ///< Of the notice that was sent and not answered; empty: none.
   int serving_ = 0;                       ///< How many of the client's calls are being carried out, one in another.
   bool slow_ = false;

@@ -150,6 +150,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
       CloseOpen();
       if (!writing && !outbox.empty()) SendNow();
     }
+    alarm.cancel();
     asio::error_code ignored;
     socket.shutdown(tcp::socket::shutdown_both, ignored);
     socket.close(ignored);
@@ -273,7 +274,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   }
 
   tcp::socket socket;
-  asio::steady_timer timer{socket.get_executor()};
+  asio::steady_timer timer{socket.get_executor()}, alarm{socket.get_executor()};
   const ChannelLimits limits;
   FrameReader reader;
   std::array<char, 64 * 1024> piece{};
@@ -330,6 +331,15 @@ void Channel::Close() {
 }
 
 std::uint64_t Channel::dropped() const { return socket_->dropped.load(std::memory_order_relaxed); }
+
+void Channel::WakeAfter(std::chrono::milliseconds delay) {
+  asio::post(socket_->socket.get_executor(), [socket = socket_, delay] {
+    socket->alarm.expires_after(delay);
+    socket->alarm.async_wait([socket](const asio::error_code& error) {
+      if (!error) socket->Notify();
+    });
+  });
+}
 
 void Channel::SetWake(std::function<void()> wake) {
   const std::lock_guard lock(socket_->mutex);

@@ -60,6 +60,8 @@ class Channel {
   bool closed() const;
   void Close();
   std::uint64_t dropped() const;
+  /// Calls what SetWake was given after this time, even if no message has come.
+  void WakeAfter(std::chrono::milliseconds delay);
   /// Called (from the thread that moves bytes) when a message has come or the channel was closed.
   void SetWake(std::function<void()> wake);
 
