@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
 #include "cli/load_image.h"
 #include "cli/percepts.h"
 #include "cli/source_run.h"
+#include "kernel/agent.h"
+#include "kernel/rules/rule_gaps.h"
 
 namespace soarbox::cli {
 namespace {
@@ -92,6 +93,26 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
   return ok;
 }
 
+/// All of a file. Its size is known for most: then no room is wasted on it.
+std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
+  std::error_code error;
+  std::string text;
+  if (const std::uintmax_t size = std::filesystem::file_size(path, error); !error) text.reserve(size);
+  char block[16 * 1024];
+  while (in.read(block, sizeof(block)) || in.gcount() > 0) text.append(block, static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+/// Tells of numbers that fall between two proposals of what was loaded.
+void ReportGaps(CommandCall& call, int loaded) {
+  const kernel::Agent& agent = call.agent();
+  std::vector<const kernel::Production*> rules;
+  for (const kernel::ProductionId id : agent.Productions()) rules.push_back(&agent.production(id));
+  for (Diagnostic& gap : kernel::FindRuleGaps(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
+    call.result.diagnostics.push_back(std::move(gap));
+  }
+}
+
 bool LoadFile(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kLoadSubcommands[0].options, parsed)) return false;
@@ -106,9 +127,7 @@ bool LoadFile(CommandCall& call) {
     return call.Fail("Failed to open file for reading: " + file);
   }
   const bool is_image = path.extension() == ".soarx";
-  std::ostringstream content;
-  if (!is_image) content << in.rdbuf();
-  const std::string text = std::move(content).str();
+  const std::string text = is_image ? std::string() : TextOf(in, path);
 
   SourceRun own;
   SourceRun*& current = call.interpreter.source_run();
@@ -129,6 +148,7 @@ bool LoadFile(CommandCall& call) {
     if (outermost) call.Out("\n");
   }
   if (!outermost) return ok;
+  if (run.sourced > 0) ReportGaps(call, run.sourced);
   // Counts stand apart from what was printed while rules were read.
   const bool counted = run.sourced + run.excised + run.ignored > 0;
   if (counted && !parsed.Has('a') && !parsed.Has('d'))

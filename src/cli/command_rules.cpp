@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "cli/command.h"
 #include "cli/generate_rules.h"
 #include "cli/interpreter.h"
@@ -24,6 +26,14 @@ void PrintMessages(CommandCall& call, const std::vector<kernel::RuleMessage>& me
   }
 }
 
+/// Large sources can have very many: their array grows by a quarter.
+void Keep(std::vector<Diagnostic>& kept, std::vector<Diagnostic>& messages) {
+  if (kept.size() + messages.size() > kept.capacity()) {
+    kept.reserve(kept.size() + messages.size() + kept.size() / 4);
+  }
+  kept.insert(kept.end(), std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));
+}
+
 /// Loads one rule and answers as Soar does: "*", "#*" after a rule of the same name, or why not.
 bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::string_view failure) {
   PrintStream::Capture capture(call.stream(), &call.result.text);
@@ -44,7 +54,7 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
     }
   }
   PrintMessages(call, outcome.printed_late);
-  for (Diagnostic& message : outcome.messages) call.result.diagnostics.push_back(std::move(message));
+  Keep(call.result.diagnostics, outcome.messages);
   if (!outcome.duplicate_of.empty()) {
     call.stream().Print(fmt::format("Ignoring {} because it is a duplicate of {}\n", RuleName(agent, outcome.name),
                                     RuleName(agent, outcome.duplicate_of)));
