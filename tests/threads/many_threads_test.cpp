@@ -19,6 +19,11 @@ namespace {
 using Runners = std::vector<std::unique_ptr<ScriptRunner>>;
 
 constexpr int kCopies = 3;
+#if defined(SOARBOX_CHECK_INVARIANTS) || defined(__SANITIZE_THREAD__)
+constexpr int kSlowness = 10;  // Sanitizers.
+#else
+constexpr int kSlowness = 1;
+#endif
 
 std::vector<std::string> RunEachAlone(const std::vector<AgentScript>& scripts) {
   std::vector<std::string> transcripts;
@@ -110,7 +115,7 @@ void ExpectTheSameHoweverTheyRun(const std::vector<AgentScript>& scripts, int re
     RunInTurns(runners);
     ExpectSame(runners, scripts, wanted);
   }
-  for (int repetition = 0; repetition < repetitions && !testing::Test::HasFailure(); ++repetition) {
+  for (int repetition = 0; repetition * kSlowness < repetitions && !testing::Test::HasFailure(); ++repetition) {
     for (const int thread_count : {2, 4, 8}) {
       Runners runners = MakeRunners(scripts);
       RunOnThreads(runners, thread_count);
@@ -131,7 +136,7 @@ TEST(ManyThreads, TheGoldenCasesRunAsTheyDoAlone) {
 }
 
 TEST(ManyThreads, TheBenchmarkAgentsRunAsTheyDoAlone) {
-  const std::vector<AgentScript> scripts = BenchmarkScripts(SOARBOX_SHARED_DIR "/bench/agents", 100);
+  const std::vector<AgentScript> scripts = BenchmarkScripts(SOARBOX_SHARED_DIR "/bench/agents", 100 / kSlowness);
   if (scripts.empty()) GTEST_SKIP() << "the benchmark agents are not at hand";
   ExpectTheSameHoweverTheyRun(scripts, 1);
 }
