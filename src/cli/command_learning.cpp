@@ -243,32 +243,9 @@ constexpr SubcommandInfo kExplainTable[] = {
     {"identity", "", "which variables are the same"},
     {"stats", "", "figures about it"},
 };
-constexpr SubcommandInfo kVisualizeTable[] = {
-    {"wm", "[ID] [DEPTH]", "working memory"},      {"smem", "[LTI] [DEPTH]", "semantic memory"},
-    {"epmem", "[EPISODE]", "episodic memory"},     {"identity_graph", "", "what explain recorded"},
-    {"ebc_analysis", "", "what explain recorded"},
-};
 }  // namespace
 
 const std::span<const SubcommandInfo> kExplainSubcommands = kExplainTable;
-const std::span<const SubcommandInfo> kVisualizeSubcommands = kVisualizeTable;
-
-bool CommandVisualize(CommandCall& call) {
-  if (call.words.size() < 2) {
-    call.Out(
-        "Visualize draws what Soar's memories hold.\n\n"
-        "Use 'visualize ?' and 'help visualize' to learn more about the visualize command.");
-    return true;
-  }
-  const std::string& word = call.words[1].text;
-  for (const SubcommandInfo& subcommand : kVisualizeTable) {
-    if (subcommand.name == word) return call.Fail("Drawings of memories are not available in this build.");
-  }
-  return NamedSetting(call, "visualize",
-                      "Invalid visualize sub-command.  Use 'visualize ?' to see a list of valid sub-commands and "
-                      "settings.",
-                      "Invalid argument.  Use 'visualize ?' to see a list of valid settings.");
-}
 
 bool CommandSvs(CommandCall& call) {
   if (call.words.size() < 2) {

@@ -60,8 +60,7 @@ bool Enabled(CommandCall& call) {
 }
 
 bool Console(CommandCall& call) {
-  OutputSettings& output = call.session.output();
-  return Switch(call, "console", output.console, [&](bool on) { output.console = on; });
+  return Switch(call, "console", call.stream().console(), [&](bool on) { call.stream().SetConsole(on); });
 }
 
 bool Callbacks(CommandCall& call) {
@@ -187,7 +186,7 @@ bool Help(CommandCall& call) {
   Summary summary(55);
   summary.Rule('=').Title("Output Sub-Commands and Options", '-').Rule('=').Rule('-');
   summary.Row("output enabled", OnOff(call.stream().enabled()), "   whether anything is printed at all");
-  summary.Row("output console", OnOff(output.console), "   also print to the standard output");
+  summary.Row("output console", OnOff(call.stream().console()), "   also print to the standard output");
   summary.Row("output callbacks", OnOff(call.stream().sink_enabled()), "   give output to whoever listens");
   summary.Rule('-');
   summary.Row("output agent-logs", "<channel> [on | off]", "   show what (log) prints on a channel");
@@ -224,13 +223,17 @@ constexpr OptionSpec kEchoOptions[] = {{'n', "nonewline", OptionArgument::kNone,
 
 constexpr SubcommandInfo kSubcommands[] = {
     {"enabled", "[on | off]", "whether anything is printed at all", {}, Enabled},
-    {"console", "[on | off]", "also print to the standard output", {}, Console},
+    {"console", "[on | off]", "also print to the standard output of the program that runs the agent", {}, Console},
     {"callbacks", "[on | off]", "give output to whoever listens", {}, Callbacks},
     {"agent-logs", "CHANNEL [on | off]", "show what (log) prints on a channel", {}, AgentLogs},
     {"agent-writes", "[on | off]", "show what (write) prints", {}, AgentWrites},
     {"command-to-file", "[-a] FILE COMMAND...", "write what a command prints to a file", {}, CommandToFile},
     {"log", "[--append FILE | --add TEXT | --close]", "write all output to a file as well", kLogOptions, Log},
-    {"echo-commands", "[on | off]", "show commands to those who listen", {}, EchoCommands},
+    {"echo-commands",
+     "[on | off]",
+     "show command lines and their answers to clients that listen for echoes",
+     {},
+     EchoCommands},
     {"warnings", "[on | off]", "print warnings", kWarningOptions, Warnings},
     {"print-depth", "[N]", "levels of objects that print shows", {}, PrintDepth},
     {"?", "", "an overview of the settings", {}, Help},

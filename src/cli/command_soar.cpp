@@ -214,6 +214,7 @@ bool Timers(CommandCall& call) {
   if (!ReadSwitch(call, on)) return false;
   if (!on) return Show(call, "timers");
   call.session.settings().Set("soar", "timers", std::string(OnOff(*on)));
+  call.session.times().Switch(*on);
   call.Out(*on ? "Timers are now enabled.\n" : "Timers are now disabled.\n");
   return true;
 }

@@ -42,39 +42,61 @@ std::string RulesText(const kernel::Agent& agent) {
                      agent.CountProductions(ProductionType::kJustification));
 }
 
-/// Times are not kept: a clock in each phase would cost more than most phases.
-constexpr std::string_view kTimes =
-    "                                                        |   Computed\n"
-    "Phases:      Input   Propose   Decide   Apply    Output |     Totals\n"
-    "========================================================|===========\n"
-    "Kernel:      0.000    0.000    0.000    0.000    0.000  |      0.000\n"
-    "========================================================|===========\n"
-    "Input fn:    0.000                                      |      0.000\n"
-    "========================================================|===========\n"
-    "Outpt fn:                                        0.000  |      0.000\n"
-    "========================================================|===========\n"
-    "Callbcks:    0.000    0.000    0.000    0.000    0.000  |      0.000\n"
-    "========================================================|===========\n"
-    "Computed------------------------------------------------+-----------\n"
-    "Totals:      0.000    0.000    0.000    0.000    0.000  |      0.000\n\n"
-    "Values from single timers:\n"
-    " Kernel CPU Time:       0.000 sec. \n"
-    " Total  CPU Time:       0.000 sec.\n\n";
+constexpr kernel::Phase kPhases[] = {kernel::Phase::kInput, kernel::Phase::kPropose, kernel::Phase::kDecide,
+                                     kernel::Phase::kApply, kernel::Phase::kOutput};
+
+/// Milliseconds per piece of work.
+double Each(double seconds, std::uint64_t count) {
+  return count == 0 ? 0 : 1000 * seconds / static_cast<double>(count);
+}
+
+std::string TimesText(const RunTimes& times) {
+  constexpr std::string_view kRule = "========================================================|===========\n";
+  std::string phases, none;
+  for (const kernel::Phase phase : kPhases) {
+    phases += fmt::format("    {:.3f}", times.phase_seconds(phase));
+    none += "    0.000";
+  }
+  std::string text =
+      "                                                        |   Computed\n"
+      "Phases:      Input   Propose   Decide   Apply    Output |     Totals\n";
+  text += kRule;
+  text += fmt::format("Kernel:  {}  | {:10.3f}\n", phases, times.all_phases_seconds());
+  text += kRule;
+  text += "Input fn:    0.000                                      |      0.000\n";
+  text += kRule;
+  text += "Outpt fn:                                        0.000  |      0.000\n";
+  text += kRule;
+  text += fmt::format("Callbcks:{}  |      0.000\n", none);
+  text += kRule;
+  text += "Computed------------------------------------------------+-----------\n";
+  text += fmt::format("Totals:  {}  | {:10.3f}\n\n", phases, times.all_phases_seconds());
+  text +=
+      fmt::format("Values from single timers:\n Kernel CPU Time: {:11.3f} sec. \n Total  CPU Time: {:11.3f} sec.\n\n",
+                  times.kernel_seconds(), times.run_seconds());
+  return text;
+}
 
 void System(CommandCall& call) {
   const kernel::Agent& agent = call.agent();
   const AgentCounters& counters = agent.counters();
+  const RunTimes& times = call.session.times();
+  if (times.on() && !times.measures_phases()) {
+    call.Hint("only whole runs are timed", "'soar timers on' times phases and decision cycles too");
+  }
   std::string text = fmt::format("Soar {} (Soarbox {})\n\n", kSoarVersion, kSoarboxVersion);
   text += RulesText(agent);
-  text += kTimes;
-  text += fmt::format("{} decisions (0.000 msec/decision)\n", counters.decision_phases);
-  text += fmt::format("{} elaboration cycles ({:.3f} ec's per dc, 0.000 msec/ec)\n", counters.elaborations,
-                      Ratio(counters.elaborations, counters.decision_phases));
+  text += TimesText(times);
+  const double spent = times.kernel_seconds();
+  text += fmt::format("{} decisions ({:.3f} msec/decision)\n", counters.decision_phases,
+                      Each(spent, counters.decision_phases));
+  text += fmt::format("{} elaboration cycles ({:.3f} ec's per dc, {:.3f} msec/ec)\n", counters.elaborations,
+                      Ratio(counters.elaborations, counters.decision_phases), Each(spent, counters.elaborations));
   text += fmt::format("{} inner elaboration cycles\n", counters.inner_elaborations);
-  text += fmt::format("{} p-elaboration cycles ({:.3f} pe's per dc, 0.000 msec/pe)\n", counters.pe_elaborations,
-                      Ratio(counters.pe_elaborations, counters.decision_phases));
-  text += fmt::format("{} production firings ({:.3f} pf's per ec, 0.000 msec/pf)\n", counters.firings,
-                      Ratio(counters.firings, counters.elaborations));
+  text += fmt::format("{} p-elaboration cycles ({:.3f} pe's per dc, {:.3f} msec/pe)\n", counters.pe_elaborations,
+                      Ratio(counters.pe_elaborations, counters.decision_phases), Each(spent, counters.pe_elaborations));
+  text += fmt::format("{} production firings ({:.3f} pf's per ec, {:.3f} msec/pf)\n", counters.firings,
+                      Ratio(counters.firings, counters.elaborations), Each(spent, counters.firings));
   text += fmt::format("{} wme changes ({} additions, {} removals)\n", counters.wme_additions + counters.wme_removals,
                       counters.wme_additions, counters.wme_removals);
   text += fmt::format("WM size: {} current, {:.3f} mean, {} maximum\n\n", agent.memory().wme_count(),
@@ -111,7 +133,9 @@ void Maximums(CommandCall& call) {
   const auto row = [&](std::string_view name, std::uint64_t value, std::uint64_t cycle) {
     call.Out(fmt::format("{:>16} {:>10} {:>11}\n", name, value, cycle));
   };
-  call.Out(fmt::format("{:>16} {:>10} {:>11}\n", "Time (sec)", "0.000000", 0));
+  const RunTimes& times = call.session.times();
+  call.Out(
+      fmt::format("{:>16} {:>10.6f} {:>11}\n", "Time (sec)", times.longest_cycle_seconds(), times.longest_cycle()));
   call.Out(fmt::format("{:>16} {:>10} {:>11}\n", "EpMem Time (sec)", "0.000000", 0));
   call.Out(fmt::format("{:>16} {:>10} {:>11}\n", "SMem Time (sec)", "0.000000", 0));
   row("WM changes", counters.max_wme_changes, counters.max_wme_changes_cycle);
@@ -138,18 +162,21 @@ void AddStructured(CommandCall& call) {
   integer("statswmecount", agent.memory().wme_count());
   real("statswmecountsverage", Ratio(counters.wm_size_sum, counters.phases));
   integer("statswecountmax", counters.wm_size_maximum);
-  real("statskernelcputime", 0);
-  real("statstotalcputime", 0);
+  const RunTimes& times = call.session.times();
+  real("statskernelcputime", times.kernel_seconds());
+  real("statstotalcputime", times.run_seconds());
+  constexpr const char* kNames[] = {"input", "propose", "decision", "apply", "output"};
   for (const std::string kind : {"phase", "monitor"}) {
-    for (const std::string phase : {"input", "propose", "decision", "apply", "output", "preference", "workingmemory"}) {
-      real("stats" + kind + "time" + phase + "phase", 0);
+    for (std::size_t i = 0; i < std::size(kPhases); ++i) {
+      real("stats" + kind + "time" + kNames[i] + "phase", kind == "phase" ? times.phase_seconds(kPhases[i]) : 0);
     }
+    for (const std::string part : {"preference", "workingmemory"}) real("stats" + kind + "time" + part + "phase", 0);
   }
   real("statsinputfunctiontime", 0);
   real("statsoutputfunctiontime", 0);
-  integer("statsmaxdecisioncycletimecycle", 0);
-  real("statsmaxdecisioncycletimevaluesec", 0);
-  integer("statsmaxdecisioncycletimevalueusec", 0);
+  integer("statsmaxdecisioncycletimecycle", times.longest_cycle());
+  real("statsmaxdecisioncycletimevaluesec", times.longest_cycle_seconds());
+  integer("statsmaxdecisioncycletimevalueusec", static_cast<std::uint64_t>(1e6 * times.longest_cycle_seconds()));
   integer("statsmaxdecisioncycleepmemtimecycle", 0);
   real("statsmaxdecisioncycleepmemtimevaluesec", 0);
   integer("statsmaxdecisioncyclesmemtimecycle", 0);
@@ -173,6 +200,7 @@ bool CommandStats(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kOptions, parsed)) return false;
   if (!parsed.arguments.empty()) return call.Fail("stats takes options only.");
+  call.session.times().Refresh();
   AddStructured(call);
   if (parsed.options.empty()) System(call);
   for (const ParsedOption& option : parsed.options) {

@@ -135,7 +135,14 @@ std::span<const CommandInfo> Commands() {
        {},
        "Answers * if the rule was loaded, #* if it took the place of a rule of the same name. A rule that equals "
        "another one is ignored."},
-      {"stats", "[OPTIONS]", "figures about the run", CommandStats, kStatsOptions},
+      {"stats",
+       "[OPTIONS]",
+       "figures about the run",
+       CommandStats,
+       kStatsOptions,
+       {},
+       "Whole runs are timed from the start; phases and decision cycles from `soar timers on`, as that makes runs "
+       "slower; nothing after `soar timers off`. Agents that run together share the time of the run."},
       {"svs", "", "the spatial visual system, which is not available in this build", CommandSvs},
       {"trace",
        "[LEVEL] [OPTIONS]",
@@ -146,7 +153,14 @@ std::span<const CommandInfo> Commands() {
        "Levels: 0 nothing, 1 operators and states, 2 phases and removals of states, 3 firings of rules, 4 changes of "
        "working memory, 5 preferences; each includes those before it. An option switches one thing on, or off if "
        "`remove` or 0 follows. Without words it shows what is on."},
-      {"visualize", "[SUBCOMMAND]", "settings of drawings", CommandVisualize, {}, kVisualizeSubcommands},
+      {"visualize",
+       "[SUBCOMMAND]",
+       "drawings of memories, for Graphviz",
+       CommandVisualize,
+       {},
+       kVisualizeSubcommands,
+       "Drawings are files in the language of Graphviz, named soar_viz1.gv and so on. An image is made if Graphviz's "
+       "program dot is installed; the drawing itself needs nothing."},
       {"wm", "SUBCOMMAND", "adds and removes elements of working memory by hand", CommandWm, {}, kWmSubcommands},
   };
   return kCommands;

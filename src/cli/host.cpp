@@ -5,8 +5,9 @@
 
 namespace soarbox::cli {
 
-kernel::RunResult Host::Run(Session& session, const RunRequest& request) {
-  kernel::Agent& agent = session.agent();
+namespace {
+
+kernel::RunResult RunAlone(kernel::Agent& agent, const RunRequest& request) {
   agent.ClearStopRequest();
   if (request.unit == kernel::RunUnit::kDecision && request.count == 0) {
     return agent.RunToPhase(agent.settings().stop_phase);
@@ -27,6 +28,16 @@ kernel::RunResult Host::Run(Session& session, const RunRequest& request) {
   }
   agent.SetGoalToWatch({});
   return total;
+}
+
+}  // namespace
+
+kernel::RunResult Host::Run(Session& session, const RunRequest& request) {
+  if (!session.times().on()) return RunAlone(session.agent(), request);
+  const RunTimes::Clock::time_point began = RunTimes::Clock::now();
+  const kernel::RunResult result = RunAlone(session.agent(), request);
+  session.times().AddRun(RunTimes::Clock::now() - began);
+  return result;
 }
 
 void Host::Stop(Session& session, bool) {

@@ -65,6 +65,7 @@ CommandResult Interpreter::Execute(Session& session, std::string_view line) {
     }
     words = {};
   }
+  session.stream().ToConsole(result.text);
   session.Log(result.text);
   if (session.log_open() && (result.text.empty() || result.text.back() != '\n')) session.Log("\n");
   return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/print_stream.h"
 
+#include <cstdio>
+
 namespace soarbox::cli {
 
 void PrintStream::Print(std::string_view text) {
@@ -14,9 +16,17 @@ void PrintStream::Print(std::string_view text) {
   if (copy_) copy_(text);
   if (!targets_.empty() && targets_.back()) {
     targets_.back()->append(text);
-  } else if (sink_ && sink_enabled_) {
-    sink_(text);
+    return;
   }
+  if (console_) [[unlikely]]
+    ToConsole(text);
+  if (sink_ && sink_enabled_) sink_(text);
+}
+
+void PrintStream::ToConsole(std::string_view text) const {
+  if (!console_ || sink_is_console_ || !enabled_) return;
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
 }
 
 void PrintStream::PrintUncounted(std::string_view text) {

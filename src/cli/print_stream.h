@@ -28,6 +28,14 @@ class PrintStream {
   void SetSinkEnabled(bool enabled) { sink_enabled_ = enabled; }
   bool sink_enabled() const { return sink_enabled_; }
 
+  /// Texts that nothing captures also go to the standard output (`output console`), unless the sink writes there
+  /// itself.
+  void SetConsole(bool on) { console_ = on; }
+  bool console() const { return console_; }
+  void SetSinkIsConsole(bool is_console) { sink_is_console_ = is_console; }
+  /// Writes to the standard output if that is asked for: for texts that are answers, and not printed.
+  void ToConsole(std::string_view text) const;
+
   void Print(std::string_view text);
   /// Prints without counting columns: for texts that Soar's printer does not see.
   void PrintUncounted(std::string_view text);
@@ -64,6 +72,8 @@ class PrintStream {
   int column_ = 0;
   bool enabled_ = true;
   bool sink_enabled_ = true;
+  bool console_ = false;
+  bool sink_is_console_ = false;
 };
 
 }  // namespace soarbox::cli

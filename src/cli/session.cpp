@@ -18,6 +18,7 @@ struct Session::LogFile {
 Session::Session(kernel::Agent& agent, std::string name)
     : agent_(agent),
       name_(std::move(name)),
+      times_(agent),
       settings_(std::make_unique<SettingStore>()),
       trace_printer_(std::make_unique<TracePrinter>(*this)) {
   UpdateTrace();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/print_stream.h"
+#include "cli/run_times.h"
 #include "cli/trace_settings.h"
 
 namespace soarbox::kernel {
@@ -26,7 +27,6 @@ class SettingStore;
 struct OutputSettings {
   static constexpr int kLogChannels = 18;
 
-  bool console = false;
   bool agent_writes = true;
   bool echo_commands = false;
   bool warnings = true;
@@ -60,6 +60,8 @@ class Session {
   TraceSettings& trace() { return trace_; }
   OutputSettings& output() { return output_; }
   SettingStore& settings() { return *settings_; }
+  /// `soar timers`, `stats`.
+  RunTimes& times() { return times_; }
   std::vector<WmeFilter>& wme_filters() { return wme_filters_; }
 
   /// Tells the agent which events the trace needs now. Call after trace() or the filters changed.
@@ -89,6 +91,7 @@ class Session {
   PrintStream stream_;
   TraceSettings trace_;
   OutputSettings output_;
+  RunTimes times_;
   std::unique_ptr<SettingStore> settings_;
   std::vector<WmeFilter> wme_filters_;
   std::vector<std::string> watched_rules_;

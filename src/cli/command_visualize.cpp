@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "cli/command.h"
+#include "cli/graph_text.h"
+#include "cli/interpreter.h"
+#include "cli/lookup.h"
+#include "cli/other_program.h"
+#include "cli/setting_store.h"
+#include "cli/settings_command.h"
+
+namespace soarbox::cli {
+namespace {
+
+constexpr SubcommandInfo kSubcommands[] = {
+    {"wm", "[ID] [DEPTH]", "draws working memory: all states, or an object and what lies below it"},
+    {"smem", "[LTI] [DEPTH]", "semantic memory, which is not available in this build"},
+    {"epmem", "[EPISODE]", "episodic memory, which is not available in this build"},
+    {"identity_graph", "", "what explain recorded; needs learning, which is not available in this build"},
+    {"ebc_analysis", "", "what explain recorded; needs learning, which is not available in this build"},
+    {"rule-format", "[name | full]", "rules with all conditions, or by name"},
+    {"memory-format", "[node | record]", "objects as tables of their values, or each value as a node"},
+    {"line-style", "[STYLE]", "how lines run: a value of Graphviz's splines"},
+    {"separate-states", "[on | off]", "on leaves links between states out"},
+    {"architectural-wmes", "[on | off]", "show what the architecture made: superstate, type, io and the like"},
+    {"color-identities", "[on | off]", "colours for identities"},
+    {"use-joined-identities", "[on | off]", "colours after identities were joined"},
+    {"file-name", "[NAME]", "how files are named, without number and ending"},
+    {"use-same-file", "[on | off]", "write over the last drawing instead of numbering them"},
+    {"generate-image", "[on | off]", "make an image of the drawing, with the program dot of Graphviz"},
+    {"image-type", "[TYPE]", "svg, png, pdf or another type that dot knows"},
+    {"viewer-launch", "[on | off]", "show the image in a window, where there is a display"},
+    {"editor-launch", "[on | off]", "open the drawing's text in a window, where there is a display"},
+    {"print-debug", "[on | off]", "print the drawing's text"},
+};
+
+bool Help(CommandCall& call) {
+  const SettingStore& store = call.session.settings();
+  std::string text = "======= Visualization Commands and Settings =======\n";
+  const auto row = [&](std::string_view left, std::string_view summary) {
+    text += fmt::format("{:<51}   {}\n", left, summary);
+  };
+  row("visualize ?", "this overview");
+  bool settings = false;
+  for (const SubcommandInfo& entry : kSubcommands) {
+    const SettingInfo* info = SettingStore::Find("visualize", entry.name);
+    if (!info) {
+      row(fmt::format("visualize {} {}", entry.name, entry.usage), entry.summary);
+      continue;
+    }
+    if (!settings) text += "------------------- Settings ----------------------\n";
+    settings = true;
+    const std::string value = store.Get("visualize", entry.name);
+    row(fmt::format("{:<{}}{}", entry.name, 51 - std::min<std::size_t>(value.size(), 30), value), entry.summary);
+  }
+  text += "---------------------------------------------------\n\n";
+  row("To change a setting:", "visualize <setting> [<value>]");
+  call.Out(text);
+  return true;
+}
+
+/// Where the drawing goes: numbered behind those that are there, unless one file is to be used.
+std::filesystem::path NextFile(CommandCall& call) {
+  const SettingStore& store = call.session.settings();
+  std::string name = store.Get("visualize", "file-name");
+  if (name.empty()) name = "soar_viz";
+  if (store.IsOn("visualize", "use-same-file")) return call.interpreter.Resolve(name + ".gv");
+  std::error_code error;
+  for (int number = 1;; ++number) {
+    std::filesystem::path file = call.interpreter.Resolve(fmt::format("{}{}.gv", name, number));
+    if (!std::filesystem::exists(file, error)) return file;
+  }
+}
+
+/// Makes the image and shows it, as far as this is wanted and this machine can.
+bool Present(CommandCall& call, const std::filesystem::path& file) {
+  const SettingStore& store = call.session.settings();
+  const auto show = [&](const std::filesystem::path& shown) {
+    if (!HasDisplay() || !IsInstalled("xdg-open")) {
+      call.Out(
+          fmt::format("There is no window to show {} in: no display, or no xdg-open.\n", shown.filename().string()));
+    } else if (!StartProgram({"xdg-open", shown.string()})) {
+      call.Out(fmt::format("{} could not be shown: xdg-open did not start.\n", shown.filename().string()));
+    }
+  };
+  if (store.IsOn("visualize", "editor-launch")) show(file);
+  if (!store.IsOn("visualize", "generate-image")) return true;
+  const std::string type = store.Get("visualize", "image-type");
+  const auto usual = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
+  if (type.empty() || !std::all_of(type.begin(), type.end(), usual)) {
+    return call.Fail("'" + type + "' is no type of images: set another with 'visualize image-type svg'.");
+  }
+  if (!IsInstalled("dot")) {
+    call.Fail(
+        "Error: Could not generate visualization image because `dot` command failed. Do you have GraphViz "
+        "installed?!\n");
+    Diagnostic& told = call.result.diagnostics.back();
+    told.message = "the drawing is written, but there is no program 'dot' to make an image of it";
+    told.hint = "install Graphviz, or leave images out with 'visualize generate-image off'";
+    return false;
+  }
+  const std::filesystem::path image = std::filesystem::path(file).replace_extension("." + type);
+  if (!RunProgram({"dot", "-T" + type, "-o", image.string(), file.string()})) {
+    return call.Fail(fmt::format("The program 'dot' made no image of type {} from {}.", type, file.string()));
+  }
+  call.Out(fmt::format("Image written to {}.\n", image.string()));
+  if (store.IsOn("visualize", "viewer-launch")) show(image);
+  return true;
+}
+
+bool WorkingMemory(CommandCall& call, std::span<const Word> words) {
+  constexpr std::string_view kSyntax = "Syntax: visualize wm [id] [depth]";
+  const kernel::Agent& agent = call.agent();
+  std::vector<kernel::Symbol> roots;
+  int depth = std::numeric_limits<int>::max();
+  for (const Word& word : words) {
+    if (const auto number = ParseInteger(word.text)) {
+      if (*number < 1 || *number > depth) return call.Fail("The depth must be a number above 0.");
+      depth = static_cast<int>(*number);
+    } else if (const kernel::Symbol id = FindIdentifier(agent, word.text); id && roots.empty()) {
+      roots.push_back(id);
+    } else if (!roots.empty()) {
+      return call.Fail(kSyntax);
+    } else {
+      return call.Fail(fmt::format("There is no identifier {} in working memory.\n{}", word.text, kSyntax));
+    }
+  }
+  if (words.size() > 2) return call.Fail(kSyntax);
+  if (roots.empty()) {
+    for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
+      roots.push_back(agent.goals().at(static_cast<kernel::GoalLevel>(level)).id);
+    }
+  }
+  const SettingStore& store = call.session.settings();
+  GraphStyle style;
+  style.records = store.Get("visualize", "memory-format") == "record";
+  style.separate_states = store.IsOn("visualize", "separate-states");
+  style.architecture = store.IsOn("visualize", "architectural-wmes");
+  style.line_style = store.Get("visualize", "line-style");
+  const std::string text = WorkingMemoryGraph(agent, roots, depth, style);
+
+  call.Out("Generating visualization...\n");
+  const std::filesystem::path file = NextFile(call);
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (!out) return call.Fail("Failed to open file for writing: " + file.string());
+  call.Out(fmt::format("Drawing written to {}.\n", file.string()));
+  call.AddArgument("filename", "string", file.string());
+  if (store.IsOn("visualize", "print-debug")) call.Out(text);
+  return Present(call, file);
+}
+
+}  // namespace
+
+const std::span<const SubcommandInfo> kVisualizeSubcommands = kSubcommands;
+
+bool CommandVisualize(CommandCall& call) {
+  if (call.words.size() < 2) {
+    call.Out(
+        "Visualize draws what Soar's memories hold.\n\n"
+        "Use 'visualize ?' and 'help visualize' to learn more about the visualize command.");
+    return true;
+  }
+  const std::string& word = call.words[1].text;
+  if (word == "?" || word == "help") return Help(call);
+  if (word == "wm") return WorkingMemory(call, call.words.subspan(2));
+  if (word == "smem") return call.Fail("Semantic memory is not available in this build: there is nothing to draw.");
+  if (word == "epmem") return call.Fail("Episodic memory is not available in this build: there is nothing to draw.");
+  if (word == "identity_graph" || word == "ebc_analysis") {
+    return call.Fail("'visualize " + word + "' needs learning, which is not available in this build.");
+  }
+  return NamedSetting(call, "visualize",
+                      "Invalid visualize sub-command.  Use 'visualize ?' to see a list of valid sub-commands and "
+                      "settings.",
+                      "Invalid argument.  Use 'visualize ?' to see a list of valid settings.");
+}
+
+}  // namespace soarbox::cli
