@@ -111,6 +111,7 @@ class Shell {
         colour_(isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr),
         watch_(agent_) {
     session_.stream().SetSink([this](std::string_view text) { Print(text); });
+    session_.stream().SetSinkIsConsole(true);
   }
 
   int Run(const SoarShellOptions& options) {

@@ -58,7 +58,7 @@ cli::CommandResult KernelHost::Execute(HostedAgent* hosted, std::string_view lin
 }
 
 cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::string_view line, const LineOptions& options) {
-  const bool echoes = options.echo && hosted.Listens(smlEVENT_ECHO);
+  const bool echoes = (options.echo || hosted.session().output().echo_commands) && hosted.Listens(smlEVENT_ECHO);
   if (echoes) hosted.FireEcho(options.from, std::string(line));
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
   if (hosted.doomed) return result;

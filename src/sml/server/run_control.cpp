@@ -41,6 +41,8 @@ bool EndsAtStopPhase(const cli::RunRequest& request) {
 }  // namespace
 
 kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
+  const bool timed = addressed.session().times().on();
+  const auto began = timed ? cli::RunTimes::Clock::now() : cli::RunTimes::Clock::time_point();
   // Requests to stop count from the moment from which others can see that there is a run.
   addressed.ClearStop();
   if (!request.self_only) {
@@ -73,6 +75,12 @@ kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest&
   result.decisions = counters.decision_cycles - before.decisions;
   result.elaborations = counters.elaborations - before.elaborations;
   result.firings = counters.firings - before.firings;
+  if (timed) {
+    const auto time = cli::RunTimes::Clock::now() - began;
+    for (Runner& runner : runners_) {
+      if (runner.hosted->session().times().on()) runner.hosted->session().times().AddRun(time);
+    }
+  }
   host_.EndOfRun();
   return result;
 }
