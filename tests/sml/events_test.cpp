@@ -163,6 +163,44 @@ TEST(EventOrder, HaltInterruptsAndHalts) {
   EXPECT_EQ(listener.agent->GetRunState(), sml_RUNSTATE_STOPPED);
 }
 
+/// The tags of a trace, one after another: "<phase><firing_production>...".
+std::string TraceOf(const std::vector<const char*>& lines) {
+  std::string trace;
+  const std::unique_ptr<Kernel> kernel(Kernel::CreateKernelInCurrentThread(true, Kernel::kSuppressListener));
+  Agent* agent = kernel->CreateAgent("traced");
+  agent->RegisterForXMLEvent(
+      smlEVENT_XML_TRACE_OUTPUT,
+      [](smlXMLEventId, void* text, Agent*, ClientXML* xml) {
+        for (int i = 0; i < xml->GetNumberChildren(); ++i) {
+          ClientXML child;
+          xml->GetChild(&child, i);
+          *static_cast<std::string*>(text) += std::string("<") + child.GetTagName() + ">";
+        }
+      },
+      &trace);
+  for (const char* line : lines) agent->ExecuteCommandLine(line);
+  return trace;
+}
+
+TEST(XmlTrace, FiringsInDetailShowTheirPreferencesAndRetractionsEndWithAMarker) {
+  constexpr const char* kOnce = "sp {once*only (state <s> ^superstate nil -^done) --> (<s> ^operator <o> +) (<o> ^name finish)}";
+  constexpr const char* kApply = "sp {apply*finish (state <s> ^operator.name finish) --> (<s> ^done yes)}";
+  const std::string brief = TraceOf({kOnce, kApply, "watch 0", "trace --user", "run 4 -p"});
+  EXPECT_EQ(brief.find("<preference>"), std::string::npos) << brief;
+  EXPECT_NE(brief.find("<retracting_production><actionsidemarker>"), std::string::npos) << brief;
+  const std::string detailed = TraceOf({kOnce, kApply, "watch 0", "trace --user", "trace --timetags", "run 4 -p"});
+  EXPECT_NE(detailed.find("<firing_production><actionsidemarker><preference><preference>"), std::string::npos) << detailed;
+  EXPECT_NE(detailed.find("<retracting_production><actionsidemarker><preference><preference>"), std::string::npos) << detailed;
+}
+
+TEST(XmlTrace, CandidatesAreTracedOnlyByPoliciesThatWeighThemAll) {
+  constexpr const char* kOne = "sp {propose*one (state <s> ^superstate nil) --> (<s> ^operator <o> + = 3) (<o> ^name one)}";
+  constexpr const char* kTwo = "sp {propose*two (state <s> ^superstate nil) --> (<s> ^operator <o> + = 4) (<o> ^name two)}";
+  EXPECT_EQ(TraceOf({kOne, kTwo, "trace --indifferent", "run 1"}).find("<candidate>"), std::string::npos);
+  EXPECT_NE(TraceOf({kOne, kTwo, "trace --indifferent", "decide indifferent-selection --boltzmann", "run 1"}).find("<candidate>"),
+            std::string::npos);
+}
+
 TEST(EventRegistration, TheSameHandlerTwiceIsOneAndUnknownIdsAreErrors) {
   Listener listener;
   const int id = listener.agent->RegisterForRunEvent(smlEVENT_AFTER_OUTPUT_PHASE, OnRun, &listener.log);

@@ -6,6 +6,7 @@
 
 #include "cli/trace_printer.h"
 #include "kernel/base/words.h"
+#include "kernel/decide/exploration.h"
 #include "sml/server/hosted_agent.h"
 #include "sml/wire/message.h"
 
@@ -109,6 +110,7 @@ void XmlTracer::Refresh() {
   if (on(TraceFlag::kUserRules) || on(TraceFlag::kDefaultRules) || on(TraceFlag::kChunks) ||
       on(TraceFlag::kJustifications) || on(TraceFlag::kTemplates)) {
     mask = mask | Event::kFiring;
+    if (Detailed()) mask = mask | Event::kPreference;
   }
   if (on(TraceFlag::kWmes)) mask = mask | Event::kWme;
   if (on(TraceFlag::kPreferences)) mask = mask | Event::kPreference;
@@ -149,9 +151,11 @@ void XmlTracer::OnWorkingMemoryPhase(const kernel::Agent& agent, kernel::FiringT
 
 bool XmlTracer::ShowsFiring(const kernel::FiringInfo& info) const { return hosted_.session().trace().On(FlagOf(info)); }
 
+bool XmlTracer::Detailed() const { return hosted_.session().trace().wme_detail() != cli::WmeDetail::kNone; }
+
 void XmlTracer::AddRule(std::string_view tag, const kernel::Agent& agent, const kernel::FiringInfo& info) {
   pen_.Begin(tag).Begin("production").Set("prodname", info.name);
-  if (hosted_.session().trace().wme_detail() != cli::WmeDetail::kNone) {
+  if (Detailed()) {
     for (const kernel::WmeId wme : info.wmes) {
       pen_.Begin("wme").Set("tag", agent.memory().wme(wme).timetag).End("wme");
     }
@@ -162,16 +166,23 @@ void XmlTracer::AddRule(std::string_view tag, const kernel::Agent& agent, const 
 void XmlTracer::OnFiring(const kernel::Agent& agent, const kernel::FiringInfo& info) {
   if (!ShowsFiring(info)) return;
   AddRule("firing_production", agent, info);
-  if (hosted_.session().trace().wme_detail() == cli::WmeDetail::kNone) return;
-  pen_.Begin("actionsidemarker").End("actionsidemarker");
+  if (Detailed()) pen_.Begin("actionsidemarker").End("actionsidemarker");
+}
+
+void XmlTracer::OnFired(const kernel::Agent& agent, const kernel::FiringInfo& info,
+                        std::span<const kernel::PreferenceId> preferences) {
+  if (!Detailed() || !ShowsFiring(info)) return;
+  for (const kernel::PreferenceId id : preferences) AddPreference(agent, id);
 }
 
 void XmlTracer::OnRetracting(const kernel::Agent& agent, const kernel::FiringInfo& info) {
   if (!ShowsFiring(info)) return;
   AddRule("retracting_production", agent, info);
-  if (!hosted_.session().trace().On(TraceFlag::kPreferences)) return;
   pen_.Begin("actionsidemarker").End("actionsidemarker");
+  retracting_ = Detailed();
 }
+
+void XmlTracer::OnRetracted(const kernel::Agent&, const kernel::FiringInfo&) { retracting_ = false; }
 
 void XmlTracer::OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) {
   pen_.Begin("adding_wme");
@@ -198,9 +209,14 @@ void XmlTracer::AddPreference(const kernel::Agent& agent, kernel::PreferenceId i
   pen_.End("preference");
 }
 
-void XmlTracer::OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) { AddPreference(agent, id); }
+void XmlTracer::OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) {
+  if (hosted_.session().trace().On(TraceFlag::kPreferences)) AddPreference(agent, id);
+}
 
-void XmlTracer::OnPreferenceRemoved(const kernel::Agent& agent, kernel::PreferenceId id) { AddPreference(agent, id); }
+void XmlTracer::OnPreferenceRemoved(const kernel::Agent& agent, kernel::PreferenceId id) {
+  if (retracting_) AddPreference(agent, id);
+  if (hosted_.session().trace().On(TraceFlag::kPreferences)) AddPreference(agent, id);
+}
 
 void XmlTracer::OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t decision) {
   if (!hosted_.session().trace().On(TraceFlag::kDecisions)) return;
@@ -237,10 +253,16 @@ void XmlTracer::OnInterrupt(const kernel::Agent&, std::string_view reason) {
   AddText("message", reason.empty() ? "Interrupt received." : reason);
 }
 
-void XmlTracer::OnHalt(const kernel::Agent&) { AddText("message", "This Agent halted."); }
+void XmlTracer::OnHalt(const kernel::Agent&) {
+  AddText("message", "Interrupt received.");
+  AddText("message", "This Agent halted.");
+}
 
 void XmlTracer::OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate, double value, double probability) {
-  pen_.Begin("candidate").Set("exp", wire::FixedDouble(probability));
+  const kernel::ExplorationPolicy policy = agent.exploration().policy;
+  if (policy != kernel::ExplorationPolicy::kEpsilonGreedy && policy != kernel::ExplorationPolicy::kBoltzmann) return;
+  pen_.Begin("candidate");
+  if (policy == kernel::ExplorationPolicy::kBoltzmann) pen_.Set("exp", wire::FixedDouble(probability));
   Set(agent, "name", candidate);
   pen_.Set("type", "sum").Set("value", wire::FixedDouble(value)).End("candidate");
 }

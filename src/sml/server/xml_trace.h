@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -31,7 +32,10 @@ class XmlTracer : public kernel::Observer {
   void OnPreferencePhase(const kernel::Agent& agent, kernel::FiringType type, kernel::GoalLevel level) override;
   void OnWorkingMemoryPhase(const kernel::Agent& agent, kernel::FiringType type) override;
   void OnFiring(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnFired(const kernel::Agent& agent, const kernel::FiringInfo& info,
+               std::span<const kernel::PreferenceId> preferences) override;
   void OnRetracting(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnRetracted(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) override;
@@ -47,6 +51,8 @@ class XmlTracer : public kernel::Observer {
 
  private:
   bool ShowsFiring(const kernel::FiringInfo& info) const;
+  /// Firings are shown with what they matched and made.
+  bool Detailed() const;
   void AddRule(std::string_view tag, const kernel::Agent& agent, const kernel::FiringInfo& info);
   void AddPreference(const kernel::Agent& agent, kernel::PreferenceId id);
   void AddWme(const kernel::Agent& agent, const kernel::WmeInfo& wme);
@@ -57,6 +63,7 @@ class XmlTracer : public kernel::Observer {
   HostedAgent& hosted_;
   bool on_ = false;
   bool subscribed_ = false;
+  bool retracting_ = false;      ///< The preferences that go now are those of a firing that is shown in detail.
   std::string pieces_;
   std::string symbol_;           ///< Room for a symbol's text.
   wire::XmlPen pen_{pieces_};
