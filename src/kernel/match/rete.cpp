@@ -7,7 +7,10 @@
 namespace soarbox::kernel {
 
 ReteState::ReteState(MatchSet& match_set, const SymbolTable& symbol_table, const WmeTable& wme_table)
-    : matches(match_set), symbols(symbol_table), wmes(wme_table), network(std::make_shared<Network>()),
+    : matches(match_set),
+      symbols(symbol_table),
+      wmes(wme_table),
+      network(std::make_shared<Network>()),
       builder(std::make_unique<ReteBuilder>(*this)) {
   nodes.emplace_back();
 }
@@ -65,6 +68,10 @@ void Rete::Unwatch(MatchId match) {
   matches_.Drop(match);
 }
 
+void Rete::ParkAfter(std::uint32_t matches) {
+  state_->park_after = matches;
+}
+
 std::shared_ptr<const Network> Rete::network() const {
   return state_->network;
 }
@@ -98,13 +105,22 @@ Rete::Statistics Rete::statistics() const {
     statistics.alpha_memories += network.alpha(n).uses != 0 ? 1 : 0;
   }
   statistics.tokens = state_->token_count;
+  for (const auto& memory : state_->sparse) {
+    if (memory->node != kNil) {
+      statistics.tokens += state_->nodes[memory->node].count - memory->tokens;
+    }
+  }
   statistics.wmes = state_->wme_count;
   return statistics;
 }
 
 std::size_t Rete::MemoryBytes() const {
   const ReteState& s = *state_;
-  return s.tokens.MemoryBytes() + s.items.MemoryBytes() +
+  std::size_t logs = s.sparse.size() * (sizeof(SparseState) + sizeof(s.sparse[0]));
+  for (const auto& memory : s.sparse) {
+    logs += memory->log.capacity() * sizeof(ParkedPair);
+  }
+  return s.tokens.MemoryBytes() + s.items.MemoryBytes() + s.parked.MemoryBytes() + logs +
          s.alphas.capacity() * sizeof(AlphaState) + s.nodes.capacity() * sizeof(NodeState) +
          s.links.capacity() * sizeof(WmeLinks) + s.tables.MemoryBytes() + matches_.MemoryBytes();
 }

@@ -23,8 +23,8 @@ class Network;
 /// What the match needs to know of identifiers and goals; owned and kept up to date by working memory and the goal
 /// stack. Indexed by Symbol::index() of an identifier; entries beyond the end count as 0.
 struct GoalView {
-  std::span<const GoalLevel> level_of_goal;   ///< The level of an identifier that is a goal, else 0.
-  std::span<const std::uint64_t> lti_of;      ///< The long-term identifier that it is linked to, else 0.
+  std::span<const GoalLevel> level_of_goal;  ///< The level of an identifier that is a goal, else 0.
+  std::span<const std::uint64_t> lti_of;     ///< The long-term identifier that it is linked to, else 0.
 };
 
 /// One agent's matcher: Rete with left and right unlinking (Doorenbos, Production Matching for Large Learning Systems,
@@ -91,6 +91,10 @@ class Rete {
   /// Ends it without a retraction.
   void Unwatch(MatchId match);
 
+  /// How many more partial matches must have come to a memory in vain than not before it keeps those apart that join
+  /// with nothing (256). Changes speed only; for tests.
+  void ParkAfter(std::uint32_t matches);
+
   // The match set ---------------------------------------------------------------------------------------------------
 
   MatchSet& matches() { return matches_; }
@@ -127,8 +131,8 @@ class Rete {
     std::size_t productions = 0, nodes = 0, alpha_memories = 0, tokens = 0, wmes = 0;
   };
   Statistics statistics() const;
-  std::size_t MemoryBytes() const;        ///< This agent's part.
-  std::size_t NetworkBytes() const;       ///< The topology.
+  std::size_t MemoryBytes() const;   ///< This agent's part.
+  std::size_t NetworkBytes() const;  ///< The topology.
 
   /// Checks links, counts, indices and unlinking; an empty text if all is well. Slow.
   std::string CheckInvariants() const;

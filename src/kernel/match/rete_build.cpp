@@ -94,6 +94,7 @@ void ReteState::NodeAdded(std::uint32_t index) {
     nodes.resize(index + 1u);
   }
   nodes[index] = NodeState();
+  ChildAdded(index);
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kJoin) {
     LinkLeft(index);
@@ -127,6 +128,9 @@ void ReteState::RemoveTokens(std::uint32_t node) {
 
 void ReteState::RemoveNode(std::uint32_t index) {
   NodeState& state = nodes[index];
+  if (network->node(index).kind == NodeKind::kJoin) {
+    MakePlain(network->node(index).parent);
+  }
   if (state.bits != 0) {
     tables.Free(state.head, state.bits);
   }

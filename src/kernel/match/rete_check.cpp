@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <map>
 
 #include "kernel/match/rete_inline.h"
 
@@ -55,11 +56,13 @@ class Checker {
       Expect(CountTable(memory.id_table, memory.id_bits, &AlphaItem::next_in_bucket) == count, "wrong id table", alpha);
     }
     if (memory.pair_bits != 0) {
-      Expect(CountTable(memory.pair_table, memory.pair_bits, &AlphaItem::next_in_pair) == count, "wrong pair table", alpha);
+      Expect(CountTable(memory.pair_table, memory.pair_bits, &AlphaItem::next_in_pair) == count, "wrong pair table",
+             alpha);
     }
     previous = kNil;
     for (std::uint32_t node = memory.first_node; node != kNil; node = s_.nodes[node].next_right) {
-      Expect(s_.nodes[node].right_linked && network_.node(node).alpha == alpha, "wrong node in alpha memory's list", node);
+      Expect(s_.nodes[node].right_linked && network_.node(node).alpha == alpha, "wrong node in alpha memory's list",
+             node);
       Expect(s_.nodes[node].previous_right == previous, "broken list of nodes", alpha);
       for (std::uint32_t later = s_.nodes[node].next_right; later != kNil; later = s_.nodes[later].next_right) {
         for (std::uint32_t up = network_.node(later).ancestor; up != kNil; up = network_.node(up).ancestor) {
@@ -126,7 +129,13 @@ class Checker {
         Expect(s_.tokens[token].key == s_.KeyOfToken(node, token), "wrong key", token);
       }
     });
-    Expect(count == state.count, "wrong count of a memory", index);
+    if ((state.roles & NodeState::kSparse) != 0) {
+      Expect(count == s_.SparseOf(index).tokens, "wrong count of a sparse memory's tokens", index);
+      CheckSparse(index);
+    } else {
+      Expect(count == state.count, "wrong count of a memory", index);
+    }
+    count = state.count;
     Expect(s_.Emissions(node.parent).size() == count, "memory differs from what reaches it", index);
     if (node.kind == NodeKind::kNegative) {
       Expect(state.right_linked == (count != 0), "negative node linked wrongly", index);
@@ -148,12 +157,48 @@ class Checker {
     }
   }
 
+  /// Every pair is a token or parked, never both; tokens above know how many there are.
+  void CheckSparse(std::uint32_t index) {
+    const Node& node = network_.node(index);
+    std::map<ReteState::Emission, int> pairs;
+    std::map<std::uint32_t, std::uint32_t> of_token;
+    for (const ReteState::Emission& emission : s_.Emissions(node.parent)) {
+      pairs[emission] = 1;
+      ++of_token[emission.first];
+    }
+    s_.ForEachToken(index, [&](std::uint32_t token) { --pairs[{s_.tokens[token].parent, s_.tokens[token].wme}]; });
+    const SparseState& memory = s_.SparseOf(index);
+    for (std::uint32_t n = 0; n < memory.logged; ++n) {
+      if (!s_.IsStale(memory.log[n])) {
+        --pairs[{memory.log[n].parent, memory.log[n].wme}];
+      }
+    }
+    std::uint32_t indexed = 0;
+    for (std::uint32_t n = 0; memory.bits != 0 && n < 1u << memory.bits; ++n) {
+      for (std::uint32_t at = s_.tables[memory.table + n]; at != kNil; at = s_.parked[at].next) {
+        const ParkedPair& pair = s_.parked[at];
+        ++indexed;
+        if (!s_.IsStale(pair)) {
+          --pairs[{pair.parent, pair.wme}];
+          Expect(pair.key == KeyOfPair(s_, node, pair.parent, pair.wme).key, "wrong key of a parked pair", at);
+        }
+      }
+    }
+    Expect(indexed == memory.indexed, "wrong count of parked pairs", index);
+    for (const auto& [pair, missing] : pairs) {
+      Expect(missing == 0, "pair of a sparse memory is lost or there twice", index);
+    }
+    s_.ForEachToken(network_.node(node.parent).parent, [&](std::uint32_t token) {
+      Expect(s_.tokens[token].pairs == of_token[token], "wrong number of pairs of a token", token);
+    });
+  }
+
   void CheckResults(const Node& node, std::uint32_t token) {
     std::size_t wanted = 0;
     for (std::uint32_t item = s_.alphas[node.alpha].first; item != kNil; item = s_.items[item].next) {
       const Wme& wme = s_.wmes[s_.items[item].wme];
-      if (KeyOfElement(node, wme) == s_.tokens[token].key &&
-          (node.key != KeyKind::kIdValue || HasKey(s_, node, token, wme)) && s_.Passes(node, token, wme)) {
+      if (KeyOfElement(node, wme) == s_.tokens[token].key && HasKey(s_, node, token, wme) &&
+          s_.Passes(node, token, wme)) {
         ++wanted;
       }
     }

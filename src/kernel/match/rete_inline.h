@@ -19,9 +19,15 @@ inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t token,
   return tokens[token].wme;
 }
 
+/// The element bound `levels` steps up from the token that stands, or would stand, for (parent, wme).
+inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t parent, std::uint32_t wme,
+                               std::uint32_t levels) {
+  return levels == 0 ? wme : ElementAt(tokens, parent, levels - 1);
+}
+
 /// Takes a record for a new token. Everything but its chain and its key is set.
 [[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
-                                                      std::uint32_t wme) {
+                                                      std::uint32_t wme, std::uint64_t serial) {
   std::uint32_t index = state.free_tokens;
   if (index != kNil) [[likely]] {
     state.free_tokens = state.tokens[index].next_sibling;
@@ -34,6 +40,9 @@ inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t token,
   token.parent = parent;
   token.wme = wme;
   token.node = node;
+  token.serial = serial;
+  token.made = state.next_serial;
+  token.pairs = 0;
   token.first_child = kNil;
   token.previous_sibling = kNil;
   std::uint32_t sibling = kNil;
@@ -59,6 +68,11 @@ inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t token,
   return index;
 }
 
+[[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
+                                                      std::uint32_t wme) {
+  return MakeToken(state, node, parent, wme, state.next_serial++);
+}
+
 /// What a token of a memory is indexed by.
 struct KeyParts {
   std::uint32_t key = 0;    ///< As in Token::key.
@@ -75,25 +89,24 @@ struct KeyParts {
   }
   const Records<const Token> tokens = std::as_const(state.tokens).records();
   const Wme* wmes = state.wmes.data();
-  const std::uint32_t with_id = memory.key_id_levels == 0 ? wme : ElementAt(tokens, parent, memory.key_id_levels - 1u);
+  const std::uint32_t with_id = ElementAt(tokens, parent, wme, memory.key_id_levels);
   parts.key = parts.id = ReteState::FieldOf(wmes[with_id], memory.key_id_field);
   if (memory.key == KeyKind::kIdValue) {
-    const std::uint32_t with_value =
-        memory.key_value_levels == 0 ? wme : ElementAt(tokens, parent, memory.key_value_levels - 1u);
+    const std::uint32_t with_value = ElementAt(tokens, parent, wme, memory.key_value_levels);
     parts.value = ReteState::FieldOf(wmes[with_value], memory.key_value_field);
     parts.key = ReteState::PairKey(parts.id, parts.value);
   }
   return parts;
 }
 
-/// Puts a token at the head of its chain and lets the table grow with the memory.
+/// Puts a token at the head of its chain and lets the table grow with the number of tokens, which is in `counter`.
 [[gnu::always_inline]] inline void InsertWithKey(ReteState& state, std::uint32_t node, std::uint32_t index,
-                                                 std::uint32_t key, bool keyed) {
+                                                 std::uint32_t key, bool keyed, std::uint32_t& counter) {
   NodeState& memory = state.nodes[node];
   const Records<Token> all = state.tokens.records();
   const std::uint32_t bits = memory.bits;
   std::uint32_t* head = &memory.head;
-  const std::uint32_t count = ++memory.count;
+  const std::uint32_t count = ++counter;
   bool grow = false;
   if (bits != 0) {
     head = &state.tables[memory.head + ReteState::Hash(key, bits)];
@@ -114,10 +127,16 @@ struct KeyParts {
   }
 }
 
+[[gnu::always_inline]] inline void InsertWithKey(ReteState& state, std::uint32_t node, std::uint32_t index,
+                                                 std::uint32_t key, bool keyed) {
+  InsertWithKey(state, node, index, key, keyed, state.nodes[node].count);
+}
+
 /// Calls visit(element) for each element that the index of the right side offers for a left token with this key, newest
 /// first. Tests are still to be made. Nothing may be added to or removed from the alpha memory meanwhile.
 template <typename Visit>
-[[gnu::always_inline]] inline void ForEachRight(ReteState& state, const Node& node, const KeyParts& key, Visit&& visit) {
+[[gnu::always_inline]] inline void ForEachRight(ReteState& state, const Node& node, const KeyParts& key,
+                                                Visit&& visit) {
   const AlphaState& alpha = state.alphas[node.alpha];
   const Records<const AlphaItem> items = std::as_const(state.items).records();
   if (node.key == KeyKind::kId) [[likely]] {
@@ -165,24 +184,79 @@ template <typename Visit>
   }
 }
 
+inline bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
+  constexpr std::uint32_t kSmall = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
+  return (left >> Symbol::kIndexBits) == kSmall && (right >> Symbol::kIndexBits) == kSmall;
+}
+
+/// One comparison with a constant or a binding. False in `decided` if it is none of the common ones.
+[[gnu::always_inline]] inline bool Compare(const ReteState& state, const NodeTest& test, std::uint32_t parent,
+                                           std::uint32_t left, const Wme& element, bool& decided) {
+  decided = true;
+  const std::uint32_t value = ReteState::FieldOf(element, test.field);
+  std::uint32_t referent = test.referent;
+  if (test.against_binding) {
+    referent =
+        test.levels == 0
+            ? ReteState::FieldOf(element, test.referent_field)
+            : ReteState::FieldOf(state.wmes.data()[ElementAt(state.tokens.records(), parent, left, test.levels - 1u)],
+                                 test.referent_field);
+  }
+  if (test.op <= TestOp::kNotEqual) {
+    return (value == referent) == (test.op == TestOp::kEqual);
+  }
+  if (test.op <= TestOp::kGreaterOrEqual && AreSmallIntegers(value, referent)) {
+    const auto a = static_cast<std::int32_t>(value << 3);
+    const auto b = static_cast<std::int32_t>(referent << 3);
+    // kLess, kGreater, kLessOrEqual, kGreaterOrEqual, in this order.
+    const bool upwards = test.op == TestOp::kLess || test.op == TestOp::kLessOrEqual;
+    const bool strict = test.op <= TestOp::kGreater;
+    return upwards ? (a < b || (!strict && a == b)) : (a > b || (!strict && a == b));
+  }
+  decided = false;
+  return false;
+}
+
+/// Whether (parent, left) and an element pass a join's tests, with the commonest case (one comparison) at hand.
+[[gnu::always_inline]] inline bool PassesAll(const ReteState& state, const Network& network, const Node& node,
+                                             std::uint32_t parent, std::uint32_t left, const Wme& element) {
+  const NodeTest* test = network.tests(node).data();
+  for (const NodeTest* const end = test + node.test_count; test != end; ++test) {
+    bool decided;
+    if (!Compare(state, *test, parent, left, element, decided)) {
+      return !decided && state.Passes(node, parent, left, element);
+    }
+  }
+  return true;
+}
+
 /// The key that an element has for a node.
 inline std::uint32_t KeyOfElement(const Node& node, const Wme& wme) {
   switch (node.key) {
-    case KeyKind::kNone: return 0;
-    case KeyKind::kId: return wme.id.bits();
-    case KeyKind::kIdValue: return ReteState::PairKey(wme.id.bits(), wme.value.bits());
+    case KeyKind::kNone:
+      return 0;
+    case KeyKind::kId:
+      return wme.id.bits();
+    case KeyKind::kIdValue:
+      return ReteState::PairKey(wme.id.bits(), wme.value.bits());
   }
   return 0;
 }
 
-/// Whether a token has the identifier and value that a kIdValue key asks for.
-inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token, const Wme& wme) {
+/// Whether a pair has the identifier and value of an element; to be asked of kIdValue keys that are equal.
+inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) {
+  if (node.key != KeyKind::kIdValue) {
+    return true;
+  }
   const Records<const Token> tokens = std::as_const(state.tokens).records();
   const Wme* wmes = state.wmes.data();
-  return wme.id.bits() == ReteState::FieldOf(wmes[ElementAt(tokens, token, node.key_id_levels)],
-                                             node.key_id_field) &&
-         wme.value.bits() == ReteState::FieldOf(wmes[ElementAt(tokens, token, node.key_value_levels)],
-                                                node.key_value_field);
+  return wme.id.bits() ==
+             ReteState::FieldOf(wmes[ElementAt(tokens, parent, left, node.key_id_levels)], node.key_id_field) &&
+         wme.value.bits() ==
+             ReteState::FieldOf(wmes[ElementAt(tokens, parent, left, node.key_value_levels)], node.key_value_field);
+}
+inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token, const Wme& wme) {
+  return HasKey(state, node, state.tokens[token].parent, state.tokens[token].wme, wme);
 }
 
 /// The first token of the chain in which tokens with this key stand (among others).

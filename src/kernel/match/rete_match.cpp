@@ -8,11 +8,6 @@ namespace soarbox::kernel {
 
 namespace {
 
-bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
-  constexpr std::uint32_t kSmall = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
-  return (left >> Symbol::kIndexBits) == kSmall && (right >> Symbol::kIndexBits) == kSmall;
-}
-
 std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t left, std::uint32_t right) {
   if (AreSmallIntegers(left, right)) {
     return static_cast<std::int32_t>(left << 3) <=> static_cast<std::int32_t>(right << 3);
@@ -24,54 +19,11 @@ std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t le
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
-/// One comparison with a constant or a binding. False in `decided` if it is none of the common ones.
-[[gnu::always_inline]] inline bool Compare(const ReteState& state, const NodeTest& test, std::uint32_t left,
-                                           const Wme& element, bool& decided) {
-  decided = true;
-  const std::uint32_t value = ReteState::FieldOf(element, test.field);
-  std::uint32_t referent = test.referent;
-  if (test.against_binding) {
-    referent = test.levels == 0
-                   ? ReteState::FieldOf(element, test.referent_field)
-                   : ReteState::FieldOf(state.wmes.data()[ElementAt(state.tokens.records(), left, test.levels - 1u)],
-                                        test.referent_field);
-  }
-  if (test.op <= TestOp::kNotEqual) {
-    return (value == referent) == (test.op == TestOp::kEqual);
-  }
-  if (test.op <= TestOp::kGreaterOrEqual && AreSmallIntegers(value, referent)) {
-    const auto a = static_cast<std::int32_t>(value << 3);
-    const auto b = static_cast<std::int32_t>(referent << 3);
-    // kLess, kGreater, kLessOrEqual, kGreaterOrEqual, in this order.
-    const bool upwards = test.op == TestOp::kLess || test.op == TestOp::kLessOrEqual;
-    const bool strict = test.op <= TestOp::kGreater;
-    return upwards ? (a < b || (!strict && a == b)) : (a > b || (!strict && a == b));
-  }
-  decided = false;
-  return false;
-}
-
-/// Whether a pair passes, with the commonest case (one comparison) at hand.
-[[gnu::always_inline]] inline bool PassesAll(const ReteState& state, const Network& network, const Node& node,
-                                             std::uint32_t left, const Wme& element) {
-  if (node.test_count == 0) {
-    return true;
-  }
-  if (node.test_count == 1) {
-    bool decided;
-    const bool passes = Compare(state, *network.tests(node).data(), left, element, decided);
-    if (decided) {
-      return passes;
-    }
-  }
-  return state.Passes(node, left, element);
-}
-
-bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) const {
+bool ReteState::Passes(const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
   const NodeTest* test = network->tests(node).data();
   for (const NodeTest* end = test + node.test_count; test != end; ++test) {
     bool decided;
-    if (Compare(*this, *test, left, wme, decided)) {
+    if (Compare(*this, *test, parent, left, wme, decided)) {
       continue;
     }
     if (decided) {
@@ -80,18 +32,27 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
     const std::uint32_t value = FieldOf(wme, test->field);
     std::uint32_t referent = test->referent;
     if (test->against_binding) {
-      referent = test->levels == 0
-                     ? FieldOf(wme, test->referent_field)
-                     : FieldOf(wmes.data()[ElementAt(tokens.records(), left, test->levels - 1u)], test->referent_field);
+      referent = test->levels == 0 ? FieldOf(wme, test->referent_field)
+                                   : FieldOf(wmes.data()[ElementAt(tokens.records(), parent, left, test->levels - 1u)],
+                                             test->referent_field);
     }
     bool passed = false;
     switch (test->op) {
       case TestOp::kEqual:
-      case TestOp::kNotEqual: break;  // Decided above.
-      case TestOp::kLess: passed = CompareSymbols(symbols, value, referent) < 0; break;
-      case TestOp::kGreater: passed = CompareSymbols(symbols, value, referent) > 0; break;
-      case TestOp::kLessOrEqual: passed = CompareSymbols(symbols, value, referent) <= 0; break;
-      case TestOp::kGreaterOrEqual: passed = CompareSymbols(symbols, value, referent) >= 0; break;
+      case TestOp::kNotEqual:
+        break;  // Decided above.
+      case TestOp::kLess:
+        passed = CompareSymbols(symbols, value, referent) < 0;
+        break;
+      case TestOp::kGreater:
+        passed = CompareSymbols(symbols, value, referent) > 0;
+        break;
+      case TestOp::kLessOrEqual:
+        passed = CompareSymbols(symbols, value, referent) <= 0;
+        break;
+      case TestOp::kGreaterOrEqual:
+        passed = CompareSymbols(symbols, value, referent) >= 0;
+        break;
       case TestOp::kSameType:
         passed = Symbol::FromBits(value).kind() == Symbol::FromBits(referent).kind();
         break;
@@ -100,8 +61,12 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
         passed = std::find(first, first + test->count, value) != first + test->count;
         break;
       }
-      case TestOp::kIsGoal: passed = GoalLevelOf(Symbol::FromBits(value)) != 0; break;
-      case TestOp::kNever: passed = false; break;
+      case TestOp::kIsGoal:
+        passed = GoalLevelOf(Symbol::FromBits(value)) != 0;
+        break;
+      case TestOp::kNever:
+        passed = false;
+        break;
       case TestOp::kSameLti:
       case TestOp::kNotSameLti: {
         const Symbol other = Symbol::FromBits(referent);
@@ -111,8 +76,12 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
         passed = (lti != 0 && lti == wanted) == (test->op == TestOp::kSameLti);
         break;
       }
-      case TestOp::kIsLti: passed = LtiOf(Symbol::FromBits(value)) != 0; break;
-      case TestOp::kIsNotLti: passed = LtiOf(Symbol::FromBits(value)) == 0; break;
+      case TestOp::kIsLti:
+        passed = LtiOf(Symbol::FromBits(value)) != 0;
+        break;
+      case TestOp::kIsNotLti:
+        passed = LtiOf(Symbol::FromBits(value)) == 0;
+        break;
     }
     if (!passed) {
       return false;
@@ -121,73 +90,7 @@ bool ReteState::Passes(const Node& node, std::uint32_t left, const Wme& wme) con
   return true;
 }
 
-// Right side ----------------------------------------------------------------------------------------------------------
-
-[[gnu::always_inline]] inline void ReteState::RightActivate(std::uint32_t node_index, std::uint32_t wme) {
-  const Network& net = *network;
-  const Node& node = net.node(node_index);
-  const bool is_join = node.kind == NodeKind::kJoin;
-  const std::uint32_t memory = is_join ? node.parent : node_index;
-  if (is_join && !nodes[node_index].left_linked) {
-    LinkLeft(node_index);
-    if (nodes[memory].count == 0) {
-      UnlinkRight(node_index);
-      return;
-    }
-  }
-  const Wme& element = wmes[wme];
-  const std::uint32_t key = KeyOfElement(node, element);
-  std::uint32_t token = ChainHead(*this, nodes[memory], key);
-  if (token == kNil) {
-    return;
-  }
-  const std::uint32_t only = is_join ? node.only_memory : kNil;
-  while (token != kNil) {
-    const std::uint32_t next = tokens[token].next_in_chain;
-    if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, element)) &&
-        PassesAll(*this, net, node, token, element)) {
-      if (only != kNil) {
-        LeftMemory(only, token, wme);
-      } else if (is_join) {
-        Emit(node_index, token, wme);
-      } else {
-        Block(token, wme);
-      }
-    }
-    token = next;
-  }
-}
-
 // Alpha memories ------------------------------------------------------------------------------------------------------
-
-void ReteState::AddWme(std::uint32_t wme) {
-  if (wme >= links.size()) {
-    links.resize(std::max<std::size_t>(wme + 1u, wmes.capacity()));
-  }
-  WmeLinks& link = links[wme];
-  link.first_item = kNil;
-  link.first_token = kNil;
-  link.in_match = true;
-  link.previous = kNil;
-  link.next = newest_wme;
-  if (newest_wme != kNil) {
-    links[newest_wme].previous = wme;
-  }
-  newest_wme = wme;
-  ++wme_count;
-  const Wme& element = wmes[wme];
-  last_timetag = std::max(last_timetag, element.timetag);
-
-  const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
-  network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) {
-    AddItem(alpha, wme);
-    for (std::uint32_t node = alphas[alpha].first_node; node != kNil;) {
-      const std::uint32_t next = nodes[node].next_right;
-      RightActivate(node, wme);
-      node = next;
-    }
-  });
-}
 
 void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
   std::uint32_t index = free_items;
@@ -348,59 +251,31 @@ void ReteState::Emit(std::uint32_t node, std::uint32_t token, std::uint32_t wme)
 
 void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme) {
   switch (network->node(node).kind) {
-    case NodeKind::kMemory: LeftMemory(node, token, wme); break;
-    case NodeKind::kProduction: LeftProduction(node, token, wme); break;
-    case NodeKind::kNegative: LeftNegative(node, token, wme); break;
-    case NodeKind::kConjunctive: LeftConjunctive(node, token, wme); break;
-    case NodeKind::kPartner: LeftPartner(node, token, wme); break;
+    case NodeKind::kMemory:
+      LeftMemory(node, token, wme);
+      break;
+    case NodeKind::kProduction:
+      LeftProduction(node, token, wme);
+      break;
+    case NodeKind::kNegative:
+      LeftNegative(node, token, wme);
+      break;
+    case NodeKind::kConjunctive:
+      LeftConjunctive(node, token, wme);
+      break;
+    case NodeKind::kPartner:
+      LeftPartner(node, token, wme);
+      break;
     case NodeKind::kFree:
     case NodeKind::kRoot:
-    case NodeKind::kJoin: break;
-  }
-}
-
-/// Links a join to its alpha memory because its own memory has tokens. False if there is nothing to join with; the join
-/// is then off its memory's list.
-bool ReteState::LinkJoin(std::uint32_t node) {
-  LinkRight(node);
-  if (alphas[network->node(node).alpha].count == 0) {
-    UnlinkLeft(node);
-    return false;
-  }
-  return true;
-}
-
-void ReteState::LeftMemory(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
-  const Network& net = *network;
-  const Node& node = net.node(node_index);
-  const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
-  const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  InsertWithKey(*this, node_index, token, key.key, node.key != KeyKind::kNone);
-  for (std::uint32_t join = nodes[node_index].first_linked; join != kNil;) {
-    const std::uint32_t index = join;
-    join = nodes[index].next_left;
-    if (!nodes[index].right_linked && !LinkJoin(index)) {
-      continue;
-    }
-    const Node& joined = net.node(index);
-    const std::uint32_t memory = joined.only_memory;
-    ForEachRight(*this, joined, key, [&](std::uint32_t element) {
-      if (!PassesAll(*this, net, joined, token, wmes[element])) {
-        return;
-      }
-      if (memory != kNil) {
-        LeftMemory(memory, token, element);
-      } else {
-        Emit(index, token, element);
-      }
-    });
+    case NodeKind::kJoin:
+      break;
   }
 }
 
 void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(node_index);
   const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
-  tokens[token].serial = next_serial++;
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   InsertWithKey(*this, node_index, token, key.key, node.key != KeyKind::kNone);
   if (!nodes[node_index].right_linked) {
@@ -408,7 +283,7 @@ void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std
   }
   bool blocked = false;
   ForEachRight(*this, node, key, [&](std::uint32_t element) {
-    if (node.test_count == 0 || Passes(node, token, wmes[element])) {
+    if (PassesAll(*this, *network, node, parent, wme, wmes[element])) {
       NewToken(node_index | Token::kResultBit, token, element);
       blocked = true;
     }
@@ -427,7 +302,6 @@ void ReteState::LeftConjunctive(std::uint32_t node_index, std::uint32_t parent, 
     }
   }
   const std::uint32_t token = NewToken(node_index, parent, wme);
-  tokens[token].serial = next_serial++;
   InsertWithKey(*this, node_index, token, key, true);
   Emit(node_index, token, kNil);
 }
@@ -447,7 +321,6 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   }
   if (owner == kNil) {
     owner = NewToken(node.partner | Token::kBlockedBit, owner_parent, owner_wme);
-    tokens[owner].serial = next_serial++;
     InsertWithKey(*this, node.partner, owner, key, true);
   } else if ((tokens[owner].node & Token::kBlockedBit) == 0) {
     while (tokens[owner].first_child != kNil) {

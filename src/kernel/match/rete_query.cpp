@@ -9,10 +9,8 @@ std::vector<std::uint32_t> ReteState::TokensByAge(std::uint32_t node) const {
   std::vector<std::uint32_t> found;
   found.reserve(nodes[node].count);
   ForEachToken(node, [&](std::uint32_t token) { found.push_back(token); });
-  // Serial numbers may wrap around; within one memory their distance stays small.
-  std::sort(found.begin(), found.end(), [this](std::uint32_t a, std::uint32_t b) {
-    return static_cast<std::int32_t>(tokens[a].serial - tokens[b].serial) > 0;
-  });
+  std::sort(found.begin(), found.end(),
+            [this](std::uint32_t a, std::uint32_t b) { return tokens[a].serial > tokens[b].serial; });
   return found;
 }
 
@@ -32,11 +30,16 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
       for (std::uint32_t item = alphas[node.alpha].first; item != kNil; item = items[item].next) {
         const std::uint32_t wme = items[item].wme;
         const std::uint32_t key = KeyOfElement(node, wmes[wme]);
+        const std::size_t first = emissions.size();
         for (std::uint32_t token = ChainHead(*this, memory, key); token != kNil; token = tokens[token].next_in_chain) {
-          if (tokens[token].key == key && (node.key != KeyKind::kIdValue || HasKey(*this, node, token, wmes[wme])) &&
-              Passes(node, token, wmes[wme])) {
+          if (tokens[token].key == key && HasKey(*this, node, token, wmes[wme]) && Passes(node, token, wmes[wme])) {
             emissions.emplace_back(token, wme);
           }
+        }
+        if ((memory.roles & NodeState::kSparse) != 0) {  // Its chains may be out of order.
+          std::sort(
+              emissions.begin() + static_cast<std::ptrdiff_t>(first), emissions.end(),
+              [this](const Emission& a, const Emission& b) { return tokens[a.first].serial > tokens[b.first].serial; });
         }
       }
       break;

@@ -7,12 +7,16 @@ namespace soarbox::kernel {
 
 void ReteState::RemoveWme(std::uint32_t wme) {
   removing = wme;
+  links[wme].serial = next_serial++;
   for (std::uint32_t item = links[wme].first_item; item != kNil;) {
     const std::uint32_t next = items[item].next_of_wme;
     RemoveItem(item);
     item = next;
   }
   links[wme].first_item = kNil;
+  if (links[wme].unsorted) {
+    SortTokensOf(wme);
+  }
   // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
   while (links[wme].first_token != kNil) {
     const std::uint32_t token = links[wme].first_token;
@@ -38,6 +42,12 @@ void ReteState::RemoveWme(std::uint32_t wme) {
 void ReteState::RemoveItem(std::uint32_t index) {
   AlphaItem& item = items[index];
   AlphaState& memory = alphas[item.alpha];
+  for (std::uint32_t node = memory.sparse == 0 ? kNil : memory.first_node; node != kNil;
+       node = nodes[node].next_right) {
+    if ((nodes[node].roles & NodeState::kFeedsSparse) != 0) {
+      ForgetPairs(node, item.wme);
+    }
+  }
   if (item.next != kNil) {
     items[item.next].previous = item.previous;
   }
@@ -92,6 +102,7 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
   }
 }
 
+/// Takes a token off its chain. Counting is the caller's part.
 [[gnu::always_inline]] inline void UnlinkFromChain(ReteState& state, NodeState& memory, const Token& token) {
   const Records<Token> all = state.tokens.records();
   const std::uint32_t next = token.next_in_chain;
@@ -104,10 +115,10 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
   } else {
     (memory.bits == 0 ? memory.head : state.tables[memory.head + ReteState::Hash(token.key, memory.bits)]) = next;
   }
-  --memory.count;
 }
 
 [[gnu::always_inline]] inline void Free(ReteState& state, std::uint32_t index) {
+  state.tokens[index].made = state.next_serial;
   state.tokens[index].next_sibling = state.free_tokens;
   state.free_tokens = index;
   --state.token_count;
@@ -127,6 +138,7 @@ void ReteState::FreeToken(std::uint32_t index) {
 
 void ReteState::RemoveFromChain(std::uint32_t node, std::uint32_t index) {
   UnlinkFromChain(*this, nodes[node], tokens[index]);
+  --nodes[node].count;
 }
 
 /// An element that blocked a negative token is going.
@@ -144,8 +156,14 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
   std::uint32_t token = root;
   for (;;) {
     const Records<Token> all = tokens.records();
-    for (std::uint32_t child = all[token].first_child;
-         child != kNil && (all[token].node & Token::kBlockedBit) == 0; child = all[token].first_child) {
+    for (std::uint32_t child = all[token].first_child; child != kNil; child = all[token].first_child) {
+      if ((all[token].node & (Token::kBlockedBit | Token::kUnsortedBit)) != 0) [[unlikely]] {
+        if ((all[token].node & Token::kBlockedBit) != 0) {
+          break;
+        }
+        SortChildren(token);
+        continue;
+      }
       token = child;
     }
     if (token == root) {
@@ -176,9 +194,20 @@ inline void ReteState::RemoveLeaf(std::uint32_t index) {
   const std::uint32_t node = node_bits & Token::kNodeMask;
   const NodeKind kind = network->node(node).kind;
   if (kind == NodeKind::kMemory || kind == NodeKind::kNegative) [[likely]] {
-    UnlinkFromChain(*this, nodes[node], token);
+    NodeState& memory = nodes[node];
+    UnlinkFromChain(*this, memory, token);
+    if (memory.roles != 0) {
+      if ((memory.roles & NodeState::kAboveSparse) != 0 && token.pairs != 0) {
+        ForgetPairsOf(node, token.pairs);
+      }
+      if ((memory.roles & NodeState::kSparse) != 0) {
+        --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
+        Free(*this, index);
+        return;
+      }
+    }
     Free(*this, index);
-    if (nodes[node].count == 0) {
+    if (--memory.count == 0) {
       if (kind == NodeKind::kNegative) {
         if (nodes[node].right_linked) {
           UnlinkRight(node);
@@ -234,7 +263,8 @@ void ReteState::RemoveRareLeaf(std::uint32_t index, NodeKind kind) {
       bool can_return = true;
       if (matches.StateOf(match) == MatchState::kFired) {
         const std::span<const WmeId> all = matches.Wmes(match);
-        can_return = !excising && (removing == kNil || std::ranges::find(all, static_cast<WmeId>(removing)) == all.end());
+        can_return =
+            !excising && (removing == kNil || std::ranges::find(all, static_cast<WmeId>(removing)) == all.end());
       }
       matches.TokenGone(match, can_return, last_timetag);
       break;
@@ -243,7 +273,8 @@ void ReteState::RemoveRareLeaf(std::uint32_t index, NodeKind kind) {
     case NodeKind::kNegative:
     case NodeKind::kFree:
     case NodeKind::kRoot:
-    case NodeKind::kJoin: break;
+    case NodeKind::kJoin:
+      break;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -11,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/match/record_array.h"
 #include "kernel/match/match_set.h"
 #include "kernel/match/network.h"
+#include "kernel/match/record_array.h"
 #include "kernel/match/rete.h"
 #include "kernel/match/table_pool.h"
 
@@ -29,6 +30,9 @@ namespace soarbox::kernel {
 ///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that chain.
 /// * production: `key` is the match.
 /// * kWatchNode: `parent` is kNil, `key` the match, `chain` links the match's other watch tokens.
+///
+/// Tokens that a parked pair was made into late stand at the wrong place of their lists: then kUnsortedBit of the
+/// parent and WmeLinks::unsorted tell that the list is to be sorted by serial number before its order matters.
 struct Token {
   std::uint32_t parent;
   std::uint32_t wme;
@@ -38,19 +42,32 @@ struct Token {
   std::uint32_t next_of_wme, previous_of_wme;
   std::uint32_t next_in_chain, previous_in_chain;
   std::uint32_t key;
-  std::uint32_t serial;  ///< Negative, conjunctive: running number, orders the tokens of one memory.
+  std::uint32_t pairs;   ///< Memory above a sparse one: pairs of this token that the sparse memory holds.
+  std::uint64_t serial;  ///< Running number: when it (or the parked pair that it was) reached its node.
+  std::uint64_t made;    ///< Likewise: when this record was last taken or given back.
 
   static constexpr std::uint32_t kResultBit = 0x80000000u;
   static constexpr std::uint32_t kBlockedBit = 0x40000000u;
-  static constexpr std::uint32_t kNodeMask = 0x3FFFFFFFu;
-  static constexpr std::uint32_t kWatchNode = 0x3FFFFFFFu;
+  static constexpr std::uint32_t kUnsortedBit = 0x20000000u;
+  static constexpr std::uint32_t kNodeMask = 0x1FFFFFFFu;
+  static constexpr std::uint32_t kWatchNode = 0x1FFFFFFFu;
+};
+
+/// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). Stale, and as good as gone, once its
+/// token or its element has left: then their records have changed hands since.
+struct ParkedPair {
+  std::uint32_t parent;
+  std::uint32_t wme;
+  std::uint64_t serial;
+  std::uint32_t key;   ///< As of a token.
+  std::uint32_t next;  ///< In its chain, or in the free list.
 };
 
 /// An element in an alpha memory.
 struct AlphaItem {
   std::uint32_t wme;
   std::uint32_t alpha;
-  std::uint32_t id, value;  ///< Symbol bits of the element, for chains.
+  std::uint32_t id, value;                           ///< Symbol bits of the element, for chains.
   std::uint32_t next, previous;                      ///< All items of the memory, newest first.
   std::uint32_t next_in_bucket, previous_in_bucket;  ///< Index by identifier, if the memory has one.
   std::uint32_t next_in_pair;                        ///< Index by identifier and value, if it has one.
@@ -58,42 +75,71 @@ struct AlphaItem {
 };
 
 struct AlphaState {
-  std::uint32_t first = kNil;                         ///< Items.
+  std::uint32_t first = kNil;  ///< Items.
   std::uint32_t count = 0;
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
-  std::uint8_t id_bits = 0, pair_bits = 0;            ///< 0: no table; the items are searched one by one.
-  std::uint32_t spare = 0;                            ///< Makes it 32 bytes.
+  std::uint8_t id_bits = 0, pair_bits = 0;  ///< 0: no table; the items are searched one by one.
+  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories.
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
 /// A node's part of the agent's state.
 ///
 /// Unlinking: a join is not in its memory's list while its alpha memory is empty, and not in the alpha memory's list
-/// while its memory is empty, but it is always in at least one of the two. A negative node is in its alpha memory's list
-/// exactly while it has tokens.
+/// while its memory is empty, but it is always in at least one of the two. A negative node is in its alpha memory's
+/// list exactly while it has tokens.
 struct NodeState {
+  // What a node has to do with sparse memories (rete_sparse.cpp).
+  static constexpr std::uint8_t kSparse = 1;       ///< Is one.
+  static constexpr std::uint8_t kAboveSparse = 2;  ///< Memory: its only join feeds one.
+  static constexpr std::uint8_t kFeedsSparse = 4;  ///< Join: its only child is one.
+  static constexpr std::uint8_t kMayBeSparse = 8;  ///< Memory: would be one if more of its pairs were to join in vain.
+
   std::uint32_t head = kNil;          ///< Tokens: the chain if bits is 0, else a table of chains.
-  std::uint32_t count = 0;
+  std::uint32_t count = 0;            ///< Tokens; of a sparse memory also parked pairs that are not stale.
   std::uint32_t first_linked = kNil;  ///< Memory: left-linked joins, last linked first.
   std::uint32_t next_left = kNil, previous_left = kNil;    ///< Join: in its memory's list.
+                                                           ///< Sparse memory: next_left is its place in `sparse`.
+                                                           ///< One that may be: previous_left is its score.
   std::uint32_t next_right = kNil, previous_right = kNil;  ///< Join, negative: in the alpha memory's list.
   std::uint8_t bits = 0;
   bool left_linked = false;
   bool right_linked = false;
+  std::uint8_t roles = 0;
+};
+
+/// The rest of a sparse memory's state. Pairs are parked in a log; the first element that comes from the right moves
+/// them into a table by their key.
+struct SparseState {
+  std::uint32_t node = kNil;
+  std::uint32_t tokens = 0;     ///< Pairs that are tokens.
+  std::vector<ParkedPair> log;  ///< In use: the first `logged`.
+  std::uint32_t logged = 0;
+  std::uint32_t log_limit = 0;  ///< Stale pairs are dropped, or the log grows, when it is as long as this.
+  std::uint32_t indexed = 0;    ///< Pairs in the table.
+  std::uint32_t table = kNil;   ///< Of chains.
+  std::uint8_t bits = 0;        ///< 0: no table.
+  bool unsorted = false;        ///< Chains of tokens may be out of order.
+  std::uint32_t saved = 0;      ///< Pairs that went without ever being tokens.
+  std::uint32_t late = 0;       ///< Pairs that became tokens later.
 };
 
 struct WmeLinks {
   std::uint32_t first_item = kNil;
   std::uint32_t first_token = kNil;
   std::uint32_t next = kNil, previous = kNil;  ///< All elements in the match, newest first.
+  std::uint64_t serial = 0;                    ///< Of its arrival, then of its departure.
   bool in_match = false;
+  bool unsorted = false;  ///< The list of its tokens may be out of order.
 };
+static_assert(sizeof(WmeLinks) == 32, "elements are addressed by a shift");
 
-/// The contents of one agent's Rete and the algorithms on it, file by file: rete_match (additions), rete_remove,
-/// rete_build (rules), rete_query, rete_check.
+/// The contents of one agent's Rete and the algorithms on it, file by file: rete_match (additions), rete_join
+/// (joins and memories), rete_sparse (memories that park pairs), rete_remove, rete_build (rules), rete_query,
+/// rete_check.
 struct [[gnu::visibility("hidden")]] ReteState {
-  ReteState(MatchSet& matches, const SymbolTable& symbols, const WmeTable& wmes);
+  ReteState(MatchSet & matches, const SymbolTable& symbols, const WmeTable& wmes);
   ~ReteState();
   ReteState(const ReteState&) = delete;
   ReteState& operator=(const ReteState&) = delete;
@@ -102,13 +148,21 @@ struct [[gnu::visibility("hidden")]] ReteState {
   const SymbolTable& symbols;
   const WmeTable& wmes;
   GoalView goals;
-  std::shared_ptr<Network> network;                ///< Changed only while this agent alone holds it.
+  std::shared_ptr<Network> network;  ///< Changed only while this agent alone holds it.
   std::function<void(ProductionId)> on_mixed_support;
 
   RecordArray<Token> tokens;
   std::uint32_t free_tokens = kNil;
   std::uint32_t token_count = 0;
-  std::uint32_t next_serial = 0;
+  std::uint64_t next_serial = 1;
+  RecordArray<ParkedPair> parked;  ///< Indexed ones.
+  std::uint32_t free_parked = kNil;
+  std::vector<std::unique_ptr<SparseState>> sparse;  ///< Those of removed memories are used again.
+  std::vector<std::uint32_t> free_sparse;
+  std::vector<std::uint32_t> becoming_sparse;  ///< Memories that are to change when the element is in.
+  std::vector<std::uint32_t> becoming_plain;
+  std::uint32_t park_after = 256;                ///< See Rete::ParkAfter.
+  std::vector<std::uint32_t> gathered, sorting;  ///< Scratch: tokens that an element joins with; a list to be sorted.
   RecordArray<AlphaItem> items;
   std::uint32_t free_items = kNil;
   std::vector<AlphaState> alphas;
@@ -118,14 +172,14 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::uint32_t wme_count = 0;
   TablePool tables;
   std::uint64_t last_timetag = 0;
-  std::uint32_t removing = kNil;                   ///< The element that RemoveWme works on.
-  std::vector<WmeId> elements;                     ///< Scratch for a new match.
-  std::vector<char> mixed_reported;                ///< By rule.
-  std::vector<std::uint32_t> excised;              ///< Rules excised whose last match may not be released yet.
-  std::vector<ProductionPtr> retired;              ///< By number: excised rules, until the number is used again.
+  std::uint32_t removing = kNil;       ///< The element that RemoveWme works on.
+  std::vector<WmeId> elements;         ///< Scratch for a new match.
+  std::vector<char> mixed_reported;    ///< By rule.
+  std::vector<std::uint32_t> excised;  ///< Rules excised whose last match may not be released yet.
+  std::vector<ProductionPtr> retired;  ///< By number: excised rules, until the number is used again.
   bool excising = false;
-  std::vector<std::uint32_t> free_rules;           ///< Free rule numbers, last freed last.
-  std::unique_ptr<class ReteBuilder> builder;      ///< Keeps its scratch memory from rule to rule.
+  std::vector<std::uint32_t> free_rules;       ///< Free rule numbers, last freed last.
+  std::unique_ptr<class ReteBuilder> builder;  ///< Keeps its scratch memory from rule to rule.
   // While a new rule is matched for the first time:
   std::uint32_t refracting_node = kNil;
   std::span<const WmeId> refracted;
@@ -135,7 +189,6 @@ struct [[gnu::visibility("hidden")]] ReteState {
   // rete_match.cpp
   void AddWme(std::uint32_t wme);
   void AddItem(std::uint32_t alpha, std::uint32_t wme);
-  void RightActivate(std::uint32_t node, std::uint32_t wme);
   void Emit(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftMemory(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
@@ -146,7 +199,10 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void LeftProduction(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void Block(std::uint32_t token, std::uint32_t wme);
   MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
-  bool Passes(const Node& node, std::uint32_t left, const Wme& wme) const;
+  bool Passes(const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
+  bool Passes(const Node& node, std::uint32_t token, const Wme& wme) const {
+    return Passes(node, tokens[token].parent, tokens[token].wme, wme);
+  }
   std::uint32_t KeyOfToken(const Node& memory, std::uint32_t token) const;
   std::uint32_t NewToken(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
   void GrowChains(std::uint32_t node);
@@ -173,11 +229,65 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void EndWatch(std::uint32_t first);
   void Clear();
 
+  // rete_join.cpp
+  void RightActivate(std::uint32_t node, std::uint32_t wme);
+  void RightSparse(std::uint32_t join, std::uint32_t wme);
+  void EmitGathered(std::uint32_t join, std::uint32_t wme);
+  void JoinSparsely(std::uint32_t node, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
+                    struct KeyParts key, std::uint32_t item);
+  void JoinOn(std::uint32_t join, const Node& node, const class RightSide& right, std::uint32_t token,
+              const KeyParts& key, std::uint32_t parent, std::uint32_t wme, std::uint32_t item);
+  void JoinSparse(const Node& join, const RightSide& right, std::uint32_t token, const KeyParts& key,
+                  std::uint32_t item);
+  void LeftSparse(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
+  void JoinToken(std::uint32_t join, std::uint32_t token, KeyParts key, std::uint32_t item);
+  void JoinBucket(std::uint32_t memory, std::uint32_t token, std::uint32_t id, std::uint32_t item);
+  void LeftPlain(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
+
+  // rete_sparse.cpp
+  void MakeRoomToPark(SparseState & memory);
+  void IndexParked(SparseState & memory);
+  void GrowParkedTable(SparseState & memory, std::size_t more);
+  void GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_t key);
+  std::uint32_t Unpark(std::uint32_t node, const ParkedPair& pair);
+  bool IsStale(const ParkedPair& pair) const {
+    return pair.serial < tokens[pair.parent].made || pair.serial < links[pair.wme].serial;
+  }
+  void ForgetPairs(std::uint32_t join, std::uint32_t wme);
+  void ForgetPairsOf(std::uint32_t memory, std::uint32_t pairs);
+  void SortByAge(std::vector<std::uint32_t> & list) const;
+  void SortChildren(std::uint32_t token);
+  void SortTokensOf(std::uint32_t wme);
+  void SortChain(std::uint32_t & head);
+  SparseState& SparseOf(std::uint32_t node) {
+    return *sparse[nodes[node].next_left];
+  }
+  const SparseState& SparseOf(std::uint32_t node) const {
+    return *sparse[nodes[node].next_left];
+  }
+  bool CanBeSparse(std::uint32_t node) const;
+  /// A pair has become a token of a memory that may be sparse, and did or did not join.
+  void Judge(std::uint32_t node, std::uint32_t token) {
+    if (tokens[token].first_child != kNil) {
+      SpeakAgainstSparse(node, 3);
+    } else if (++nodes[node].previous_left == park_after) {
+      becoming_sparse.push_back(node);
+    }
+  }
+  void SpeakAgainstSparse(std::uint32_t node, std::uint32_t weight) {
+    std::uint32_t& score = nodes[node].previous_left;
+    score -= std::min(score, weight);
+  }
+  void MakeJudgedSparse();
+  void MakeSparse(std::uint32_t node);
+  void MakePlain(std::uint32_t node);
+  void ChildAdded(std::uint32_t node);
+
   // rete_build.cpp
   Rete::Added AddProduction(ProductionPtr production, const Rete::AddOptions& options);
   void ExciseProduction(std::uint32_t production);
   void OwnNetwork();
-  std::uint32_t MakeAlpha(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable);
+  std::uint32_t MakeAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable);
   void DropAlpha(std::uint32_t alpha);
   void NodeAdded(std::uint32_t node);
   void Prime(std::uint32_t child);
@@ -191,7 +301,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<Emission> Emissions(std::uint32_t node) const;
   std::vector<std::uint32_t> TokensByAge(std::uint32_t node) const;
   template <typename Visit>
-  void ForEachToken(std::uint32_t node, Visit&& visit) const {
+  void ForEachToken(std::uint32_t node, Visit && visit) const {
     const NodeState& state = nodes[node];
     const std::uint32_t chains = state.bits == 0 ? 1u : 1u << state.bits;
     for (std::uint32_t n = 0; n < chains; ++n) {
@@ -205,8 +315,12 @@ struct [[gnu::visibility("hidden")]] ReteState {
   }
 
   /// The highest `bits` bits (1 to 31) of a product.
-  static std::uint32_t Hash(std::uint32_t key, std::uint32_t bits) { return (key * 0x9E3779B1u) >> ((0u - bits) & 31u); }
-  static std::uint32_t PairKey(std::uint32_t id, std::uint32_t value) { return (id * 0x85EBCA6Bu) ^ (value * 0xC2B2AE35u); }
+  static std::uint32_t Hash(std::uint32_t key, std::uint32_t bits) {
+    return (key * 0x9E3779B1u) >> ((0u - bits) & 31u);
+  }
+  static std::uint32_t PairKey(std::uint32_t id, std::uint32_t value) {
+    return (id * 0x85EBCA6Bu) ^ (value * 0xC2B2AE35u);
+  }
   static std::uint32_t FieldOf(const Wme& wme, Field field) {
     static_assert(offsetof(Wme, id) == 0 && offsetof(Wme, attribute) == 4 && offsetof(Wme, value) == 8 &&
                   static_cast<int>(Field::kValue) == 2 && sizeof(Symbol) == 4);
@@ -215,7 +329,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
     return bits;
   }
   GoalLevel GoalLevelOf(Symbol id) const {
-    return id.IsIdentifier() && id.index() < goals.level_of_goal.size() ? goals.level_of_goal[id.index()] : GoalLevel{0};
+    return id.IsIdentifier() && id.index() < goals.level_of_goal.size() ? goals.level_of_goal[id.index()]
+                                                                        : GoalLevel{0};
   }
   std::uint64_t LtiOf(Symbol id) const {
     return id.IsIdentifier() && id.index() < goals.lti_of.size() ? goals.lti_of[id.index()] : 0;

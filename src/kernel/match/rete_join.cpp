@@ -1,0 +1,605 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "kernel/match/rete_inline.h"
+
+/// Joins and their memories, where most of the work of a match is done.
+namespace soarbox::kernel {
+
+/// The elements that the right side of a join offers for keys. Good as long as nothing enters or leaves the alpha
+/// memory.
+class [[gnu::visibility("hidden")]] RightSide {
+ public:
+  enum Kind : std::uint8_t { kIdTable, kPairTable, kAll, kIdList, kPairList };
+
+  RightSide(ReteState & state, const Node& join) : state_(state), alpha_(state.alphas[join.alpha]) {
+    if (join.key == KeyKind::kNone) {
+      kind_ = kAll;
+      return;
+    }
+    const bool by_id = join.key == KeyKind::kId;
+    if ((by_id ? alpha_.id_bits : alpha_.pair_bits) == 0) {
+      if (alpha_.count <= kTinyMemory) {
+        kind_ = by_id ? kIdList : kPairList;
+        return;
+      }
+      by_id ? state.BuildIdTable(join.alpha, 5) : state.BuildPairTable(join.alpha, 5);
+    }
+    kind_ = by_id ? kIdTable : kPairTable;
+  }
+
+  /// The newest item with this key, or kNil.
+  template <Kind kind>
+  [[gnu::always_inline]] std::uint32_t FirstOf(const KeyParts& key) const {
+    if constexpr (kind == kIdTable) {
+      return FromId(state_.tables[alpha_.id_table + ReteState::Hash(key.id, alpha_.id_bits)], key);
+    } else if constexpr (kind == kPairTable) {
+      return FromPair(state_.tables[alpha_.pair_table + ReteState::Hash(key.key, alpha_.pair_bits)], key);
+    } else if constexpr (kind == kIdList) {
+      return FromIdList(alpha_.first, key);
+    } else if constexpr (kind == kPairList) {
+      return FromPairList(alpha_.first, key);
+    } else {
+      return alpha_.first;
+    }
+  }
+  [[gnu::always_inline]] std::uint32_t First(const KeyParts& key) const {
+    switch (kind_) {
+      case kIdTable:
+        return FirstOf<kIdTable>(key);
+      case kPairTable:
+        return FirstOf<kPairTable>(key);
+      case kAll:
+        return FirstOf<kAll>(key);
+      case kIdList:
+        return FirstOf<kIdList>(key);
+      case kPairList:
+        return FirstOf<kPairList>(key);
+    }
+    return kNil;
+  }
+  [[gnu::always_inline]] std::uint32_t Next(std::uint32_t item, const KeyParts& key) const {
+    const AlphaItem& at = state_.items[item];
+    switch (kind_) {
+      case kIdTable:
+        return FromId(at.next_in_bucket, key);
+      case kPairTable:
+        return FromPair(at.next_in_pair, key);
+      case kAll:
+        return at.next;
+      case kIdList:
+        return FromIdList(at.next, key);
+      case kPairList:
+        return FromPairList(at.next, key);
+    }
+    return kNil;
+  }
+  std::uint32_t Element(std::uint32_t item) const {
+    return state_.items[item].wme;
+  }
+  Kind kind() const {
+    return kind_;
+  }
+
+ private:
+  [[gnu::always_inline]] std::uint32_t FromId(std::uint32_t item, const KeyParts& key) const {
+    const Records<const AlphaItem> items = std::as_const(state_.items).records();
+    while (item != kNil && items[item].id != key.id) {
+      item = items[item].next_in_bucket;
+    }
+    return item;
+  }
+  [[gnu::always_inline]] std::uint32_t FromPair(std::uint32_t item, const KeyParts& key) const {
+    const Records<const AlphaItem> items = std::as_const(state_.items).records();
+    while (item != kNil && (items[item].id != key.id || items[item].value != key.value)) {
+      item = items[item].next_in_pair;
+    }
+    return item;
+  }
+  [[gnu::always_inline]] std::uint32_t FromIdList(std::uint32_t item, const KeyParts& key) const {
+    const Records<const AlphaItem> items = std::as_const(state_.items).records();
+    while (item != kNil && items[item].id != key.id) {
+      item = items[item].next;
+    }
+    return item;
+  }
+  [[gnu::always_inline]] std::uint32_t FromPairList(std::uint32_t item, const KeyParts& key) const {
+    const Records<const AlphaItem> items = std::as_const(state_.items).records();
+    while (item != kNil && (items[item].id != key.id || items[item].value != key.value)) {
+      item = items[item].next;
+    }
+    return item;
+  }
+
+  ReteState& state_;
+  const AlphaState& alpha_;
+  Kind kind_ = kAll;
+};
+
+namespace {
+
+/// The first of the items from `item` on whose element passes the tests of a join with (parent, wme).
+[[gnu::always_inline]] inline std::uint32_t FirstPassing(const ReteState& state, const RightSide& right,
+                                                         const Node& join, const KeyParts& key, std::uint32_t parent,
+                                                         std::uint32_t wme, std::uint32_t item) {
+  while (item != kNil && !PassesAll(state, *state.network, join, parent, wme, state.wmes[right.Element(item)])) {
+    item = right.Next(item, key);
+  }
+  return item;
+}
+
+/// One pair.
+struct OnePair {
+  std::uint32_t parent, wme;
+  bool more = true;
+
+  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+    left = parent;
+    element = wme;
+    return std::exchange(more, false);
+  }
+};
+
+/// A token and the elements of a bucket, from `item` on, that have an identifier.
+struct TokenAndBucket {
+  const ReteState& state;
+  std::uint32_t token, item, id;
+
+  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+    const Records<const AlphaItem> all = state.items.records();
+    while (item != kNil && all[item].id != id) {
+      item = all[item].next_in_bucket;
+    }
+    if (item == kNil) {
+      return false;
+    }
+    left = token;
+    element = all[item].wme;
+    item = all[item].next_in_bucket;
+    return true;
+  }
+};
+
+/// A token and the elements of a join that pass its tests, from `item` on.
+struct TokenAndPassing {
+  const ReteState& state;
+  const RightSide& right;
+  const Node& join;
+  KeyParts key;
+  std::uint32_t token, item, parent, wme;
+
+  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+    if (item == kNil) {
+      return false;
+    }
+    left = token;
+    element = right.Element(item);
+    item = FirstPassing(state, right, join, key, parent, wme, right.Next(item, key));
+    return true;
+  }
+};
+
+/// Tokens and one element.
+struct TokensAndElement {
+  const std::uint32_t* at;
+  const std::uint32_t* end;
+  std::uint32_t wme;
+
+  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+    if (at == end) {
+      return false;
+    }
+    left = *at++;
+    element = wme;
+    return true;
+  }
+};
+
+/// Hands pairs to a sparse memory. This is where most pairs end: parked after one look at the other side. What is the
+/// same for all of them is worked out once. `source.Next(parent, wme)` gives the next pair and returns false after the
+/// last one; there must be one. With `one_parent`, all have the first one's parent.
+template <bool one_parent, RightSide::Kind kind, typename Source>
+[[gnu::always_inline]] inline void AddPairsOf(ReteState& state, std::uint32_t index, const RightSide& right,
+                                              Source source) {
+  const Network& net = *state.network;
+  const Node& node = net.node(index);
+  const Node& joined = net.node(node.first_child);
+  const bool with_value = node.key == KeyKind::kIdValue;
+  const std::uint32_t id_levels = node.key_id_levels;
+  const std::uint32_t value_levels = node.key_value_levels;
+  const Field id_field = node.key_id_field;
+  const Field value_field = node.key_value_field;
+  const Wme* const wmes = state.wmes.data();
+  NodeState& memory = state.nodes[index];
+  SparseState& sparse = *state.sparse[memory.next_left];
+
+  std::uint32_t parent = kNil;
+  std::uint32_t wme = kNil;
+  bool more = source.Next(parent, wme);
+  KeyParts key;
+  std::uint64_t serial = state.next_serial;
+  ParkedPair* log = sparse.log.data() + sparse.logged;
+  ParkedPair* end = sparse.log.data() + sparse.log_limit;
+  std::uint32_t arrived = 0;
+  bool first = true;
+  do {
+    const Records<Token> tokens = state.tokens.records();
+    if (id_levels == 0) {
+      key.id = ReteState::FieldOf(wmes[wme], id_field);
+    } else if (!one_parent || first) {
+      key.id =
+          ReteState::FieldOf(wmes[ElementAt(std::as_const(state.tokens).records(), parent, id_levels - 1u)], id_field);
+    }
+    if (!with_value) {
+      key.key = key.id;
+    } else {
+      if (value_levels == 0) {
+        key.value = ReteState::FieldOf(wmes[wme], value_field);
+      } else if (!one_parent || first) {
+        key.value = ReteState::FieldOf(
+            wmes[ElementAt(std::as_const(state.tokens).records(), parent, value_levels - 1u)], value_field);
+      }
+      key.key = ReteState::PairKey(key.id, key.value);
+    }
+    first = false;
+    if (!one_parent) {
+      ++tokens[parent].pairs;
+    }
+    ++arrived;
+    const std::uint64_t now = serial++;
+    std::uint32_t item = right.FirstOf<kind>(key);
+    if (item != kNil) {
+      item = FirstPassing(state, right, joined, key, parent, wme, item);
+    }
+    if (item == kNil && log != end) [[likely]] {
+      log->parent = parent;
+      log->wme = wme;
+      log->serial = now;
+      log->key = key.key;
+      ++log;
+      continue;
+    }
+    state.next_serial = serial;
+    memory.count += arrived;
+    if (one_parent) {
+      tokens[parent].pairs += arrived;
+    }
+    arrived = 0;
+    sparse.logged = static_cast<std::uint32_t>(log - sparse.log.data());
+    if (item != kNil) {
+      state.JoinSparsely(index, parent, wme, now, key, item);
+    } else {
+      state.MakeRoomToPark(sparse);
+      sparse.log[sparse.logged++] = {parent, wme, now, key.key, kNil};
+    }
+    serial = state.next_serial;
+    log = sparse.log.data() + sparse.logged;
+    end = sparse.log.data() + sparse.log_limit;
+  } while (more && (more = source.Next(parent, wme)));
+  state.next_serial = serial;
+  memory.count += arrived;
+  if (one_parent) {
+    state.tokens[parent].pairs += arrived;
+  }
+  sparse.logged = static_cast<std::uint32_t>(log - sparse.log.data());
+}
+
+template <bool one_parent, typename Source>
+[[gnu::always_inline]] inline void AddPairs(ReteState& state, std::uint32_t index, const Source& source) {
+  const std::uint32_t join = state.network->node(index).first_child;
+  if (state.nodes[join].left_linked && !state.nodes[join].right_linked) {
+    state.LinkJoin(join);
+  }
+  const RightSide right(state, state.network->node(join));
+  switch (right.kind()) {
+    case RightSide::kIdTable:
+      AddPairsOf<one_parent, RightSide::kIdTable>(state, index, right, source);
+      break;
+    case RightSide::kPairTable:
+      AddPairsOf<one_parent, RightSide::kPairTable>(state, index, right, source);
+      break;
+    case RightSide::kIdList:
+      AddPairsOf<one_parent, RightSide::kIdList>(state, index, right, source);
+      break;
+    case RightSide::kPairList:
+      AddPairsOf<one_parent, RightSide::kPairList>(state, index, right, source);
+      break;
+    case RightSide::kAll:
+      break;  // The memory has a key.
+  }
+}
+
+}  // namespace
+
+// Left side -----------------------------------------------------------------------------------------------------------
+
+/// Links a join to its alpha memory because its own memory has tokens. False if there is nothing to join with; the join
+/// is then off its memory's list.
+bool ReteState::LinkJoin(std::uint32_t node) {
+  LinkRight(node);
+  if (alphas[network->node(node).alpha].count == 0) {
+    UnlinkLeft(node);
+    return false;
+  }
+  return true;
+}
+
+/// A pair joins: a sparse memory makes a token of it.
+void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
+                             KeyParts key, std::uint32_t item) {
+  const std::uint32_t token = MakeToken(*this, index, parent, wme, serial);
+  InsertWithKey(*this, index, token, key.key, true, SparseOf(index).tokens);
+  const std::uint32_t join = network->node(index).first_child;
+  const Node& node = network->node(join);
+  JoinOn(join, node, RightSide(*this, node), token, key, parent, wme, item);
+}
+
+/// Hands the elements that a new token joins with, from `item` on, to the sparse memory below the join.
+void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32_t token, const KeyParts& key,
+                           std::uint32_t item) {
+  if (right.kind() != RightSide::kIdTable) {
+    const std::uint32_t parent = tokens[token].parent;
+    const std::uint32_t wme = tokens[token].wme;
+    do {
+      LeftSparse(node.only_memory, token, right.Element(item));
+      item = FirstPassing(*this, right, node, key, parent, wme, right.Next(item, key));
+    } while (item != kNil);
+  } else if (node.test_count == 0) {
+    AddPairs<true>(*this, node.only_memory, TokenAndBucket{*this, token, item, key.id});
+  } else {
+    AddPairs<true>(*this, node.only_memory,
+                   TokenAndPassing{*this, right, node, key, token, item, tokens[token].parent, tokens[token].wme});
+  }
+}
+
+void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
+  AddPairs<false>(*this, index, OnePair{parent, wme});
+}
+
+/// Hands on what a token joins with, beginning with an item that is known to pass.
+[[gnu::always_inline]] inline void ReteState::JoinOn(std::uint32_t join, const Node& node, const RightSide& right,
+                                                     std::uint32_t token, const KeyParts& key, std::uint32_t parent,
+                                                     std::uint32_t wme, std::uint32_t item) {
+  if ((nodes[join].roles & NodeState::kFeedsSparse) != 0) {
+    JoinSparse(node, right, token, key, item);
+    return;
+  }
+  const std::uint32_t memory = node.only_memory;
+  if (memory != kNil && right.kind() == RightSide::kIdTable && node.test_count == 0) {
+    JoinBucket(memory, token, key.id, item);
+    return;
+  }
+  do {
+    const std::uint32_t element = right.Element(item);
+    if (memory != kNil) {
+      LeftPlain(memory, token, element);
+    } else {
+      Emit(join, token, element);
+    }
+    item = FirstPassing(*this, right, node, key, parent, wme, right.Next(item, key));
+  } while (item != kNil);
+}
+
+void ReteState::JoinToken(std::uint32_t join, std::uint32_t token, KeyParts key, std::uint32_t item) {
+  const Node& node = network->node(join);
+  JoinOn(join, node, RightSide(*this, node), token, key, tokens[token].parent, tokens[token].wme, item);
+}
+
+/// Hands a token and the elements of a bucket that have an identifier, from `item` on, to a memory that is not sparse.
+/// If the memory has just one join to look at, what is the same for all pairs is worked out once.
+void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint32_t id, std::uint32_t item) {
+  const Node& node = network->node(index);
+  NodeState& memory = nodes[index];
+  TokenAndBucket source{*this, parent, item, id};
+  std::uint32_t left = kNil;
+  std::uint32_t wme = kNil;
+  bool more = source.Next(left, wme);
+  const std::uint32_t join = memory.first_linked;
+  if (source.item == kNil || join == kNil || !nodes[join].right_linked || nodes[join].next_left != kNil) {
+    for (; more; more = source.Next(left, wme)) {
+      LeftPlain(index, parent, wme);
+    }
+    return;
+  }
+  const Node& joined = network->node(join);
+  const RightSide right(*this, joined);
+  const bool with_value = node.key == KeyKind::kIdValue;
+  const bool with_id = node.key != KeyKind::kNone;
+  const bool id_moves = node.key_id_levels == 0;
+  const bool value_moves = node.key_value_levels == 0;
+  const bool judged = (memory.roles & NodeState::kMayBeSparse) != 0;
+  KeyParts key;
+  if (more && with_id) {
+    key = KeyOfPair(*this, node, parent, wme);
+  }
+  for (; more; more = source.Next(left, wme)) {
+    const std::uint32_t token = MakeToken(*this, index, parent, wme);
+    if (with_id) {
+      if (id_moves) {
+        key.id = ReteState::FieldOf(wmes.data()[wme], node.key_id_field);
+      }
+      key.key = key.id;
+      if (with_value) {
+        if (value_moves) {
+          key.value = ReteState::FieldOf(wmes.data()[wme], node.key_value_field);
+        }
+        key.key = ReteState::PairKey(key.id, key.value);
+      }
+    }
+    InsertWithKey(*this, index, token, key.key, with_id);
+    std::uint32_t found = right.First(key);
+    if (found != kNil) {
+      found = FirstPassing(*this, right, joined, key, parent, wme, found);
+      if (found != kNil) {
+        JoinToken(join, token, key, found);
+      }
+    }
+    if (judged) {
+      Judge(index, token);
+    }
+  }
+}
+
+void ReteState::LeftMemory(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
+  if ((nodes[index].roles & NodeState::kSparse) != 0) {
+    LeftSparse(index, parent, wme);
+  } else {
+    LeftPlain(index, parent, wme);
+  }
+}
+
+/// A pair reaches a memory that is not sparse.
+void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
+  const Node& node = network->node(index);
+  NodeState& state = nodes[index];
+  const std::uint32_t token = MakeToken(*this, index, parent, wme);
+  const KeyParts key = KeyOfPair(*this, node, parent, wme);
+  InsertWithKey(*this, index, token, key.key, node.key != KeyKind::kNone);
+  for (std::uint32_t next = state.first_linked; next != kNil;) {
+    const std::uint32_t join = next;
+    next = nodes[join].next_left;
+    if (!nodes[join].right_linked && !LinkJoin(join)) {
+      continue;
+    }
+    const Node& joined = network->node(join);
+    const RightSide right(*this, joined);
+    const std::uint32_t item = FirstPassing(*this, right, joined, key, parent, wme, right.First(key));
+    if (item != kNil) {
+      JoinOn(join, joined, right, token, key, parent, wme, item);
+    }
+  }
+  if ((state.roles & NodeState::kMayBeSparse) != 0) {
+    Judge(index, token);
+  }
+}
+
+// Right side ----------------------------------------------------------------------------------------------------------
+
+/// Calls visit(token) for the tokens from `token` on that join with an element, newest first.
+template <typename Visit>
+[[gnu::always_inline]] inline void ForEachLeft(const ReteState& state, const Node& node, std::uint32_t token,
+                                               std::uint32_t key, const Wme& element, Visit&& visit) {
+  while (token != kNil) {
+    const Token& left = state.tokens[token];
+    const std::uint32_t next = left.next_in_chain;
+    if (left.key == key && HasKey(state, node, left.parent, left.wme, element) &&
+        PassesAll(state, *state.network, node, left.parent, left.wme, element)) {
+      visit(token);
+    }
+    token = next;
+  }
+}
+
+/// The element joins with all gathered tokens.
+void ReteState::EmitGathered(std::uint32_t join, std::uint32_t wme) {
+  if (gathered.empty()) {
+    return;
+  }
+  const Node& node = network->node(join);
+  if ((nodes[join].roles & NodeState::kFeedsSparse) != 0) {
+    AddPairs<false>(*this, node.only_memory, TokensAndElement{gathered.data(), gathered.data() + gathered.size(), wme});
+  } else if (node.only_memory != kNil) {
+    for (const std::uint32_t token : gathered) {
+      LeftPlain(node.only_memory, token, wme);
+    }
+  } else {
+    for (const std::uint32_t token : gathered) {
+      Emit(join, token, wme);
+    }
+  }
+}
+
+void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
+  const Node& node = network->node(join);
+  const Wme& element = wmes[wme];
+  const std::uint32_t key = KeyOfElement(node, element);
+  const SparseState& memory = SparseOf(node.parent);
+  gathered.clear();
+  ForEachLeft(*this, node, ChainHead(*this, nodes[node.parent], key), key, element,
+              [this](std::uint32_t token) { gathered.push_back(token); });
+  if (memory.logged != 0 || memory.indexed != 0) {
+    GatherParked(join, wme, key);
+  }
+  if (memory.unsorted) {
+    SortByAge(gathered);
+  }
+  EmitGathered(join, wme);
+}
+
+[[gnu::always_inline]] inline void ReteState::RightActivate(std::uint32_t index, std::uint32_t wme) {
+  const Node& node = network->node(index);
+  const bool is_join = node.kind == NodeKind::kJoin;
+  const std::uint32_t memory = is_join ? node.parent : index;
+  if (is_join && !nodes[index].left_linked) {
+    LinkLeft(index);
+    if (nodes[memory].count == 0) {
+      UnlinkRight(index);
+      return;
+    }
+  }
+  if ((nodes[memory].roles & NodeState::kSparse) != 0) {
+    RightSparse(index, wme);
+    return;
+  }
+  if ((nodes[memory].roles & NodeState::kMayBeSparse) != 0) {
+    SpeakAgainstSparse(memory, 2);
+  }
+  const Wme& element = wmes[wme];
+  const std::uint32_t key = KeyOfElement(node, element);
+  std::uint32_t token = ChainHead(*this, nodes[memory], key);
+  if (token == kNil) {
+    return;
+  }
+  if ((nodes[index].roles & NodeState::kFeedsSparse) != 0) {
+    gathered.clear();
+    ForEachLeft(*this, node, token, key, element, [this](std::uint32_t left) { gathered.push_back(left); });
+    EmitGathered(index, wme);
+    return;
+  }
+  const std::uint32_t only = node.only_memory;
+  ForEachLeft(*this, node, token, key, element, [this, is_join, only, index, wme](std::uint32_t left) {
+    if (only != kNil && is_join) {
+      LeftPlain(only, left, wme);
+    } else if (is_join) {
+      Emit(index, left, wme);
+    } else {
+      Block(left, wme);
+    }
+  });
+}
+
+void ReteState::AddWme(std::uint32_t wme) {
+  if (wme >= links.size()) {
+    links.resize(std::max<std::size_t>(wme + 1u, wmes.capacity()));
+  }
+  WmeLinks& link = links[wme];
+  link.first_item = kNil;
+  link.first_token = kNil;
+  link.serial = next_serial++;
+  link.in_match = true;
+  link.unsorted = false;
+  link.previous = kNil;
+  link.next = newest_wme;
+  if (newest_wme != kNil) {
+    links[newest_wme].previous = wme;
+  }
+  newest_wme = wme;
+  ++wme_count;
+  const Wme& element = wmes[wme];
+  last_timetag = std::max(last_timetag, element.timetag);
+
+  const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
+  network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) {
+    AddItem(alpha, wme);
+    for (std::uint32_t node = alphas[alpha].first_node; node != kNil;) {
+      const std::uint32_t next = nodes[node].next_right;
+      RightActivate(node, wme);
+      node = next;
+    }
+  });
+  if (!becoming_sparse.empty() || !becoming_plain.empty()) {
+    MakeJudgedSparse();
+  }
+}
+
+}  // namespace soarbox::kernel
