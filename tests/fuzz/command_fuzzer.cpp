@@ -27,7 +27,7 @@ class ShortRuns : public cli::Host {
 };
 
 bool TouchesFiles(std::string_view command) {
-  for (const std::string_view name : {"load", "save", "output", "cd", "pushd", "popd", "ls"}) {
+  for (const std::string_view name : {"load", "save", "output", "cd", "pushd", "popd", "ls", "visualize"}) {
     if (command == name) return true;
   }
   return false;

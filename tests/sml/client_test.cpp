@@ -2,6 +2,7 @@
 // The client API in one process, as programs use it.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -343,6 +344,48 @@ TEST(ClientXml, TheTraceComesInPieces) {
   program.agent->CreateFloatWME(program.agent->GetInputLink(), "distance", 10.0);
   program.agent->RunSelfTilOutput();
   EXPECT_EQ(operators, std::vector<std::string>{"forward"});
+}
+
+TEST(ClientCommands, EchoCommandsShowsEveryLineAndItsAnswerToWhoeverListens) {
+  Program program;
+  std::string echoed;
+  program.agent->RegisterForPrintEvent(
+      smlEVENT_ECHO, [](smlPrintEventId, void* data, Agent*, char const* text) { *static_cast<std::string*>(data) += text; },
+      &echoed, false);
+  program.agent->ExecuteCommandLine("echo quiet");
+  EXPECT_EQ(echoed, "");
+  program.agent->ExecuteCommandLine("output echo-commands on");
+  program.agent->ExecuteCommandLine("echo loud");
+  EXPECT_EQ(echoed, "echo loudloud\n");
+}
+
+/// What a client puts on the input link is recorded, and replayed without it.
+TEST(ClientInput, RecordedPerceptsGiveTheSameRunAgain) {
+  const std::string file = (std::filesystem::temp_directory_path() / "sml_client_percepts.txt").string();
+  const auto live = [&](const std::string& command, bool with_client) {
+    Program program;
+    Agent* agent = program.agent;
+    std::string trace;
+    agent->RegisterForPrintEvent(
+        smlEVENT_PRINT, [](smlPrintEventId, void* data, Agent*, char const* text) { *static_cast<std::string*>(data) += text; },
+        &trace);
+    agent->ExecuteCommandLine(command.c_str());
+    EXPECT_TRUE(agent->GetLastCommandLineResult());
+    agent->ExecuteCommandLine("watch 5");
+    FloatElement* distance = with_client ? agent->CreateFloatWME(agent->GetInputLink(), "distance", 0) : nullptr;
+    for (int cycle = 0; cycle < 12; ++cycle) {
+      if (distance) agent->Update(distance, cycle % 7);
+      agent->RunSelf(1);
+      const int commands = with_client ? agent->GetNumberCommands() : 0;
+      for (int i = 0; i < commands; ++i) agent->GetCommand(i)->AddStatusComplete();
+    }
+    if (with_client) agent->ExecuteCommandLine("capture-input --close");
+    return trace;
+  };
+  const std::string recorded = live("capture-input --open " + file, true);
+  EXPECT_EQ(live("replay-input --open " + file, false), recorded);
+  EXPECT_NE(recorded.find("stop"), std::string::npos);
+  std::filesystem::remove(file);
 }
 
 }  // namespace
