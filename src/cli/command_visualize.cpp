@@ -27,7 +27,7 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"memory-format", "[node | record]", "objects as tables of their values, or each value as a node"},
     {"line-style", "[STYLE]", "how lines run: a value of Graphviz's splines"},
     {"separate-states", "[on | off]", "on leaves links between states out"},
-    {"architectural-wmes", "[on | off]", "show what the architecture made: superstate, type, io and the like"},
+    {"architectural-wmes", "[on | off]", "show what the architecture made: superstate, type, impasse and the like"},
     {"color-identities", "[on | off]", "colours for identities"},
     {"use-joined-identities", "[on | off]", "colours after identities were joined"},
     {"file-name", "[NAME]", "how files are named, without number and ending"},

@@ -12,7 +12,7 @@ namespace soarbox::cli {
 struct GraphStyle {
   bool records = true;          ///< An object is a table of its values; else each value is a node of its own.
   bool separate_states = true;  ///< Links between states are left out.
-  bool architecture = false;    ///< Elements that the architecture made are shown (superstate, type, io, ...).
+  bool architecture = false;    ///< Elements that the architecture made are shown (superstate, type, impasse, ...).
   std::string line_style = "polyline";
 };
 
