@@ -188,7 +188,15 @@ std::string Token::Warning() const {
   }
 }
 
-void Lexer::SkipBlanks() {
+inline void Lexer::Finish(Token& token, TokenKind kind, std::size_t end) {
+  token.kind = kind;
+  token.offset = at_;
+  token.length = end - at_;
+  at_ = end;
+  after_name_ = kind == TokenKind::kString || kind == TokenKind::kVariable || kind == TokenKind::kIdentifier;
+}
+
+inline void Lexer::SkipBlanks() {
   const std::size_t begin = at_;
   const char* const end = text_.data() + text_.size();
   const char* p = text_.data() + at_;
@@ -206,14 +214,6 @@ void Lexer::SkipBlanks() {
   if (at_ != begin) {
     after_name_ = false;
   }
-}
-
-void Lexer::Finish(Token& token, TokenKind kind, std::size_t end) {
-  token.kind = kind;
-  token.offset = at_;
-  token.length = end - at_;
-  at_ = end;
-  after_name_ = kind == TokenKind::kString || kind == TokenKind::kVariable || kind == TokenKind::kIdentifier;
 }
 
 void Lexer::Read(Token& token) {
@@ -311,18 +311,18 @@ void Lexer::ReadWord(Token& token) {
     }
   }
   const std::size_t end = static_cast<std::size_t>(p - text_.data());
-  const std::string_view word = text_.substr(at_, end - at_);
+  const std::string_view word(begin, static_cast<std::size_t>(p - begin));
   if (p != text_end && *p == '.' && IsSignOrDigits(word) && ReadFloat(token, end)) {
     return;
   }
   token.text = word;
+  if (word.front() == '<' && p[-1] == '>' && word.size() >= 3 && word != "<=>") {
+    return Finish(token, TokenKind::kVariable, end);
+  }
   if ((first & kSignCharacter) != 0 && word.size() <= 3) {
     if (const TokenKind sign = SignOf(word); sign != TokenKind::kEnd) {
       return Finish(token, sign, end);
     }
-  }
-  if (word.front() == '<' && word.back() == '>' && word.size() >= 3) {
-    return Finish(token, TokenKind::kVariable, end);
   }
   if ((shared & kDigitCharacter) != 0) {
     const bool signed_number = (word.front() == '+' || word.front() == '-') && word.size() > 1;

@@ -66,6 +66,7 @@ void RuleReader::Report(Severity severity, const Token& token, std::string messa
   diagnostic.line = place_.line + at.line - 1;
   diagnostic.column = at.line == 1 ? place_.column + at.column - 1 : at.column;
   diagnostic.message = std::move(message);
+  diagnostic.message.shrink_to_fit();  // Some sources have very many.
   diagnostic.excerpt = LineAt(body_, token.offset);
   if (at.line == 1) {
     // The first line of the text stands somewhere within a line of the file.
