@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // A client that speaks the wire protocol by hand, against a kernel that listens.
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -297,6 +302,52 @@ TEST(Protocol, AHundredClientsAreServedAtOnceAndEightMayMakeInput) {
     if (answer.find("<error>") == std::string::npos) ++with_tags;
   }
   EXPECT_EQ(with_tags, 7);
+}
+
+TEST(Protocol, AKernelIsFoundAtTheFileForItsPortAndLeavesNoneBehind) {
+  const std::filesystem::path home = std::filesystem::path(testing::TempDir()) / ("soarbox-home-" + std::to_string(getpid()));
+  std::filesystem::create_directories(home);
+  const char* real_home = std::getenv("HOME");
+  const std::string before = real_home ? real_home : "";
+  setenv("HOME", home.c_str(), 1);
+  int port = 0;
+  {
+    Server probe;
+    port = probe.port();
+    // A kernel on any port is found by its process.
+    EXPECT_TRUE(std::filesystem::is_socket(home / ".soartmp" / std::to_string(getpid())));
+  }
+  EXPECT_FALSE(std::filesystem::exists(home / ".soartmp" / std::to_string(getpid())));
+  const std::filesystem::path file = home / ".soartmp" / std::to_string(port);
+  EXPECT_EQ(std::filesystem::status(home / ".soartmp").permissions(), std::filesystem::perms::owner_all);
+  {
+    // What a kernel that was killed left there.
+    const int stale = socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    file.string().copy(address.sun_path, sizeof address.sun_path - 1);
+    ASSERT_EQ(bind(stale, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    close(stale);
+  }
+  std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInNewThread(port));
+  ASSERT_FALSE(kernel->HadError()) << kernel->GetLastErrorDescription();
+  {
+    IoThread io;
+    auto connected = soarbox::wire::ConnectLocal(io, file.string());
+    ASSERT_TRUE(connected.ok());
+    std::string answer;
+    connected.value()->Send("<sml doctype=\"call\" id=\"1\"><command name=\"version\"></command></sml>");
+    EXPECT_TRUE(connected.value()->Wait(answer, milliseconds(5000)));
+    EXPECT_NE(answer.find("<result output=\"raw\">9.6.3</result>"), std::string::npos);
+  }
+  const std::unique_ptr<sml::Kernel> remote(sml::Kernel::CreateRemoteConnection(true, nullptr, port));
+  EXPECT_FALSE(remote->HadError());
+  EXPECT_NE(remote->CreateAgent("a"), nullptr);
+  remote->Shutdown();
+  kernel.reset();
+  EXPECT_FALSE(std::filesystem::exists(file));
+  setenv("HOME", before.c_str(), 1);
+  std::filesystem::remove_all(home);
 }
 
 TEST(Protocol, ADebuggersStartAndItsStopButtonWorkWhileAnAgentRuns) {

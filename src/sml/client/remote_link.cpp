@@ -15,6 +15,7 @@
 #include "sml/client/library.h"
 #include "sml/client/remote_agent_link.h"
 #include "sml/wire/channel.h"
+#include "sml/wire/local_socket.h"
 #include "sml/wire/message.h"
 
 namespace sml {
@@ -43,7 +44,11 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   ~RemoteLink() override { Shutdown(); }
 
   bool Connect(const std::string& address, int port, std::string& error) {
-    auto connected = soarbox::wire::Connect(io_, address.empty() ? "127.0.0.1" : address, port);
+    // Without an address, the kernel is one of this user's: at the file for its port, or else on the port.
+    const std::string path = address.empty() ? soarbox::wire::LocalSocketPath(port) : std::string();
+    soarbox::Result<std::unique_ptr<Channel>> connected = soarbox::Diagnostic();
+    if (!path.empty()) connected = soarbox::wire::ConnectLocal(io_, path);
+    if (!connected) connected = soarbox::wire::Connect(io_, address.empty() ? "127.0.0.1" : address, port);
     if (!connected) {
       error = connected.error().message;
       if (!connected.error().hint.empty()) error += " (" + connected.error().hint + ")";

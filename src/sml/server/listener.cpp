@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/server/listener.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,6 +12,7 @@
 #include "sml/server/kernel_host.h"
 #include "sml/server/remote_connection.h"
 #include "sml/wire/channel.h"
+#include "sml/wire/local_socket.h"
 
 namespace soarbox::server {
 
@@ -50,7 +53,7 @@ struct Listener::State {
   unsigned long long dropped_before = 0;                 ///< By clients that have left.
 
   wire::IoThread thread;
-  std::unique_ptr<wire::Acceptor> acceptor;
+  std::unique_ptr<wire::Acceptor> acceptor, local_acceptor;
 };
 
 Listener::Listener(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -67,6 +70,14 @@ Result<std::unique_ptr<Listener>> Listener::Open(KernelHost& host, const Listene
                                      });
   if (!opened) return opened.error();
   state->acceptor = std::move(opened.value());
+  // Programs of the same user look for a file first; without it they come over the port.
+  const std::string path = wire::LocalSocketPath(options.port == -1 ? getpid() : options.port);
+  if (!path.empty() && options.local) {
+    auto local = wire::Acceptor::OpenLocal(state->thread, path, limits, [raw = state.get()](std::unique_ptr<wire::Channel> channel) {
+      raw->Accepted(std::move(channel));
+    });
+    if (local) state->local_acceptor = std::move(local.value());
+  }
   return std::unique_ptr<Listener>(new Listener(std::move(state)));
 }
 
@@ -117,6 +128,7 @@ void Listener::Close() {
   State& state = *state_;
   SetWake({});
   state.acceptor.reset();
+  state.local_acceptor.reset();
   for (const std::unique_ptr<RemoteConnection>& connection : state.connections) state.host.RemoveConnection(*connection);
   state.connections.clear();
   const std::lock_guard lock(state.mutex);

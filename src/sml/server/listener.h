@@ -14,6 +14,7 @@ class KernelHost;
 struct ListenerOptions {
   int port = 12121;                    ///< -1: any free port.
   std::string address = "127.0.0.1";   ///< Only this machine, unless told otherwise: there is a command shell behind it.
+  bool local = true;                   ///< Listen at a file of this user's too (wire/local_socket.h).
   int max_clients = 128;
   /// Bytes that may wait for a client that does not read. Trace above half of it is dropped and counted; a client that
   /// exceeds it is disconnected.
@@ -22,7 +23,8 @@ struct ListenerOptions {
   int answer_timeout_ms = 2000;
 };
 
-/// Serves a kernel to clients over TCP. A thread of its own reads and writes; what clients ask for is carried out by
+/// Serves a kernel to clients over TCP and local sockets. A thread of its own reads and writes; what clients ask for is
+/// carried out by
 /// whoever calls Serve() while it holds the kernel. A client that is slow, silent or hostile never stalls the kernel
 /// for longer than the time-out, and only once.
 class Listener {

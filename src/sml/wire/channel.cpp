@@ -14,13 +14,18 @@
 #include <deque>
 #include <mutex>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "sml/wire/framing.h"
+#include "sml/wire/local_socket.h"
 
 namespace soarbox::wire {
 
 using asio::ip::tcp;
+using LocalStream = asio::local::stream_protocol;
+/// A connected socket of either kind.
+using AnySocket = asio::generic::stream_protocol::socket;
 
 struct IoThread::Contents {
   asio::io_context context;
@@ -50,7 +55,7 @@ constexpr std::size_t kMostOpen = 8;
 
 /// Tells the other side that its bytes have come. Soar's own clients send a message in two pieces, and their system keeps
 /// the second back until the first is acknowledged, which would else take 40 ms: far longer than most calls.
-void AcknowledgeNow([[maybe_unused]] tcp::socket& socket) {
+void AcknowledgeNow([[maybe_unused]] AnySocket& socket) {
 #ifdef TCP_QUICKACK
   const int on = 1;
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_QUICKACK, &on, sizeof(on));
@@ -62,11 +67,12 @@ void AcknowledgeNow([[maybe_unused]] tcp::socket& socket) {
 // A connection ----------------------------------------------------------------------------------------------------------
 
 struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
-  Socket(tcp::socket connected, const ChannelLimits& channel_limits)
+  Socket(AnySocket connected, const ChannelLimits& channel_limits)
       : socket(std::move(connected)), limits(channel_limits) {}
 
   void Start() {
     asio::error_code ignored;
+    // (Fails on local sockets, which delay nothing.)
     socket.set_option(tcp::no_delay(true), ignored);
     socket.non_blocking(true, ignored);
     asio::post(socket.get_executor(), [self = shared_from_this()] { self->Read(); });
@@ -152,7 +158,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     }
     alarm.cancel();
     asio::error_code ignored;
-    socket.shutdown(tcp::socket::shutdown_both, ignored);
+    socket.shutdown(AnySocket::shutdown_both, ignored);
     socket.close(ignored);
     Notify();
   }
@@ -273,7 +279,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     return true;
   }
 
-  tcp::socket socket;
+  AnySocket socket;
   asio::steady_timer timer{socket.get_executor()}, alarm{socket.get_executor()};
   const ChannelLimits limits;
   FrameReader reader;
@@ -350,13 +356,14 @@ void Channel::SetWake(std::function<void()> wake) {
 
 namespace {
 
-Diagnostic Failure(const std::string& what, const std::string& address, int port, const asio::error_code& error,
-                   std::string hint) {
+Diagnostic Failure(const std::string& what, const std::string& place, const asio::error_code& error, std::string hint) {
   Diagnostic diagnostic;
-  diagnostic.message = what + " " + address + ":" + std::to_string(port) + ": " + error.message();
+  diagnostic.message = what + " " + place + ": " + error.message();
   diagnostic.hint = std::move(hint);
   return diagnostic;
 }
+
+std::string Place(const std::string& address, int port) { return address + ":" + std::to_string(port); }
 
 }  // namespace
 
@@ -364,62 +371,120 @@ Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& ad
   asio::error_code error;
   tcp::resolver resolver(thread.contents().context);
   const auto found = resolver.resolve(address, std::to_string(port), error);
-  if (error) return Failure("cannot find", address, port, error, {});
+  if (error) return Failure("cannot find", Place(address, port), error, {});
   tcp::socket socket(thread.contents().context);
   asio::connect(socket, found, error);
-  if (error) return Failure("cannot connect to", address, port, error, "is there a kernel that listens on this port?");
-  return std::make_unique<Channel>(std::make_shared<Channel::Socket>(std::move(socket), limits));
+  if (error) {
+    return Failure("cannot connect to", Place(address, port), error, "is there a kernel that listens on this port?");
+  }
+  return std::make_unique<Channel>(std::make_shared<Channel::Socket>(AnySocket(std::move(socket)), limits));
 }
 
-struct Acceptor::Contents : std::enable_shared_from_this<Acceptor::Contents> {
-  Contents(asio::io_context& context) : acceptor(context) {}
+Result<std::unique_ptr<Channel>> ConnectLocal(IoThread& thread, const std::string& path, const ChannelLimits& limits) {
+  asio::error_code error;
+  LocalStream::socket socket(thread.contents().context);
+  socket.connect(LocalStream::endpoint(path), error);
+  if (error) return Failure("cannot connect to", path, error, {});
+  return std::make_unique<Channel>(std::make_shared<Channel::Socket>(AnySocket(std::move(socket)), limits));
+}
+
+struct Acceptor::Contents {
+  virtual ~Contents() = default;
+  /// On the thread that moves bytes.
+  virtual void Close() = 0;
+
+  asio::io_context* context = nullptr;
+  ChannelLimits limits;
+  std::function<void(std::unique_ptr<Channel>)> accepted;
+  int port = 0;
+  std::unique_ptr<LocalSocketFile> file;   ///< Of a local one.
+};
+
+namespace {
+
+template <typename Protocol>
+struct AcceptorOf final : Acceptor::Contents, std::enable_shared_from_this<AcceptorOf<Protocol>> {
+  AcceptorOf(IoThread& thread, const ChannelLimits& channel_limits, std::function<void(std::unique_ptr<Channel>)> call)
+      : acceptor(thread.contents().context) {
+    context = &thread.contents().context;
+    limits = channel_limits;
+    accepted = std::move(call);
+  }
+
+  asio::error_code Listen(const typename Protocol::endpoint& endpoint) {
+    asio::error_code error;
+    acceptor.open(endpoint.protocol(), error);
+    if (!error && std::is_same_v<Protocol, tcp>) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+    if (!error) acceptor.bind(endpoint, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    return error;
+  }
+
+  void Start() {
+    asio::post(*context, [self = this->shared_from_this()] { self->Accept(); });
+  }
 
   void Accept() {
-    acceptor.async_accept([self = shared_from_this()](const asio::error_code& error, tcp::socket socket) {
+    acceptor.async_accept([self = this->shared_from_this()](const asio::error_code& error, typename Protocol::socket socket) {
       if (error == asio::error::operation_aborted || !self->acceptor.is_open()) return;
-      if (!error) self->accepted(std::make_unique<Channel>(std::make_shared<Channel::Socket>(std::move(socket), self->limits)));
+      if (!error) {
+        self->accepted(std::make_unique<Channel>(std::make_shared<Channel::Socket>(AnySocket(std::move(socket)), self->limits)));
+      }
       self->Accept();
     });
   }
 
-  tcp::acceptor acceptor;
-  ChannelLimits limits;
-  std::function<void(std::unique_ptr<Channel>)> accepted;
-  int port = 0;
+  void Close() override {
+    asio::error_code ignored;
+    acceptor.close(ignored);
+  }
+
+  typename Protocol::acceptor acceptor;
 };
+
+}  // namespace
 
 Result<std::unique_ptr<Acceptor>> Acceptor::Open(IoThread& thread, const std::string& address, int port,
                                                  const ChannelLimits& limits,
                                                  std::function<void(std::unique_ptr<Channel>)> accepted) {
   asio::error_code error;
   const auto ip = asio::ip::make_address(address, error);
-  if (error) return Failure("cannot listen on", address, port, error, "give an address in numbers, such as 127.0.0.1");
-  if (port < -1 || port > 65535) {
-    return Failure("cannot listen on", address, port, asio::error::invalid_argument, "ports go from 1 to 65535");
-  }
-  auto contents = std::make_shared<Contents>(thread.contents().context);
-  contents->limits = limits;
-  contents->accepted = std::move(accepted);
-  const tcp::endpoint endpoint(ip, static_cast<unsigned short>(port == -1 ? 0 : port));
-  contents->acceptor.open(endpoint.protocol(), error);
-  if (!error) contents->acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) contents->acceptor.bind(endpoint, error);
-  if (!error) contents->acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (error) {
-    return Failure("cannot listen on", address, port, error, "another kernel may have this port; choose another one, or -1 for any");
+    return Failure("cannot listen on", Place(address, port), error, "give an address in numbers, such as 127.0.0.1");
+  }
+  if (port < -1 || port > 65535) {
+    return Failure("cannot listen on", Place(address, port), asio::error::invalid_argument, "ports go from 1 to 65535");
+  }
+  const auto contents = std::make_shared<AcceptorOf<tcp>>(thread, limits, std::move(accepted));
+  error = contents->Listen(tcp::endpoint(ip, static_cast<unsigned short>(port == -1 ? 0 : port)));
+  if (error) {
+    return Failure("cannot listen on", Place(address, port), error,
+                   "another kernel may have this port; choose another one, or -1 for any");
   }
   contents->port = contents->acceptor.local_endpoint(error).port();
-  asio::post(thread.contents().context, [contents] { contents->Accept(); });
+  contents->Start();
+  return std::make_unique<Acceptor>(contents);
+}
+
+Result<std::unique_ptr<Acceptor>> Acceptor::OpenLocal(IoThread& thread, const std::string& path, const ChannelLimits& limits,
+                                                      std::function<void(std::unique_ptr<Channel>)> accepted) {
+  if (!LocalSocketFile::Prepare(path)) {
+    return Failure("cannot listen at", path, asio::error::access_denied, "the folder must be this user's alone (mode 0700)");
+  }
+  const auto contents = std::make_shared<AcceptorOf<LocalStream>>(thread, limits, std::move(accepted));
+  if (const asio::error_code error = contents->Listen(LocalStream::endpoint(path))) {
+    return Failure("cannot listen at", path, error, {});
+  }
+  contents->file = std::make_unique<LocalSocketFile>(path);
+  contents->Start();
   return std::make_unique<Acceptor>(contents);
 }
 
 Acceptor::Acceptor(std::shared_ptr<Contents> contents) : contents_(std::move(contents)) {}
 
 Acceptor::~Acceptor() {
-  asio::post(contents_->acceptor.get_executor(), [contents = contents_] {
-    asio::error_code ignored;
-    contents->acceptor.close(ignored);
-  });
+  contents_->file.reset();
+  asio::post(*contents_->context, [contents = contents_] { contents->Close(); });
 }
 
 int Acceptor::port() const { return contents_->port; }

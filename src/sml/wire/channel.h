@@ -73,7 +73,10 @@ class Channel {
 Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& address, int port,
                                          const ChannelLimits& limits = {});
 
-/// Listens on a port and hands out channels.
+/// Connects to a socket of this machine, given by its file.
+Result<std::unique_ptr<Channel>> ConnectLocal(IoThread& thread, const std::string& path, const ChannelLimits& limits = {});
+
+/// Listens on a port, or at a file of this machine, and hands out channels.
 class Acceptor {
  public:
   struct Contents;
@@ -82,8 +85,12 @@ class Acceptor {
   static Result<std::unique_ptr<Acceptor>> Open(IoThread& thread, const std::string& address, int port,
                                                 const ChannelLimits& limits,
                                                 std::function<void(std::unique_ptr<Channel>)> accepted);
+  /// Listens at a file; it goes when the acceptor does.
+  static Result<std::unique_ptr<Acceptor>> OpenLocal(IoThread& thread, const std::string& path, const ChannelLimits& limits,
+                                                     std::function<void(std::unique_ptr<Channel>)> accepted);
   explicit Acceptor(std::shared_ptr<Contents> contents);
   ~Acceptor();
+  /// 0 for one that listens at a file.
   int port() const;
 
  private:
