@@ -17,7 +17,7 @@ struct Engine;
 /// only if their actions stay below the level that is changing.
 class Elaboration {
  public:
-  explicit Elaboration(Engine& engine) : engine_(engine) {}
+  explicit Elaboration(Engine& engine) : engine_(engine) { put_back_.reserve(8); garbage_.reserve(8); }
 
   enum class Next : std::uint8_t { kElaborate, kPhaseEnds, kInconsistent };
 

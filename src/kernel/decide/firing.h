@@ -20,7 +20,11 @@ struct Engine;
 /// and call functions. New identifiers are made in the order in which the actions name them.
 class Firing {
  public:
-  explicit Firing(Engine& engine) : engine_(engine) {}
+  explicit Firing(Engine& engine) : engine_(engine) {
+    made_.reserve(16);
+    new_identifiers_.reserve(8);
+    argument_stack_.reserve(8);
+  }
 
   /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave when the elaboration ends.
   [[gnu::flatten]] void Fire(const PendingMatch& match, const Production& rule);

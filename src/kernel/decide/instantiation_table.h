@@ -12,6 +12,13 @@ namespace soarbox::kernel {
 /// The instantiations of an agent and the traces of their conditions, in arenas with free lists.
 class InstantiationTable {
  public:
+  /// With room for a small agent, so that its first decisions cost what the later ones do.
+  InstantiationTable() {
+    records_.reserve(32);
+    free_.reserve(32);
+    traces_.reserve(128);
+  }
+
   InstantiationId Make();
   /// Gives the record and its trace back; the caller has dropped what the trace refers to.
   void Free(InstantiationId id);

@@ -18,7 +18,10 @@ struct Engine;
 /// refers to.
 class PreferenceChanges {
  public:
-  explicit PreferenceChanges(Engine& engine) : engine_(engine) {}
+  explicit PreferenceChanges(Engine& engine) : engine_(engine) {
+    for (std::vector<SlotId>* list : {&changed_slots_, &changed_acceptables_, &empty_slots_}) list->reserve(16);
+    for (std::vector<PreferenceId>* list : {&unused_, &rejected_, &retired_}) list->reserve(16);
+  }
 
   /// A preference of an instantiation, at the head of its list; not in a slot yet. Of `content` only the symbols, the
   /// type and the support count.

@@ -16,7 +16,7 @@ struct Engine;
 /// rejected; operator slots get the elements of their acceptable and required values (their decision comes later).
 class SlotDecision {
  public:
-  explicit SlotDecision(Engine& engine) : engine_(engine) {}
+  explicit SlotDecision(Engine& engine) : engine_(engine) { values_.reserve(8); }
 
   /// Decides all changed ordinary slots, the one that changed last first.
   [[gnu::flatten]] void DecideChangedSlots();

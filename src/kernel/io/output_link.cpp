@@ -7,6 +7,19 @@
 
 namespace soarbox::kernel {
 
+namespace {
+
+/// Room for the output of a small agent, so that its first commands cost what the later ones do.
+constexpr std::size_t kUsualElements = 8;
+
+}  // namespace
+
+OutputLink::OutputLink(Engine& engine) : engine_(engine) {
+  members_.reserve(kUsualElements);
+  for (std::vector<OutputChange>* list : {&current_, &next_, &changes_, &added_, &removed_}) list->reserve(kUsualElements);
+  new_commands_.reserve(kUsualElements);
+}
+
 void OutputLink::SetIdentifier(Symbol identifier) {
   identifier_ = identifier;
   if (member_.size() <= identifier.index()) member_.resize(identifier.index() + 1u, 0);

@@ -32,7 +32,7 @@ struct OutputCommand {
 /// below the output link changes.
 class OutputLink {
  public:
-  explicit OutputLink(Engine& engine) : engine_(engine) {}
+  explicit OutputLink(Engine& engine);
 
   /// The output link's own identifier (I3), or none before the first state exists.
   Symbol identifier() const { return identifier_; }

@@ -8,6 +8,9 @@ namespace soarbox::kernel {
 namespace {
 
 constexpr std::size_t kFirstBuckets = 64;
+/// Room for the matches of a small agent, so that its first decisions cost what the later ones do.
+constexpr std::size_t kUsualRecords = 32;
+constexpr std::size_t kUsualElements = 128;
 
 std::uint8_t AssertionList(bool o_support) {
   return o_support ? 1 : 0;
@@ -52,6 +55,7 @@ inline std::uint32_t MatchSet::TakeElements(std::size_t count) {
   if (count >= free_elements_.size()) {
     free_elements_.resize(count + 1, kNil);
   }
+  if (elements_.empty()) elements_.reserve(kUsualElements);
   const auto place = static_cast<std::uint32_t>(elements_.size());
   elements_.resize(elements_.size() + count);
   return place;
@@ -62,6 +66,7 @@ inline std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
   if (index != kNil) {
     free_records_ = records_[index].next;
   } else {
+    if (records_.empty()) records_.reserve(kUsualRecords);
     index = static_cast<std::uint32_t>(records_.size());
     records_.emplace_back();
   }

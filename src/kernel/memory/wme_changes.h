@@ -16,7 +16,9 @@ struct Engine;
 /// match hears of them in Flush, newest first and all additions before all removals, as traces and firing orders show.
 class WmeChanges {
  public:
-  explicit WmeChanges(Engine& engine) : engine_(engine) {}
+  explicit WmeChanges(Engine& engine) : engine_(engine) {
+    for (std::vector<WmeId>* list : {&added_, &removed_, &dead_, &flushing_added_, &flushing_removed_}) list->reserve(32);
+  }
 
   WmeId Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, SlotId slot = SlotId::kNone,
             PreferenceId preference = PreferenceId::kNone);

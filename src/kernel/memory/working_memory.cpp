@@ -23,7 +23,17 @@ Id Allocate(std::vector<T>& arena, std::vector<Id>& free_list) {
 
 const IdentifierRecord WorkingMemory::kUnknownIdentifier{};
 
-WorkingMemory::WorkingMemory(SymbolTable& symbols) : symbols_(symbols) {}
+WorkingMemory::WorkingMemory(SymbolTable& symbols) : symbols_(symbols) {
+  // Room for a small agent, so that its first decisions cost what the later ones do.
+  constexpr std::size_t kUsual = 64;
+  wmes_.reserve(kUsual);
+  records_.reserve(kUsual);
+  slots_.reserve(kUsual);
+  preferences_.reserve(kUsual);
+  free_wmes_.reserve(kUsual);
+  free_slots_.reserve(kUsual);
+  free_preferences_.reserve(kUsual);
+}
 WorkingMemory::~WorkingMemory() = default;
 
 // Reading -------------------------------------------------------------------------------------------------------------

@@ -23,7 +23,14 @@ struct AgentData;
 /// Elements are recycled: in the steady state of a host's loop nothing is allocated.
 class WorkingMemory {
  public:
-  explicit WorkingMemory(AgentData& data) : data_(data) {}
+  explicit WorkingMemory(AgentData& data) : data_(data) {
+    // Room for a few commands, so that the first ticks cost what the later ones do.
+    changes_.deltas_.reserve(kUsualChanges);
+    removed_.reserve(kUsualChanges);
+    releasing_.reserve(kUsualChanges);
+    work_.reserve(kUsualChanges);
+    spare_nodes_.resize(kUsualChanges);
+  }
   ~WorkingMemory();
 
   // Input -----------------------------------------------------------------------------------------------------------
@@ -75,6 +82,7 @@ class WorkingMemory {
 
  private:
   friend class IdentifierSymbol;
+  static constexpr std::size_t kUsualChanges = 16;
   enum class Tracking { kAutoOff, kUserOff, kOn };
 
   bool CheckParent(Identifier* parent, char const*& attribute);
