@@ -75,6 +75,17 @@ TEST_F(InterpreterTest, RunsPrintTheirTraceAndAnswerTheirReport) {
   EXPECT_EQ(result.text, "\n\n--> 1 decision cycle executed. 1 rule fired. ");
 }
 
+TEST_F(InterpreterTest, RetractionsInDetailShowThePreferencesThatGo) {
+  Do("sp {once*only (state <s> ^superstate nil -^done) --> (<s> ^operator <o> +) (<o> ^name finish)}");
+  Do("sp {apply*finish (state <s> ^operator.name finish) --> (<s> ^done yes)}");
+  Do("watch 0");
+  Do("trace --user");
+  Do("trace --timetags");
+  printed_.clear();
+  Do("run 4 -p");
+  EXPECT_THAT(printed_, HasSubstr("Retracting once*only\n 2 -->\n (O1 ^name finish +)\n (S1 ^operator O1 +)\n"));
+}
+
 TEST_F(InterpreterTest, AFileGoesOnAfterARuleThatIsWrongAndNamesItsPlace) {
   const std::string file = Write("agent.soar", std::string(kGo) +
                                                    "\n"

@@ -91,7 +91,7 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kPhases) || trace.On(TraceFlag::kWaterfall), Event::kElaboration);
   want(firings, Event::kFiring);
   want(trace.On(TraceFlag::kWmes) || !session_.wme_filters().empty(), Event::kWme);
-  want(trace.On(TraceFlag::kPreferences), Event::kPreference);
+  want(trace.On(TraceFlag::kPreferences) || (firings && trace.wme_detail() != WmeDetail::kNone), Event::kPreference);
   want(trace.On(TraceFlag::kDecisions) || trace.On(TraceFlag::kConsistency) || trace.On(TraceFlag::kGds),
        Event::kDecision);
   want(trace.On(TraceFlag::kGds) || trace.On(TraceFlag::kGdsWmes), Event::kGds);
@@ -154,11 +154,13 @@ void TracePrinter::OnFiring(const Agent& agent, const FiringInfo& info) {
 void TracePrinter::OnFired(const Agent& agent, const FiringInfo& info,
                            std::span<const kernel::PreferenceId> preferences) {
   if (session_.trace().wme_detail() == WmeDetail::kNone || !ShowsFiring(info)) return;
-  for (const kernel::PreferenceId id : preferences) {
-    const kernel::Preference& preference = agent.memory().preference(id);
-    session_.stream().FreshLine();
-    Print(" " + PreferenceText(agent, preference) + Level(preference.level) + "\n");
-  }
+  for (const kernel::PreferenceId id : preferences) PrintPreference(agent, id);
+}
+
+void TracePrinter::PrintPreference(const Agent& agent, kernel::PreferenceId id) {
+  const kernel::Preference& preference = agent.memory().preference(id);
+  session_.stream().FreshLine();
+  Print(" " + PreferenceText(agent, preference) + Level(preference.level) + "\n");
 }
 
 void TracePrinter::OnInhibited(const Agent& agent, const FiringInfo& info) {
@@ -172,7 +174,12 @@ void TracePrinter::OnInhibited(const Agent& agent, const FiringInfo& info) {
 void TracePrinter::OnRetracting(const Agent& agent, const FiringInfo& info) {
   if (!ShowsFiring(info)) return;
   Print(fmt::format("\nRetracting {}\n", info.name));
-  if (session_.trace().wme_detail() != WmeDetail::kNone) PrintMatched(agent, info);
+  retracting_ = session_.trace().wme_detail() != WmeDetail::kNone;
+  PrintMatched(agent, info);
+}
+
+void TracePrinter::OnRetracted(const Agent&, const FiringInfo&) {
+  retracting_ = false;
 }
 
 bool TracePrinter::PassesFilters(const Agent& agent, const WmeInfo& wme, bool added) const {
@@ -207,11 +214,12 @@ void TracePrinter::PrintPreferenceChange(const Agent& agent, kernel::PreferenceI
 }
 
 void TracePrinter::OnPreferenceAdded(const Agent& agent, kernel::PreferenceId id) {
-  PrintPreferenceChange(agent, id, '+');
+  if (session_.trace().On(TraceFlag::kPreferences)) PrintPreferenceChange(agent, id, '+');
 }
 
 void TracePrinter::OnPreferenceRemoved(const Agent& agent, kernel::PreferenceId id) {
-  PrintPreferenceChange(agent, id, '-');
+  if (retracting_) PrintPreference(agent, id);
+  if (session_.trace().On(TraceFlag::kPreferences)) PrintPreferenceChange(agent, id, '-');
 }
 
 void TracePrinter::OnDecision(const Agent& agent, const GoalInfo& goal, std::uint64_t decision) {

@@ -29,6 +29,7 @@ class TracePrinter : public kernel::Observer {
                std::span<const kernel::PreferenceId> preferences) override;
   void OnInhibited(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnRetracting(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnRetracted(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) override;
@@ -57,9 +58,11 @@ class TracePrinter : public kernel::Observer {
   bool PassesFilters(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool added) const;
   void Print(const std::string& text);
   void PrintMatched(const kernel::Agent& agent, const kernel::FiringInfo& info);
+  void PrintPreference(const kernel::Agent& agent, kernel::PreferenceId id);
   void PrintPreferenceChange(const kernel::Agent& agent, kernel::PreferenceId id, char sign);
 
   Session& session_;
+  bool retracting_ = false;  ///< The preferences that go now are those of a firing that is shown in detail.
 };
 
 /// "(S1 ^operator O1 > O2)"; `support`: with "  :O " for o-support, as in traces.
