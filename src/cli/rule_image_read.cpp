@@ -39,7 +39,8 @@ constexpr std::size_t kMaxConditions = 60000;
 /// Reads the payload of an image. The first error ends the reading: from then on everything is zero and empty.
 class Reader {
  public:
-  Reader(std::string_view bytes, kernel::SymbolTable& table) : bytes_(bytes), table_(table) {}
+  /// `make`: else what is read is only checked.
+  Reader(std::string_view bytes, kernel::SymbolTable& table, bool make) : bytes_(bytes), table_(table), make_(make) {}
 
   bool failed() const { return !error_.empty(); }
   /// What is wrong, and at which byte of the payload.
@@ -56,12 +57,15 @@ class Reader {
     for (std::size_t i = 0; i < rules.size() && !failed(); ++i) {
       arena_.Clear();
       RuleDraft rule;
-      where_ = fmt::format("rule {} of {}", i + 1, rules.size());
+      rule_name_ = {};
+      part_ = "rule";
+      number_ = i + 1;
       Rule(rule, files);
       if (!failed() && !names.emplace(rule.name).second) Fail("a second rule has this name");
-      if (!failed()) rules[i] = kernel::Production::Make(rule);
+      if (!failed() && make_) rules[i] = kernel::Production::Make(rule);
     }
-    where_.clear();
+    rule_name_ = {};
+    part_ = nullptr;
     if (!failed() && place_ != bytes_.size()) Fail("bytes are left over behind the last rule");
     if (failed()) rules.clear();
     return rules;
@@ -70,7 +74,10 @@ class Reader {
  private:
   void Fail(std::string what) {
     if (failed()) return;
-    error_ = where_.empty() ? std::move(what) : where_ + ": " + what;
+    if (!rule_name_.empty())
+      error_ = fmt::format("rule '{}': {}", rule_name_, what);
+    else
+      error_ = part_ ? fmt::format("{} number {}: {}", part_, number_, what) : std::move(what);
     error_place_ = place_;
     place_ = bytes_.size();
   }
@@ -116,10 +123,11 @@ class Reader {
   void Symbols() {
     symbols_.resize(Count("symbols"));
     for (std::size_t i = 0; i < symbols_.size() && !failed(); ++i) {
-      where_ = fmt::format("symbol {} of {}", i + 1, symbols_.size());
+      part_ = "symbol";
+      number_ = i + 1;
       symbols_[i] = OneSymbol();
     }
-    where_.clear();
+    part_ = nullptr;
   }
 
   Symbol OneSymbol() {
@@ -171,7 +179,7 @@ class Reader {
     rule.name = arena_.Copy(Text("the rule's name"));
     if (rule.name.empty()) Fail("a rule has no name");
     if (failed()) return;
-    where_ = fmt::format("rule '{}'", rule.name);
+    rule_name_ = rule.name;
     table_.String(rule.name);
     const std::uint8_t flags = Byte();
     if (flags > 7) Fail("unknown flags");
@@ -402,8 +410,12 @@ class Reader {
 
   std::string_view bytes_;
   kernel::SymbolTable& table_;
+  bool make_;
   std::size_t place_ = 0;
-  std::string where_;  ///< What is being read, for messages.
+  // What is being read, for messages.
+  const char* part_ = nullptr;
+  std::size_t number_ = 0;
+  std::string_view rule_name_;
   std::string error_;
   std::size_t error_place_ = 0;
   std::vector<Symbol> symbols_;
@@ -478,13 +490,13 @@ Result<std::vector<kernel::ProductionPtr>> ReadRuleImage(std::string_view bytes,
   {
     // First with a table of its own: a bad image must leave nothing behind.
     kernel::SymbolTable scratch;
-    Reader trial(payload, scratch);
+    Reader trial(payload, scratch, false);
     trial.Rules();
     if (trial.failed()) {
       return Problem(name, fmt::format("byte {}: {}", kHeaderSize + trial.error_place(), trial.error()), kWriteAgain);
     }
   }
-  Reader reader(payload, symbols);
+  Reader reader(payload, symbols, true);
   return reader.Rules();
 }
 
