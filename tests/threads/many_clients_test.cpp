@@ -16,15 +16,14 @@ using namespace sml;
 constexpr int kTicks = 60;
 
 constexpr const char* kRules[] = {
-    "sp {move (state <s> ^superstate nil ^io.input-link <in>) (<in> ^range <r> ^colour <c>) --> (<s> ^operator <o> + "
-    "=) "
-    "(<o> ^name move ^speed <r> ^colour <c>)}",
+    ("sp {move (state <s> ^superstate nil ^io.input-link <in>) (<in> ^range <r> ^colour <c>) --> (<s> ^operator <o> + "
+     "=) "
+     "(<o> ^name move ^speed <r> ^colour <c>)}"),
     "sp {wait (state <s> ^superstate nil) --> (<s> ^operator <o> + =) (<o> ^name wait)}",
-    "sp {send (state <s> ^operator <o> ^io.output-link <out>) (<o> ^name move ^speed <v> ^colour <c>) --> (<out> ^move "
-    "<m>) "
-    "(<m> ^speed <v> ^colour <c> ^luck (rand-int 100))}",
-    "sp {done (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <c>) (<c> ^status complete) --> "
-    "(<out> ^<name> <c> -)}",
+    ("sp {send (state <s> ^operator <o> ^io.output-link <out>) (<o> ^name move ^speed <v> ^colour <c>) --> "
+     "(<out> ^move <m>) (<m> ^speed <v> ^colour <c> ^luck (rand-int 100))}"),
+    ("sp {done (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <c>) (<c> ^status complete) --> "
+     "(<out> ^<name> <c> -)}"),
 };
 
 void AppendText(smlPrintEventId, void* transcript, Agent*, char const* text) {
