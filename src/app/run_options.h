@@ -24,8 +24,8 @@ struct RunOptions {
   double screenshot_at_s = 5;
   int width_px = 1280;
   int height_px = 720;
-  std::optional<int> port;  ///< For debuggers; none: 12121 with a window if it is free, closed without.
-  std::string kernel;       ///< HOST:PORT of a Soar kernel in another process; empty: our own.
+  std::optional<int> port;      ///< For debuggers; none: 12121 with a window if it is free, closed without.
+  std::string kernel;           ///< HOST:PORT of a Soar kernel in another process; empty: our own.
   double kernel_limit_s = 2.0;  ///< How long that kernel may be silent before it counts as gone.
 };
 

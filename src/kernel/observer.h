@@ -22,26 +22,32 @@ enum class ImpasseType : std::uint8_t { kNone, kTie, kConflict, kConstraintFailu
 
 /// What an observer wants to hear, as a bit mask: the kernel builds nothing for an event that nobody listens to.
 enum class Event : std::uint32_t {
-  kPhase = 1u << 0,           ///< Begin and end of each phase.
-  kElaboration = 1u << 1,     ///< Elaborations, inner elaborations, working memory phases.
-  kFiring = 1u << 2,          ///< Rules that fire, are inhibited and retract.
-  kWme = 1u << 3,             ///< Elements added to and removed from working memory.
-  kPreference = 1u << 4,      ///< Preferences that enter and leave their slots.
-  kDecision = 1u << 5,        ///< Operators selected, states made and removed.
-  kPrint = 1u << 6,           ///< Text that rules write and warnings of the architecture.
-  kProduction = 1u << 7,      ///< Rules added and excised.
-  kRun = 1u << 8,             ///< Decision cycles, halt, interrupts, init-soar.
-  kOutput = 1u << 9,          ///< The output link changed.
-  kGds = 1u << 10,            ///< Goal dependency sets.
-  kAssertion = 1u << 11,      ///< Instantiations made and asserted; matches put into the match set.
-  kLearning = 1u << 12,       ///< Justifications and chunks.
-  kExploration = 1u << 13,    ///< Candidates and their values when exploration chooses.
+  kPhase = 1u << 0,         ///< Begin and end of each phase.
+  kElaboration = 1u << 1,   ///< Elaborations, inner elaborations, working memory phases.
+  kFiring = 1u << 2,        ///< Rules that fire, are inhibited and retract.
+  kWme = 1u << 3,           ///< Elements added to and removed from working memory.
+  kPreference = 1u << 4,    ///< Preferences that enter and leave their slots.
+  kDecision = 1u << 5,      ///< Operators selected, states made and removed.
+  kPrint = 1u << 6,         ///< Text that rules write and warnings of the architecture.
+  kProduction = 1u << 7,    ///< Rules added and excised.
+  kRun = 1u << 8,           ///< Decision cycles, halt, interrupts, init-soar.
+  kOutput = 1u << 9,        ///< The output link changed.
+  kGds = 1u << 10,          ///< Goal dependency sets.
+  kAssertion = 1u << 11,    ///< Instantiations made and asserted; matches put into the match set.
+  kLearning = 1u << 12,     ///< Justifications and chunks.
+  kExploration = 1u << 13,  ///< Candidates and their values when exploration chooses.
 };
 
 using EventMask = std::uint32_t;
-constexpr EventMask Mask(Event event) { return static_cast<EventMask>(event); }
-constexpr EventMask operator|(Event a, Event b) { return Mask(a) | Mask(b); }
-constexpr EventMask operator|(EventMask a, Event b) { return a | Mask(b); }
+constexpr EventMask Mask(Event event) {
+  return static_cast<EventMask>(event);
+}
+constexpr EventMask operator|(Event a, Event b) {
+  return Mask(a) | Mask(b);
+}
+constexpr EventMask operator|(EventMask a, Event b) {
+  return a | Mask(b);
+}
 
 /// A rule that fires or retracts. Spans and references are valid during the callback only.
 struct FiringInfo {
@@ -51,9 +57,9 @@ struct FiringInfo {
   std::string_view name;                          ///< The rule's name.
   Symbol goal;                                    ///< The goal that it matched; none if it touches no goal.
   GoalLevel level = 0;
-  std::span<const WmeId> wmes;                    ///< One per positive condition, in match order.
-  Symbol touched;             ///< OnInhibited: an identifier that an action would touch and that is not below...
-  GoalLevel change_level = 0; ///< ... the level that is changing.
+  std::span<const WmeId> wmes;  ///< One per positive condition, in match order.
+  Symbol touched;               ///< OnInhibited: an identifier that an action would touch and that is not below...
+  GoalLevel change_level = 0;   ///< ... the level that is changing.
 };
 
 /// An element, with the contents copied so that a listener need not look it up.
@@ -73,27 +79,33 @@ struct GoalInfo {
 };
 
 enum class GoalRemoval : std::uint8_t {
-  kDecision,            ///< "because of a decision."
-  kWrongImpasseType,    ///< "because it's the wrong type of impasse."
-  kOperatorRemoval,     ///< "because of an operator removal."
-  kGdsChange,           ///< "because element in GDS changed. WME: (...)": see OnGdsViolation just before.
-  kWithSuperstate,      ///< A state above it goes; told after that one.
-  kInconsistent,        ///< The consistency check failed: see OnInconsistentDecision just before.
-  kInit,                ///< init-soar or the end of the agent. Not told to observers of kDecision.
+  kDecision,          ///< "because of a decision."
+  kWrongImpasseType,  ///< "because it's the wrong type of impasse."
+  kOperatorRemoval,   ///< "because of an operator removal."
+  kGdsChange,         ///< "because element in GDS changed. WME: (...)": see OnGdsViolation just before.
+  kWithSuperstate,    ///< A state above it goes; told after that one.
+  kInconsistent,      ///< The consistency check failed: see OnInconsistentDecision just before.
+  kInit,              ///< init-soar or the end of the agent. Not told to observers of kDecision.
 };
 
 enum class OperatorRemoval : std::uint8_t {
-  kProposalGone,        ///< "Operator from context slot (proposal no longer matches)": `wme` is the acceptable element.
-  kInconsistent, kReplaced,
+  kProposalGone,  ///< "Operator from context slot (proposal no longer matches)": `wme` is the acceptable element.
+  kInconsistent,
+  kReplaced,
 };
 
 enum class WarningKind : std::uint8_t {
-  kMaxElaborationsPropose, kMaxElaborationsApply, kGoalStackLimit, kMaxDecisionTime, kUnconditional, kOther,
+  kMaxElaborationsPropose,
+  kMaxElaborationsApply,
+  kGoalStackLimit,
+  kMaxDecisionTime,
+  kUnconditional,
+  kOther,
 };
 
 /// Sees what an agent does, in the order in which it happens. Callbacks run on the agent's thread, between steps of the
-/// cycle; they may read everything and change nothing, except that they may request a stop. Each callback belongs to the
-/// event named in its comment and is called only if that bit is in the observer's mask.
+/// cycle; they may read everything and change nothing, except that they may request a stop. Each callback belongs to
+/// the event named in its comment and is called only if that bit is in the observer's mask.
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -117,7 +129,9 @@ class Observer {
   /// Before the actions run: text that they write comes next.
   virtual void OnFiring(const Agent&, const FiringInfo&) {}
   /// After the actions have run; `preferences` in the order of FiringPreferences() of the instantiation.
-  virtual void OnFired(const Agent&, const FiringInfo&, std::span<const PreferenceId> preferences) { (void)preferences; }
+  virtual void OnFired(const Agent&, const FiringInfo&, std::span<const PreferenceId> preferences) {
+    (void)preferences;
+  }
   /// A match that must wait, because a higher level changes in this elaboration: see info.touched, info.change_level.
   virtual void OnInhibited(const Agent&, const FiringInfo&) {}
   /// When the first i-supported preference of an instantiation that no longer matches is about to go. Not called for
@@ -155,10 +169,19 @@ class Observer {
   /// A message of the architecture about a rule's action, printed as it is.
   virtual void OnError(const Agent&, std::string_view text) { (void)text; }
   /// (log n ...) and (trace n ...): printed if that channel or level is on.
-  virtual void OnLog(const Agent&, int channel, std::string_view text) { (void)channel; (void)text; }
-  virtual void OnTraceText(const Agent&, int level, std::string_view text) { (void)level; (void)text; }
+  virtual void OnLog(const Agent&, int channel, std::string_view text) {
+    (void)channel;
+    (void)text;
+  }
+  virtual void OnTraceText(const Agent&, int level, std::string_view text) {
+    (void)level;
+    (void)text;
+  }
   /// A warning of the architecture in its own words; `kind` lets the trace use the reference's layout.
-  virtual void OnWarning(const Agent&, WarningKind kind, std::string_view text) { (void)kind; (void)text; }
+  virtual void OnWarning(const Agent&, WarningKind kind, std::string_view text) {
+    (void)kind;
+    (void)text;
+  }
 
   // kProduction
   virtual void OnProductionAdded(const Agent&, ProductionId) {}
@@ -188,7 +211,9 @@ class Observer {
   // kExploration
   /// One candidate with its value, when exploration chooses.
   virtual void OnCandidate(const Agent&, Symbol candidate, double value, double probability) {
-    (void)candidate; (void)value; (void)probability;
+    (void)candidate;
+    (void)value;
+    (void)probability;
   }
 };
 

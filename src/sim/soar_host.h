@@ -24,7 +24,8 @@ struct SoarSettings {
   int port = 0;             ///< TCP port on loopback for debuggers; 0: nobody can attach.
   std::string remote_host;  ///< Not empty: use the kernel that listens there instead of our own.
   int remote_port = 12121;
-  int remote_limit_ms = 2000;  ///< A kernel elsewhere that is silent for so long while it is asked something counts as gone.
+  int remote_limit_ms =
+      2000;  ///< A kernel elsewhere that is silent for so long while it is asked something counts as gone.
   std::uint64_t seed = 1;  ///< Seeds each agent's random choices.
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Gives every file of a folder and the folders in it to a fuzzer's entry, once: a regression test that needs no libFuzzer.
+// Gives every file of a folder and the folders in it to a fuzzer's entry, once: a regression test that needs no
+// libFuzzer.
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

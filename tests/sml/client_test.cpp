@@ -350,8 +350,9 @@ TEST(ClientCommands, EchoCommandsShowsEveryLineAndItsAnswerToWhoeverListens) {
   Program program;
   std::string echoed;
   program.agent->RegisterForPrintEvent(
-      smlEVENT_ECHO, [](smlPrintEventId, void* data, Agent*, char const* text) { *static_cast<std::string*>(data) += text; },
-      &echoed, false);
+      smlEVENT_ECHO,
+      [](smlPrintEventId, void* data, Agent*, char const* text) { *static_cast<std::string*>(data) += text; }, &echoed,
+      false);
   program.agent->ExecuteCommandLine("echo quiet");
   EXPECT_EQ(echoed, "");
   program.agent->ExecuteCommandLine("output echo-commands on");
@@ -367,7 +368,8 @@ TEST(ClientInput, RecordedPerceptsGiveTheSameRunAgain) {
     Agent* agent = program.agent;
     std::string trace;
     agent->RegisterForPrintEvent(
-        smlEVENT_PRINT, [](smlPrintEventId, void* data, Agent*, char const* text) { *static_cast<std::string*>(data) += text; },
+        smlEVENT_PRINT,
+        [](smlPrintEventId, void* data, Agent*, char const* text) { *static_cast<std::string*>(data) += text; },
         &trace);
     agent->ExecuteCommandLine(command.c_str());
     EXPECT_TRUE(agent->GetLastCommandLineResult());

@@ -183,21 +183,27 @@ std::string TraceOf(const std::vector<const char*>& lines) {
 }
 
 TEST(XmlTrace, FiringsInDetailShowTheirPreferencesAndRetractionsEndWithAMarker) {
-  constexpr const char* kOnce = "sp {once*only (state <s> ^superstate nil -^done) --> (<s> ^operator <o> +) (<o> ^name finish)}";
+  constexpr const char* kOnce =
+      "sp {once*only (state <s> ^superstate nil -^done) --> (<s> ^operator <o> +) (<o> ^name finish)}";
   constexpr const char* kApply = "sp {apply*finish (state <s> ^operator.name finish) --> (<s> ^done yes)}";
   const std::string brief = TraceOf({kOnce, kApply, "watch 0", "trace --user", "run 4 -p"});
   EXPECT_EQ(brief.find("<preference>"), std::string::npos) << brief;
   EXPECT_NE(brief.find("<retracting_production><actionsidemarker>"), std::string::npos) << brief;
   const std::string detailed = TraceOf({kOnce, kApply, "watch 0", "trace --user", "trace --timetags", "run 4 -p"});
-  EXPECT_NE(detailed.find("<firing_production><actionsidemarker><preference><preference>"), std::string::npos) << detailed;
-  EXPECT_NE(detailed.find("<retracting_production><actionsidemarker><preference><preference>"), std::string::npos) << detailed;
+  EXPECT_NE(detailed.find("<firing_production><actionsidemarker><preference><preference>"), std::string::npos)
+      << detailed;
+  EXPECT_NE(detailed.find("<retracting_production><actionsidemarker><preference><preference>"), std::string::npos)
+      << detailed;
 }
 
 TEST(XmlTrace, CandidatesAreTracedOnlyByPoliciesThatWeighThemAll) {
-  constexpr const char* kOne = "sp {propose*one (state <s> ^superstate nil) --> (<s> ^operator <o> + = 3) (<o> ^name one)}";
-  constexpr const char* kTwo = "sp {propose*two (state <s> ^superstate nil) --> (<s> ^operator <o> + = 4) (<o> ^name two)}";
+  constexpr const char* kOne =
+      "sp {propose*one (state <s> ^superstate nil) --> (<s> ^operator <o> + = 3) (<o> ^name one)}";
+  constexpr const char* kTwo =
+      "sp {propose*two (state <s> ^superstate nil) --> (<s> ^operator <o> + = 4) (<o> ^name two)}";
   EXPECT_EQ(TraceOf({kOne, kTwo, "trace --indifferent", "run 1"}).find("<candidate>"), std::string::npos);
-  EXPECT_NE(TraceOf({kOne, kTwo, "trace --indifferent", "decide indifferent-selection --boltzmann", "run 1"}).find("<candidate>"),
+  EXPECT_NE(TraceOf({kOne, kTwo, "trace --indifferent", "decide indifferent-selection --boltzmann", "run 1"})
+                .find("<candidate>"),
             std::string::npos);
 }
 

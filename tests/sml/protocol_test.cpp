@@ -241,7 +241,8 @@ TEST(Protocol, AClientThatOnlyWatchesHoldsUpNoRunAndHearsOfWhatItMissedOnceAndIn
   agent->ExecuteCommandLine(kCounterRules);
   Client watcher(server.port());
   for (const char* event : {"system-start", "system-stop"}) {
-    watcher.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">" + std::string(event) + "</arg></command>");
+    watcher.Ask("<command name=\"register_for_event\"><arg param=\"eventid\">" + std::string(event) +
+                "</arg></command>");
   }
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < 20; ++i) agent->RunSelf(1);
@@ -262,9 +263,11 @@ TEST(Protocol, AnAnswerThatAnEventMayHaveCrossedIsSentOnceMore) {
   agent->RunSelf(1);
   const std::string event = client.Receive();
   ASSERT_EQ(EventOf(event), "system-start");
-  const std::string outer = client.Exchange("<sml doctype=\"call\" id=\"outer\"><command name=\"version\"></command></sml>");
+  const std::string outer =
+      client.Exchange("<sml doctype=\"call\" id=\"outer\"><command name=\"version\"></command></sml>");
   EXPECT_NE(outer.find("ack=\"outer\""), std::string::npos);
-  const std::string inner = client.Exchange("<sml doctype=\"call\" id=\"inner\"><command name=\"is_running\"></command></sml>");
+  const std::string inner =
+      client.Exchange("<sml doctype=\"call\" id=\"inner\"><command name=\"is_running\"></command></sml>");
   EXPECT_NE(inner.find("ack=\"inner\""), std::string::npos);
   client.Answer(event);
   EXPECT_EQ(client.Receive(), outer);
@@ -305,7 +308,8 @@ TEST(Protocol, AHundredClientsAreServedAtOnceAndEightMayMakeInput) {
 }
 
 TEST(Protocol, AKernelIsFoundAtTheFileForItsPortAndLeavesNoneBehind) {
-  const std::filesystem::path home = std::filesystem::path(testing::TempDir()) / ("soarbox-home-" + std::to_string(getpid()));
+  const std::filesystem::path home =
+      std::filesystem::path(testing::TempDir()) / ("soarbox-home-" + std::to_string(getpid()));
   std::filesystem::create_directories(home);
   const char* real_home = std::getenv("HOME");
   const std::string before = real_home ? real_home : "";

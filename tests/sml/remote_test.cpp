@@ -132,10 +132,11 @@ TEST(Remote, AKernelThatGoesAwayIsAnErrorAndNotAHang) {
 TEST(Remote, AKernelThatIsSilentForLongerThanTheLimitCountsAsGone) {
   const std::unique_ptr<Kernel> server(Kernel::CreateKernelInNewThread(Kernel::kUseAnyPort));
   std::promise<void> go_on;
-  server->AddRhsFunction("hang", [&, wait = go_on.get_future().share()](smlRhsEventId, Agent*, char const*, char const*) {
-    wait.wait();
-    return std::string("over");
-  });
+  server->AddRhsFunction("hang",
+                         [&, wait = go_on.get_future().share()](smlRhsEventId, Agent*, char const*, char const*) {
+                           wait.wait();
+                           return std::string("over");
+                         });
   const std::unique_ptr<Kernel> remote(Kernel::CreateRemoteConnection(true, "127.0.0.1", server->GetListenerPort()));
   Agent* agent = remote->CreateAgent("a");
   agent->ExecuteCommandLine("sp {hang (state <s> ^superstate nil) --> (<s> ^answer (exec hang))}");

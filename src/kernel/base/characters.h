@@ -6,10 +6,18 @@
 /// The characters and word shapes of the rule language, independent of the locale.
 namespace soarbox::kernel {
 
-constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-constexpr char ToUpper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-constexpr char ToLower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+constexpr bool IsDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+constexpr bool IsLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+constexpr char ToUpper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+constexpr char ToLower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 /// A character that can be part of a symbol written without bars.
 constexpr bool IsConstituent(char c) {
@@ -17,7 +25,9 @@ constexpr bool IsConstituent(char c) {
 }
 
 /// What separates symbols: blanks, line ends and, as Soar has it, the semicolon.
-constexpr bool IsBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ';'; }
+constexpr bool IsBlank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r') || c == ';';
+}
 
 /// An optional sign, then digits only.
 constexpr bool LooksLikeInteger(std::string_view text) {

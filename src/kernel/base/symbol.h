@@ -39,9 +39,9 @@ class Symbol {
   constexpr bool IsNumber() const { return IsInteger() || IsFloat(); }
   constexpr bool IsConstant() const { return tag() >= Tag::kString; }
   constexpr SymbolKind kind() const {
-    constexpr SymbolKind kKinds[] = {SymbolKind::kNone,    SymbolKind::kVariable, SymbolKind::kIdentifier,
-                                     SymbolKind::kString,  SymbolKind::kInteger,  SymbolKind::kInteger,
-                                     SymbolKind::kFloat,   SymbolKind::kNone};
+    constexpr SymbolKind kKinds[] = {SymbolKind::kNone,   SymbolKind::kVariable, SymbolKind::kIdentifier,
+                                     SymbolKind::kString, SymbolKind::kInteger,  SymbolKind::kInteger,
+                                     SymbolKind::kFloat,  SymbolKind::kNone};
     return kKinds[bits_ >> kIndexBits];
   }
 

@@ -23,8 +23,8 @@ struct FrozenSymbols;
 /// phases (BeginMark, Mark..., Sweep), never in the middle of one; there are no reference counts. Identifiers are
 /// freed one by one by working memory.
 ///
-/// Every constant has a creation stamp, which grows with first use; the condition reorderer breaks ties by it. The words
-/// of words.h exist from the start.
+/// Every constant has a creation stamp, which grows with first use; the condition reorderer breaks ties by it. The
+/// words of words.h exist from the start.
 class SymbolTable {
  public:
   SymbolTable();

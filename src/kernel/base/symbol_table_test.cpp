@@ -23,9 +23,9 @@ TEST(SymbolTable, EqualContentsGiveTheSameHandleAndKindsStayApart) {
 
 TEST(SymbolTable, IntegersOfAllSizesKeepTheirValue) {
   SymbolTable symbols;
-  for (const std::int64_t value : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{268435455}, std::int64_t{268435456},
-                                   std::int64_t{-268435456}, std::int64_t{-268435457},
-                                   std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
+  for (const std::int64_t value :
+       {std::int64_t{0}, std::int64_t{-1}, std::int64_t{268435455}, std::int64_t{268435456}, std::int64_t{-268435456},
+        std::int64_t{-268435457}, std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
     EXPECT_EQ(symbols.IntegerValue(symbols.Integer(value)), value);
     EXPECT_EQ(symbols.Integer(value), symbols.Integer(value));
   }
@@ -157,14 +157,16 @@ TEST_P(StringPrinting, PutsBarsWhereTheLexerWouldReadSomethingElse) {
   EXPECT_EQ(ToString(symbols, symbols.String(GetParam().text), false), GetParam().text);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    AsInTheTranscripts, StringPrinting,
-    testing::Values(Printed{"abc", "abc"}, Printed{"a-b", "|a-b|"}, Printed{"why?", "why?"}, Printed{"50%", "|50%|"},
-                    Printed{"*", "*"}, Printed{"+", "|+|"}, Printed{"", "||"}, Printed{"S1", "|S1|"}, Printed{"42", "|42|"},
-                    Printed{"4.2", "|4.2|"}, Printed{"<x>", "|<x>|"}, Printed{"<variable>", "|<variable>|"},
-                    Printed{"a\\b", "|a\\\\b|"}, Printed{"one|two", "|one\\|two|"}, Printed{"with space", "|with space|"},
-                    Printed{"0x10", "0x10"}, Printed{"1e3", "1e3"}, Printed{"1_000", "1_000"}, Printed{"1-2", "|1-2|"},
-                    Printed{"-123", "|-123|"}, Printed{"rule-a", "rule-a"}));
+INSTANTIATE_TEST_SUITE_P(AsInTheTranscripts, StringPrinting,
+                         testing::Values(Printed{"abc", "abc"}, Printed{"a-b", "|a-b|"}, Printed{"why?", "why?"},
+                                         Printed{"50%", "|50%|"}, Printed{"*", "*"}, Printed{"+", "|+|"},
+                                         Printed{"", "||"}, Printed{"S1", "|S1|"}, Printed{"42", "|42|"},
+                                         Printed{"4.2", "|4.2|"}, Printed{"<x>", "|<x>|"},
+                                         Printed{"<variable>", "|<variable>|"}, Printed{"a\\b", "|a\\\\b|"},
+                                         Printed{"one|two", "|one\\|two|"}, Printed{"with space", "|with space|"},
+                                         Printed{"0x10", "0x10"}, Printed{"1e3", "1e3"}, Printed{"1_000", "1_000"},
+                                         Printed{"1-2", "|1-2|"}, Printed{"-123", "|-123|"},
+                                         Printed{"rule-a", "rule-a"}));
 
 TEST(SymbolPrinting, FloatsHaveSixDecimals) {
   SymbolTable symbols;

@@ -69,7 +69,9 @@ TEST_F(AgentTest, TimeTagsOfOneWaveFollowTheOrderInWhichSlotsAreTouched) {
 }
 
 TEST_F(AgentTest, StructureThatLosesItsLastLinkIsCollectedEvenIfItIsACircle) {
-  Load("make (state <s> ^superstate nil -^gone yes) --> (<s> ^ring <a>) (<a> ^next <b>) (<b> ^next <c>) (<c> ^next <a>)");
+  Load(
+      "make (state <s> ^superstate nil -^gone yes) --> (<s> ^ring <a>) (<a> ^next <b>) (<b> ^next <c>) (<c> ^next "
+      "<a>)");
   Load("work (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name cut)");
   Load("cut (state <s> ^operator.name cut) --> (<s> ^gone yes)");
   agent.Run(RunUnit::kDecision, 1);
@@ -128,7 +130,8 @@ TEST_F(AgentTest, AResultOutlivesItsSubstateAndGoesWithItsReasons) {
 
 TEST_F(AgentTest, AResultLeavesNothingInTheDependencySet) {
   Load("propose (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name task)");
-  Load("sub (state <s> ^impasse no-change ^superstate.operator.name task) --> (<s> ^operator <o> +) (<o> ^name answer)");
+  Load(
+      "sub (state <s> ^impasse no-change ^superstate.operator.name task) --> (<s> ^operator <o> +) (<o> ^name answer)");
   Load("answer (state <s> ^operator.name answer ^superstate <ss>) --> (<ss> ^answer yes)");
   agent.Run(RunUnit::kDecision, 4);
   EXPECT_EQ(Values(Top(), "answer"), "yes");
@@ -293,9 +296,8 @@ TEST_F(AgentTest, IdentifiersAndConstantsThatNobodyMentionsAreGivenBack) {
 // Sharing ---------------------------------------------------------------------------------------------------------
 
 TEST(AgentSharing, AgentsWithEqualRulesHoldOneCopyAndPartWhenOneChangesItsRules) {
-  const std::vector<std::string> rules = {
-      "a (state <s> ^superstate nil ^io.input-link.x <x>) --> (<s> ^seen <x>)",
-      "b (state <s> ^seen 1) --> (<s> ^operator <o> +) (<o> ^name one)"};
+  const std::vector<std::string> rules = {"a (state <s> ^superstate nil ^io.input-link.x <x>) --> (<s> ^seen <x>)",
+                                          "b (state <s> ^seen 1) --> (<s> ^operator <o> +) (<o> ^name one)"};
   Agent first("first"), second("second");
   for (Agent* agent : {&first, &second}) {
     for (const std::string& rule : rules) ASSERT_TRUE(agent->LoadProduction(rule).loaded);

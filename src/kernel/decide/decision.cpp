@@ -73,9 +73,8 @@ const Candidate& Decision::Pick(const PreferenceSemantics::Outcome& outcome) {
     for (std::size_t n = 0; n < outcome.candidates.size(); ++n) {
       const Candidate& candidate = outcome.candidates[n];
       const double value = NumericValue(candidate, engine_.exploration);
-      engine_.observers.Notify(Event::kExploration, [&](Observer& o) {
-        o.OnCandidate(engine_.agent, candidate.value, value, chances[n]);
-      });
+      engine_.observers.Notify(Event::kExploration,
+                               [&](Observer& o) { o.OnCandidate(engine_.agent, candidate.value, value, chances[n]); });
     }
   }
   return outcome.candidates[Choose(outcome.candidates, engine_.exploration, engine_.random)];
@@ -105,7 +104,8 @@ bool Decision::EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operat
     engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kWrongImpasseType);
   }
   if (impasse == ImpasseType::kNoChange && !on_operator && engine_.settings.wait_snc) return true;
-  if (impasse == ImpasseType::kNoChange && engine_.goals.depth() >= static_cast<std::size_t>(engine_.settings.max_goal_depth)) {
+  if (impasse == ImpasseType::kNoChange &&
+      engine_.goals.depth() >= static_cast<std::size_t>(engine_.settings.max_goal_depth)) {
     engine_.run.GoalStackLimit();
   }
   engine_.goal_changes.MakeSubstate(impasse, on_operator, candidates);
@@ -120,7 +120,8 @@ void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acc
     const GoalInfo info = engine_.Describe(goal);
     WmeInfo wme;
     if (acceptable != WmeId::kNone) wme = engine_.Describe(acceptable);
-    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
+    engine_.observers.Notify(Event::kDecision,
+                             [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
   }
   const SlotId slot = goal.operator_slot;
   engine_.preferences.RemoveSelected(slot);
@@ -131,7 +132,8 @@ void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acc
   }
 }
 
-/// The existing decision of a goal: none if an operator is installed (or nothing is decided yet), else the impasse below.
+/// The existing decision of a goal: none if an operator is installed (or nothing is decided yet), else the impasse
+/// below.
 bool Decision::Stands(const Goal& goal) {
   const Slot& slot = engine_.memory.slot(goal.operator_slot);
   const bool has_operator = slot.wmes != WmeId::kNone;
@@ -177,11 +179,15 @@ std::string Decision::Predict() {
     if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) continue;
     const PreferenceSemantics::Outcome outcome = Evaluate(goal, ForcedOperator(goal));
     switch (outcome.impasse) {
-      case ImpasseType::kTie: return "tie";
-      case ImpasseType::kConflict: return "conflict";
-      case ImpasseType::kConstraintFailure: return "constraint";
+      case ImpasseType::kTie:
+        return "tie";
+      case ImpasseType::kConflict:
+        return "conflict";
+      case ImpasseType::kConstraintFailure:
+        return "constraint";
       case ImpasseType::kNoChange:
-      case ImpasseType::kNone: break;
+      case ImpasseType::kNone:
+        break;
     }
     if (outcome.candidates.empty()) continue;
     // What is foretold will happen: the choice is made now and enforced in the next decision.

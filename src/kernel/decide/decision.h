@@ -17,8 +17,8 @@ struct Engine;
 
 /// The decide phase and the checks that a decision still stands.
 ///
-/// Each goal has one context slot, ^operator. A slot without an operator is decided; one with an operator is a no-change.
-/// Goals above the highest one whose operator preferences changed need not be looked at.
+/// Each goal has one context slot, ^operator. A slot without an operator is decided; one with an operator is a
+/// no-change. Goals above the highest one whose operator preferences changed need not be looked at.
 class Decision {
  public:
   explicit Decision(Engine& engine) : engine_(engine) {}
@@ -53,7 +53,7 @@ class Decision {
   bool Stands(const Goal& goal);
 
   Engine& engine_;
-  GoalLevel changed_from_ = 0;   ///< The highest goal whose operator preferences changed; 0: none.
+  GoalLevel changed_from_ = 0;  ///< The highest goal whose operator preferences changed; 0: none.
   std::vector<SlotPreference> slot_preferences_;
 };
 

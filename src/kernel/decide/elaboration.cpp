@@ -43,7 +43,8 @@ FiringType Elaboration::TypeAt(GoalLevel level) const {
 Elaboration::Next Elaboration::Determine(bool apply) {
   const GoalLevel active = HighestActive(1, apply);
   if (active == 0 && !engine_.rete.matches().HasNoGoalRetractions()) {
-    if (firing_ == FiringType::kIe && !engine_.decision.CheckConsistency(static_cast<GoalLevel>(engine_.goals.depth()))) {
+    if (firing_ == FiringType::kIe &&
+        !engine_.decision.CheckConsistency(static_cast<GoalLevel>(engine_.goals.depth()))) {
       return Next::kInconsistent;
     }
     return Next::kPhaseEnds;

@@ -17,7 +17,10 @@ struct Engine;
 /// only if their actions stay below the level that is changing.
 class Elaboration {
  public:
-  explicit Elaboration(Engine& engine) : engine_(engine) { put_back_.reserve(8); garbage_.reserve(8); }
+  explicit Elaboration(Engine& engine) : engine_(engine) {
+    put_back_.reserve(8);
+    garbage_.reserve(8);
+  }
 
   enum class Next : std::uint8_t { kElaborate, kPhaseEnds, kInconsistent };
 
@@ -51,7 +54,7 @@ class Elaboration {
   Engine& engine_;
   GoalLevel active_ = 0;
   FiringType firing_ = FiringType::kIe;
-  std::uint32_t count_ = 0;             ///< Elaborations of this phase.
+  std::uint32_t count_ = 0;  ///< Elaborations of this phase.
   std::vector<MatchId> put_back_;
   std::vector<PreferenceId> o_rejects_;
   std::vector<Symbol> garbage_;

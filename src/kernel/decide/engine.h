@@ -32,8 +32,8 @@
 
 namespace soarbox::kernel {
 
-/// Everything that one agent consists of. The parts know each other through this struct; each part's header says what it
-/// is for. Not visible outside the kernel: Agent is its face.
+/// Everything that one agent consists of. The parts know each other through this struct; each part's header says what
+/// it is for. Not visible outside the kernel: Agent is its face.
 struct Engine {
   Engine(Agent& owner, std::string agent_name);
 
@@ -58,14 +58,14 @@ struct Engine {
   struct ProductionRecord {
     std::uint64_t firings = 0;
     bool breaks = false;
-    bool silenced = false;   ///< Its own :interrupt was cleared.
+    bool silenced = false;  ///< Its own :interrupt was cleared.
     bool live = false;
   };
   std::vector<ProductionRecord> productions;
-  std::vector<ProductionId> loading_order;        ///< Live rules, oldest first.
-  bool rules_changed = false;                     ///< Since they were last offered for sharing.
-  std::vector<ProductionId> production_of_name;   ///< By the index of the string that is a rule's name.
-  std::array<std::uint32_t, 5> type_counts{};     ///< Live rules by ProductionType.
+  std::vector<ProductionId> loading_order;       ///< Live rules, oldest first.
+  bool rules_changed = false;                    ///< Since they were last offered for sharing.
+  std::vector<ProductionId> production_of_name;  ///< By the index of the string that is a rule's name.
+  std::array<std::uint32_t, 5> type_counts{};    ///< Live rules by ProductionType.
 
   // What happens, in the order of the cycle.
   InputLink input;

@@ -14,8 +14,8 @@ double HighestValue(std::span<const Candidate> candidates, const ExplorationSett
 }
 
 std::size_t CountOf(std::span<const Candidate> candidates, const ExplorationSettings& settings, double value) {
-  return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(),
-                                                [&](const Candidate& c) { return NumericValue(c, settings) == value; }));
+  return static_cast<std::size_t>(std::count_if(
+      candidates.begin(), candidates.end(), [&](const Candidate& c) { return NumericValue(c, settings) == value; }));
 }
 
 std::size_t ChooseUniformly(std::size_t count, RandomStream& random) {
@@ -36,7 +36,8 @@ double TotalWeight(std::span<const Candidate> candidates, const ExplorationSetti
   return total;
 }
 
-std::size_t ChooseByWeight(std::span<const Candidate> candidates, const ExplorationSettings& settings, RandomStream& random) {
+std::size_t ChooseByWeight(std::span<const Candidate> candidates, const ExplorationSettings& settings,
+                           RandomStream& random) {
   const double highest = HighestValue(candidates, settings);
   const double total = TotalWeight(candidates, settings, highest);
   if (!(total > 0)) return ChooseUniformly(candidates.size(), random);
@@ -53,7 +54,8 @@ std::size_t ChooseByWeight(std::span<const Candidate> candidates, const Explorat
   return last;  // Rounding may leave the sum a hair below what was drawn.
 }
 
-std::size_t ChooseGreedily(std::span<const Candidate> candidates, const ExplorationSettings& settings, RandomStream& random) {
+std::size_t ChooseGreedily(std::span<const Candidate> candidates, const ExplorationSettings& settings,
+                           RandomStream& random) {
   if (random.Real() < settings.epsilon.value) return ChooseUniformly(candidates.size(), random);
   const double highest = HighestValue(candidates, settings);
   const std::size_t ties = CountOf(candidates, settings, highest);
@@ -102,11 +104,15 @@ double NumericValue(const Candidate& candidate, const ExplorationSettings& setti
 
 std::size_t Choose(std::span<const Candidate> candidates, const ExplorationSettings& settings, RandomStream& random) {
   switch (settings.policy) {
-    case ExplorationPolicy::kFirst: return 0;
-    case ExplorationPolicy::kLast: return candidates.size() - 1;
-    case ExplorationPolicy::kEpsilonGreedy: return ChooseGreedily(candidates, settings, random);
+    case ExplorationPolicy::kFirst:
+      return 0;
+    case ExplorationPolicy::kLast:
+      return candidates.size() - 1;
+    case ExplorationPolicy::kEpsilonGreedy:
+      return ChooseGreedily(candidates, settings, random);
     case ExplorationPolicy::kSoftmax:
-    case ExplorationPolicy::kBoltzmann: break;
+    case ExplorationPolicy::kBoltzmann:
+      break;
   }
   return ChooseByWeight(candidates, settings, random);
 }
@@ -117,8 +123,12 @@ std::vector<double> SelectionChances(std::span<const Candidate> candidates, cons
   const double equal = 1.0 / static_cast<double>(candidates.size());
   const double highest = HighestValue(candidates, settings);
   switch (settings.policy) {
-    case ExplorationPolicy::kFirst: chances.front() = 1; break;
-    case ExplorationPolicy::kLast: chances.back() = 1; break;
+    case ExplorationPolicy::kFirst:
+      chances.front() = 1;
+      break;
+    case ExplorationPolicy::kLast:
+      chances.back() = 1;
+      break;
     case ExplorationPolicy::kEpsilonGreedy: {
       const double ties = static_cast<double>(CountOf(candidates, settings, highest));
       for (std::size_t i = 0; i < candidates.size(); ++i) {

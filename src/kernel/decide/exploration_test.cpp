@@ -33,7 +33,8 @@ TEST(Exploration, BoltzmannAndEpsilonGreedyChancesAreTheReferences) {
               ElementsAre(DoubleNear(0.6285, 1e-4), DoubleNear(0.2312, 1e-4), DoubleNear(0.1402, 1e-4)));
   settings.policy = ExplorationPolicy::kEpsilonGreedy;
   ASSERT_TRUE(settings.SetEpsilon(0.3));
-  EXPECT_THAT(SelectionChances(Make({3, 1, 0}), settings), ElementsAre(DoubleNear(0.8, 1e-9), DoubleNear(0.1, 1e-9), DoubleNear(0.1, 1e-9)));
+  EXPECT_THAT(SelectionChances(Make({3, 1, 0}), settings),
+              ElementsAre(DoubleNear(0.8, 1e-9), DoubleNear(0.1, 1e-9), DoubleNear(0.1, 1e-9)));
 }
 
 TEST(Exploration, ChoosesInTheProportionOfTheChances) {

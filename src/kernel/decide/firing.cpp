@@ -10,9 +10,12 @@ namespace {
 
 Symbol FieldOf(const Wme& wme, Field field) {
   switch (field) {
-    case Field::kId: return wme.id;
-    case Field::kAttribute: return wme.attribute;
-    case Field::kValue: break;
+    case Field::kId:
+      return wme.id;
+    case Field::kAttribute:
+      return wme.attribute;
+    case Field::kValue:
+      break;
   }
   return wme.value;
 }

@@ -16,8 +16,8 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// Fires rules: makes the instantiation of a match and runs the rule's actions, which make preferences (not asserted yet)
-/// and call functions. New identifiers are made in the order in which the actions name them.
+/// Fires rules: makes the instantiation of a match and runs the rule's actions, which make preferences (not asserted
+/// yet) and call functions. New identifiers are made in the order in which the actions name them.
 class Firing {
  public:
   explicit Firing(Engine& engine) : engine_(engine) {
@@ -26,7 +26,8 @@ class Firing {
     argument_stack_.reserve(8);
   }
 
-  /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave when the elaboration ends.
+  /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave when the elaboration
+  /// ends.
   [[gnu::flatten]] void Fire(const PendingMatch& match, const Production& rule);
   /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number); none
   /// if there is none.
@@ -54,12 +55,12 @@ class Firing {
 
   Engine& engine_;
   std::vector<InstantiationId> made_;
-  std::vector<WmeId> wmes_;              ///< Of the match that fires (the match set may grow while it does) and more.
+  std::vector<WmeId> wmes_;  ///< Of the match that fires (the match set may grow while it does) and more.
   std::vector<Symbol> new_identifiers_;
   std::vector<Symbol> argument_stack_;
-  GoalLevel match_level_ = 0;            ///< Of the match that fires.
+  GoalLevel match_level_ = 0;  ///< Of the match that fires.
   bool o_support_ = false;
-  GoalLevel level_ = 0;                  ///< Of identifiers that the action at hand makes.
+  GoalLevel level_ = 0;  ///< Of identifiers that the action at hand makes.
   const Production* rule_ = nullptr;
 };
 

@@ -9,15 +9,22 @@
 namespace soarbox::kernel {
 namespace {
 
-bool HasItems(ImpasseType impasse) { return impasse != ImpasseType::kNoChange && impasse != ImpasseType::kNone; }
+bool HasItems(ImpasseType impasse) {
+  return impasse != ImpasseType::kNoChange && impasse != ImpasseType::kNone;
+}
 
 Symbol ImpasseName(ImpasseType impasse) {
   switch (impasse) {
-    case ImpasseType::kTie: return words::kTie;
-    case ImpasseType::kConflict: return words::kConflict;
-    case ImpasseType::kConstraintFailure: return words::kConstraintFailure;
-    case ImpasseType::kNoChange: return words::kNoChange;
-    case ImpasseType::kNone: break;
+    case ImpasseType::kTie:
+      return words::kTie;
+    case ImpasseType::kConflict:
+      return words::kConflict;
+    case ImpasseType::kConstraintFailure:
+      return words::kConstraintFailure;
+    case ImpasseType::kNoChange:
+      return words::kNoChange;
+    case ImpasseType::kNone:
+      break;
   }
   return words::kNone;
 }
@@ -195,7 +202,8 @@ void GoalChanges::CollectGarbage(Symbol id) {
   while (memory.identifier(id).input_wmes != WmeId::kNone) engine_.changes.Remove(memory.identifier(id).input_wmes);
   for (SlotId slot = memory.identifier(id).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
     while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
-    while (memory.slot(slot).acceptable != PreferenceId::kNone) engine_.preferences.Retract(memory.slot(slot).acceptable);
+    while (memory.slot(slot).acceptable != PreferenceId::kNone)
+      engine_.preferences.Retract(memory.slot(slot).acceptable);
     while (memory.slot(slot).others != PreferenceId::kNone) engine_.preferences.Retract(memory.slot(slot).others);
     engine_.preferences.empty_slots().push_back(slot);
   }

@@ -17,12 +17,12 @@ struct Goal {
   GoalLevel level = 0;
   SlotId operator_slot = SlotId::kNone;
   Symbol reward_link;
-  ImpasseType impasse = ImpasseType::kNone;   ///< That made it; kNone for the top state.
-  bool impasse_on_operator = false;           ///< ^attribute operator, else state.
+  ImpasseType impasse = ImpasseType::kNone;  ///< That made it; kNone for the top state.
+  bool impasse_on_operator = false;          ///< ^attribute operator, else state.
   std::uint64_t created_in_decision = 0;
   PreferenceId preferences = PreferenceId::kNone;  ///< Of all instantiations that matched it: newest first.
   PreferenceId oldest_preference = PreferenceId::kNone;
-  std::vector<WmeId> items;                   ///< ^item, ^item-count, ^non-numeric, ^non-numeric-count elements.
+  std::vector<WmeId> items;  ///< ^item, ^item-count, ^non-numeric, ^non-numeric-count elements.
   bool has_gds = false;
   std::vector<WmeId> gds;                     ///< Elements of higher goals that its o-supported facts rest on.
   FiringType saved_firing = FiringType::kIe;  ///< Restored when elaboration comes down to it again.

@@ -12,8 +12,8 @@ namespace soarbox::kernel {
 /// What one positive condition of a match tested: what learning follows.
 struct ConditionTrace {
   WmeId wme = WmeId::kNone;
-  GoalLevel level = 0;                              ///< Of the element's identifier when the rule fired.
-  PreferenceId preference = PreferenceId::kNone;    ///< That made the element, at the level of the match; or kNone.
+  GoalLevel level = 0;                            ///< Of the element's identifier when the rule fired.
+  PreferenceId preference = PreferenceId::kNone;  ///< That made the element, at the level of the match; or kNone.
 };
 
 /// A rule that fired on one match and still matches, or has preferences that live.
@@ -21,20 +21,20 @@ struct ConditionTrace {
 /// Matches that touch only the top state keep no condition traces (nothing above could learn from them): their elements
 /// are read from the matcher while the match exists.
 struct Instantiation {
-  ProductionId production = ProductionId::kNone;    ///< kNone for the architecture's own.
-  MatchId match = MatchId::kNone;                   ///< kNone once it no longer matches.
-  Symbol goal;                                      ///< The lowest goal that it matched.
+  ProductionId production = ProductionId::kNone;  ///< kNone for the architecture's own.
+  MatchId match = MatchId::kNone;                 ///< kNone once it no longer matches.
+  Symbol goal;                                    ///< The lowest goal that it matched.
   GoalLevel level = 0;
   bool live = false;
-  bool held = false;                                ///< It is being made or asserted: not to be freed yet.
-  bool o_support = false;                           ///< It fired with the o-supported rules.
-  bool reliable = true;                             ///< False if a result must become a justification at most.
-  std::uint32_t serial = 0;                         ///< Counts instantiations; for explanations and learning.
-  std::uint32_t backtrace = 0;                      ///< The last backtrace that visited it.
-  std::uint32_t justification = 0xFFFFFFFFu;        ///< Index of the literal rule that keeps a result, or none.
-  std::uint32_t first_trace = 0;                    ///< In the trace arena.
+  bool held = false;                          ///< It is being made or asserted: not to be freed yet.
+  bool o_support = false;                     ///< It fired with the o-supported rules.
+  bool reliable = true;                       ///< False if a result must become a justification at most.
+  std::uint32_t serial = 0;                   ///< Counts instantiations; for explanations and learning.
+  std::uint32_t backtrace = 0;                ///< The last backtrace that visited it.
+  std::uint32_t justification = 0xFFFFFFFFu;  ///< Index of the literal rule that keeps a result, or none.
+  std::uint32_t first_trace = 0;              ///< In the trace arena.
   std::uint16_t trace_count = 0;
-  PreferenceId preferences = PreferenceId::kNone;   ///< Newest first: the last action comes first.
+  PreferenceId preferences = PreferenceId::kNone;  ///< Newest first: the last action comes first.
 };
 
 }  // namespace soarbox::kernel

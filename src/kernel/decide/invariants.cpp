@@ -65,7 +65,8 @@ std::string FindViolation(const Engine& engine) {
     ++live;
     if (!memory.record(wme).in_match && engine.changes.empty()) return Name(engine, wme) + " is not in the match";
     const GoalLevel gds = memory.record(wme).gds;
-    if (gds > engine.goals.depth() && gds != kGoalOfGdsGone) return Name(engine, wme) + " is in the dependency set of a goal that is gone";
+    if (gds > engine.goals.depth() && gds != kGoalOfGdsGone)
+      return Name(engine, wme) + " is in the dependency set of a goal that is gone";
   }
   if (live != memory.wme_count()) return "the number of elements is wrong";
   for (GoalLevel level = 1; level <= engine.goals.depth(); ++level) {

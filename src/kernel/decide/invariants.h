@@ -8,8 +8,8 @@ namespace soarbox::kernel {
 struct Engine;
 
 /// Checks, between phases, what must be true of an agent: slots agree with elements, elements with the preferences that
-/// support them, counts with lists, links with levels, the matcher with itself. Returns the first violation in words, or
-/// an empty text. Walks everything: for tests and builds with SOARBOX_CHECK_INVARIANTS.
+/// support them, counts with lists, links with levels, the matcher with itself. Returns the first violation in words,
+/// or an empty text. Walks everything: for tests and builds with SOARBOX_CHECK_INVARIANTS.
 std::string FindViolation(const Engine& engine);
 
 }  // namespace soarbox::kernel

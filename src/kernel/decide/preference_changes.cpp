@@ -58,7 +58,8 @@ bool PreferenceChanges::Assert(PreferenceId id) {
     MarkOrdinary(slot, record);
   } else {
     MarkChanged(slot);
-    if (is_operator && (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
+    if (is_operator &&
+        (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire)) {
       NoteAcceptablesChanged(slot);
     }
   }
@@ -120,13 +121,14 @@ void PreferenceChanges::ApplyOReject(PreferenceId reject) {
     }
   }
   // The one that came last goes first.
-  std::sort(rejected_.begin(), rejected_.end(), [&](PreferenceId a, PreferenceId b) {
-    return memory.preference(a).stamp > memory.preference(b).stamp;
-  });
+  std::sort(rejected_.begin(), rejected_.end(),
+            [&](PreferenceId a, PreferenceId b) { return memory.preference(a).stamp > memory.preference(b).stamp; });
   for (const PreferenceId p : rejected_) Retract(p);
 }
 
-void PreferenceChanges::AddReference(PreferenceId id) { ++engine_.memory.mutable_preference(id).references; }
+void PreferenceChanges::AddReference(PreferenceId id) {
+  ++engine_.memory.mutable_preference(id).references;
+}
 
 void PreferenceChanges::DropReference(PreferenceId id) {
   --engine_.memory.mutable_preference(id).references;
@@ -156,8 +158,8 @@ void PreferenceChanges::Free(PreferenceId id) {
   FreeInstantiation(instantiation);
 }
 
-/// Freeing a preference may free its instantiation, whose conditions let go of other preferences: a chain as long as the
-/// reasoning in a substate was, so it is worked off here and not by recursion.
+/// Freeing a preference may free its instantiation, whose conditions let go of other preferences: a chain as long as
+/// the reasoning in a substate was, so it is worked off here and not by recursion.
 void PreferenceChanges::Drain() {
   if (unused_.empty() || draining_) return;
   draining_ = true;

@@ -27,7 +27,8 @@ PreferenceSemantics::Outcome PreferenceSemantics::Decide(std::span<const SlotPre
     }
     Keep(false);
   }
-  if (candidates_.size() > 1 && (has(PreferenceType::kBetter) || has(PreferenceType::kWorse)) && DropDominated(preferences)) {
+  if (candidates_.size() > 1 && (has(PreferenceType::kBetter) || has(PreferenceType::kWorse)) &&
+      DropDominated(preferences)) {
     AddNumbers(preferences);
     return {ImpasseType::kConflict, candidates_};
   }
@@ -62,7 +63,8 @@ PreferenceSemantics::Outcome PreferenceSemantics::DecideRequired(std::span<const
   candidates_.clear();
   for (const SlotPreference& p : preferences) {
     if (p.type != PreferenceType::kRequire) continue;
-    const bool known = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return c.value == p.value; });
+    const bool known =
+        std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return c.value == p.value; });
     if (!known) candidates_.push_back({p.value, p.preference});
   }
   std::reverse(candidates_.begin(), candidates_.end());

@@ -16,25 +16,26 @@ namespace soarbox::kernel {
 struct SlotPreference {
   PreferenceType type = PreferenceType::kAcceptable;
   Symbol value;
-  Symbol referent;            ///< Better, worse, binary indifferent.
-  double number = 0;          ///< Numeric indifferent.
+  Symbol referent;    ///< Better, worse, binary indifferent.
+  double number = 0;  ///< Numeric indifferent.
   PreferenceId preference = PreferenceId::kNone;
 };
 
 /// One value that the procedure has left in the running.
 struct Candidate {
   Symbol value;
-  PreferenceId preference = PreferenceId::kNone;  ///< The first acceptable (or require) preference for it, in list order.
-  bool is_numeric = false;    ///< Has a numeric-indifferent preference (the others are listed as ^non-numeric).
-  double number_sum = 0;      ///< Of its numeric-indifferent preferences.
+  PreferenceId preference =
+      PreferenceId::kNone;  ///< The first acceptable (or require) preference for it, in list order.
+  bool is_numeric = false;  ///< Has a numeric-indifferent preference (the others are listed as ^non-numeric).
+  double number_sum = 0;    ///< Of its numeric-indifferent preferences.
   std::uint32_t number_count = 0;
 };
 
 /// The procedure that decides an operator slot (Soar manual 2.4; kernel_features section 11).
 ///
 /// A pure function of the preferences but for scratch memory, which is kept so that deciding allocates nothing in the
-/// steady state. The random choice among indifferent candidates is not made here (exploration.h), so the same call serves
-/// for deciding and for checking that a decision still stands.
+/// steady state. The random choice among indifferent candidates is not made here (exploration.h), so the same call
+/// serves for deciding and for checking that a decision still stands.
 class PreferenceSemantics {
  public:
   struct Outcome {
@@ -45,8 +46,8 @@ class PreferenceSemantics {
     std::span<const Candidate> candidates;
   };
 
-  /// `preferences` are all that stand in the slot, in list order (newest last). `forced` is a value that wins at once if
-  /// it has an acceptable preference (`decide select`), or none. The outcome is valid until the next call.
+  /// `preferences` are all that stand in the slot, in list order (newest last). `forced` is a value that wins at once
+  /// if it has an acceptable preference (`decide select`), or none. The outcome is valid until the next call.
   Outcome Decide(std::span<const SlotPreference> preferences, Symbol forced = {});
 
  private:
@@ -69,11 +70,11 @@ class PreferenceSemantics {
   std::uint32_t Find(Symbol value) const;
 
   std::vector<Candidate> candidates_;
-  std::vector<std::uint8_t> marks_;           ///< Beside candidates_.
-  std::vector<std::uint64_t> pairs_;          ///< Scratch of AllIndifferent.
-  bool by_position_ = false;                  ///< Many preferences: candidates are found by position_.
-  std::vector<std::uint32_t> position_;       ///< By identifier index; kNowhere for those that are no candidates.
-  std::vector<std::uint32_t> indexed_;        ///< The identifier indices set in position_.
+  std::vector<std::uint8_t> marks_;      ///< Beside candidates_.
+  std::vector<std::uint64_t> pairs_;     ///< Scratch of AllIndifferent.
+  bool by_position_ = false;             ///< Many preferences: candidates are found by position_.
+  std::vector<std::uint32_t> position_;  ///< By identifier index; kNowhere for those that are no candidates.
+  std::vector<std::uint32_t> indexed_;   ///< The identifier indices set in position_.
 };
 
 }  // namespace soarbox::kernel

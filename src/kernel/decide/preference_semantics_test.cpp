@@ -6,7 +6,9 @@
 namespace soarbox::kernel {
 namespace {
 
-constexpr Symbol O(std::uint32_t n) { return {Symbol::Tag::kIdentifier, n}; }
+constexpr Symbol O(std::uint32_t n) {
+  return {Symbol::Tag::kIdentifier, n};
+}
 using enum PreferenceType;
 
 class PreferenceSemanticsTest : public testing::Test {
@@ -14,7 +16,9 @@ class PreferenceSemanticsTest : public testing::Test {
   void Add(PreferenceType type, std::uint32_t value, std::uint32_t referent = 0) {
     list_.push_back({type, O(value), referent == 0 ? Symbol{} : O(referent), 0, PreferenceId{}});
   }
-  void AddNumber(std::uint32_t value, double number) { list_.push_back({kNumericIndifferent, O(value), {}, number, PreferenceId{}}); }
+  void AddNumber(std::uint32_t value, double number) {
+    list_.push_back({kNumericIndifferent, O(value), {}, number, PreferenceId{}});
+  }
   void Propose(std::initializer_list<std::uint32_t> values) {
     for (const std::uint32_t value : values) Add(kAcceptable, value);
   }
@@ -25,7 +29,8 @@ class PreferenceSemanticsTest : public testing::Test {
     for (const Candidate& c : outcome.candidates) numbers.push_back(c.value.index());
     return {outcome.impasse, numbers};
   }
-  static std::pair<ImpasseType, std::vector<std::uint32_t>> Is(ImpasseType impasse, std::vector<std::uint32_t> numbers) {
+  static std::pair<ImpasseType, std::vector<std::uint32_t>> Is(ImpasseType impasse,
+                                                               std::vector<std::uint32_t> numbers) {
     return {impasse, std::move(numbers)};
   }
 

@@ -10,8 +10,12 @@
 
 namespace soarbox::kernel {
 
-SymbolTable& RuleContext::symbols() { return engine_.symbols; }
-RandomStream& RuleContext::random() { return engine_.random; }
+SymbolTable& RuleContext::symbols() {
+  return engine_.symbols;
+}
+RandomStream& RuleContext::random() {
+  return engine_.random;
+}
 
 void RuleContext::PrintError(std::string_view text) {
   engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(engine_.agent, text); });
@@ -29,14 +33,20 @@ void RuleContext::Trace(int level, std::string_view text) {
   engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnTraceText(engine_.agent, level, text); });
 }
 
-void RuleContext::RequestHalt() { engine_.run.Halt(); }
-void RuleContext::RequestInterrupt() { engine_.run.RequestStop({}); }
+void RuleContext::RequestHalt() {
+  engine_.run.Halt();
+}
+void RuleContext::RequestInterrupt() {
+  engine_.run.RequestStop({});
+}
 
 void RuleContext::WaitMilliseconds(std::int64_t milliseconds) {
   if (milliseconds > 0) std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
 
-std::string RuleContext::ReadLine() { return engine_.line_reader ? engine_.line_reader() : std::string(); }
+std::string RuleContext::ReadLine() {
+  return engine_.line_reader ? engine_.line_reader() : std::string();
+}
 
 std::string RuleContext::Timestamp() {
   const auto now = std::chrono::system_clock::now();
@@ -52,8 +62,12 @@ std::string RuleContext::Timestamp() {
   return text;
 }
 
-std::uint64_t RuleContext::DecisionCycle() const { return engine_.counters.decision_phases; }
-std::uint64_t RuleContext::NextConstantNumber() { return next_constant_++; }
+std::uint64_t RuleContext::DecisionCycle() const {
+  return engine_.counters.decision_phases;
+}
+std::uint64_t RuleContext::NextConstantNumber() {
+  return next_constant_++;
+}
 
 void RuleContext::Count(std::string_view counter) {
   const auto found = engine_.rule_counters.find(counter);
@@ -114,7 +128,9 @@ void RuleContext::MakePreference(Symbol identifier, Symbol attribute, Symbol val
   engine_.preferences.Make(firing_, preference);
 }
 
-bool RuleContext::IsGoal(Symbol identifier) const { return engine_.memory.identifier(identifier).is_goal; }
+bool RuleContext::IsGoal(Symbol identifier) const {
+  return engine_.memory.identifier(identifier).is_goal;
+}
 
 std::uint64_t RuleContext::LongTermIdentifier(Symbol identifier) const {
   const auto linked = engine_.memory.long_term_identifiers();
@@ -123,10 +139,12 @@ std::uint64_t RuleContext::LongTermIdentifier(Symbol identifier) const {
 
 void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) {
   // No long-term memory is attached, so no long-term identifier exists.
-  PrintError("Warning: Long-term memory @" + std::to_string(lti) + " does not exist.  Could not link short-term memory " +
-             ToString(engine_.symbols, identifier) + ".\n");
+  PrintError("Warning: Long-term memory @" + std::to_string(lti) +
+             " does not exist.  Could not link short-term memory " + ToString(engine_.symbols, identifier) + ".\n");
 }
 
-void RuleContext::SetLearning(Symbol state, bool learn) { engine_.justifier.SetLearning(state, learn); }
+void RuleContext::SetLearning(Symbol state, bool learn) {
+  engine_.justifier.SetLearning(state, learn);
+}
 
 }  // namespace soarbox::kernel

@@ -100,11 +100,18 @@ void RunControl::OutputPhase() {
 
 bool RunControl::Advance() {
   switch (phase_) {
-    case Phase::kInput: InputPhase(); return true;
-    case Phase::kPropose: return ElaboratePhase(false);
-    case Phase::kDecide: DecidePhase(); return true;
-    case Phase::kApply: return ElaboratePhase(true);
-    case Phase::kOutput: break;
+    case Phase::kInput:
+      InputPhase();
+      return true;
+    case Phase::kPropose:
+      return ElaboratePhase(false);
+    case Phase::kDecide:
+      DecidePhase();
+      return true;
+    case Phase::kApply:
+      return ElaboratePhase(true);
+    case Phase::kOutput:
+      break;
   }
   OutputPhase();
   return true;
@@ -120,7 +127,9 @@ void RunControl::RequestStop(std::string_view reason) {
   stop_.store(true, std::memory_order_relaxed);
 }
 
-void RunControl::ClearStop() { stop_.store(false, std::memory_order_relaxed); }
+void RunControl::ClearStop() {
+  stop_.store(false, std::memory_order_relaxed);
+}
 
 void RunControl::InterruptByRule(std::string_view rule) {
   RequestStop("*** Production interrupt: " + std::string(rule) + " ***");
@@ -178,7 +187,10 @@ RunControl::Start RunControl::Begin() {
 RunResult RunControl::Finish(const Start& start) {
   running_ = false;
   RunResult result;
-  result.reason = halted_ ? StopReason::kHalted : limit_reached_ ? StopReason::kLimit : ended_ ? StopReason::kInterrupted : StopReason::kCompleted;
+  result.reason = halted_          ? StopReason::kHalted
+                  : limit_reached_ ? StopReason::kLimit
+                  : ended_         ? StopReason::kInterrupted
+                                   : StopReason::kCompleted;
   result.decisions = engine_.counters.decision_cycles - start.decisions;
   result.elaborations = engine_.counters.elaborations - start.elaborations;
   result.firings = engine_.counters.firings - start.firings;
@@ -217,8 +229,12 @@ RunResult RunControl::Step(RunUnit unit) {
       }
       CheckStop();
       break;
-    case RunUnit::kDecision: RunOneDecision(); break;
-    case RunUnit::kOutput: RunOneOutput(); break;
+    case RunUnit::kDecision:
+      RunOneDecision();
+      break;
+    case RunUnit::kOutput:
+      RunOneOutput();
+      break;
     case RunUnit::kForever:
       do {
         RunOneDecision();

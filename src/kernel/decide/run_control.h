@@ -80,9 +80,9 @@ class RunControl {
   bool halted_ = false;
   bool halt_requested_ = false;
   bool goal_stack_limit_ = false;
-  bool limit_reached_ = false;         ///< By the goal stack, in this run.
-  bool ended_ = false;                 ///< This run was interrupted.
-  bool output_changed_ = false;        ///< By the last output phase.
+  bool limit_reached_ = false;   ///< By the goal stack, in this run.
+  bool ended_ = false;           ///< This run was interrupted.
+  bool output_changed_ = false;  ///< By the last output phase.
   Symbol watched_goal_;
   bool watched_goal_gone_ = false;
   std::uint64_t cycle_wme_changes_ = 0, cycle_firings_ = 0;

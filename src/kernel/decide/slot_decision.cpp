@@ -105,7 +105,8 @@ void SlotDecision::Decide(SlotId slot_id) {
   for (std::size_t n = values_.size(); n-- > 0;) {
     if (values_[n].present) continue;
     const Value value = values_[n];
-    const WmeId wme = engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
+    const WmeId wme =
+        engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
     if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
   }
   if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);

@@ -28,7 +28,7 @@ class SlotDecision {
   struct Value {
     Symbol value;
     PreferenceId preference = PreferenceId::kNone;
-    bool present = false;   ///< Has an element.
+    bool present = false;  ///< Has an element.
   };
 
   [[gnu::noinline]] void Decide(SlotId slot);
@@ -48,8 +48,8 @@ class SlotDecision {
   Engine& engine_;
   std::vector<Value> values_;
   std::vector<Symbol> excluded_;
-  std::vector<std::uint32_t> table_;   ///< Open addressing over values_ when there are many.
-  std::size_t indexed_ = 0;            ///< How many of values_ are in the table.
+  std::vector<std::uint32_t> table_;  ///< Open addressing over values_ when there are many.
+  std::size_t indexed_ = 0;           ///< How many of values_ are in the table.
 };
 
 }  // namespace soarbox::kernel

@@ -51,7 +51,9 @@ InputObject InputLink::MakeObject(Symbol identifier) {
   return static_cast<InputObject>(place | object.generation << kPlaceBits);
 }
 
-InputObject InputLink::NewObject() { return MakeObject({}); }
+InputObject InputLink::NewObject() {
+  return MakeObject({});
+}
 
 InputObject InputLink::ObjectFor(Symbol identifier) {
   if (!identifier.IsIdentifier() || !engine_.memory.identifier(identifier).live) return InputObject::kNone;
@@ -125,7 +127,8 @@ void InputLink::BufferRemove(std::uint32_t place) {
 void InputLink::Update(InputElement handle, const InputValue& value, std::int64_t tag) {
   Element* element = Find(handle);
   if (element == nullptr) return;
-  if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr) return;
+  if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr)
+    return;
   element->tag = tag;
   const std::uint32_t place = static_cast<std::uint32_t>(handle) & kPlaceMask;
   BufferRemove(place);

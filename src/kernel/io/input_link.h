@@ -15,8 +15,8 @@ namespace soarbox::kernel {
 /// An object on the input side: the input link, an identifier that the client makes, or one that the kernel knows.
 /// Handles are void after init-soar; using a void handle does nothing.
 enum class InputObject : std::uint32_t { kInputLink = 0, kNone = 0xFFFFFFFFu };
-/// An element that the client made. A handle of an element that is gone is void; its place is used again by others, whose
-/// handles differ (until 1,000 generations have passed).
+/// An element that the client made. A handle of an element that is gone is void; its place is used again by others,
+/// whose handles differ (until 1,000 generations have passed).
 enum class InputElement : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 /// The value of an input element: text, an integer, a float, or an object.
@@ -27,11 +27,12 @@ class InputTap;
 
 /// What clients put on the input link. Calls only buffer: the changes are made in the next input phase, in call order,
 /// which gives the time tags. An element that is made and removed between two input phases uses up a time tag (as in
-/// Soar 9.6.3) but no rule ever sees it; of several updates the last one counts. The link is not a set: equal triples from two calls are two elements.
+/// Soar 9.6.3) but no rule ever sees it; of several updates the last one counts. The link is not a set: equal triples
+/// from two calls are two elements.
 ///
 /// The kernel's identifier of a new object is made when its first element enters; its letter is the first letter of
-/// that element's attribute (I if it is not a letter). Structure that loses its connection with the link is collected by
-/// working memory as usual; its handles are then void.
+/// that element's attribute (I if it is not a letter). Structure that loses its connection with the link is collected
+/// by working memory as usual; its handles are then void.
 class InputLink {
  public:
   explicit InputLink(Engine& engine) : engine_(engine) {}
@@ -51,8 +52,8 @@ class InputLink {
   /// The kernel's identifier of an object; none before the input phase that makes it.
   Symbol Identifier(InputObject object) const;
   bool HasPendingChanges() const { return !pending_.empty(); }
-  /// Calls `visit(element, wme, tag)` for each element of a client that has a tag, in no order that means anything; `wme`
-  /// is kNone before the input phase that makes it.
+  /// Calls `visit(element, wme, tag)` for each element of a client that has a tag, in no order that means anything;
+  /// `wme` is kNone before the input phase that makes it.
   template <typename Visit>
   void ForEachTagged(Visit visit) const {
     for (std::uint32_t place = 0; place < elements_.size(); ++place) {
@@ -90,8 +91,8 @@ class InputLink {
   enum class Change : std::uint8_t { kAdd, kRemove };
   struct Element {
     WmeId wme = WmeId::kNone;
-    bool live = false;                        ///< The handle is valid.
-    std::uint32_t buffered = 0;               ///< Changes of it that wait.
+    bool live = false;           ///< The handle is valid.
+    std::uint32_t buffered = 0;  ///< Changes of it that wait.
     std::uint32_t generation = 0;
     InputObject parent = InputObject::kNone;
     Symbol attribute;
@@ -100,7 +101,7 @@ class InputLink {
   struct Pending {
     Change change = Change::kAdd;
     std::uint32_t element = 0;
-    Symbol constant;                ///< kAdd with a constant value.
+    Symbol constant;  ///< kAdd with a constant value.
     InputObject object = InputObject::kNone;
   };
   struct Object {
@@ -134,10 +135,10 @@ class InputLink {
   std::vector<Object> objects_;
   std::vector<std::uint32_t> free_objects_;
   std::vector<Element> elements_;
-  std::uint32_t first_generation_ = 0;     ///< Of places made since the last init-soar, so that older handles are void.
+  std::uint32_t first_generation_ = 0;  ///< Of places made since the last init-soar, so that older handles are void.
   std::vector<std::uint32_t> free_elements_;
   std::vector<Pending> pending_;
-  std::vector<std::uint32_t> object_of_;   ///< By identifier index: place of its object, or kNoPlace.
+  std::vector<std::uint32_t> object_of_;  ///< By identifier index: place of its object, or kNoPlace.
 };
 
 }  // namespace soarbox::kernel

@@ -11,8 +11,8 @@ class InputLink;
 
 /// One change that the input link made in working memory.
 struct InputChange {
-  bool added = false;            ///< Else removed.
-  bool new_identifier = false;   ///< The value is an identifier that this change made.
+  bool added = false;           ///< Else removed.
+  bool new_identifier = false;  ///< The value is an identifier that this change made.
   std::uint64_t timetag = 0;
   Symbol id, attribute, value;
 };

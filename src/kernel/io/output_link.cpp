@@ -16,7 +16,8 @@ constexpr std::size_t kUsualElements = 8;
 
 OutputLink::OutputLink(Engine& engine) : engine_(engine) {
   members_.reserve(kUsualElements);
-  for (std::vector<OutputChange>* list : {&current_, &next_, &changes_, &added_, &removed_}) list->reserve(kUsualElements);
+  for (std::vector<OutputChange>* list : {&current_, &next_, &changes_, &added_, &removed_})
+    list->reserve(kUsualElements);
   new_commands_.reserve(kUsualElements);
 }
 
@@ -53,7 +54,8 @@ bool OutputLink::Collect() {
   };
   for (std::size_t n = 0; n < members_.size(); ++n) {
     const IdentifierRecord& record = memory.identifier(members_[n]);
-    for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory.slot(slot).next) visit(memory.slot(slot).wmes);
+    for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory.slot(slot).next)
+      visit(memory.slot(slot).wmes);
     visit(record.architecture_wmes);
     visit(record.input_wmes);
   }

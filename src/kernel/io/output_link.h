@@ -21,8 +21,8 @@ struct OutputChange {
 
 /// A command: an identifier-valued element directly on the output link.
 struct OutputCommand {
-  Symbol attribute;    ///< The command's name.
-  Symbol identifier;   ///< Its object: parameters are the elements of this identifier.
+  Symbol attribute;   ///< The command's name.
+  Symbol identifier;  ///< Its object: parameters are the elements of this identifier.
   std::uint64_t timetag = 0;
 };
 
@@ -78,7 +78,7 @@ class OutputLink {
   Symbol identifier_;
   bool dirty_ = false;
   std::uint64_t generation_ = 0;
-  std::vector<std::uint8_t> member_;       ///< By identifier index: below the output link at the last collection.
+  std::vector<std::uint8_t> member_;  ///< By identifier index: below the output link at the last collection.
   std::vector<Symbol> members_;
   std::vector<OutputChange> current_, next_, changes_, added_, removed_;
   std::vector<OutputCommand> new_commands_;

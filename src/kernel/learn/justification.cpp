@@ -120,7 +120,8 @@ void Justifier::VisitCondition(const ConditionTrace& trace) {
   const Preference& made_by = memory.preference(trace.preference);
   VisitInstantiation(made_by.instantiation);
   // The selected operator also rests on what made it better than others.
-  if (made_by.attribute != words::kOperator || memory.wme(trace.wme).acceptable || made_by.slot == SlotId::kNone) return;
+  if (made_by.attribute != words::kOperator || memory.wme(trace.wme).acceptable || made_by.slot == SlotId::kNone)
+    return;
   for (PreferenceId p = memory.slot(made_by.slot).others; p != PreferenceId::kNone;
        p = memory.preference(p).next_in_slot) {
     const Preference& evaluation = memory.preference(p);
@@ -146,9 +147,8 @@ Symbol ValueOfVariable(const Production& rule, Symbol variable, std::span<const 
     const Wme& wme = memory.wme(traces[positive++].wme);
     const auto binds = [&](const Test& test) {
       if (test.kind == TestKind::kEqual) return test.referent() == variable;
-      return std::ranges::any_of(test.parts(), [&](const Test& part) {
-        return part.kind == TestKind::kEqual && part.referent() == variable;
-      });
+      return std::ranges::any_of(
+          test.parts(), [&](const Test& part) { return part.kind == TestKind::kEqual && part.referent() == variable; });
     };
     if (binds(condition.id)) return wme.id;
     if (binds(condition.attribute)) return wme.attribute;
@@ -228,7 +228,8 @@ bool Justifier::IsOSupported(GoalLevel goal_level, const Preference& result) con
   for (const PreferenceId id : results_) {
     const Preference& preference = memory.preference(id);
     if (preference.type == PreferenceType::kAcceptable && preference.attribute == words::kOperator &&
-        memory.identifier(preference.id).is_goal) return false;
+        memory.identifier(preference.id).is_goal)
+      return false;
   }
   for (const WmeId ground : grounds_) {
     const Wme& wme = memory.wme(ground);
@@ -336,8 +337,7 @@ MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel go
     Rete::AddOptions options;
     options.refracted = record.grounds;
     options.instantiation = id;
-    const Rete::Added added =
-        engine_.rete.AddProduction(AsRule(index), engine_.goal_view(), options);
+    const Rete::Added added = engine_.rete.AddProduction(AsRule(index), engine_.goal_view(), options);
     if (added.result == Rete::AddResult::kAdded) {
       record.production = added.production;
       if (added.refracted != MatchId::kNone) return added.refracted;
@@ -360,7 +360,9 @@ void Justifier::SetLearning(Symbol state, bool learn) {
   if (std::find(states.begin(), states.end(), state) == states.end()) states.push_back(state);
 }
 
-std::vector<std::uint32_t> Justifier::Live() const { return record_order_; }
+std::vector<std::uint32_t> Justifier::Live() const {
+  return record_order_;
+}
 
 ProductionPtr Justifier::AsRule(std::uint32_t index) const {
   const Record& record = records_[index];

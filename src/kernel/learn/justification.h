@@ -16,8 +16,8 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// Keeps the results of substates: a rule that fired in a substate and made a preference for an object of a higher state
-/// gets a justification, an instantiation at the level of what the result rests on. It holds the result when the
+/// Keeps the results of substates: a rule that fired in a substate and made a preference for an object of a higher
+/// state gets a justification, an instantiation at the level of what the result rests on. It holds the result when the
 /// substate goes, and lets go of it when one of those elements goes.
 ///
 /// The elements are found by following each condition of the rule that fired back to the preference that made its
@@ -38,12 +38,12 @@ class Justifier {
 
   struct Record {
     bool live = false;
-    std::uint32_t number = 0;                             ///< justify<number>
+    std::uint32_t number = 0;  ///< justify<number>
     std::string name;
     InstantiationId instantiation = InstantiationId::kNone;
-    ProductionId production = ProductionId::kNone;        ///< If it stands in the network.
+    ProductionId production = ProductionId::kNone;  ///< If it stands in the network.
     std::vector<WmeId> grounds;
-    ProductionPtr negations;                              ///< A rule of the negated conditions; none if there are none.
+    ProductionPtr negations;  ///< A rule of the negated conditions; none if there are none.
   };
   const Record& record(std::uint32_t index) const { return records_[index]; }
   /// Indices of the live records, oldest first.
@@ -80,7 +80,7 @@ class Justifier {
   std::vector<WmeId> grounds_;
   std::vector<InstantiationId> queue_;
   std::vector<ConditionDraft> negations_;
-  Arena drafts_;                                          ///< Of the negations.
+  Arena drafts_;  ///< Of the negations.
   std::vector<std::uint32_t> seen_identifiers_, seen_wmes_, seen_results_;
 };
 

@@ -259,7 +259,8 @@ void MatchSet::GoalRemoved(GoalLevel level) {
 std::vector<PendingMatch> MatchSet::Pending(List list) const {
   std::vector<std::uint32_t> found;
   for (const Level& level : levels_) {
-    for (std::uint32_t match = level.head[static_cast<std::size_t>(list)]; match != kNil; match = records_[match].next) {
+    for (std::uint32_t match = level.head[static_cast<std::size_t>(list)]; match != kNil;
+         match = records_[match].next) {
       found.push_back(match);
     }
   }

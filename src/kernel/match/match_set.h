@@ -29,9 +29,9 @@ enum class MatchState : std::uint8_t {
 struct PendingMatch {
   MatchId match = MatchId::kNone;
   ProductionId production = ProductionId::kNone;
-  Symbol goal;              ///< The lowest goal among the matched elements' identifiers; none if there is none.
-  GoalLevel level = 0;      ///< Of that goal; 0 if there is none or it has gone.
-  bool o_support = false;   ///< The support that its actions get.
+  Symbol goal;             ///< The lowest goal among the matched elements' identifiers; none if there is none.
+  GoalLevel level = 0;     ///< Of that goal; 0 if there is none or it has gone.
+  bool o_support = false;  ///< The support that its actions get.
 
   explicit operator bool() const { return match != MatchId::kNone; }
 };
@@ -122,9 +122,7 @@ class MatchSet {
   std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
   std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
   /// Records in use that belong to a rule; its number is used again when this is 0.
-  std::uint32_t LiveCount(std::uint32_t production) const {
-    return production < live_.size() ? live_[production] : 0;
-  }
+  std::uint32_t LiveCount(std::uint32_t production) const { return production < live_.size() ? live_[production] : 0; }
   void Clear();
 
   static constexpr std::uint32_t kNil = 0xFFFFFFFFu;
@@ -133,25 +131,25 @@ class MatchSet {
   struct Record {
     std::uint32_t token = kNil;
     std::uint32_t production = 0;
-    std::uint32_t elements = 0;          ///< Where they begin in elements_.
+    std::uint32_t elements = 0;  ///< Where they begin in elements_.
     std::uint16_t element_count = 0;
     GoalLevel level = 0;
     MatchState state = MatchState::kFree;
     std::uint8_t list = 0;
     bool o_support = false;
-    bool hashed = false;                 ///< Stands in the table of retractions that can come back.
+    bool hashed = false;  ///< Stands in the table of retractions that can come back.
     Symbol goal;
     InstantiationId instantiation = InstantiationId::kNone;
-    std::uint32_t next = kNil, previous = kNil;            ///< In its list; `next` also in the free list.
-    std::uint32_t generation = 0;        ///< Of its level when it appeared: tells whether the goal has gone since.
+    std::uint32_t next = kNil, previous = kNil;  ///< In its list; `next` also in the free list.
+    std::uint32_t generation = 0;  ///< Of its level when it appeared: tells whether the goal has gone since.
     std::uint32_t hash = 0;
     std::uint32_t hash_next = kNil, hash_previous = kNil;
-    std::uint64_t stamp = 0;             ///< Of an assertion or retraction: its running number. For display order.
-    std::uint64_t last_timetag = 0;      ///< When it became a retraction.
+    std::uint64_t stamp = 0;         ///< Of an assertion or retraction: its running number. For display order.
+    std::uint64_t last_timetag = 0;  ///< When it became a retraction.
   };
   struct Level {
     std::uint32_t head[3] = {kNil, kNil, kNil};
-    std::uint32_t generation = 0;        ///< Grows when a goal of this level goes away.
+    std::uint32_t generation = 0;  ///< Grows when a goal of this level goes away.
   };
 
   std::uint32_t NewRecord(const Arrival& arrival);
@@ -168,11 +166,11 @@ class MatchSet {
   std::uint32_t free_records_ = kNil;
   std::vector<Level> levels_;
   std::vector<WmeId> elements_;
-  std::vector<std::uint32_t> free_elements_;    ///< Heads of free lists by number of elements.
+  std::vector<std::uint32_t> free_elements_;  ///< Heads of free lists by number of elements.
   std::vector<std::uint32_t> hash_buckets_;
   std::uint32_t hash_count_ = 0;
-  std::vector<std::uint32_t> returnable_;       ///< By rule: retractions in the hash table.
-  std::vector<std::uint32_t> live_;             ///< By rule: records in use.
+  std::vector<std::uint32_t> returnable_;  ///< By rule: retractions in the hash table.
+  std::vector<std::uint32_t> live_;        ///< By rule: records in use.
   std::uint64_t next_stamp_ = 0;
 };
 

@@ -18,11 +18,18 @@ inline constexpr std::uint32_t kNil = 0xFFFFFFFFu;
 
 /// The nodes of the beta network.
 ///
-/// Joins, negative nodes, conjunctive nodes and the root *emit* (token, element) pairs to their children. A memory makes
-/// a token of each pair; so do negative and conjunctive nodes, which are their own memories; a partner makes a result
-/// for its conjunctive node; a production node makes a complete match. The children of a memory are joins.
+/// Joins, negative nodes, conjunctive nodes and the root *emit* (token, element) pairs to their children. A memory
+/// makes a token of each pair; so do negative and conjunctive nodes, which are their own memories; a partner makes a
+/// result for its conjunctive node; a production node makes a complete match. The children of a memory are joins.
 enum class NodeKind : std::uint8_t {
-  kFree, kRoot, kMemory, kJoin, kNegative, kConjunctive, kPartner, kProduction,
+  kFree,
+  kRoot,
+  kMemory,
+  kJoin,
+  kNegative,
+  kConjunctive,
+  kPartner,
+  kProduction,
 };
 
 /// What a memory (or negative node) and the alpha memory on the other side are indexed by.
@@ -33,40 +40,52 @@ enum class KeyKind : std::uint8_t {
 };
 
 enum class TestOp : std::uint8_t {
-  kEqual, kNotEqual, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kSameType, kDisjunction, kIsGoal, kNever,
-  kSameLti, kNotSameLti, kIsLti, kIsNotLti,
+  kEqual,
+  kNotEqual,
+  kLess,
+  kGreater,
+  kLessOrEqual,
+  kGreaterOrEqual,
+  kSameType,
+  kDisjunction,
+  kIsGoal,
+  kNever,
+  kSameLti,
+  kNotSameLti,
+  kIsLti,
+  kIsNotLti,
 };
 
 /// One test of a join that the alpha memory and the key do not cover.
 struct NodeTest {
   TestOp op = TestOp::kNever;
-  Field field = Field::kId;         ///< Of the element.
-  bool against_binding = false;     ///< Compared with a binding (levels, referent_field), else with `referent`.
+  Field field = Field::kId;      ///< Of the element.
+  bool against_binding = false;  ///< Compared with a binding (levels, referent_field), else with `referent`.
   Field referent_field = Field::kId;
-  std::uint16_t levels = 0;         ///< 0: the element itself; n: the element of the (n-1)th token up from the left one.
-  std::uint16_t count = 0;          ///< kDisjunction: how many constants, from `referent` on in Network::disjuncts.
-  std::uint32_t referent = 0;       ///< Symbol bits, or an index.
+  std::uint16_t levels = 0;    ///< 0: the element itself; n: the element of the (n-1)th token up from the left one.
+  std::uint16_t count = 0;     ///< kDisjunction: how many constants, from `referent` on in Network::disjuncts.
+  std::uint32_t referent = 0;  ///< Symbol bits, or an index.
 
   friend bool operator==(const NodeTest&, const NodeTest&) = default;
 };
 
 struct Node {
   NodeKind kind = NodeKind::kFree;
-  KeyKind key = KeyKind::kNone;             ///< kMemory, kNegative; a join has that of its memory.
+  KeyKind key = KeyKind::kNone;  ///< kMemory, kNegative; a join has that of its memory.
   Field key_id_field = Field::kId;
   Field key_value_field = Field::kId;
-  std::uint16_t key_id_levels = 0;          ///< Steps up from the memory's own token. kPartner: size of the conjunction.
+  std::uint16_t key_id_levels = 0;  ///< Steps up from the memory's own token. kPartner: size of the conjunction.
   std::uint16_t key_value_levels = 0;
   std::uint16_t test_count = 0;
   std::uint32_t first_test = 0;
   std::uint32_t parent = kNil, first_child = kNil, next_sibling = kNil, previous_sibling = kNil;
-  std::uint32_t alpha = kNil;               ///< kJoin, kNegative.
-  std::uint32_t ancestor = kNil;            ///< Nearest ancestor with the same alpha memory.
-  std::uint32_t partner = kNil;             ///< Between a conjunctive node and its partner.
-  std::uint32_t rule = kNil;                ///< kProduction.
+  std::uint32_t alpha = kNil;     ///< kJoin, kNegative.
+  std::uint32_t ancestor = kNil;  ///< Nearest ancestor with the same alpha memory.
+  std::uint32_t partner = kNil;   ///< Between a conjunctive node and its partner.
+  std::uint32_t rule = kNil;      ///< kProduction.
   std::uint32_t share_hash = 0, share_next = kNil;
-  std::uint32_t only_memory = kNil;         ///< The child if there is just one and it is a memory: the common case.
-  std::uint32_t spare = 0;                  ///< Makes it 64 bytes.
+  std::uint32_t only_memory = kNil;  ///< The child if there is just one and it is a memory: the common case.
+  std::uint32_t spare = 0;           ///< Makes it 64 bytes.
 
   friend bool operator==(const Node&, const Node&) = default;
 };
@@ -75,10 +94,10 @@ static_assert(sizeof(Node) == 64, "nodes are addressed by a shift");
 
 /// An alpha memory: the elements that pass constant tests. Constants as symbol bits; 0 for "any".
 struct Alpha {
-  std::uint32_t constant[3] = {0, 0, 0};    ///< By Field.
+  std::uint32_t constant[3] = {0, 0, 0};  ///< By Field.
   bool acceptable = false;
-  std::uint8_t mask = 0;                    ///< Bit n: constant[n] is tested.
-  std::uint32_t uses = 0;                   ///< Nodes that use it; 0: free.
+  std::uint8_t mask = 0;   ///< Bit n: constant[n] is tested.
+  std::uint32_t uses = 0;  ///< Nodes that use it; 0: free.
   std::uint32_t hash_next = kNil;
 
   friend bool operator==(const Alpha&, const Alpha&) = default;
@@ -98,19 +117,37 @@ class [[gnu::visibility("hidden")]] Network {
  public:
   Network();
 
-  const Node& node(std::uint32_t index) const { return nodes_[index]; }
-  std::uint32_t node_limit() const { return static_cast<std::uint32_t>(nodes_.size()); }
-  const Alpha& alpha(std::uint32_t index) const { return alphas_[index]; }
-  std::uint32_t alpha_limit() const { return static_cast<std::uint32_t>(alphas_.size()); }
-  std::span<const NodeTest> tests(const Node& node) const { return {tests_.data() + node.first_test, node.test_count}; }
-  const std::uint32_t* disjuncts(const NodeTest& test) const { return disjuncts_.data() + test.referent; }
-  const std::shared_ptr<const RuleInfo>& rule(std::uint32_t production) const { return rules_[production]; }
-  std::uint32_t rule_limit() const { return static_cast<std::uint32_t>(rules_.size()); }
-  std::uint64_t digest() const { return digest_; }
+  const Node& node(std::uint32_t index) const {
+    return nodes_[index];
+  }
+  std::uint32_t node_limit() const {
+    return static_cast<std::uint32_t>(nodes_.size());
+  }
+  const Alpha& alpha(std::uint32_t index) const {
+    return alphas_[index];
+  }
+  std::uint32_t alpha_limit() const {
+    return static_cast<std::uint32_t>(alphas_.size());
+  }
+  std::span<const NodeTest> tests(const Node& node) const {
+    return {tests_.data() + node.first_test, node.test_count};
+  }
+  const std::uint32_t* disjuncts(const NodeTest& test) const {
+    return disjuncts_.data() + test.referent;
+  }
+  const std::shared_ptr<const RuleInfo>& rule(std::uint32_t production) const {
+    return rules_[production];
+  }
+  std::uint32_t rule_limit() const {
+    return static_cast<std::uint32_t>(rules_.size());
+  }
+  std::uint64_t digest() const {
+    return digest_;
+  }
 
   /// Visits the alpha memories that an element belongs to, in the order of their masks.
   template <typename Visit>
-  void ForEachAlpha(const std::uint32_t (&fields)[3], bool acceptable, Visit&& visit) const {
+  void ForEachAlpha(const std::uint32_t(&fields)[3], bool acceptable, Visit&& visit) const {
     const std::uint32_t hashes[3] = {fields[0] * kHashOfField[0], fields[1] * kHashOfField[1],
                                      fields[2] * kHashOfField[2]};
     for (std::uint32_t masks = masks_in_use_[acceptable ? 1 : 0]; masks != 0; masks &= masks - 1) {
@@ -129,7 +166,7 @@ class [[gnu::visibility("hidden")]] Network {
       }
     }
   }
-  std::uint32_t FindAlpha(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable) const {
+  std::uint32_t FindAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable) const {
     std::uint32_t alpha = alpha_buckets_[AlphaHash(constants, mask, acceptable) >> alpha_shift_];
     while (alpha != kNil) {
       const Alpha& a = alphas_[alpha];
@@ -144,8 +181,10 @@ class [[gnu::visibility("hidden")]] Network {
 
   // Building. The caller keeps the agent's state in step (rete_build.cpp). ----------------------------------------
 
-  std::uint32_t AddAlpha(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable);
-  void UseAlpha(std::uint32_t alpha) { ++alphas_[alpha].uses; }
+  std::uint32_t AddAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable);
+  void UseAlpha(std::uint32_t alpha) {
+    ++alphas_[alpha].uses;
+  }
   /// True if that was the last use; the memory is gone then.
   bool DropAlpha(std::uint32_t alpha);
 
@@ -170,7 +209,7 @@ class [[gnu::visibility("hidden")]] Network {
 
  private:
   static constexpr std::uint32_t kHashOfField[3] = {0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du};
-  static std::uint32_t AlphaHash(const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable) {
+  static std::uint32_t AlphaHash(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable) {
     return (constants[0] * kHashOfField[0]) ^ (constants[1] * kHashOfField[1]) ^ (constants[2] * kHashOfField[2]) ^
            HashOfKind(mask, acceptable);
   }
@@ -186,7 +225,7 @@ class [[gnu::visibility("hidden")]] Network {
   std::vector<Node> nodes_;
   std::uint32_t free_nodes_ = kNil;
   std::vector<NodeTest> tests_;
-  std::vector<std::uint32_t> free_tests_;      ///< Heads of free lists by number of tests; linked through `referent`.
+  std::vector<std::uint32_t> free_tests_;  ///< Heads of free lists by number of tests; linked through `referent`.
   std::vector<std::uint32_t> disjuncts_;
   std::vector<std::uint32_t> free_disjuncts_;  ///< Likewise, linked through the first word.
   std::vector<Alpha> alphas_;
@@ -195,7 +234,7 @@ class [[gnu::visibility("hidden")]] Network {
   int alpha_shift_ = 0;
   std::uint32_t alpha_count_ = 0;
   std::uint32_t mask_counts_[2][8] = {};
-  std::uint32_t masks_in_use_[2] = {};         ///< Bit n: some memory of that kind has mask n.
+  std::uint32_t masks_in_use_[2] = {};  ///< Bit n: some memory of that kind has mask n.
   std::vector<std::uint32_t> share_buckets_;
   std::uint32_t share_count_ = 0;
   std::vector<std::shared_ptr<const RuleInfo>> rules_;

@@ -27,7 +27,7 @@ class ReteBuilder {
 
  private:
   struct Binding {
-    std::uint32_t depth = kNil;   ///< kNil: unbound.
+    std::uint32_t depth = kNil;  ///< kNil: unbound.
     Field field = Field::kId;
   };
   struct Rebinding {
@@ -40,7 +40,7 @@ class ReteBuilder {
     std::uint32_t mask = 0;
     std::vector<NodeTest> tests;
     std::vector<std::uint32_t> disjuncts;
-    Node key;                     ///< Only its key fields.
+    Node key;  ///< Only its key fields.
   };
 
   std::uint32_t BuildAll(std::span<const Condition> conditions, std::uint32_t emitter, std::uint32_t depth);
@@ -60,8 +60,8 @@ class ReteBuilder {
 
   ReteState& state_;
   Tests tests_;
-  std::vector<Binding> bindings_;        ///< By variable.
-  std::vector<Rebinding> trail_;         ///< What was bound, in order, and what it was before.
+  std::vector<Binding> bindings_;  ///< By variable.
+  std::vector<Rebinding> trail_;   ///< What was bound, in order, and what it was before.
 };
 
 }  // namespace soarbox::kernel

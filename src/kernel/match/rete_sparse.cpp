@@ -364,11 +364,19 @@ void ReteState::ChildAdded(std::uint32_t child) {
     return;
   }
   MakePlain(parent);
+  // Below a node of several children no memory can be sparse: what it had became plain when the second child came.
+  std::uint32_t other = kNil;
   for (std::uint32_t n = network->node(parent).first_child; n != kNil; n = network->node(n).next_sibling) {
     if (n == child) {
       continue;
     }
-    const std::uint32_t memory = kind == NodeKind::kJoin ? n : network->node(n).only_memory;
+    if (other != kNil) {
+      return;
+    }
+    other = n;
+  }
+  if (other != kNil) {
+    const std::uint32_t memory = kind == NodeKind::kJoin ? other : network->node(other).only_memory;
     if (memory != kNil) {
       MakePlain(memory);
     }

@@ -51,7 +51,8 @@ std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
 void LinkGraph::Root(Symbol id) {
   IdentifierRecord& first = At(id);
   first.rooted = true;
-  if (first.slots == SlotId::kNone && first.architecture_wmes == WmeId::kNone && first.input_wmes == WmeId::kNone) return;
+  if (first.slots == SlotId::kNone && first.architecture_wmes == WmeId::kNone && first.input_wmes == WmeId::kNone)
+    return;
   stack_.push_back(id);
   while (!stack_.empty()) {
     const Symbol current = stack_.back();
@@ -310,7 +311,8 @@ void LinkGraph::Clear() {
 
 std::size_t LinkGraph::MemoryBytes() const {
   return links_.capacity() * sizeof(Link) + free_links_.capacity() * sizeof(std::uint32_t) +
-         (queue_.capacity() + promoted_.capacity() + uncertain_.capacity() + subtree_.capacity() + stack_.capacity()) * sizeof(Symbol) +
+         (queue_.capacity() + promoted_.capacity() + uncertain_.capacity() + subtree_.capacity() + stack_.capacity()) *
+             sizeof(Symbol) +
          suspended_.capacity() + heap_.capacity() * sizeof(Candidate);
 }
 
@@ -325,7 +327,8 @@ std::string LinkGraph::CheckInvariants(const SymbolTable& symbols) const {
     }
     Symbol up = id;
     for (std::uint32_t steps = 0; memory_.identifier(up).parent_link != kNone; ++steps) {
-      if (steps > memory_.identifier_limit()) return "the parents of " + ToString(symbols, id) + " go round in a circle";
+      if (steps > memory_.identifier_limit())
+        return "the parents of " + ToString(symbols, id) + " go round in a circle";
       up = links_[memory_.identifier(up).parent_link].from;
     }
     if (!memory_.identifier(up).is_goal) continue;

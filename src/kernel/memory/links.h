@@ -12,17 +12,19 @@
 
 namespace soarbox::kernel {
 
-/// Which identifiers hang on which goals: the links between identifiers, the level that each identifier has, and what is
-/// garbage.
+/// Which identifiers hang on which goals: the links between identifiers, the level that each identifier has, and what
+/// is garbage.
 ///
 /// A link is a preference in a slot whose value (or referent) is an identifier, or an element of the architecture or of
-/// input whose value is one. Each identifier that a goal reaches has one parent link; the parent links form a tree under
-/// every goal, and the level of an identifier is that of the goal at the root. Removing any other link changes nothing.
-/// Removing a parent link looks for another way in, first among the links that lead to the identifier itself, and only
-/// then for the rest of the tree below it. So the cost is that of the structure cut off, never that of working memory.
+/// input whose value is one. Each identifier that a goal reaches has one parent link; the parent links form a tree
+/// under every goal, and the level of an identifier is that of the goal at the root. Removing any other link changes
+/// nothing. Removing a parent link looks for another way in, first among the links that lead to the identifier itself,
+/// and only then for the rest of the tree below it. So the cost is that of the structure cut off, never that of working
+/// memory.
 ///
-/// Invariants, after Settle(): an identifier with a parent link has the level of the link's source, and following parents
-/// ends at a goal (or at an identifier that was never linked); no link leads from a smaller level to a larger one.
+/// Invariants, after Settle(): an identifier with a parent link has the level of the link's source, and following
+/// parents ends at a goal (or at an identifier that was never linked); no link leads from a smaller level to a larger
+/// one.
 class LinkGraph {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -36,9 +38,9 @@ class LinkGraph {
   /// True if links changed in a way that can move levels.
   bool HasWork() const { return !queue_.empty() || !promoted_.empty() || !uncertain_.empty() || !goals_.empty(); }
   /// Works out the levels of the identifiers that changed: promotions first, then what lost its parent, the newest loss
-  /// first, then goals that have gone, in the order of going; identifiers that other links may still hold come last. Those that no goal
-  /// reaches any more are appended to `garbage`; the caller removes what they own, which may make more work: call again
-  /// until HasWork() is false.
+  /// first, then goals that have gone, in the order of going; identifiers that other links may still hold come last.
+  /// Those that no goal reaches any more are appended to `garbage`; the caller removes what they own, which may make
+  /// more work: call again until HasWork() is false.
   void Settle(std::vector<Symbol>& garbage);
   /// Elements with this value come and go. An identifier that elements still name is not garbage yet, though the links
   /// are gone: its turn comes when the last of them goes.
@@ -77,7 +79,7 @@ class LinkGraph {
   std::vector<Link> links_;
   std::vector<std::uint32_t> free_links_;
   std::vector<Symbol> queue_, promoted_, goals_, uncertain_, subtree_, stack_;
-  std::vector<std::uint8_t> suspended_;   ///< By identifier index, while Reattach works.
+  std::vector<std::uint8_t> suspended_;  ///< By identifier index, while Reattach works.
   struct Candidate {
     GoalLevel level;
     std::uint32_t link;

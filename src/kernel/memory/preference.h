@@ -18,15 +18,15 @@ enum class SlotId : std::uint32_t { kNone = 0xFFFFFFFFu };
 /// Chains are indices into the same arena; kNone ends them.
 struct Preference {
   Symbol id, attribute, value;
-  Symbol referent;                 ///< Of binary and numeric preferences, else none.
+  Symbol referent;  ///< Of binary and numeric preferences, else none.
   PreferenceType type = PreferenceType::kAcceptable;
   bool o_supported = false;
-  bool in_slot = false;            ///< Counts for decisions; false before assertion and after retraction.
+  bool in_slot = false;  ///< Counts for decisions; false before assertion and after retraction.
   bool on_goal_list = false;
   bool live = false;
-  GoalLevel level = 0;             ///< Of the goal that its instantiation matched.
-  std::uint32_t stamp = 0;         ///< When it entered its slot: running number.
-  std::uint32_t references = 0;    ///< One for the slot, one per condition that names it.
+  GoalLevel level = 0;           ///< Of the goal that its instantiation matched.
+  std::uint32_t stamp = 0;       ///< When it entered its slot: running number.
+  std::uint32_t references = 0;  ///< One for the slot, one per condition that names it.
   InstantiationId instantiation = InstantiationId::kNone;
   SlotId slot = SlotId::kNone;
   std::uint32_t value_link = 0xFFFFFFFFu, referent_link = 0xFFFFFFFFu;  ///< See links.h; none for constants.

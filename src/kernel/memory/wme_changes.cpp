@@ -90,7 +90,9 @@ void WmeChanges::Flush() {
   flushing_removed_.clear();
 }
 
-void WmeChanges::AddReference(WmeId wme) { ++engine_.memory.mutable_record(wme).references; }
+void WmeChanges::AddReference(WmeId wme) {
+  ++engine_.memory.mutable_record(wme).references;
+}
 
 void WmeChanges::DropReference(WmeId wme) {
   WmeRecord& record = engine_.memory.mutable_record(wme);

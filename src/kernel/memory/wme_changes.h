@@ -17,7 +17,8 @@ struct Engine;
 class WmeChanges {
  public:
   explicit WmeChanges(Engine& engine) : engine_(engine) {
-    for (std::vector<WmeId>* list : {&added_, &removed_, &dead_, &flushing_added_, &flushing_removed_}) list->reserve(32);
+    for (std::vector<WmeId>* list : {&added_, &removed_, &dead_, &flushing_added_, &flushing_removed_})
+      list->reserve(32);
   }
 
   WmeId Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, SlotId slot = SlotId::kNone,

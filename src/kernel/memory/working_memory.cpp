@@ -117,11 +117,15 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
 
 WmeId& WorkingMemory::ListHead(const WmeRecord& record, const Wme& content) {
   switch (record.kind) {
-    case WmeKind::kSlot: return slots_[Index(record.slot)].wmes;
-    case WmeKind::kAcceptable: return slots_[Index(record.slot)].acceptable_wmes;
-    case WmeKind::kArchitecture: return identifiers_[content.id.index()].architecture_wmes;
+    case WmeKind::kSlot:
+      return slots_[Index(record.slot)].wmes;
+    case WmeKind::kAcceptable:
+      return slots_[Index(record.slot)].acceptable_wmes;
+    case WmeKind::kArchitecture:
+      return identifiers_[content.id.index()].architecture_wmes;
     case WmeKind::kInput:
-    case WmeKind::kFree: break;
+    case WmeKind::kFree:
+      break;
   }
   return identifiers_[content.id.index()].input_wmes;
 }

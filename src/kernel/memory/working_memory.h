@@ -30,29 +30,29 @@ constexpr GoalLevel kGoalOfGdsGone = 0xFFFF;
 /// What stands beside a Wme: everything that the match does not read.
 struct WmeRecord {
   WmeKind kind = WmeKind::kFree;
-  bool in_match = false;                             ///< The matcher knows it.
-  bool removing = false;                             ///< Waits in the removal buffer.
-  GoalLevel gds = 0;   ///< Level of the goal whose dependency set holds it, kGoalOfGdsGone, or 0.
-  std::uint32_t references = 0;                      ///< Instantiations of substates that matched it.
-  PreferenceId preference = PreferenceId::kNone;     ///< The preference that put it here, if any.
-  SlotId slot = SlotId::kNone;                       ///< kSlot, kAcceptable. For kInput: the input link's element.
-  std::uint32_t link = 0xFFFFFFFFu;                  ///< kArchitecture, kInput with an identifier as value.
+  bool in_match = false;         ///< The matcher knows it.
+  bool removing = false;         ///< Waits in the removal buffer.
+  GoalLevel gds = 0;             ///< Level of the goal whose dependency set holds it, kGoalOfGdsGone, or 0.
+  std::uint32_t references = 0;  ///< Instantiations of substates that matched it.
+  PreferenceId preference = PreferenceId::kNone;       ///< The preference that put it here, if any.
+  SlotId slot = SlotId::kNone;                         ///< kSlot, kAcceptable. For kInput: the input link's element.
+  std::uint32_t link = 0xFFFFFFFFu;                    ///< kArchitecture, kInput with an identifier as value.
   WmeId next = WmeId::kNone, previous = WmeId::kNone;  ///< The list of the slot or of the identifier.
-  std::uint64_t entered = 0;                         ///< When it entered the match: a running number.
+  std::uint64_t entered = 0;                           ///< When it entered the match: a running number.
 };
 
 /// The preferences and elements of one (identifier, attribute).
 struct Slot {
   Symbol id, attribute;
   bool live = false;
-  bool is_operator = false;       ///< ^operator of a goal: decided in the decide phase only.
-  bool changed = false;           ///< Is on the list of changed slots.
+  bool is_operator = false;  ///< ^operator of a goal: decided in the decide phase only.
+  bool changed = false;      ///< Is on the list of changed slots.
   std::uint32_t acceptable_count = 0;
-  std::uint32_t substate_facts = 0;  ///< Of these the o-supported ones that a substate's rule made.
-  WmeId wmes = WmeId::kNone;                          ///< Newest first.
-  WmeId acceptable_wmes = WmeId::kNone;               ///< kAcceptable elements of an operator slot, newest first.
-  PreferenceId acceptable = PreferenceId::kNone;      ///< Acceptable preferences: higher goals first, then newest first.
-  PreferenceId others = PreferenceId::kNone;          ///< All other types in one list, in the same order.
+  std::uint32_t substate_facts = 0;               ///< Of these the o-supported ones that a substate's rule made.
+  WmeId wmes = WmeId::kNone;                      ///< Newest first.
+  WmeId acceptable_wmes = WmeId::kNone;           ///< kAcceptable elements of an operator slot, newest first.
+  PreferenceId acceptable = PreferenceId::kNone;  ///< Acceptable preferences: higher goals first, then newest first.
+  PreferenceId others = PreferenceId::kNone;      ///< All other types in one list, in the same order.
   SlotId next = SlotId::kNone, previous = SlotId::kNone;  ///< Slots of the identifier, newest first.
 };
 
@@ -60,18 +60,18 @@ struct Slot {
 struct IdentifierRecord {
   bool live = false;
   bool is_goal = false;
-  GoalLevel level = 0;                           ///< The highest goal (smallest number) that reaches it.
-  bool rooted = false;                           ///< Following parents ends at a goal (see links.h).
-  bool queued = false;                           ///< Waits for its level to be worked out.
-  bool slots_indexed = false;                    ///< It has had more slots than are searched one by one.
-  std::uint16_t slot_count = 0;                  ///< While not slots_indexed.
-  std::uint32_t value_of = 0;                    ///< Elements that have it as their value.
+  GoalLevel level = 0;           ///< The highest goal (smallest number) that reaches it.
+  bool rooted = false;           ///< Following parents ends at a goal (see links.h).
+  bool queued = false;           ///< Waits for its level to be worked out.
+  bool slots_indexed = false;    ///< It has had more slots than are searched one by one.
+  std::uint16_t slot_count = 0;  ///< While not slots_indexed.
+  std::uint32_t value_of = 0;    ///< Elements that have it as their value.
   SlotId slots = SlotId::kNone;
-  WmeId architecture_wmes = WmeId::kNone;        ///< Newest first.
-  WmeId input_wmes = WmeId::kNone;               ///< Newest first.
-  std::uint32_t first_link = 0xFFFFFFFFu;        ///< Links that lead here (see links.h).
-  std::uint32_t parent_link = 0xFFFFFFFFu;       ///< The link that gives it its level.
-  std::uint32_t first_child = 0xFFFFFFFFu;       ///< Links of which this is the source and that are parent links.
+  WmeId architecture_wmes = WmeId::kNone;   ///< Newest first.
+  WmeId input_wmes = WmeId::kNone;          ///< Newest first.
+  std::uint32_t first_link = 0xFFFFFFFFu;   ///< Links that lead here (see links.h).
+  std::uint32_t parent_link = 0xFFFFFFFFu;  ///< The link that gives it its level.
+  std::uint32_t first_child = 0xFFFFFFFFu;  ///< Links of which this is the source and that are parent links.
 };
 
 /// Working memory of one agent as a data structure: elements, slots, preferences and identifiers in arenas with free
@@ -182,7 +182,7 @@ class WorkingMemory {
   std::vector<GoalLevel> goal_levels_;
   std::vector<std::uint64_t> long_term_;
   std::uint64_t next_timetag_ = 1;
-  std::uint32_t identifier_limit_ = 0;           ///< Size of identifiers_.
+  std::uint32_t identifier_limit_ = 0;  ///< Size of identifiers_.
   std::uint32_t live_wmes_ = 0;
   std::uint32_t live_identifiers_ = 0;
 };

@@ -170,7 +170,7 @@ std::string_view NormalIdentifier(std::string_view text, Arena& arena) {
 
 }  // namespace
 
-std::string Token::Warning() const {
+std::string RuleToken::Warning() const {
   if (!suspicious) {
     return {};
   }
@@ -188,7 +188,7 @@ std::string Token::Warning() const {
   }
 }
 
-inline void Lexer::Finish(Token& token, TokenKind kind, std::size_t end) {
+inline void Lexer::Finish(RuleToken& token, TokenKind kind, std::size_t end) {
   token.kind = kind;
   token.offset = at_;
   token.length = end - at_;
@@ -216,7 +216,7 @@ inline void Lexer::SkipBlanks() {
   }
 }
 
-void Lexer::Read(Token& token) {
+void Lexer::Read(RuleToken& token) {
   SkipBlanks();
   token.suspicious = false;
   if (at_ >= text_.size()) {
@@ -246,7 +246,7 @@ void Lexer::Read(Token& token) {
   ReadWord(token);
 }
 
-void Lexer::ReadDelimited(Token& token, char delimiter, TokenKind kind) {
+void Lexer::ReadDelimited(RuleToken& token, char delimiter, TokenKind kind) {
   std::size_t i = at_ + 1;
   bool escapes = false;
   for (; i < text_.size() && text_[i] != delimiter; ++i) {
@@ -277,7 +277,7 @@ std::size_t Lexer::WordEnd(std::size_t from) const {
 }
 
 /// Reads a number that goes on behind the dot at `end`; if that does not make a float, the dot is a token of its own.
-bool Lexer::ReadFloat(Token& token, std::size_t end) {
+bool Lexer::ReadFloat(RuleToken& token, std::size_t end) {
   const std::size_t float_end = WordEnd(end + 1);
   const std::string_view candidate = text_.substr(at_, float_end - at_);
   if (ReadsAsFloat(candidate)) {
@@ -294,7 +294,7 @@ bool Lexer::ReadFloat(Token& token, std::size_t end) {
   return false;
 }
 
-void Lexer::ReadWord(Token& token) {
+void Lexer::ReadWord(RuleToken& token) {
   const char* const begin = text_.data() + at_;
   const char* const text_end = text_.data() + text_.size();
   // The classes that all characters but the first share.

@@ -45,7 +45,7 @@ enum class TokenKind : std::uint8_t {
   kUnclosed,     ///< A bar or quote without its partner.
 };
 
-struct Token {
+struct RuleToken {
   TokenKind kind = TokenKind::kEnd;
   bool suspicious = false;  ///< Something is wrong with it: see Warning().
   std::string_view text;    ///< Contents; for signs the characters themselves. Lives as long as the text and the arena.
@@ -65,20 +65,20 @@ class Lexer {
   Lexer(std::string_view text, Arena& arena) : text_(text), arena_(arena) {}
 
   /// Reads the next token; kEnd again and again once the text is used up.
-  void Read(Token& token);
-  Token Next() {
-    Token token;
+  void Read(RuleToken& token);
+  RuleToken Next() {
+    RuleToken token;
     Read(token);
     return token;
   }
 
  private:
   void SkipBlanks();
-  void ReadDelimited(Token& token, char delimiter, TokenKind kind);
-  void ReadWord(Token& token);
-  bool ReadFloat(Token& token, std::size_t end);
+  void ReadDelimited(RuleToken& token, char delimiter, TokenKind kind);
+  void ReadWord(RuleToken& token);
+  bool ReadFloat(RuleToken& token, std::size_t end);
   std::size_t WordEnd(std::size_t from) const;
-  void Finish(Token& token, TokenKind kind, std::size_t end);
+  void Finish(RuleToken& token, TokenKind kind, std::size_t end);
 
   std::string_view text_;
   Arena& arena_;

@@ -9,11 +9,11 @@ namespace soarbox::kernel {
 namespace {
 
 /// The text must outlive the tokens; what the lexer makes lives until the test program ends.
-std::vector<Token> Tokens(std::string_view text) {
+std::vector<RuleToken> Tokens(std::string_view text) {
   static Arena arena;
   Lexer lexer(text, arena);
-  std::vector<Token> tokens;
-  for (Token token = lexer.Next(); token.kind != TokenKind::kEnd; token = lexer.Next()) {
+  std::vector<RuleToken> tokens;
+  for (RuleToken token = lexer.Next(); token.kind != TokenKind::kEnd; token = lexer.Next()) {
     tokens.push_back(token);
   }
   return tokens;
@@ -22,7 +22,7 @@ std::vector<Token> Tokens(std::string_view text) {
 /// Kinds as letters: s string, i integer, f float, v variable, I identifier, q quoted, '.' path dot, '@' and so on.
 std::string Shape(std::string_view text) {
   std::string out;
-  for (const Token& token : Tokens(text)) {
+  for (const RuleToken& token : Tokens(text)) {
     switch (token.kind) {
       case TokenKind::kString:
         out += 's';
@@ -115,7 +115,7 @@ TEST(Lexer, NumbersThatAreTooLargeAreZeroWithAWarning) {
 
 TEST(Lexer, TokensKnowTheirPlace) {
   constexpr std::string_view kText = "(state\n   <s> ^a)";
-  const std::vector<Token> tokens = Tokens(kText);
+  const std::vector<RuleToken> tokens = Tokens(kText);
   EXPECT_EQ(tokens[2].offset, 10u);
   EXPECT_EQ(tokens[2].length, 3u);
   PlaceFinder places(kText);

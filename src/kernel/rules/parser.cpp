@@ -58,7 +58,7 @@ void RuleReader::Say(std::string text, bool is_warning) {
   out_.messages.push_back({std::move(text), false, is_warning});
 }
 
-void RuleReader::Report(Severity severity, const Token& token, std::string message, std::string hint) {
+void RuleReader::Report(Severity severity, const RuleToken& token, std::string message, std::string hint) {
   const TextPlace at = places_.Find(token.offset);
   Diagnostic diagnostic;
   diagnostic.severity = severity;

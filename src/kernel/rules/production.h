@@ -27,9 +27,7 @@ struct Test {
   TestKind kind : 8 = TestKind::kBlank;
 
   /// Constant or variable, for the relational kinds and @; else none.
-  Symbol referent() const {
-    return IsList() || kind == TestKind::kBlank ? Symbol() : Symbol::FromBits(data_);
-  }
+  Symbol referent() const { return IsList() || kind == TestKind::kBlank ? Symbol() : Symbol::FromBits(data_); }
   /// Of kConjunction; never nested, at most one is kEqual.
   std::span<const Test> parts() const;
   /// Of kDisjunction.

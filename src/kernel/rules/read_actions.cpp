@@ -115,7 +115,7 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   }
   value = ValueDraft();
   value.kind = RhsValueKind::kFunction;
-  const Token name = token_;
+  const RuleToken name = token_;
   switch (name.kind) {
     case TokenKind::kEnd:
     case TokenKind::kLeftParen:
@@ -167,7 +167,7 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   return true;
 }
 
-void RuleReader::InsertExec(const Token& name) {
+void RuleReader::InsertExec(const RuleToken& name) {
   if (edited_.empty()) {
     edited_ = body_;
   }
@@ -236,7 +236,7 @@ ActionDraft RuleReader::CopyOf(const ActionDraft& action) {
 bool RuleReader::ReadOperatorPreferences(const ActionDraft& action, Actions& out) {
   bool any = false;
   PreferenceType type{};
-  for (Token sign = token_; ReadPreferenceType(type); sign = token_) {
+  for (RuleToken sign = token_; ReadPreferenceType(type); sign = token_) {
     ActionDraft one = CopyOf(action);
     one.preference = type;
     const bool may_be_binary =
@@ -272,7 +272,7 @@ bool RuleReader::ReadOperatorPreferences(const ActionDraft& action, Actions& out
 
 bool RuleReader::ReadOtherPreferences(ActionDraft& action, Actions& out) {
   PreferenceType type{};
-  for (Token sign = token_; ReadPreferenceType(type); sign = token_) {
+  for (RuleToken sign = token_; ReadPreferenceType(type); sign = token_) {
     const bool may_be_binary =
         type == PreferenceType::kBest || type == PreferenceType::kWorst || type == PreferenceType::kUnaryIndifferent;
     if (may_be_binary && StartsReferent()) {

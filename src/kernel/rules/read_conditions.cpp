@@ -52,7 +52,7 @@ void VariableNames::CollectWritten() {
   }
   Arena arena;
   Lexer lexer(body_, arena);
-  for (Token token = lexer.Next(); token.kind != TokenKind::kEnd; token = lexer.Next()) {
+  for (RuleToken token = lexer.Next(); token.kind != TokenKind::kEnd; token = lexer.Next()) {
     if (token.kind == TokenKind::kVariable) {
       written_.emplace(token.text);
     }
@@ -204,7 +204,7 @@ bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, S
 }
 
 bool RuleReader::ReadIdTest(TestDraft& id) {
-  const Token at = token_;
+  const RuleToken at = token_;
   if (!ReadTest(id)) {
     return false;
   }

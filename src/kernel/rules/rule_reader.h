@@ -64,7 +64,7 @@ class RuleReader {
     return true;
   }
   bool Fail(std::string_view message, std::string_view hint = {});
-  void Report(Severity severity, const Token& token, std::string message, std::string hint);
+  void Report(Severity severity, const RuleToken& token, std::string message, std::string hint);
   void Say(std::string text, bool is_warning = false);
   Symbol ConstantOrVariable();
   bool ReadFlags(RuleDraft& rule);
@@ -94,7 +94,7 @@ class RuleReader {
   bool ReadOtherPreferences(ActionDraft& action, Actions& out);
   bool ReadPreferenceType(PreferenceType& type);
   bool StartsReferent() const;
-  void InsertExec(const Token& name);
+  void InsertExec(const RuleToken& name);
   std::string DescribeAction(const ActionDraft& action) const;
   ActionDraft CopyOf(const ActionDraft& action);
 
@@ -106,7 +106,7 @@ class RuleReader {
   VariableNames names_;
   Lexer lexer_;
   PlaceFinder places_;
-  Token token_;
+  RuleToken token_;
   std::vector<Symbol> disjuncts_;  ///< Scratch.
   std::string edited_;             ///< The text with `exec` inserted; empty as long as none has been.
   std::size_t inserted_ = 0;       ///< How many characters were inserted.

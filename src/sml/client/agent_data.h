@@ -21,16 +21,16 @@ struct AgentData {
   Agent& agent;
   Kernel& kernel;
   std::string name;
-  std::unique_ptr<AgentLink> link;      ///< Null once the agent is destroyed.
+  std::unique_ptr<AgentLink> link;  ///< Null once the agent is destroyed.
   WorkingMemory memory;
   bool blink = true;
   int next_callback = 0;
   int debugger_process = 0;
-  std::string converted;                ///< Result of ConvertIdentifier.
+  std::string converted;  ///< Result of ConvertIdentifier.
 
   HandlerTable<RunEventHandler> run_handlers;
   HandlerTable<ProductionEventHandler> production_handlers;
-  HandlerTable<PrintEventHandler> print_handlers;   ///< The entry's flag: ignore own echoes.
+  HandlerTable<PrintEventHandler> print_handlers;  ///< The entry's flag: ignore own echoes.
   HandlerTable<XMLEventHandler> xml_handlers;
   HandlerTable<OutputNotificationHandler> notification_handlers;
   struct OutputHandler {

@@ -29,8 +29,12 @@ AgentLink* AgentData::Usable() {
 Agent::Agent(Kernel* kernel, char const* name) : data_(std::make_unique<AgentData>(*this, *kernel, name)) {}
 Agent::~Agent() = default;
 
-char const* Agent::GetAgentName() const { return data_->name.c_str(); }
-Kernel* Agent::GetKernel() const { return &data_->kernel; }
+char const* Agent::GetAgentName() const {
+  return data_->name.c_str();
+}
+Kernel* Agent::GetKernel() const {
+  return &data_->kernel;
+}
 
 // Input ---------------------------------------------------------------------------------------------------------------
 
@@ -79,8 +83,12 @@ void Agent::Update(FloatElement* pWME, double value) {
   data_->memory.Update(pWME, value);
 }
 
-void Agent::SetBlinkIfNoChange(bool state) { data_->blink = state; }
-bool Agent::IsBlinkIfNoChange() { return data_->blink; }
+void Agent::SetBlinkIfNoChange(bool state) {
+  data_->blink = state;
+}
+bool Agent::IsBlinkIfNoChange() {
+  return data_->blink;
+}
 
 bool Agent::DestroyWME(WMElement* pWME) {
   const Lock lock = Hold(*data_);
@@ -92,7 +100,9 @@ bool Agent::Commit() {
   return data_->memory.Commit();
 }
 
-bool Agent::IsCommitRequired() { return data_->memory.IsCommitRequired(); }
+bool Agent::IsCommitRequired() {
+  return data_->memory.IsCommitRequired();
+}
 
 void Agent::Refresh() {
   const Lock lock = Hold(*data_);
@@ -167,7 +177,9 @@ int Agent::GetNumberCommands() {
   return data_->memory.CountCommands();
 }
 
-bool Agent::Commands() { return GetNumberCommands() > 0; }
+bool Agent::Commands() {
+  return GetNumberCommands() > 0;
+}
 
 Identifier* Agent::GetCommand(int index) {
   const Lock lock = Hold(*data_);

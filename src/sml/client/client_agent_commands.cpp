@@ -96,14 +96,20 @@ bool Agent::ExecuteCommandLineXML(char const* pCommandLine, ClientAnalyzedXML* p
   return data_->kernel.ExecuteCommandLineXML(pCommandLine, GetAgentName(), pResponse);
 }
 
-bool Agent::GetLastCommandLineResult() { return data_->kernel.GetLastCommandLineResult(); }
+bool Agent::GetLastCommandLineResult() {
+  return data_->kernel.GetLastCommandLineResult();
+}
 
 void Agent::SendSVSInput(std::string const&) {
   SetDetailedError(kDetailedError, "This kernel has no spatial visual system (SVS)");
 }
 
-std::string Agent::GetSVSOutput() { return {}; }
+std::string Agent::GetSVSOutput() {
+  return {};
+}
 
-std::string Agent::SVSQuery(std::string const&) { return {}; }
+std::string Agent::SVSQuery(std::string const&) {
+  return {};
+}
 
 }  // namespace sml

@@ -54,7 +54,9 @@ constexpr int kAnyEvent = 1;
 int Agent::RegisterForRunEvent(smlRunEventId id, RunEventHandler handler, void* pUserData, bool addToBack) {
   return AddHandler(*data_, data_->run_handlers, id, handler, pUserData, addToBack, false, true);
 }
-bool Agent::UnregisterForRunEvent(int callbackID) { return RemoveHandler(*data_, data_->run_handlers, callbackID, true); }
+bool Agent::UnregisterForRunEvent(int callbackID) {
+  return RemoveHandler(*data_, data_->run_handlers, callbackID, true);
+}
 
 int Agent::RegisterForProductionEvent(smlProductionEventId id, ProductionEventHandler handler, void* pUserData,
                                       bool addToBack) {
@@ -75,7 +77,9 @@ bool Agent::UnregisterForPrintEvent(int callbackID) {
 int Agent::RegisterForXMLEvent(smlXMLEventId id, XMLEventHandler handler, void* pUserData, bool addToBack) {
   return AddHandler(*data_, data_->xml_handlers, id, handler, pUserData, addToBack, false, true);
 }
-bool Agent::UnregisterForXMLEvent(int callbackID) { return RemoveHandler(*data_, data_->xml_handlers, callbackID, true); }
+bool Agent::UnregisterForXMLEvent(int callbackID) {
+  return RemoveHandler(*data_, data_->xml_handlers, callbackID, true);
+}
 
 int Agent::RegisterForOutputNotification(OutputNotificationHandler handler, void* pUserData, bool addToBack) {
   return AddHandler(*data_, data_->notification_handlers, kAnyEvent, handler, pUserData, addToBack, false, false);
@@ -103,7 +107,8 @@ int Agent::AddOutputHandler(char const* pAttributeName, OutputEventHandler handl
 
 bool Agent::RemoveOutputHandler(int callbackID) {
   const Lock lock = Hold(*data_);
-  if (std::erase_if(data_->output_handlers, [&](const auto& handler) { return handler.id == callbackID; }) > 0) return true;
+  if (std::erase_if(data_->output_handlers, [&](const auto& handler) { return handler.id == callbackID; }) > 0)
+    return true;
   SetError(kCallbackNotFound);
   return false;
 }
@@ -155,6 +160,8 @@ void AgentData::OnOutputReceived(bool complete) {
   }
 }
 
-void AgentData::OnReinitialized() { memory.Refresh(); }
+void AgentData::OnReinitialized() {
+  memory.Refresh();
+}
 
 }  // namespace sml

@@ -48,7 +48,9 @@ ElementXML ChildOf(ElementXML const& parent, char const* tag) {
   return ElementXML();
 }
 
-ElementXML const* OrNull(ElementXML const& element) { return element.element() ? &element : nullptr; }
+ElementXML const* OrNull(ElementXML const& element) {
+  return element.element() ? &element : nullptr;
+}
 
 }  // namespace
 
@@ -62,21 +64,39 @@ void ClientAnalyzedXML::Attach(ElementXML const& answer) {
   error_ = ChildOf(answer, "error");
 }
 
-ElementXML const* ClientAnalyzedXML::GetCommandTag() const { return OrNull(command_); }
-ElementXML const* ClientAnalyzedXML::GetResultTag() const { return OrNull(result_); }
-ElementXML const* ClientAnalyzedXML::GetErrorTag() const { return OrNull(error_); }
+ElementXML const* ClientAnalyzedXML::GetCommandTag() const {
+  return OrNull(command_);
+}
+ElementXML const* ClientAnalyzedXML::GetResultTag() const {
+  return OrNull(result_);
+}
+ElementXML const* ClientAnalyzedXML::GetErrorTag() const {
+  return OrNull(error_);
+}
 
-bool ClientAnalyzedXML::IsSML() const { return answer_.IsTag("sml"); }
+bool ClientAnalyzedXML::IsSML() const {
+  return answer_.IsTag("sml");
+}
 
-char const* ClientAnalyzedXML::GetCommandName() const { return command_.GetAttribute("name"); }
+char const* ClientAnalyzedXML::GetCommandName() const {
+  return command_.GetAttribute("name");
+}
 
 char const* ClientAnalyzedXML::GetResultString() const {
   return result_.element() ? result_.GetCharacterData() : nullptr;
 }
-int ClientAnalyzedXML::GetResultInt(int defaultValue) const { return ReadSmallInt(GetResultString(), defaultValue); }
-long long ClientAnalyzedXML::GetResultInt(long long defaultValue) const { return ReadInt(GetResultString(), defaultValue); }
-bool ClientAnalyzedXML::GetResultBool(bool defaultValue) const { return ReadBool(GetResultString(), defaultValue); }
-double ClientAnalyzedXML::GetResultFloat(double defaultValue) const { return ReadFloat(GetResultString(), defaultValue); }
+int ClientAnalyzedXML::GetResultInt(int defaultValue) const {
+  return ReadSmallInt(GetResultString(), defaultValue);
+}
+long long ClientAnalyzedXML::GetResultInt(long long defaultValue) const {
+  return ReadInt(GetResultString(), defaultValue);
+}
+bool ClientAnalyzedXML::GetResultBool(bool defaultValue) const {
+  return ReadBool(GetResultString(), defaultValue);
+}
+double ClientAnalyzedXML::GetResultFloat(double defaultValue) const {
+  return ReadFloat(GetResultString(), defaultValue);
+}
 
 char const* ClientAnalyzedXML::GetArgString(char const* pArgName) const {
   if (!pArgName) return nullptr;
@@ -103,6 +123,8 @@ char* ClientAnalyzedXML::GenerateXMLString(bool includeChildren, bool insertNewL
   return answer_.GenerateXMLString(includeChildren, insertNewLines);
 }
 
-void ClientAnalyzedXML::DeleteString(char* pString) { ElementXML::DeleteString(pString); }
+void ClientAnalyzedXML::DeleteString(char* pString) {
+  ElementXML::DeleteString(pString);
+}
 
 }  // namespace sml

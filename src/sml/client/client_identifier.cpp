@@ -15,7 +15,8 @@ std::list<WMElement*> no_children;
 
 }  // namespace
 
-// The children of a symbol ----------------------------------------------------------------------------------------------
+// The children of a symbol
+// ----------------------------------------------------------------------------------------------
 
 IdentifierSymbol::~IdentifierSymbol() = default;
 
@@ -24,9 +25,13 @@ std::string const& IdentifierSymbol::Name() {
   return name_;
 }
 
-void IdentifierSymbol::UsedBy(Identifier* pIdentifier) { users_.push_back(pIdentifier); }
+void IdentifierSymbol::UsedBy(Identifier* pIdentifier) {
+  users_.push_back(pIdentifier);
+}
 
-void IdentifierSymbol::NoLongerUsedBy(Identifier* pIdentifier) { std::erase(users_, pIdentifier); }
+void IdentifierSymbol::NoLongerUsedBy(Identifier* pIdentifier) {
+  std::erase(users_, pIdentifier);
+}
 
 void IdentifierSymbol::AddChild(WMElement* pWME) {
   if (!pWME || pWME->parent_ == this) return;
@@ -68,15 +73,22 @@ void IdentifierSymbol::DebugString(std::string& result) {
   for (WMElement* child : children_) child->DebugString(result);
 }
 
-// The element -----------------------------------------------------------------------------------------------------------
+// The element
+// -----------------------------------------------------------------------------------------------------------
 
 Identifier::~Identifier() = default;
 
-Identifier::ChildrenIter Identifier::GetChildrenBegin() { return symbol_ ? symbol_->children_.begin() : no_children.begin(); }
+Identifier::ChildrenIter Identifier::GetChildrenBegin() {
+  return symbol_ ? symbol_->children_.begin() : no_children.begin();
+}
 
-Identifier::ChildrenIter Identifier::GetChildrenEnd() { return symbol_ ? symbol_->children_.end() : no_children.end(); }
+Identifier::ChildrenIter Identifier::GetChildrenEnd() {
+  return symbol_ ? symbol_->children_.end() : no_children.end();
+}
 
-int Identifier::GetNumberChildren() const { return symbol_ ? static_cast<int>(symbol_->children_.size()) : 0; }
+int Identifier::GetNumberChildren() const {
+  return symbol_ ? static_cast<int>(symbol_->children_.size()) : 0;
+}
 
 WMElement* Identifier::GetChild(int index) {
   if (!symbol_ || index < 0 || index >= GetNumberChildren()) return nullptr;
@@ -115,11 +127,17 @@ bool Identifier::AreChildrenModified() {
   return symbol_ && symbol_->children_modified_;
 }
 
-void Identifier::AddStatusComplete() { CreateStringWME("status", "complete"); }
+void Identifier::AddStatusComplete() {
+  CreateStringWME("status", "complete");
+}
 
-void Identifier::AddStatusError() { CreateStringWME("status", "error"); }
+void Identifier::AddStatusError() {
+  CreateStringWME("status", "error");
+}
 
-void Identifier::AddErrorCode(int errorCode) { CreateIntWME("error-code", errorCode); }
+void Identifier::AddErrorCode(int errorCode) {
+  CreateIntWME("error-code", errorCode);
+}
 
 StringElement* Identifier::CreateStringWME(char const* pAttribute, char const* pValue) {
   return GetAgent() ? GetAgent()->CreateStringWME(this, pAttribute, pValue) : nullptr;
@@ -141,7 +159,9 @@ Identifier* Identifier::CreateSharedIdWME(char const* pAttribute, Identifier* pS
   return GetAgent() ? GetAgent()->CreateSharedIdWME(this, pAttribute, pSharedValue) : nullptr;
 }
 
-char const* Identifier::GetValueAsString() const { return symbol_ ? symbol_->Name().c_str() : ""; }
+char const* Identifier::GetValueAsString() const {
+  return symbol_ ? symbol_->Name().c_str() : "";
+}
 
 char const* Identifier::GetValueAsString(std::string& buf) const {
   buf = symbol_ ? symbol_->Name() : std::string();

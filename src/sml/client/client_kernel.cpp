@@ -12,7 +12,9 @@ namespace {
 
 using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
-Lock Hold(KernelData& data) { return data.link ? Lock(data.link->mutex()) : Lock(); }
+Lock Hold(KernelData& data) {
+  return data.link ? Lock(data.link->mutex()) : Lock();
+}
 
 /// How long a kernel may take for its first answers.
 constexpr int kGreetingLimitMs = 10'000;
@@ -116,19 +118,29 @@ void Kernel::SetAutoCommit(bool state) {
   if (state) CommitAll();
   data_->auto_commit = state;
 }
-bool Kernel::IsAutoCommitEnabled() { return data_->auto_commit; }
+bool Kernel::IsAutoCommitEnabled() {
+  return data_->auto_commit;
+}
 void Kernel::SetAnswerLimit(int milliseconds) {
   if (data_->link) data_->link->SetAnswerLimit(milliseconds);
 }
-bool Kernel::IsConnectionClosed() { return !data_->link || data_->shut_down || data_->link->closed(); }
-bool Kernel::IsRemoteConnection() { return data_->link && data_->link->remote(); }
-bool Kernel::IsDirectConnection() { return data_->direct; }
+bool Kernel::IsConnectionClosed() {
+  return !data_->link || data_->shut_down || data_->link->closed();
+}
+bool Kernel::IsRemoteConnection() {
+  return data_->link && data_->link->remote();
+}
+bool Kernel::IsDirectConnection() {
+  return data_->direct;
+}
 
 void Kernel::SetTraceCommunications(bool state) {
   data_->trace_communications = state;
   if (data_->link) data_->link->SetTrace(state);
 }
-bool Kernel::IsTracingCommunications() { return data_->trace_communications; }
+bool Kernel::IsTracingCommunications() {
+  return data_->trace_communications;
+}
 
 // Agents --------------------------------------------------------------------------------------------------------------
 
@@ -251,9 +263,12 @@ bool Kernel::DestroyAgent(Agent* pAgent) {
 
 // Command lines and runs ----------------------------------------------------------------------------------------------
 
-void Kernel::EnableFiltering(bool state) { data_->filtering = state; }
+void Kernel::EnableFiltering(bool state) {
+  data_->filtering = state;
+}
 
-char const* Kernel::ExecuteCommandLine(char const* pCommandLine, char const* pAgentName, bool echoResults, bool noFilter) {
+char const* Kernel::ExecuteCommandLine(char const* pCommandLine, char const* pAgentName, bool echoResults,
+                                       bool noFilter) {
   const Lock lock = Hold(*data_);
   KernelLink* link = data_->Usable();
   data_->last_line_ok = false;
@@ -288,7 +303,9 @@ bool Kernel::ExecuteCommandLineXML(char const* pCommandLine, char const* pAgentN
   return answer.ok;
 }
 
-bool Kernel::GetLastCommandLineResult() { return data_->last_line_ok; }
+bool Kernel::GetLastCommandLineResult() {
+  return data_->last_line_ok;
+}
 
 namespace {
 
@@ -327,7 +344,9 @@ char const* Kernel::StopAllAgents() {
   return "";
 }
 
-bool Kernel::IsSoarRunning() { return data_->link && !data_->shut_down && data_->link->IsRunning(); }
+bool Kernel::IsSoarRunning() {
+  return data_->link && !data_->shut_down && data_->link->IsRunning();
+}
 
 void Kernel::CommitAll() {
   const Lock lock = Hold(*data_);

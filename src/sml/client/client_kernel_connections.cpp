@@ -10,7 +10,9 @@ namespace {
 
 using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
-Lock Hold(KernelData& data) { return data.link ? Lock(data.link->mutex()) : Lock(); }
+Lock Hold(KernelData& data) {
+  return data.link ? Lock(data.link->mutex()) : Lock();
+}
 
 }  // namespace
 
@@ -26,7 +28,8 @@ bool Kernel::GetAllConnectionInfo() {
   for (std::size_t i = 0; i < fetched.size() && !data_->connections_changed; ++i) {
     ConnectionInfo const& before = data_->connections[i];
     ConnectionInfo const& now = fetched[i];
-    data_->connections_changed = std::string(before.GetID()) != now.GetID() || std::string(before.GetName()) != now.GetName() ||
+    data_->connections_changed = std::string(before.GetID()) != now.GetID() ||
+                                 std::string(before.GetName()) != now.GetName() ||
                                  std::string(before.GetConnectionStatus()) != now.GetConnectionStatus() ||
                                  std::string(before.GetAgentStatus()) != now.GetAgentStatus();
   }
@@ -34,9 +37,13 @@ bool Kernel::GetAllConnectionInfo() {
   return true;
 }
 
-bool Kernel::HasConnectionInfoChanged() { return data_->connections_changed; }
+bool Kernel::HasConnectionInfoChanged() {
+  return data_->connections_changed;
+}
 
-int Kernel::GetNumberConnections() { return static_cast<int>(data_->connections.size()); }
+int Kernel::GetNumberConnections() {
+  return static_cast<int>(data_->connections.size());
+}
 
 ConnectionInfo const* Kernel::GetConnectionInfo(int index) {
   if (index < 0 || index >= GetNumberConnections()) return nullptr;
@@ -82,13 +89,21 @@ bool Kernel::SuppressSystemStop(bool state) {
   return link && link->SuppressSystemStop(state);
 }
 
-bool Kernel::CheckForIncomingCommands() { return data_->link && !data_->shut_down && data_->link->CheckForIncoming(); }
+bool Kernel::CheckForIncomingCommands() {
+  return data_->link && !data_->shut_down && data_->link->CheckForIncoming();
+}
 
-bool Kernel::CheckForIncomingEvents() { return CheckForIncomingCommands(); }
+bool Kernel::CheckForIncomingEvents() {
+  return CheckForIncomingCommands();
+}
 
-bool Kernel::StartEventThread() { return data_->link && !data_->shut_down && data_->link->StartEventThread(); }
+bool Kernel::StartEventThread() {
+  return data_->link && !data_->shut_down && data_->link->StartEventThread();
+}
 
-bool Kernel::StopEventThread() { return data_->link && !data_->shut_down && data_->link->StopEventThread(); }
+bool Kernel::StopEventThread() {
+  return data_->link && !data_->shut_down && data_->link->StopEventThread();
+}
 
 bool Kernel::SetInterruptCheckRate(int newRate) {
   const Lock lock = Hold(*data_);
@@ -109,6 +124,8 @@ std::string Kernel::LoadExternalLibrary(char const* pLibraryCommand) {
   return link->LoadLibrary(pLibraryCommand);
 }
 
-Connection* Kernel::GetConnection() const { return nullptr; }
+Connection* Kernel::GetConnection() const {
+  return nullptr;
+}
 
 }  // namespace sml

@@ -12,38 +12,42 @@ namespace {
 
 using Lock = std::unique_lock<soarbox::server::CallMutex>;
 
-Lock Hold(KernelData& data) { return data.link ? Lock(data.link->mutex()) : Lock(); }
+Lock Hold(KernelData& data) {
+  return data.link ? Lock(data.link->mutex()) : Lock();
+}
 
 /// The library listens to these itself.
-bool IsOwnEvent(int event) { return event == smlEVENT_BEFORE_AGENT_DESTROYED || event == smlEVENT_AFTER_AGENT_REINITIALIZED; }
+bool IsOwnEvent(int event) {
+  return event == smlEVENT_BEFORE_AGENT_DESTROYED || event == smlEVENT_AFTER_AGENT_REINITIALIZED;
+}
 
 }  // namespace
 
 // The four families of events of the kernel are alike but for the type of their handlers.
-#define SOARBOX_SML_KERNEL_EVENTS(Family, IdType, HandlerType, table)                                            \
-  int Kernel::RegisterFor##Family##Event(IdType id, HandlerType handler, void* pUserData, bool addToBack) {      \
-    const Lock lock = Hold(*data_);                                                                              \
-    KernelLink* link = data_->Usable();                                                                          \
-    if (!link) return 0;                                                                                         \
-    if (!handler) {                                                                                              \
-      SetDetailedError(kNullArgument, "The handler is NULL");                                                    \
-      return 0;                                                                                                  \
-    }                                                                                                            \
-    if (const int known = data_->table.Find(id, handler, pUserData)) return known;                               \
-    if (data_->table.Empty(id) && !(IsOwnEvent(id) && !link->remote())) link->Register(id);                      \
-    const int callback = ++data_->next_callback;                                                                 \
-    data_->table.Add({id, callback, handler, pUserData, false, false}, addToBack);                               \
-    return callback;                                                                                             \
-  }                                                                                                              \
-  bool Kernel::UnregisterFor##Family##Event(int callbackID) {                                                    \
-    const Lock lock = Hold(*data_);                                                                              \
-    const int event = data_->table.Remove(callbackID);                                                           \
-    if (event == 0) {                                                                                            \
-      SetError(kCallbackNotFound);                                                                               \
-      return false;                                                                                              \
-    }                                                                                                            \
-    if (data_->table.Empty(event) && !IsOwnEvent(event) && data_->link) data_->link->Unregister(event);          \
-    return true;                                                                                                 \
+#define SOARBOX_SML_KERNEL_EVENTS(Family, IdType, HandlerType, table)                                       \
+  int Kernel::RegisterFor##Family##Event(IdType id, HandlerType handler, void* pUserData, bool addToBack) { \
+    const Lock lock = Hold(*data_);                                                                         \
+    KernelLink* link = data_->Usable();                                                                     \
+    if (!link) return 0;                                                                                    \
+    if (!handler) {                                                                                         \
+      SetDetailedError(kNullArgument, "The handler is NULL");                                               \
+      return 0;                                                                                             \
+    }                                                                                                       \
+    if (const int known = data_->table.Find(id, handler, pUserData)) return known;                          \
+    if (data_->table.Empty(id) && !(IsOwnEvent(id) && !link->remote())) link->Register(id);                 \
+    const int callback = ++data_->next_callback;                                                            \
+    data_->table.Add({id, callback, handler, pUserData, false, false}, addToBack);                          \
+    return callback;                                                                                        \
+  }                                                                                                         \
+  bool Kernel::UnregisterFor##Family##Event(int callbackID) {                                               \
+    const Lock lock = Hold(*data_);                                                                         \
+    const int event = data_->table.Remove(callbackID);                                                      \
+    if (event == 0) {                                                                                       \
+      SetError(kCallbackNotFound);                                                                          \
+      return false;                                                                                         \
+    }                                                                                                       \
+    if (data_->table.Empty(event) && !IsOwnEvent(event) && data_->link) data_->link->Unregister(event);     \
+    return true;                                                                                            \
   }
 
 SOARBOX_SML_KERNEL_EVENTS(System, smlSystemEventId, SystemEventHandler, system_handlers)
@@ -52,7 +56,8 @@ SOARBOX_SML_KERNEL_EVENTS(String, smlStringEventId, StringEventHandler, string_h
 SOARBOX_SML_KERNEL_EVENTS(Agent, smlAgentEventId, AgentEventHandler, agent_handlers)
 #undef SOARBOX_SML_KERNEL_EVENTS
 
-// Functions and messages ------------------------------------------------------------------------------------------------
+// Functions and messages
+// ------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -68,7 +73,8 @@ int AddFunction(Kernel& kernel, KernelData& data, KernelData::Function function,
     first = false;
   }
   if (!first && function.event == smlEVENT_RHS_USER_FUNCTION) {
-    std::fprintf(stderr, "sml: the function %s has a handler already; only the first one is called\n", function.name.c_str());
+    std::fprintf(stderr, "sml: the function %s has a handler already; only the first one is called\n",
+                 function.name.c_str());
   }
   if (first) link->RegisterFunction(function.event, function.name);
   function.id = ++data.next_callback;
@@ -85,9 +91,9 @@ bool RemoveFunction(KernelData& data, int id) {
   const int event = found->event;
   const std::string name = found->name;
   data.functions.erase(found);
-  const bool others = std::any_of(data.functions.begin(), data.functions.end(), [&](const KernelData::Function& function) {
-    return function.event == event && function.name == name;
-  });
+  const bool others = std::any_of(
+      data.functions.begin(), data.functions.end(),
+      [&](const KernelData::Function& function) { return function.event == event && function.name == name; });
   if (!others && data.link) data.link->UnregisterFunction(event, name);
   return true;
 }
@@ -117,11 +123,13 @@ KernelData::Function MakeFunction(int event, char const* name, RhsEventHandlerCp
 }  // namespace
 
 int Kernel::AddRhsFunction(char const* pRhsFunctionName, RhsEventHandler handler, void* pUserData, bool addToBack) {
-  return AddFunction(*this, *data_, MakeFunction(smlEVENT_RHS_USER_FUNCTION, pRhsFunctionName, handler, pUserData), addToBack);
+  return AddFunction(*this, *data_, MakeFunction(smlEVENT_RHS_USER_FUNCTION, pRhsFunctionName, handler, pUserData),
+                     addToBack);
 }
 
 int Kernel::AddRhsFunction(char const* pRhsFunctionName, RhsEventHandlerCpp handler, bool addToBack) {
-  return AddFunction(*this, *data_, MakeFunction(smlEVENT_RHS_USER_FUNCTION, pRhsFunctionName, std::move(handler)), addToBack);
+  return AddFunction(*this, *data_, MakeFunction(smlEVENT_RHS_USER_FUNCTION, pRhsFunctionName, std::move(handler)),
+                     addToBack);
 }
 
 bool Kernel::RemoveRhsFunction(int callbackID) {
@@ -152,12 +160,12 @@ std::string Kernel::SendClientMessage(Agent* pAgent, char const* pClientName, ch
   return link->SendClientMessage(pAgent, pClientName, pMessage).value_or("**NOBODY RESPONDED**");
 }
 
-// What the kernel tells -------------------------------------------------------------------------------------------------
+// What the kernel tells
+// -------------------------------------------------------------------------------------------------
 
 void KernelData::OnSystem(int event) {
-  system_handlers.ForEach(event, [&](const auto& entry) {
-    entry.handler(static_cast<smlSystemEventId>(event), entry.data, &kernel);
-  });
+  system_handlers.ForEach(
+      event, [&](const auto& entry) { entry.handler(static_cast<smlSystemEventId>(event), entry.data, &kernel); });
 }
 
 void KernelData::OnUpdate(int event, int flags) {
@@ -176,9 +184,8 @@ void KernelData::OnAgent(const std::string& name, int event) {
   }
   if (!agent) return;
   if (event == smlEVENT_AFTER_AGENT_REINITIALIZED) agent->data_->OnReinitialized();
-  agent_handlers.ForEach(event, [&](const auto& entry) {
-    entry.handler(static_cast<smlAgentEventId>(event), entry.data, agent);
-  });
+  agent_handlers.ForEach(
+      event, [&](const auto& entry) { entry.handler(static_cast<smlAgentEventId>(event), entry.data, agent); });
   if (event == smlEVENT_BEFORE_AGENT_DESTROYED) Bury(name);
 }
 
@@ -191,7 +198,8 @@ std::optional<std::string> KernelData::OnString(int event, std::string_view valu
   return answer;
 }
 
-std::optional<std::string> KernelData::OnFunction(Agent* agent, int event, std::string_view name, std::string_view argument) {
+std::optional<std::string> KernelData::OnFunction(Agent* agent, int event, std::string_view name,
+                                                  std::string_view argument) {
   for (const Function& function : functions) {
     if (function.event != event || function.name != name) continue;
     const RhsEventHandlerCpp handler = function.handler;

@@ -19,9 +19,15 @@ ClientTraceXML* ClientXML::ConvertToTraceXML() {
   return trace_.get();
 }
 
-char const* ClientXML::GetTagName() const { return element_.GetTagName(); }
-bool ClientXML::IsTag(char const* pTag) const { return element_.IsTag(pTag); }
-int ClientXML::GetNumberChildren() const { return element_.GetNumberChildren(); }
+char const* ClientXML::GetTagName() const {
+  return element_.GetTagName();
+}
+bool ClientXML::IsTag(char const* pTag) const {
+  return element_.IsTag(pTag);
+}
+int ClientXML::GetNumberChildren() const {
+  return element_.GetNumberChildren();
+}
 bool ClientXML::GetChild(ClientXML* pChild, int index) const {
   ElementXML child;
   if (!pChild || !element_.GetChild(&child, index)) return false;
@@ -29,24 +35,48 @@ bool ClientXML::GetChild(ClientXML* pChild, int index) const {
   pChild->trace_.reset();
   return true;
 }
-int ClientXML::GetNumberAttributes() const { return element_.GetNumberAttributes(); }
-char const* ClientXML::GetAttributeName(int index) const { return element_.GetAttributeName(index); }
-char const* ClientXML::GetAttributeValue(int index) const { return element_.GetAttributeValue(index); }
-char const* ClientXML::GetAttribute(char const* pName) const { return element_.GetAttribute(pName); }
-char const* ClientXML::GetCharacterData() const { return element_.GetCharacterData(); }
-bool ClientXML::IsCharacterDataBinary() const { return element_.IsCharacterDataBinary(); }
-bool ClientXML::ConvertCharacterDataToBinary() { return element_.ConvertCharacterDataToBinary(); }
-int ClientXML::GetCharacterDataLength() const { return element_.GetCharacterDataLength(); }
+int ClientXML::GetNumberAttributes() const {
+  return element_.GetNumberAttributes();
+}
+char const* ClientXML::GetAttributeName(int index) const {
+  return element_.GetAttributeName(index);
+}
+char const* ClientXML::GetAttributeValue(int index) const {
+  return element_.GetAttributeValue(index);
+}
+char const* ClientXML::GetAttribute(char const* pName) const {
+  return element_.GetAttribute(pName);
+}
+char const* ClientXML::GetCharacterData() const {
+  return element_.GetCharacterData();
+}
+bool ClientXML::IsCharacterDataBinary() const {
+  return element_.IsCharacterDataBinary();
+}
+bool ClientXML::ConvertCharacterDataToBinary() {
+  return element_.ConvertCharacterDataToBinary();
+}
+int ClientXML::GetCharacterDataLength() const {
+  return element_.GetCharacterDataLength();
+}
 char* ClientXML::GenerateXMLString(bool includeChildren, bool insertNewLines) const {
   return element_.GenerateXMLString(includeChildren, insertNewLines);
 }
 int ClientXML::DetermineXMLStringLength(bool includeChildren, bool insertNewLines) const {
   return element_.DetermineXMLStringLength(includeChildren, insertNewLines);
 }
-char* ClientXML::AllocateString(int length) { return ElementXML::AllocateString(length); }
-void ClientXML::DeleteString(char* pString) { ElementXML::DeleteString(pString); }
-char* ClientXML::CopyString(char const* pString) { return ElementXML::CopyString(pString); }
-char* ClientXML::CopyBuffer(char const* pBuffer, int length) { return ElementXML::CopyBuffer(pBuffer, length); }
+char* ClientXML::AllocateString(int length) {
+  return ElementXML::AllocateString(length);
+}
+void ClientXML::DeleteString(char* pString) {
+  ElementXML::DeleteString(pString);
+}
+char* ClientXML::CopyString(char const* pString) {
+  return ElementXML::CopyString(pString);
+}
+char* ClientXML::CopyBuffer(char const* pBuffer, int length) {
+  return ElementXML::CopyBuffer(pBuffer, length);
+}
 
 ClientTraceXML::ClientTraceXML() = default;
 ClientTraceXML::ClientTraceXML(ElementXML const& element) : ClientXML(element) {}

@@ -30,11 +30,17 @@ ElementXML::ElementXML(ElementXML const&) = default;
 ElementXML& ElementXML::operator=(ElementXML const&) = default;
 ElementXML::~ElementXML() = default;
 
-char const* ElementXML::GetTagName() const { return element_ ? element_->tag.c_str() : ""; }
+char const* ElementXML::GetTagName() const {
+  return element_ ? element_->tag.c_str() : "";
+}
 
-bool ElementXML::IsTag(char const* pTag) const { return element_ && pTag && element_->tag == pTag; }
+bool ElementXML::IsTag(char const* pTag) const {
+  return element_ && pTag && element_->tag == pTag;
+}
 
-int ElementXML::GetNumberChildren() const { return element_ ? static_cast<int>(element_->children.size()) : 0; }
+int ElementXML::GetNumberChildren() const {
+  return element_ ? static_cast<int>(element_->children.size()) : 0;
+}
 
 bool ElementXML::GetChild(ElementXML* pChild, int index) const {
   if (!pChild || index < 0 || index >= GetNumberChildren()) return false;
@@ -43,7 +49,9 @@ bool ElementXML::GetChild(ElementXML* pChild, int index) const {
   return true;
 }
 
-int ElementXML::GetNumberAttributes() const { return element_ ? static_cast<int>(element_->attributes.size()) : 0; }
+int ElementXML::GetNumberAttributes() const {
+  return element_ ? static_cast<int>(element_->attributes.size()) : 0;
+}
 
 char const* ElementXML::GetAttributeName(int index) const {
   if (index < 0 || index >= GetNumberAttributes()) return nullptr;
@@ -61,7 +69,9 @@ char const* ElementXML::GetAttribute(char const* pName) const {
   return value ? value->c_str() : nullptr;
 }
 
-char const* ElementXML::GetCharacterData() const { return element_ ? element_->text.c_str() : ""; }
+char const* ElementXML::GetCharacterData() const {
+  return element_ ? element_->text.c_str() : "";
+}
 
 bool ElementXML::IsCharacterDataBinary() const {
   char const* encoding = GetAttribute(kEncoding);
@@ -88,7 +98,9 @@ bool ElementXML::ConvertCharacterDataToBinary() {
   return true;
 }
 
-int ElementXML::GetCharacterDataLength() const { return element_ ? static_cast<int>(element_->text.size()) : 0; }
+int ElementXML::GetCharacterDataLength() const {
+  return element_ ? static_cast<int>(element_->text.size()) : 0;
+}
 
 char* ElementXML::GenerateXMLString(bool includeChildren, bool insertNewLines) const {
   if (!element_) return CopyString("");
@@ -104,7 +116,9 @@ char* ElementXML::AllocateString(int length) {
   return static_cast<char*>(std::calloc(static_cast<std::size_t>(length < 0 ? 0 : length) + 1, 1));
 }
 
-void ElementXML::DeleteString(char* pString) { std::free(pString); }
+void ElementXML::DeleteString(char* pString) {
+  std::free(pString);
+}
 
 char* ElementXML::CopyString(char const* pString) {
   if (!pString) return nullptr;

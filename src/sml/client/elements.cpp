@@ -48,9 +48,13 @@ bool WMElement::IsJustAdded() {
   return just_added_;
 }
 
-char const* WMElement::GetIdentifierName() const { return parent_ ? parent_->GetIdentifierSymbol() : ""; }
+char const* WMElement::GetIdentifierName() const {
+  return parent_ ? parent_->GetIdentifierSymbol() : "";
+}
 
-bool WMElement::DestroyWME() { return agent_ && agent_->DestroyWME(this); }
+bool WMElement::DestroyWME() {
+  return agent_ && agent_->DestroyWME(this);
+}
 
 void WMElement::DebugString(std::string& result) {
   std::string value;
@@ -62,7 +66,9 @@ void WMElement::DebugString(std::string& result) {
 void StringElement::Update(char const* value) {
   if (GetAgent()) GetAgent()->Update(this, value);
 }
-char const* StringElement::GetValueAsString() const { return value_.c_str(); }
+char const* StringElement::GetValueAsString() const {
+  return value_.c_str();
+}
 char const* StringElement::GetValueAsString(std::string& buf) const {
   buf = value_;
   return buf.c_str();
@@ -71,7 +77,9 @@ char const* StringElement::GetValueAsString(std::string& buf) const {
 void IntElement::Update(long long value) {
   if (GetAgent()) GetAgent()->Update(this, value);
 }
-char const* IntElement::GetValueAsString() const { return GetValueAsString(number_text); }
+char const* IntElement::GetValueAsString() const {
+  return GetValueAsString(number_text);
+}
 char const* IntElement::GetValueAsString(std::string& buf) const {
   buf = std::to_string(value_);
   return buf.c_str();
@@ -80,7 +88,9 @@ char const* IntElement::GetValueAsString(std::string& buf) const {
 void FloatElement::Update(double value) {
   if (GetAgent()) GetAgent()->Update(this, value);
 }
-char const* FloatElement::GetValueAsString() const { return GetValueAsString(number_text); }
+char const* FloatElement::GetValueAsString() const {
+  return GetValueAsString(number_text);
+}
 char const* FloatElement::GetValueAsString(std::string& buf) const {
   buf = soarbox::wire::ShortDouble(value_);
   return buf.c_str();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "sml/client/sml_Events.h"
-
 #include <array>
 #include <cstring>
+
+#include "sml/client/sml_Events.h"
 
 namespace sml {
 

@@ -43,8 +43,8 @@ class HuskPool {
   }
 
   std::vector<std::unique_ptr<T[]>> blocks_;
-  std::size_t fresh_ = 0;         ///< Objects of the last block that were never taken.
-  std::vector<T*> husks_;         ///< A ring, as long as a power of two.
+  std::size_t fresh_ = 0;  ///< Objects of the last block that were never taken.
+  std::vector<T*> husks_;  ///< A ring, as long as a power of two.
   std::size_t first_husk_ = 0, husk_count_ = 0;
 };
 

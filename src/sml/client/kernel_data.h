@@ -21,17 +21,17 @@ struct KernelData {
   explicit KernelData(Kernel& owner) : kernel(owner) {}
 
   Kernel& kernel;
-  std::unique_ptr<KernelLink> link;          ///< Null if the kernel could not be reached.
-  bool direct = false;                       ///< Made with optimized: runs give a fixed text.
+  std::unique_ptr<KernelLink> link;  ///< Null if the kernel could not be reached.
+  bool direct = false;               ///< Made with optimized: runs give a fixed text.
   bool ignore_output = false;
   bool auto_commit = true;
   bool filtering = true;
   bool trace_communications = false;
   bool shut_down = false;
   bool last_line_ok = false;
-  std::string buffer;                        ///< The text of the last command line or run.
+  std::string buffer;  ///< The text of the last command line or run.
   int next_callback = 0;
-  long long next_tag = 0;                    ///< The last one that was given away.
+  long long next_tag = 0;  ///< The last one that was given away.
   long long next_name = 0;
 
   std::map<std::string, std::unique_ptr<Agent>> agents;

@@ -26,14 +26,14 @@ struct KernelData;
 struct OutputWme {
   bool add = true;
   long long tag = 0;
-  long long id = 0;                ///< The identifier that it hangs on, as IdentifierKey() has it.
+  long long id = 0;  ///< The identifier that it hangs on, as IdentifierKey() has it.
   std::string_view attribute;
   soarbox::server::InputWme::Type type = soarbox::server::InputWme::Type::kString;
   std::string_view text;
   long long integer = 0;
   double real = 0.0;
-  long long value_id = 0;          ///< For identifiers.
-  std::uint32_t value_hint = 0;    ///< The kernel's handle of the value, if it is in this process.
+  long long value_id = 0;        ///< For identifiers.
+  std::uint32_t value_hint = 0;  ///< The kernel's handle of the value, if it is in this process.
 };
 
 /// A kernel's identifier ("F12") as one number, for maps; 0 for anything else.
@@ -58,9 +58,9 @@ std::string RunLine(const RunSpec& spec);
 /// The answer to a command line.
 struct LineAnswer {
   bool ok = true;
-  bool failed_to_ask = false;                          ///< The kernel did not answer at all; text says why.
+  bool failed_to_ask = false;  ///< The kernel did not answer at all; text says why.
   std::string text;
-  std::string details;                                 ///< Every error with file, line and column, if there are any.
+  std::string details;  ///< Every error with file, line and column, if there are any.
   std::shared_ptr<const soarbox::wire::Element> document;  ///< For structured answers: the response <sml>.
 };
 
@@ -146,12 +146,14 @@ class KernelLink {
   virtual void Unregister(int event) = 0;
   virtual void RegisterFunction(int event, const std::string& name) = 0;
   virtual void UnregisterFunction(int event, const std::string& name) = 0;
-  virtual std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client, const std::string& message) = 0;
+  virtual std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client,
+                                                       const std::string& message) = 0;
   virtual bool FireSystem(int event) = 0;
   virtual bool SuppressSystemStop(bool on) = 0;
   virtual bool SetInterruptCheckRate(int rate) = 0;
   virtual std::vector<soarbox::server::ConnectionInfo> Connections() = 0;
-  virtual bool SetConnectionInfo(const std::string& name, const std::string& status, const std::string& agent_status) = 0;
+  virtual bool SetConnectionInfo(const std::string& name, const std::string& status,
+                                 const std::string& agent_status) = 0;
   virtual std::string LoadLibrary(const std::string& command) = 0;
 
   /// Serves what came in. True if anything did.

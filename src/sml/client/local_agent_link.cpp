@@ -123,8 +123,8 @@ void LocalAgentLink::Deliver(AgentData& data, std::span<const kernel::OutputChan
     if (!change.added) data.memory.RemoveOutput(static_cast<long long>(change.timetag));
   }
   while (!deferred_.empty()) {
-    const std::size_t left =
-        std::erase_if(deferred_, [&](const kernel::OutputChange* change) { return data.memory.AddOutput(Describe(*change)); });
+    const std::size_t left = std::erase_if(
+        deferred_, [&](const kernel::OutputChange* change) { return data.memory.AddOutput(Describe(*change)); });
     if (left == 0) break;
   }
   data.OnOutputReceived(deferred_.empty());

@@ -59,9 +59,9 @@ class LocalAgentLink final : public AgentLink {
   soarbox::server::KernelHost& host_;
   soarbox::server::Connection& connection_;
   soarbox::server::HostedAgent& hosted_;
-  std::string attribute_;                              ///< Room for a text while it is handed over.
-  std::vector<const soarbox::kernel::OutputChange*> deferred_;   ///< Output whose parent has not come yet.
-  std::vector<soarbox::server::InputWme> noted_;       ///< For xml-input-received.
+  std::string attribute_;                                       ///< Room for a text while it is handed over.
+  std::vector<const soarbox::kernel::OutputChange*> deferred_;  ///< Output whose parent has not come yet.
+  std::vector<soarbox::server::InputWme> noted_;                ///< For xml-input-received.
   std::vector<std::string> noted_texts_;
 };
 

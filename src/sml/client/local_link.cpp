@@ -26,10 +26,14 @@ namespace {
 
 RunUnit UnitOf(smlRunStepSize step) {
   switch (step) {
-    case sml_PHASE: return RunUnit::kPhase;
-    case sml_ELABORATION: return RunUnit::kElaboration;
-    case sml_DECIDE: return RunUnit::kDecision;
-    case sml_UNTIL_OUTPUT: return RunUnit::kOutput;
+    case sml_PHASE:
+      return RunUnit::kPhase;
+    case sml_ELABORATION:
+      return RunUnit::kElaboration;
+    case sml_DECIDE:
+      return RunUnit::kDecision;
+    case sml_UNTIL_OUTPUT:
+      return RunUnit::kOutput;
   }
   return RunUnit::kDecision;
 }
@@ -37,10 +41,14 @@ RunUnit UnitOf(smlRunStepSize step) {
 /// Orders the units from the smallest to the largest.
 int SizeOf(smlRunStepSize step) {
   switch (step) {
-    case sml_ELABORATION: return 0;
-    case sml_PHASE: return 1;
-    case sml_DECIDE: return 2;
-    case sml_UNTIL_OUTPUT: return 3;
+    case sml_ELABORATION:
+      return 0;
+    case sml_PHASE:
+      return 1;
+    case sml_DECIDE:
+      return 2;
+    case sml_UNTIL_OUTPUT:
+      return 3;
   }
   return 3;
 }
@@ -169,7 +177,8 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   }
   void RegisterFunction(int event, const std::string& name) override { host_.RegisterFunction(*this, event, name); }
   void UnregisterFunction(int event, const std::string& name) override { host_.UnregisterFunction(*this, event, name); }
-  std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client, const std::string& message) override {
+  std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client,
+                                               const std::string& message) override {
     HostedAgent* hosted = agent ? host_.Find(agent->GetAgentName()) : nullptr;
     return host_.CallFunction(hosted, smlEVENT_CLIENT_MESSAGE, client, message);
   }
@@ -220,7 +229,9 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   void OnPrint(HostedAgent& agent, const std::string& text) override {
     if (Peer(agent)) Data(agent).OnPrint(smlEVENT_PRINT, text, false);
   }
-  void OnEcho(HostedAgent& agent, const std::string& text, bool self) override { Data(agent).OnPrint(smlEVENT_ECHO, text, self); }
+  void OnEcho(HostedAgent& agent, const std::string& text, bool self) override {
+    Data(agent).OnPrint(smlEVENT_ECHO, text, self);
+  }
   void OnXmlTrace(HostedAgent& agent, std::string_view pieces) override {
     auto trace = soarbox::wire::ReadXml("<trace>" + std::string(pieces) + "</trace>");
     if (!trace) return;

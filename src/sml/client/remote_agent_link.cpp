@@ -75,10 +75,18 @@ InputHandle RemoteAgentLink::AddInput(const InputWme& wme) {
   element.Set("action", "add").Set("attr", std::string(wme.attribute)).Set("id", std::string(wme.id));
   element.Set("tag", std::to_string(wme.tag));
   switch (wme.type) {
-    case InputWme::Type::kString: element.Set("value", std::string(wme.text)); break;
-    case InputWme::Type::kId: element.Set("valtype", "id").Set("value", std::string(wme.text)); break;
-    case InputWme::Type::kInt: element.Set("valtype", "int").Set("value", std::to_string(wme.integer)); break;
-    case InputWme::Type::kDouble: element.Set("valtype", "double").Set("value", soarbox::wire::ShortDouble(wme.real)); break;
+    case InputWme::Type::kString:
+      element.Set("value", std::string(wme.text));
+      break;
+    case InputWme::Type::kId:
+      element.Set("valtype", "id").Set("value", std::string(wme.text));
+      break;
+    case InputWme::Type::kInt:
+      element.Set("valtype", "int").Set("value", std::to_string(wme.integer));
+      break;
+    case InputWme::Type::kDouble:
+      element.Set("valtype", "double").Set("value", soarbox::wire::ShortDouble(wme.real));
+      break;
   }
   return kNoInputHandle;
 }

@@ -22,7 +22,8 @@ class RemoteCaller {
   virtual std::optional<soarbox::wire::Message> Ask(soarbox::wire::Message& call, Work work = Work::kCall) = 0;
   /// Sends a call whose answer nobody waits for.
   virtual void Tell(soarbox::wire::Message& call) = 0;
-  virtual bool ChangeRegistration(const char* command, const std::string& agent, int event, const std::string& name) = 0;
+  virtual bool ChangeRegistration(const char* command, const std::string& agent, int event,
+                                  const std::string& name) = 0;
 };
 
 /// The way to an agent of a kernel elsewhere.
@@ -62,8 +63,8 @@ class RemoteAgentLink final : public AgentLink {
   std::string name_;
   std::optional<soarbox::wire::Message> batch_;
   unsigned long long apply_phases_ = 0;
-  bool watching_ = false;            ///< This library listens to apply phases.
-  bool user_watching_ = false;       ///< The program does.
+  bool watching_ = false;       ///< This library listens to apply phases.
+  bool user_watching_ = false;  ///< The program does.
 };
 
 /// Reads the <wme> elements of a message.

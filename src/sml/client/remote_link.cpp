@@ -30,8 +30,8 @@ namespace {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// How long a kernel may be silent before it answers a call, unless the program sets a limit. Command lines may then take as
-/// long as they like.
+/// How long a kernel may be silent before it answers a call, unless the program sets a limit. Command lines may then
+/// take as long as they like.
 constexpr Milliseconds kPatience{60'000};
 /// Command lines that are no runs load files, among other things: they get so many times the limit.
 constexpr int kLineFactor = 5;
@@ -72,7 +72,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     }
   }
 
-  // Calls ---------------------------------------------------------------------------------------------------------------
+  // Calls
+  // ---------------------------------------------------------------------------------------------------------------
 
   void SetAnswerLimit(int milliseconds) override { limit_ms_ = std::max(0, milliseconds); }
 
@@ -113,7 +114,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
       if (!message) continue;
       if (message->type == DocType::kResponse) {
         if (message->ack == id) return message;
-        if (std::find(waiting_.begin(), waiting_.end(), message->ack) != waiting_.end()) early_[message->ack] = std::move(*message);
+        if (std::find(waiting_.begin(), waiting_.end(), message->ack) != waiting_.end())
+          early_[message->ack] = std::move(*message);
       } else if (message->type == DocType::kCall) {
         HandleCall(*message);
       }
@@ -244,7 +246,9 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
 
   void Register(int event) override { ChangeRegistration("register_for_event", {}, event, {}); }
   void Unregister(int event) override { ChangeRegistration("unregister_for_event", {}, event, {}); }
-  void RegisterFunction(int event, const std::string& name) override { ChangeRegistration("register_for_event", {}, event, name); }
+  void RegisterFunction(int event, const std::string& name) override {
+    ChangeRegistration("register_for_event", {}, event, name);
+  }
   void UnregisterFunction(int event, const std::string& name) override {
     ChangeRegistration("unregister_for_event", {}, event, name);
   }
@@ -256,7 +260,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     return Done(call);
   }
 
-  std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client, const std::string& message) override {
+  std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client,
+                                               const std::string& message) override {
     Message call = MakeCall("send_client_message");
     if (agent) Command(call).AddArg("agent", agent->GetAgentName());
     Command(call).AddArg("name", client).AddArg("message", message);
@@ -301,7 +306,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   }
   std::string LoadLibrary(const std::string& command) override { return LoadSmlLibrary(kernel_.kernel, command); }
 
-  // Events --------------------------------------------------------------------------------------------------------------
+  // Events
+  // --------------------------------------------------------------------------------------------------------------
 
   bool CheckForIncoming() override {
     const std::lock_guard lock(mutex_);
@@ -439,13 +445,13 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   KernelData& kernel_;
   soarbox::wire::IoThread io_;
   std::unique_ptr<Channel> channel_;
-  std::atomic<int> limit_ms_{0};      ///< For answers; 0: kPatience.
-  std::atomic<bool> lost_{false};     ///< The kernel did not answer within the limit.
+  std::atomic<int> limit_ms_{0};   ///< For answers; 0: kPatience.
+  std::atomic<bool> lost_{false};  ///< The kernel did not answer within the limit.
   soarbox::server::CallMutex mutex_;
   std::atomic<std::uint64_t> next_id_{0};
   std::atomic<bool> trace_{false};
-  std::vector<std::string> waiting_;          ///< Calls whose answers are awaited, the outermost first.
-  std::map<std::string, Message> early_;      ///< Answers to outer calls that came inside inner ones.
+  std::vector<std::string> waiting_;      ///< Calls whose answers are awaited, the outermost first.
+  std::map<std::string, Message> early_;  ///< Answers to outer calls that came inside inner ones.
   std::thread events_;
   std::mutex wake_mutex_;
   std::condition_variable wake_;
@@ -455,7 +461,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
 
 }  // namespace
 
-std::unique_ptr<KernelLink> MakeRemoteLink(KernelData& kernel, const std::string& address, int port, std::string& error) {
+std::unique_ptr<KernelLink> MakeRemoteLink(KernelData& kernel, const std::string& address, int port,
+                                           std::string& error) {
   auto link = std::make_unique<RemoteLink>(kernel);
   if (!link->Connect(address, port, error)) return nullptr;
   return link;

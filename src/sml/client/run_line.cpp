@@ -7,10 +7,14 @@ namespace {
 
 char LetterOf(smlRunStepSize step) {
   switch (step) {
-    case sml_PHASE: return 'p';
-    case sml_ELABORATION: return 'e';
-    case sml_DECIDE: return 'd';
-    case sml_UNTIL_OUTPUT: return 'o';
+    case sml_PHASE:
+      return 'p';
+    case sml_ELABORATION:
+      return 'e';
+    case sml_DECIDE:
+      return 'd';
+    case sml_UNTIL_OUTPUT:
+      return 'o';
   }
   return 'd';
 }

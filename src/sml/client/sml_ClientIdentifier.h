@@ -54,9 +54,9 @@ class EXPORT IdentifierSymbol {
   std::string const& Name();
 
   WorkingMemory* memory_ = nullptr;
-  std::string name_;          ///< Empty until somebody asks, if the kernel made it.
-  long long key_ = 0;         ///< The kernel's name as a number; 0 for names that clients gave.
-  bool has_own_ = false;      ///< May have children that the agent did not make.
+  std::string name_;      ///< Empty until somebody asks, if the kernel made it.
+  long long key_ = 0;     ///< The kernel's name as a number; 0 for names that clients gave.
+  bool has_own_ = false;  ///< May have children that the agent did not make.
   std::vector<Identifier*> users_;
   std::list<WMElement*> children_;
   bool children_modified_ = false;

@@ -66,10 +66,10 @@ class EXPORT Kernel : public ClientErrors {
   /// True for a kernel in this process that was made with optimized.
   bool IsDirectConnection();
 
-  /// How long a remote kernel may be silent while it is asked something: a run, say. After that the connection counts as
-  /// closed (IsConnectionClosed) and calls fail at once. Command lines that are no runs may take five times as long.
-  /// 0, the default: calls fail after a minute, and runs and command lines may take as long as they like. Not part of the
-  /// interface of Soar 9.6.3.
+  /// How long a remote kernel may be silent while it is asked something: a run, say. After that the connection counts
+  /// as closed (IsConnectionClosed) and calls fail at once. Command lines that are no runs may take five times as long.
+  /// 0, the default: calls fail after a minute, and runs and command lines may take as long as they like. Not part of
+  /// the interface of Soar 9.6.3.
   void SetAnswerLimit(int milliseconds);
 
   /// Ends the kernel and its agents (a remote one: leaves it). Afterwards only delete is of use.

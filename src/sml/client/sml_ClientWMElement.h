@@ -79,8 +79,8 @@ class EXPORT WMElement {
   unsigned int input_ = 0;  ///< Its handle on the way to the kernel.
   Kind kind_;
   bool just_added_ = false;
-  bool live_ = false;    ///< False for husks.
-  bool output_ = false;  ///< Made by the agent.
+  bool live_ = false;                        ///< False for husks.
+  bool output_ = false;                      ///< Made by the agent.
   std::list<WMElement*>::iterator place_{};  ///< In the parent's list of children.
 };
 

@@ -168,23 +168,45 @@ enum smlStringEventId {
 
 static_assert(smlEVENT_AFTER_RUNNING == 36 && smlEVENT_PRINT == 47 && smlEVENT_LOAD_LIBRARY + 1 == smlEVENT_LAST);
 
-inline bool IsSystemEventID(int id) { return id >= smlEVENT_BEFORE_SHUTDOWN && id <= smlEVENT_LAST_SYSTEM_EVENT; }
-inline bool IsRunEventID(int id) { return id >= smlEVENT_BEFORE_SMALLEST_STEP && id <= smlEVENT_LAST_RUN_EVENT; }
-inline bool IsBEFOREPhaseEventID(int id) { return id >= smlEVENT_BEFORE_INPUT_PHASE && id <= smlEVENT_BEFORE_WM_PHASE; }
-inline bool IsAFTERPhaseEventID(int id) { return id >= smlEVENT_AFTER_INPUT_PHASE && id <= smlEVENT_AFTER_WM_PHASE; }
-inline bool IsPhaseEventID(int id) { return IsBEFOREPhaseEventID(id) || IsAFTERPhaseEventID(id); }
+inline bool IsSystemEventID(int id) {
+  return id >= smlEVENT_BEFORE_SHUTDOWN && id <= smlEVENT_LAST_SYSTEM_EVENT;
+}
+inline bool IsRunEventID(int id) {
+  return id >= smlEVENT_BEFORE_SMALLEST_STEP && id <= smlEVENT_LAST_RUN_EVENT;
+}
+inline bool IsBEFOREPhaseEventID(int id) {
+  return id >= smlEVENT_BEFORE_INPUT_PHASE && id <= smlEVENT_BEFORE_WM_PHASE;
+}
+inline bool IsAFTERPhaseEventID(int id) {
+  return id >= smlEVENT_AFTER_INPUT_PHASE && id <= smlEVENT_AFTER_WM_PHASE;
+}
+inline bool IsPhaseEventID(int id) {
+  return IsBEFOREPhaseEventID(id) || IsAFTERPhaseEventID(id);
+}
 inline bool IsProductionEventID(int id) {
   return id >= smlEVENT_AFTER_PRODUCTION_ADDED && id <= smlEVENT_LAST_PRODUCTION_EVENT;
 }
-inline bool IsAgentEventID(int id) { return id >= smlEVENT_AFTER_AGENT_CREATED && id <= smlEVENT_LAST_AGENT_EVENT; }
-inline bool IsWorkingMemoryEventID(int id) { return id == smlEVENT_OUTPUT_PHASE_CALLBACK; }
-inline bool IsPrintEventID(int id) { return id >= smlEVENT_ECHO && id <= smlEVENT_LAST_PRINT_EVENT; }
-inline bool IsRhsEventID(int id) { return id >= smlEVENT_RHS_USER_FUNCTION && id <= smlEVENT_LAST_RHS_EVENT; }
-inline bool IsXMLEventID(int id) { return id >= smlEVENT_XML_TRACE_OUTPUT && id <= smlEVENT_LAST_XML_EVENT; }
+inline bool IsAgentEventID(int id) {
+  return id >= smlEVENT_AFTER_AGENT_CREATED && id <= smlEVENT_LAST_AGENT_EVENT;
+}
+inline bool IsWorkingMemoryEventID(int id) {
+  return id == smlEVENT_OUTPUT_PHASE_CALLBACK;
+}
+inline bool IsPrintEventID(int id) {
+  return id >= smlEVENT_ECHO && id <= smlEVENT_LAST_PRINT_EVENT;
+}
+inline bool IsRhsEventID(int id) {
+  return id >= smlEVENT_RHS_USER_FUNCTION && id <= smlEVENT_LAST_RHS_EVENT;
+}
+inline bool IsXMLEventID(int id) {
+  return id >= smlEVENT_XML_TRACE_OUTPUT && id <= smlEVENT_LAST_XML_EVENT;
+}
 inline bool IsUpdateEventID(int id) {
   return id >= smlEVENT_AFTER_ALL_OUTPUT_PHASES && id <= smlEVENT_LAST_UPDATE_EVENT;
 }
-inline bool IsStringEventID(int id) { return id >= smlEVENT_TCL_LIBRARY_MESSAGE && id <= smlEVENT_LAST_STRING_EVENT; }
+inline bool IsStringEventID(int id) {
+  return id >= smlEVENT_TCL_LIBRARY_MESSAGE && id <= smlEVENT_LAST_STRING_EVENT;
+}
 
 /// Translates between the numbers of events and their names in messages ("after-decision-cycle").
 class EXPORT Events {

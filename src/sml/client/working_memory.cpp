@@ -12,7 +12,9 @@ using soarbox::server::InputWme;
 
 WorkingMemory::~WorkingMemory() = default;
 
-bool WorkingMemory::Owns(const WMElement* wme) const { return wme && wme->live_ && wme->agent_ == &data_.agent; }
+bool WorkingMemory::Owns(const WMElement* wme) const {
+  return wme && wme->live_ && wme->agent_ == &data_.agent;
+}
 
 IdentifierSymbol* WorkingMemory::FindSymbol(long long key) {
   IdentifierSymbol** found = symbols_by_key_.Find(key);
@@ -38,7 +40,8 @@ IdentifierSymbol* WorkingMemory::SymbolFor(long long key) {
   return symbol;
 }
 
-void WorkingMemory::Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag, bool output) {
+void WorkingMemory::Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag,
+                           bool output) {
   wme->agent_ = &data_.agent;
   wme->parent_ = parent;
   wme->attribute_ = attribute;
@@ -66,10 +69,18 @@ void WorkingMemory::Detach(WMElement* wme) {
 
 void WorkingMemory::RetireElement(WMElement* wme) {
   switch (wme->kind_) {
-    case WMElement::Kind::kString: strings_.GiveBack(static_cast<StringElement*>(wme)); break;
-    case WMElement::Kind::kInt: ints_.GiveBack(static_cast<IntElement*>(wme)); break;
-    case WMElement::Kind::kFloat: floats_.GiveBack(static_cast<FloatElement*>(wme)); break;
-    case WMElement::Kind::kIdentifier: identifiers_.GiveBack(static_cast<Identifier*>(wme)); break;
+    case WMElement::Kind::kString:
+      strings_.GiveBack(static_cast<StringElement*>(wme));
+      break;
+    case WMElement::Kind::kInt:
+      ints_.GiveBack(static_cast<IntElement*>(wme));
+      break;
+    case WMElement::Kind::kFloat:
+      floats_.GiveBack(static_cast<FloatElement*>(wme));
+      break;
+    case WMElement::Kind::kIdentifier:
+      identifiers_.GiveBack(static_cast<Identifier*>(wme));
+      break;
   }
 }
 
@@ -119,7 +130,8 @@ void WorkingMemory::ReleaseBelow(IdentifierSymbol* symbol) {
 /// Takes a waiting addition back.
 bool WorkingMemory::Cancel(long long tag) {
   if (pending_.changes_.empty()) return false;
-  return std::erase_if(pending_.changes_, [&](const TagWme& change) { return !change.remove && change.time_tag == tag; }) > 0;
+  return std::erase_if(pending_.changes_,
+                       [&](const TagWme& change) { return !change.remove && change.time_tag == tag; }) > 0;
 }
 
 Identifier* WorkingMemory::InputLink() {
@@ -226,7 +238,9 @@ InputWme WorkingMemory::Describe(WMElement* wme) {
   described.id_hint = wme->parent_->hint_;
   described.attribute = wme->attribute_;
   switch (wme->kind_) {
-    case WMElement::Kind::kString: described.text = static_cast<StringElement*>(wme)->value_; break;
+    case WMElement::Kind::kString:
+      described.text = static_cast<StringElement*>(wme)->value_;
+      break;
     case WMElement::Kind::kInt:
       described.type = InputWme::Type::kInt;
       described.integer = static_cast<IntElement*>(wme)->value_;

@@ -110,23 +110,23 @@ class WorkingMemory {
   DeltaList pending_;
   OutputDeltaList changes_;
   Tracking tracking_ = Tracking::kAutoOff;
-  unsigned long long changes_at_ = 0;      ///< Apply phases when the last change came.
-  std::vector<WMElement*> removed_;        ///< Removed output that the list of changes still shows.
-  std::vector<WMElement*> releasing_;      ///< Those that ClearChanges releases just now.
-  std::vector<WMElement*> work_;           ///< Elements that Release has still to look at.
+  unsigned long long changes_at_ = 0;  ///< Apply phases when the last change came.
+  std::vector<WMElement*> removed_;    ///< Removed output that the list of changes still shows.
+  std::vector<WMElement*> releasing_;  ///< Those that ClearChanges releases just now.
+  std::vector<WMElement*> work_;       ///< Elements that Release has still to look at.
   struct Orphan {
     OutputWme wme;
     std::string attribute, text;
   };
   std::vector<Orphan> orphans_;
-  std::vector<Orphan> waiting_orphans_;    ///< Those that EndOutput looks at again.
+  std::vector<Orphan> waiting_orphans_;  ///< Those that EndOutput looks at again.
 
   HuskPool<StringElement> strings_;
   HuskPool<IntElement> ints_;
   HuskPool<FloatElement> floats_;
   HuskPool<Identifier> identifiers_;
   HuskPool<IdentifierSymbol> symbols_;
-  std::list<WMElement*> spare_nodes_;      ///< Nodes for lists of children.
+  std::list<WMElement*> spare_nodes_;  ///< Nodes for lists of children.
   soarbox::server::TagMap<WMElement*> output_by_tag_;
   soarbox::server::TagMap<IdentifierSymbol*> symbols_by_key_;
 };

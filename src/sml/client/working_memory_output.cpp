@@ -89,7 +89,8 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
       Attach(made, parent, wme.attribute, wme.tag, true);
       return made;
     }
-    case InputWme::Type::kString: break;
+    case InputWme::Type::kString:
+      break;
   }
   StringElement* made = strings_.Take();
   made->value_ = wme.text;
@@ -108,7 +109,8 @@ bool WorkingMemory::HasOwn(const IdentifierSymbol& parent, const OutputWme& wme)
         return child->ConvertToFloatElement() && child->ConvertToFloatElement()->value_ == wme.real;
       case InputWme::Type::kString:
         return child->ConvertToStringElement() && child->ConvertToStringElement()->value_ == wme.text;
-      case InputWme::Type::kId: return child->IsIdentifier();
+      case InputWme::Type::kId:
+        return child->IsIdentifier();
     }
     return false;
   });

@@ -50,10 +50,14 @@ kernel::InputObject AgentInput::Resolve(std::string_view name) {
 
 kernel::InputValue AgentInput::Value(const InputWme& wme) {
   switch (wme.type) {
-    case InputWme::Type::kInt: return std::int64_t{wme.integer};
-    case InputWme::Type::kDouble: return wme.real;
-    case InputWme::Type::kString: return wme.text;
-    case InputWme::Type::kId: break;
+    case InputWme::Type::kInt:
+      return std::int64_t{wme.integer};
+    case InputWme::Type::kDouble:
+      return wme.real;
+    case InputWme::Type::kString:
+      return wme.text;
+    case InputWme::Type::kId:
+      break;
   }
   kernel::InputObject object = Resolve(wme.text);
   if (object == kernel::InputObject::kNone && !wme.text.empty()) {
@@ -127,7 +131,8 @@ void AgentInput::Tidy() {
   const kernel::InputLink& input = std::as_const(agent_).input();
   // Elements that wait for the next input phase have no element of working memory either.
   if (input.HasPendingChanges()) return;
-  elements_.RemoveIf([&](std::int64_t, kernel::InputElement element) { return input.Wme(element) == kernel::WmeId::kNone; });
+  elements_.RemoveIf(
+      [&](std::int64_t, kernel::InputElement element) { return input.Wme(element) == kernel::WmeId::kNone; });
   std::erase_if(objects_, [&](const auto& entry) {
     const kernel::Symbol identifier = input.Identifier(entry.second);
     return !identifier || !agent_.memory().identifier(identifier).live;

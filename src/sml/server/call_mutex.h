@@ -24,7 +24,8 @@ class CallMutex {
     const void* self = Self();
     if (owner_.load(std::memory_order_relaxed) != self) {
       int expected = kFree;
-      if (!state_.compare_exchange_strong(expected, kHeld, std::memory_order_acquire, std::memory_order_relaxed)) return false;
+      if (!state_.compare_exchange_strong(expected, kHeld, std::memory_order_acquire, std::memory_order_relaxed))
+        return false;
       owner_.store(self, std::memory_order_relaxed);
     }
     ++depth_;
@@ -46,12 +47,13 @@ class CallMutex {
   }
   /// The holder wakes one who sleeps only if it reads kWanted, so whoever has slept leaves that mark behind.
   [[gnu::noinline]] void Wait() {
-    while (state_.exchange(kWanted, std::memory_order_acquire) != kFree) state_.wait(kWanted, std::memory_order_relaxed);
+    while (state_.exchange(kWanted, std::memory_order_acquire) != kFree)
+      state_.wait(kWanted, std::memory_order_relaxed);
   }
 
   std::atomic<int> state_{kFree};
   std::atomic<const void*> owner_{nullptr};
-  int depth_ = 0;   ///< Of the owner's locks.
+  int depth_ = 0;  ///< Of the owner's locks.
 };
 
 }  // namespace soarbox::server

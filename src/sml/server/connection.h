@@ -33,12 +33,12 @@ struct InputWme {
 
   bool add = true;
   long long tag = 0;
-  std::string_view id;         ///< The parent, as the client or the kernel names it.
-  long long id_key = 0;        ///< The same as one number (IdentifierKey), if the kernel named it.
-  std::uint32_t id_hint = 0;   ///< The kernel's handle of the parent when the client heard of it; 0 if it never did.
+  std::string_view id;        ///< The parent, as the client or the kernel names it.
+  long long id_key = 0;       ///< The same as one number (IdentifierKey), if the kernel named it.
+  std::uint32_t id_hint = 0;  ///< The kernel's handle of the parent when the client heard of it; 0 if it never did.
   std::string_view attribute;
   Type type = Type::kString;
-  std::string_view text;       ///< A string, or the name of an identifier.
+  std::string_view text;  ///< A string, or the name of an identifier.
   long long integer = 0;
   double real = 0.0;
 };
@@ -50,9 +50,9 @@ class Connection {
   virtual ~Connection() = default;
 
   ConnectionInfo info;
-  EventSet kernel_events;           ///< Registered events that belong to no agent.
-  long long initial_time_tag = 0;   ///< 0: has not asked.
-  bool takes_part = false;          ///< Takes output or makes input: more than a watcher.
+  EventSet kernel_events;          ///< Registered events that belong to no agent.
+  long long initial_time_tag = 0;  ///< 0: has not asked.
+  bool takes_part = false;         ///< Takes output or makes input: more than a watcher.
 
   virtual bool embedded() const = 0;
 

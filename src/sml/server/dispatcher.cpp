@@ -38,9 +38,13 @@ namespace {
 
 using Request = Dispatcher::Request;
 
-bool IsTrue(const std::string* text) { return text && *text == "true"; }
+bool IsTrue(const std::string* text) {
+  return text && *text == "true";
+}
 
-long long ReadInt(const std::string* text) { return text ? std::strtoll(text->c_str(), nullptr, 10) : 0; }
+long long ReadInt(const std::string* text) {
+  return text ? std::strtoll(text->c_str(), nullptr, 10) : 0;
+}
 
 // Agents --------------------------------------------------------------------------------------------------------------
 
@@ -64,7 +68,8 @@ void GetRunState(Request& request) {
   const std::string* value = request.Arg("value");
   if (!value) return request.Invalid("Need to specify the type of information wanted.");
   if (*value == "phase") return request.Raw(static_cast<long long>(request.agent->agent().next_phase()));
-  if (*value == "decision") return request.Raw(static_cast<long long>(request.agent->agent().counters().decision_phases));
+  if (*value == "decision")
+    return request.Raw(static_cast<long long>(request.agent->agent().counters().decision_phases));
   if (*value == "runstate") return request.Raw(static_cast<long long>(request.agent->run_state));
   request.Invalid("Didn't recognize the type of information requested in GetRunState().");
 }
@@ -75,9 +80,13 @@ void IsProductionLoaded(Request& request) {
   request.Raw(request.agent->agent().FindProduction(*name) != kernel::ProductionId::kNone);
 }
 
-void OnRunList(Request& request) { request.Raw(request.host.OnRunList(*request.agent)); }
+void OnRunList(Request& request) {
+  request.Raw(request.host.OnRunList(*request.agent));
+}
 
-void LastRunResult(Request& request) { request.Raw(static_cast<long long>(request.agent->last_result)); }
+void LastRunResult(Request& request) {
+  request.Raw(static_cast<long long>(request.agent->last_result));
+}
 
 void ConvertIdentifier(Request& request) {
   const std::string* name = request.Arg("name");
@@ -158,7 +167,9 @@ void CommandLine(Request& request) {
   AddLineResult(request.response, result, !raw);
 }
 
-void IsRunning(Request& request) { request.Raw(request.host.running()); }
+void IsRunning(Request& request) {
+  request.Raw(request.host.running());
+}
 
 void SetInterruptCheckRate(Request& request) {
   const std::string* value = request.Arg("value");
@@ -183,8 +194,8 @@ void ChangeRegistration(Request& request, bool add) {
     }
     return;
   }
-  const bool of_agent = IsRunEventID(event) || IsProductionEventID(event) || IsPrintEventID(event) || IsXMLEventID(event) ||
-                        IsWorkingMemoryEventID(event);
+  const bool of_agent = IsRunEventID(event) || IsProductionEventID(event) || IsPrintEventID(event) ||
+                        IsXMLEventID(event) || IsWorkingMemoryEventID(event);
   if (of_agent && !request.agent) return request.Fail("No agent name for an event that is handled by an agent");
   HostedAgent* agent = of_agent ? request.agent : nullptr;
   if (add) {
@@ -195,8 +206,12 @@ void ChangeRegistration(Request& request, bool add) {
   }
 }
 
-void RegisterForEvent(Request& request) { ChangeRegistration(request, true); }
-void UnregisterForEvent(Request& request) { ChangeRegistration(request, false); }
+void RegisterForEvent(Request& request) {
+  ChangeRegistration(request, true);
+}
+void UnregisterForEvent(Request& request) {
+  ChangeRegistration(request, false);
+}
 
 /// The event of fire_event and suppress_event; 0 after an error.
 int SystemEvent(Request& request, bool start_too) {
@@ -257,20 +272,31 @@ void SendClientMessage(Request& request) {
   const std::string* name = request.Arg("name");
   const std::string* message = request.Arg("message");
   if (!name || !message) return request.Invalid("Require a message type and a message and one is missing");
-  request.Raw(request.host.CallFunction(request.agent, smlEVENT_CLIENT_MESSAGE, *name, *message).value_or("**NOBODY RESPONDED**"));
+  request.Raw(request.host.CallFunction(request.agent, smlEVENT_CLIENT_MESSAGE, *name, *message)
+                  .value_or("**NOBODY RESPONDED**"));
 }
 
-void Version(Request& request) { request.Raw(wire::kSmlVersion); }
-void GetListenerPort(Request& request) { request.Raw(static_cast<long long>(request.host.Port())); }
-void CheckForIncomingCommands(Request& request) { request.Raw(false); }
+void Version(Request& request) {
+  request.Raw(wire::kSmlVersion);
+}
+void GetListenerPort(Request& request) {
+  request.Raw(static_cast<long long>(request.host.Port()));
+}
+void CheckForIncomingCommands(Request& request) {
+  request.Raw(false);
+}
 
 void Shutdown(Request& request) {
   request.host.FireSystem(smlEVENT_BEFORE_SHUTDOWN);
   request.host.DestroyAllAgents();
 }
 
-void SvsInput(Request& request) { request.Fail("This kernel has no spatial visual system (SVS)"); }
-void SvsOutput(Request& request) { request.Raw(std::string_view()); }
+void SvsInput(Request& request) {
+  request.Fail("This kernel has no spatial visual system (SVS)");
+}
+void SvsOutput(Request& request) {
+  request.Raw(std::string_view());
+}
 
 enum class NeedsAgent { kNo, kYes };
 
@@ -320,7 +346,8 @@ void Dispatcher::Handle(const wire::Message& call, wire::Message& response) {
   if (!command) return wire::AddError(response, "Incoming message did not contain a <command> tag");
   const std::string* name = command->Attribute("name");
   if (!name) return wire::AddError(response, "Incoming message did not contain a name attribute in the <command> tag");
-  const auto* entry = std::find_if(kEntries.begin(), kEntries.end(), [&](const Entry& known) { return known.name == *name; });
+  const auto* entry =
+      std::find_if(kEntries.begin(), kEntries.end(), [&](const Entry& known) { return known.name == *name; });
   if (entry == kEntries.end()) {
     return wire::AddError(response, "Command " + *name + " is not recognized by the kernel");
   }

@@ -39,7 +39,8 @@ void EventRelay::OnElaborationEnd(const kernel::Agent&) {
   hosted_.FirePhase(smlEVENT_AFTER_ELABORATION_CYCLE, smlEVENT_AFTER_SMALLEST_STEP, 0);
 }
 
-void EventRelay::OnFired(const kernel::Agent&, const kernel::FiringInfo& firing, std::span<const kernel::PreferenceId>) {
+void EventRelay::OnFired(const kernel::Agent&, const kernel::FiringInfo& firing,
+                         std::span<const kernel::PreferenceId>) {
   if (firing.rule) hosted_.FireProduction(smlEVENT_AFTER_PRODUCTION_FIRED, firing.name);
 }
 

@@ -32,8 +32,9 @@ class HostedSession : public cli::Session {
   HostedAgent& hosted_;
 };
 
-/// One agent of a kernel, with what clients need of it: its command line session, its input by tags, who listens to what,
-/// texts that wait to be sent, and how its last run ended. No subscriber, no cost: what nobody listens to is not made.
+/// One agent of a kernel, with what clients need of it: its command line session, its input by tags, who listens to
+/// what, texts that wait to be sent, and how its last run ended. No subscriber, no cost: what nobody listens to is not
+/// made.
 ///
 /// Owned by KernelHost and touched only by the thread that holds the kernel, but for RequestStop().
 class HostedAgent {
@@ -94,8 +95,8 @@ class HostedAgent {
 
   ::sml::smlRunState run_state = ::sml::sml_RUNSTATE_STOPPED;
   ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;
-  std::uint64_t last_run = 0;     ///< The number of the last run that it took part in; 0 for none since init-soar.
-  bool doomed = false;            ///< Destroyed while it ran: gone at the end of the run.
+  std::uint64_t last_run = 0;  ///< The number of the last run that it took part in; 0 for none since init-soar.
+  bool doomed = false;         ///< Destroyed while it ran: gone at the end of the run.
 
   /// The object that stands for this agent in the program that the kernel lives in.
   void* embedded_peer = nullptr;
@@ -127,7 +128,7 @@ class HostedAgent {
   std::array<std::uint32_t, ::sml::smlEVENT_LAST> registered_at_{};
   std::uint32_t registrations_ = 0;
   std::string printed_;
-  std::string trace_pieces_;   ///< Of the structured trace, while they are handed out.
+  std::string trace_pieces_;  ///< Of the structured trace, while they are handed out.
   std::uint64_t output_generation_ = 0;
   std::atomic<bool> stop_{false};
 };

@@ -43,16 +43,17 @@ void KernelHost::SourceSettings(HostedAgent& hosted) {
 
 void KernelHost::InstallFunctions(HostedAgent& hosted) {
   hosted.agent().SetFallbackFunction(
-      [this, &hosted](kernel::Agent& agent, std::string_view name, std::span<const kernel::Symbol> arguments) -> Result<kernel::Symbol> {
+      [this, &hosted](kernel::Agent& agent, std::string_view name,
+                      std::span<const kernel::Symbol> arguments) -> Result<kernel::Symbol> {
         std::string argument;
         for (const kernel::Symbol symbol : arguments) kernel::AppendTo(argument, agent.symbols(), symbol, false);
         const auto answer = CallFunction(&hosted, smlEVENT_RHS_USER_FUNCTION, name, argument);
         if (answer) return agent.mutable_symbols().String(*answer);
-        return agent.mutable_symbols().String("Error: Nobody was registered to implement rhs function " + std::string(name));
+        return agent.mutable_symbols().String("Error: Nobody was registered to implement rhs function " +
+                                              std::string(name));
       });
-  hosted.agent().SetCommandRunner([this, &hosted](kernel::Agent&, std::string_view line) {
-    return Execute(&hosted, line, {}).text;
-  });
+  hosted.agent().SetCommandRunner(
+      [this, &hosted](kernel::Agent&, std::string_view line) { return Execute(&hosted, line, {}).text; });
 }
 
 void KernelHost::DestroyAgent(HostedAgent& hosted) {
@@ -109,9 +110,13 @@ void KernelHost::Stop(cli::Session& session, bool self_only) {
   static_cast<HostedSession&>(session).hosted().RequestStop();
 }
 
-void KernelHost::Reinitialize(cli::Session& session) { Initialize(static_cast<HostedSession&>(session).hosted()); }
+void KernelHost::Reinitialize(cli::Session& session) {
+  Initialize(static_cast<HostedSession&>(session).hosted());
+}
 
-bool KernelHost::IsRunning(cli::Session& session) const { return running() || session.agent().running(); }
+bool KernelHost::IsRunning(cli::Session& session) const {
+  return running() || session.agent().running();
+}
 
 void KernelHost::Initialize(HostedAgent& hosted) {
   FireAgent(hosted, smlEVENT_BEFORE_AGENT_REINITIALIZED);

@@ -98,7 +98,8 @@ class KernelHost : public cli::Host {
   /// The first answer; none if nobody gives one.
   std::optional<std::string> FireString(int event, std::string_view value);
   /// The answer of the first client that gives one.
-  std::optional<std::string> CallFunction(HostedAgent* hosted, int event, std::string_view name, std::string_view argument);
+  std::optional<std::string> CallFunction(HostedAgent* hosted, int event, std::string_view name,
+                                          std::string_view argument);
   bool system_stop_suppressed() const { return system_stop_suppressed_; }
   void SuppressSystemStop(bool on) { system_stop_suppressed_ = on; }
 
@@ -132,7 +133,7 @@ class KernelHost : public cli::Host {
   std::map<std::string, std::unique_ptr<HostedAgent>, std::less<>> by_name_;
   std::vector<HostedAgent*> order_;
   std::vector<std::unique_ptr<HostedAgent>> doomed_;
-  std::unique_ptr<HostedAgent> nobody_;   ///< Takes command lines while there is no agent.
+  std::unique_ptr<HostedAgent> nobody_;  ///< Takes command lines while there is no agent.
   HostedAgent* last_addressed_ = nullptr;
   std::vector<Connection*> connections_;
   std::vector<Function> functions_;

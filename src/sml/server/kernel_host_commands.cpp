@@ -30,7 +30,8 @@ bool KernelHost::HasFilters() const {
 std::optional<cli::CommandResult> KernelHost::PassFilters(HostedAgent& hosted, std::string& line) {
   for (std::size_t i = 0; i < functions_.size(); ++i) {
     if (functions_[i].event != smlEVENT_FILTER || functions_[i].name != kFilterName) continue;
-    const auto answer = functions_[i].connection->OnFunction(&hosted, smlEVENT_FILTER, kFilterName, FilterDocument(line));
+    const auto answer =
+        functions_[i].connection->OnFunction(&hosted, smlEVENT_FILTER, kFilterName, FilterDocument(line));
     if (!answer) continue;
     cli::CommandResult ended;
     if (answer->empty()) return ended;
@@ -57,7 +58,8 @@ cli::CommandResult KernelHost::Execute(HostedAgent* hosted, std::string_view lin
   return ExecuteUnfiltered(addressed, text, options);
 }
 
-cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::string_view line, const LineOptions& options) {
+cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::string_view line,
+                                                 const LineOptions& options) {
   const bool echoes = (options.echo || hosted.session().output().echo_commands) && hosted.Listens(smlEVENT_ECHO);
   if (echoes) hosted.FireEcho(options.from, std::string(line));
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);

@@ -17,7 +17,8 @@
 namespace soarbox::server {
 
 struct Listener::State {
-  State(KernelHost& kernel_host, const ListenerOptions& listener_options) : host(kernel_host), options(listener_options) {}
+  State(KernelHost& kernel_host, const ListenerOptions& listener_options)
+      : host(kernel_host), options(listener_options) {}
 
   void Accepted(std::unique_ptr<wire::Channel> channel) {
     std::function<void()> call;
@@ -43,14 +44,14 @@ struct Listener::State {
   const ListenerOptions options;
   std::mutex mutex;
   std::function<void()> wake;
-  std::vector<std::unique_ptr<wire::Channel>> arrived;   ///< Not yet clients of the kernel.
+  std::vector<std::unique_ptr<wire::Channel>> arrived;  ///< Not yet clients of the kernel.
   std::atomic<int> clients{0};
 
   // Of the thread that holds the kernel.
   std::vector<std::unique_ptr<RemoteConnection>> connections;
   bool serving = false;
   unsigned long long next_id = 1;
-  unsigned long long dropped_before = 0;                 ///< By clients that have left.
+  unsigned long long dropped_before = 0;  ///< By clients that have left.
 
   wire::IoThread thread;
   std::unique_ptr<wire::Acceptor> acceptor, local_acceptor;
@@ -58,30 +59,33 @@ struct Listener::State {
 
 Listener::Listener(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-Listener::~Listener() { Close(); }
+Listener::~Listener() {
+  Close();
+}
 
 Result<std::unique_ptr<Listener>> Listener::Open(KernelHost& host, const ListenerOptions& options) {
   auto state = std::make_unique<State>(host, options);
   wire::ChannelLimits limits;
   limits.max_waiting_out = options.max_waiting_bytes;
-  auto opened = wire::Acceptor::Open(state->thread, options.address, options.port, limits,
-                                     [raw = state.get()](std::unique_ptr<wire::Channel> channel) {
-                                       raw->Accepted(std::move(channel));
-                                     });
+  auto opened = wire::Acceptor::Open(
+      state->thread, options.address, options.port, limits,
+      [raw = state.get()](std::unique_ptr<wire::Channel> channel) { raw->Accepted(std::move(channel)); });
   if (!opened) return opened.error();
   state->acceptor = std::move(opened.value());
   // Programs of the same user look for a file first; without it they come over the port.
   const std::string path = wire::LocalSocketPath(options.port == -1 ? getpid() : options.port);
   if (!path.empty() && options.local) {
-    auto local = wire::Acceptor::OpenLocal(state->thread, path, limits, [raw = state.get()](std::unique_ptr<wire::Channel> channel) {
-      raw->Accepted(std::move(channel));
-    });
+    auto local = wire::Acceptor::OpenLocal(
+        state->thread, path, limits,
+        [raw = state.get()](std::unique_ptr<wire::Channel> channel) { raw->Accepted(std::move(channel)); });
     if (local) state->local_acceptor = std::move(local.value());
   }
   return std::unique_ptr<Listener>(new Listener(std::move(state)));
 }
 
-int Listener::port() const { return state_->acceptor ? state_->acceptor->port() : 0; }
+int Listener::port() const {
+  return state_->acceptor ? state_->acceptor->port() : 0;
+}
 
 void Listener::SetWake(std::function<void()> wake) {
   const std::lock_guard lock(state_->mutex);
@@ -129,7 +133,8 @@ void Listener::Close() {
   SetWake({});
   state.acceptor.reset();
   state.local_acceptor.reset();
-  for (const std::unique_ptr<RemoteConnection>& connection : state.connections) state.host.RemoveConnection(*connection);
+  for (const std::unique_ptr<RemoteConnection>& connection : state.connections)
+    state.host.RemoveConnection(*connection);
   state.connections.clear();
   const std::lock_guard lock(state.mutex);
   state.arrived.clear();

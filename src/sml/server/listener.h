@@ -12,9 +12,9 @@ namespace soarbox::server {
 class KernelHost;
 
 struct ListenerOptions {
-  int port = 12121;                    ///< -1: any free port.
-  std::string address = "127.0.0.1";   ///< Only this machine, unless told otherwise: there is a command shell behind it.
-  bool local = true;                   ///< Listen at a file of this user's too (wire/local_socket.h).
+  int port = 12121;                   ///< -1: any free port.
+  std::string address = "127.0.0.1";  ///< Only this machine, unless told otherwise: there is a command shell behind it.
+  bool local = true;                  ///< Listen at a file of this user's too (wire/local_socket.h).
   int max_clients = 128;
   /// Bytes that may wait for a client that does not read. Trace above half of it is dropped and counted; a client that
   /// exceeds it is disconnected.

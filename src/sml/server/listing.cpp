@@ -30,7 +30,8 @@ std::vector<InputListing> ListInput(HostedAgent& hosted) {
       const auto known = std::lower_bound(tags.begin(), tags.end(), std::make_pair(wme, LLONG_MIN));
       const bool found = known != tags.end() && known->first == wme;
       listing.push_back({info, found ? known->second : static_cast<long long>(info.timetag)});
-      if (info.value.IsIdentifier() && std::find(open.begin(), open.end(), info.value) == open.end()) open.push_back(info.value);
+      if (info.value.IsIdentifier() && std::find(open.begin(), open.end(), info.value) == open.end())
+        open.push_back(info.value);
     }
   }
   return listing;

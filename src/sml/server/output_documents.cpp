@@ -16,7 +16,8 @@ wire::Element AddedWme(const kernel::Agent& agent, long long tag, kernel::Symbol
   return element;
 }
 
-void AddOutput(wire::Element& command, const kernel::Agent& agent, std::span<const kernel::OutputChange> changes, bool first) {
+void AddOutput(wire::Element& command, const kernel::Agent& agent, std::span<const kernel::OutputChange> changes,
+               bool first) {
   const kernel::WmeInfo link = OutputLinkWme(agent);
   const auto add_link = [&] {
     if (link.timetag == 0) return;

@@ -16,11 +16,17 @@ namespace {
 /// A debugger that brings all of its windows up to date needs about so long.
 constexpr std::chrono::milliseconds kRoundPause{500};
 
-std::string EventName(int event) { return Events().ConvertToString(event); }
+std::string EventName(int event) {
+  return Events().ConvertToString(event);
+}
 
-wire::Message EventCall() { return wire::MakeCall("event"); }
+wire::Message EventCall() {
+  return wire::MakeCall("event");
+}
 
-wire::Element& Command(wire::Message& message) { return message.root.children.front(); }
+wire::Element& Command(wire::Message& message) {
+  return message.root.children.front();
+}
 
 }  // namespace
 
@@ -58,7 +64,8 @@ bool RemoteConnection::Serve() {
 
 void RemoteConnection::Handle(const wire::Message& message) {
   switch (message.type) {
-    case wire::DocType::kNotify: return;
+    case wire::DocType::kNotify:
+      return;
     case wire::DocType::kResponse:
       if (message.ack.empty()) return;
       if (message.ack == awaited_id_) {
@@ -67,7 +74,8 @@ void RemoteConnection::Handle(const wire::Message& message) {
       }
       Answered(message.ack);
       return;
-    case wire::DocType::kCall: break;
+    case wire::DocType::kCall:
+      break;
   }
   wire::Message response = wire::MakeResponse(message.id);
   response.id = NextId();
@@ -187,9 +195,13 @@ void RemoteConnection::SendTrace(HostedAgent& agent, int event, std::string_view
   if (channel_->dropped() == before) told_dropped_ = before;
 }
 
-void RemoteConnection::OnSystemEvent(int event) { Announce({event, {}, {}, 0}); }
+void RemoteConnection::OnSystemEvent(int event) {
+  Announce({event, {}, {}, 0});
+}
 
-void RemoteConnection::OnUpdateEvent(int event, int run_flags) { Announce({event, {}, "value", run_flags}); }
+void RemoteConnection::OnUpdateEvent(int event, int run_flags) {
+  Announce({event, {}, "value", run_flags});
+}
 
 void RemoteConnection::OnAgentEvent(HostedAgent& agent, int event) {
   if (event == smlEVENT_BEFORE_AGENT_DESTROYED) {
@@ -231,7 +243,9 @@ void RemoteConnection::OnEcho(HostedAgent& agent, const std::string& text, bool 
 
 void RemoteConnection::OnXmlTrace(HostedAgent& agent, std::string_view pieces) {
   SendTrace(agent, smlEVENT_XML_TRACE_OUTPUT, pieces, "</command><trace>", "</trace></sml>",
-            [](std::string& out, std::string_view note) { wire::XmlPen(out).Begin("message").Set("string", note).End("message"); });
+            [](std::string& out, std::string_view note) {
+              wire::XmlPen(out).Begin("message").Set("string", note).End("message");
+            });
 }
 
 void RemoteConnection::OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) {

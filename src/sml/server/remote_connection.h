@@ -22,12 +22,13 @@ class KernelHost;
 ///
 /// Events whose handlers may change the agent (runs, output, agents coming and going) wait for the client's answer, as
 /// in Soar, but only until the time-out: then the client counts as slow and is not waited for until it has answered the
-/// last of them. Text and trace never wait, and are dropped when they pile up; the next that gets through tells how many.
+/// last of them. Text and trace never wait, and are dropped when they pile up; the next that gets through tells how
+/// many.
 ///
 /// A client that only watches (it takes no output and makes no input, as a debugger) does not hold up a run that it has
 /// not started itself: of the events that come with every decision it is sent the next one when it has answered the one
-/// before, and each kind waits once, however often it happened meanwhile. Between two rounds of them it gets time to redraw
-/// what it shows. The same goes for a slow client.
+/// before, and each kind waits once, however often it happened meanwhile. Between two rounds of them it gets time to
+/// redraw what it shows. The same goes for a slow client.
 class RemoteConnection : public Connection {
  public:
   RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel, std::chrono::milliseconds answer_timeout);
@@ -62,8 +63,8 @@ class RemoteConnection : public Connection {
   /// An event that comes with every run, phase or decision.
   struct Notice {
     int event = 0;
-    std::string agent;            ///< Empty: of the kernel.
-    std::string_view parameter;   ///< What `value` is called; empty: there is none.
+    std::string agent;           ///< Empty: of the kernel.
+    std::string_view parameter;  ///< What `value` is called; empty: there is none.
     int value = 0;
   };
 
@@ -84,30 +85,30 @@ class RemoteConnection : public Connection {
   static wire::Message NoticeCall(const Notice& notice);
   /// Says how many messages were dropped since that was last said; empty if none.
   std::string DroppedNote() const;
-  /// Sends text or trace, together with more of the same if more comes soon. `note` turns the note about dropped messages
-  /// into such a piece.
+  /// Sends text or trace, together with more of the same if more comes soon. `note` turns the note about dropped
+  /// messages into such a piece.
   template <typename Note>
-  void SendTrace(HostedAgent& agent, int event, std::string_view piece, std::string_view opening, std::string_view closing,
-                 Note note);
+  void SendTrace(HostedAgent& agent, int event, std::string_view piece, std::string_view opening,
+                 std::string_view closing, Note note);
 
   KernelHost& host_;
   std::unique_ptr<wire::Channel> channel_;
   std::chrono::milliseconds timeout_;
   std::uint64_t next_id_ = 0;
-  std::string awaited_id_;                ///< Of the last call that is waited for; slow until it is answered.
-  std::optional<wire::Message> answer_;   ///< To the awaited call.
+  std::string awaited_id_;               ///< Of the last call that is waited for; slow until it is answered.
+  std::optional<wire::Message> answer_;  ///< To the awaited call.
   OpenEvents open_events_;
-  std::vector<Notice> notices_;           ///< That wait, in the order in which they happened last.
-  std::vector<Notice> round_;             ///< Those of them that are being sent, one after another.
+  std::vector<Notice> notices_;  ///< That wait, in the order in which they happened last.
+  std::vector<Notice> round_;    ///< Those of them that are being sent, one after another.
   std::chrono::steady_clock::time_point next_round_{};
-  bool alarm_set_ = false;                ///< For the next round.
-  std::string notice_id_;                 ///< Of the notice that was sent and not answered; empty: none.
-  int serving_ = 0;                       ///< How many of the client's calls are being carried out, one in another.
+  bool alarm_set_ = false;  ///< For the next round.
+  std::string notice_id_;   ///< Of the notice that was sent and not answered; empty: none.
+  int serving_ = 0;         ///< How many of the client's calls are being carried out, one in another.
   bool slow_ = false;
   bool gone_ = false;
-  unsigned long long told_dropped_ = 0;   ///< How many of the dropped messages the client knows of.
-  std::string head_, piece_;              ///< Room for parts of documents.
-  std::set<std::string> told_output_;     ///< Agents whose output this client has been told of.
+  unsigned long long told_dropped_ = 0;  ///< How many of the dropped messages the client knows of.
+  std::string head_, piece_;             ///< Room for parts of documents.
+  std::set<std::string> told_output_;    ///< Agents whose output this client has been told of.
 };
 
 }  // namespace soarbox::server

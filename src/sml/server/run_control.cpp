@@ -26,7 +26,9 @@ PhaseEvents EventsOf(Phase phase) {
   return {smlEVENT_BEFORE_INPUT_PHASE + index, smlEVENT_AFTER_INPUT_PHASE + index};
 }
 
-int PhaseNumber(const HostedAgent& hosted) { return static_cast<int>(hosted.agent().next_phase()); }
+int PhaseNumber(const HostedAgent& hosted) {
+  return static_cast<int>(hosted.agent().next_phase());
+}
 
 /// The step that agents take in turn if the request does not say: the run's own unit; a run without end goes by phases.
 RunUnit InterleaveOf(const cli::RunRequest& request, bool given) {
@@ -51,10 +53,12 @@ kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest&
   ++number_;
   stop_requests_ = host_.stop_requests();
   running_ = true;
-  run_flags_ = (request.self_only ? sml_RUN_SELF : sml_RUN_ALL) | (request.update_world || request.self_only ? 0 : sml_DONT_UPDATE_WORLD);
+  run_flags_ = (request.self_only ? sml_RUN_SELF : sml_RUN_ALL) |
+               (request.update_world || request.self_only ? 0 : sml_DONT_UPDATE_WORLD);
   unit_ = request.unit;
   const kernel::AgentCounters& counters = std::as_const(addressed).agent().counters();
-  const kernel::RunResult before{StopReason::kCompleted, counters.decision_cycles, counters.elaborations, counters.firings};
+  const kernel::RunResult before{StopReason::kCompleted, counters.decision_cycles, counters.elaborations,
+                                 counters.firings};
 
   host_.FireSystem(smlEVENT_SYSTEM_START);
   Begin(addressed, request);
@@ -93,7 +97,8 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
     runner.remaining = request.count;
     // The way to the stop phase makes the last decision, so an agent that is not there yet needs one cycle less.
     const kernel::Agent& agent = hosted.agent();
-    if (request.unit == RunUnit::kDecision && runner.remaining > 0 && agent.next_phase() != agent.settings().stop_phase) {
+    if (request.unit == RunUnit::kDecision && runner.remaining > 0 &&
+        agent.next_phase() != agent.settings().stop_phase) {
       --runner.remaining;
     }
     if (request.unit == RunUnit::kForever) runner.remaining = 1;
@@ -148,7 +153,8 @@ void RunControl::Round(const cli::RunRequest& request, RunUnit interleave) {
     const std::uint64_t cycles = hosted.agent().counters().decision_cycles;
     StepBracketed(runner, interleave);
     if (runner.active) {
-      CountStep(runner, request, hosted.agent().counters().decision_cycles - cycles, !hosted.agent().in_middle_of_phase());
+      CountStep(runner, request, hosted.agent().counters().decision_cycles - cycles,
+                !hosted.agent().in_middle_of_phase());
     }
     if (request.until_goal_removed && hosted.agent().watched_goal_gone()) stop_all = true;
     if (!runner.active && !EndsAtStopPhase(request)) {
@@ -172,10 +178,17 @@ bool RunControl::OutputRunIsServed(const Runner& runner) {
 
 void RunControl::CountStep(Runner& runner, const cli::RunRequest& request, std::uint64_t cycles, bool phase_ended) {
   switch (request.unit) {
-    case RunUnit::kDecision: runner.remaining -= std::min(cycles, runner.remaining); break;
-    case RunUnit::kPhase: runner.remaining -= phase_ended ? 1 : 0; break;
-    case RunUnit::kElaboration: --runner.remaining; break;
-    case RunUnit::kForever: break;
+    case RunUnit::kDecision:
+      runner.remaining -= std::min(cycles, runner.remaining);
+      break;
+    case RunUnit::kPhase:
+      runner.remaining -= phase_ended ? 1 : 0;
+      break;
+    case RunUnit::kElaboration:
+      --runner.remaining;
+      break;
+    case RunUnit::kForever:
+      break;
     case RunUnit::kOutput: {
       if (cycles == 0) break;
       if (!OutputRunIsServed(runner)) break;

@@ -17,10 +17,11 @@ class KernelHost;
 /// in which Soar does.
 ///
 /// A run of decisions ends where the stop phase begins (`soar stop-phase`): each agent first completes its number of
-/// cycles, and then, agent by agent, moves on to that phase. A request to stop ends the rounds; the way to the stop phase is
-/// still gone.
+/// cycles, and then, agent by agent, moves on to that phase. A request to stop ends the rounds; the way to the stop
+/// phase is still gone.
 ///
-/// Phases are stepped one by one only if somebody listens to them; else an agent takes the whole interleave step at once.
+/// Phases are stepped one by one only if somebody listens to them; else an agent takes the whole interleave step at
+/// once.
 class RunControl {
  public:
   explicit RunControl(KernelHost& host) : host_(host) {}
@@ -37,13 +38,13 @@ class RunControl {
  private:
   struct Runner {
     HostedAgent* hosted = nullptr;
-    std::uint64_t remaining = 0;       ///< Units of the run that are left; unused for a run without end.
-    std::uint64_t generation = 0;      ///< Of the output link, at the last output phase.
-    int idle_outputs = 0;              ///< Output phases without a change, in a row.
+    std::uint64_t remaining = 0;   ///< Units of the run that are left; unused for a run without end.
+    std::uint64_t generation = 0;  ///< Of the output link, at the last output phase.
+    int idle_outputs = 0;          ///< Output phases without a change, in a row.
     bool active = true;
-    bool output_changed = false;       ///< Since the last unit of a run until output was done.
-    bool passed_output = false;        ///< Since the last after-all-output-phases.
-    bool generated = false;            ///< Since the last after-all-generated-output.
+    bool output_changed = false;  ///< Since the last unit of a run until output was done.
+    bool passed_output = false;   ///< Since the last after-all-output-phases.
+    bool generated = false;       ///< Since the last after-all-generated-output.
     bool interrupted = false;
     bool told_interrupt = false;
     kernel::StopReason reason = kernel::StopReason::kCompleted;
@@ -67,7 +68,7 @@ class RunControl {
 
   KernelHost& host_;
   std::atomic<bool> running_{false};
-  kernel::RunUnit unit_ = kernel::RunUnit::kForever;   ///< Of the run that is under way.
+  kernel::RunUnit unit_ = kernel::RunUnit::kForever;  ///< Of the run that is under way.
   std::uint64_t number_ = 0;
   int check_rate_ = 10;
   int run_flags_ = 0;

@@ -99,7 +99,7 @@ class TagMap {
   }
 
   std::vector<Slot> slots_;
-  std::vector<Slot> spare_;   ///< Of RemoveIf, which is called again and again.
+  std::vector<Slot> spare_;  ///< Of RemoveIf, which is called again and again.
   std::size_t size_ = 0;
 };
 

@@ -22,36 +22,53 @@ constexpr std::size_t kMaxBytes = 16u << 20;
 
 const char* PhaseName(kernel::Phase phase) {
   switch (phase) {
-    case kernel::Phase::kInput: return "input";
-    case kernel::Phase::kPropose: return "propose";
-    case kernel::Phase::kDecide: return "decision";
-    case kernel::Phase::kApply: return "apply";
-    case kernel::Phase::kOutput: return "output";
+    case kernel::Phase::kInput:
+      return "input";
+    case kernel::Phase::kPropose:
+      return "propose";
+    case kernel::Phase::kDecide:
+      return "decision";
+    case kernel::Phase::kApply:
+      return "apply";
+    case kernel::Phase::kOutput:
+      return "output";
   }
   return "";
 }
 
 const char* ImpasseName(kernel::ImpasseType impasse) {
   switch (impasse) {
-    case kernel::ImpasseType::kTie: return "tie";
-    case kernel::ImpasseType::kConflict: return "conflict";
-    case kernel::ImpasseType::kConstraintFailure: return "constraint-failure";
-    case kernel::ImpasseType::kNoChange: return "no-change";
-    case kernel::ImpasseType::kNone: break;
+    case kernel::ImpasseType::kTie:
+      return "tie";
+    case kernel::ImpasseType::kConflict:
+      return "conflict";
+    case kernel::ImpasseType::kConstraintFailure:
+      return "constraint-failure";
+    case kernel::ImpasseType::kNoChange:
+      return "no-change";
+    case kernel::ImpasseType::kNone:
+      break;
   }
   return "none";
 }
 
-const char* TypeName(kernel::FiringType type) { return type == kernel::FiringType::kPe ? "PE" : "IE"; }
+const char* TypeName(kernel::FiringType type) {
+  return type == kernel::FiringType::kPe ? "PE" : "IE";
+}
 
 TraceFlag FlagOf(const kernel::FiringInfo& info) {
   if (!info.rule) return TraceFlag::kJustifications;
   switch (info.rule->type) {
-    case kernel::ProductionType::kUser: return TraceFlag::kUserRules;
-    case kernel::ProductionType::kDefault: return TraceFlag::kDefaultRules;
-    case kernel::ProductionType::kChunk: return TraceFlag::kChunks;
-    case kernel::ProductionType::kJustification: return TraceFlag::kJustifications;
-    case kernel::ProductionType::kTemplate: return TraceFlag::kTemplates;
+    case kernel::ProductionType::kUser:
+      return TraceFlag::kUserRules;
+    case kernel::ProductionType::kDefault:
+      return TraceFlag::kDefaultRules;
+    case kernel::ProductionType::kChunk:
+      return TraceFlag::kChunks;
+    case kernel::ProductionType::kJustification:
+      return TraceFlag::kJustifications;
+    case kernel::ProductionType::kTemplate:
+      return TraceFlag::kTemplates;
   }
   return TraceFlag::kUserRules;
 }
@@ -82,7 +99,9 @@ void XmlTracer::AddWme(const kernel::Agent& agent, const kernel::WmeInfo& wme) {
   pen_.End("wme");
 }
 
-void XmlTracer::AddText(std::string_view tag, std::string_view text) { pen_.Begin(tag).Set("string", text).End(tag); }
+void XmlTracer::AddText(std::string_view tag, std::string_view text) {
+  pen_.Begin(tag).Set("string", text).End(tag);
+}
 
 XmlTracer::~XmlTracer() {
   if (subscribed_) hosted_.agent().RemoveObserver(*this);
@@ -149,9 +168,13 @@ void XmlTracer::OnWorkingMemoryPhase(const kernel::Agent& agent, kernel::FiringT
   pen_.Begin("subphase").Set("firing_type", TypeName(type)).Set("name", "changingwm").End("subphase");
 }
 
-bool XmlTracer::ShowsFiring(const kernel::FiringInfo& info) const { return hosted_.session().trace().On(FlagOf(info)); }
+bool XmlTracer::ShowsFiring(const kernel::FiringInfo& info) const {
+  return hosted_.session().trace().On(FlagOf(info));
+}
 
-bool XmlTracer::Detailed() const { return hosted_.session().trace().wme_detail() != cli::WmeDetail::kNone; }
+bool XmlTracer::Detailed() const {
+  return hosted_.session().trace().wme_detail() != cli::WmeDetail::kNone;
+}
 
 void XmlTracer::AddRule(std::string_view tag, const kernel::Agent& agent, const kernel::FiringInfo& info) {
   pen_.Begin(tag).Begin("production").Set("prodname", info.name);
@@ -182,7 +205,9 @@ void XmlTracer::OnRetracting(const kernel::Agent& agent, const kernel::FiringInf
   retracting_ = Detailed();
 }
 
-void XmlTracer::OnRetracted(const kernel::Agent&, const kernel::FiringInfo&) { retracting_ = false; }
+void XmlTracer::OnRetracted(const kernel::Agent&, const kernel::FiringInfo&) {
+  retracting_ = false;
+}
 
 void XmlTracer::OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) {
   pen_.Begin("adding_wme");
@@ -245,9 +270,13 @@ void XmlTracer::OnOperatorRemoved(const kernel::Agent& agent, const kernel::Goal
   AddWme(agent, wme);
 }
 
-void XmlTracer::OnPrint(const kernel::Agent&, std::string_view text) { AddText("rhs_write", text); }
+void XmlTracer::OnPrint(const kernel::Agent&, std::string_view text) {
+  AddText("rhs_write", text);
+}
 
-void XmlTracer::OnWarning(const kernel::Agent&, kernel::WarningKind, std::string_view text) { AddText("warning", text); }
+void XmlTracer::OnWarning(const kernel::Agent&, kernel::WarningKind, std::string_view text) {
+  AddText("warning", text);
+}
 
 void XmlTracer::OnInterrupt(const kernel::Agent&, std::string_view reason) {
   AddText("message", reason.empty() ? "Interrupt received." : reason);

@@ -63,9 +63,9 @@ class XmlTracer : public kernel::Observer {
   HostedAgent& hosted_;
   bool on_ = false;
   bool subscribed_ = false;
-  bool retracting_ = false;      ///< The preferences that go now are those of a firing that is shown in detail.
+  bool retracting_ = false;  ///< The preferences that go now are those of a firing that is shown in detail.
   std::string pieces_;
-  std::string symbol_;           ///< Room for a symbol's text.
+  std::string symbol_;  ///< Room for a symbol's text.
   wire::XmlPen pen_{pieces_};
 };
 

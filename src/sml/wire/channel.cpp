@@ -53,8 +53,8 @@ constexpr std::size_t kLongestJoined = 16 * 1024;
 /// So many messages can be open at once.
 constexpr std::size_t kMostOpen = 8;
 
-/// Tells the other side that its bytes have come. Soar's own clients send a message in two pieces, and their system keeps
-/// the second back until the first is acknowledged, which would else take 40 ms: far longer than most calls.
+/// Tells the other side that its bytes have come. Soar's own clients send a message in two pieces, and their system
+/// keeps the second back until the first is acknowledged, which would else take 40 ms: far longer than most calls.
 void AcknowledgeNow([[maybe_unused]] AnySocket& socket) {
 #ifdef TCP_QUICKACK
   const int on = 1;
@@ -64,7 +64,8 @@ void AcknowledgeNow([[maybe_unused]] AnySocket& socket) {
 
 }  // namespace
 
-// A connection ----------------------------------------------------------------------------------------------------------
+// A connection
+// ----------------------------------------------------------------------------------------------------------
 
 struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   Socket(AnySocket connected, const ChannelLimits& channel_limits)
@@ -80,9 +81,9 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
 
   // On the thread that moves bytes.
   void Read() {
-    socket.async_read_some(asio::buffer(piece), [self = shared_from_this()](const asio::error_code& error, std::size_t count) {
-      self->OnRead(error, count);
-    });
+    socket.async_read_some(
+        asio::buffer(piece),
+        [self = shared_from_this()](const asio::error_code& error, std::size_t count) { self->OnRead(error, count); });
   }
 
   void OnRead(const asio::error_code& error, std::size_t count) {
@@ -133,7 +134,8 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
                       });
   }
 
-  /// Lets text and trace pile up for a moment: a call of the system for each would cost more than the decision it tells of.
+  /// Lets text and trace pile up for a moment: a call of the system for each would cost more than the decision it tells
+  /// of.
   void Gather() {
     timer.expires_after(kGatherTime);
     timer.async_wait([self = shared_from_this()](const asio::error_code&) {
@@ -215,7 +217,8 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
       ++dropped;
       return false;
     }
-    const bool again = std::any_of(open.begin(), open.end(), [&](const Open& message) { return message.series == series; });
+    const bool again =
+        std::any_of(open.begin(), open.end(), [&](const Open& message) { return message.series == series; });
     if (again || open.size() >= kMostOpen) CloseOpen();
     if (spare.empty()) spare.emplace_back();
     Open& message = open.emplace_back(std::move(spare.back()));
@@ -237,7 +240,8 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     open.clear();
   }
 
-  /// Sees to it that what has been put into the outbox goes, at once or after a moment, and that open messages get closed.
+  /// Sees to it that what has been put into the outbox goes, at once or after a moment, and that open messages get
+  /// closed.
   bool SendSoon(std::unique_lock<std::mutex>& lock, bool may_wait) {
     // (What is being written takes the rest with it.)
     if (writing) return true;
@@ -301,16 +305,22 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   std::function<void()> wake;
 };
 
-Channel::Channel(std::shared_ptr<Socket> socket) : socket_(std::move(socket)) { socket_->Start(); }
+Channel::Channel(std::shared_ptr<Socket> socket) : socket_(std::move(socket)) {
+  socket_->Start();
+}
 
 Channel::~Channel() {
   SetWake({});
   Close();
 }
 
-bool Channel::Send(const std::string& message, bool droppable) { return socket_->Send(message, droppable); }
+bool Channel::Send(const std::string& message, bool droppable) {
+  return socket_->Send(message, droppable);
+}
 
-bool Channel::Join(std::uint64_t series, std::string_view part) { return socket_->Join(series, part); }
+bool Channel::Join(std::uint64_t series, std::string_view part) {
+  return socket_->Join(series, part);
+}
 
 bool Channel::SendOpen(std::uint64_t series, std::string_view head, std::string_view part, std::string_view tail) {
   return socket_->SendOpen(series, head, part, tail);
@@ -336,7 +346,9 @@ void Channel::Close() {
   asio::post(socket_->socket.get_executor(), [socket = socket_] { socket->Shut(); });
 }
 
-std::uint64_t Channel::dropped() const { return socket_->dropped.load(std::memory_order_relaxed); }
+std::uint64_t Channel::dropped() const {
+  return socket_->dropped.load(std::memory_order_relaxed);
+}
 
 void Channel::WakeAfter(std::chrono::milliseconds delay) {
   asio::post(socket_->socket.get_executor(), [socket = socket_, delay] {
@@ -352,7 +364,8 @@ void Channel::SetWake(std::function<void()> wake) {
   socket_->wake = std::move(wake);
 }
 
-// Connecting and listening ----------------------------------------------------------------------------------------------
+// Connecting and listening
+// ----------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -363,11 +376,14 @@ Diagnostic Failure(const std::string& what, const std::string& place, const asio
   return diagnostic;
 }
 
-std::string Place(const std::string& address, int port) { return address + ":" + std::to_string(port); }
+std::string Place(const std::string& address, int port) {
+  return address + ":" + std::to_string(port);
+}
 
 }  // namespace
 
-Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& address, int port, const ChannelLimits& limits) {
+Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& address, int port,
+                                         const ChannelLimits& limits) {
   asio::error_code error;
   tcp::resolver resolver(thread.contents().context);
   const auto found = resolver.resolve(address, std::to_string(port), error);
@@ -397,7 +413,7 @@ struct Acceptor::Contents {
   ChannelLimits limits;
   std::function<void(std::unique_ptr<Channel>)> accepted;
   int port = 0;
-  std::unique_ptr<LocalSocketFile> file;   ///< Of a local one.
+  std::unique_ptr<LocalSocketFile> file;  ///< Of a local one.
 };
 
 namespace {
@@ -425,10 +441,12 @@ struct AcceptorOf final : Acceptor::Contents, std::enable_shared_from_this<Accep
   }
 
   void Accept() {
-    acceptor.async_accept([self = this->shared_from_this()](const asio::error_code& error, typename Protocol::socket socket) {
+    acceptor.async_accept([self = this->shared_from_this()](const asio::error_code& error,
+                                                            typename Protocol::socket socket) {
       if (error == asio::error::operation_aborted || !self->acceptor.is_open()) return;
       if (!error) {
-        self->accepted(std::make_unique<Channel>(std::make_shared<Channel::Socket>(AnySocket(std::move(socket)), self->limits)));
+        self->accepted(
+            std::make_unique<Channel>(std::make_shared<Channel::Socket>(AnySocket(std::move(socket)), self->limits)));
       }
       self->Accept();
     });
@@ -466,10 +484,12 @@ Result<std::unique_ptr<Acceptor>> Acceptor::Open(IoThread& thread, const std::st
   return std::make_unique<Acceptor>(contents);
 }
 
-Result<std::unique_ptr<Acceptor>> Acceptor::OpenLocal(IoThread& thread, const std::string& path, const ChannelLimits& limits,
+Result<std::unique_ptr<Acceptor>> Acceptor::OpenLocal(IoThread& thread, const std::string& path,
+                                                      const ChannelLimits& limits,
                                                       std::function<void(std::unique_ptr<Channel>)> accepted) {
   if (!LocalSocketFile::Prepare(path)) {
-    return Failure("cannot listen at", path, asio::error::access_denied, "the folder must be this user's alone (mode 0700)");
+    return Failure("cannot listen at", path, asio::error::access_denied,
+                   "the folder must be this user's alone (mode 0700)");
   }
   const auto contents = std::make_shared<AcceptorOf<LocalStream>>(thread, limits, std::move(accepted));
   if (const asio::error_code error = contents->Listen(LocalStream::endpoint(path))) {
@@ -487,6 +507,8 @@ Acceptor::~Acceptor() {
   asio::post(*contents_->context, [contents = contents_] { contents->Close(); });
 }
 
-int Acceptor::port() const { return contents_->port; }
+int Acceptor::port() const {
+  return contents_->port;
+}
 
 }  // namespace soarbox::wire

@@ -36,7 +36,8 @@ class IoThread {
   std::shared_ptr<Contents> contents_;
 };
 
-/// One connection: messages in both directions, framed. All functions may be called from any thread; none blocks but Wait.
+/// One connection: messages in both directions, framed. All functions may be called from any thread; none blocks but
+/// Wait.
 class Channel {
  public:
   struct Socket;
@@ -44,8 +45,9 @@ class Channel {
   Channel(std::shared_ptr<Socket> socket);
   ~Channel();
 
-  /// Sends a message, or queues it. `droppable`: it may be left out if the other side does not keep up, and may wait for a
-  /// millisecond, so that many go together; the order of messages stays. False if it was left out or the channel is closed.
+  /// Sends a message, or queues it. `droppable`: it may be left out if the other side does not keep up, and may wait
+  /// for a millisecond, so that many go together; the order of messages stays. False if it was left out or the channel
+  /// is closed.
   bool Send(const std::string& message, bool droppable = false);
   /// Adds to a message of this series that SendOpen left open. False if there is none any more: begin one.
   bool Join(std::uint64_t series, std::string_view part);
@@ -74,7 +76,8 @@ Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& ad
                                          const ChannelLimits& limits = {});
 
 /// Connects to a socket of this machine, given by its file.
-Result<std::unique_ptr<Channel>> ConnectLocal(IoThread& thread, const std::string& path, const ChannelLimits& limits = {});
+Result<std::unique_ptr<Channel>> ConnectLocal(IoThread& thread, const std::string& path,
+                                              const ChannelLimits& limits = {});
 
 /// Listens on a port, or at a file of this machine, and hands out channels.
 class Acceptor {
@@ -86,7 +89,8 @@ class Acceptor {
                                                 const ChannelLimits& limits,
                                                 std::function<void(std::unique_ptr<Channel>)> accepted);
   /// Listens at a file; it goes when the acceptor does.
-  static Result<std::unique_ptr<Acceptor>> OpenLocal(IoThread& thread, const std::string& path, const ChannelLimits& limits,
+  static Result<std::unique_ptr<Acceptor>> OpenLocal(IoThread& thread, const std::string& path,
+                                                     const ChannelLimits& limits,
                                                      std::function<void(std::unique_ptr<Channel>)> accepted);
   explicit Acceptor(std::shared_ptr<Contents> contents);
   ~Acceptor();

@@ -26,8 +26,8 @@ bool FrameReader::Feed(std::string_view bytes, std::vector<std::string>& message
       header_[header_bytes_++] = static_cast<unsigned char>(bytes.front());
       bytes.remove_prefix(1);
       if (header_bytes_ < header_.size()) continue;
-      length_ = (std::uint32_t{header_[0]} << 24) | (std::uint32_t{header_[1]} << 16) | (std::uint32_t{header_[2]} << 8) |
-                std::uint32_t{header_[3]};
+      length_ = (std::uint32_t{header_[0]} << 24) | (std::uint32_t{header_[1]} << 16) |
+                (std::uint32_t{header_[2]} << 8) | std::uint32_t{header_[3]};
       if (length_ > limit_) {
         broken_ = true;
         return false;

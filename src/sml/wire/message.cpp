@@ -12,9 +12,12 @@ namespace {
 
 std::string_view DocTypeName(DocType type) {
   switch (type) {
-    case DocType::kCall: return "call";
-    case DocType::kResponse: return "response";
-    case DocType::kNotify: return "notify";
+    case DocType::kCall:
+      return "call";
+    case DocType::kResponse:
+      return "response";
+    case DocType::kNotify:
+      return "notify";
   }
   return "notify";
 }

@@ -18,9 +18,9 @@ enum class DocType : std::uint8_t { kCall, kResponse, kNotify };
 /// A document: a call, the response to one, or a notice that nobody answers.
 struct Message {
   DocType type = DocType::kCall;
-  std::string id;    ///< The sender's number, as text.
-  std::string ack;   ///< Of a response: the id of the call.
-  Element root;      ///< <sml>; its children are the contents.
+  std::string id;   ///< The sender's number, as text.
+  std::string ack;  ///< Of a response: the id of the call.
+  Element root;     ///< <sml>; its children are the contents.
 
   const Element* Command() const { return root.Child("command"); }
   const Element* ResultTag() const { return root.Child("result"); }
@@ -40,7 +40,8 @@ std::string ToDocument(const Message& message);
 /// Reads a document. An error for text that is not XML, or whose root is not <sml> with a doctype.
 Result<Message> ReadMessage(std::string_view document);
 
-/// A number in the shortest form that reads back as the same number, as `%g` with 16 digits prints it: 0, 100, 50.25, 1e-10.
+/// A number in the shortest form that reads back as the same number, as `%g` with 16 digits prints it: 0, 100, 50.25,
+/// 1e-10.
 std::string ShortDouble(double value);
 /// A number with six decimals, as the kernel sends it.
 std::string FixedDouble(double value);

@@ -12,7 +12,8 @@ namespace {
 TEST(Message, ACallIsWrittenByteForByteAsTheProtocolFixesIt) {
   Message call = MakeCall("version");
   call.id = "0";
-  EXPECT_EQ(ToDocument(call), R"(<sml doctype="call" id="0" smlversion="9.6.3"><command name="version"></command></sml>)");
+  EXPECT_EQ(ToDocument(call),
+            R"(<sml doctype="call" id="0" smlversion="9.6.3"><command name="version"></command></sml>)");
   EXPECT_EQ(Frame(ToDocument(call)).substr(0, 4), std::string("\0\0\0\x56", 4));
 
   Message response = MakeResponse("0");
@@ -26,15 +27,18 @@ TEST(Message, AFailedCallGivesItsTextTwice) {
   Message response = MakeResponse("19");
   response.id = "19";
   AddError(response, "Command bogus is not recognized by the kernel");
-  EXPECT_EQ(ToDocument(response),
-            R"(<sml ack="19" doctype="response" id="19" smlversion="9.6.3"><result output="raw">Command bogus is not recognized by the kernel</result>)"
-            R"(<error>Command bogus is not recognized by the kernel</error></sml>)");
+  EXPECT_EQ(
+      ToDocument(response),
+      R"(<sml ack="19" doctype="response" id="19" smlversion="9.6.3"><result output="raw">Command bogus is not recognized by the kernel</result>)"
+      R"(<error>Command bogus is not recognized by the kernel</error></sml>)");
 }
 
 TEST(XmlWriter, AttributesAreSortedAndFiveCharactersEscaped) {
   Element wme("wme");
   wme.Set("value", "a <b> & \"c\" 'd'").Set("action", "add").Set("tag", "-134217732").Set("id", "p7");
-  EXPECT_EQ(ToXml(wme), R"(<wme action="add" id="p7" tag="-134217732" value="a &lt;b&gt; &amp; &quot;c&quot; &apos;d&apos;"></wme>)");
+  EXPECT_EQ(
+      ToXml(wme),
+      R"(<wme action="add" id="p7" tag="-134217732" value="a &lt;b&gt; &amp; &quot;c&quot; &apos;d&apos;"></wme>)");
 }
 
 TEST(XmlReader, ReadsBackWhatTheWriterWrote) {
@@ -60,7 +64,8 @@ TEST(XmlReader, KeepsTextThatIsOnlySpaceInAnElementWithoutChildren) {
 }
 
 TEST(XmlReader, RefusesEveryTruncationOfADocument) {
-  const std::string document = R"(<?xml version="1.0"?><sml id="1"><!--c--><command name="x&amp;y"><arg param="p">t&lt;</arg></command></sml>)";
+  const std::string document =
+      R"(<?xml version="1.0"?><sml id="1"><!--c--><command name="x&amp;y"><arg param="p">t&lt;</arg></command></sml>)";
   for (std::size_t length = 0; length < document.size(); ++length) {
     EXPECT_FALSE(ReadXml(document.substr(0, length)).ok()) << document.substr(0, length);
   }
@@ -69,8 +74,8 @@ TEST(XmlReader, RefusesEveryTruncationOfADocument) {
 
 TEST(XmlReader, RefusesWhatIsMalformedAndSaysWhere) {
   for (const char* text : {"", "x", "<", "<>", "<a", "<a b>", "<a b=c></a>", "<a></b>", "<a>&bogus;</a>", "<a>&#0;</a>",
-                           "<a>&#xD800;</a>", "<a>&#99999999;</a>", "<a></a><b></b>", "<!DOCTYPE x [<!ENTITY y 'z'>]><a>&y;</a>",
-                           "<a><![CDATA[x</a>", "</a>", "<a b=\"1></a>"}) {
+                           "<a>&#xD800;</a>", "<a>&#99999999;</a>", "<a></a><b></b>",
+                           "<!DOCTYPE x [<!ENTITY y 'z'>]><a>&y;</a>", "<a><![CDATA[x</a>", "</a>", "<a b=\"1></a>"}) {
     EXPECT_FALSE(ReadXml(text).ok()) << text;
   }
   const Result<Element> read = ReadXml("<a>\n  <b>\n  </c>\n</a>");

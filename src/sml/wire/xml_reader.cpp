@@ -10,10 +10,13 @@ namespace soarbox::wire {
 
 namespace {
 
-bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool IsSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 bool IsNameStart(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 
 constexpr auto kNameCharacters = [] {
@@ -25,7 +28,9 @@ constexpr auto kNameCharacters = [] {
   return in_names;
 }();
 
-bool IsNameCharacter(char c) { return kNameCharacters[static_cast<unsigned char>(c)]; }
+bool IsNameCharacter(char c) {
+  return kNameCharacters[static_cast<unsigned char>(c)];
+}
 
 bool IsOnlySpace(std::string_view text) {
   for (char c : text) {
@@ -147,9 +152,10 @@ class Reader {
       const bool hexadecimal = name[1] == 'x' || name[1] == 'X';
       const std::string_view digits = name.substr(hexadecimal ? 2 : 1);
       std::uint32_t code = 0;
-      const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, hexadecimal ? 16 : 10);
-      const bool legal = error == std::errc() && stop == digits.data() + digits.size() && code != 0 && code <= 0x10FFFF &&
-                         (code < 0xD800 || code > 0xDFFF);
+      const auto [stop, error] =
+          std::from_chars(digits.data(), digits.data() + digits.size(), code, hexadecimal ? 16 : 10);
+      const bool legal = error == std::errc() && stop == digits.data() + digits.size() && code != 0 &&
+                         code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
       if (!legal) return Bad("a character reference names no character");
       AppendUtf8(out, code);
     } else {
@@ -266,6 +272,8 @@ class Reader {
 
 }  // namespace
 
-Result<Element> ReadXml(std::string_view document, const ReadLimits& limits) { return Reader(document, limits).Read(); }
+Result<Element> ReadXml(std::string_view document, const ReadLimits& limits) {
+  return Reader(document, limits).Read();
+}
 
 }  // namespace soarbox::wire

@@ -18,8 +18,8 @@ struct ReadLimits {
 
 /// Reads one document. Takes more than is ever written: a header, comments, self-closing tags, white space, single
 /// quotes, character data sections and numeric character references. Of mixed text, the last block of an element
-/// counts; text that is only white space beside child elements is dropped. Document types are refused. The error says what is
-/// wrong and where (line and column).
+/// counts; text that is only white space beside child elements is dropped. Document types are refused. The error says
+/// what is wrong and where (line and column).
 Result<Element> ReadXml(std::string_view document, const ReadLimits& limits = {});
 
 }  // namespace soarbox::wire

@@ -12,10 +12,10 @@ namespace soarbox::kernel {
 /// A function that the kernel itself knows.
 struct BuiltinFunction {
   std::string_view name;
-  int arguments = -1;          ///< How many it takes; -1 for any number.
-  bool as_value = true;        ///< May stand where a value is expected.
-  bool as_action = false;      ///< May stand alone.
-  bool literalizes = true;     ///< Learning keeps its arguments as they were, instead of making variables of them.
+  int arguments = -1;       ///< How many it takes; -1 for any number.
+  bool as_value = true;     ///< May stand where a value is expected.
+  bool as_action = false;   ///< May stand alone.
+  bool literalizes = true;  ///< Learning keeps its arguments as they were, instead of making variables of them.
   /// Gives the value, or the none symbol if there is none (after printing why). Never throws or crashes, whatever the
   /// number and kinds of the arguments.
   Symbol (*evaluate)(FunctionContext& context, std::span<const Symbol> arguments) = nullptr;
