@@ -49,7 +49,12 @@ int PhaseNumber(const Agent& agent) {
   return agent.in_middle_of_phase() ? next : (next + 4) % 5;
 }
 
-/// Which flag shows the firings of a rule.
+std::string Level(kernel::GoalLevel level) {
+  return level > 1 ? fmt::format(" [level {}]", level) : std::string();
+}
+
+}  // namespace
+
 TraceFlag FlagOf(const FiringInfo& info) {
   if (!info.rule) return TraceFlag::kJustifications;
   switch (info.rule->type) {
@@ -66,12 +71,6 @@ TraceFlag FlagOf(const FiringInfo& info) {
   }
   return TraceFlag::kUserRules;
 }
-
-std::string Level(kernel::GoalLevel level) {
-  return level > 1 ? fmt::format(" [level {}]", level) : std::string();
-}
-
-}  // namespace
 
 TracePrinter::~TracePrinter() {
   session_.agent().RemoveObserver(*this);

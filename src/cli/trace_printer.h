@@ -3,11 +3,15 @@
 
 #include <string>
 
+#include "cli/trace_settings.h"
 #include "kernel/agent.h"
 
 namespace soarbox::cli {
 
 class Session;
+
+/// Which flag shows the firings of a rule; justifications, which are no rules of the agent, have their own.
+TraceFlag FlagOf(const kernel::FiringInfo& info);
 
 /// Turns what an agent does into the lines of Soar's trace, as the session's settings ask. Listens only to the events
 /// that the settings need. Owned by the session.

@@ -56,23 +56,6 @@ const char* TypeName(kernel::FiringType type) {
   return type == kernel::FiringType::kPe ? "PE" : "IE";
 }
 
-TraceFlag FlagOf(const kernel::FiringInfo& info) {
-  if (!info.rule) return TraceFlag::kJustifications;
-  switch (info.rule->type) {
-    case kernel::ProductionType::kUser:
-      return TraceFlag::kUserRules;
-    case kernel::ProductionType::kDefault:
-      return TraceFlag::kDefaultRules;
-    case kernel::ProductionType::kChunk:
-      return TraceFlag::kChunks;
-    case kernel::ProductionType::kJustification:
-      return TraceFlag::kJustifications;
-    case kernel::ProductionType::kTemplate:
-      return TraceFlag::kTemplates;
-  }
-  return TraceFlag::kUserRules;
-}
-
 }  // namespace
 
 const char* ValueTypeName(kernel::Symbol symbol) {
@@ -169,7 +152,7 @@ void XmlTracer::OnWorkingMemoryPhase(const kernel::Agent& agent, kernel::FiringT
 }
 
 bool XmlTracer::ShowsFiring(const kernel::FiringInfo& info) const {
-  return hosted_.session().trace().On(FlagOf(info));
+  return hosted_.session().trace().On(cli::FlagOf(info));
 }
 
 bool XmlTracer::Detailed() const {
