@@ -97,6 +97,9 @@ void ReteState::NodeAdded(std::uint32_t index) {
   ChildAdded(index);
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kJoin) {
+    const ValueFilter filter = FilterOf(node);
+    nodes[index].lowest = filter.lowest;
+    nodes[index].range = filter.range;
     LinkLeft(index);
     LinkRight(index);
     if (nodes[node.parent].count == 0) {
@@ -105,6 +108,38 @@ void ReteState::NodeAdded(std::uint32_t index) {
       UnlinkLeft(index);
     }
   }
+}
+
+ValueFilter ReteState::FilterOf(const Node& join) const {
+  // The constant must be a small integer, and so will the value that is asked for be.
+  const std::uint32_t smallest = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger) << Symbol::kIndexBits;
+  std::uint32_t low = smallest;
+  std::uint32_t high = smallest | Symbol::kIndexMask;
+  bool any = false;
+  for (const NodeTest& test : network->tests(join)) {
+    if (test.op < TestOp::kLess || test.op > TestOp::kGreaterOrEqual || test.against_binding ||
+        test.field != Field::kValue || !ValueFilter::Knows(test.referent)) {
+      continue;
+    }
+    any = true;
+    const std::uint32_t bound = ValueFilter::Place(test.referent);
+    switch (test.op) {
+      case TestOp::kLess:
+        high = std::min(high, bound - 1);
+        break;
+      case TestOp::kLessOrEqual:
+        high = std::min(high, bound);
+        break;
+      case TestOp::kGreater:
+        low = std::max(low, bound + 1);
+        break;
+      default:
+        low = std::max(low, bound);
+        break;
+    }
+  }
+  // An empty interval becomes one value that is none of a small integer.
+  return !any ? ValueFilter() : low > high ? ValueFilter{0, 0} : ValueFilter{low, high - low};
 }
 
 /// Hands a new node what its parent has emitted so far, newest first.

@@ -541,9 +541,6 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
     RightSparse(index, wme);
     return;
   }
-  if ((nodes[memory].roles & NodeState::kMayBeSparse) != 0) {
-    SpeakAgainstSparse(memory, 2);
-  }
   const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
   std::uint32_t token = ChainHead(*this, nodes[memory], key);
@@ -553,11 +550,16 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   if ((nodes[index].roles & NodeState::kFeedsSparse) != 0) {
     gathered.clear();
     ForEachLeft(*this, node, token, key, element, [this](std::uint32_t left) { gathered.push_back(left); });
+    if ((nodes[memory].roles & NodeState::kMayBeSparse) != 0) {
+      SpeakAgainstSparse(memory, 2 + 2 * static_cast<std::uint32_t>(gathered.size()));
+    }
     EmitGathered(index, wme);
     return;
   }
   const std::uint32_t only = node.only_memory;
-  ForEachLeft(*this, node, token, key, element, [this, is_join, only, index, wme](std::uint32_t left) {
+  std::uint32_t late = 0;  // Tokens that would have been parked.
+  ForEachLeft(*this, node, token, key, element, [this, is_join, only, index, wme, &late](std::uint32_t left) {
+    ++late;
     if (only != kNil && is_join) {
       LeftPlain(only, left, wme);
     } else if (is_join) {
@@ -566,6 +568,9 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
       Block(left, wme);
     }
   });
+  if ((nodes[memory].roles & NodeState::kMayBeSparse) != 0) {
+    SpeakAgainstSparse(memory, 2 + 2 * late);
+  }
 }
 
 void ReteState::AddWme(std::uint32_t wme) {
@@ -589,11 +594,17 @@ void ReteState::AddWme(std::uint32_t wme) {
   last_timetag = std::max(last_timetag, element.timetag);
 
   const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
+  const std::uint32_t place = ValueFilter::Place(fields[2]);
+  const std::uint32_t known = ValueFilter::Knows(fields[2]) ? ~std::uint32_t{0} : 0;
   network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) {
     AddItem(alpha, wme);
     for (std::uint32_t node = alphas[alpha].first_node; node != kNil;) {
-      const std::uint32_t next = nodes[node].next_right;
-      RightActivate(node, wme);
+      const NodeState& state = nodes[node];
+      const std::uint32_t next = state.next_right;
+      // A negative node, which has no filter, is never linked on the left.
+      if (!state.left_linked || ((place - state.lowest) & known) <= state.range) {
+        RightActivate(node, wme);
+      }
       node = next;
     }
   });

@@ -152,7 +152,7 @@ void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_
     SortByAge(gathered);
     // Tokens that are made late anyway are dear.
     memory.late += static_cast<std::uint32_t>(gathered.size() - before);
-    if (memory.late > park_after && memory.late > memory.saved / 2) {
+    if (memory.late > nodes[memory.node].patience && memory.late > memory.saved / 2) {
       becoming_plain.push_back(memory.node);
       memory.late = 0;
     }
@@ -299,9 +299,22 @@ void ReteState::MakeJudgedSparse() {
   }
   becoming_sparse.clear();
   for (const std::uint32_t node : becoming_plain) {
-    MakePlain(node);
+    MakePlainForNow(node);
   }
   becoming_plain.clear();
+}
+
+/// It may become sparse again, but takes longer to each time: what happens while an agent sets itself up tells little
+/// of what it does later.
+void ReteState::MakePlainForNow(std::uint32_t index) {
+  if (index >= nodes.size() || (nodes[index].roles & NodeState::kSparse) == 0) {
+    return;
+  }
+  MakePlain(index);
+  NodeState& state = nodes[index];
+  state.roles |= NodeState::kMayBeSparse;
+  state.previous_left = 0;
+  state.patience = std::min(state.patience, 0x0FFFFFFFu) * 4;
 }
 
 /// Makes tokens of all parked pairs, puts all chains in order and lets the memory be as any other from now on.
@@ -384,6 +397,7 @@ void ReteState::ChildAdded(std::uint32_t child) {
   if (kind == NodeKind::kMemory && CanBeSparse(parent)) {
     nodes[parent].roles |= NodeState::kMayBeSparse;
     nodes[parent].previous_left = 0;
+    nodes[parent].patience = park_after;
   }
 }
 

@@ -96,17 +96,40 @@ struct NodeState {
   static constexpr std::uint8_t kFeedsSparse = 4;  ///< Join: its only child is one.
   static constexpr std::uint8_t kMayBeSparse = 8;  ///< Memory: would be one if more of its pairs were to join in vain.
 
-  std::uint32_t head = kNil;          ///< Tokens: the chain if bits is 0, else a table of chains.
-  std::uint32_t count = 0;            ///< Tokens; of a sparse memory also parked pairs that are not stale.
-  std::uint32_t first_linked = kNil;  ///< Memory: left-linked joins, last linked first.
-  std::uint32_t next_left = kNil, previous_left = kNil;    ///< Join: in its memory's list.
-                                                           ///< Sparse memory: next_left is its place in `sparse`.
-                                                           ///< One that may be: previous_left is its score.
-  std::uint32_t next_right = kNil, previous_right = kNil;  ///< Join, negative: in the alpha memory's list.
+  union {
+    std::uint32_t head = kNil;  ///< Tokens: the chain if bits is 0, else a table of chains.
+    std::uint32_t lowest;       ///< Join: see ValueFilter.
+  };
+  union {
+    std::uint32_t count = 0;  ///< Tokens; of a sparse memory also parked pairs that are not stale.
+    std::uint32_t range;      ///< Join: see ValueFilter.
+  };
+  std::uint32_t first_linked = kNil;                     ///< Memory: left-linked joins, last linked first.
+  std::uint32_t next_left = kNil, previous_left = kNil;  ///< Join: in its memory's list.
+                                                         ///< Sparse memory: next_left is its place in `sparse`.
+                                                         ///< One that may be: previous_left is its score.
+  std::uint32_t next_right = kNil;                       ///< Join, negative: in the alpha memory's list.
+  union {
+    std::uint32_t previous_right = kNil;
+    std::uint32_t patience;  ///< Memory that may be sparse or is: the score that makes it so.
+  };
   std::uint8_t bits = 0;
   bool left_linked = false;
   bool right_linked = false;
   std::uint8_t roles = 0;
+};
+
+/// Which small integers as an element's value pass a join's comparisons with constants: those of an interval. Rules
+/// that sort one number into many bands make many joins below one memory; each but few are then done with in one
+/// comparison.
+struct ValueFilter {
+  std::uint32_t lowest = 0, range = 0xFFFFFFFFu;  ///< Passes: Place(value) - lowest <= range, unsigned.
+
+  /// Ascending with a small integer's value.
+  static std::uint32_t Place(std::uint32_t bits) { return bits ^ 1u << (Symbol::kIndexBits - 1); }
+  static bool Knows(std::uint32_t bits) {
+    return bits >> Symbol::kIndexBits == static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
+  }
 };
 
 /// The rest of a sparse memory's state. Pairs are parked in a log; the first element that comes from the right moves
@@ -270,7 +293,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Judge(std::uint32_t node, std::uint32_t token) {
     if (tokens[token].first_child != kNil) {
       SpeakAgainstSparse(node, 3);
-    } else if (++nodes[node].previous_left == park_after) {
+    } else if (++nodes[node].previous_left == nodes[node].patience) {
       becoming_sparse.push_back(node);
     }
   }
@@ -281,6 +304,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void MakeJudgedSparse();
   void MakeSparse(std::uint32_t node);
   void MakePlain(std::uint32_t node);
+  void MakePlainForNow(std::uint32_t node);
   void ChildAdded(std::uint32_t node);
 
   // rete_build.cpp
@@ -290,6 +314,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::uint32_t MakeAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable);
   void DropAlpha(std::uint32_t alpha);
   void NodeAdded(std::uint32_t node);
+  ValueFilter FilterOf(const Node& join) const;
   void Prime(std::uint32_t child);
   void RemoveNode(std::uint32_t node);
   void RemoveUnused(std::uint32_t node);

@@ -44,25 +44,25 @@ bool SameValue(const RhsValue& a, const RhsValue& b) {
   return a.function_index() == b.function_index() && std::ranges::equal(a.arguments(), b.arguments(), SameValue);
 }
 
-void Mix(std::uint32_t& hash, std::uint32_t value) {
+void MixInto(std::uint32_t& hash, std::uint32_t value) {
   hash = (hash ^ value) * 0x85EBCA6Bu;
   hash ^= hash >> 15;
 }
 
 void MixValue(std::uint32_t& hash, const RhsValue& value) {
-  Mix(hash, static_cast<std::uint32_t>(value.kind));
+  MixInto(hash, static_cast<std::uint32_t>(value.kind));
   switch (value.kind) {
     case RhsValueKind::kConstant:
-      Mix(hash, value.symbol().bits());
+      MixInto(hash, value.symbol().bits());
       break;
     case RhsValueKind::kBound:
-      Mix(hash, value.site().positive_condition * 4u + static_cast<std::uint32_t>(value.site().field));
+      MixInto(hash, value.site().positive_condition * 4u + static_cast<std::uint32_t>(value.site().field));
       break;
     case RhsValueKind::kNew:
-      Mix(hash, value.new_index());
+      MixInto(hash, value.new_index());
       break;
     case RhsValueKind::kFunction:
-      Mix(hash, value.function_index());
+      MixInto(hash, value.function_index());
       for (const RhsValue& argument : value.arguments()) {
         MixValue(hash, argument);
       }
@@ -163,7 +163,7 @@ bool SameActions(const Production& a, const Production& b, bool ignore_rl_value)
 std::uint32_t ActionsDigest(const Production& production) {
   std::uint32_t hash = 0x9E3779B1u;
   for (const Action& action : production.actions) {
-    Mix(hash, action.is_function_call ? 99u : static_cast<std::uint32_t>(action.preference));
+    MixInto(hash, action.is_function_call ? 99u : static_cast<std::uint32_t>(action.preference));
     MixValue(hash, action.value);
     if (!action.is_function_call) {
       MixValue(hash, action.id);
