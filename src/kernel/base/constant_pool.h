@@ -68,7 +68,9 @@ struct NumberEntry {
   std::uint32_t stamp = 0;
   PoolMarks marks;
 
+  /// Round doubles differ in their upper bits only, so these come down before the product is cut.
   static std::uint32_t HashOf(std::uint64_t bits) {
+    bits ^= bits >> 32;
     return static_cast<std::uint32_t>((bits * 0x9E3779B97F4A7C15ull) >> 32);
   }
   bool Is(std::uint32_t, std::uint64_t key) const { return bits == key; }
@@ -78,7 +80,8 @@ struct NumberEntry {
 /// Interned constants of one kind: entries with stable indices from `first_index` on, found by contents through a
 /// hash index with open addressing. Freed entries are used again, last freed first.
 ///
-/// Invariant: the index holds exactly the live entries, and is at most three quarters full.
+/// Invariant: the index holds exactly the live entries, and is at most half full: texts and numbers that are new are
+/// looked for as often as they are made, and a search without result is short only among gaps.
 template <typename Entry>
 class ConstantPool {
  public:
@@ -108,7 +111,7 @@ class ConstantPool {
 
   /// Adds an entry that is not there yet and returns its index.
   std::uint32_t Add(const Entry& entry) {
-    if ((live_ + 1) * 4 > slots_.size() * 3) {
+    if ((live_ + 1) * 2 > slots_.size()) {
       Rehash(slots_.empty() ? 16 : slots_.size() * 2);
     }
     std::uint32_t local;
@@ -125,13 +128,24 @@ class ConstantPool {
     return first_ + local;
   }
 
-  /// Frees an entry. The caller has given back what it refers to.
-  void Free(std::uint32_t index) {
-    const std::uint32_t local = index - first_;
-    Leave(local);
-    entries_[local] = Entry{};
-    free_.push_back(local);
-    --live_;
+  /// Frees the live entries for which `drop(entry)` is true, after it has given back what the entry refers to. Returns
+  /// how many those were.
+  template <typename Drop>
+  std::size_t FreeIf(Drop drop) {
+    const std::size_t first_freed = free_.size();
+    for (std::size_t local = 0; local < entries_.size(); ++local) {
+      if (entries_[local].marks.Live() && drop(entries_[local])) free_.push_back(static_cast<std::uint32_t>(local));
+    }
+    const std::size_t freed = free_.size() - first_freed;
+    // Closing many gaps one by one costs more than building the index of what is left.
+    const bool rebuild = freed * 4 > live_;
+    for (std::size_t n = first_freed; n < free_.size(); ++n) {
+      if (!rebuild) Leave(free_[n]);
+      entries_[free_[n]] = Entry{};
+    }
+    live_ -= freed;
+    if (rebuild) Rehash(slots_.size());
+    return freed;
   }
 
   /// Starts over with `entries`, the first of which gets `first_index`.
@@ -148,7 +162,7 @@ class ConstantPool {
       }
     }
     std::size_t size = 16;
-    while (live_ * 4 > size * 3) {
+    while (live_ * 2 > size) {
       size *= 2;
     }
     slots_.clear();

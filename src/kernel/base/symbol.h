@@ -35,6 +35,19 @@ class Symbol {
   constexpr bool IsIdentifier() const { return tag() == Tag::kIdentifier; }
   constexpr bool IsString() const { return tag() == Tag::kString; }
   constexpr bool IsInteger() const { return tag() == Tag::kSmallInteger || tag() == Tag::kLargeInteger; }
+  /// An integer whose value is in the handle: no table is needed to read it.
+  constexpr bool IsSmallInteger() const { return tag() == Tag::kSmallInteger; }
+  constexpr std::int64_t SmallValue() const {
+    constexpr std::uint32_t kSign = 1u << (kIndexBits - 1);
+    return static_cast<std::int64_t>(index() ^ kSign) - static_cast<std::int64_t>(kSign);
+  }
+  static constexpr bool FitsInHandle(std::int64_t value) {
+    constexpr std::int64_t kLimit = std::int64_t{1} << (kIndexBits - 1);
+    return value >= -kLimit && value < kLimit;
+  }
+  static constexpr Symbol SmallInteger(std::int64_t value) {
+    return Symbol(Tag::kSmallInteger, static_cast<std::uint32_t>(value));
+  }
   constexpr bool IsFloat() const { return tag() == Tag::kFloat; }
   constexpr bool IsNumber() const { return IsInteger() || IsFloat(); }
   constexpr bool IsConstant() const { return tag() >= Tag::kString; }

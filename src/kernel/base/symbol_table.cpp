@@ -44,16 +44,6 @@ std::uint32_t HashText(std::string_view text) {
   return static_cast<std::uint32_t>(hash >> 32);
 }
 
-bool FitsInHandle(std::int64_t value) {
-  constexpr std::int64_t kLimit = std::int64_t{1} << (Symbol::kIndexBits - 1);
-  return value >= -kLimit && value < kLimit;
-}
-
-std::int64_t SmallValue(Symbol symbol) {
-  constexpr std::uint32_t kSign = 1u << (Symbol::kIndexBits - 1);
-  return static_cast<std::int64_t>(symbol.index() ^ kSign) - static_cast<std::int64_t>(kSign);
-}
-
 }  // namespace
 
 /// The constants of a table, by kind. `small_integers` holds no values (those are in the handles) but the stamps of
@@ -154,7 +144,6 @@ struct SymbolTable::Contents {
   std::uint64_t next_number[26];
   std::size_t unpinned = 0;
   std::uint64_t digest = 0;
-  bool pinning = false;
 
   Contents() {
     ResetNumbers();
@@ -233,19 +222,14 @@ struct SymbolTable::Contents {
   /// Frees the entries that are neither pinned nor marked and clears the marks.
   template <typename Entry, typename Release>
   void Sweep(ConstantPool<Entry>& pool, Release release) {
-    for (std::uint32_t index = pool.first_index(); index < pool.end_index(); ++index) {
-      Entry& entry = pool[index];
-      if (!entry.marks.Live()) {
-        continue;
-      }
+    unpinned -= pool.FreeIf([&](Entry& entry) {
       if ((entry.marks.bits & (PoolMarks::kPinned | PoolMarks::kMarked)) == 0) {
         release(entry);
-        pool.Free(index);
-        --unpinned;
-      } else {
-        entry.marks.bits &= static_cast<std::uint8_t>(~PoolMarks::kMarked);
+        return true;
       }
-    }
+      entry.marks.bits &= static_cast<std::uint8_t>(~PoolMarks::kMarked);
+      return false;
+    });
   }
 };
 
@@ -256,7 +240,7 @@ SymbolTable& SymbolTable::operator=(SymbolTable&&) noexcept = default;
 
 Symbol SymbolTable::String(std::string_view text) {
   Contents& c = *contents_;
-  return c.InternText(c.base->pools.strings, c.own.strings, Symbol::Tag::kString, text, c.pinning);
+  return c.InternText(c.base->pools.strings, c.own.strings, Symbol::Tag::kString, text, pinning_);
 }
 
 Symbol SymbolTable::Variable(std::string_view name) {
@@ -264,23 +248,23 @@ Symbol SymbolTable::Variable(std::string_view name) {
   return c.InternText(c.base->pools.variables, c.own.variables, Symbol::Tag::kVariable, name, true);
 }
 
-Symbol SymbolTable::Integer(std::int64_t value) {
+Symbol SymbolTable::InternInteger(std::int64_t value) {
   Contents& c = *contents_;
   const std::uint64_t bits = static_cast<std::uint64_t>(value);
-  if (!FitsInHandle(value)) {
+  if (!Symbol::FitsInHandle(value)) {
     return c.InternNumber(c.base->pools.large_integers, c.own.large_integers, Symbol::Tag::kLargeInteger, bits,
-                          c.pinning);
+                          pinning_);
   }
-  if (c.pinning) {
+  if (pinning_) {
     c.InternNumber(c.base->pools.small_integers, c.own.small_integers, Symbol::Tag::kSmallInteger, bits, true);
   }
-  return Symbol(Symbol::Tag::kSmallInteger, static_cast<std::uint32_t>(bits));
+  return Symbol::SmallInteger(value);
 }
 
 Symbol SymbolTable::Float(double value) {
   Contents& c = *contents_;
   return c.InternNumber(c.base->pools.floats, c.own.floats, Symbol::Tag::kFloat, std::bit_cast<std::uint64_t>(value),
-                        c.pinning);
+                        pinning_);
 }
 
 Symbol SymbolTable::FindString(std::string_view text) const {
@@ -307,10 +291,7 @@ std::string_view SymbolTable::Text(Symbol symbol) const {
   return contents_->Text(symbol).View();
 }
 
-std::int64_t SymbolTable::IntegerValue(Symbol symbol) const {
-  if (symbol.tag() == Symbol::Tag::kSmallInteger) {
-    return SmallValue(symbol);
-  }
+std::int64_t SymbolTable::LargeIntegerValue(Symbol symbol) const {
   const Contents& c = *contents_;
   return static_cast<std::int64_t>(c.At(c.base->pools.large_integers, c.own.large_integers, symbol.index()).bits);
 }
@@ -318,10 +299,6 @@ std::int64_t SymbolTable::IntegerValue(Symbol symbol) const {
 double SymbolTable::FloatValue(Symbol symbol) const {
   const Contents& c = *contents_;
   return std::bit_cast<double>(c.At(c.base->pools.floats, c.own.floats, symbol.index()).bits);
-}
-
-double SymbolTable::NumberValue(Symbol symbol) const {
-  return symbol.IsFloat() ? FloatValue(symbol) : static_cast<double>(IntegerValue(symbol));
 }
 
 std::uint32_t SymbolTable::Stamp(Symbol constant) const {
@@ -334,7 +311,7 @@ std::uint32_t SymbolTable::Stamp(Symbol constant) const {
     case Symbol::Tag::kFloat:
       return c.At(c.base->pools.floats, c.own.floats, constant.index()).stamp;
     case Symbol::Tag::kSmallInteger: {
-      const std::uint64_t bits = static_cast<std::uint64_t>(SmallValue(constant));
+      const std::uint64_t bits = static_cast<std::uint64_t>(constant.SmallValue());
       const std::uint32_t hash = NumberEntry::HashOf(bits);
       for (const ConstantPool<NumberEntry>* pool : {&c.base->pools.small_integers, &c.own.small_integers}) {
         const std::uint32_t index = pool->Find(hash, bits);
@@ -423,22 +400,24 @@ std::strong_ordering SymbolTable::Compare(Symbol left, Symbol right) const {
   return std::strong_ordering::less;
 }
 
-SymbolTable::PinScope::PinScope(SymbolTable& table) : table_(table), before_(table.contents_->pinning) {
-  table.contents_->pinning = true;
+SymbolTable::PinScope::PinScope(SymbolTable& table) : table_(table), before_(table.pinning_) {
+  table.pinning_ = true;
 }
 SymbolTable::PinScope::~PinScope() {
-  table_.contents_->pinning = before_;
+  table_.pinning_ = before_;
 }
 
-void SymbolTable::BeginMark() {}
+void SymbolTable::BeginMark() {
+  const ConstantPools& own = contents_->own;
+  sweepable_from_.fill(0xFFFFFFFFu);
+  sweepable_from_[static_cast<std::size_t>(Symbol::Tag::kString)] = own.strings.first_index();
+  sweepable_from_[static_cast<std::size_t>(Symbol::Tag::kLargeInteger)] = own.large_integers.first_index();
+  sweepable_from_[static_cast<std::size_t>(Symbol::Tag::kFloat)] = own.floats.first_index();
+}
 
-void SymbolTable::Mark(Symbol symbol) {
+void SymbolTable::MarkOwn(Symbol symbol) {
   Contents& c = *contents_;
-  const auto mark = [&](auto& pool) {
-    if (symbol.index() >= pool.first_index()) {
-      pool[symbol.index()].marks.bits |= PoolMarks::kMarked;
-    }
-  };
+  const auto mark = [&](auto& pool) { pool[symbol.index()].marks.bits |= PoolMarks::kMarked; };
   switch (symbol.tag()) {
     case Symbol::Tag::kString:
       mark(c.own.strings);

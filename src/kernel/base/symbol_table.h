@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -34,7 +36,9 @@ class SymbolTable {
 
   /// Interns; equal contents give the same handle. A symbol interned while `pinning()` is on is pinned.
   Symbol String(std::string_view text);
-  Symbol Integer(std::int64_t value);
+  Symbol Integer(std::int64_t value) {
+    return Symbol::FitsInHandle(value) && !pinning_ ? Symbol::SmallInteger(value) : InternInteger(value);
+  }
   Symbol Float(double value);
   /// `name` with its brackets: "<s>". Variables are always pinned.
   Symbol Variable(std::string_view name);
@@ -44,10 +48,14 @@ class SymbolTable {
 
   /// Contents. The kind must fit. A text is valid until its symbol is swept or this table freezes or adopts a base.
   std::string_view Text(Symbol string_or_variable) const;
-  std::int64_t IntegerValue(Symbol symbol) const;
+  std::int64_t IntegerValue(Symbol symbol) const {
+    return symbol.IsSmallInteger() ? symbol.SmallValue() : LargeIntegerValue(symbol);
+  }
   double FloatValue(Symbol symbol) const;
   /// The value of an integer or a float as a double.
-  double NumberValue(Symbol symbol) const;
+  double NumberValue(Symbol symbol) const {
+    return symbol.IsFloat() ? FloatValue(symbol) : static_cast<double>(IntegerValue(symbol));
+  }
   /// When the constant was created; 0 for variables, identifiers and integers that no rule mentions.
   std::uint32_t Stamp(Symbol constant) const;
 
@@ -84,7 +92,9 @@ class SymbolTable {
 
   /// Sweeping: mark what is in use, then free the unpinned rest.
   void BeginMark();
-  void Mark(Symbol symbol);
+  void Mark(Symbol symbol) {
+    if (symbol.index() >= sweepable_from_[static_cast<std::size_t>(symbol.tag())]) MarkOwn(symbol);
+  }
   void Sweep();
   /// How many unpinned constants live; the agent sweeps when this has doubled.
   std::size_t UnpinnedCount() const;
@@ -105,7 +115,15 @@ class SymbolTable {
 
  private:
   struct Contents;
+
+  Symbol InternInteger(std::int64_t value);
+  std::int64_t LargeIntegerValue(Symbol symbol) const;
+  void MarkOwn(Symbol symbol);
+
   std::unique_ptr<Contents> contents_;
+  bool pinning_ = false;
+  /// By tag, since BeginMark: the first index that a sweep may free. Those before it are in the base.
+  std::array<std::uint32_t, 8> sweepable_from_{};
 };
 
 /// True if Soar's lexer reads `text`, written without bars, as this very string.

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string_view>
 #include <vector>
+
+#include "kernel/base/copy_text.h"
 
 namespace soarbox::kernel {
 
@@ -18,7 +21,7 @@ class TextArena {
   const char* Store(std::string_view text) {
     const int size_class = ClassOf(text.size());
     char* place = Take(size_class);
-    text.copy(place, text.size());
+    CopyText(place, text);
     return place;
   }
 
@@ -38,13 +41,7 @@ class TextArena {
   };
   static constexpr std::size_t kBlockBytes = 4096;
 
-  static int ClassOf(std::size_t length) {
-    int size_class = 0;
-    while ((std::size_t{8} << size_class) < length) {
-      ++size_class;
-    }
-    return size_class;
-  }
+  static int ClassOf(std::size_t length) { return length <= 8 ? 0 : static_cast<int>(std::bit_width(length - 1)) - 3; }
 
   char* Take(int size_class) {
     FreeText*& head = free_[static_cast<std::size_t>(size_class)];

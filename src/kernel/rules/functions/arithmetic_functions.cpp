@@ -43,6 +43,20 @@ bool AllIntegers(Arguments arguments) {
   return std::all_of(arguments.begin(), arguments.end(), [](Symbol argument) { return argument.IsInteger(); });
 }
 
+bool AllSmallIntegers(Arguments arguments) {
+  return std::all_of(arguments.begin(), arguments.end(), [](Symbol argument) { return argument.IsSmallInteger(); });
+}
+
+/// The usual case, which needs no look at what symbols stand for.
+template <typename Step>
+Symbol FoldSmall(FunctionContext& context, Arguments arguments, std::int64_t start, Step step) {
+  std::int64_t result = start;
+  for (const Symbol argument : arguments) {
+    result = step(result, argument.SmallValue());
+  }
+  return context.symbols().Integer(result);
+}
+
 /// Folds numbers: as integers if all are, else as floats.
 template <typename IntegerStep, typename FloatStep>
 Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, IntegerStep integer_step,
@@ -151,6 +165,9 @@ bool ReadFloat(std::string_view text, double& value) {
 }  // namespace
 
 Symbol Plus(FunctionContext& context, Arguments arguments) {
+  if (AllSmallIntegers(arguments)) {
+    return FoldSmall(context, arguments, 0, WrappingAdd);
+  }
   if (!AllNumbers(context, arguments, "+")) {
     return {};
   }
@@ -158,6 +175,9 @@ Symbol Plus(FunctionContext& context, Arguments arguments) {
 }
 
 Symbol Times(FunctionContext& context, Arguments arguments) {
+  if (AllSmallIntegers(arguments)) {
+    return FoldSmall(context, arguments, 1, WrappingMultiply);
+  }
   if (!AllNumbers(context, arguments, "*")) {
     return {};
   }
@@ -165,6 +185,9 @@ Symbol Times(FunctionContext& context, Arguments arguments) {
 }
 
 Symbol Minus(FunctionContext& context, Arguments arguments) {
+  if (arguments.size() > 1 && AllSmallIntegers(arguments)) {
+    return FoldSmall(context, arguments.subspan(1), arguments[0].SmallValue(), WrappingSubtract);
+  }
   if (arguments.empty()) {
     context.PrintError("Error: '-' function called with no arguments\n");
     return {};

@@ -4,6 +4,7 @@
 
 #include "kernel/base/characters.h"
 #include "kernel/rules/functions/function_bodies.h"
+#include "kernel/rules/functions/short_text.h"
 
 namespace soarbox::kernel::function_bodies {
 
@@ -15,18 +16,29 @@ std::string Name(FunctionContext& context, Symbol symbol) {
   return ToString(context.symbols(), symbol);
 }
 
-std::string Glued(FunctionContext& context, Arguments arguments) {
-  std::string text;
+void Glue(ShortText& text, const SymbolTable& symbols, Arguments arguments) {
   for (const Symbol argument : arguments) {
-    AppendTo(text, context.symbols(), argument, false);
+    text.Append(symbols, argument);
   }
-  return text;
+}
+
+std::string Glued(FunctionContext& context, Arguments arguments) {
+  ShortText text;
+  Glue(text, context.symbols(), arguments);
+  return text.str();
+}
+
+bool IsBlank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 }  // namespace
 
 Symbol Concat(FunctionContext& context, Arguments arguments) {
-  return context.symbols().String(Glued(context, arguments));
+  SymbolTable& symbols = context.symbols();
+  ShortText text;
+  Glue(text, symbols, arguments);
+  return symbols.String(text.view());
 }
 
 Symbol ToText(FunctionContext& context, Arguments arguments) {
@@ -58,11 +70,16 @@ Symbol Capitalize(FunctionContext& context, Arguments arguments) {
                        ") passed to capitalize-symbol function.\n");
     return {};
   }
-  std::string text(context.symbols().Text(arguments[0]));
-  if (!text.empty()) {
-    text[0] = ToUpper(text[0]);
+  SymbolTable& symbols = context.symbols();
+  const std::string_view text = symbols.Text(arguments[0]);
+  if (text.empty() || ToUpper(text[0]) == text[0]) {
+    return arguments[0];
   }
-  return context.symbols().String(text);
+  const char first = ToUpper(text[0]);
+  ShortText capitalised;
+  capitalised.Append(std::string_view(&first, 1));
+  capitalised.Append(text.substr(1));
+  return symbols.String(capitalised.view());
 }
 
 Symbol Trim(FunctionContext& context, Arguments arguments) {
@@ -70,17 +87,26 @@ Symbol Trim(FunctionContext& context, Arguments arguments) {
     context.PrintError("\nError: non-symbol (" + Glued(context, arguments) + ") passed to 'trim' function.\n");
     return {};
   }
-  const std::string text(context.symbols().Text(arguments[0]));
-  constexpr const char* kBlanks = " \t\n\v\f\r";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string::npos) {
-    return context.symbols().String("");
+  SymbolTable& symbols = context.symbols();
+  std::string_view text = symbols.Text(arguments[0]);
+  const std::size_t length = text.size();
+  while (!text.empty() && IsBlank(text.front())) {
+    text.remove_prefix(1);
   }
-  return context.symbols().String(std::string_view(text).substr(begin, text.find_last_not_of(kBlanks) - begin + 1));
+  while (!text.empty() && IsBlank(text.back())) {
+    text.remove_suffix(1);
+  }
+  if (text.size() == length) {
+    return arguments[0];
+  }
+  return symbols.String(text);
 }
 
 Symbol TextLength(FunctionContext& context, Arguments arguments) {
-  return context.symbols().Integer(static_cast<std::int64_t>(Glued(context, arguments).size()));
+  SymbolTable& symbols = context.symbols();
+  ShortText text;
+  Glue(text, symbols, arguments);
+  return symbols.Integer(static_cast<std::int64_t>(text.view().size()));
 }
 
 Symbol IfEqual(FunctionContext&, Arguments arguments) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "kernel/base/copy_text.h"
+#include "kernel/base/symbol_table.h"
+
+namespace soarbox::kernel::function_bodies {
+
+/// A text that a function puts together before it becomes a symbol: on the stack while it is short, else in a string.
+class ShortText {
+ public:
+  ShortText() = default;
+  ShortText(const ShortText&) = delete;
+  ShortText& operator=(const ShortText&) = delete;
+
+  void Append(std::string_view piece) {
+    if (!long_.empty() || piece.size() > kRoom - size_) {
+      AppendLong(piece);
+      return;
+    }
+    CopyText(room_ + size_, piece);
+    size_ += piece.size();
+  }
+
+  /// As (write ...) shows the symbol.
+  void Append(const SymbolTable& symbols, Symbol symbol) {
+    if (symbol.IsString()) {
+      Append(symbols.Text(symbol));
+    } else if (symbol.IsInteger() && long_.empty() && kRoom - size_ >= kLongestInteger) {
+      size_ = static_cast<std::size_t>(std::to_chars(room_ + size_, room_ + kRoom, symbols.IntegerValue(symbol)).ptr -
+                                       room_);
+    } else {
+      Append(ToString(symbols, symbol, false));
+    }
+  }
+
+  std::string_view view() const { return long_.empty() ? std::string_view(room_, size_) : std::string_view(long_); }
+  std::string str() const { return std::string(view()); }
+
+ private:
+  static constexpr std::size_t kRoom = 256;
+  static constexpr std::size_t kLongestInteger = 20;
+
+  [[gnu::noinline]] void AppendLong(std::string_view piece) {
+    if (long_.empty()) long_.assign(room_, size_);
+    long_ += piece;
+  }
+
+  std::size_t size_ = 0;  ///< Of what is in room_.
+  char room_[kRoom];
+  std::string long_;  ///< The whole text once it is too long for room_.
+};
+
+}  // namespace soarbox::kernel::function_bodies
