@@ -2,6 +2,7 @@
 #include "kernel/decide/decision.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
@@ -9,9 +10,68 @@
 
 namespace soarbox::kernel {
 
+// The same steps as PreferenceSemantics::Decide, with sets of candidates as bits: candidate n is the n-th that the list
+// of acceptable preferences names.
+bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome) {
+  const WorkingMemory& memory = engine_.memory;
+  std::uint32_t count = 0;
+  const auto find = [&](Symbol value) {
+    std::uint32_t at = 0;
+    while (at < count && named_[at].value != value) ++at;
+    return at;
+  };
+  PreferenceId next;
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = next) {
+    const Preference& preference = memory.preference(p);
+    next = preference.next_in_slot;
+    if (find(preference.value) < count) continue;
+    if (count == kFewCandidates) return false;
+    named_[count] = Candidate{preference.value, p};
+    ++count;
+  }
+  std::uint32_t best = 0, worst = 0, indifferent = 0;
+  for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = next) {
+    const Preference& preference = memory.preference(p);
+    next = preference.next_in_slot;
+    // (The bit of a value that is no candidate is above all of theirs.)
+    const std::uint32_t at = find(preference.value), bit = 1u << at;
+    switch (preference.type) {
+      case PreferenceType::kBest:
+        best |= bit;
+        break;
+      case PreferenceType::kWorst:
+        worst |= bit;
+        break;
+      case PreferenceType::kUnaryIndifferent:
+        indifferent |= bit;
+        break;
+      case PreferenceType::kNumericIndifferent:
+        if (at == count) break;
+        indifferent |= bit;
+        named_[at].is_numeric = true;
+        named_[at].number_sum += engine_.symbols.NumberValue(preference.referent);
+        ++named_[at].number_count;
+        break;
+      default:
+        return false;
+    }
+  }
+  std::uint32_t left = (1u << count) - 1;
+  if (count > 1 && (left & best) != 0) left &= best;
+  if (!std::has_single_bit(left) && (left & ~worst) != 0) left &= ~worst;
+  outcome.impasse = (left & ~indifferent) == 0 || std::has_single_bit(left) ? ImpasseType::kNone : ImpasseType::kTie;
+  std::size_t kept = 0;
+  while (count-- > 0) {
+    if ((left >> count & 1u) != 0) few_[kept++] = named_[count];
+  }
+  outcome.candidates = {few_.data(), kept};
+  return true;
+}
+
 PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced) {
   const WorkingMemory& memory = engine_.memory;
   const Slot& slot = memory.slot(goal.operator_slot);
+  if (PreferenceSemantics::Outcome outcome; !forced && EvaluateFew(slot, outcome)) return outcome;
   slot_preferences_.clear();
   for (const PreferenceId first : {slot.acceptable, slot.others}) {
     for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
@@ -148,8 +208,7 @@ bool Decision::Stands(const Goal& goal) {
                      [&](const Candidate& candidate) { return candidate.value == selected; });
 }
 
-bool Decision::CheckConsistency(GoalLevel level) {
-  if (changed_from_ == 0) return true;
+bool Decision::CheckChanged(GoalLevel level) {
   for (GoalLevel current = changed_from_; current <= level && current <= engine_.goals.depth(); ++current) {
     const Goal& goal = engine_.goals.at(current);
     const Slot& slot = engine_.memory.slot(goal.operator_slot);

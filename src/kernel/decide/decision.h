@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "kernel/base/symbol.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/preference_semantics.h"
+#include "kernel/memory/working_memory.h"
 #include "kernel/observer.h"
 
 namespace soarbox::kernel {
@@ -27,7 +30,7 @@ class Decision {
   void Decide();
   /// Checks the goals from the highest changed one down to `level`: true if all decisions stand. If one does not, its
   /// operator or its impasse and everything below have been removed.
-  bool CheckConsistency(GoalLevel level);
+  bool CheckConsistency(GoalLevel level) { return changed_from_ == 0 || CheckChanged(level); }
   /// Takes the operator out of its slot and removes the states below.
   [[gnu::noinline]] void RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable = WmeId::kNone);
   /// Operator preferences of the goal at this level changed.
@@ -44,6 +47,13 @@ class Decision {
   void Clear() { changed_from_ = 0; }
 
  private:
+  /// Candidates that Evaluate handles without the whole procedure.
+  static constexpr std::size_t kFewCandidates = 8;
+
+  [[gnu::noinline]] bool CheckChanged(GoalLevel level);
+  /// What most decisions are: few candidates that are acceptable, best, worst or indifferent. Decided from the slot's
+  /// lists as they stand; false if it takes the whole procedure.
+  bool EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome);
   /// True if something new was decided, so that nothing below needs a look.
   bool DecideGoal(GoalLevel level);
   bool EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);
@@ -55,6 +65,8 @@ class Decision {
   Engine& engine_;
   GoalLevel changed_from_ = 0;  ///< The highest goal whose operator preferences changed; 0: none.
   std::vector<SlotPreference> slot_preferences_;
+  std::array<Candidate, kFewCandidates> named_;  ///< Scratch of EvaluateFew.
+  std::array<Candidate, kFewCandidates> few_;    ///< What its outcome shows.
 };
 
 }  // namespace soarbox::kernel
