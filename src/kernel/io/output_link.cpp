@@ -16,8 +16,7 @@ constexpr std::size_t kUsualElements = 8;
 
 OutputLink::OutputLink(Engine& engine) : engine_(engine) {
   members_.reserve(kUsualElements);
-  for (std::vector<OutputChange>* list : {&current_, &next_, &changes_, &added_, &removed_})
-    list->reserve(kUsualElements);
+  for (std::vector<OutputChange>* list : {&current_, &next_, &changes_}) list->reserve(kUsualElements);
   new_commands_.reserve(kUsualElements);
 }
 
@@ -60,32 +59,27 @@ bool OutputLink::Collect() {
     visit(record.input_wmes);
   }
   const auto by_timetag = [](const OutputChange& a, const OutputChange& b) { return a.timetag < b.timetag; };
-  std::sort(next_.begin(), next_.end(), by_timetag);
+  if (!std::is_sorted(next_.begin(), next_.end(), by_timetag)) std::sort(next_.begin(), next_.end(), by_timetag);
 
-  // Both lists are in time-tag order: what stands in only one of them has come or gone.
-  added_.clear();
-  removed_.clear();
-  auto before = current_.begin();
-  for (const OutputChange& now : next_) {
-    for (; before != current_.end() && before->timetag < now.timetag; ++before) removed_.push_back(*before);
-    if (before != current_.end() && before->timetag == now.timetag) {
-      ++before;
-    } else {
-      added_.push_back(now);
-    }
-  }
-  removed_.insert(removed_.end(), before, current_.end());
   current_.swap(next_);
-  if (added_.empty() && removed_.empty()) return false;
+  const std::vector<OutputChange>& before = next_;
+  if (std::ranges::equal(before, current_, {}, &OutputChange::timetag, &OutputChange::timetag)) return false;
 
+  // Both lists are in time-tag order: what stands in only one of them has come or gone. Removals go first.
   ++generation_;
   changes_.clear();
   new_commands_.clear();
-  for (OutputChange& change : removed_) {
-    change.added = false;
-    changes_.push_back(change);
+  auto now = current_.begin();
+  for (const OutputChange& old : before) {
+    while (now != current_.end() && now->timetag < old.timetag) ++now;
+    if (now != current_.end() && now->timetag == old.timetag) continue;
+    changes_.push_back(old);
+    changes_.back().added = false;
   }
-  for (const OutputChange& change : added_) {
+  auto old = before.begin();
+  for (const OutputChange& change : current_) {
+    while (old != before.end() && old->timetag < change.timetag) ++old;
+    if (old != before.end() && old->timetag == change.timetag) continue;
     changes_.push_back(change);
     if (change.id == identifier_ && change.value.IsIdentifier()) {
       new_commands_.push_back({change.attribute, change.value, change.timetag});

@@ -80,7 +80,7 @@ class OutputLink {
   std::uint64_t generation_ = 0;
   std::vector<std::uint8_t> member_;  ///< By identifier index: below the output link at the last collection.
   std::vector<Symbol> members_;
-  std::vector<OutputChange> current_, next_, changes_, added_, removed_;
+  std::vector<OutputChange> current_, next_, changes_;
   std::vector<OutputCommand> new_commands_;
 };
 

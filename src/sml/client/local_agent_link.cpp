@@ -17,7 +17,8 @@ std::string LocalAgentLink::InputLinkName() {
 
 void LocalAgentLink::Note(const InputWme& wme) {
   // The texts may be gone when the batch ends.
-  noted_texts_.push_back(std::string(wme.id) + '\0' + std::string(wme.attribute) + '\0' + std::string(wme.text));
+  const std::string id = wme.id.empty() ? soarbox::server::IdentifierName(wme.id_key) : std::string(wme.id);
+  noted_texts_.push_back(id + '\0' + std::string(wme.attribute) + '\0' + std::string(wme.text));
   noted_.push_back(wme);
 }
 
@@ -78,9 +79,11 @@ bool LocalAgentLink::IsProductionLoaded(std::string_view name) {
   return hosted_.agent().FindProduction(name) != kernel::ProductionId::kNone;
 }
 
-OutputWme LocalAgentLink::Describe(long long tag, kernel::Symbol id, kernel::Symbol attribute, kernel::Symbol value) {
+const OutputWme& LocalAgentLink::Describe(long long tag, kernel::Symbol id, kernel::Symbol attribute,
+                                          kernel::Symbol value) {
   const kernel::SymbolTable& symbols = std::as_const(hosted_).agent().symbols();
-  OutputWme wme;
+  OutputWme& wme = described_;
+  wme.text = {};
   wme.tag = tag;
   wme.id = IdentifierKey(symbols.Letter(id), symbols.Number(id));
   if (attribute.IsString()) {
@@ -101,6 +104,7 @@ OutputWme LocalAgentLink::Describe(long long tag, kernel::Symbol id, kernel::Sym
     wme.type = InputWme::Type::kDouble;
     wme.real = symbols.FloatValue(value);
   } else {
+    wme.type = InputWme::Type::kString;
     wme.text = symbols.Text(value);
   }
   return wme;

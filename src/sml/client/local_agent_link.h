@@ -47,9 +47,10 @@ class LocalAgentLink final : public AgentLink {
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 
  private:
-  OutputWme Describe(long long tag, soarbox::kernel::Symbol id, soarbox::kernel::Symbol attribute,
-                     soarbox::kernel::Symbol value);
-  OutputWme Describe(const soarbox::kernel::OutputChange& change) {
+  /// Valid until the next call; of the fields for values only that of the value's type means anything.
+  const OutputWme& Describe(long long tag, soarbox::kernel::Symbol id, soarbox::kernel::Symbol attribute,
+                            soarbox::kernel::Symbol value);
+  const OutputWme& Describe(const soarbox::kernel::OutputChange& change) {
     return Describe(static_cast<long long>(change.timetag), change.id, change.attribute, change.value);
   }
   void Note(const soarbox::server::InputWme& wme);
@@ -59,6 +60,7 @@ class LocalAgentLink final : public AgentLink {
   soarbox::server::KernelHost& host_;
   soarbox::server::Connection& connection_;
   soarbox::server::HostedAgent& hosted_;
+  OutputWme described_;                                         ///< The last one.
   std::string attribute_;                                       ///< Room for a text while it is handed over.
   std::vector<const soarbox::kernel::OutputChange*> deferred_;  ///< Output whose parent has not come yet.
   std::vector<soarbox::server::InputWme> noted_;                ///< For xml-input-received.

@@ -36,7 +36,7 @@ IdentifierSymbol* WorkingMemory::NewSymbol(std::string_view name, long long key)
 IdentifierSymbol* WorkingMemory::SymbolFor(long long key) {
   if (IdentifierSymbol* found = FindSymbol(key)) return found;
   IdentifierSymbol* symbol = NewSymbol({}, key);
-  symbols_by_key_.Set(key, symbol);
+  symbols_by_key_.Add(key, symbol);
   return symbol;
 }
 
@@ -108,18 +108,24 @@ void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& 
 /// Makes husks of an element and of everything below it that nothing else shares.
 void WorkingMemory::Release(WMElement* wme) {
   const std::size_t base = work_.size();
-  work_.push_back(wme);
-  while (work_.size() > base) {
-    WMElement* element = work_.back();
-    work_.pop_back();
+  const auto release = [&](WMElement* element) {
     Detach(element);
     if (element->kind_ == WMElement::Kind::kIdentifier) DropSymbol(static_cast<Identifier*>(element), work_);
     // (What was told to be removed is out of the table already.)
-    if (element->output_ && element->live_) output_by_tag_.Take(element->time_tag_);
-    Cancel(element->time_tag_);
-    if (!element->live_ && std::find(removed_.begin(), removed_.end(), element) != removed_.end()) continue;
+    if (element->output_) {
+      if (element->live_) output_by_tag_.Take(element->time_tag_);
+    } else {
+      Cancel(element->time_tag_);
+    }
+    if (!element->live_ && std::find(removed_.begin(), removed_.end(), element) != removed_.end()) return;
     element->live_ = false;
     RetireElement(element);
+  };
+  release(wme);
+  while (work_.size() > base) {
+    WMElement* element = work_.back();
+    work_.pop_back();
+    release(element);
   }
 }
 
@@ -233,7 +239,8 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
 InputWme WorkingMemory::Describe(WMElement* wme) {
   InputWme described;
   described.tag = wme->time_tag_;
-  described.id = wme->parent_->Name();
+  // The kernel knows its own identifiers without their names.
+  if (wme->parent_->hint_ == 0) described.id = wme->parent_->Name();
   described.id_key = wme->parent_->key_;
   described.id_hint = wme->parent_->hint_;
   described.attribute = wme->attribute_;

@@ -139,7 +139,7 @@ bool WorkingMemory::AddOutput(const OutputWme& wme) {
   if (parent->has_own_ && HasOwn(*parent, wme)) return true;
   WMElement* made = MakeOutput(wme, parent);
   parent->children_modified_ = true;
-  output_by_tag_.Set(wme.tag, made);
+  output_by_tag_.Add(wme.tag, made);
   if (tracking()) changes_.deltas_.emplace_back(WMDelta::kAdded, made);
   return true;
 }

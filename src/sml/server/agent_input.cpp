@@ -35,7 +35,7 @@ kernel::InputObject AgentInput::Resolve(const InputWme& wme) {
       return agent_.input().ObjectFor(symbol);
     }
   }
-  return Resolve(wme.id);
+  return wme.id.empty() ? Resolve(IdentifierName(wme.id_key)) : Resolve(wme.id);
 }
 
 kernel::InputObject AgentInput::Resolve(std::string_view name) {

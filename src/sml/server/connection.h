@@ -27,13 +27,20 @@ inline long long IdentifierKey(char letter, unsigned long long number) {
   return (static_cast<long long>(letter) << 56) | static_cast<long long>(number);
 }
 
+/// The name behind such a number; empty for 0.
+inline std::string IdentifierName(long long key) {
+  if (key == 0) return {};
+  return static_cast<char>(key >> 56) + std::to_string(key & ((1LL << 56) - 1));
+}
+
 /// One element that a client adds to the input (or one that it takes away: only the tag counts then).
 struct InputWme {
   enum class Type : std::uint8_t { kString, kInt, kDouble, kId };
 
   bool add = true;
   long long tag = 0;
-  std::string_view id;        ///< The parent, as the client or the kernel names it.
+  /// The parent, as the client or the kernel names it. May be left out if there is an id_hint.
+  std::string_view id;
   long long id_key = 0;       ///< The same as one number (IdentifierKey), if the kernel named it.
   std::uint32_t id_hint = 0;  ///< The kernel's handle of the parent when the client heard of it; 0 if it never did.
   std::string_view attribute;

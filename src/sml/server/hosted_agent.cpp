@@ -95,7 +95,7 @@ void HostedAgent::Tell(int event, Call call) {
   }
 }
 
-void HostedAgent::FireRun(int event, int phase) {
+void HostedAgent::TellRun(int event, int phase) {
   Tell(event, [&](Connection& connection) { connection.OnRunEvent(*this, event, phase); });
 }
 

@@ -61,11 +61,17 @@ class HostedAgent {
   bool Listens(int event) const { return listened_.Has(event); }
   /// Somebody wants to hear of single phases.
   bool ListensToPhases() const { return phase_listeners_; }
+  /// Somebody wants to hear of the steps of runs: phases, cycles, or each time that the agent gets its turn.
+  bool ListensToSteps() const {
+    return phase_listeners_ || listened_.HasAnyOf({::sml::smlEVENT_BEFORE_RUNNING, ::sml::smlEVENT_AFTER_RUNNING});
+  }
   bool Listens(const Connection& connection, int event) const;
 
   // Telling ---------------------------------------------------------------------------------------------------------
 
-  void FireRun(int event, int phase);
+  void FireRun(int event, int phase) {
+    if (listened_.Has(event)) TellRun(event, phase);
+  }
   /// An event of one phase and the one for every phase: the one that was registered last comes first.
   void FirePhase(int specific, int general, int phase);
   void FireProduction(int event, std::string_view name);
@@ -112,6 +118,7 @@ class HostedAgent {
 
   void UpdateListened();
   void SendPrint();
+  void TellRun(int event, int phase);
   template <typename Call>
   void Tell(int event, Call call);
 

@@ -73,7 +73,7 @@ void KernelHost::DestroyAllAgents() {
   while (!order_.empty()) DestroyAgent(*order_.front());
 }
 
-void KernelHost::EndOfRun() {
+void KernelHost::BuryDoomed() {
   // An agent in the middle of a phase is destroyed when the call that started the phase comes back.
   std::erase_if(doomed_, [](const std::unique_ptr<HostedAgent>& hosted) { return !hosted->agent().running(); });
 }

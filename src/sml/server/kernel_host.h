@@ -55,7 +55,7 @@ class KernelHost : public cli::Host {
   cli::CommandResult Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options);
   cli::Interpreter& interpreter() { return interpreter_; }
   /// A filter is registered: every command line must pass by Execute.
-  bool HasFilters() const;
+  bool HasFilters() const { return !functions_.empty() && SearchFilters(); }
 
   // Runs ------------------------------------------------------------------------------------------------------------
 
@@ -92,7 +92,9 @@ class KernelHost : public cli::Host {
   void RegisterFunction(Connection& connection, int event, const std::string& name);
   void UnregisterFunction(Connection& connection, int event, const std::string& name);
 
-  void FireSystem(int event);
+  void FireSystem(int event) {
+    if (listened_.Has(event)) TellSystem(event);
+  }
   void FireUpdate(int event, int run_flags);
   void FireAgent(HostedAgent& hosted, int event);
   /// The first answer; none if nobody gives one.
@@ -107,11 +109,20 @@ class KernelHost : public cli::Host {
   void SetPump(std::function<void()> pump) { pump_ = std::move(pump); }
   /// There is work for the pump. From any thread.
   void RequestPump() { pump_requested_.store(true, std::memory_order_release); }
+  bool PumpRequested() const { return pump_requested_.load(std::memory_order_acquire); }
   void Pump() {
-    if (pump_requested_.load(std::memory_order_acquire)) ServePump();
+    if (PumpRequested()) ServePump();
+  }
+  /// Somebody wants to hear of the rounds of runs.
+  bool ListensToRounds() const {
+    using namespace ::sml;
+    return listened_.HasAnyOf({smlEVENT_INTERRUPT_CHECK, smlEVENT_BEFORE_AGENTS_RUN_STEP,
+                               smlEVENT_AFTER_ALL_OUTPUT_PHASES, smlEVENT_AFTER_ALL_GENERATED_OUTPUT});
   }
   /// Called by RunControl when a run has ended: agents that were destroyed meanwhile go.
-  void EndOfRun();
+  void EndOfRun() {
+    if (!doomed_.empty()) BuryDoomed();
+  }
 
  private:
   struct Function {
@@ -121,6 +132,9 @@ class KernelHost : public cli::Host {
   };
 
   void ServePump();
+  void TellSystem(int event);
+  void BuryDoomed();
+  bool SearchFilters() const;
   HostedAgent* Addressed(HostedAgent* hosted);
   void SourceSettings(HostedAgent& hosted);
   void InstallFunctions(HostedAgent& hosted);

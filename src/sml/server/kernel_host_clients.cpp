@@ -76,8 +76,7 @@ void KernelHost::UnregisterFunction(Connection& connection, int event, const std
   });
 }
 
-void KernelHost::FireSystem(int event) {
-  if (!listened_.Has(event)) return;
+void KernelHost::TellSystem(int event) {
   for (HostedAgent* hosted : order_) hosted->FlushPrint();
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     if (connections_[i]->kernel_events.Has(event)) connections_[i]->OnSystemEvent(event);

@@ -21,7 +21,7 @@ std::string FilterDocument(std::string_view line) {
 
 }  // namespace
 
-bool KernelHost::HasFilters() const {
+bool KernelHost::SearchFilters() const {
   return std::any_of(functions_.begin(), functions_.end(),
                      [](const Function& function) { return function.event == smlEVENT_FILTER; });
 }

@@ -40,6 +40,13 @@ bool EndsAtStopPhase(const cli::RunRequest& request) {
   return request.unit == RunUnit::kDecision || request.unit == RunUnit::kForever;
 }
 
+/// Runs whose steps are decisions or, without an end, phases.
+bool CanStepAlone(const cli::RunRequest& request, RunUnit interleave) {
+  if (request.until_goal_removed) return false;
+  if (request.unit == RunUnit::kOutput) return interleave == RunUnit::kOutput;
+  return EndsAtStopPhase(request) && (interleave == RunUnit::kDecision || interleave == RunUnit::kPhase);
+}
+
 }  // namespace
 
 kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
@@ -132,12 +139,40 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
 
 void RunControl::Rounds(const cli::RunRequest& request, RunUnit interleave) {
   const auto active = [](const Runner& runner) { return runner.active; };
+  const bool alone = runners_.size() == 1 && CanStepAlone(request, interleave);
   for (int round = 0; std::any_of(runners_.begin(), runners_.end(), active); ++round) {
+    if (alone) {
+      StepAlone(runners_.front(), request, interleave);
+      if (!runners_.front().active) return;
+    }
     if (round % check_rate_ == 0) host_.FireSystem(smlEVENT_INTERRUPT_CHECK);
     host_.Pump();
     host_.FireSystem(smlEVENT_BEFORE_AGENTS_RUN_STEP);
     Round(request, interleave);
   }
+}
+
+void RunControl::StepAlone(Runner& runner, const cli::RunRequest& request, RunUnit interleave) {
+  HostedAgent& hosted = *runner.hosted;
+  kernel::Agent& agent = hosted.agent();
+  const kernel::AgentCounters& counters = std::as_const(agent).counters();
+  const RunUnit step = interleave == RunUnit::kPhase ? interleave : RunUnit::kDecision;
+  while (runner.active) {
+    if (hosted.doomed || hosted.ListensToSteps() || host_.ListensToRounds() || host_.PumpRequested()) return;
+    const std::uint64_t cycles = counters.decision_cycles;
+    const kernel::RunResult result = agent.Step(step);
+    const bool cycle_ended = counters.decision_cycles != cycles;
+    if (cycle_ended) AfterOutputPhase(runner);
+    NoteEnd(runner, result);
+    EndIfStopRequested(runner);
+    hosted.FlushPrint();
+    if (runner.active) CountStep(runner, request, cycle_ended ? 1 : 0, !agent.in_middle_of_phase());
+    // What FireUpdates comes to.
+    runner.passed_output = runner.generated = false;
+  }
+  if (EndsAtStopPhase(request)) return;
+  EndInterrupted(runner);
+  Finish(runner, true);
 }
 
 void RunControl::Round(const cli::RunRequest& request, RunUnit interleave) {
@@ -218,14 +253,18 @@ void RunControl::StepBracketed(Runner& runner, RunUnit unit) {
   HostedAgent& hosted = *runner.hosted;
   hosted.FireRun(smlEVENT_BEFORE_RUNNING, PhaseNumber(hosted));
   Step(runner, unit);
-  if (StopRequested(runner) && !hosted.doomed) {
-    runner.active = false;
-    runner.interrupted = true;
-    const bool arrived = hosted.agent().next_phase() == hosted.agent().settings().stop_phase;
-    if (arrived) EndInterrupted(runner);
-  }
+  EndIfStopRequested(runner);
   hosted.FlushPrint();
   hosted.FireRun(smlEVENT_AFTER_RUNNING, PhaseNumber(hosted));
+}
+
+void RunControl::EndIfStopRequested(Runner& runner) {
+  HostedAgent& hosted = *runner.hosted;
+  if (!StopRequested(runner) || hosted.doomed) return;
+  runner.active = false;
+  runner.interrupted = true;
+  const bool arrived = hosted.agent().next_phase() == hosted.agent().settings().stop_phase;
+  if (arrived) EndInterrupted(runner);
 }
 
 void RunControl::Step(Runner& runner, RunUnit unit) {

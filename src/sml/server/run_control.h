@@ -21,7 +21,7 @@ class KernelHost;
 /// phase is still gone.
 ///
 /// Phases are stepped one by one only if somebody listens to them; else an agent takes the whole interleave step at
-/// once.
+/// once. Rounds are gone through only if somebody listens to them, or if they give turns to more than one agent.
 class RunControl {
  public:
   explicit RunControl(KernelHost& host) : host_(host) {}
@@ -53,6 +53,9 @@ class RunControl {
   void Begin(HostedAgent& addressed, const cli::RunRequest& request);
   void Rounds(const cli::RunRequest& request, kernel::RunUnit interleave);
   void Round(const cli::RunRequest& request, kernel::RunUnit interleave);
+  /// The rounds of an agent that runs alone, as long as nobody listens to them: nothing but its steps is left of them.
+  void StepAlone(Runner& runner, const cli::RunRequest& request, kernel::RunUnit interleave);
+  void EndIfStopRequested(Runner& runner);
   void MoveToStopPhase(Runner& runner);
   void StepBracketed(Runner& runner, kernel::RunUnit unit);
   void Step(Runner& runner, kernel::RunUnit unit);

@@ -23,6 +23,10 @@ class TagMap {
       *found = value;
       return;
     }
+    Add(tag, value);
+  }
+  /// Sets the value of a tag that has none.
+  void Add(std::int64_t tag, const Value& value) {
     if ((size_ + 1) * 2 > slots_.size()) Grow();
     Insert(tag, value);
   }
