@@ -74,6 +74,8 @@ LoadOutcome Agent::AddProduction(ProductionPtr production) {
   if (engine_->productions.size() <= index) engine_->productions.resize(index + 1u);
   engine_->productions[index] = Engine::ProductionRecord{};
   engine_->productions[index].live = true;
+  engine_->productions[index].has_negations = std::ranges::any_of(
+      production->conditions, [](const Condition& c) { return c.kind != ConditionKind::kPositive; });
   engine_->loading_order.push_back(added.production);
   engine_->rules_changed = true;
   ++engine_->type_counts[static_cast<std::size_t>(production->type)];

@@ -62,7 +62,7 @@ Symbol Engine::OperatorOf(const Goal& goal) const {
 
 std::string_view Engine::ProductionName(InstantiationId id) const {
   const Instantiation& instantiation = instantiations[id];
-  if (instantiation.justification != 0xFFFFFFFFu) return justifier.record(instantiation.justification).name;
+  if (instantiation.justification != 0xFFFFFFFFu) return justifier.Name(instantiation.justification);
   if (instantiation.production == ProductionId::kNone) return "[architecture]";
   const ProductionPtr& rule = rete.production(instantiation.production);
   return rule == nullptr ? std::string_view("[excised]") : std::string_view(rule->name);
@@ -98,10 +98,12 @@ void Engine::Sweep() {
   }
   identifier_marks.assign(memory.identifier_limit(), 0);
   symbols.BeginMark();
+  std::uint8_t* const marks = identifier_marks.data();
+  const std::size_t limit = identifier_marks.size();
   const auto mark = [&](Symbol symbol) {
     if (symbol.IsIdentifier()) {
-      if (symbol.index() < identifier_marks.size()) identifier_marks[symbol.index()] = 1;
-    } else if (symbol) {
+      if (symbol.index() < limit) marks[symbol.index()] = 1;
+    } else {
       symbols.Mark(symbol);
     }
   };
@@ -133,16 +135,19 @@ void Engine::Sweep() {
   }
   input.Mark(mark);
   output.Mark(mark);
+  const std::size_t identifiers_before = memory.identifier_count(), constants_before = symbols.UnpinnedCount();
   for (std::uint32_t index = 0; index < memory.identifier_limit(); ++index) {
     const Symbol id(Symbol::Tag::kIdentifier, index);
-    if (!memory.identifier(id).live || identifier_marks[index] != 0) continue;
+    if (marks[index] != 0 || !memory.identifier(id).live) continue;
     input.IdentifierGone(id);
     output.IdentifierFreed(id);
     memory.FreeIdentifier(id);
   }
   symbols.Sweep();
-  sweep_identifiers_at = std::max<std::size_t>(1024, 2 * memory.identifier_count());
-  sweep_constants_at = std::max<std::size_t>(4096, 2 * symbols.UnpinnedCount());
+  // Where little was found a memory is growing: the next look is worth its price only when it has grown a lot.
+  const auto next = [](std::size_t before, std::size_t now) { return 2 * now > before ? 4 * now : 2 * now; };
+  sweep_identifiers_at = std::max<std::size_t>(1024, next(identifiers_before, memory.identifier_count()));
+  sweep_constants_at = std::max<std::size_t>(4096, next(constants_before, symbols.UnpinnedCount()));
 }
 
 // Beginning -----------------------------------------------------------------------------------------------------------

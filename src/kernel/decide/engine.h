@@ -60,6 +60,7 @@ struct Engine {
     bool breaks = false;
     bool silenced = false;  ///< Its own :interrupt was cleared.
     bool live = false;
+    bool has_negations = false;  ///< Negated conditions, which justifications look for.
   };
   std::vector<ProductionRecord> productions;
   std::vector<ProductionId> loading_order;       ///< Live rules, oldest first.
@@ -113,7 +114,8 @@ struct Engine {
   [[gnu::noinline]] void Print(std::string_view text);
   void Warn(WarningKind kind, std::string_view text);
 
-  /// Between phases: frees constants and identifiers that nothing mentions, when their number has doubled.
+  /// Between decision cycles: frees constants and identifiers that nothing mentions, when their number has doubled or,
+  /// as long as hardly any are found, grown to four times what it was.
   void SweepSymbols() {
     if (memory.identifier_count() >= sweep_identifiers_at || symbols.UnpinnedCount() >= sweep_constants_at) Sweep();
   }

@@ -90,6 +90,8 @@ void Justifier::AddResultsBelow(Symbol id, InstantiationId base) {
 
 void Justifier::Backtrace(InstantiationId base) {
   grounds_.clear();
+  lowest_ground_ = 0;
+  operator_grounds_.clear();
   negations_.clear();
   drafts_.Clear();
   queue_.clear();
@@ -110,9 +112,18 @@ void Justifier::VisitInstantiation(InstantiationId id) {
   queue_.push_back(id);
 }
 
-void Justifier::VisitCondition(const ConditionTrace& trace) {
+inline void Justifier::AddGround(WmeId ground) {
+  grounds_.push_back(ground);
+  const Wme& wme = engine_.memory.wme(ground);
+  const GoalLevel goal = engine_.memory.goal_levels()[wme.id.index()];
+  if (goal == 0) return;
+  lowest_ground_ = std::max(lowest_ground_, goal);
+  if (wme.attribute == words::kOperator && !wme.acceptable) operator_grounds_.push_back(ground);
+}
+
+inline void Justifier::VisitCondition(const ConditionTrace& trace) {
   if (trace.level < level_) {
-    if (Mark(seen_wmes_, Index(trace.wme), trace_number_)) grounds_.push_back(trace.wme);
+    if (Mark(seen_wmes_, Index(trace.wme), trace_number_)) AddGround(trace.wme);
     return;
   }
   if (trace.preference == PreferenceId::kNone) return;  // Of the architecture: it came with the substate.
@@ -194,6 +205,19 @@ bool Justifier::RefersToHigherOnly(const ConditionDraft& condition) const {
   return !id.IsIdentifier() || engine_.memory.level(id) < level_;
 }
 
+bool Justifier::MayReferToHigherOnly(const Condition& condition, InstantiationId id) const {
+  if (condition.kind == ConditionKind::kConjunctiveNegation) {
+    return std::ranges::all_of(condition.conditions(),
+                               [&](const Condition& inner) { return MayReferToHigherOnly(inner, id); });
+  }
+  Symbol object = EqualitySymbol(condition.id);
+  if (object.IsVariable()) {
+    const Production& rule = *engine_.rete.production(engine_.instantiations[id].production);
+    object = ValueOfVariable(rule, object, engine_.instantiations.Trace(id), engine_.memory);
+  }
+  return !object.IsIdentifier() || engine_.memory.level(object) < level_;
+}
+
 void Justifier::CollectNegations(InstantiationId id) {
   const Instantiation& instantiation = engine_.instantiations[id];
   if (instantiation.production == ProductionId::kNone) {
@@ -207,10 +231,11 @@ void Justifier::CollectNegations(InstantiationId id) {
     }
     return;
   }
+  if (!engine_.productions[Index(instantiation.production)].has_negations) return;
   const ProductionPtr& rule = engine_.rete.production(instantiation.production);
   if (rule == nullptr) return;
   for (const Condition& condition : rule->conditions) {
-    if (condition.kind == ConditionKind::kPositive) continue;
+    if (condition.kind == ConditionKind::kPositive || !MayReferToHigherOnly(condition, id)) continue;
     const ConditionDraft literal = Instantiate(condition, id);
     if (!RefersToHigherOnly(literal)) continue;
     if (std::find(negations_.begin(), negations_.end(), literal) == negations_.end()) {
@@ -221,26 +246,19 @@ void Justifier::CollectNegations(InstantiationId id) {
 
 // The justification ---------------------------------------------------------------------------------------------------
 
-bool Justifier::IsOSupported(GoalLevel goal_level, const Preference& result) const {
+bool Justifier::IsOSupported(GoalLevel goal_level) const {
   const WorkingMemory& memory = engine_.memory;
-  const Goal& goal = engine_.goals.at(goal_level);
-  // A proposal is not held by o-support, whatever else the rule says.
-  for (const PreferenceId id : results_) {
-    const Preference& preference = memory.preference(id);
-    if (preference.type == PreferenceType::kAcceptable && preference.attribute == words::kOperator &&
-        memory.identifier(preference.id).is_goal)
-      return false;
-  }
-  for (const WmeId ground : grounds_) {
-    const Wme& wme = memory.wme(ground);
-    if (wme.acceptable || wme.id != goal.id || wme.attribute != words::kOperator) continue;
-    bool elaborates = false, applies = false;
-    for (const PreferenceId id : results_) {
-      (memory.preference(id).id == wme.value ? elaborates : applies) = true;
-    }
-    return applies && !elaborates && result.id != wme.value;
-  }
-  return false;
+  const Symbol goal = engine_.goals.at(goal_level).id;
+  const auto selected = std::find_if(operator_grounds_.begin(), operator_grounds_.end(),
+                                     [&](WmeId ground) { return memory.wme(ground).id == goal; });
+  if (selected == operator_grounds_.end()) return false;
+  const Symbol op = memory.wme(*selected).value;
+  // A proposal is not held by o-support, whatever else the rule says, and nor is what elaborates the operator.
+  return std::none_of(results_.begin(), results_.end(), [&](PreferenceId id) {
+    const Preference& result = memory.preference(id);
+    return result.id == op || (result.type == PreferenceType::kAcceptable && result.attribute == words::kOperator &&
+                               memory.identifier(result.id).is_goal);
+  });
 }
 
 std::uint32_t Justifier::NewRecord() {
@@ -260,18 +278,13 @@ std::uint32_t Justifier::NewRecord() {
   // Numbers go up by two, as in Soar 9.6.3.
   record.number = next_number_;
   next_number_ += 2;
-  record.name = "justify" + std::to_string(record.number);
-  record_order_.push_back(index);
+  if (index < names_.size()) names_[index].clear();
   return index;
 }
 
 InstantiationId Justifier::Build(InstantiationId base) {
   WorkingMemory& memory = engine_.memory;
-  GoalLevel goal_level = 0;
-  for (const WmeId ground : grounds_) {
-    const IdentifierRecord& id = memory.identifier(memory.wme(ground).id);
-    if (id.is_goal) goal_level = std::max(goal_level, id.level);
-  }
+  GoalLevel goal_level = lowest_ground_;
   if (goal_level == 0) {
     if (grounds_.empty()) {
       engine_.Warn(WarningKind::kUnconditional, engine_.DescribeInstantiation(base).name);
@@ -298,19 +311,12 @@ InstantiationId Justifier::Build(InstantiationId base) {
   if (goal_level > 1) engine_.firing.TraceConditions(id, grounds_);
 
   // Clones of the results, one level up. The list is newest first, so the last result is made first.
-  bool o_support = false;
+  const bool o_support = IsOSupported(goal_level);
   for (std::size_t n = results_.size(); n-- > 0;) {
     const PreferenceId result = results_[n];
-    Preference copy;
     const Preference& original = memory.preference(result);
-    copy.id = original.id;
-    copy.attribute = original.attribute;
-    copy.value = original.value;
-    copy.referent = original.referent;
-    copy.type = original.type;
-    copy.o_supported = IsOSupported(goal_level, original);
-    o_support = o_support || copy.o_supported;
-    const PreferenceId clone = engine_.preferences.Make(id, copy);
+    const PreferenceId clone = engine_.preferences.Make(id, original.id, original.attribute, original.value,
+                                                        original.referent, original.type, o_support);
     Preference& made = memory.mutable_preference(clone);
     Preference& source = memory.mutable_preference(result);
     made.next_clone = source.next_clone;
@@ -351,7 +357,6 @@ void Justifier::InstantiationFreed(InstantiationId id) {
   if (index == 0xFFFFFFFFu) return;
   if (records_[index].production != ProductionId::kNone) engine_.ExciseLater(records_[index].production);
   records_[index].live = false;
-  std::erase(record_order_, index);
   free_records_.push_back(index);
 }
 
@@ -361,7 +366,20 @@ void Justifier::SetLearning(Symbol state, bool learn) {
 }
 
 std::vector<std::uint32_t> Justifier::Live() const {
-  return record_order_;
+  std::vector<std::uint32_t> live;
+  for (std::uint32_t index = 0; index < records_.size(); ++index) {
+    if (records_[index].live) live.push_back(index);
+  }
+  std::sort(live.begin(), live.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return records_[a].number < records_[b].number; });
+  return live;
+}
+
+std::string_view Justifier::Name(std::uint32_t index) const {
+  // Room for all, so that the texts stay where they are.
+  if (names_.size() < records_.size()) names_.resize(records_.capacity());
+  if (names_[index].empty()) names_[index] = "justify" + std::to_string(records_[index].number);
+  return names_[index];
 }
 
 ProductionPtr Justifier::AsRule(std::uint32_t index) const {
@@ -369,7 +387,7 @@ ProductionPtr Justifier::AsRule(std::uint32_t index) const {
   const WorkingMemory& memory = engine_.memory;
   Arena arena;
   RuleDraft rule;
-  rule.name = record.name;
+  rule.name = Name(index);
   rule.type = ProductionType::kJustification;
   for (const WmeId ground : record.grounds) {
     const Wme& wme = memory.wme(ground);
@@ -400,7 +418,7 @@ ProductionPtr Justifier::AsRule(std::uint32_t index) const {
 }
 
 void Justifier::ExciseAll() {
-  for (const std::uint32_t index : record_order_) {
+  for (const std::uint32_t index : Live()) {
     if (records_[index].production != ProductionId::kNone) engine_.ExciseLater(records_[index].production);
   }
 }
@@ -408,7 +426,7 @@ void Justifier::ExciseAll() {
 void Justifier::Clear() {
   records_.clear();
   free_records_.clear();
-  record_order_.clear();
+  names_.clear();
   next_number_ = 1;
   dont_learn_.clear();
   force_learn_.clear();

@@ -39,13 +39,14 @@ class Justifier {
   struct Record {
     bool live = false;
     std::uint32_t number = 0;  ///< justify<number>
-    std::string name;
     InstantiationId instantiation = InstantiationId::kNone;
     ProductionId production = ProductionId::kNone;  ///< If it stands in the network.
     std::vector<WmeId> grounds;
     ProductionPtr negations;  ///< A rule of the negated conditions; none if there are none.
   };
   const Record& record(std::uint32_t index) const { return records_[index]; }
+  /// "justify1"; valid until the next justification is made.
+  std::string_view Name(std::uint32_t index) const;
   /// Indices of the live records, oldest first.
   std::vector<std::uint32_t> Live() const;
   /// The justification as a rule, for printing: literal conditions and actions.
@@ -61,16 +62,21 @@ class Justifier {
   void CollectNegations(InstantiationId id);
   /// Makes the justification of the results that `base` made; kNone if they rest on nothing above.
   InstantiationId Build(InstantiationId base);
-  bool IsOSupported(GoalLevel goal_level, const Preference& result) const;
+  /// Notes an element of a higher state that the results rest on.
+  void AddGround(WmeId wme);
+  /// The same for all results of a justification.
+  bool IsOSupported(GoalLevel goal_level) const;
   MatchId MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level);
   std::uint32_t NewRecord();
   ConditionDraft Instantiate(const Condition& condition, InstantiationId id);
   bool RefersToHigherOnly(const ConditionDraft& condition) const;
+  /// False if RefersToHigherOnly would be false of the literal condition, which need not be made then.
+  bool MayReferToHigherOnly(const Condition& condition, InstantiationId id) const;
 
   Engine& engine_;
   std::vector<Record> records_;
+  mutable std::vector<std::string> names_;  ///< Of the records; empty until somebody asks.
   std::vector<std::uint32_t> free_records_;
-  std::vector<std::uint32_t> record_order_;
   std::vector<Symbol> dont_learn_, force_learn_;
   std::uint32_t next_number_ = 1;
   // Scratch of one backtrace.
@@ -78,6 +84,8 @@ class Justifier {
   std::uint32_t trace_number_ = 0;
   std::vector<PreferenceId> results_;
   std::vector<WmeId> grounds_;
+  GoalLevel lowest_ground_ = 0;          ///< Of the states that grounds hang on; 0 if none hangs on a state.
+  std::vector<WmeId> operator_grounds_;  ///< Those that are a state's selected operator.
   std::vector<InstantiationId> queue_;
   std::vector<ConditionDraft> negations_;
   Arena drafts_;  ///< Of the negations.
