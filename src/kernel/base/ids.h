@@ -5,10 +5,27 @@
 
 namespace soarbox::kernel {
 
+/// Names a record of an agent (see RecordArena). Only the part that owns the record looks into it; all others hand the
+/// name to that part. kNone means "no such record".
+template <typename Record>
+struct RecordId {
+  Record* record = nullptr;
+
+  static const RecordId kNone;
+  friend constexpr bool operator==(RecordId, RecordId) = default;
+};
+template <typename Record>
+inline constexpr RecordId<Record> RecordId<Record>::kNone{};
+
+using PreferenceId = RecordId<struct Preference>;
+using InstantiationId = RecordId<struct Instantiation>;
+/// A slot: the preferences and elements of one identifier and attribute.
+using SlotId = RecordId<struct Slot>;
+/// A link between identifiers (links.h).
+using LinkId = RecordId<struct Link>;
+
 /// Indices into an agent's arenas. kNone (all bits set) means "no such thing".
 enum class WmeId : std::uint32_t { kNone = 0xFFFFFFFFu };
-enum class PreferenceId : std::uint32_t { kNone = 0xFFFFFFFFu };
-enum class InstantiationId : std::uint32_t { kNone = 0xFFFFFFFFu };
 enum class TokenId : std::uint32_t { kNone = 0xFFFFFFFFu };
 /// A rule of an agent, dense from 0 in loading order; numbers of excised rules are used again.
 enum class ProductionId : std::uint32_t { kNone = 0xFFFFFFFFu };

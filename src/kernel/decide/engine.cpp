@@ -114,25 +114,18 @@ void Engine::Sweep() {
     mark(wme.attribute);
     mark(wme.value);
   }
-  for (std::uint32_t index = 0; index < memory.preference_limit(); ++index) {
-    const Preference& preference = memory.preference(static_cast<PreferenceId>(index));
-    if (!preference.live) continue;
+  memory.ForEachPreference([&](const Preference& preference) {
     mark(preference.id);
     mark(preference.attribute);
     mark(preference.value);
     mark(preference.referent);
-  }
-  for (std::uint32_t index = 0; index < memory.slot_limit(); ++index) {
-    const Slot& slot = memory.slot(static_cast<SlotId>(index));
-    if (!slot.live) continue;
-    mark(slot.id);
-    mark(slot.attribute);
-  }
+  });
+  memory.ForEachSlot([&](SlotId slot) {
+    mark(memory.slot(slot).id);
+    mark(memory.slot(slot).attribute);
+  });
   for (GoalLevel level = 1; level <= goals.depth(); ++level) mark(goals.at(level).id);
-  for (std::uint32_t index = 0; index < instantiations.limit(); ++index) {
-    const Instantiation& instantiation = instantiations[static_cast<InstantiationId>(index)];
-    if (instantiation.live) mark(instantiation.goal);
-  }
+  instantiations.ForEach([&](const Instantiation& instantiation) { mark(instantiation.goal); });
   input.Mark(mark);
   output.Mark(mark);
   const std::size_t identifiers_before = memory.identifier_count(), constants_before = symbols.UnpinnedCount();

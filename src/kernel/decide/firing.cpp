@@ -8,18 +8,6 @@
 namespace soarbox::kernel {
 namespace {
 
-Symbol FieldOf(const Wme& wme, Field field) {
-  switch (field) {
-    case Field::kId:
-      return wme.id;
-    case Field::kAttribute:
-      return wme.attribute;
-    case Field::kValue:
-      break;
-  }
-  return wme.value;
-}
-
 /// What the trace prints of a preference that cannot be made.
 std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Production& rule) {
   std::string text = "\nError: RHS makes a preference for " + ToString(symbols, id) + " (not an identifier)";

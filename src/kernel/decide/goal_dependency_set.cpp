@@ -34,9 +34,9 @@ void GoalDependencySets::NoteNewFact(WmeId wme) {
 }
 
 void GoalDependencySets::Queue(InstantiationId id) {
-  if (visited_.size() <= Index(id)) visited_.resize(Index(id) + 1u, 0);
-  if (visited_[Index(id)] == collection_) return;
-  visited_[Index(id)] = collection_;
+  Instantiation& instantiation = engine_.instantiations[id];
+  if (instantiation.gds_visit == collection_) return;
+  instantiation.gds_visit = collection_;
   queue_.push_back(id);
 }
 

@@ -36,7 +36,6 @@ class GoalDependencySets {
 
   Engine& engine_;
   std::vector<InstantiationId> queue_;
-  std::vector<std::uint32_t> visited_;  ///< By instantiation: the last collection that queued it.
   std::uint32_t collection_ = 0;
 };
 

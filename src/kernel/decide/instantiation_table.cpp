@@ -4,16 +4,8 @@
 namespace soarbox::kernel {
 
 InstantiationId InstantiationTable::Make() {
-  InstantiationId id;
-  if (!free_.empty()) {
-    id = free_.back();
-    free_.pop_back();
-    records_[Index(id)] = Instantiation{};
-  } else {
-    id = static_cast<InstantiationId>(records_.size());
-    records_.emplace_back();
-  }
-  Instantiation& record = records_[Index(id)];
+  const InstantiationId id = records_.Take();
+  Instantiation& record = *id.record;
   record.live = true;
   record.serial = next_serial_++;
   ++live_;
@@ -21,19 +13,19 @@ InstantiationId InstantiationTable::Make() {
 }
 
 void InstantiationTable::Free(InstantiationId id) {
-  Instantiation& record = records_[Index(id)];
+  Instantiation& record = *id.record;
   if (record.trace_count > 0) {
     if (free_traces_.size() <= record.trace_count) free_traces_.resize(record.trace_count + 1u);
     free_traces_[record.trace_count].push_back(record.first_trace);
   }
   record.live = false;
   record.trace_count = 0;
-  free_.push_back(id);
+  records_.Give(id);
   --live_;
 }
 
 std::span<ConditionTrace> InstantiationTable::MakeTrace(InstantiationId id, std::size_t count) {
-  Instantiation& record = records_[Index(id)];
+  Instantiation& record = *id.record;
   record.trace_count = static_cast<std::uint16_t>(count);
   if (count < free_traces_.size() && !free_traces_[count].empty()) {
     record.first_trace = free_traces_[count].back();
@@ -46,18 +38,17 @@ std::span<ConditionTrace> InstantiationTable::MakeTrace(InstantiationId id, std:
 }
 
 std::span<const ConditionTrace> InstantiationTable::Trace(InstantiationId id) const {
-  const Instantiation& record = records_[Index(id)];
+  const Instantiation& record = *id.record;
   return {traces_.data() + record.first_trace, record.trace_count};
 }
 
 std::span<ConditionTrace> InstantiationTable::MutableTrace(InstantiationId id) {
-  const Instantiation& record = records_[Index(id)];
+  const Instantiation& record = *id.record;
   return {traces_.data() + record.first_trace, record.trace_count};
 }
 
 void InstantiationTable::Clear() {
-  records_.clear();
-  free_.clear();
+  records_.Clear();
   traces_.clear();
   free_traces_.clear();
   live_ = 0;
@@ -65,7 +56,7 @@ void InstantiationTable::Clear() {
 }
 
 std::size_t InstantiationTable::MemoryBytes() const {
-  return records_.capacity() * sizeof(Instantiation) + free_.capacity() * sizeof(InstantiationId) +
+  return records_.MemoryBytes() +
          traces_.capacity() * sizeof(ConditionTrace);
 }
 

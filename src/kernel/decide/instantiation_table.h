@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/base/record_arena.h"
 #include "kernel/decide/instantiation.h"
 
 namespace soarbox::kernel {
@@ -14,30 +15,32 @@ class InstantiationTable {
  public:
   /// With room for a small agent, so that its first decisions cost what the later ones do.
   InstantiationTable() {
-    records_.reserve(32);
-    free_.reserve(32);
     traces_.reserve(128);
   }
 
   InstantiationId Make();
   /// Gives the record and its trace back; the caller has dropped what the trace refers to.
   void Free(InstantiationId id);
-  Instantiation& operator[](InstantiationId id) { return records_[Index(id)]; }
-  const Instantiation& operator[](InstantiationId id) const { return records_[Index(id)]; }
+  Instantiation& operator[](InstantiationId id) { return *id.record; }
+  const Instantiation& operator[](InstantiationId id) const { return *id.record; }
 
   /// Room for the trace of an instantiation.
   std::span<ConditionTrace> MakeTrace(InstantiationId id, std::size_t count);
   std::span<const ConditionTrace> Trace(InstantiationId id) const;
   std::span<ConditionTrace> MutableTrace(InstantiationId id);
 
-  std::uint32_t limit() const { return static_cast<std::uint32_t>(records_.size()); }
+  template <typename Visit>
+  void ForEach(Visit&& visit) const {
+    records_.ForEach([&](InstantiationId id) {
+      if (id.record->live) visit(*id.record);
+    });
+  }
   std::uint32_t live_count() const { return live_; }
   void Clear();
   std::size_t MemoryBytes() const;
 
  private:
-  std::vector<Instantiation> records_;
-  std::vector<InstantiationId> free_;
+  RecordArena<Instantiation, &Instantiation::next_free> records_;
   std::vector<ConditionTrace> traces_;
   std::vector<std::vector<std::uint32_t>> free_traces_;  ///< By length.
   std::uint32_t live_ = 0;

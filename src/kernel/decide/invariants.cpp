@@ -53,11 +53,11 @@ std::string CheckSlot(const Engine& engine, SlotId id) {
 
 std::string FindViolation(const Engine& engine) {
   const WorkingMemory& memory = engine.memory;
-  for (std::uint32_t index = 0; index < memory.slot_limit(); ++index) {
-    if (!memory.slot(static_cast<SlotId>(index)).live) continue;
-    std::string violation = CheckSlot(engine, static_cast<SlotId>(index));
-    if (!violation.empty()) return violation;
-  }
+  std::string violation;
+  memory.ForEachSlot([&](SlotId slot) {
+    if (violation.empty()) violation = CheckSlot(engine, slot);
+  });
+  if (!violation.empty()) return violation;
   std::uint32_t live = 0;
   for (std::uint32_t index = 0; index < memory.wmes().size(); ++index) {
     const WmeId wme = static_cast<WmeId>(index);
@@ -73,7 +73,7 @@ std::string FindViolation(const Engine& engine) {
     const Goal& goal = engine.goals.at(level);
     if (memory.level(goal.id) != level || !memory.identifier(goal.id).is_goal) return "a goal has the wrong level";
   }
-  std::string violation = engine.links.CheckInvariants(engine.symbols);
+  violation = engine.links.CheckInvariants(engine.symbols);
   if (!violation.empty()) return violation;
   return engine.rete.CheckInvariants();
 }

@@ -38,7 +38,7 @@ PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, Symbol id
 bool PreferenceChanges::Assert(PreferenceId id) {
   WorkingMemory& memory = engine_.memory;
   Preference& preference = memory.mutable_preference(id);
-  const bool is_operator = preference.attribute == words::kOperator && memory.identifier(preference.id).is_goal;
+  const bool is_operator = preference.attribute == words::kOperator && memory.known_identifier(preference.id).is_goal;
   const SlotId slot = memory.FindOrMakeSlot(preference.id, preference.attribute, is_operator);
   if (preference.o_supported && preference.type == PreferenceType::kAcceptable && preference.level == 1 &&
       !is_operator && !engine_.settings.keep_all_top_o_preferences) {
@@ -73,9 +73,9 @@ void PreferenceChanges::Retract(PreferenceId id) {
   if (!preference.in_slot) return;
   engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceRemoved(engine_.agent, id); });
   const SlotId slot = preference.slot;
-  if (preference.value_link != LinkGraph::kNone) engine_.links.Remove(preference.value_link);
-  if (preference.referent_link != LinkGraph::kNone) engine_.links.Remove(preference.referent_link);
-  preference.value_link = preference.referent_link = LinkGraph::kNone;
+  if (preference.value_link != LinkId::kNone) engine_.links.Remove(preference.value_link);
+  if (preference.referent_link != LinkId::kNone) engine_.links.Remove(preference.referent_link);
+  preference.value_link = preference.referent_link = LinkId::kNone;
   if (preference.on_goal_list) UnlinkFromGoal(id);
   memory.RemoveFromSlot(id);
   Slot& record = memory.mutable_slot(slot);
@@ -111,15 +111,24 @@ void PreferenceChanges::RemoveSelected(SlotId slot) {
 
 void PreferenceChanges::ApplyOReject(PreferenceId reject) {
   WorkingMemory& memory = engine_.memory;
-  const Preference content = memory.preference(reject);
-  const SlotId slot = memory.FindSlot(content.id, content.attribute);
+  const Symbol value = memory.preference(reject).value;
+  const SlotId slot = memory.FindSlot(memory.preference(reject).id, memory.preference(reject).attribute);
   if (slot == SlotId::kNone) return;
-  rejected_.clear();
-  for (const PreferenceId first : {memory.slot(slot).acceptable, memory.slot(slot).others}) {
-    for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
-      if (memory.preference(p).value == content.value) rejected_.push_back(p);
-    }
+  const PreferenceId newest = memory.slot(slot).acceptable;
+  const PreferenceId others = memory.slot(slot).others;
+  if (others == PreferenceId::kNone && newest != PreferenceId::kNone &&
+      memory.preference(newest).next_in_slot == PreferenceId::kNone) {
+    if (memory.preference(newest).value == value) Retract(newest);
+    return;
   }
+  rejected_.clear();
+  const auto collect = [&](PreferenceId first) {
+    for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+      if (memory.preference(p).value == value) rejected_.push_back(p);
+    }
+  };
+  collect(newest);
+  collect(others);
   // The one that came last goes first.
   std::sort(rejected_.begin(), rejected_.end(),
             [&](PreferenceId a, PreferenceId b) { return memory.preference(a).stamp > memory.preference(b).stamp; });
@@ -262,7 +271,7 @@ void PreferenceChanges::NoteAcceptablesChanged(SlotId slot) {
 void PreferenceChanges::MarkChanged(SlotId id) {
   Slot& slot = engine_.memory.mutable_slot(id);
   if (slot.is_operator) {
-    if (!engine_.memory.identifier(slot.id).is_goal) {
+    if (!engine_.memory.known_identifier(slot.id).is_goal) {
       NoteAcceptablesChanged(id);
       return;
     }

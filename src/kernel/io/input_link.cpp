@@ -231,7 +231,7 @@ void InputLink::MakeElement(const Pending& change) {
     value = object->identifier;
   }
   const WmeId wme = engine_.changes.Add(WmeKind::kInput, parent->identifier, element.attribute, value);
-  engine_.memory.mutable_record(wme).slot = static_cast<SlotId>(change.element);
+  engine_.memory.mutable_record(wme).input_element = change.element;
   element.wme = wme;
 }
 

@@ -2,6 +2,7 @@
 #include "kernel/learn/justification.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
@@ -53,7 +54,8 @@ void Justifier::AddResult(PreferenceId preference, InstantiationId base) {
     preference = engine_.firing.CloneAtLevel(preference, level_);
     if (preference == PreferenceId::kNone) return;
   }
-  if (!Mark(seen_results_, Index(preference), trace_number_)) return;
+  std::uint32_t& seen = engine_.memory.mutable_preference(preference).seen;
+  if (std::exchange(seen, trace_number_) == trace_number_) return;
   results_.push_back(preference);
   const Preference content = engine_.memory.preference(preference);
   AddResultsBelow(content.value, base);
@@ -432,7 +434,6 @@ void Justifier::Clear() {
   force_learn_.clear();
   seen_identifiers_.clear();
   seen_wmes_.clear();
-  seen_results_.clear();
   trace_number_ = 0;
 }
 

@@ -89,7 +89,7 @@ class Justifier {
   std::vector<InstantiationId> queue_;
   std::vector<ConditionDraft> negations_;
   Arena drafts_;  ///< Of the negations.
-  std::vector<std::uint32_t> seen_identifiers_, seen_wmes_, seen_results_;
+  std::vector<std::uint32_t> seen_identifiers_, seen_wmes_;
 };
 
 }  // namespace soarbox::kernel

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "kernel/decide/instantiation.h"
+
 namespace soarbox::kernel {
 
 namespace {
@@ -100,7 +102,7 @@ std::vector<std::string> MatchFixture::FireAll() {
     for (const bool o_support : {false, true}) {
       while (const PendingMatch taken = set.TakeAssertion(level, o_support)) {
         fired.emplace_back(rete.production(taken.production)->name);
-        set.MarkFired(taken.match, static_cast<InstantiationId>(1));
+        set.MarkFired(taken.match, SomeInstantiation(0));
       }
     }
     while (set.HasRetractions(level)) {
@@ -141,6 +143,11 @@ ConditionDraft Positive(const TestDraft& id, const TestDraft& attribute, const T
   condition.value = value;
   condition.tests_acceptable = acceptable;
   return condition;
+}
+
+InstantiationId SomeInstantiation(std::size_t n) {
+  static Instantiation instantiations[3];
+  return {&instantiations[n]};
 }
 
 ConditionDraft Negative(const TestDraft& id, const TestDraft& attribute, const TestDraft& value, bool acceptable) {

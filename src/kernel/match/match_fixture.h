@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -13,6 +14,9 @@
 #include "kernel/rules/draft.h"
 
 namespace soarbox::kernel {
+
+/// The nth of a few instantiations for matches to name: the matcher never looks into them.
+InstantiationId SomeInstantiation(std::size_t n);
 
 /// Working memory for tests: a table of elements, goals, and a Rete over them. Words: "S1" is an identifier, "<x>" a
 /// variable, digits a number, anything else a string.

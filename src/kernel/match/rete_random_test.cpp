@@ -107,7 +107,7 @@ class RandomCase {
         set.Release(match);
       }
       while (const PendingMatch taken = set.TakeAssertion(level, false)) {
-        set.MarkFired(taken.match, static_cast<InstantiationId>(1));
+        set.MarkFired(taken.match, SomeInstantiation(0));
         fired_[taken.match] = {taken.production, Tags(taken.match)};
       }
     }

@@ -168,7 +168,7 @@ TEST_F(ReteTest, ANewRulesRefractedMatchIsSilentUntilItGoes) {
   Rete::AddOptions options;
   const std::vector<WmeId> elements = {wme};
   options.refracted = elements;
-  options.instantiation = static_cast<InstantiationId>(9);
+  options.instantiation = SomeInstantiation(2);
   const Rete::Added added = rete.AddProduction(Rule("chunk", {OnState("x", "<v>")}), Goals(), options);
   ASSERT_NE(added.refracted, MatchId::kNone);
   EXPECT_EQ(FireAll().size(), 1u);
@@ -179,8 +179,8 @@ TEST_F(ReteTest, ANewRulesRefractedMatchIsSilentUntilItGoes) {
 TEST_F(ReteTest, AWatchedMatchRetractsWhenOneOfItsElementsGoes) {
   const WmeId a = Add("S1", "x", "1");
   const WmeId b = Add("S1", "x", "2");
-  const MatchId match = rete.Watch(std::vector<WmeId>{a, b}, Word("S1"), 1, static_cast<InstantiationId>(4));
-  const MatchId other = rete.Watch(std::vector<WmeId>{b}, Word("S1"), 1, static_cast<InstantiationId>(5));
+  const MatchId match = rete.Watch(std::vector<WmeId>{a, b}, Word("S1"), 1, SomeInstantiation(0));
+  const MatchId other = rete.Watch(std::vector<WmeId>{b}, Word("S1"), 1, SomeInstantiation(1));
   EXPECT_FALSE(rete.matches().HasRetractions(1));
   rete.Unwatch(other);
   Remove(b);

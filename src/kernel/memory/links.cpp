@@ -10,35 +10,27 @@ namespace soarbox::kernel {
 
 // Adding and removing -------------------------------------------------------------------------------------------------
 
-std::uint32_t LinkGraph::Add(Symbol from, Symbol to) {
+LinkId LinkGraph::Add(Symbol from, Symbol to) {
   IdentifierRecord& target = At(to);
-  if (target.is_goal || from == to) return kNone;
-  std::uint32_t id;
-  if (!free_links_.empty()) {
-    id = free_links_.back();
-    free_links_.pop_back();
-  } else {
-    id = static_cast<std::uint32_t>(links_.size());
-    links_.emplace_back();
-  }
-  Link& link = links_[id];
+  if (target.is_goal || from == to) return LinkId::kNone;
+  const LinkId id = links_.Take();
+  Link& link = *id.record;
   link.from = from;
   link.to = to;
   link.next_in = target.first_link;
-  link.previous_in = link.next_child = link.previous_child = kNone;
-  if (target.first_link != kNone) links_[target.first_link].previous_in = id;
+  if (target.first_link != LinkId::kNone) target.first_link.record->previous_in = id;
   target.first_link = id;
 
   const IdentifierRecord& source = At(from);
-  if (target.parent_link == kNone) {
+  if (target.parent_link == LinkId::kNone) {
     // One that has just lost its hold on a higher level finds its new one when links settle: its level falls then.
     const bool falls = target.rooted && source.level > target.level;
     // An identifier without children cannot be above `from`.
-    if (!falls && (target.first_child == kNone || Trace(from, to) != Ancestry::kBelow)) SetParent(to, id);
+    if (!falls && (target.first_child == LinkId::kNone || Trace(from, to) != Ancestry::kBelow)) SetParent(to, id);
   }
   if (!target.rooted && (source.rooted || source.is_goal)) {
     if (target.parent_link != id) {
-      if (target.parent_link != kNone) DropParent(to);
+      if (target.parent_link != LinkId::kNone) DropParent(to);
       SetParent(to, id);
     }
     Root(to);
@@ -57,12 +49,12 @@ void LinkGraph::Root(Symbol id) {
   while (!stack_.empty()) {
     const Symbol current = stack_.back();
     stack_.pop_back();
-    ForEachLinkFrom(current, [&](std::uint32_t link) {
-      const Symbol target = links_[link].to;
+    ForEachLinkFrom(current, [&](LinkId link) {
+      const Symbol target = link.record->to;
       IdentifierRecord& below = At(target);
       if (below.rooted || below.is_goal) return;
       if (below.parent_link != link) {
-        if (below.parent_link != kNone) DropParent(target);
+        if (below.parent_link != LinkId::kNone) DropParent(target);
         SetParent(target, link);
       }
       below.rooted = true;
@@ -72,9 +64,9 @@ void LinkGraph::Root(Symbol id) {
   }
 }
 
-void LinkGraph::Remove(std::uint32_t id) {
-  if (id == kNone) return;
-  Link& link = links_[id];
+void LinkGraph::Remove(LinkId id) {
+  if (id == LinkId::kNone) return;
+  Link& link = *id.record;
   IdentifierRecord& target = At(link.to);
   if (target.parent_link == id) {
     DropParent(link.to);
@@ -82,13 +74,13 @@ void LinkGraph::Remove(std::uint32_t id) {
   } else {
     Touch(link.to);
   }
-  if (link.previous_in != kNone) {
-    links_[link.previous_in].next_in = link.next_in;
+  if (link.previous_in != LinkId::kNone) {
+    link.previous_in.record->next_in = link.next_in;
   } else {
     target.first_link = link.next_in;
   }
-  if (link.next_in != kNone) links_[link.next_in].previous_in = link.previous_in;
-  free_links_.push_back(id);
+  if (link.next_in != LinkId::kNone) link.next_in.record->previous_in = link.previous_in;
+  links_.Give(id);
 }
 
 void LinkGraph::Queue(Symbol id) {
@@ -98,27 +90,27 @@ void LinkGraph::Queue(Symbol id) {
   queue_.push_back(id);
 }
 
-void LinkGraph::SetParent(Symbol id, std::uint32_t link_id) {
+void LinkGraph::SetParent(Symbol id, LinkId link_id) {
   At(id).parent_link = link_id;
-  Link& link = links_[link_id];
+  Link& link = *link_id.record;
   IdentifierRecord& source = At(link.from);
-  link.previous_child = kNone;
+  link.previous_child = LinkId::kNone;
   link.next_child = source.first_child;
-  if (source.first_child != kNone) links_[source.first_child].previous_child = link_id;
+  if (source.first_child != LinkId::kNone) source.first_child.record->previous_child = link_id;
   source.first_child = link_id;
 }
 
 void LinkGraph::DropParent(Symbol id) {
   IdentifierRecord& record = At(id);
-  Link& link = links_[record.parent_link];
-  if (link.previous_child != kNone) {
-    links_[link.previous_child].next_child = link.next_child;
+  Link& link = *record.parent_link.record;
+  if (link.previous_child != LinkId::kNone) {
+    link.previous_child.record->next_child = link.next_child;
   } else {
     At(link.from).first_child = link.next_child;
   }
-  if (link.next_child != kNone) links_[link.next_child].previous_child = link.previous_child;
-  link.next_child = link.previous_child = kNone;
-  record.parent_link = kNone;
+  if (link.next_child != LinkId::kNone) link.next_child.record->previous_child = link.previous_child;
+  link.next_child = link.previous_child = LinkId::kNone;
+  record.parent_link = LinkId::kNone;
 }
 
 LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
@@ -126,8 +118,8 @@ LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
     if (id == stop) return Ancestry::kBelow;
     const IdentifierRecord& record = memory_.identifier(id);
     if (record.is_goal) return Ancestry::kRooted;
-    if (record.parent_link == kNone) return Ancestry::kFloating;
-    id = links_[record.parent_link].from;
+    if (record.parent_link == LinkId::kNone) return Ancestry::kFloating;
+    id = record.parent_link.record->from;
   }
 }
 
@@ -142,8 +134,8 @@ void LinkGraph::Settle(std::vector<Symbol>& garbage) {
     IdentifierRecord& record = At(id);
     if (!record.queued) continue;  // An older entry of one that has had its turn.
     record.queued = false;
-    if (!record.live || record.is_goal || record.parent_link != kNone) continue;
-    if (record.first_link == kNone) {
+    if (!record.live || record.is_goal || record.parent_link != LinkId::kNone) continue;
+    if (record.first_link == LinkId::kNone) {
       if (record.value_of != 0) continue;
       record.rooted = false;
       garbage.push_back(id);
@@ -160,13 +152,13 @@ void LinkGraph::Settle(std::vector<Symbol>& garbage) {
     const Symbol id = uncertain_.back();
     uncertain_.pop_back();
     const IdentifierRecord& record = At(id);
-    if (record.live && !record.is_goal && record.parent_link == kNone) Reattach(id, garbage);
+    if (record.live && !record.is_goal && record.parent_link == LinkId::kNone) Reattach(id, garbage);
   }
 }
 
 void LinkGraph::ElementRemoved(Symbol value) {
   IdentifierRecord& record = At(value);
-  if (--record.value_of != 0 || record.is_goal || record.parent_link != kNone || record.first_link != kNone) return;
+  if (--record.value_of != 0 || record.is_goal || record.parent_link != LinkId::kNone || record.first_link != LinkId::kNone) return;
   if (record.queued) {
     queue_.push_back(value);
   } else {
@@ -177,27 +169,27 @@ void LinkGraph::ElementRemoved(Symbol value) {
 /// Another link to an identifier that waits has gone: its turn is counted from now.
 void LinkGraph::Touch(Symbol id) {
   const IdentifierRecord& record = At(id);
-  if (record.queued && record.parent_link == kNone) queue_.push_back(id);
+  if (record.queued && record.parent_link == LinkId::kNone) queue_.push_back(id);
 }
 
 /// If a link from a higher level leads to the identifier, gives it and what it reaches that level.
 void LinkGraph::Promote(Symbol id) {
   IdentifierRecord& record = At(id);
   if (!record.live || record.is_goal) return;
-  std::uint32_t best = kNone;
+  LinkId best;
   GoalLevel level = record.level;
-  for (std::uint32_t link = record.first_link; link != kNone; link = links_[link].next_in) {
-    const Symbol from = links_[link].from;
+  for (LinkId link = record.first_link; link != LinkId::kNone; link = link.record->next_in) {
+    const Symbol from = link.record->from;
     const GoalLevel source_level = memory_.level(from);
     if (source_level >= level) continue;
     const Ancestry ancestry = Trace(from, id);
-    if (ancestry == Ancestry::kBelow || (ancestry == Ancestry::kFloating && best != kNone)) continue;
+    if (ancestry == Ancestry::kBelow || (ancestry == Ancestry::kFloating && best != LinkId::kNone)) continue;
     best = link;
     level = source_level;
   }
-  if (best == kNone) return;
+  if (best == LinkId::kNone) return;
   if (record.parent_link != best) {
-    if (record.parent_link != kNone) DropParent(id);
+    if (record.parent_link != LinkId::kNone) DropParent(id);
     SetParent(id, best);
   }
   record.level = level;
@@ -205,11 +197,11 @@ void LinkGraph::Promote(Symbol id) {
   while (!stack_.empty()) {
     const Symbol current = stack_.back();
     stack_.pop_back();
-    ForEachLinkFrom(current, [&](std::uint32_t link) {
-      const Symbol target = links_[link].to;
+    ForEachLinkFrom(current, [&](LinkId link) {
+      const Symbol target = link.record->to;
       IdentifierRecord& below = At(target);
       if (below.level <= level) return;
-      if (below.parent_link != kNone) DropParent(target);
+      if (below.parent_link != LinkId::kNone) DropParent(target);
       SetParent(target, link);
       below.level = level;
       stack_.push_back(target);
@@ -220,8 +212,8 @@ void LinkGraph::Promote(Symbol id) {
 /// Finds the identifier a new parent, or takes what only it reaches apart.
 void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
   IdentifierRecord& record = At(id);
-  for (std::uint32_t link = record.first_link; link != kNone; link = links_[link].next_in) {
-    const Symbol from = links_[link].from;
+  for (LinkId link = record.first_link; link != LinkId::kNone; link = link.record->next_in) {
+    const Symbol from = link.record->from;
     if (memory_.level(from) == record.level && Trace(from, id) == Ancestry::kRooted) {
       SetParent(id, link);
       return;
@@ -234,16 +226,16 @@ void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
   subtree_.push_back(id);
   suspended_[id.index()] = 1;
   for (std::size_t next = 0; next < subtree_.size(); ++next) {
-    for (std::uint32_t child = At(subtree_[next]).first_child; child != kNone; child = links_[child].next_child) {
-      subtree_.push_back(links_[child].to);
-      suspended_[links_[child].to.index()] = 1;
+    for (LinkId child = At(subtree_[next]).first_child; child != LinkId::kNone; child = child.record->next_child) {
+      subtree_.push_back(child.record->to);
+      suspended_[child.record->to.index()] = 1;
     }
   }
   const auto lower = [](const Candidate& a, const Candidate& b) { return a.level > b.level; };
   heap_.clear();
   for (const Symbol member : subtree_) {
-    for (std::uint32_t link = At(member).first_link; link != kNone; link = links_[link].next_in) {
-      const Symbol from = links_[link].from;
+    for (LinkId link = At(member).first_link; link != LinkId::kNone; link = link.record->next_in) {
+      const Symbol from = link.record->from;
       if (suspended_[from.index()] == 0 && Trace(from, id) == Ancestry::kRooted) {
         heap_.push_back({memory_.level(from), link});
       }
@@ -254,15 +246,15 @@ void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
     std::pop_heap(heap_.begin(), heap_.end(), lower);
     const Candidate candidate = heap_.back();
     heap_.pop_back();
-    const Symbol target = links_[candidate.link].to;
+    const Symbol target = candidate.link.record->to;
     if (suspended_[target.index()] == 0) continue;
     suspended_[target.index()] = 0;
     IdentifierRecord& rescued = At(target);
-    if (rescued.parent_link != kNone) DropParent(target);
+    if (rescued.parent_link != LinkId::kNone) DropParent(target);
     SetParent(target, candidate.link);
     rescued.level = candidate.level;
-    ForEachLinkFrom(target, [&](std::uint32_t link) {
-      const Symbol below = links_[link].to;
+    ForEachLinkFrom(target, [&](LinkId link) {
+      const Symbol below = link.record->to;
       if (suspended_[below.index()] == 0) return;
       heap_.push_back({candidate.level, link});
       std::push_heap(heap_.begin(), heap_.end(), lower);
@@ -280,28 +272,31 @@ void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
 /// Visits the links that the identifier's preferences and elements make.
 template <typename Visit>
 void LinkGraph::ForEachLinkFrom(Symbol id, Visit visit) const {
-  const auto visit_link = [&](std::uint32_t link) {
-    if (link != kNone) visit(link);
+  const auto visit_link = [&](LinkId link) {
+    if (link != LinkId::kNone) visit(link);
+  };
+  const auto visit_preferences = [&](PreferenceId first) {
+    for (PreferenceId p = first; p != PreferenceId::kNone; p = memory_.preference(p).next_in_slot) {
+      visit_link(memory_.preference(p).value_link);
+      visit_link(memory_.preference(p).referent_link);
+    }
+  };
+  const auto visit_elements = [&](WmeId first) {
+    for (WmeId wme = first; wme != WmeId::kNone; wme = memory_.record(wme).next) visit_link(memory_.record(wme).link);
   };
   const IdentifierRecord& record = memory_.identifier(id);
   for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
-    for (const PreferenceId first : {memory_.slot(slot).acceptable, memory_.slot(slot).others}) {
-      for (PreferenceId p = first; p != PreferenceId::kNone; p = memory_.preference(p).next_in_slot) {
-        visit_link(memory_.preference(p).value_link);
-        visit_link(memory_.preference(p).referent_link);
-      }
-    }
+    visit_preferences(memory_.slot(slot).acceptable);
+    visit_preferences(memory_.slot(slot).others);
   }
-  for (const WmeId first : {record.architecture_wmes, record.input_wmes}) {
-    for (WmeId wme = first; wme != WmeId::kNone; wme = memory_.record(wme).next) visit_link(memory_.record(wme).link);
-  }
+  visit_elements(record.architecture_wmes);
+  visit_elements(record.input_wmes);
 }
 
 // The rest ------------------------------------------------------------------------------------------------------------
 
 void LinkGraph::Clear() {
-  links_.clear();
-  free_links_.clear();
+  links_.Clear();
   queue_.clear();
   promoted_.clear();
   goals_.clear();
@@ -310,7 +305,7 @@ void LinkGraph::Clear() {
 }
 
 std::size_t LinkGraph::MemoryBytes() const {
-  return links_.capacity() * sizeof(Link) + free_links_.capacity() * sizeof(std::uint32_t) +
+  return links_.MemoryBytes() +
          (queue_.capacity() + promoted_.capacity() + uncertain_.capacity() + subtree_.capacity() + stack_.capacity()) *
              sizeof(Symbol) +
          suspended_.capacity() + heap_.capacity() * sizeof(Candidate);
@@ -322,18 +317,18 @@ std::string LinkGraph::CheckInvariants(const SymbolTable& symbols) const {
     const Symbol id(Symbol::Tag::kIdentifier, index);
     const IdentifierRecord& record = memory_.identifier(id);
     if (!record.live || record.is_goal) continue;
-    if (record.parent_link != kNone && memory_.level(links_[record.parent_link].from) != record.level) {
+    if (record.parent_link != LinkId::kNone && memory_.level(record.parent_link.record->from) != record.level) {
       return "the level of " + ToString(symbols, id) + " is not that of its parent";
     }
     Symbol up = id;
-    for (std::uint32_t steps = 0; memory_.identifier(up).parent_link != kNone; ++steps) {
+    for (std::uint32_t steps = 0; memory_.identifier(up).parent_link != LinkId::kNone; ++steps) {
       if (steps > memory_.identifier_limit())
         return "the parents of " + ToString(symbols, id) + " go round in a circle";
-      up = links_[memory_.identifier(up).parent_link].from;
+      up = memory_.identifier(up).parent_link.record->from;
     }
     if (!memory_.identifier(up).is_goal) continue;
-    for (std::uint32_t link = record.first_link; link != kNone; link = links_[link].next_in) {
-      const Symbol from = links_[link].from;
+    for (LinkId link = record.first_link; link != LinkId::kNone; link = link.record->next_in) {
+      const Symbol from = link.record->from;
       if (memory_.level(from) < record.level && Trace(from, id) == Ancestry::kRooted) {
         return ToString(symbols, id) + " is linked from a higher level but was not promoted";
       }

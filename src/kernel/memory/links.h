@@ -12,6 +12,13 @@
 
 namespace soarbox::kernel {
 
+/// One way from an identifier to another.
+struct Link {
+  Symbol from, to;
+  LinkId next_in, previous_in;        ///< Links to `to`.
+  LinkId next_child, previous_child;  ///< Parent links from `from`.
+};
+
 /// Which identifiers hang on which goals: the links between identifiers, the level that each identifier has, and what
 /// is garbage.
 ///
@@ -27,13 +34,11 @@ namespace soarbox::kernel {
 /// one.
 class LinkGraph {
  public:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-
   explicit LinkGraph(WorkingMemory& memory) : memory_(memory) {}
 
-  /// Both must be identifiers that live; links to goals are not kept (the result is then kNone).
-  std::uint32_t Add(Symbol from, Symbol to);
-  void Remove(std::uint32_t link);
+  /// Both must be identifiers that live; links to goals are not kept (the result is then LinkId::kNone).
+  LinkId Add(Symbol from, Symbol to);
+  void Remove(LinkId link);
 
   /// True if links changed in a way that can move levels.
   bool HasWork() const { return !queue_.empty() || !promoted_.empty() || !uncertain_.empty() || !goals_.empty(); }
@@ -55,17 +60,12 @@ class LinkGraph {
   std::string CheckInvariants(const SymbolTable& symbols) const;
 
  private:
-  struct Link {
-    Symbol from, to;
-    std::uint32_t next_in = kNone, previous_in = kNone;        ///< Links to `to`.
-    std::uint32_t next_child = kNone, previous_child = kNone;  ///< Parent links from `from`.
-  };
   enum class Ancestry : std::uint8_t { kRooted, kBelow, kFloating };
 
   IdentifierRecord& At(Symbol id) { return memory_.mutable_identifier(id); }
   void Queue(Symbol id);
   void Touch(Symbol id);
-  void SetParent(Symbol id, std::uint32_t link);
+  void SetParent(Symbol id, LinkId link);
   void Root(Symbol id);
   void DropParent(Symbol id);
   /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
@@ -76,13 +76,12 @@ class LinkGraph {
   void ForEachLinkFrom(Symbol id, Visit visit) const;
 
   WorkingMemory& memory_;
-  std::vector<Link> links_;
-  std::vector<std::uint32_t> free_links_;
+  RecordArena<Link, &Link::next_in> links_;
   std::vector<Symbol> queue_, promoted_, goals_, uncertain_, subtree_, stack_;
   std::vector<std::uint8_t> suspended_;  ///< By identifier index, while Reattach works.
   struct Candidate {
     GoalLevel level;
-    std::uint32_t link;
+    LinkId link;
   };
   std::vector<Candidate> heap_;
 };

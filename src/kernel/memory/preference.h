@@ -9,13 +9,10 @@
 
 namespace soarbox::kernel {
 
-/// A slot: the preferences and elements of one identifier and attribute.
-enum class SlotId : std::uint32_t { kNone = 0xFFFFFFFFu };
-
 /// A preference that an instantiation made. It lives while it stands in its slot or while a condition of a substate's
 /// instantiation names it as its creator (learning follows these).
 ///
-/// Chains are indices into the same arena; kNone ends them.
+/// kNone ends the chains.
 struct Preference {
   Symbol id, attribute, value;
   Symbol referent;  ///< Of binary and numeric preferences, else none.
@@ -29,7 +26,8 @@ struct Preference {
   std::uint32_t references = 0;  ///< One for the slot, one per condition that names it.
   InstantiationId instantiation = InstantiationId::kNone;
   SlotId slot = SlotId::kNone;
-  std::uint32_t value_link = 0xFFFFFFFFu, referent_link = 0xFFFFFFFFu;  ///< See links.h; none for constants.
+  std::uint32_t seen = 0;        ///< The last backtrace that took it for a result.
+  LinkId value_link, referent_link;  ///< See links.h; none for constants.
 
   PreferenceId next_in_slot = PreferenceId::kNone, previous_in_slot = PreferenceId::kNone;
   PreferenceId next_of_instantiation = PreferenceId::kNone, previous_of_instantiation = PreferenceId::kNone;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/rules/rule_kinds.h"
 
 namespace soarbox::kernel {
 
@@ -19,6 +22,15 @@ struct Wme {
   bool live = false;        ///< False once removed and not yet used again.
   std::uint64_t timetag = 0;
 };
+
+/// One of an element's three symbols.
+inline Symbol FieldOf(const Wme& wme, Field field) {
+  static_assert(offsetof(Wme, id) == 0 && offsetof(Wme, attribute) == 4 && offsetof(Wme, value) == 8 &&
+                static_cast<int>(Field::kValue) == 2 && sizeof(Symbol) == 4);
+  std::uint32_t bits;
+  std::memcpy(&bits, reinterpret_cast<const char*>(&wme) + 4 * static_cast<std::size_t>(field), sizeof(bits));
+  return Symbol::FromBits(bits);
+}
 
 /// The elements of one agent, by WmeId. Indices of removed elements are used again, but not before the phase ends in
 /// which they were removed.

@@ -39,15 +39,13 @@ void WmeChanges::Lose(WmeId wme) {
 void WmeChanges::Remove(WmeId wme) {
   if (engine_.memory.record(wme).gds != 0) engine_.gds.Forget(wme);
   WmeRecord& record = engine_.memory.mutable_record(wme);
-  if (record.link != LinkGraph::kNone) {
+  if (record.link != LinkId::kNone) {
     engine_.links.Remove(record.link);
-    record.link = LinkGraph::kNone;
+    record.link = LinkId::kNone;
   }
   const Wme& content = engine_.memory.wme(wme);
   if (content.value.IsIdentifier() && content.value != content.id) engine_.links.ElementRemoved(content.value);
-  if (record.kind == WmeKind::kInput && record.slot != SlotId::kNone) {
-    engine_.input.Forget(static_cast<std::uint32_t>(record.slot));
-  }
+  if (record.kind == WmeKind::kInput && record.input_element != 0xFFFFFFFFu) engine_.input.Forget(record.input_element);
   if (record.kind != WmeKind::kInput) engine_.output.NoteChange(content.id);
   engine_.memory.Unlink(wme);
   removed_.push_back(wme);
@@ -100,7 +98,7 @@ void WmeChanges::DropReference(WmeId wme) {
 }
 
 void WmeChanges::Bury() {
-  for (const WmeId wme : dead_) engine_.memory.Free(wme);
+  engine_.memory.Free(dead_);
   dead_.clear();
 }
 

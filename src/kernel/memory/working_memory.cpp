@@ -4,22 +4,6 @@
 #include <cassert>
 
 namespace soarbox::kernel {
-namespace {
-
-/// Takes an index from the free list, or makes one at the end of the arena.
-template <typename Id, typename T>
-Id Allocate(std::vector<T>& arena, std::vector<Id>& free_list) {
-  if (!free_list.empty()) {
-    const Id id = free_list.back();
-    free_list.pop_back();
-    arena[Index(id)] = T{};
-    return id;
-  }
-  arena.emplace_back();
-  return static_cast<Id>(arena.size() - 1);
-}
-
-}  // namespace
 
 const IdentifierRecord WorkingMemory::kUnknownIdentifier{};
 
@@ -28,21 +12,20 @@ WorkingMemory::WorkingMemory(SymbolTable& symbols) : symbols_(symbols) {
   constexpr std::size_t kUsual = 64;
   wmes_.reserve(kUsual);
   records_.reserve(kUsual);
-  slots_.reserve(kUsual);
-  preferences_.reserve(kUsual);
   free_wmes_.reserve(kUsual);
-  free_slots_.reserve(kUsual);
-  free_preferences_.reserve(kUsual);
 }
 WorkingMemory::~WorkingMemory() = default;
 
 // Reading -------------------------------------------------------------------------------------------------------------
 
 SlotId WorkingMemory::FindSlot(Symbol id, Symbol attribute) const {
-  const IdentifierRecord& owner = identifier(id);
+  return FindSlot(identifier(id), id, attribute);
+}
+
+inline SlotId WorkingMemory::FindSlot(const IdentifierRecord& owner, Symbol id, Symbol attribute) const {
   if (owner.slots_indexed) return slot_index_.Find(id, attribute);
   for (SlotId slot = owner.slots; slot != SlotId::kNone;) {
-    const Slot& record = slots_[Index(slot)];
+    const Slot& record = *slot.record;
     if (record.attribute == attribute) return slot;
     slot = record.next;
   }
@@ -118,9 +101,9 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
 WmeId& WorkingMemory::ListHead(const WmeRecord& record, const Wme& content) {
   switch (record.kind) {
     case WmeKind::kSlot:
-      return slots_[Index(record.slot)].wmes;
+      return record.slot.record->wmes;
     case WmeKind::kAcceptable:
-      return slots_[Index(record.slot)].acceptable_wmes;
+      return record.slot.record->acceptable_wmes;
     case WmeKind::kArchitecture:
       return identifiers_[content.id.index()].architecture_wmes;
     case WmeKind::kInput:
@@ -144,9 +127,11 @@ void WorkingMemory::Unlink(WmeId wme) {
   --live_wmes_;
 }
 
-void WorkingMemory::Free(WmeId wme) {
-  assert(!wmes_[Index(wme)].live && records_[Index(wme)].references == 0);
-  free_wmes_.push_back(wme);
+void WorkingMemory::Free(std::span<const WmeId> wmes) {
+  for ([[maybe_unused]] const WmeId wme : wmes) {
+    assert(!wmes_[Index(wme)].live && records_[Index(wme)].references == 0);
+  }
+  free_wmes_.insert(free_wmes_.end(), wmes.begin(), wmes.end());
 }
 
 // Identifiers ---------------------------------------------------------------------------------------------------------
@@ -188,17 +173,17 @@ void WorkingMemory::FreeIdentifier(Symbol id) {
 // Slots ---------------------------------------------------------------------------------------------------------------
 
 SlotId WorkingMemory::FindOrMakeSlot(Symbol id, Symbol attribute, bool is_operator) {
-  const SlotId found = FindSlot(id, attribute);
+  const SlotId found = FindSlot(known_identifier(id), id, attribute);
   if (found != SlotId::kNone) return found;
-  const SlotId made = Allocate(slots_, free_slots_);
-  Slot& slot = slots_[Index(made)];
+  const SlotId made = slots_.Take();
+  Slot& slot = *made.record;
   slot.id = id;
   slot.attribute = attribute;
   slot.live = true;
   slot.is_operator = is_operator;
   IdentifierRecord& owner = identifiers_[id.index()];
   slot.next = owner.slots;
-  if (owner.slots != SlotId::kNone) slots_[Index(owner.slots)].previous = made;
+  if (owner.slots != SlotId::kNone) owner.slots.record->previous = made;
   owner.slots = made;
   if (owner.slots_indexed) {
     slot_index_.Insert(id, attribute, made);
@@ -211,32 +196,32 @@ SlotId WorkingMemory::FindOrMakeSlot(Symbol id, Symbol attribute, bool is_operat
 void WorkingMemory::IndexSlots(Symbol id) {
   IdentifierRecord& owner = identifiers_[id.index()];
   owner.slots_indexed = true;
-  for (SlotId slot = owner.slots; slot != SlotId::kNone; slot = slots_[Index(slot)].next) {
-    slot_index_.Insert(id, slots_[Index(slot)].attribute, slot);
+  for (SlotId slot = owner.slots; slot != SlotId::kNone; slot = slot.record->next) {
+    slot_index_.Insert(id, slot.record->attribute, slot);
   }
 }
 
 void WorkingMemory::FreeSlot(SlotId id) {
-  Slot& slot = slots_[Index(id)];
+  Slot& slot = *id.record;
   assert(slot.live && SlotIsEmpty(id));
   IdentifierRecord& owner = identifiers_[slot.id.index()];
   if (slot.previous != SlotId::kNone) {
-    slots_[Index(slot.previous)].next = slot.next;
+    slot.previous.record->next = slot.next;
   } else {
     owner.slots = slot.next;
   }
-  if (slot.next != SlotId::kNone) slots_[Index(slot.next)].previous = slot.previous;
+  if (slot.next != SlotId::kNone) slot.next.record->previous = slot.previous;
   if (owner.slots_indexed) {
     slot_index_.Erase(slot.id, slot.attribute);
   } else {
     --owner.slot_count;
   }
   slot.live = false;
-  free_slots_.push_back(id);
+  slots_.Give(id);
 }
 
 bool WorkingMemory::SlotIsEmpty(SlotId id) const {
-  const Slot& slot = slots_[Index(id)];
+  const Slot& slot = *id.record;
   return slot.wmes == WmeId::kNone && slot.acceptable_wmes == WmeId::kNone && slot.acceptable == PreferenceId::kNone &&
          slot.others == PreferenceId::kNone;
 }
@@ -244,14 +229,14 @@ bool WorkingMemory::SlotIsEmpty(SlotId id) const {
 // Preferences ---------------------------------------------------------------------------------------------------------
 
 PreferenceId WorkingMemory::MakePreference() {
-  const PreferenceId made = Allocate(preferences_, free_preferences_);
-  preferences_[Index(made)].live = true;
+  const PreferenceId made = preferences_.Take();
+  made.record->live = true;
   return made;
 }
 
 void WorkingMemory::InsertInSlot(PreferenceId id, SlotId slot_id) {
-  Preference& preference = preferences_[Index(id)];
-  Slot& slot = slots_[Index(slot_id)];
+  Preference& preference = *id.record;
+  Slot& slot = *slot_id.record;
   preference.slot = slot_id;
   preference.in_slot = true;
   ++preference.references;
@@ -262,32 +247,32 @@ void WorkingMemory::InsertInSlot(PreferenceId id, SlotId slot_id) {
   }
   // In front of the first one that is not of a higher goal.
   PreferenceId before = head, after = PreferenceId::kNone;
-  while (before != PreferenceId::kNone && preferences_[Index(before)].level < preference.level) {
+  while (before != PreferenceId::kNone && before.record->level < preference.level) {
     after = before;
-    before = preferences_[Index(before)].next_in_slot;
+    before = before.record->next_in_slot;
   }
   preference.next_in_slot = before;
   preference.previous_in_slot = after;
-  if (before != PreferenceId::kNone) preferences_[Index(before)].previous_in_slot = id;
+  if (before != PreferenceId::kNone) before.record->previous_in_slot = id;
   if (after != PreferenceId::kNone) {
-    preferences_[Index(after)].next_in_slot = id;
+    after.record->next_in_slot = id;
   } else {
     head = id;
   }
 }
 
 void WorkingMemory::RemoveFromSlot(PreferenceId id) {
-  Preference& preference = preferences_[Index(id)];
-  Slot& slot = slots_[Index(preference.slot)];
+  Preference& preference = *id.record;
+  Slot& slot = *preference.slot.record;
   if (preference.previous_in_slot != PreferenceId::kNone) {
-    preferences_[Index(preference.previous_in_slot)].next_in_slot = preference.next_in_slot;
+    preference.previous_in_slot.record->next_in_slot = preference.next_in_slot;
   } else if (preference.type == PreferenceType::kAcceptable) {
     slot.acceptable = preference.next_in_slot;
   } else {
     slot.others = preference.next_in_slot;
   }
   if (preference.next_in_slot != PreferenceId::kNone) {
-    preferences_[Index(preference.next_in_slot)].previous_in_slot = preference.previous_in_slot;
+    preference.next_in_slot.record->previous_in_slot = preference.previous_in_slot;
   }
   if (preference.type == PreferenceType::kAcceptable) {
     --slot.acceptable_count;
@@ -300,9 +285,9 @@ void WorkingMemory::RemoveFromSlot(PreferenceId id) {
 }
 
 void WorkingMemory::FreePreference(PreferenceId id) {
-  assert(preferences_[Index(id)].references == 0 && !preferences_[Index(id)].in_slot);
-  preferences_[Index(id)].live = false;
-  free_preferences_.push_back(id);
+  assert(id.record->references == 0 && !id.record->in_slot);
+  id.record->live = false;
+  preferences_.Give(id);
 }
 
 void WorkingMemory::Clear() {
@@ -312,10 +297,8 @@ void WorkingMemory::Clear() {
   wmes_.clear();
   records_.clear();
   free_wmes_.clear();
-  slots_.clear();
-  free_slots_.clear();
-  preferences_.clear();
-  free_preferences_.clear();
+  slots_.Clear();
+  preferences_.Clear();
   identifiers_.clear();
   identifier_limit_ = 0;
   goal_levels_.clear();
@@ -328,9 +311,7 @@ void WorkingMemory::Clear() {
 
 std::size_t WorkingMemory::MemoryBytes() const {
   return wmes_.capacity() * sizeof(Wme) + records_.capacity() * sizeof(WmeRecord) +
-         free_wmes_.capacity() * sizeof(WmeId) + slots_.capacity() * sizeof(Slot) +
-         free_slots_.capacity() * sizeof(SlotId) + preferences_.capacity() * sizeof(Preference) +
-         free_preferences_.capacity() * sizeof(PreferenceId) + identifiers_.capacity() * sizeof(IdentifierRecord) +
+         free_wmes_.capacity() * sizeof(WmeId) + slots_.MemoryBytes() + preferences_.MemoryBytes() + identifiers_.capacity() * sizeof(IdentifierRecord) +
          goal_levels_.capacity() * sizeof(GoalLevel) + long_term_.capacity() * sizeof(std::uint64_t) +
          slot_index_.MemoryBytes();
 }

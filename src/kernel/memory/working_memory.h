@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/base/record_arena.h"
 #include "kernel/base/symbol.h"
 #include "kernel/base/symbol_table.h"
 #include "kernel/memory/preference.h"
@@ -35,8 +36,9 @@ struct WmeRecord {
   GoalLevel gds = 0;             ///< Level of the goal whose dependency set holds it, kGoalOfGdsGone, or 0.
   std::uint32_t references = 0;  ///< Instantiations of substates that matched it.
   PreferenceId preference = PreferenceId::kNone;       ///< The preference that put it here, if any.
-  SlotId slot = SlotId::kNone;                         ///< kSlot, kAcceptable. For kInput: the input link's element.
-  std::uint32_t link = 0xFFFFFFFFu;                    ///< kArchitecture, kInput with an identifier as value.
+  SlotId slot = SlotId::kNone;                         ///< kSlot, kAcceptable.
+  LinkId link = LinkId::kNone;                         ///< kArchitecture, kInput with an identifier as value.
+  std::uint32_t input_element = 0xFFFFFFFFu;           ///< kInput: the input link's element, if it made this one.
   WmeId next = WmeId::kNone, previous = WmeId::kNone;  ///< The list of the slot or of the identifier.
   std::uint64_t entered = 0;                           ///< When it entered the match: a running number.
 };
@@ -56,8 +58,8 @@ struct Slot {
   SlotId next = SlotId::kNone, previous = SlotId::kNone;  ///< Slots of the identifier, newest first.
 };
 
-/// What working memory knows of an identifier.
-struct IdentifierRecord {
+/// What working memory knows of an identifier. Of a size that is addressed by a shift.
+struct alignas(64) IdentifierRecord {
   bool live = false;
   bool is_goal = false;
   GoalLevel level = 0;           ///< The highest goal (smallest number) that reaches it.
@@ -69,9 +71,9 @@ struct IdentifierRecord {
   SlotId slots = SlotId::kNone;
   WmeId architecture_wmes = WmeId::kNone;   ///< Newest first.
   WmeId input_wmes = WmeId::kNone;          ///< Newest first.
-  std::uint32_t first_link = 0xFFFFFFFFu;   ///< Links that lead here (see links.h).
-  std::uint32_t parent_link = 0xFFFFFFFFu;  ///< The link that gives it its level.
-  std::uint32_t first_child = 0xFFFFFFFFu;  ///< Links of which this is the source and that are parent links.
+  LinkId first_link = LinkId::kNone;        ///< Links that lead here (see links.h).
+  LinkId parent_link = LinkId::kNone;       ///< The link that gives it its level.
+  LinkId first_child = LinkId::kNone;       ///< Links of which this is the source and that are parent links.
 };
 
 /// Working memory of one agent as a data structure: elements, slots, preferences and identifiers in arenas with free
@@ -93,8 +95,8 @@ class WorkingMemory {
   const WmeTable& wmes() const { return wmes_; }
   const Wme& wme(WmeId id) const { return wmes_[Index(id)]; }
   const WmeRecord& record(WmeId id) const { return records_[Index(id)]; }
-  const Preference& preference(PreferenceId id) const { return preferences_[Index(id)]; }
-  const Slot& slot(SlotId id) const { return slots_[Index(id)]; }
+  const Preference& preference(PreferenceId id) const { return *id.record; }
+  const Slot& slot(SlotId id) const { return *id.record; }
   /// The slot of an identifier and attribute, or kNone.
   SlotId FindSlot(Symbol id, Symbol attribute) const;
   /// Identifiers that working memory does not know have a record that is not live.
@@ -102,6 +104,8 @@ class WorkingMemory {
     if (!id.IsIdentifier() || id.index() >= identifier_limit_) return kUnknownIdentifier;
     return identifiers_[id.index()];
   }
+  /// Of an identifier that working memory made.
+  const IdentifierRecord& known_identifier(Symbol id) const { return identifiers_[id.index()]; }
   GoalLevel level(Symbol id) const { return identifier(id).level; }
   /// Elements of an identifier as `print` lists them: slot by slot (newest slot first; within a slot the values newest
   /// first, then the acceptable ones newest first), then those of the architecture, then input.
@@ -113,8 +117,18 @@ class WorkingMemory {
   std::uint32_t wme_count() const { return live_wmes_; }
   std::uint64_t last_timetag() const { return next_timetag_ - 1; }
   std::uint32_t identifier_limit() const { return identifier_limit_; }
-  std::uint32_t preference_limit() const { return static_cast<std::uint32_t>(preferences_.size()); }
-  std::uint32_t slot_limit() const { return static_cast<std::uint32_t>(slots_.size()); }
+  template <typename Visit>
+  void ForEachPreference(Visit&& visit) const {
+    preferences_.ForEach([&](PreferenceId id) {
+      if (id.record->live) visit(*id.record);
+    });
+  }
+  template <typename Visit>
+  void ForEachSlot(Visit&& visit) const {
+    slots_.ForEach([&](SlotId id) {
+      if (id.record->live) visit(id);
+    });
+  }
   std::uint32_t identifier_count() const { return live_identifiers_; }
   /// By identifier index: the level of an identifier that is a goal, else 0; and the long-term identifier that it is
   /// linked to, else 0. What the matcher is told of identifiers.
@@ -127,8 +141,8 @@ class WorkingMemory {
   WmeId Make(WmeKind kind, Symbol id, Symbol attribute, Symbol value, bool acceptable, SlotId slot = SlotId::kNone);
   /// Takes the element off its list; its contents stay readable until Free.
   void Unlink(WmeId wme);
-  /// Gives the index back once nothing refers to it.
-  void Free(WmeId wme);
+  /// Gives indices back once nothing refers to them.
+  void Free(std::span<const WmeId> wmes);
   WmeRecord& mutable_record(WmeId id) { return records_[Index(id)]; }
 
   // Identifiers -----------------------------------------------------------------------------------------------------
@@ -143,12 +157,12 @@ class WorkingMemory {
   // Slots and preferences -------------------------------------------------------------------------------------------
 
   SlotId FindOrMakeSlot(Symbol id, Symbol attribute, bool is_operator);
-  Slot& mutable_slot(SlotId id) { return slots_[Index(id)]; }
+  Slot& mutable_slot(SlotId id) { return *id.record; }
   void FreeSlot(SlotId slot);
   bool SlotIsEmpty(SlotId slot) const;
 
   PreferenceId MakePreference();
-  Preference& mutable_preference(PreferenceId id) { return preferences_[Index(id)]; }
+  Preference& mutable_preference(PreferenceId id) { return *id.record; }
   /// Links into its slot in the order of the class comment. The slot exists.
   void InsertInSlot(PreferenceId preference, SlotId slot);
   void RemoveFromSlot(PreferenceId preference);
@@ -166,6 +180,7 @@ class WorkingMemory {
   static constexpr std::uint16_t kFewSlots = 4;
 
   void IndexSlots(Symbol id);
+  SlotId FindSlot(const IdentifierRecord& owner, Symbol id, Symbol attribute) const;
 
   WmeId& ListHead(const WmeRecord& record, const Wme& content);
 
@@ -173,10 +188,8 @@ class WorkingMemory {
   WmeTable wmes_;
   std::vector<WmeRecord> records_;
   std::vector<WmeId> free_wmes_;
-  std::vector<Slot> slots_;
-  std::vector<SlotId> free_slots_;
-  std::vector<Preference> preferences_;
-  std::vector<PreferenceId> free_preferences_;
+  RecordArena<Slot, &Slot::next> slots_;
+  RecordArena<Preference, &Preference::next_of_goal> preferences_;
   std::vector<IdentifierRecord> identifiers_;
   SlotIndex slot_index_;
   std::vector<GoalLevel> goal_levels_;

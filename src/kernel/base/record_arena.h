@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+#include "kernel/base/ids.h"
+
+namespace soarbox::kernel {
+
+/// The records of one kind that an agent owns. Records never move, so a RecordId is a pointer and references stay good
+/// while others are made. Records that were given back are used again, the last one first: the steady state does not
+/// allocate. `kNextFree` is a member that chains free records: whatever it means otherwise, it is overwritten in Give.
+template <typename Record, RecordId<Record> Record::*kNextFree>
+class RecordArena {
+  static_assert(std::is_trivially_destructible_v<Record>);
+
+ public:
+  /// A record with its default contents.
+  RecordId<Record> Take() {
+    if (free_ == RecordId<Record>::kNone) [[unlikely]] Grow();
+    const RecordId<Record> taken = free_;
+    free_ = (*taken.record).*kNextFree;
+    *taken.record = Record{};
+    return taken;
+  }
+  void Give(RecordId<Record> record) {
+    (*record.record).*kNextFree = free_;
+    free_ = record;
+  }
+  /// Visits every record there is room for, in use or not, in an order that depends on nothing but earlier calls.
+  template <typename Visit>
+  void ForEach(Visit&& visit) const {
+    for (const Slab& slab : slabs_) {
+      for (std::size_t n = 0; n < slab.size; ++n) visit(RecordId<Record>{&slab.records[n]});
+    }
+  }
+  /// Takes all records back; keeps the room.
+  void Clear() {
+    free_ = {};
+    for (std::size_t n = slabs_.size(); n-- > 0;) Chain(slabs_[n]);
+  }
+  std::size_t MemoryBytes() const {
+    std::size_t bytes = slabs_.capacity() * sizeof(Slab);
+    for (const Slab& slab : slabs_) bytes += slab.size * sizeof(Record);
+    return bytes;
+  }
+
+ private:
+  /// Room for a small agent at first, then as much again as there is, up to a limit that wastes little.
+  static constexpr std::size_t kFirst = 32, kLargest = 2048;
+  struct Slab {
+    std::unique_ptr<Record[]> records;
+    std::size_t size;
+  };
+
+  void Chain(const Slab& slab) {
+    for (std::size_t n = slab.size; n-- > 0;) {
+      slab.records[n] = Record{};
+      Give(RecordId<Record>{&slab.records[n]});
+    }
+  }
+  [[gnu::noinline, gnu::cold]] void Grow() {
+    std::size_t size = kFirst;
+    if (!slabs_.empty()) size = std::min(slabs_.back().size * (slabs_.size() > 1 ? 2 : 1), kLargest);
+    slabs_.push_back({std::make_unique<Record[]>(size), size});
+    Chain(slabs_.back());
+  }
+
+  RecordId<Record> free_;
+  std::vector<Slab> slabs_;
+};
+
+}  // namespace soarbox::kernel
