@@ -22,7 +22,8 @@ class RecordArena {
  public:
   /// A record with its default contents.
   RecordId<Record> Take() {
-    if (free_ == RecordId<Record>::kNone) [[unlikely]] Grow();
+    if (free_ == RecordId<Record>::kNone) [[unlikely]]
+      Grow();
     const RecordId<Record> taken = free_;
     free_ = (*taken.record).*kNextFree;
     *taken.record = Record{};

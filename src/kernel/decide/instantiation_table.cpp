@@ -56,8 +56,7 @@ void InstantiationTable::Clear() {
 }
 
 std::size_t InstantiationTable::MemoryBytes() const {
-  return records_.MemoryBytes() +
-         traces_.capacity() * sizeof(ConditionTrace);
+  return records_.MemoryBytes() + traces_.capacity() * sizeof(ConditionTrace);
 }
 
 }  // namespace soarbox::kernel

@@ -14,9 +14,7 @@ namespace soarbox::kernel {
 class InstantiationTable {
  public:
   /// With room for a small agent, so that its first decisions cost what the later ones do.
-  InstantiationTable() {
-    traces_.reserve(128);
-  }
+  InstantiationTable() { traces_.reserve(128); }
 
   InstantiationId Make();
   /// Gives the record and its trace back; the caller has dropped what the trace refers to.

@@ -158,7 +158,9 @@ void LinkGraph::Settle(std::vector<Symbol>& garbage) {
 
 void LinkGraph::ElementRemoved(Symbol value) {
   IdentifierRecord& record = At(value);
-  if (--record.value_of != 0 || record.is_goal || record.parent_link != LinkId::kNone || record.first_link != LinkId::kNone) return;
+  if (--record.value_of != 0 || record.is_goal || record.parent_link != LinkId::kNone ||
+      record.first_link != LinkId::kNone)
+    return;
   if (record.queued) {
     queue_.push_back(value);
   } else {

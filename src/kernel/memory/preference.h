@@ -26,7 +26,7 @@ struct Preference {
   std::uint32_t references = 0;  ///< One for the slot, one per condition that names it.
   InstantiationId instantiation = InstantiationId::kNone;
   SlotId slot = SlotId::kNone;
-  std::uint32_t seen = 0;        ///< The last backtrace that took it for a result.
+  std::uint32_t seen = 0;            ///< The last backtrace that took it for a result.
   LinkId value_link, referent_link;  ///< See links.h; none for constants.
 
   PreferenceId next_in_slot = PreferenceId::kNone, previous_in_slot = PreferenceId::kNone;

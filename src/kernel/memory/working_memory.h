@@ -69,11 +69,11 @@ struct alignas(64) IdentifierRecord {
   std::uint16_t slot_count = 0;  ///< While not slots_indexed.
   std::uint32_t value_of = 0;    ///< Elements that have it as their value.
   SlotId slots = SlotId::kNone;
-  WmeId architecture_wmes = WmeId::kNone;   ///< Newest first.
-  WmeId input_wmes = WmeId::kNone;          ///< Newest first.
-  LinkId first_link = LinkId::kNone;        ///< Links that lead here (see links.h).
-  LinkId parent_link = LinkId::kNone;       ///< The link that gives it its level.
-  LinkId first_child = LinkId::kNone;       ///< Links of which this is the source and that are parent links.
+  WmeId architecture_wmes = WmeId::kNone;  ///< Newest first.
+  WmeId input_wmes = WmeId::kNone;         ///< Newest first.
+  LinkId first_link = LinkId::kNone;       ///< Links that lead here (see links.h).
+  LinkId parent_link = LinkId::kNone;      ///< The link that gives it its level.
+  LinkId first_child = LinkId::kNone;      ///< Links of which this is the source and that are parent links.
 };
 
 /// Working memory of one agent as a data structure: elements, slots, preferences and identifiers in arenas with free
