@@ -140,7 +140,7 @@ void Firing::RunAction(const Action& action, InstantiationId id) {
     return;
   }
   // What an object's preference makes hangs on that object, so it begins with its level.
-  const IdentifierRecord& record = engine_.memory.identifier(object);
+  const IdentifierRecord& record = engine_.memory.known_identifier(object);
   const bool is_goal = record.is_goal;
   level_ = record.level;
   const Symbol attribute = Evaluate(action.attribute);
@@ -157,7 +157,7 @@ void Firing::RunAction(const Action& action, InstantiationId id) {
   }
   // Of other slots than a state's operator only these two count.
   if (type != PreferenceType::kAcceptable && type != PreferenceType::kReject &&
-      !(is_goal && attribute == words::kOperator)) {
+      !(is_goal && attribute == words::kOperator)) [[unlikely]] {
     return;
   }
   engine_.preferences.Make(id, object, attribute, value, referent, type, o_support_);

@@ -151,12 +151,12 @@ void PreferenceChanges::FreeIfUnused(PreferenceId id) {
     return;
   }
   Free(id);
-  Drain();
+  if (!unused_.empty()) Drain();
 }
 
 void PreferenceChanges::FreeIfUnused(InstantiationId id) {
   FreeInstantiation(id);
-  Drain();
+  if (!unused_.empty()) Drain();
 }
 
 void PreferenceChanges::Free(PreferenceId id) {
@@ -203,8 +203,8 @@ void PreferenceChanges::UnlinkFromChains(PreferenceId id) {
 
 void PreferenceChanges::FreeInstantiation(InstantiationId id) {
   const Instantiation& instantiation = engine_.instantiations[id];
-  if (!instantiation.live || instantiation.held || instantiation.match != MatchId::kNone ||
-      instantiation.preferences != PreferenceId::kNone) {
+  if (instantiation.preferences != PreferenceId::kNone || instantiation.held || instantiation.match != MatchId::kNone ||
+      !instantiation.live) {
     return;
   }
   if (instantiation.justification != 0xFFFFFFFFu) engine_.justifier.InstantiationFreed(id);

@@ -35,7 +35,7 @@ LinkId LinkGraph::Add(Symbol from, Symbol to) {
     }
     Root(to);
   }
-  if (source.level < target.level) promoted_.push_back(to);
+  if (source.level < target.level) NotePromoted(to);
   return id;
 }
 
@@ -58,7 +58,7 @@ void LinkGraph::Root(Symbol id) {
         SetParent(target, link);
       }
       below.rooted = true;
-      if (below.level > memory_.level(current)) promoted_.push_back(target);
+      if (below.level > memory_.level(current)) NotePromoted(target);
       stack_.push_back(target);
     });
   }
@@ -87,7 +87,7 @@ void LinkGraph::Queue(Symbol id) {
   IdentifierRecord& record = At(id);
   if (record.queued) return;
   record.queued = true;
-  queue_.push_back(id);
+  Enqueue(id);
 }
 
 void LinkGraph::SetParent(Symbol id, LinkId link_id) {
@@ -126,6 +126,11 @@ LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
 // Settling ------------------------------------------------------------------------------------------------------------
 
 void LinkGraph::Settle(std::vector<Symbol>& garbage) {
+  Work(garbage);
+  restless_ = !queue_.empty() || !promoted_.empty() || !uncertain_.empty() || !goals_.empty();
+}
+
+inline void LinkGraph::Work(std::vector<Symbol>& garbage) {
   for (const Symbol id : promoted_) Promote(id);
   promoted_.clear();
   while (!queue_.empty()) {
@@ -162,7 +167,7 @@ void LinkGraph::ElementRemoved(Symbol value) {
       record.first_link != LinkId::kNone)
     return;
   if (record.queued) {
-    queue_.push_back(value);
+    Enqueue(value);
   } else {
     Queue(value);
   }
@@ -171,7 +176,7 @@ void LinkGraph::ElementRemoved(Symbol value) {
 /// Another link to an identifier that waits has gone: its turn is counted from now.
 void LinkGraph::Touch(Symbol id) {
   const IdentifierRecord& record = At(id);
-  if (record.queued && record.parent_link == LinkId::kNone) queue_.push_back(id);
+  if (record.queued && record.parent_link == LinkId::kNone) Enqueue(id);
 }
 
 /// If a link from a higher level leads to the identifier, gives it and what it reaches that level.
@@ -303,6 +308,7 @@ void LinkGraph::Clear() {
   promoted_.clear();
   goals_.clear();
   uncertain_.clear();
+  restless_ = false;
   suspended_.clear();
 }
 

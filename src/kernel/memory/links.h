@@ -41,7 +41,7 @@ class LinkGraph {
   void Remove(LinkId link);
 
   /// True if links changed in a way that can move levels.
-  bool HasWork() const { return !queue_.empty() || !promoted_.empty() || !uncertain_.empty() || !goals_.empty(); }
+  bool HasWork() const { return restless_; }
   /// Works out the levels of the identifiers that changed: promotions first, then what lost its parent, the newest loss
   /// first, then goals that have gone, in the order of going; identifiers that other links may still hold come last.
   /// Those that no goal reaches any more are appended to `garbage`; the caller removes what they own, which may make
@@ -52,7 +52,10 @@ class LinkGraph {
   void ElementAdded(Symbol value) { ++At(value).value_of; }
   void ElementRemoved(Symbol value);
   /// Makes the identifier of a goal that has gone garbage. What hangs on it follows when it is collected.
-  void Discard(Symbol goal) { goals_.push_back(goal); }
+  void Discard(Symbol goal) {
+    goals_.push_back(goal);
+    restless_ = true;
+  }
 
   void Clear();
   std::size_t MemoryBytes() const;
@@ -63,6 +66,14 @@ class LinkGraph {
   enum class Ancestry : std::uint8_t { kRooted, kBelow, kFloating };
 
   IdentifierRecord& At(Symbol id) { return memory_.mutable_identifier(id); }
+  void Enqueue(Symbol id) {
+    queue_.push_back(id);
+    restless_ = true;
+  }
+  void NotePromoted(Symbol id) {
+    promoted_.push_back(id);
+    restless_ = true;
+  }
   void Queue(Symbol id);
   void Touch(Symbol id);
   void SetParent(Symbol id, LinkId link);
@@ -70,6 +81,7 @@ class LinkGraph {
   void DropParent(Symbol id);
   /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
   Ancestry Trace(Symbol from, Symbol stop) const;
+  void Work(std::vector<Symbol>& garbage);
   void Promote(Symbol id);
   void Reattach(Symbol id, std::vector<Symbol>& garbage);
   template <typename Visit>
@@ -77,6 +89,7 @@ class LinkGraph {
 
   WorkingMemory& memory_;
   RecordArena<Link, &Link::next_in> links_;
+  bool restless_ = false;  ///< One of the first four is not empty.
   std::vector<Symbol> queue_, promoted_, goals_, uncertain_, subtree_, stack_;
   std::vector<std::uint8_t> suspended_;  ///< By identifier index, while Reattach works.
   struct Candidate {
