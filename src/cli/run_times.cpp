@@ -7,7 +7,7 @@ void RunTimes::Switch(bool on) {
   on_ = measures_phases_ = on;
   phase_began_ = cycle_began_ = Clock::now();
   if (on)
-    agent_.AddObserver(*this, kernel::Event::kPhase | kernel::Event::kRun);
+    agent_.AddObserver(*this, kernel::Mask(kernel::Event::kPhase));
   else
     agent_.RemoveObserver(*this);
 }

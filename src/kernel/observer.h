@@ -22,7 +22,7 @@ enum class ImpasseType : std::uint8_t { kNone, kTie, kConflict, kConstraintFailu
 
 /// What an observer wants to hear, as a bit mask: the kernel builds nothing for an event that nobody listens to.
 enum class Event : std::uint32_t {
-  kPhase = 1u << 0,         ///< Begin and end of each phase.
+  kPhase = 1u << 0,         ///< Begin and end of each phase and decision cycle.
   kElaboration = 1u << 1,   ///< Elaborations, inner elaborations, working memory phases.
   kFiring = 1u << 2,        ///< Rules that fire, are inhibited and retract.
   kWme = 1u << 3,           ///< Elements added to and removed from working memory.
@@ -30,7 +30,7 @@ enum class Event : std::uint32_t {
   kDecision = 1u << 5,      ///< Operators selected, states made and removed.
   kPrint = 1u << 6,         ///< Text that rules write and warnings of the architecture.
   kProduction = 1u << 7,    ///< Rules added and excised.
-  kRun = 1u << 8,           ///< Decision cycles, halt, interrupts, init-soar.
+  kRun = 1u << 8,           ///< Halt, interrupts, init-soar.
   kOutput = 1u << 9,        ///< The output link changed.
   kGds = 1u << 10,          ///< Goal dependency sets.
   kAssertion = 1u << 11,    ///< Instantiations made and asserted; matches put into the match set.
@@ -113,6 +113,8 @@ class Observer {
   // kPhase
   virtual void OnPhaseBegin(const Agent&, Phase) {}
   virtual void OnPhaseEnd(const Agent&, Phase) {}
+  virtual void OnDecisionCycleBegin(const Agent&) {}
+  virtual void OnDecisionCycleEnd(const Agent&) {}
 
   // kElaboration
   /// Around one elaboration cycle (a preference phase and a working memory phase).
@@ -189,8 +191,6 @@ class Observer {
   virtual void OnProductionExcised(const Agent&, ProductionId) {}
 
   // kRun
-  virtual void OnDecisionCycleBegin(const Agent&) {}
-  virtual void OnDecisionCycleEnd(const Agent&) {}
   /// The run ended because of a request (command, rule, goal-stack limit); the text says why.
   virtual void OnInterrupt(const Agent&, std::string_view reason) { (void)reason; }
   virtual void OnHalt(const Agent&) {}

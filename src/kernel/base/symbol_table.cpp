@@ -128,33 +128,16 @@ void DropFront(ConstantPool<Entry>& own, std::size_t count) {
   own.Reset(own.first_index() + static_cast<std::uint32_t>(count), std::move(rest));
 }
 
-struct IdentifierEntry {
-  std::uint64_t number = 0;
-  char letter = 0;  ///< 0: free.
-};
-
 }  // namespace
 
 struct SymbolTable::Contents {
   std::shared_ptr<const FrozenSymbols> base = Predefined();
   ConstantPools own;
   TextArena texts;
-  std::vector<IdentifierEntry> identifiers;
-  std::vector<std::uint32_t> free_identifiers;
-  std::uint64_t next_number[26];
   std::size_t unpinned = 0;
   std::uint64_t digest = 0;
 
-  Contents() {
-    ResetNumbers();
-    RestartAboveBase();
-  }
-
-  void ResetNumbers() {
-    for (std::uint64_t& number : next_number) {
-      number = 1;
-    }
-  }
+  Contents() { RestartAboveBase(); }
 
   void RestartAboveBase() {
     own.strings.Reset(base->pools.strings.end_index(), {});
@@ -233,7 +216,9 @@ struct SymbolTable::Contents {
   }
 };
 
-SymbolTable::SymbolTable() : contents_(std::make_unique<Contents>()) {}
+SymbolTable::SymbolTable() : contents_(std::make_unique<Contents>()) {
+  next_number_.fill(1);
+}
 SymbolTable::~SymbolTable() = default;
 SymbolTable::SymbolTable(SymbolTable&&) noexcept = default;
 SymbolTable& SymbolTable::operator=(SymbolTable&&) noexcept = default;
@@ -326,58 +311,27 @@ std::uint32_t SymbolTable::Stamp(Symbol constant) const {
   }
 }
 
-Symbol SymbolTable::NewIdentifier(char letter) {
-  return NewIdentifier(letter, contents_->next_number[letter - 'A']);
-}
-
 Symbol SymbolTable::NewIdentifier(char letter, std::uint64_t number) {
-  Contents& c = *contents_;
-  std::uint64_t& next = c.next_number[letter - 'A'];
+  std::uint64_t& next = next_number_[static_cast<std::size_t>(letter - 'A')];
   if (number >= next) {
     next = number + 1;
   }
-  std::uint32_t index;
-  if (!c.free_identifiers.empty()) {
-    index = c.free_identifiers.back();
-    c.free_identifiers.pop_back();
-    c.identifiers[index] = {number, letter};
-  } else {
-    index = static_cast<std::uint32_t>(c.identifiers.size());
-    c.identifiers.push_back({number, letter});
-  }
-  return Symbol(Symbol::Tag::kIdentifier, index);
-}
-
-void SymbolTable::FreeIdentifier(Symbol identifier) {
-  contents_->identifiers[identifier.index()] = {};
-  contents_->free_identifiers.push_back(identifier.index());
-}
-
-char SymbolTable::Letter(Symbol identifier) const {
-  return contents_->identifiers[identifier.index()].letter;
-}
-std::uint64_t SymbolTable::Number(Symbol identifier) const {
-  return contents_->identifiers[identifier.index()].number;
+  return PlaceIdentifier(letter, number);
 }
 
 Symbol SymbolTable::FindIdentifier(char letter, std::uint64_t number) const {
-  const std::vector<IdentifierEntry>& identifiers = contents_->identifiers;
-  for (std::size_t i = 0; i < identifiers.size(); ++i) {
-    if (identifiers[i].letter == letter && identifiers[i].number == number && letter != 0) {
+  for (std::size_t i = 0; i < identifiers_.size(); ++i) {
+    if (identifiers_[i].letter == letter && identifiers_[i].number == number && letter != 0) {
       return Symbol(Symbol::Tag::kIdentifier, static_cast<std::uint32_t>(i));
     }
   }
   return {};
 }
 
-std::uint32_t SymbolTable::IdentifierLimit() const {
-  return static_cast<std::uint32_t>(contents_->identifiers.size());
-}
-
 void SymbolTable::ResetIdentifierCounters() {
-  contents_->ResetNumbers();
-  contents_->identifiers.clear();
-  contents_->free_identifiers.clear();
+  next_number_.fill(1);
+  identifiers_.clear();
+  free_identifiers_.clear();
 }
 
 std::strong_ordering SymbolTable::Compare(Symbol left, Symbol right) const {
@@ -516,7 +470,7 @@ std::size_t SymbolTable::MemoryBytes() const {
   const Contents& c = *contents_;
   return sizeof(Contents) + c.texts.MemoryBytes() + c.own.strings.MemoryBytes() + c.own.variables.MemoryBytes() +
          c.own.large_integers.MemoryBytes() + c.own.floats.MemoryBytes() + c.own.small_integers.MemoryBytes() +
-         c.identifiers.capacity() * sizeof(IdentifierEntry) + c.free_identifiers.capacity() * sizeof(std::uint32_t);
+         identifiers_.capacity() * sizeof(IdentifierEntry) + free_identifiers_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace soarbox::kernel

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kernel/base/symbol.h"
 
@@ -60,16 +61,21 @@ class SymbolTable {
   std::uint32_t Stamp(Symbol constant) const;
 
   /// A new identifier with the next number of its letter (A to Z).
-  Symbol NewIdentifier(char letter);
+  Symbol NewIdentifier(char letter) {
+    return PlaceIdentifier(letter, next_number_[static_cast<std::size_t>(letter - 'A')]++);
+  }
   /// An identifier with a given number; the letter's counter is raised above it.
   Symbol NewIdentifier(char letter, std::uint64_t number);
-  void FreeIdentifier(Symbol identifier);
-  char Letter(Symbol identifier) const;
-  std::uint64_t Number(Symbol identifier) const;
+  void FreeIdentifier(Symbol identifier) {
+    identifiers_[identifier.index()] = {};
+    free_identifiers_.push_back(identifier.index());
+  }
+  char Letter(Symbol identifier) const { return identifiers_[identifier.index()].letter; }
+  std::uint64_t Number(Symbol identifier) const { return identifiers_[identifier.index()].number; }
   /// The live identifier with this name, else the none symbol. Not for hot paths.
   Symbol FindIdentifier(char letter, std::uint64_t number) const;
   /// One more than the largest identifier index ever handed out: the size for arrays that run beside this table.
-  std::uint32_t IdentifierLimit() const;
+  std::uint32_t IdentifierLimit() const { return static_cast<std::uint32_t>(identifiers_.size()); }
   /// Restarts all letters at 1 (init-soar). All identifiers must have been freed.
   void ResetIdentifierCounters();
 
@@ -115,13 +121,30 @@ class SymbolTable {
 
  private:
   struct Contents;
+  struct IdentifierEntry {
+    std::uint64_t number = 0;
+    char letter = 0;  ///< 0: free.
+  };
 
+  Symbol PlaceIdentifier(char letter, std::uint64_t number) {
+    if (free_identifiers_.empty()) {
+      identifiers_.push_back({number, letter});
+      return Symbol(Symbol::Tag::kIdentifier, static_cast<std::uint32_t>(identifiers_.size() - 1));
+    }
+    const std::uint32_t index = free_identifiers_.back();
+    free_identifiers_.pop_back();
+    identifiers_[index] = {number, letter};
+    return Symbol(Symbol::Tag::kIdentifier, index);
+  }
   Symbol InternInteger(std::int64_t value);
   std::int64_t LargeIntegerValue(Symbol symbol) const;
   void MarkOwn(Symbol symbol);
 
   std::unique_ptr<Contents> contents_;
   bool pinning_ = false;
+  std::vector<IdentifierEntry> identifiers_;
+  std::vector<std::uint32_t> free_identifiers_;
+  std::array<std::uint64_t, 26> next_number_;  ///< By letter.
   /// By tag, since BeginMark: the first index that a sweep may free. Those before it are in the base.
   std::array<std::uint32_t, 8> sweepable_from_{};
 };

@@ -33,7 +33,7 @@ void RunControl::InputPhase() {
   cycle_wme_changes_ = counters.wme_additions + counters.wme_removals;
   cycle_firings_ = counters.firings;
   if (engine_.settings.max_decision_time_us > 0) cycle_began_ = std::chrono::steady_clock::now();
-  engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnDecisionCycleBegin(engine_.agent); });
+  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleBegin(engine_.agent); });
   BeginPhase();
   engine_.input.Apply();
   engine_.elaboration.ApplyWorkingMemoryChanges();
@@ -87,7 +87,7 @@ void RunControl::OutputPhase() {
     counters.max_firings_cycle = counters.decision_cycles;
   }
   EndPhase(Phase::kInput);
-  engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnDecisionCycleEnd(engine_.agent); });
+  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleEnd(engine_.agent); });
   const std::int64_t limit = engine_.settings.max_decision_time_us;
   if (limit > 0) {
     const auto spent = std::chrono::steady_clock::now() - cycle_began_;

@@ -37,7 +37,14 @@ void WorkingMemory::ClearChanges() {
   changes_.deltas_.clear();
   if (removed_.empty()) return;
   releasing_.swap(removed_);
-  for (WMElement* wme : releasing_) Release(wme);
+  for (WMElement* wme : releasing_) {
+    // (Removed output is neither a child nor in the table any more, so for most elements this is all that is left.)
+    if (wme->kind_ == WMElement::Kind::kIdentifier) {
+      Release(wme);
+    } else {
+      RetireElement(wme);
+    }
+  }
   releasing_.clear();
 }
 
