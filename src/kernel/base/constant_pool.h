@@ -100,13 +100,25 @@ class ConstantPool {
     if (slots_.empty()) {
       return kNotFound;
     }
-    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
-    for (std::uint32_t at = hash & mask; slots_[at] != 0; at = (at + 1) & mask) {
-      if (entries_[slots_[at] - 1].Is(hash, key)) {
+    const std::uint32_t slot = slots_[Search(hash, key)];
+    return slot == 0 ? kNotFound : first_ + slot - 1;
+  }
+
+  /// The index of the entry with this key; `make()` makes it if there is none.
+  template <typename Key, typename Make>
+  std::uint32_t FindOrAdd(std::uint32_t hash, const Key& key, Make make) {
+    if (!slots_.empty()) {
+      const std::uint32_t at = Search(hash, key);
+      if (slots_[at] != 0) {
         return first_ + slots_[at] - 1;
       }
+      if ((live_ + 1) * 2 <= slots_.size()) {
+        const std::uint32_t local = Place(make());
+        slots_[at] = local + 1;
+        return first_ + local;
+      }
     }
-    return kNotFound;
+    return Add(make());
   }
 
   /// Adds an entry that is not there yet and returns its index.
@@ -114,17 +126,8 @@ class ConstantPool {
     if ((live_ + 1) * 2 > slots_.size()) {
       Rehash(slots_.empty() ? 16 : slots_.size() * 2);
     }
-    std::uint32_t local;
-    if (!free_.empty()) {
-      local = free_.back();
-      free_.pop_back();
-      entries_[local] = entry;
-    } else {
-      local = static_cast<std::uint32_t>(entries_.size());
-      entries_.push_back(entry);
-    }
+    const std::uint32_t local = Place(entry);
     Enter(local);
-    ++live_;
     return first_ + local;
   }
 
@@ -176,6 +179,30 @@ class ConstantPool {
   }
 
  private:
+  /// Where in the index the entry with this key stands, or the gap where it would.
+  template <typename Key>
+  std::uint32_t Search(std::uint32_t hash, const Key& key) const {
+    const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
+    std::uint32_t at = hash & mask;
+    while (slots_[at] != 0 && !entries_[slots_[at] - 1].Is(hash, key)) {
+      at = (at + 1) & mask;
+    }
+    return at;
+  }
+
+  /// Puts an entry among the others, not into the index yet. Returns its local index.
+  std::uint32_t Place(const Entry& entry) {
+    ++live_;
+    if (free_.empty()) {
+      entries_.push_back(entry);
+      return static_cast<std::uint32_t>(entries_.size() - 1);
+    }
+    const std::uint32_t local = free_.back();
+    free_.pop_back();
+    entries_[local] = entry;
+    return local;
+  }
+
   void Enter(std::uint32_t local) {
     const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
     std::uint32_t at = entries_[local].Hash() & mask;

@@ -175,11 +175,10 @@ struct SymbolTable::Contents {
     if (index != ConstantPool<Entry>::kNotFound) {
       return Symbol(tag, index);
     }
-    index = in_own.Find(hash, key);
-    if (index == ConstantPool<Entry>::kNotFound) {
-      index = in_own.Add(make(own.next_stamp++));
+    index = in_own.FindOrAdd(hash, key, [&] {
       ++unpinned;
-    }
+      return make(own.next_stamp++);
+    });
     if (pin && !in_own[index].marks.Pinned()) {
       Pin(in_own[index], tag, index);
       --unpinned;
