@@ -134,7 +134,8 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     LineAnswer answer;
     if (host_.HasFilters()) {
       const std::string line = RunLine(spec);
-      return Execute(agent, link, {line, false, false, false});
+      answer = Execute(agent, link, {line, false, false, false});
+      return answer;
     }
     answer.ok = false;
     if (host_.running()) {
