@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kFirstBuckets = 64;
 /// Room for the matches of a small agent, so that its first decisions cost what the later ones do.
 constexpr std::size_t kUsualRecords = 32;
-constexpr std::size_t kUsualElements = 128;
+constexpr std::size_t kUsualMatchedElements = 128;
 
 std::uint8_t AssertionList(bool o_support) {
   return o_support ? 1 : 0;
@@ -47,21 +47,19 @@ void MatchSet::Unlink(std::uint32_t match) {
 // Records -------------------------------------------------------------------------------------------------------------
 
 inline std::uint32_t MatchSet::TakeElements(std::size_t count) {
-  if (count < free_elements_.size() && free_elements_[count] != kNil) {
-    const std::uint32_t place = free_elements_[count];
-    free_elements_[count] = Index(elements_[place]);
+  std::uint32_t& free = free_elements_[count];
+  if (free != kNil) [[likely]] {
+    const std::uint32_t place = free;
+    free = Index(elements_[place]);
     return place;
   }
-  if (count >= free_elements_.size()) {
-    free_elements_.resize(count + 1, kNil);
-  }
-  if (elements_.empty()) elements_.reserve(kUsualElements);
+  if (elements_.empty()) elements_.reserve(kUsualMatchedElements);
   const auto place = static_cast<std::uint32_t>(elements_.size());
   elements_.resize(elements_.size() + count);
   return place;
 }
 
-inline std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
+[[gnu::always_inline]] inline std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
   std::uint32_t index = free_records_;
   if (index != kNil) {
     free_records_ = records_[index].next;
@@ -96,10 +94,7 @@ inline std::uint32_t MatchSet::NewRecord(const Arrival& arrival) {
   }
   record.generation = levels_[arrival.level].generation;
   if (arrival.production != kNil) {
-    if (arrival.production >= live_.size()) {
-      live_.resize(arrival.production + 1u, 0);
-    }
-    ++live_[arrival.production];
+    ++rules_[arrival.production].live;
   }
   return index;
 }
@@ -111,7 +106,7 @@ void MatchSet::FreeRecord(std::uint32_t match) {
     free_elements_[record.element_count] = record.elements;
   }
   if (record.production != kNil) {
-    --live_[record.production];
+    --rules_[record.production].live;
   }
   record.state = MatchState::kFree;
   record.element_count = 0;
@@ -127,6 +122,7 @@ MatchId MatchSet::Assert(const Arrival& arrival) {
 }
 
 MatchId MatchSet::AddFired(const Arrival& arrival, InstantiationId instantiation) {
+  ExpectElements(arrival.elements.size());
   const std::uint32_t match = NewRecord(arrival);
   records_[match].state = MatchState::kFired;
   records_[match].instantiation = instantiation;
@@ -285,13 +281,17 @@ std::uint32_t MatchSet::HashOf(std::uint32_t production, std::span<const WmeId> 
   return hash;
 }
 
+std::uint32_t& MatchSet::Bucket(const Record& record) {
+  const std::uint32_t hash = HashOf(record.production, {elements_.data() + record.elements, record.element_count});
+  return hash_buckets_[hash & (hash_buckets_.size() - 1)];
+}
+
 void MatchSet::Hash(std::uint32_t match) {
   if (hash_count_ >= hash_buckets_.size()) {
     GrowHash();
   }
   Record& record = records_[match];
-  record.hash = HashOf(record.production, Wmes(static_cast<MatchId>(match)));
-  std::uint32_t& head = hash_buckets_[record.hash & (hash_buckets_.size() - 1)];
+  std::uint32_t& head = Bucket(record);
   record.hash_previous = kNil;
   record.hash_next = head;
   if (head != kNil) {
@@ -300,10 +300,7 @@ void MatchSet::Hash(std::uint32_t match) {
   head = match;
   record.hashed = true;
   ++hash_count_;
-  if (record.production >= returnable_.size()) {
-    returnable_.resize(record.production + 1u, 0);
-  }
-  ++returnable_[record.production];
+  ++rules_[record.production].returnable;
 }
 
 void MatchSet::Unhash(std::uint32_t match) {
@@ -314,11 +311,12 @@ void MatchSet::Unhash(std::uint32_t match) {
   if (record.hash_previous != kNil) {
     records_[record.hash_previous].hash_next = record.hash_next;
   } else {
-    hash_buckets_[record.hash & (hash_buckets_.size() - 1)] = record.hash_next;
+    Bucket(record) = record.hash_next;
   }
+  record.token = kNil;
   record.hashed = false;
   --hash_count_;
-  --returnable_[record.production];
+  --rules_[record.production].returnable;
 }
 
 void MatchSet::GrowHash() {
@@ -328,7 +326,7 @@ void MatchSet::GrowHash() {
     while (match != kNil) {
       Record& record = records_[match];
       const std::uint32_t next = record.hash_next;
-      std::uint32_t& head = hash_buckets_[record.hash & (hash_buckets_.size() - 1)];
+      std::uint32_t& head = Bucket(record);
       record.hash_previous = kNil;
       record.hash_next = head;
       if (head != kNil) {
@@ -348,7 +346,7 @@ MatchId MatchSet::Revive(const Arrival& arrival, const WmeTable& wmes) {
   for (std::uint32_t match = hash_buckets_[hash & (hash_buckets_.size() - 1)]; match != kNil;
        match = records_[match].hash_next) {
     Record& record = records_[match];
-    if (record.hash != hash || record.production != arrival.production ||
+    if (record.production != arrival.production ||
         !std::ranges::equal(Wmes(static_cast<MatchId>(match)), arrival.elements)) {
       continue;
     }
@@ -375,14 +373,13 @@ void MatchSet::Clear() {
   std::fill(free_elements_.begin(), free_elements_.end(), kNil);
   std::fill(hash_buckets_.begin(), hash_buckets_.end(), kNil);
   hash_count_ = 0;
-  std::fill(returnable_.begin(), returnable_.end(), 0u);
-  std::fill(live_.begin(), live_.end(), 0u);
+  std::fill(rules_.begin(), rules_.end(), RuleCounts());
   next_stamp_ = 0;
 }
 
 std::size_t MatchSet::MemoryBytes() const {
   return records_.capacity() * sizeof(Record) + elements_.capacity() * sizeof(WmeId) +
-         (free_elements_.capacity() + hash_buckets_.capacity() + returnable_.capacity() + live_.capacity()) * 4 +
+         (free_elements_.capacity() + hash_buckets_.capacity()) * 4 + rules_.capacity() * sizeof(RuleCounts) +
          levels_.capacity() * sizeof(Level);
 }
 

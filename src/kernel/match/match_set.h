@@ -106,8 +106,11 @@ class MatchSet {
   /// An equal match that waits for its retraction and is now matched again by `arrival.token`; kNone if there is none.
   MatchId Revive(const Arrival& arrival, const WmeTable& wmes);
   /// False if no match of the rule waits for its retraction and can come back.
-  bool MayReturn(std::uint32_t production) const {
-    return production < returnable_.size() && returnable_[production] != 0;
+  bool MayReturn(std::uint32_t production) const { return rules_[production].returnable != 0; }
+  /// To be called before the first match of a rule.
+  void RuleAdded(std::uint32_t production, std::size_t elements) {
+    if (production >= rules_.size()) rules_.resize(production + 1u);
+    ExpectElements(elements);
   }
   /// A new pending assertion.
   MatchId Assert(const Arrival& arrival);
@@ -122,14 +125,17 @@ class MatchSet {
   std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
   std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
   /// Records in use that belong to a rule; its number is used again when this is 0.
-  std::uint32_t LiveCount(std::uint32_t production) const { return production < live_.size() ? live_[production] : 0; }
+  std::uint32_t LiveCount(std::uint32_t production) const { return rules_[production].live; }
   void Clear();
 
   static constexpr std::uint32_t kNil = 0xFFFFFFFFu;
 
  private:
   struct Record {
-    std::uint32_t token = kNil;
+    union {
+      std::uint32_t token = kNil;
+      std::uint32_t hash_next;  ///< When `hashed`: then it has no token.
+    };
     std::uint32_t production = 0;
     std::uint32_t elements = 0;  ///< Where they begin in elements_.
     std::uint16_t element_count = 0;
@@ -142,16 +148,24 @@ class MatchSet {
     InstantiationId instantiation = InstantiationId::kNone;
     std::uint32_t next = kNil, previous = kNil;  ///< In its list; `next` also in the free list.
     std::uint32_t generation = 0;  ///< Of its level when it appeared: tells whether the goal has gone since.
-    std::uint32_t hash = 0;
-    std::uint32_t hash_next = kNil, hash_previous = kNil;
+    std::uint32_t hash_previous = kNil;
     std::uint64_t stamp = 0;         ///< Of an assertion or retraction: its running number. For display order.
     std::uint64_t last_timetag = 0;  ///< When it became a retraction.
+  };
+  static_assert(sizeof(Record) == 64, "matches are addressed by a shift");
+  struct RuleCounts {
+    std::uint32_t returnable = 0;  ///< Retractions in the hash table.
+    std::uint32_t live = 0;        ///< Records in use.
   };
   struct Level {
     std::uint32_t head[3] = {kNil, kNil, kNil};
     std::uint32_t generation = 0;  ///< Grows when a goal of this level goes away.
   };
 
+  void ExpectElements(std::size_t count) {
+    if (count >= free_elements_.size()) free_elements_.resize(count + 1, kNil);
+  }
+  std::uint32_t& Bucket(const Record& record);
   std::uint32_t NewRecord(const Arrival& arrival);
   std::uint32_t TakeElements(std::size_t count);
   void FreeRecord(std::uint32_t match);
@@ -169,8 +183,7 @@ class MatchSet {
   std::vector<std::uint32_t> free_elements_;  ///< Heads of free lists by number of elements.
   std::vector<std::uint32_t> hash_buckets_;
   std::uint32_t hash_count_ = 0;
-  std::vector<std::uint32_t> returnable_;  ///< By rule: retractions in the hash table.
-  std::vector<std::uint32_t> live_;        ///< By rule: records in use.
+  std::vector<RuleCounts> rules_;
   std::uint64_t next_stamp_ = 0;
 };
 

@@ -111,6 +111,16 @@ void GrowByQuarter(std::vector<T>& array, std::size_t size) {
   }
 }
 
+/// What an alpha memory's mask selects of an element.
+struct MaskUse {
+  std::uint32_t field[3];         ///< All bits or none.
+  std::uint32_t hash_of_kind[2];  ///< By whether the memory is one of acceptable elements.
+
+  explicit constexpr MaskUse(std::uint32_t mask)
+      : field{0u - (mask & 1), 0u - (mask >> 1 & 1), 0u - (mask >> 2)},
+        hash_of_kind{mask * 2 * 0x27D4EB2Fu, (mask * 2 + 1) * 0x27D4EB2Fu} {}
+};
+
 /// The topology of a Rete: which tests where. Holds nothing that changes while rules run, so that agents with the same
 /// rules can share it. Node 0 is the root. Children are listed newest first.
 class [[gnu::visibility("hidden")]] Network {
@@ -151,14 +161,14 @@ class [[gnu::visibility("hidden")]] Network {
     const std::uint32_t hashes[3] = {fields[0] * kHashOfField[0], fields[1] * kHashOfField[1],
                                      fields[2] * kHashOfField[2]};
     for (std::uint32_t masks = masks_in_use_[acceptable ? 1 : 0]; masks != 0; masks &= masks - 1) {
-      const auto mask = static_cast<std::uint32_t>(std::countr_zero(masks));
-      const std::uint32_t use[3] = {0u - (mask & 1), 0u - (mask >> 1 & 1), 0u - (mask >> 2)};
-      const std::uint32_t hash =
-          (hashes[0] & use[0]) ^ (hashes[1] & use[1]) ^ (hashes[2] & use[2]) ^ HashOfKind(mask, acceptable);
+      const MaskUse& use = kMaskUse[std::countr_zero(masks)];
+      const std::uint32_t hash = (hashes[0] & use.field[0]) ^ (hashes[1] & use.field[1]) ^ (hashes[2] & use.field[2]) ^
+                                 use.hash_of_kind[acceptable ? 1 : 0];
       for (std::uint32_t found = alpha_buckets_[hash >> alpha_shift_]; found != kNil;) {
         const Alpha& a = alphas_[found];
-        if (a.constant[1] == (fields[1] & use[1]) && a.constant[2] == (fields[2] & use[2]) &&
-            a.constant[0] == (fields[0] & use[0]) && a.mask == mask && a.acceptable == acceptable) {
+        // No field of an element is 0, so that equal constants mean equal masks.
+        if (a.constant[1] == (fields[1] & use.field[1]) && a.constant[2] == (fields[2] & use.field[2]) &&
+            a.constant[0] == (fields[0] & use.field[0]) && a.acceptable == acceptable) {
           visit(found);
           break;
         }
@@ -211,11 +221,10 @@ class [[gnu::visibility("hidden")]] Network {
   static constexpr std::uint32_t kHashOfField[3] = {0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du};
   static std::uint32_t AlphaHash(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable) {
     return (constants[0] * kHashOfField[0]) ^ (constants[1] * kHashOfField[1]) ^ (constants[2] * kHashOfField[2]) ^
-           HashOfKind(mask, acceptable);
+           kMaskUse[mask].hash_of_kind[acceptable ? 1 : 0];
   }
-  static std::uint32_t HashOfKind(std::uint32_t mask, bool acceptable) {
-    return (mask * 2 + (acceptable ? 1 : 0)) * 0x27D4EB2Fu;
-  }
+  static constexpr MaskUse kMaskUse[8] = {MaskUse(0), MaskUse(1), MaskUse(2), MaskUse(3),
+                                          MaskUse(4), MaskUse(5), MaskUse(6), MaskUse(7)};
   void InsertShared(std::uint32_t node);
   void LinkChild(std::uint32_t node);
   void FindOnlyMemory(std::uint32_t parent);

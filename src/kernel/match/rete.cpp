@@ -104,7 +104,7 @@ Rete::Statistics Rete::statistics() const {
   for (std::uint32_t n = 0; n < network.alpha_limit(); ++n) {
     statistics.alpha_memories += network.alpha(n).uses != 0 ? 1 : 0;
   }
-  statistics.tokens = state_->token_count;
+  statistics.tokens = state_->CountTokens();
   for (const auto& memory : state_->sparse) {
     if (memory->node != kNil) {
       statistics.tokens += state_->nodes[memory->node].count - memory->tokens;

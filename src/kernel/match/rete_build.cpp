@@ -53,6 +53,11 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   const std::uint32_t made = network->AddNode(bottom, node, {}, {}, digest);
   info->node = made;
   network->AddRule(number, std::move(info));
+  const std::uint16_t positives = network->rule(number)->positives;
+  matches.RuleAdded(number, positives);
+  if (elements.size() < positives) {
+    elements.resize(positives);
+  }
   if (number < mixed_reported.size()) {
     mixed_reported[number] = 0;
   }
@@ -96,6 +101,11 @@ void ReteState::NodeAdded(std::uint32_t index) {
   nodes[index] = NodeState();
   ChildAdded(index);
   const Node& node = network->node(index);
+  if (node.kind == NodeKind::kNegative) {
+    nodes[index].roles |= NodeState::kNegative;
+  } else if (node.kind != NodeKind::kMemory) {
+    nodes[index].roles |= NodeState::kOther;
+  }
   if (node.kind == NodeKind::kJoin) {
     const ValueFilter filter = FilterOf(node);
     nodes[index].lowest = filter.lowest;

@@ -33,16 +33,15 @@ inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t parent
     state.free_tokens = state.tokens[index].next_sibling;
   } else {
     index = state.tokens.Append();
+    state.tokens[index].pairs = 0;
+    state.tokens[index].forgotten = 0;
   }
-  ++state.token_count;
   const Records<Token> all = state.tokens.records();
   Token& token = all[index];
   token.parent = parent;
   token.wme = wme;
   token.node = node;
   token.serial = serial;
-  token.made = state.next_serial;
-  token.pairs = 0;
   token.first_child = kNil;
   token.previous_sibling = kNil;
   std::uint32_t sibling = kNil;
@@ -100,9 +99,9 @@ struct KeyParts {
 }
 
 /// Puts a token at the head of its chain and lets the table grow with the number of tokens, which is in `counter`.
-[[gnu::always_inline]] inline void InsertWithKey(ReteState& state, std::uint32_t node, std::uint32_t index,
-                                                 std::uint32_t key, bool keyed, std::uint32_t& counter) {
-  NodeState& memory = state.nodes[node];
+[[gnu::always_inline]] inline void InsertWithKey(ReteState& state, NodeState& memory, std::uint32_t node,
+                                                 std::uint32_t index, std::uint32_t key, bool keyed,
+                                                 std::uint32_t& counter) {
   const Records<Token> all = state.tokens.records();
   const std::uint32_t bits = memory.bits;
   std::uint32_t* head = &memory.head;
@@ -129,7 +128,23 @@ struct KeyParts {
 
 [[gnu::always_inline]] inline void InsertWithKey(ReteState& state, std::uint32_t node, std::uint32_t index,
                                                  std::uint32_t key, bool keyed) {
-  InsertWithKey(state, node, index, key, keyed, state.nodes[node].count);
+  NodeState& memory = state.nodes[node];
+  InsertWithKey(state, memory, node, index, key, keyed, memory.count);
+}
+
+/// The same for nodes that never have a table.
+[[gnu::always_inline]] inline void InsertInList(ReteState& state, NodeState& memory, std::uint32_t index,
+                                                std::uint32_t key) {
+  const Records<Token> all = state.tokens.records();
+  const std::uint32_t next = memory.head;
+  memory.head = index;
+  ++memory.count;
+  all[index].key = key;
+  all[index].previous_in_chain = kNil;
+  all[index].next_in_chain = next;
+  if (next != kNil) {
+    all[next].previous_in_chain = index;
+  }
 }
 
 /// Calls visit(element) for each element that the index of the right side offers for a left token with this key, newest
@@ -228,6 +243,56 @@ inline bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
     }
   }
   return true;
+}
+
+/// Puts an element into an alpha memory.
+[[gnu::always_inline]] inline void InsertItem(ReteState& state, std::uint32_t alpha, std::uint32_t wme) {
+  std::uint32_t index = state.free_items;
+  if (index != kNil) [[likely]] {
+    state.free_items = state.items[index].next;
+  } else {
+    index = state.items.Append();
+  }
+  const Records<AlphaItem> items = state.items.records();
+  AlphaState& memory = state.alphas[alpha];
+  AlphaItem& item = items[index];
+  item.wme = wme;
+  item.alpha = alpha;
+  item.id = state.wmes[wme].id.bits();
+  item.value = state.wmes[wme].value.bits();
+  item.previous = kNil;
+  item.next = memory.first;
+  if (memory.first != kNil) {
+    items[memory.first].previous = index;
+  }
+  memory.first = index;
+  item.next_of_wme = state.links[wme].first_item;
+  state.links[wme].first_item = index;
+  ++memory.count;
+
+  if (memory.id_bits != 0) {
+    if (memory.count > 1u << memory.id_bits) [[unlikely]] {
+      state.BuildIdTable(alpha, static_cast<std::uint8_t>(memory.id_bits + 2));
+    } else {
+      std::uint32_t& head = state.tables[memory.id_table + ReteState::Hash(item.id, memory.id_bits)];
+      item.previous_in_bucket = kNil;
+      item.next_in_bucket = head;
+      if (head != kNil) {
+        items[head].previous_in_bucket = index;
+      }
+      head = index;
+    }
+  }
+  if (memory.pair_bits != 0) {
+    if (memory.count > 1u << memory.pair_bits) [[unlikely]] {
+      state.BuildPairTable(alpha, static_cast<std::uint8_t>(memory.pair_bits + 2));
+    } else {
+      const std::uint32_t key = ReteState::PairKey(item.id, item.value);
+      std::uint32_t& head = state.tables[memory.pair_table + ReteState::Hash(key, memory.pair_bits)];
+      item.next_in_pair = head;
+      head = index;
+    }
+  }
 }
 
 /// The key that an element has for a node.

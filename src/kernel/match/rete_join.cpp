@@ -128,17 +128,37 @@ namespace {
   return item;
 }
 
-/// One pair.
-struct OnePair {
-  std::uint32_t parent, wme;
-  bool more = true;
+/// The same out of line, for loops in which hardly any item gets so far.
+[[gnu::noinline]] std::uint32_t FirstPassingOf(const ReteState& state, const RightSide& right, const Node& join,
+                                               const KeyParts& key, std::uint32_t parent, std::uint32_t wme,
+                                               std::uint32_t item) {
+  return FirstPassing(state, right, join, key, parent, wme, item);
+}
 
-  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
-    left = parent;
-    element = wme;
-    return std::exchange(more, false);
+/// The newest item that a join's right side offers for a key; its tests are still to be made.
+[[gnu::always_inline]] inline std::uint32_t FirstOffered(ReteState& state, const Node& join, const KeyParts& key) {
+  if (join.key != KeyKind::kId) {
+    return RightSide(state, join).First(key);
   }
-};
+  const AlphaState& alpha = state.alphas[join.alpha];
+  if (alpha.id_bits == 0) {
+    if (alpha.count <= kTinyMemory) {
+      const Records<const AlphaItem> items = std::as_const(state.items).records();
+      std::uint32_t item = alpha.first;
+      while (item != kNil && items[item].id != key.id) {
+        item = items[item].next;
+      }
+      return item;
+    }
+    state.BuildIdTable(join.alpha, 5);
+  }
+  std::uint32_t item = state.tables[alpha.id_table + ReteState::Hash(key.id, alpha.id_bits)];
+  const Records<const AlphaItem> items = std::as_const(state.items).records();
+  while (item != kNil && items[item].id != key.id) {
+    item = items[item].next_in_bucket;
+  }
+  return item;
+}
 
 /// A token and the elements of a bucket, from `item` on, that have an identifier.
 struct TokenAndBucket {
@@ -212,6 +232,7 @@ template <bool one_parent, RightSide::Kind kind, typename Source>
   const Wme* const wmes = state.wmes.data();
   NodeState& memory = state.nodes[index];
   SparseState& sparse = *state.sparse[memory.next_left];
+  const bool tested = joined.test_count != 0;
 
   std::uint32_t parent = kNil;
   std::uint32_t wme = kNil;
@@ -248,8 +269,8 @@ template <bool one_parent, RightSide::Kind kind, typename Source>
     ++arrived;
     const std::uint64_t now = serial++;
     std::uint32_t item = right.FirstOf<kind>(key);
-    if (item != kNil) {
-      item = FirstPassing(state, right, joined, key, parent, wme, item);
+    if (item != kNil && tested) {
+      item = FirstPassingOf(state, right, joined, key, parent, wme, item);
     }
     if (item == kNil && log != end) [[likely]] {
       log->parent = parent;
@@ -328,38 +349,78 @@ bool ReteState::LinkJoin(std::uint32_t node) {
 void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
                              KeyParts key, std::uint32_t item) {
   const std::uint32_t token = MakeToken(*this, index, parent, wme, serial);
-  InsertWithKey(*this, index, token, key.key, true, SparseOf(index).tokens);
+  InsertWithKey(*this, nodes[index], index, token, key.key, true, SparseOf(index).tokens);
   const std::uint32_t join = network->node(index).first_child;
-  const Node& node = network->node(join);
-  JoinOn(join, node, RightSide(*this, node), token, key, parent, wme, item);
+  JoinFrom(join, network->node(join), token, key, item);
 }
 
 /// Hands the elements that a new token joins with, from `item` on, to the sparse memory below the join.
 void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32_t token, const KeyParts& key,
                            std::uint32_t item) {
-  if (right.kind() != RightSide::kIdTable) {
-    const std::uint32_t parent = tokens[token].parent;
-    const std::uint32_t wme = tokens[token].wme;
+  const std::uint32_t parent = tokens[token].parent;
+  const std::uint32_t wme = tokens[token].wme;
+  const std::uint32_t element = right.Element(item);
+  std::uint32_t next = right.Next(item, key);
+  if (node.test_count != 0) {
+    next = FirstPassing(*this, right, node, key, parent, wme, next);
+  }
+  if (next == kNil) {
+    LeftSparse(node.only_memory, token, element);
+  } else if (right.kind() != RightSide::kIdTable) {
+    LeftSparse(node.only_memory, token, element);
     do {
-      LeftSparse(node.only_memory, token, right.Element(item));
-      item = FirstPassing(*this, right, node, key, parent, wme, right.Next(item, key));
-    } while (item != kNil);
+      LeftSparse(node.only_memory, token, right.Element(next));
+      next = FirstPassing(*this, right, node, key, parent, wme, right.Next(next, key));
+    } while (next != kNil);
   } else if (node.test_count == 0) {
     AddPairs<true>(*this, node.only_memory, TokenAndBucket{*this, token, item, key.id});
   } else {
-    AddPairs<true>(*this, node.only_memory,
-                   TokenAndPassing{*this, right, node, key, token, item, tokens[token].parent, tokens[token].wme});
+    AddPairs<true>(*this, node.only_memory, TokenAndPassing{*this, right, node, key, token, item, parent, wme});
   }
 }
 
+/// Hands one pair to a sparse memory.
 void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
-  AddPairs<false>(*this, index, OnePair{parent, wme});
+  const Node& node = network->node(index);
+  const std::uint32_t join = node.first_child;
+  if (nodes[join].left_linked && !nodes[join].right_linked) {
+    LinkJoin(join);
+  }
+  const Node& joined = network->node(join);
+  const KeyParts key = KeyOfPair(*this, node, parent, wme);
+  const std::uint64_t serial = next_serial++;
+  ++nodes[index].count;
+  ++tokens[parent].pairs;
+  std::uint32_t item = FirstOffered(*this, joined, key);
+  if (item != kNil && joined.test_count != 0) {
+    item = FirstPassing(*this, RightSide(*this, joined), joined, key, parent, wme, item);
+  }
+  if (item != kNil) {
+    JoinSparsely(index, parent, wme, serial, key, item);
+    return;
+  }
+  SparseState& memory = SparseOf(index);
+  if (memory.logged == memory.log_limit) [[unlikely]] {
+    MakeRoomToPark(memory);
+  }
+  ParkedPair& pair = memory.log.data()[memory.logged++];
+  pair.parent = parent;
+  pair.wme = wme;
+  pair.serial = serial;
+  pair.key = key.key;
 }
 
-/// Hands on what a token joins with, beginning with an item that is known to pass.
-[[gnu::always_inline]] inline void ReteState::JoinOn(std::uint32_t join, const Node& node, const RightSide& right,
-                                                     std::uint32_t token, const KeyParts& key, std::uint32_t parent,
-                                                     std::uint32_t wme, std::uint32_t item) {
+/// Hands on what a token joins with, from `item` on, which has the token's key.
+void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t token, KeyParts key, std::uint32_t item) {
+  const RightSide right(*this, node);
+  const std::uint32_t parent = tokens[token].parent;
+  const std::uint32_t wme = tokens[token].wme;
+  if (node.test_count != 0) {
+    item = FirstPassing(*this, right, node, key, parent, wme, item);
+    if (item == kNil) {
+      return;
+    }
+  }
   if ((nodes[join].roles & NodeState::kFeedsSparse) != 0) {
     JoinSparse(node, right, token, key, item);
     return;
@@ -380,11 +441,6 @@ void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint3
   } while (item != kNil);
 }
 
-void ReteState::JoinToken(std::uint32_t join, std::uint32_t token, KeyParts key, std::uint32_t item) {
-  const Node& node = network->node(join);
-  JoinOn(join, node, RightSide(*this, node), token, key, tokens[token].parent, tokens[token].wme, item);
-}
-
 /// Hands a token and the elements of a bucket that have an identifier, from `item` on, to a memory that is not sparse.
 /// If the memory has just one join to look at, what is the same for all pairs is worked out once.
 void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint32_t id, std::uint32_t item) {
@@ -402,37 +458,29 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
     return;
   }
   const Node& joined = network->node(join);
-  const RightSide right(*this, joined);
   const bool with_value = node.key == KeyKind::kIdValue;
-  const bool with_id = node.key != KeyKind::kNone;
-  const bool id_moves = node.key_id_levels == 0;
+  const bool id_moves = node.key != KeyKind::kNone && node.key_id_levels == 0;
   const bool value_moves = node.key_value_levels == 0;
   const bool judged = (memory.roles & NodeState::kMayBeSparse) != 0;
   KeyParts key;
-  if (more && with_id) {
+  if (more) {
     key = KeyOfPair(*this, node, parent, wme);
   }
   for (; more; more = source.Next(left, wme)) {
     const std::uint32_t token = MakeToken(*this, index, parent, wme);
-    if (with_id) {
-      if (id_moves) {
-        key.id = ReteState::FieldOf(wmes.data()[wme], node.key_id_field);
-      }
-      key.key = key.id;
-      if (with_value) {
-        if (value_moves) {
-          key.value = ReteState::FieldOf(wmes.data()[wme], node.key_value_field);
-        }
-        key.key = ReteState::PairKey(key.id, key.value);
-      }
+    if (id_moves) {
+      key.key = key.id = ReteState::FieldOf(wmes.data()[wme], node.key_id_field);
     }
-    InsertWithKey(*this, index, token, key.key, with_id);
-    std::uint32_t found = right.First(key);
-    if (found != kNil) {
-      found = FirstPassing(*this, right, joined, key, parent, wme, found);
-      if (found != kNil) {
-        JoinToken(join, token, key, found);
+    if (with_value) {
+      if (value_moves) {
+        key.value = ReteState::FieldOf(wmes.data()[wme], node.key_value_field);
       }
+      key.key = ReteState::PairKey(key.id, key.value);
+    }
+    InsertWithKey(*this, memory, index, token, key.key, node.key != KeyKind::kNone, memory.count);
+    const std::uint32_t found = FirstOffered(*this, joined, key);
+    if (found != kNil) {
+      JoinFrom(join, joined, token, key, found);
     }
     if (judged) {
       Judge(index, token);
@@ -454,7 +502,7 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
   NodeState& state = nodes[index];
   const std::uint32_t token = MakeToken(*this, index, parent, wme);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  InsertWithKey(*this, index, token, key.key, node.key != KeyKind::kNone);
+  InsertWithKey(*this, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
   for (std::uint32_t next = state.first_linked; next != kNil;) {
     const std::uint32_t join = next;
     next = nodes[join].next_left;
@@ -462,10 +510,9 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
       continue;
     }
     const Node& joined = network->node(join);
-    const RightSide right(*this, joined);
-    const std::uint32_t item = FirstPassing(*this, right, joined, key, parent, wme, right.First(key));
+    const std::uint32_t item = FirstOffered(*this, joined, key);
     if (item != kNil) {
-      JoinOn(join, joined, right, token, key, parent, wme, item);
+      JoinFrom(join, joined, token, key, item);
     }
   }
   if ((state.roles & NodeState::kMayBeSparse) != 0) {
@@ -526,51 +573,67 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   EmitGathered(join, wme);
 }
 
-[[gnu::always_inline]] inline void ReteState::RightActivate(std::uint32_t index, std::uint32_t wme) {
+/// An element that has come into the alpha memory of a left-linked join meets the tokens on the other side.
+[[gnu::always_inline]] inline void ReteState::RightJoin(std::uint32_t index, std::uint32_t wme, const Wme& element) {
   const Node& node = network->node(index);
-  const bool is_join = node.kind == NodeKind::kJoin;
-  const std::uint32_t memory = is_join ? node.parent : index;
-  if (is_join && !nodes[index].left_linked) {
-    LinkLeft(index);
-    if (nodes[memory].count == 0) {
-      UnlinkRight(index);
-      return;
-    }
-  }
-  if ((nodes[memory].roles & NodeState::kSparse) != 0) {
+  const NodeState& memory = nodes[node.parent];
+  if ((memory.roles & NodeState::kSparse) != 0) {
     RightSparse(index, wme);
     return;
   }
-  const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
-  std::uint32_t token = ChainHead(*this, nodes[memory], key);
-  if (token == kNil) {
-    return;
+  const Records<const Token> all = std::as_const(tokens).records();
+  std::uint32_t token = ChainHead(*this, memory, key);
+  while (token != kNil && all[token].key != key) {
+    token = all[token].next_in_chain;
   }
+  if (token != kNil) {
+    RightMatch(index, wme, token, key);
+  }
+}
+
+/// The element joins with those tokens of a chain, from `token` on, that have its key and pass the tests.
+void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t token, std::uint32_t key) {
+  const Node& node = network->node(index);
+  const Wme& element = wmes[wme];
+  std::uint32_t late = 0;  // Tokens that would have been parked.
   if ((nodes[index].roles & NodeState::kFeedsSparse) != 0) {
     gathered.clear();
     ForEachLeft(*this, node, token, key, element, [this](std::uint32_t left) { gathered.push_back(left); });
-    if ((nodes[memory].roles & NodeState::kMayBeSparse) != 0) {
-      SpeakAgainstSparse(memory, 2 + 2 * static_cast<std::uint32_t>(gathered.size()));
-    }
+    late = static_cast<std::uint32_t>(gathered.size());
     EmitGathered(index, wme);
+  } else {
+    const std::uint32_t only = node.only_memory;
+    ForEachLeft(*this, node, token, key, element, [this, only, index, wme, &late](std::uint32_t left) {
+      ++late;
+      if (only != kNil) {
+        LeftPlain(only, left, wme);
+      } else {
+        Emit(index, left, wme);
+      }
+    });
+  }
+  if ((nodes[node.parent].roles & NodeState::kMayBeSparse) != 0) {
+    SpeakAgainstSparse(node.parent, 2 + 2 * late);
+  }
+}
+
+/// An element has come into the alpha memory of a join that is not linked on the left, or of a negative node.
+void ReteState::RightRare(std::uint32_t index, std::uint32_t wme) {
+  const Node& node = network->node(index);
+  const Wme& element = wmes[wme];
+  if (node.kind == NodeKind::kJoin) {
+    LinkLeft(index);
+    if (nodes[node.parent].count == 0) {
+      UnlinkRight(index);
+    } else {
+      RightJoin(index, wme, element);
+    }
     return;
   }
-  const std::uint32_t only = node.only_memory;
-  std::uint32_t late = 0;  // Tokens that would have been parked.
-  ForEachLeft(*this, node, token, key, element, [this, is_join, only, index, wme, &late](std::uint32_t left) {
-    ++late;
-    if (only != kNil && is_join) {
-      LeftPlain(only, left, wme);
-    } else if (is_join) {
-      Emit(index, left, wme);
-    } else {
-      Block(left, wme);
-    }
-  });
-  if ((nodes[memory].roles & NodeState::kMayBeSparse) != 0) {
-    SpeakAgainstSparse(memory, 2 + 2 * late);
-  }
+  const std::uint32_t key = KeyOfElement(node, element);
+  ForEachLeft(*this, node, ChainHead(*this, nodes[index], key), key, element,
+              [this, wme](std::uint32_t left) { Block(left, wme); });
 }
 
 void ReteState::AddWme(std::uint32_t wme) {
@@ -596,18 +659,24 @@ void ReteState::AddWme(std::uint32_t wme) {
   const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
   const std::uint32_t place = ValueFilter::Place(fields[2]);
   const std::uint32_t known = ValueFilter::Knows(fields[2]) ? ~std::uint32_t{0} : 0;
-  network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) {
-    AddItem(alpha, wme);
+  // Found first and filled then: two small loops run better than one that needs everything at once.
+  std::uint32_t found[8];
+  std::uint32_t* end = found;
+  network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) { *end++ = alpha; });
+  for (const std::uint32_t* at = found; at != end; ++at) {
+    const std::uint32_t alpha = *at;
+    InsertItem(*this, alpha, wme);
     for (std::uint32_t node = alphas[alpha].first_node; node != kNil;) {
       const NodeState& state = nodes[node];
       const std::uint32_t next = state.next_right;
-      // A negative node, which has no filter, is never linked on the left.
-      if (!state.left_linked || ((place - state.lowest) & known) <= state.range) {
-        RightActivate(node, wme);
+      if (!state.left_linked) {
+        RightRare(node, wme);
+      } else if (((place - state.lowest) & known) <= state.range) {
+        RightJoin(node, wme, element);
       }
       node = next;
     }
-  });
+  }
   if (!becoming_sparse.empty() || !becoming_plain.empty()) {
     MakeJudgedSparse();
   }

@@ -93,50 +93,7 @@ bool ReteState::Passes(const Node& node, std::uint32_t parent, std::uint32_t lef
 // Alpha memories ------------------------------------------------------------------------------------------------------
 
 void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
-  std::uint32_t index = free_items;
-  if (index != kNil) {
-    free_items = items[index].next;
-  } else {
-    index = items.Append();
-  }
-  AlphaState& memory = alphas[alpha];
-  AlphaItem& item = items[index];
-  item.wme = wme;
-  item.alpha = alpha;
-  item.id = wmes[wme].id.bits();
-  item.value = wmes[wme].value.bits();
-  item.previous = kNil;
-  item.next = memory.first;
-  if (memory.first != kNil) {
-    items[memory.first].previous = index;
-  }
-  memory.first = index;
-  item.next_of_wme = links[wme].first_item;
-  links[wme].first_item = index;
-  ++memory.count;
-
-  if (memory.id_bits != 0) {
-    if (memory.count > 1u << memory.id_bits) {
-      BuildIdTable(alpha, static_cast<std::uint8_t>(memory.id_bits + 2));
-    } else {
-      std::uint32_t& head = tables[memory.id_table + Hash(item.id, memory.id_bits)];
-      item.previous_in_bucket = kNil;
-      item.next_in_bucket = head;
-      if (head != kNil) {
-        items[head].previous_in_bucket = index;
-      }
-      head = index;
-    }
-  }
-  if (memory.pair_bits != 0) {
-    if (memory.count > 1u << memory.pair_bits) {
-      BuildPairTable(alpha, static_cast<std::uint8_t>(memory.pair_bits + 2));
-    } else {
-      std::uint32_t& head = tables[memory.pair_table + Hash(PairKey(item.id, item.value), memory.pair_bits)];
-      item.next_in_pair = head;
-      head = index;
-    }
-  }
+  InsertItem(*this, alpha, wme);
 }
 
 // Both walk from the oldest item, so that each chain is newest first again.
@@ -342,31 +299,31 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
 void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
   const std::uint32_t production = network->node(node_index).rule;
   const RuleInfo& rule = *network->rule(production);
-  if (elements.size() < rule.positives) {
-    elements.resize(rule.positives);
-  }
-  std::size_t place = rule.positives;
+  WmeId* const first = elements.data();
+  WmeId* place = first + rule.positives;
   if (wme != kNil) {
-    elements[--place] = static_cast<WmeId>(wme);
+    *--place = static_cast<WmeId>(wme);
   }
-  for (std::uint32_t up = parent; place != 0; up = tokens[up].parent) {
-    if (tokens[up].wme != kNil) {
-      elements[--place] = static_cast<WmeId>(tokens[up].wme);
+  const Records<const Token> all = std::as_const(tokens).records();
+  for (std::uint32_t up = parent; place != first; up = all[up].parent) {
+    if (all[up].wme != kNil) {
+      *--place = static_cast<WmeId>(all[up].wme);
     }
   }
   const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
   MatchSet::Arrival arrival;
   arrival.production = production;
   arrival.token = token;
-  arrival.elements = {elements.data(), rule.positives};
+  arrival.elements = {first, rule.positives};
 
   MatchId match = MatchId::kNone;
   if (matches.MayReturn(production) && node_index != refracting_node) {
     match = matches.Revive(arrival, wmes);
   }
   if (match == MatchId::kNone) {
+    const Wme* const table = wmes.data();
     for (const std::uint16_t condition : rule.id_conditions) {
-      const Symbol id = wmes[Index(elements[condition])].id;
+      const Symbol id = table[Index(first[condition])].id;
       const GoalLevel level = GoalLevelOf(id);
       if (level > arrival.level) {
         arrival.level = level;
@@ -395,7 +352,7 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
       match = matches.Assert(arrival);
     }
   }
-  InsertWithKey(*this, node_index, token, Index(match), false);
+  InsertInList(*this, nodes[node_index], token, Index(match));
 }
 
 MatchId ReteState::Watch(std::span<const WmeId> watched, Symbol goal, GoalLevel level, InstantiationId instantiation) {

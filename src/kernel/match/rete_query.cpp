@@ -14,6 +14,14 @@ std::vector<std::uint32_t> ReteState::TokensByAge(std::uint32_t node) const {
   return found;
 }
 
+std::size_t ReteState::CountTokens() const {
+  std::size_t count = tokens.size();
+  for (std::uint32_t token = free_tokens; token != kNil; token = tokens[token].next_sibling) {
+    --count;
+  }
+  return count;
+}
+
 /// What a node has emitted and not withdrawn, newest first.
 std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const {
   std::vector<Emission> emissions;

@@ -5,64 +5,35 @@
 
 namespace soarbox::kernel {
 
-void ReteState::RemoveWme(std::uint32_t wme) {
-  removing = wme;
-  links[wme].serial = next_serial++;
-  for (std::uint32_t item = links[wme].first_item; item != kNil;) {
-    const std::uint32_t next = items[item].next_of_wme;
-    RemoveItem(item);
-    item = next;
-  }
-  links[wme].first_item = kNil;
-  if (links[wme].unsorted) {
-    SortTokensOf(wme);
-  }
-  // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
-  while (links[wme].first_token != kNil) {
-    const std::uint32_t token = links[wme].first_token;
-    const std::uint32_t node = tokens[token].node;
-    if (node == Token::kWatchNode) {
-      RemoveWatch(token);
-    } else if ((node & Token::kResultBit) != 0) {
-      RemoveResult(token);
-    } else {
-      RemoveSubtree(token);
-    }
-  }
-  WmeLinks& link = links[wme];
-  if (link.next != kNil) {
-    links[link.next].previous = link.previous;
-  }
-  (link.previous != kNil ? links[link.previous].next : newest_wme) = link.next;
-  link.in_match = false;
-  --wme_count;
-  removing = kNil;
-}
-
-void ReteState::RemoveItem(std::uint32_t index) {
-  AlphaItem& item = items[index];
+[[gnu::always_inline]] inline void ReteState::RemoveItem(std::uint32_t index) {
+  const Records<AlphaItem> all = items.records();
+  AlphaItem& item = all[index];
   AlphaState& memory = alphas[item.alpha];
-  for (std::uint32_t node = memory.sparse == 0 ? kNil : memory.first_node; node != kNil;
-       node = nodes[node].next_right) {
-    if ((nodes[node].roles & NodeState::kFeedsSparse) != 0) {
-      ForgetPairs(node, item.wme);
+  if (memory.sparse != 0) {
+    for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
+      if ((nodes[node].roles & NodeState::kFeedsSparse) != 0) {
+        ForgetPairs(node, item.wme);
+      }
     }
   }
-  if (item.next != kNil) {
-    items[item.next].previous = item.previous;
+  const std::uint32_t next = item.next;
+  const std::uint32_t previous = item.previous;
+  if (next != kNil) {
+    all[next].previous = previous;
   }
-  (item.previous != kNil ? items[item.previous].next : memory.first) = item.next;
+  (previous != kNil ? all[previous].next : memory.first) = next;
   if (memory.id_bits != 0) {
-    if (item.next_in_bucket != kNil) {
-      items[item.next_in_bucket].previous_in_bucket = item.previous_in_bucket;
+    const std::uint32_t next_in_bucket = item.next_in_bucket;
+    if (next_in_bucket != kNil) {
+      all[next_in_bucket].previous_in_bucket = item.previous_in_bucket;
     }
-    (item.previous_in_bucket != kNil ? items[item.previous_in_bucket].next_in_bucket
-                                     : tables[memory.id_table + Hash(item.id, memory.id_bits)]) = item.next_in_bucket;
+    (item.previous_in_bucket != kNil ? all[item.previous_in_bucket].next_in_bucket
+                                     : tables[memory.id_table + Hash(item.id, memory.id_bits)]) = next_in_bucket;
   }
   if (memory.pair_bits != 0) {
     std::uint32_t* link = &tables[memory.pair_table + Hash(PairKey(item.id, item.value), memory.pair_bits)];
     while (*link != index) {
-      link = &items[*link].next_in_pair;
+      link = &all[*link].next_in_pair;
     }
     *link = item.next_in_pair;
   }
@@ -75,6 +46,39 @@ void ReteState::RemoveItem(std::uint32_t index) {
   }
   item.next = free_items;
   free_items = index;
+}
+
+void ReteState::RemoveWme(std::uint32_t wme) {
+  removing = wme;
+  WmeLinks& link = links[wme];
+  link.serial = next_serial++;
+  for (std::uint32_t item = link.first_item; item != kNil;) {
+    const std::uint32_t next = items[item].next_of_wme;
+    RemoveItem(item);
+    item = next;
+  }
+  link.first_item = kNil;
+  if (link.unsorted) {
+    SortTokensOf(wme);
+  }
+  // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
+  for (std::uint32_t token = link.first_token; token != kNil; token = link.first_token) {
+    const std::uint32_t node = tokens[token].node;
+    if (node == Token::kWatchNode) {
+      RemoveWatch(token);
+    } else if ((node & Token::kResultBit) != 0) {
+      RemoveResult(token);
+    } else {
+      RemoveSubtree(token);
+    }
+  }
+  if (link.next != kNil) {
+    links[link.next].previous = link.previous;
+  }
+  (link.previous != kNil ? links[link.previous].next : newest_wme) = link.next;
+  link.in_match = false;
+  --wme_count;
+  removing = kNil;
 }
 
 namespace {
@@ -118,10 +122,8 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
 }
 
 [[gnu::always_inline]] inline void Free(ReteState& state, std::uint32_t index) {
-  state.tokens[index].made = state.next_serial;
   state.tokens[index].next_sibling = state.free_tokens;
   state.free_tokens = index;
-  --state.token_count;
 }
 
 }  // namespace
@@ -151,11 +153,12 @@ void ReteState::RemoveResult(std::uint32_t index) {
   }
 }
 
+// From leaf to leaf: a parent comes after its last child.
 void ReteState::RemoveSubtree(std::uint32_t root) {
   UnlinkFromParent(*this, tokens[root]);
+  Records<Token> all = tokens.records();
   std::uint32_t token = root;
   for (;;) {
-    const Records<Token> all = tokens.records();
     for (std::uint32_t child = all[token].first_child; child != kNil; child = all[token].first_child) {
       if ((all[token].node & (Token::kBlockedBit | Token::kUnsortedBit)) != 0) [[unlikely]] {
         if ((all[token].node & Token::kBlockedBit) != 0) {
@@ -166,69 +169,71 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
       }
       token = child;
     }
+    Token& leaf = all[token];
+    const std::uint32_t parent = leaf.parent;
+    const std::uint32_t next = leaf.next_sibling;
+    if (token != root) {  // It is the first of its parent's children.
+      all[parent].first_child = next;
+      if (next != kNil) {
+        all[next].previous_sibling = kNil;
+      }
+    }
+    UnlinkFromElement(*this, leaf);
+    if ((leaf.node & Token::kResultBit) == 0) {
+      const std::uint32_t node = leaf.node & Token::kNodeMask;
+      NodeState& memory = nodes[node];
+      const std::uint32_t roles = memory.roles;
+      if ((roles & NodeState::kOther) != 0) {
+        RemoveRareLeaf(token);
+        if (token == root) {
+          return;
+        }
+        all = tokens.records();
+        token = parent;
+        continue;
+      }
+      UnlinkFromChain(*this, memory, leaf);
+      if ((roles & NodeState::kAboveSparse) != 0) {
+        if (leaf.pairs != 0) {
+          ForgetPairsOf(memory, leaf.pairs);
+          leaf.pairs = 0;
+        }
+        leaf.forgotten = next_serial;
+      }
+      if ((roles & NodeState::kSparse) != 0) {
+        --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
+      } else if (--memory.count == 0) {
+        MemoryEmptied(node);
+      }
+    }
+    leaf.next_sibling = free_tokens;
+    free_tokens = token;
     if (token == root) {
-      RemoveLeaf(token);
       return;
     }
-    // It is the first of its parent's children.
-    const std::uint32_t parent = all[token].parent;
-    const std::uint32_t next = all[token].next_sibling;
-    all[parent].first_child = next;
-    if (next != kNil) {
-      all[next].previous_sibling = kNil;
-    }
-    RemoveLeaf(token);
-    token = parent;
+    token = next != kNil ? next : parent;
   }
 }
 
-/// Ends a token that has no children any more and is off its parent's list.
-inline void ReteState::RemoveLeaf(std::uint32_t index) {
-  const Token& token = tokens[index];
-  UnlinkFromElement(*this, token);
-  const std::uint32_t node_bits = token.node;
-  if ((node_bits & Token::kResultBit) != 0) {
-    Free(*this, index);
-    return;
-  }
-  const std::uint32_t node = node_bits & Token::kNodeMask;
-  const NodeKind kind = network->node(node).kind;
-  if (kind == NodeKind::kMemory || kind == NodeKind::kNegative) [[likely]] {
-    NodeState& memory = nodes[node];
-    UnlinkFromChain(*this, memory, token);
-    if (memory.roles != 0) {
-      if ((memory.roles & NodeState::kAboveSparse) != 0 && token.pairs != 0) {
-        ForgetPairsOf(node, token.pairs);
-      }
-      if ((memory.roles & NodeState::kSparse) != 0) {
-        --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
-        Free(*this, index);
-        return;
-      }
-    }
-    Free(*this, index);
-    if (--memory.count == 0) {
-      if (kind == NodeKind::kNegative) {
-        if (nodes[node].right_linked) {
-          UnlinkRight(node);
-        }
-        return;
-      }
-      for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
-        if (nodes[join].right_linked) {
-          UnlinkRight(join);
-        }
-      }
+/// The last token of a memory or a negative node is going: nothing can join with it from the right.
+void ReteState::MemoryEmptied(std::uint32_t node) {
+  if ((nodes[node].roles & NodeState::kNegative) != 0) {
+    if (nodes[node].right_linked) {
+      UnlinkRight(node);
     }
     return;
   }
-  RemoveRareLeaf(index, kind);
+  for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
+    if (nodes[join].right_linked) {
+      UnlinkRight(join);
+    }
+  }
 }
 
-void ReteState::RemoveRareLeaf(std::uint32_t index, NodeKind kind) {
+void ReteState::RemoveRareLeaf(std::uint32_t index) {
   const std::uint32_t node_bits = tokens[index].node;
   const std::uint32_t node = node_bits & Token::kNodeMask;
-  switch (kind) {
+  switch (network->node(node).kind) {
     case NodeKind::kConjunctive:
       if ((node_bits & Token::kBlockedBit) != 0) {
         for (std::uint32_t result = tokens[index].first_child; result != kNil;) {

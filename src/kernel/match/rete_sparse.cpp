@@ -163,7 +163,7 @@ void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_
 std::uint32_t ReteState::Unpark(std::uint32_t node, const ParkedPair& pair) {
   SparseState& memory = SparseOf(node);
   const std::uint32_t token = MakeToken(*this, node, pair.parent, pair.wme, pair.serial);
-  InsertWithKey(*this, node, token, pair.key, true, memory.tokens);
+  InsertWithKey(*this, nodes[node], node, token, pair.key, true, memory.tokens);
   const Token& made = tokens[token];
   if (made.next_sibling != kNil && tokens[made.next_sibling].serial > pair.serial) {
     tokens[pair.parent].node |= Token::kUnsortedBit;
@@ -241,19 +241,15 @@ void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
     token = left.next_in_chain;
   }
   if (pairs != 0) {
-    ForgetPairsOf(node.parent, pairs);
+    ForgetPairsOf(nodes[node.parent], pairs);
   }
 }
 
-/// Counts off pairs of tokens of the memory above a sparse one.
-void ReteState::ForgetPairsOf(std::uint32_t above, std::uint32_t pairs) {
-  const std::uint32_t memory = network->node(network->node(above).first_child).only_memory;
-  nodes[memory].count -= pairs;
-  if (nodes[memory].count == 0) {
-    const std::uint32_t join = network->node(memory).first_child;
-    if (nodes[join].left_linked && nodes[join].right_linked) {
-      UnlinkRight(join);
-    }
+/// The last pair of a sparse memory is gone.
+void ReteState::SparseEmptied(std::uint32_t memory) {
+  const std::uint32_t join = network->node(memory).first_child;
+  if (nodes[join].left_linked && nodes[join].right_linked) {
+    UnlinkRight(join);
   }
 }
 
@@ -287,7 +283,9 @@ void ReteState::MakeSparse(std::uint32_t index) {
   const std::uint32_t join = network->node(index).parent;
   nodes[join].roles |= NodeState::kFeedsSparse;
   ++alphas[network->node(join).alpha].sparse;
-  nodes[network->node(join).parent].roles |= NodeState::kAboveSparse;
+  NodeState& above = nodes[network->node(join).parent];
+  above.roles |= NodeState::kAboveSparse;
+  above.below = index;
   ForEachToken(index, [this](std::uint32_t token) { ++tokens[tokens[token].parent].pairs; });
 }
 

@@ -42,9 +42,9 @@ struct Token {
   std::uint32_t next_of_wme, previous_of_wme;
   std::uint32_t next_in_chain, previous_in_chain;
   std::uint32_t key;
-  std::uint32_t pairs;   ///< Memory above a sparse one: pairs of this token that the sparse memory holds.
-  std::uint64_t serial;  ///< Running number: when it (or the parked pair that it was) reached its node.
-  std::uint64_t made;    ///< Likewise: when this record was last taken or given back.
+  std::uint32_t pairs;      ///< Memory above a sparse one: pairs of this token that the sparse memory holds, else 0.
+  std::uint64_t serial;     ///< Running number: when it (or the parked pair that it was) reached its node.
+  std::uint64_t forgotten;  ///< Likewise: when a token with parked pairs last gave this record back. They are older.
 
   static constexpr std::uint32_t kResultBit = 0x80000000u;
   static constexpr std::uint32_t kBlockedBit = 0x40000000u;
@@ -95,6 +95,9 @@ struct NodeState {
   static constexpr std::uint8_t kAboveSparse = 2;  ///< Memory: its only join feeds one.
   static constexpr std::uint8_t kFeedsSparse = 4;  ///< Join: its only child is one.
   static constexpr std::uint8_t kMayBeSparse = 8;  ///< Memory: would be one if more of its pairs were to join in vain.
+  // What else the end of a token depends on.
+  static constexpr std::uint8_t kNegative = 16;  ///< Is a negative node.
+  static constexpr std::uint8_t kOther = 32;     ///< Is neither a negative node nor a memory.
 
   union {
     std::uint32_t head = kNil;  ///< Tokens: the chain if bits is 0, else a table of chains.
@@ -108,7 +111,10 @@ struct NodeState {
   std::uint32_t next_left = kNil, previous_left = kNil;  ///< Join: in its memory's list.
                                                          ///< Sparse memory: next_left is its place in `sparse`.
                                                          ///< One that may be: previous_left is its score.
-  std::uint32_t next_right = kNil;                       ///< Join, negative: in the alpha memory's list.
+  union {
+    std::uint32_t next_right = kNil;  ///< Join, negative: in the alpha memory's list.
+    std::uint32_t below;              ///< Memory above a sparse one: that one.
+  };
   union {
     std::uint32_t previous_right = kNil;
     std::uint32_t patience;  ///< Memory that may be sparse or is: the score that makes it so.
@@ -176,7 +182,6 @@ struct [[gnu::visibility("hidden")]] ReteState {
 
   RecordArray<Token> tokens;
   std::uint32_t free_tokens = kNil;
-  std::uint32_t token_count = 0;
   std::uint64_t next_serial = 1;
   RecordArray<ParkedPair> parked;  ///< Indexed ones.
   std::uint32_t free_parked = kNil;
@@ -216,9 +221,9 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftMemory(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   bool LinkJoin(std::uint32_t node);
-  void LeftNegative(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
-  void LeftConjunctive(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
-  void LeftPartner(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
+  [[gnu::noinline]] void LeftNegative(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
+  [[gnu::noinline]] void LeftConjunctive(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
+  [[gnu::noinline]] void LeftPartner(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftProduction(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void Block(std::uint32_t token, std::uint32_t wme);
   MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
@@ -243,8 +248,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void RemoveItem(std::uint32_t item);
   void RemoveResult(std::uint32_t token);
   void RemoveSubtree(std::uint32_t token);
-  void RemoveLeaf(std::uint32_t token);
-  void RemoveRareLeaf(std::uint32_t token, NodeKind kind);
+  void MemoryEmptied(std::uint32_t node);
+  void RemoveRareLeaf(std::uint32_t token);
   void RemoveFromChain(std::uint32_t node, std::uint32_t token);
   void UnlinkToken(std::uint32_t token);
   void FreeToken(std::uint32_t token);
@@ -253,17 +258,17 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Clear();
 
   // rete_join.cpp
-  void RightActivate(std::uint32_t node, std::uint32_t wme);
+  void RightJoin(std::uint32_t join, std::uint32_t wme, const Wme& element);
+  void RightMatch(std::uint32_t join, std::uint32_t wme, std::uint32_t token, std::uint32_t key);
+  void RightRare(std::uint32_t node, std::uint32_t wme);
   void RightSparse(std::uint32_t join, std::uint32_t wme);
   void EmitGathered(std::uint32_t join, std::uint32_t wme);
   void JoinSparsely(std::uint32_t node, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
                     struct KeyParts key, std::uint32_t item);
-  void JoinOn(std::uint32_t join, const Node& node, const class RightSide& right, std::uint32_t token,
-              const KeyParts& key, std::uint32_t parent, std::uint32_t wme, std::uint32_t item);
-  void JoinSparse(const Node& join, const RightSide& right, std::uint32_t token, const KeyParts& key,
+  void JoinFrom(std::uint32_t join, const Node& node, std::uint32_t token, KeyParts key, std::uint32_t item);
+  void JoinSparse(const Node& join, const class RightSide& right, std::uint32_t token, const KeyParts& key,
                   std::uint32_t item);
   void LeftSparse(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
-  void JoinToken(std::uint32_t join, std::uint32_t token, KeyParts key, std::uint32_t item);
   void JoinBucket(std::uint32_t memory, std::uint32_t token, std::uint32_t id, std::uint32_t item);
   void LeftPlain(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
 
@@ -274,10 +279,18 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_t key);
   std::uint32_t Unpark(std::uint32_t node, const ParkedPair& pair);
   bool IsStale(const ParkedPair& pair) const {
-    return pair.serial < tokens[pair.parent].made || pair.serial < links[pair.wme].serial;
+    return pair.serial < tokens[pair.parent].forgotten || pair.serial < links[pair.wme].serial;
   }
   void ForgetPairs(std::uint32_t join, std::uint32_t wme);
-  void ForgetPairsOf(std::uint32_t memory, std::uint32_t pairs);
+  /// Counts off pairs of tokens of the memory above a sparse one.
+  void ForgetPairsOf(const NodeState& above, std::uint32_t pairs) {
+    NodeState& memory = nodes[above.below];
+    memory.count -= pairs;
+    if (memory.count == 0) {
+      SparseEmptied(above.below);
+    }
+  }
+  void SparseEmptied(std::uint32_t memory);
   void SortByAge(std::vector<std::uint32_t> & list) const;
   void SortChildren(std::uint32_t token);
   void SortTokensOf(std::uint32_t wme);
@@ -325,6 +338,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   using Emission = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<Emission> Emissions(std::uint32_t node) const;
   std::vector<std::uint32_t> TokensByAge(std::uint32_t node) const;
+  std::size_t CountTokens() const;
   template <typename Visit>
   void ForEachToken(std::uint32_t node, Visit && visit) const {
     const NodeState& state = nodes[node];

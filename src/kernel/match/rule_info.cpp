@@ -79,7 +79,8 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
   std::uint16_t* const new_ids = arena.NewArray<std::uint16_t>(conditions);
   std::uint16_t* const operators = arena.NewArray<std::uint16_t>(conditions);
   BindingSite* const proposals = arena.NewArray<BindingSite>(rule->actions.size());
-  std::size_t new_id_count = 0, operator_count = 0, proposal_count = 0;
+  BindingSite* const changed = arena.NewArray<BindingSite>(rule->actions.size());
+  std::size_t new_id_count = 0, operator_count = 0, proposal_count = 0, changed_count = 0;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind != ConditionKind::kPositive) {
       continue;
@@ -94,7 +95,15 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
     }
     ++positives;
   }
+  const bool by_match = operator_count != 0 && rule->declared_support == DeclaredSupport::kUndeclared;
   for (const Action& action : rule->actions) {
+    if (by_match && !action.is_function_call) {
+      if (action.id.kind != RhsValueKind::kBound) {
+        has_other_action_ids = true;
+      } else if (std::find(changed, changed + changed_count, action.id.site()) == changed + changed_count) {
+        changed[changed_count++] = action.id.site();
+      }
+    }
     if (!action.is_function_call && action.preference == PreferenceType::kAcceptable &&
         action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol() == words::kOperator &&
         action.id.kind == RhsValueKind::kBound) {
@@ -102,13 +111,17 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
     }
   }
   static_assert(sizeof(BindingSite) == 2 * sizeof(std::uint16_t) && alignof(BindingSite) == alignof(std::uint16_t));
-  lists_ = std::make_unique_for_overwrite<std::uint16_t[]>(new_id_count + operator_count + 2 * proposal_count);
+  lists_ = std::make_unique_for_overwrite<std::uint16_t[]>(new_id_count + operator_count +
+                                                           2 * (proposal_count + changed_count));
   std::uint16_t* const operator_list = std::copy_n(new_ids, new_id_count, lists_.get());
   std::uint16_t* const proposal_list = std::copy_n(operators, operator_count, operator_list);
+  std::uint16_t* const changed_list = proposal_list + 2 * proposal_count;
   std::uninitialized_copy_n(proposals, proposal_count, reinterpret_cast<BindingSite*>(proposal_list));
+  std::uninitialized_copy_n(changed, changed_count, reinterpret_cast<BindingSite*>(changed_list));
   id_conditions = {lists_.get(), new_id_count};
   operator_conditions = {operator_list, operator_count};
   proposal_ids = {reinterpret_cast<const BindingSite*>(proposal_list), proposal_count};
+  action_ids = {reinterpret_cast<const BindingSite*>(changed_list), changed_count};
   if (rule->declared_support != DeclaredSupport::kUndeclared) {
     support = rule->declared_support == DeclaredSupport::kOSupport ? Support::kO : Support::kI;
   } else {
@@ -131,13 +144,9 @@ RuleInfo::MatchSupport RuleInfo::SupportOf(std::span<const WmeId> elements, cons
     if (wme.id != goal || wme.attribute != words::kOperator || wme.acceptable) {
       continue;
     }
-    for (const Action& action : rule->actions) {
-      if (action.is_function_call) {
-        continue;
-      }
-      const bool on_operator =
-          action.id.kind == RhsValueKind::kBound && SymbolAt(action.id.site(), elements, wmes) == wme.value;
-      (on_operator ? elaborates : applies) = true;
+    applies |= has_other_action_ids;
+    for (const BindingSite& site : action_ids) {
+      (SymbolAt(site, elements, wmes) == wme.value ? elaborates : applies) = true;
     }
   }
   if (elaborates && applies) {

@@ -28,6 +28,8 @@ struct RuleInfo {
   std::span<const std::uint16_t> id_conditions;        ///< Positive conditions that bring a new identifier variable.
   std::span<const std::uint16_t> operator_conditions;  ///< Positive conditions that may test a selected operator.
   std::span<const BindingSite> proposal_ids;           ///< The identifiers of actions that make operator preferences.
+  std::span<const BindingSite> action_ids;  ///< Bound identifiers of actions that change working memory; each once.
+  bool has_other_action_ids = false;        ///< Such actions with other identifiers (new ones, functions).
 
   explicit RuleInfo(ProductionPtr production);
   RuleInfo(const RuleInfo&) = delete;
