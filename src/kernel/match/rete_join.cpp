@@ -218,13 +218,12 @@ struct TokensAndElement {
 /// Hands pairs to a sparse memory. This is where most pairs end: parked after one look at the other side. What is the
 /// same for all of them is worked out once. `source.Next(parent, wme)` gives the next pair and returns false after the
 /// last one; there must be one. With `one_parent`, all have the first one's parent.
-template <bool one_parent, RightSide::Kind kind, typename Source>
+template <bool one_parent, RightSide::Kind kind, bool with_value, typename Source>
 [[gnu::always_inline]] inline void AddPairsOf(ReteState& state, std::uint32_t index, const RightSide& right,
                                               Source source) {
   const Network& net = *state.network;
   const Node& node = net.node(index);
   const Node& joined = net.node(node.first_child);
-  const bool with_value = node.key == KeyKind::kIdValue;
   const std::uint32_t id_levels = node.key_id_levels;
   const std::uint32_t value_levels = node.key_value_levels;
   const Field id_field = node.key_id_field;
@@ -314,16 +313,16 @@ template <bool one_parent, typename Source>
   const RightSide right(state, state.network->node(join));
   switch (right.kind()) {
     case RightSide::kIdTable:
-      AddPairsOf<one_parent, RightSide::kIdTable>(state, index, right, source);
+      AddPairsOf<one_parent, RightSide::kIdTable, false>(state, index, right, source);
       break;
     case RightSide::kPairTable:
-      AddPairsOf<one_parent, RightSide::kPairTable>(state, index, right, source);
+      AddPairsOf<one_parent, RightSide::kPairTable, true>(state, index, right, source);
       break;
     case RightSide::kIdList:
-      AddPairsOf<one_parent, RightSide::kIdList>(state, index, right, source);
+      AddPairsOf<one_parent, RightSide::kIdList, false>(state, index, right, source);
       break;
     case RightSide::kPairList:
-      AddPairsOf<one_parent, RightSide::kPairList>(state, index, right, source);
+      AddPairsOf<one_parent, RightSide::kPairList, true>(state, index, right, source);
       break;
     case RightSide::kAll:
       break;  // The memory has a key.
@@ -426,9 +425,15 @@ void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t tok
     return;
   }
   const std::uint32_t memory = node.only_memory;
-  if (memory != kNil && right.kind() == RightSide::kIdTable && node.test_count == 0) {
-    JoinBucket(memory, token, key.id, item);
-    return;
+  if (memory != kNil && node.test_count == 0) {
+    if (right.Next(item, key) == kNil) {
+      LeftPlain(memory, token, right.Element(item));
+      return;
+    }
+    if (right.kind() == RightSide::kIdTable) {
+      JoinBucket(memory, token, key.id, item);
+      return;
+    }
   }
   do {
     const std::uint32_t element = right.Element(item);

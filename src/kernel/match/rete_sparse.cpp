@@ -312,7 +312,7 @@ void ReteState::MakePlainForNow(std::uint32_t index) {
   NodeState& state = nodes[index];
   state.roles |= NodeState::kMayBeSparse;
   state.previous_left = 0;
-  state.patience = std::min(state.patience, 0x0FFFFFFFu) * 4;
+  state.patience = std::min(state.patience, 0x0FFFFFFFu) * 16;
 }
 
 /// Makes tokens of all parked pairs, puts all chains in order and lets the memory be as any other from now on.
