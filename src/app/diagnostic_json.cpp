@@ -13,6 +13,7 @@ Json ToJson(const Diagnostic& diagnostic) {
   json["message"] = diagnostic.message;
   if (!diagnostic.excerpt.empty()) json["excerpt"] = diagnostic.excerpt;
   if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
+  if (diagnostic.more > 0) json["more"] = diagnostic.more;
   return json;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
-#include <iterator>
+#include <functional>
 
 #include "cli/command.h"
 #include "cli/generate_rules.h"
@@ -26,12 +26,20 @@ void PrintMessages(CommandCall& call, const std::vector<kernel::RuleMessage>& me
   }
 }
 
-/// Large sources can have very many: their array grows by a quarter.
-void Keep(std::vector<Diagnostic>& kept, std::vector<Diagnostic>& messages) {
-  if (kept.size() + messages.size() > kept.capacity()) {
-    kept.reserve(kept.size() + messages.size() + kept.size() / 4);
+/// Adds what is said about a rule. A source that repeats what is warned of (a constant that looks like an identifier,
+/// say) may do so in thousands of places: the first one is kept, the others are counted.
+void Keep(std::vector<Diagnostic>& kept, std::vector<Diagnostic>& messages, SourceRun* source) {
+  for (Diagnostic& message : messages) {
+    if (source && message.severity != Severity::kError) {
+      const std::size_t hash = std::hash<std::string>()(message.message);
+      const auto [known, is_new] = source->warnings.try_emplace(hash, kept.size());
+      if (!is_new && known->second < kept.size() && kept[known->second].message == message.message) {
+        ++kept[known->second].more;
+        continue;
+      }
+    }
+    kept.push_back(std::move(message));
   }
-  kept.insert(kept.end(), std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));
 }
 
 /// Loads one rule and answers as Soar does: "*", "#*" after a rule of the same name, or why not.
@@ -54,7 +62,7 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
     }
   }
   PrintMessages(call, outcome.printed_late);
-  Keep(call.result.diagnostics, outcome.messages);
+  Keep(call.result.diagnostics, outcome.messages, source);
   if (!outcome.duplicate_of.empty()) {
     call.stream().Print(fmt::format("Ignoring {} because it is a duplicate of {}\n", RuleName(agent, outcome.name),
                                     RuleName(agent, outcome.duplicate_of)));

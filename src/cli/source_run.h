@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "kernel/rules/file_name.h"
@@ -17,6 +19,8 @@ struct SourceRun {
   std::vector<kernel::FileName> files;  ///< Files that are open now, as typed; the innermost last.
   bool stars_pending = false;           ///< Stars stand in the line that the next output would go on in.
   int line = 0;                         ///< Of the command that is carried out, in the innermost file.
+  /// Where in the answer's diagnostics a warning stands, by a hash of its message: large sources repeat theirs.
+  std::unordered_map<std::size_t, std::size_t> warnings;
 };
 
 }  // namespace soarbox::cli

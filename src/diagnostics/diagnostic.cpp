@@ -61,6 +61,10 @@ std::string Format(const Diagnostic& diagnostic) {
     }
   }
   if (!diagnostic.hint.empty()) text += "   note: " + diagnostic.hint + '\n';
+  if (diagnostic.more > 0) {
+    text += "   note: the same in " + std::to_string(diagnostic.more) + " more place" +
+            (diagnostic.more == 1 ? "" : "s") + '\n';
+  }
   return text;
 }
 

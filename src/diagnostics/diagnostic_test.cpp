@@ -30,6 +30,16 @@ TEST(Diagnostic, LeavesOutWhatIsUnknown) {
   EXPECT_EQ(Format(diagnostic), "warning: no display\n");
 }
 
+TEST(Diagnostic, TellsInHowManyMorePlacesTheSameIsWrong) {
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::kWarning;
+  diagnostic.message = "s1 looks like an identifier";
+  diagnostic.more = 1;
+  EXPECT_EQ(Format(diagnostic), "warning: s1 looks like an identifier\n   note: the same in 1 more place\n");
+  diagnostic.more = 12;
+  EXPECT_EQ(Format(diagnostic), "warning: s1 looks like an identifier\n   note: the same in 12 more places\n");
+}
+
 TEST(Suggest, FindsTheNearMissAndStaysSilentOnStrangers) {
   EXPECT_EQ(Suggest("pirnt", {"print", "preferences", "run"}), "print");
   EXPECT_EQ(Suggest("xyzzy", {"print", "preferences", "run"}), "");
