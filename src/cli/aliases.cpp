@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/aliases.h"
 
+#include <algorithm>
+
 namespace soarbox::cli {
 namespace {
 
@@ -155,6 +157,7 @@ std::string AliasTable::Expansion(const std::string& name) const {
 std::vector<std::pair<std::string, std::string>> AliasTable::All() const {
   std::vector<std::pair<std::string, std::string>> all;
   for (const auto& [name, expansion] : aliases_) all.emplace_back(name, Join(expansion));
+  std::ranges::sort(all);
   return all;
 }
 

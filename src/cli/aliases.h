@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "cli/words.h"
@@ -27,7 +27,7 @@ class AliasTable {
   std::vector<std::pair<std::string, std::string>> All() const;
 
  private:
-  std::map<std::string, std::vector<std::string>> aliases_;
+  std::unordered_map<std::string, std::vector<std::string>> aliases_;
 };
 
 }  // namespace soarbox::cli

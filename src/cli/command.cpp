@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/command.h"
 
+#include <algorithm>
+
 #include "cli/interpreter.h"
 
 namespace soarbox::cli {
@@ -106,9 +108,8 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
 }
 
 const CommandInfo* FindCommand(std::string_view word, std::string& error) {
-  for (const CommandInfo& command : Commands()) {
-    if (command.name == word) return &command;
-  }
+  const auto exact = std::ranges::lower_bound(Commands(), word, {}, &CommandInfo::name);
+  if (exact != Commands().end() && exact->name == word) return &*exact;
   std::vector<const CommandInfo*> found;
   for (const CommandInfo& command : Commands()) {
     if (!word.empty() && command.name.starts_with(word)) found.push_back(&command);

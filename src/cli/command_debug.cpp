@@ -16,7 +16,8 @@ namespace {
 bool Time(CommandCall& call) {
   if (call.words.size() < 2) return call.Fail("You must submit a command that you'd like timed.");
   const auto start = std::chrono::steady_clock::now();
-  const bool ok = call.interpreter.ExecuteWords(call, {call.words.begin() + 1, call.words.end()});
+  std::vector<Word> words(call.words.begin() + 1, call.words.end());
+  const bool ok = call.interpreter.ExecuteWords(call, words);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const double seconds = std::chrono::duration_cast<std::chrono::microseconds>(taken).count() / 1e6;
   if (!ok) return false;

@@ -77,7 +77,7 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const bool loads = words.front().text == "sp" || words.front().text == "gp" || words.front().text == "source";
     const bool stars = run.stars_pending && !loads;
     const std::size_t length = call.result.text.size();
-    const bool command_ok = call.interpreter.ExecuteWords(call, std::move(words));
+    const bool command_ok = call.interpreter.ExecuteWords(call, words);
     if (stars && call.result.text.size() > length) {
       // Other output than stars ends their line.
       call.result.text.insert(length, " \n");
@@ -87,17 +87,20 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
       ok = false;
       ReportPlace(call, path, line, first_diagnostic);
     }
-    words = {};
   }
   call.failure = ok ? CommandCall::Failure::kNone : CommandCall::Failure::kWithMessage;
   return ok;
 }
 
-/// All of a file. Its size is known for most: then no room is wasted on it.
+/// All of a file. Its size is known for most: then it is read in one piece, and no room is wasted on it.
 std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
   std::error_code error;
   std::string text;
-  if (const std::uintmax_t size = std::filesystem::file_size(path, error); !error) text.reserve(size);
+  if (const std::uintmax_t size = std::filesystem::file_size(path, error); !error) {
+    text.resize(size);
+    in.read(text.data(), static_cast<std::streamsize>(size));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+  }
   char block[16 * 1024];
   while (in.read(block, sizeof(block)) || in.gcount() > 0) text.append(block, static_cast<std::size_t>(in.gcount()));
   return text;

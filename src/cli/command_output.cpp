@@ -174,7 +174,8 @@ bool CommandToFile(CommandCall& call) {
   std::ofstream out(call.interpreter.Resolve(file), append ? std::ios::app : std::ios::trunc);
   if (!out) return call.Fail("Failed to open file for writing: " + file);
   const std::string before = std::exchange(call.result.text, {});
-  const bool ok = call.interpreter.ExecuteWords(call, {words.begin() + 1, words.end()});
+  std::vector<Word> command(words.begin() + 1, words.end());
+  const bool ok = call.interpreter.ExecuteWords(call, command);
   const std::string text = std::exchange(call.result.text, before);
   out << text << "\n";
   if (!ok) call.Out(text);

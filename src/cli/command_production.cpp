@@ -262,8 +262,12 @@ bool Matches(CommandCall& call) {
 
 bool OptimizeAttribute(CommandCall& call) {
   if (call.words.size() > 3) return call.Fail("Too many parameters");
+  kernel::Agent& agent = call.agent();
   if (call.words.size() == 1) {
-    const std::map<std::string, std::int64_t>& all = call.session.multi_attributes();
+    std::map<std::string, std::int64_t> all;
+    for (const auto& [attribute, count] : agent.expected_values().all()) {
+      all[ToString(agent.symbols(), attribute)] = count;
+    }
     if (all.empty()) call.Out("No optimized attributes found.");
     call.Out("Value\tSymbol\n");
     for (const auto& [symbol, value] : all) {
@@ -277,7 +281,8 @@ bool OptimizeAttribute(CommandCall& call) {
     if (!number || *number <= 1 || *number > 1000000000) return call.Fail("Expected integer greater than 1.");
     value = *number;
   }
-  call.session.multi_attributes()[call.words[1].text] = value;
+  const kernel::SymbolTable::PinScope pin(agent.mutable_symbols());
+  agent.mutable_expected_values().Set(MakeConstant(agent, call.words[1].text), value);
   return true;
 }
 

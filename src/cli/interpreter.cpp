@@ -59,11 +59,10 @@ CommandResult Interpreter::Execute(Session& session, std::string_view line) {
       break;
     }
     CommandCall call{*this, session, {}, result};
-    if (!ExecuteWords(call, std::move(words))) {
+    if (!ExecuteWords(call, words)) {
       CloseFailure(result, call.failure);
       break;
     }
-    words = {};
   }
   session.stream().ToConsole(result.text);
   session.Log(result.text);
@@ -71,7 +70,7 @@ CommandResult Interpreter::Execute(Session& session, std::string_view line) {
   return result;
 }
 
-bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word> words) {
+bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
   if (words.empty()) return true;
   if (depth_ >= kMaxDepth) return call.Fail("Commands are nested too deeply: a file may source itself.");
   aliases_.Expand(words);

@@ -48,8 +48,9 @@ class Interpreter {
   /// A file name as typed, relative to directory().
   std::filesystem::path Resolve(const std::string& file) const;
 
-  /// For commands that run others (source, time, command-to-file). Appends to call.result.text.
-  bool ExecuteWords(CommandCall& call, std::vector<Word> words);
+  /// For commands that run others (source, time, command-to-file). Appends to call.result.text; expands aliases in
+  /// `words`.
+  bool ExecuteWords(CommandCall& call, std::vector<Word>& words);
   /// The source command that is under way, if any.
   SourceRun*& source_run() { return source_run_; }
 

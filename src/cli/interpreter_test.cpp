@@ -145,5 +145,37 @@ TEST(CommandReference, NamesEveryCommand) {
   }
 }
 
+TEST_F(InterpreterTest, OptimisedAttributesAreTestedLaterByRulesLoadedFromThenOn) {
+  constexpr const char* kRule = "{wide (state <s> ^superstate nil ^near <n> ^far <f>) --> (<s> ^done yes)}";
+  const auto far_first = [this] {
+    const std::string text = Do("print -i wide").text;
+    return text.find("^far") < text.find("^near");
+  };
+  EXPECT_EQ(Do("production optimize-attribute").text, "No optimized attributes found.Value\tSymbol\n");
+  Do(std::string("sp ") + kRule);
+  EXPECT_TRUE(far_first());
+  EXPECT_TRUE(Do("multi-attributes near").ok);
+  EXPECT_TRUE(Do("multi-attributes far 20").ok);
+  EXPECT_FALSE(Do("multi-attributes far 1").ok);
+  EXPECT_EQ(Do("multi-attributes").text, "Value\tSymbol\n20\tfar\n10\tnear\n");
+  EXPECT_TRUE(far_first()) << "rules that are there already stay as they are";
+  Do(std::string("sp ") + kRule);
+  EXPECT_FALSE(far_first());
+}
+
+TEST_F(InterpreterTest, AWarningThatASourceRepeatsIsToldOnceAndCounted) {
+  const std::string file = Write("many.soar",
+                                 "sp {first (state <s> ^x r2) --> (<s> ^y z)}\n"
+                                 "sp {second (state <s> ^x r2 ^w r3) --> (<s> ^y r2)}\n");
+  const CommandResult result = Do("source " + file);
+  ASSERT_EQ(result.diagnostics.size(), 2u);
+  EXPECT_THAT(result.diagnostics[0].message, StartsWith("r2 looks like an identifier"));
+  EXPECT_EQ(result.diagnostics[0].line, 1);
+  EXPECT_EQ(result.diagnostics[0].more, 2);
+  EXPECT_THAT(result.diagnostics[1].message, StartsWith("r3 looks like an identifier"));
+  EXPECT_EQ(result.diagnostics[1].line, 2);
+  EXPECT_EQ(result.diagnostics[1].more, 0);
+}
+
 }  // namespace
 }  // namespace soarbox::cli

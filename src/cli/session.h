@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -70,9 +69,6 @@ class Session {
   /// Names of rules whose firings are shown at any trace level (`production watch`).
   std::vector<std::string>& watched_rules() { return watched_rules_; }
 
-  /// `production optimize-attribute`: how many values of an attribute to expect.
-  std::map<std::string, std::int64_t>& multi_attributes() { return multi_attributes_; }
-
   /// `save percepts` and `load percepts`: at most one of them is there.
   std::unique_ptr<PerceptRecorder>& percept_recorder() { return percept_recorder_; }
   std::unique_ptr<PerceptPlayer>& percept_player() { return percept_player_; }
@@ -95,7 +91,6 @@ class Session {
   std::unique_ptr<SettingStore> settings_;
   std::vector<WmeFilter> wme_filters_;
   std::vector<std::string> watched_rules_;
-  std::map<std::string, std::int64_t> multi_attributes_;
   std::unique_ptr<LogFile> log_;
   std::unique_ptr<PerceptRecorder> percept_recorder_;
   std::unique_ptr<PerceptPlayer> percept_player_;

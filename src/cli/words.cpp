@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
 
 namespace soarbox::cli {
 namespace {
@@ -21,6 +24,32 @@ constexpr std::array<bool, 256> kBraceCharacters = [] {
   for (const char c : {'\\', '|', '#', '{', '}', '\n'}) table[static_cast<unsigned char>(c)] = true;
   return table;
 }();
+
+/// Where the next of them stands, or the end. Eight characters are looked at together; the test also takes other
+/// control characters, ~ and what is not ASCII for one of them, so what it finds is looked at again.
+std::size_t SkipOrdinary(std::string_view text, std::size_t at) {
+  constexpr std::uint64_t kEach = 0x0101010101010101ull, kTop = kEach * 0x80;
+  const auto has_zero = [](std::uint64_t bytes) { return (bytes - kEach) & ~bytes; };
+  while (text.size() - at >= sizeof(std::uint64_t)) {
+    std::uint64_t eight;
+    std::memcpy(&eight, text.data() + at, sizeof(eight));
+    const std::uint64_t control = (eight - kEach * 0x20) & ~eight;
+    const std::uint64_t from_brace = (eight + kEach * (0x80 - '{')) | eight;
+    const std::uint64_t found =
+        (control | from_brace | has_zero(eight ^ kEach * '\\') | has_zero(eight ^ kEach * '#')) & kTop;
+    if (found == 0) {
+      at += sizeof(eight);
+      continue;
+    }
+    if constexpr (std::endian::native == std::endian::little) {
+      at += static_cast<std::size_t>(std::countr_zero(found)) / 8;  // What stands before is certain.
+    }
+    if (kBraceCharacters[static_cast<unsigned char>(text[at])]) return at;
+    ++at;
+  }
+  while (at < text.size() && !kBraceCharacters[static_cast<unsigned char>(text[at])]) ++at;
+  return at;
+}
 
 bool IsLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -60,25 +89,27 @@ void CommandReader::SkipBlanksAndComments() {
 }
 
 CommandReader::Status CommandReader::Next(std::vector<Word>& words) {
-  words.clear();
+  std::size_t count = 0;
+  const auto end = [&] {
+    words.resize(count);
+    return count == 0 ? Status::kEnd : Status::kCommand;
+  };
   while (true) {
     SkipBlanksAndComments();
-    if (AtEnd()) return words.empty() ? Status::kEnd : Status::kCommand;
+    if (AtEnd()) return end();
     const char c = Peek();
     if (EndsCommand(c)) {
       Advance();
-      if (!words.empty()) return Status::kCommand;
+      if (count != 0) return end();
       continue;
     }
-    Word word;
-    if (c == '{') {
-      if (!ReadBraced(word)) return Status::kError;
-    } else if (c == '"') {
-      if (!ReadQuoted(word)) return Status::kError;
-    } else if (!ReadBare(word)) {
+    if (count == words.size()) words.emplace_back();
+    Word& word = words[count++];
+    word.text.clear();
+    if (c == '{' ? !ReadBraced(word) : c == '"' ? !ReadQuoted(word) : !ReadBare(word)) {
+      words.clear();
       return Status::kError;
     }
-    words.push_back(std::move(word));
   }
 }
 
@@ -187,7 +218,7 @@ bool CommandReader::ReadBraced(Word& word) {
   int depth = 1;
   bool in_bars = false;
   for (; at < text_.size(); ++at) {
-    while (at < text_.size() && !kBraceCharacters[static_cast<unsigned char>(text_[at])]) ++at;
+    at = SkipOrdinary(text_, at);
     if (at == text_.size()) break;
     switch (text_[at]) {
       case '\n':

@@ -29,7 +29,7 @@ class CommandReader {
 
   explicit CommandReader(std::string_view text, int first_line = 1) : text_(text), line_(first_line) {}
 
-  /// Reads the next command that has words into `words`.
+  /// Reads the next command that has words into `words`. What they held is gone, but their memory is used again.
   Status Next(std::vector<Word>& words);
 
   /// After kError: what is wrong, and the line and column of the quote, brace or word that has no end.

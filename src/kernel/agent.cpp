@@ -33,41 +33,38 @@ const std::string& Agent::name() const {
 // Rules ---------------------------------------------------------------------------------------------------------------
 
 LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& place) {
-  ParseOutcome parsed = ParseProduction(body, place, engine_->symbols);
+  ParseOutcome parsed = ParseProduction(body, place, engine_->symbols, engine_->expected_values);
   LoadOutcome outcome;
-  outcome.name = parsed.name;
+  outcome.name = std::move(parsed.name);
   outcome.printed = std::move(parsed.messages);
   outcome.printed_late = std::move(parsed.late_messages);
   outcome.messages = std::move(parsed.diagnostics);
-  if (parsed.syntax_ok && !parsed.name.empty()) {
-    const ProductionId older = FindProduction(parsed.name);
-    if (older != ProductionId::kNone) {
-      Excise(older);
-      outcome.replaced = true;
-    }
-  }
-  if (parsed.production == nullptr) return outcome;
-  LoadOutcome added = AddProduction(std::move(parsed.production));
-  outcome.loaded = added.loaded;
-  outcome.production = added.production;
-  outcome.duplicate_of = std::move(added.duplicate_of);
-  outcome.replaced = outcome.replaced || added.replaced;
+  if (parsed.syntax_ok && !outcome.name.empty()) ExciseNamed(outcome.name, outcome);
+  if (parsed.production != nullptr) Enter(std::move(parsed.production), outcome);
   return outcome;
 }
 
 LoadOutcome Agent::AddProduction(ProductionPtr production) {
   LoadOutcome outcome;
   outcome.name = std::string(production->name);
-  const ProductionId older = FindProduction(production->name);
-  if (older != ProductionId::kNone) {
-    Excise(older);
-    outcome.replaced = true;
-  }
+  ExciseNamed(production->name, outcome);
+  Enter(std::move(production), outcome);
+  return outcome;
+}
+
+void Agent::ExciseNamed(std::string_view name, LoadOutcome& outcome) {
+  const ProductionId older = FindProduction(name);
+  if (older == ProductionId::kNone) return;
+  Excise(older);
+  outcome.replaced = true;
+}
+
+void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
   const Rete::Added added = engine_->rete.AddProduction(production, engine_->goal_view());
   outcome.production = added.production;
   if (added.result == Rete::AddResult::kDuplicate) {
     outcome.duplicate_of = engine_->rete.production(added.production)->name;
-    return outcome;
+    return;
   }
   outcome.loaded = true;
   const std::uint32_t index = Index(added.production);
@@ -81,7 +78,6 @@ LoadOutcome Agent::AddProduction(ProductionPtr production) {
   ++engine_->type_counts[static_cast<std::size_t>(production->type)];
   engine_->NameProduction(production->name, added.production);
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, added.production); });
-  return outcome;
 }
 
 void Agent::Excise(ProductionId id) {
@@ -198,6 +194,12 @@ const ExplorationSettings& Agent::exploration() const {
 }
 ExplorationSettings& Agent::mutable_exploration() {
   return engine_->exploration;
+}
+const ExpectedValues& Agent::expected_values() const {
+  return engine_->expected_values;
+}
+ExpectedValues& Agent::mutable_expected_values() {
+  return engine_->expected_values;
 }
 RandomStream& Agent::random() {
   return engine_->random;

@@ -162,6 +162,9 @@ class Agent {
   AgentSettings& mutable_settings();
   const ExplorationSettings& exploration() const;  ///< decide/exploration.h
   ExplorationSettings& mutable_exploration();
+  /// For rules that are loaded from now on. Its symbols must be pinned.
+  const ExpectedValues& expected_values() const;
+  ExpectedValues& mutable_expected_values();
   RandomStream& random();
   /// `decide select`: the operator to select at the next decision of its goal, if it is proposed. Empty: none.
   void SelectOperator(std::string_view identifier);
@@ -248,6 +251,11 @@ class Agent {
   std::string CheckInvariants() const;
 
  private:
+  /// Excises the rule of this name, if there is one.
+  void ExciseNamed(std::string_view name, LoadOutcome& outcome);
+  /// Adds a rule whose name no other has.
+  void Enter(ProductionPtr production, LoadOutcome& outcome);
+
   std::unique_ptr<Engine> engine_;
 };
 

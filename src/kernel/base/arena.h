@@ -26,7 +26,8 @@ class Arena {
   }
   template <typename T>
   T* New() {
-    return New(T());
+    static_assert(std::is_trivially_destructible_v<T>);
+    return new (Take(sizeof(T), alignof(T))) T();
   }
   /// `count` values, all made by default.
   template <typename T>

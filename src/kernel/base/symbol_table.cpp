@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/base/symbol_table.h"
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <utility>
@@ -137,6 +138,16 @@ struct SymbolTable::Contents {
   std::size_t unpinned = 0;
   std::uint64_t digest = 0;
 
+  /// Variables with short names that were asked for lately, by their names' characters: rules use the same few.
+  struct RecentVariable {
+    std::uint64_t characters = 0;
+    std::uint32_t length = 0;
+    Symbol variable;
+  };
+  static constexpr int kRecentBits = 6;
+  static constexpr std::size_t kLeastRecent = 3, kMostRecent = 8;  ///< Lengths.
+  std::array<RecentVariable, std::size_t{1} << kRecentBits> recent_variables;
+
   Contents() { RestartAboveBase(); }
 
   void RestartAboveBase() {
@@ -194,6 +205,10 @@ struct SymbolTable::Contents {
     });
   }
 
+  Symbol InternVariable(std::string_view name) {
+    return InternText(base->pools.variables, own.variables, Symbol::Tag::kVariable, name, true);
+  }
+
   Symbol InternNumber(const ConstantPool<NumberEntry>& in_base, ConstantPool<NumberEntry>& in_own, Symbol::Tag tag,
                       std::uint64_t bits, bool pin) {
     return Intern(in_base, in_own, tag, NumberEntry::HashOf(bits), bits, pin, [&](std::uint32_t stamp) {
@@ -229,7 +244,19 @@ Symbol SymbolTable::String(std::string_view text) {
 
 Symbol SymbolTable::Variable(std::string_view name) {
   Contents& c = *contents_;
-  return c.InternText(c.base->pools.variables, c.own.variables, Symbol::Tag::kVariable, name, true);
+  const std::size_t length = name.size();
+  if (length >= Contents::kLeastRecent && length <= Contents::kMostRecent) {
+    const std::uint64_t characters =
+        length == 3 ? WordAt<std::uint16_t>(name.data()) << 8 | WordAt<std::uint8_t>(name.data() + 2)
+                    : WordAt<std::uint32_t>(name.data()) << 32 | WordAt<std::uint32_t>(name.data() + length - 4);
+    constexpr int kShift = 64 - Contents::kRecentBits;
+    Contents::RecentVariable& recent = c.recent_variables[characters * 0x9E3779B97F4A7C15ull >> kShift];
+    if (recent.characters != characters || recent.length != length) {
+      recent = {characters, static_cast<std::uint32_t>(length), c.InternVariable(name)};
+    }
+    return recent.variable;
+  }
+  return c.InternVariable(name);
 }
 
 Symbol SymbolTable::InternInteger(std::int64_t value) {

@@ -51,6 +51,7 @@ struct Engine {
   AgentSettings settings;
   AgentCounters counters;
   ExplorationSettings exploration;
+  ExpectedValues expected_values;
   RandomStream random;
   Observers observers;
 

@@ -2,7 +2,8 @@
 #include "kernel/match/network.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstddef>
+#include <cstring>
 
 namespace soarbox::kernel {
 
@@ -11,43 +12,23 @@ namespace {
 constexpr std::uint32_t kFirstAlphaBits = 6;
 constexpr std::size_t kFirstShareBuckets = 256;
 
-void Mix(std::uint32_t& hash, std::uint32_t value) {
-  hash = (hash ^ value) * 0x85EBCA6Bu;
-  hash ^= hash >> 15;
+/// Spreads a number over all bits of another one.
+std::uint64_t Mixed(std::uint64_t hash, std::uint64_t value) {
+  hash = (hash ^ value) * 0x9E3779B97F4A7C15ull;
+  return hash ^ hash >> 32;
 }
 
-std::uint32_t Bits(const NodeTest& test) {
-  return static_cast<std::uint32_t>(test.op) | static_cast<std::uint32_t>(test.field) << 4 |
-         static_cast<std::uint32_t>(test.against_binding) << 6 | static_cast<std::uint32_t>(test.referent_field) << 7 |
-         static_cast<std::uint32_t>(test.levels) << 9;
-}
-
-std::uint32_t ShareHash(std::uint32_t parent, const Node& node, std::span<const NodeTest> tests,
-                        std::span<const std::uint32_t> disjuncts, std::uint32_t digest) {
-  std::uint32_t hash = parent * 0x9E3779B1u;
-  Mix(hash, static_cast<std::uint32_t>(node.kind) | static_cast<std::uint32_t>(node.key) << 4 |
-                static_cast<std::uint32_t>(node.key_id_field) << 6 |
-                static_cast<std::uint32_t>(node.key_value_field) << 8 |
-                static_cast<std::uint32_t>(node.key_id_levels) << 10);
-  Mix(hash, node.key_value_levels);
-  Mix(hash, node.alpha);
-  Mix(hash, digest);
-  for (const NodeTest& test : tests) {
-    Mix(hash, Bits(test));
-    if (test.op == TestOp::kDisjunction) {
-      for (std::uint32_t n = 0; n < test.count; ++n) {
-        Mix(hash, disjuncts[test.referent + n]);
-      }
-    } else {
-      Mix(hash, test.referent);
-    }
-  }
-  return hash;
+/// A test but for what it compares with.
+std::uint64_t Bits(const NodeTest& test) {
+  static_assert(offsetof(NodeTest, referent) == sizeof(std::uint64_t));
+  std::uint64_t bits;
+  std::memcpy(&bits, &test, sizeof(bits));
+  return bits;
 }
 
 /// Takes `count` places from a pool with free lists by size.
 template <typename T, typename Next>
-std::uint32_t TakePlaces(std::vector<T>& pool, std::vector<std::uint32_t>& free, std::size_t count, Next next) {
+std::uint32_t TakePlaces(PlainVector<T>& pool, std::vector<std::uint32_t>& free, std::size_t count, Next next) {
   if (count == 0) {
     return 0;
   }
@@ -60,7 +41,6 @@ std::uint32_t TakePlaces(std::vector<T>& pool, std::vector<std::uint32_t>& free,
     return place;
   }
   place = static_cast<std::uint32_t>(pool.size());
-  GrowByQuarter(pool, pool.size() + count);
   pool.resize(pool.size() + count);
   return place;
 }
@@ -134,25 +114,39 @@ bool Network::DropAlpha(std::uint32_t index) {
 
 // Nodes ---------------------------------------------------------------------------------------------------------------
 
-std::uint32_t Network::FindShared(std::uint32_t parent, const Node& node, std::span<const NodeTest> tests,
-                                  std::span<const std::uint32_t> disjuncts) const {
-  const std::uint32_t hash = ShareHash(parent, node, tests, disjuncts, 0);
-  for (std::uint32_t n = share_buckets_[hash & (share_buckets_.size() - 1)]; n != kNil; n = nodes_[n].share_next) {
-    const Node& other = nodes_[n];
-    if (other.share_hash != hash || other.parent != parent || other.kind != node.kind || other.key != node.key ||
-        other.key_id_field != node.key_id_field || other.key_id_levels != node.key_id_levels ||
-        other.key_value_field != node.key_value_field || other.key_value_levels != node.key_value_levels ||
-        other.alpha != node.alpha || other.test_count != tests.size()) {
+std::uint32_t NodePlan::Hash() const {
+  std::uint64_t hash = Mixed(std::uint64_t{parent} << 32 | alpha, shape.Bits());
+  if (digest != 0) {
+    hash = Mixed(hash, digest);
+  }
+  for (const NodeTest& test : tests) {
+    hash = Mixed(hash, Bits(test));
+    if (test.op != TestOp::kDisjunction) {
+      hash = Mixed(hash, test.referent);
       continue;
     }
-    const bool same = std::ranges::equal(this->tests(other), tests, [&](const NodeTest& a, const NodeTest& b) {
-      if (Bits(a) != Bits(b) || a.count != b.count) {
+    for (std::uint32_t n = 0; n < test.count; ++n) {
+      hash = Mixed(hash, disjuncts[test.referent + n]);
+    }
+  }
+  return static_cast<std::uint32_t>(hash);
+}
+
+std::uint32_t Network::FindShared(const NodePlan& plan, std::uint32_t hash) const {
+  for (std::uint32_t n = share_buckets_[hash & (share_buckets_.size() - 1)]; n != kNil; n = nodes_[n].share_next) {
+    const Node& other = nodes_[n];
+    if (other.share_hash != hash || other.parent != plan.parent || other.Bits() != plan.shape.Bits() ||
+        other.alpha != plan.alpha || other.test_count != plan.tests.size()) {
+      continue;
+    }
+    const bool same = std::ranges::equal(tests(other), plan.tests, [&](const NodeTest& a, const NodeTest& b) {
+      if (Bits(a) != Bits(b)) {
         return false;
       }
       if (a.op != TestOp::kDisjunction) {
         return a.referent == b.referent;
       }
-      return std::equal(this->disjuncts(a), this->disjuncts(a) + a.count, disjuncts.data() + b.referent);
+      return std::equal(disjuncts(a), disjuncts(a) + a.count, plan.disjuncts.data() + b.referent);
     });
     if (same) {
       return n;
@@ -161,13 +155,10 @@ std::uint32_t Network::FindShared(std::uint32_t parent, const Node& node, std::s
   return kNil;
 }
 
-std::uint32_t Network::FindProduction(std::uint32_t parent, std::uint32_t actions_digest, std::uint32_t after) const {
-  Node probe;
-  probe.kind = NodeKind::kProduction;
-  const std::uint32_t hash = ShareHash(parent, probe, {}, {}, actions_digest);
+std::uint32_t Network::FindProduction(const NodePlan& plan, std::uint32_t hash, std::uint32_t after) const {
   std::uint32_t n = after == kNil ? share_buckets_[hash & (share_buckets_.size() - 1)] : nodes_[after].share_next;
   while (n != kNil &&
-         (nodes_[n].share_hash != hash || nodes_[n].parent != parent || nodes_[n].kind != NodeKind::kProduction)) {
+         (nodes_[n].share_hash != hash || nodes_[n].parent != plan.parent || nodes_[n].kind != plan.shape.kind)) {
     n = nodes_[n].share_next;
   }
   return n;
@@ -181,31 +172,33 @@ std::uint32_t Network::StoreTests(std::span<const NodeTest> tests, std::span<con
     if (test.op == TestOp::kDisjunction) {
       const std::uint32_t from = test.referent;
       test.referent = TakePlaces(disjuncts_, free_disjuncts_, test.count, [](std::uint32_t word) { return word; });
-      std::copy_n(disjuncts.begin() + from, test.count, disjuncts_.begin() + test.referent);
+      std::copy_n(disjuncts.begin() + from, test.count, disjuncts_.data() + test.referent);
     }
     tests_[place + n] = test;
   }
   return place;
 }
 
-std::uint32_t Network::AddNode(std::uint32_t parent, Node node, std::span<const NodeTest> tests,
-                               std::span<const std::uint32_t> disjuncts, std::uint32_t digest) {
-  node.share_hash = ShareHash(parent, node, tests, disjuncts, digest);
-  node.parent = parent;
-  node.test_count = static_cast<std::uint16_t>(tests.size());
-  node.first_test = StoreTests(tests, disjuncts);
+std::uint32_t Network::AddNode(const NodePlan& plan, std::uint32_t hash) {
   std::uint32_t index = free_nodes_;
   if (index != kNil) {
     free_nodes_ = nodes_[index].share_next;
-    nodes_[index] = node;
   } else {
     index = static_cast<std::uint32_t>(nodes_.size());
-    GrowByQuarter(nodes_, nodes_.size() + 1);
-    nodes_.push_back(node);
+    nodes_.emplace_back();
   }
+  Node& node = nodes_[index];
+  static_cast<NodeShape&>(node) = plan.shape;
+  node.test_count = static_cast<std::uint16_t>(plan.tests.size());
+  node.first_test = plan.tests.empty() ? 0 : StoreTests(plan.tests, plan.disjuncts);
+  node.parent = plan.parent;
+  node.alpha = plan.alpha;
+  node.ancestor = plan.ancestor;
+  node.rule = plan.rule;
+  node.share_hash = hash;
   LinkChild(index);
   InsertShared(index);
-  digest_ = (digest_ ^ node.share_hash) * 0x9E3779B97F4A7C15u + index;
+  digest_ = (digest_ ^ hash) * 0x9E3779B97F4A7C15u + index;
   return index;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "kernel/base/plain_vector.h"
 #include "kernel/match/rule_info.h"
 #include "kernel/rules/production.h"
 
@@ -69,13 +70,26 @@ struct NodeTest {
   friend bool operator==(const NodeTest&, const NodeTest&) = default;
 };
 
-struct Node {
+/// What kind of node it is, and what it is indexed by.
+struct NodeShape {
   NodeKind kind = NodeKind::kFree;
   KeyKind key = KeyKind::kNone;  ///< kMemory, kNegative; a join has that of its memory.
   Field key_id_field = Field::kId;
   Field key_value_field = Field::kId;
   std::uint16_t key_id_levels = 0;  ///< Steps up from the memory's own token. kPartner: size of the conjunction.
   std::uint16_t key_value_levels = 0;
+
+  /// All of it as one number.
+  std::uint64_t Bits() const {
+    std::uint64_t bits;
+    std::memcpy(&bits, this, sizeof(bits));
+    return bits;
+  }
+  friend bool operator==(const NodeShape&, const NodeShape&) = default;
+};
+static_assert(sizeof(NodeShape) == 8);
+
+struct Node : NodeShape {
   std::uint16_t test_count = 0;
   std::uint32_t first_test = 0;
   std::uint32_t parent = kNil, first_child = kNil, next_sibling = kNil, previous_sibling = kNil;
@@ -92,6 +106,23 @@ struct Node {
 
 static_assert(sizeof(Node) == 64, "nodes are addressed by a shift");
 
+/// A node that is wanted.
+struct NodePlan {
+  // What makes nodes alike: rules share those that are.
+  std::uint32_t parent = kNil;
+  std::uint32_t alpha = kNil;
+  NodeShape shape;
+  std::span<const NodeTest> tests;
+  std::span<const std::uint32_t> disjuncts;  ///< Of the tests.
+  std::uint32_t digest = 0;                  ///< Spreads nodes that FindShared never looks for.
+  // What else it gets if it is made.
+  std::uint32_t ancestor = kNil;
+  std::uint32_t rule = kNil;
+
+  /// Of what makes nodes alike.
+  std::uint32_t Hash() const;
+};
+
 /// An alpha memory: the elements that pass constant tests. Constants as symbol bits; 0 for "any".
 struct Alpha {
   std::uint32_t constant[3] = {0, 0, 0};  ///< By Field.
@@ -102,14 +133,6 @@ struct Alpha {
 
   friend bool operator==(const Alpha&, const Alpha&) = default;
 };
-
-/// Makes room for `size` records in a large array that grows for long: by a quarter, where vectors would double.
-template <typename T>
-void GrowByQuarter(std::vector<T>& array, std::size_t size) {
-  if (size > array.capacity()) {
-    array.reserve(std::max(size, array.capacity() + array.capacity() / 4 + 16));
-  }
-}
 
 /// What an alpha memory's mask selects of an element.
 struct MaskUse {
@@ -198,14 +221,12 @@ class [[gnu::visibility("hidden")]] Network {
   /// True if that was the last use; the memory is gone then.
   bool DropAlpha(std::uint32_t alpha);
 
-  /// A child of `parent` that equals `node` (kind, key, alpha memory, tests), or kNil. Not for productions.
-  std::uint32_t FindShared(std::uint32_t parent, const Node& node, std::span<const NodeTest> tests,
-                           std::span<const std::uint32_t> disjuncts) const;
-  /// The first production child of `parent` with this digest of actions, or the next one after `after`.
-  std::uint32_t FindProduction(std::uint32_t parent, std::uint32_t actions_digest, std::uint32_t after) const;
-  /// Makes a node at the head of its parent's children. `digest` spreads nodes that FindShared never looks for.
-  std::uint32_t AddNode(std::uint32_t parent, Node node, std::span<const NodeTest> tests,
-                        std::span<const std::uint32_t> disjuncts, std::uint32_t digest = 0);
+  /// A node that is what is planned, or kNil. Not for productions. `hash`: of the plan, here and below.
+  std::uint32_t FindShared(const NodePlan& plan, std::uint32_t hash) const;
+  /// The first production with the parent and the digest of what is planned, or the next one after `after`.
+  std::uint32_t FindProduction(const NodePlan& plan, std::uint32_t hash, std::uint32_t after = kNil) const;
+  /// Makes a node at the head of its parent's children.
+  std::uint32_t AddNode(const NodePlan& plan, std::uint32_t hash);
   /// The node has no children. Its tests go with it.
   void RemoveNode(std::uint32_t node);
   void MoveToHead(std::uint32_t node);
@@ -231,13 +252,13 @@ class [[gnu::visibility("hidden")]] Network {
   void UnlinkChild(std::uint32_t node);
   std::uint32_t StoreTests(std::span<const NodeTest> tests, std::span<const std::uint32_t> disjuncts);
 
-  std::vector<Node> nodes_;
+  PlainVector<Node> nodes_;
   std::uint32_t free_nodes_ = kNil;
-  std::vector<NodeTest> tests_;
+  PlainVector<NodeTest> tests_;
   std::vector<std::uint32_t> free_tests_;  ///< Heads of free lists by number of tests; linked through `referent`.
-  std::vector<std::uint32_t> disjuncts_;
+  PlainVector<std::uint32_t> disjuncts_;
   std::vector<std::uint32_t> free_disjuncts_;  ///< Likewise, linked through the first word.
-  std::vector<Alpha> alphas_;
+  PlainVector<Alpha> alphas_;
   std::uint32_t free_alphas_ = kNil;
   std::vector<std::uint32_t> alpha_buckets_;
   int alpha_shift_ = 0;

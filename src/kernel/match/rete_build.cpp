@@ -37,9 +37,13 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   const Production& rule = *info->rule;
   const std::uint32_t bottom = builder->Build(rule.conditions);
 
-  const std::uint32_t digest = ActionsDigest(rule);
-  for (std::uint32_t other = network->FindProduction(bottom, digest, kNil); other != kNil;
-       other = network->FindProduction(bottom, digest, other)) {
+  NodePlan plan;
+  plan.parent = bottom;
+  plan.shape.kind = NodeKind::kProduction;
+  plan.digest = ActionsDigest(rule);
+  const std::uint32_t hash = plan.Hash();
+  for (std::uint32_t other = network->FindProduction(plan, hash); other != kNil;
+       other = network->FindProduction(plan, hash, other)) {
     const std::uint32_t number = network->node(other).rule;
     if (SameActions(*network->rule(number)->rule, rule, options.ignore_rl_value)) {
       return {Rete::AddResult::kDuplicate, static_cast<ProductionId>(number), MatchId::kNone};
@@ -47,10 +51,8 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   }
 
   const std::uint32_t number = TakeRuleNumber();
-  Node node;
-  node.kind = NodeKind::kProduction;
-  node.rule = number;
-  const std::uint32_t made = network->AddNode(bottom, node, {}, {}, digest);
+  plan.rule = number;
+  const std::uint32_t made = network->AddNode(plan, hash);
   info->node = made;
   network->AddRule(number, std::move(info));
   const std::uint16_t positives = network->rule(number)->positives;
@@ -95,7 +97,6 @@ void ReteState::ExciseProduction(std::uint32_t number) {
 
 void ReteState::NodeAdded(std::uint32_t index) {
   if (index >= nodes.size()) {
-    GrowByQuarter(nodes, index + 1u);
     nodes.resize(index + 1u);
   }
   nodes[index] = NodeState();
@@ -107,15 +108,15 @@ void ReteState::NodeAdded(std::uint32_t index) {
     nodes[index].roles |= NodeState::kOther;
   }
   if (node.kind == NodeKind::kJoin) {
-    const ValueFilter filter = FilterOf(node);
+    const ValueFilter filter = node.test_count == 0 ? ValueFilter() : FilterOf(node);
     nodes[index].lowest = filter.lowest;
     nodes[index].range = filter.range;
-    LinkLeft(index);
-    LinkRight(index);
-    if (nodes[node.parent].count == 0) {
-      UnlinkRight(index);
-    } else if (alphas[node.alpha].count == 0) {
-      UnlinkLeft(index);
+    const bool has_tokens = nodes[node.parent].count != 0;
+    if (!has_tokens || alphas[node.alpha].count != 0) {
+      LinkLeft(index);
+    }
+    if (has_tokens) {
+      LinkRight(index);
     }
   }
 }
@@ -230,7 +231,6 @@ std::uint32_t ReteState::MakeAlpha(const std::uint32_t (&constants)[3], std::uin
   }
   alpha = network->AddAlpha(constants, mask, acceptable);
   if (alpha >= alphas.size()) {
-    GrowByQuarter(alphas, alpha + 1u);
     alphas.resize(alpha + 1u);
   }
   alphas[alpha] = AlphaState();

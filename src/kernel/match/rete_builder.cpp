@@ -47,13 +47,6 @@ TestOp OpOf(TestKind kind) {
 
 // Bindings ------------------------------------------------------------------------------------------------------------
 
-ReteBuilder::Binding& ReteBuilder::BindingOf(Symbol variable) {
-  if (variable.index() >= bindings_.size()) {
-    bindings_.resize(variable.index() + 1u);
-  }
-  return bindings_[variable.index()];
-}
-
 void ReteBuilder::Unbind(std::size_t trail) {
   while (trail_.size() > trail) {
     bindings_[trail_.back().variable] = trail_.back().before;
@@ -63,41 +56,30 @@ void ReteBuilder::Unbind(std::size_t trail) {
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
-void ReteBuilder::AddEquality(const Test& test, Field field, std::uint32_t depth) {
-  const auto place = static_cast<std::uint32_t>(field);
-  if (test.kind == TestKind::kConjunction) {
-    for (const Test& part : test.parts()) {
-      AddEquality(part, field, depth);
-    }
+inline void ReteBuilder::AddEquality(Symbol symbol, std::uint32_t place, std::uint32_t depth) {
+  if (!symbol.IsVariable() && tests_.constants[place] == 0) {
+    tests_.constants[place] = symbol.bits();
+    tests_.mask |= 1u << place;
     return;
   }
-  if (test.kind != TestKind::kEqual) {
-    return;
-  }
+  const auto field = static_cast<Field>(place);
   NodeTest node_test;
   node_test.op = TestOp::kEqual;
   node_test.field = field;
-  if (!test.referent().IsVariable()) {
-    if (tests_.constants[place] == 0) {
-      tests_.constants[place] = test.referent().bits();
-      tests_.mask |= 1u << place;
+  if (symbol.IsVariable()) {
+    Binding& binding = BindingOf(symbol);
+    const Binding before = binding;
+    trail_.push_back({symbol.index(), before});
+    binding = {depth, field};
+    if (before.depth == kNil) {
       return;
     }
-    node_test.referent = test.referent().bits();
-    tests_.tests.push_back(node_test);
-    return;
+    node_test.against_binding = true;
+    node_test.levels = static_cast<std::uint16_t>(depth - before.depth);
+    node_test.referent_field = before.field;
+  } else {
+    node_test.referent = symbol.bits();
   }
-  Binding& binding = BindingOf(test.referent());
-  const Binding before = binding;
-  trail_.push_back({test.referent().index(), before});
-  binding.depth = depth;
-  binding.field = field;
-  if (before.depth == kNil) {
-    return;
-  }
-  node_test.against_binding = true;
-  node_test.levels = static_cast<std::uint16_t>(depth - before.depth);
-  node_test.referent_field = before.field;
   tests_.tests.push_back(node_test);
 }
 
@@ -135,48 +117,59 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
   tests_.tests.push_back(node_test);
 }
 
+// All equalities first: the other tests may refer to what they bind.
 void ReteBuilder::TakeApart(const Condition& condition, std::uint32_t depth) {
   tests_.tests.clear();
   tests_.disjuncts.clear();
   tests_.mask = 0;
   std::fill(tests_.constants, tests_.constants + 3, 0u);
-  AddEquality(condition.id, Field::kId, depth);
-  AddEquality(condition.attribute, Field::kAttribute, depth);
-  AddEquality(condition.value, Field::kValue, depth);
-  AddTest(condition.id, Field::kId, depth);
-  AddTest(condition.attribute, Field::kAttribute, depth);
-  AddTest(condition.value, Field::kValue, depth);
-  ChooseKey();
+  const Test* const fields[3] = {&condition.id, &condition.attribute, &condition.value};
+  std::uint32_t more = 0;  // Bit n: field n has other tests.
+  for (std::uint32_t place = 0; place < 3; ++place) {
+    const Test& test = *fields[place];
+    if (test.kind == TestKind::kEqual) {
+      AddEquality(test.referent(), place, depth);
+    } else if (test.kind != TestKind::kBlank) {
+      more |= 1u << place;
+      for (const Test& part : test.parts()) {
+        if (part.kind == TestKind::kEqual) {
+          AddEquality(part.referent(), place, depth);
+        }
+      }
+    }
+  }
+  for (std::uint32_t place = 0; more >> place != 0; ++place) {
+    if ((more >> place & 1u) != 0) {
+      AddTest(*fields[place], static_cast<Field>(place), depth);
+    }
+  }
+  tests_.key = NodeShape();
+  if (!tests_.tests.empty()) {
+    ChooseKey();
+  }
 }
 
 // The key takes over the first equality of the identifier with an earlier binding, and of the value if the attribute is
 // a constant (then an alpha memory holds each pair at most once).
 void ReteBuilder::ChooseKey() {
-  tests_.key = Node();
-  const auto take = [this](Field field) -> const NodeTest* {
-    for (const NodeTest& test : tests_.tests) {
-      if (test.op == TestOp::kEqual && test.against_binding && test.field == field && test.levels > 0) {
-        return &test;
+  const auto take = [this](Field field, std::uint16_t& levels, Field& referent_field) {
+    for (auto test = tests_.tests.begin(); test != tests_.tests.end(); ++test) {
+      if (test->op == TestOp::kEqual && test->against_binding && test->field == field && test->levels > 0) {
+        levels = static_cast<std::uint16_t>(test->levels - 1u);
+        referent_field = test->referent_field;
+        tests_.tests.erase(test);
+        return true;
       }
     }
-    return nullptr;
+    return false;
   };
-  const NodeTest* id = take(Field::kId);
-  if (id == nullptr) {
+  if (!take(Field::kId, tests_.key.key_id_levels, tests_.key.key_id_field)) {
     return;
   }
   tests_.key.key = KeyKind::kId;
-  tests_.key.key_id_levels = static_cast<std::uint16_t>(id->levels - 1u);
-  tests_.key.key_id_field = id->referent_field;
-  tests_.tests.erase(tests_.tests.begin() + (id - tests_.tests.data()));
-  if ((tests_.mask & 2u) == 0) {
-    return;
-  }
-  if (const NodeTest* value = take(Field::kValue)) {
+  const bool constant_attribute = (tests_.mask & 2u) != 0;
+  if (constant_attribute && take(Field::kValue, tests_.key.key_value_levels, tests_.key.key_value_field)) {
     tests_.key.key = KeyKind::kIdValue;
-    tests_.key.key_value_levels = static_cast<std::uint16_t>(value->levels - 1u);
-    tests_.key.key_value_field = value->referent_field;
-    tests_.tests.erase(tests_.tests.begin() + (value - tests_.tests.data()));
   }
 }
 
@@ -195,44 +188,61 @@ std::uint32_t ReteBuilder::NearestAncestor(std::uint32_t node, std::uint32_t alp
   return kNil;
 }
 
-std::uint32_t ReteBuilder::MakeNode(std::uint32_t parent, Node node, bool with_tests) {
-  const std::span<const NodeTest> tests =
-      with_tests ? std::span<const NodeTest>(tests_.tests) : std::span<const NodeTest>();
-  const std::uint32_t shared = state_.network->FindShared(parent, node, tests, tests_.disjuncts);
-  if (shared != kNil) {
-    if (node.alpha != kNil) {
-      state_.DropAlpha(node.alpha);
-    }
-    return shared;
-  }
-  if (node.alpha != kNil) {
-    node.ancestor = NearestAncestor(parent, node.alpha);
-  }
-  const std::uint32_t made = state_.network->AddNode(parent, node, tests, tests_.disjuncts);
+std::uint32_t ReteBuilder::Make(const NodePlan& plan, std::uint32_t hash) {
+  const std::uint32_t made = state_.network->AddNode(plan, hash);
   state_.NodeAdded(made);
   state_.Prime(made);
   return made;
 }
 
+/// The memory for joins with the key of the condition at hand. Most nodes that emit have one memory at most.
+std::uint32_t ReteBuilder::FindOrMakeMemory(std::uint32_t parent) {
+  const Network& network = *state_.network;
+  NodePlan plan;
+  plan.parent = parent;
+  plan.shape = tests_.key;
+  plan.shape.kind = NodeKind::kMemory;
+  const std::uint32_t only = network.node(parent).only_memory;
+  if (only != kNil && network.node(only).Bits() == plan.shape.Bits()) {
+    return only;
+  }
+  const std::uint32_t hash = plan.Hash();
+  const bool childless = network.node(parent).first_child == kNil;
+  const std::uint32_t shared = childless ? kNil : network.FindShared(plan, hash);
+  return shared != kNil ? shared : Make(plan, hash);
+}
+
+/// A join or negative node with the tests of the condition at hand.
+std::uint32_t ReteBuilder::FindOrMake(std::uint32_t parent, NodeKind kind, const Condition& condition) {
+  const Network& network = *state_.network;
+  NodePlan plan;
+  plan.parent = parent;
+  plan.alpha = state_.MakeAlpha(tests_.constants, tests_.mask, condition.tests_acceptable);
+  plan.shape = tests_.key;
+  plan.shape.kind = kind;
+  plan.tests = tests_.tests;
+  plan.disjuncts = tests_.disjuncts;
+  const std::uint32_t hash = plan.Hash();
+  const bool childless = network.node(parent).first_child == kNil;
+  const std::uint32_t shared = childless ? kNil : network.FindShared(plan, hash);
+  if (shared != kNil) {
+    state_.DropAlpha(plan.alpha);
+    return shared;
+  }
+  plan.ancestor = NearestAncestor(parent, plan.alpha);
+  return Make(plan, hash);
+}
+
 std::uint32_t ReteBuilder::BuildPositive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   TakeApart(condition, depth);
-  Node memory = tests_.key;
-  memory.kind = NodeKind::kMemory;
-  const std::uint32_t parent = MakeNode(emitter, memory, false);
-  Node join = tests_.key;
-  join.kind = NodeKind::kJoin;
-  join.alpha = state_.MakeAlpha(tests_.constants, tests_.mask, condition.tests_acceptable);
-  return MakeNode(parent, join, true);
+  return FindOrMake(FindOrMakeMemory(emitter), NodeKind::kJoin, condition);
 }
 
 std::uint32_t ReteBuilder::BuildNegative(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::size_t trail = trail_.size();
   TakeApart(condition, depth);
   Unbind(trail);
-  Node node = tests_.key;
-  node.kind = NodeKind::kNegative;
-  node.alpha = state_.MakeAlpha(tests_.constants, tests_.mask, condition.tests_acceptable);
-  return MakeNode(emitter, node, true);
+  return FindOrMake(emitter, NodeKind::kNegative, condition);
 }
 
 // The conjunction's own nodes must see a token before the conjunctive node does, so that it is blocked in time: they
@@ -245,10 +255,12 @@ std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uin
     return emitter;  // An empty conjunction; the parser never makes one.
   }
   Network& network = *state_.network;
-  Node partner;
-  partner.kind = NodeKind::kPartner;
-  partner.key_id_levels = static_cast<std::uint16_t>(condition.conditions().size());
-  const std::uint32_t shared = network.FindShared(bottom, partner, {}, {});
+  NodePlan partner;
+  partner.parent = bottom;
+  partner.shape.kind = NodeKind::kPartner;
+  partner.shape.key_id_levels = static_cast<std::uint16_t>(condition.conditions().size());
+  const std::uint32_t hash = partner.Hash();
+  const std::uint32_t shared = network.FindShared(partner, hash);
   if (shared != kNil) {
     return network.node(shared).partner;
   }
@@ -256,11 +268,13 @@ std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uin
   while (network.node(top).parent != emitter) {
     top = network.node(top).parent;
   }
-  Node node;
-  node.kind = NodeKind::kConjunctive;
-  const std::uint32_t conjunctive = network.AddNode(emitter, node, {}, {}, bottom);
+  NodePlan node;
+  node.parent = emitter;
+  node.shape.kind = NodeKind::kConjunctive;
+  node.digest = bottom;
+  const std::uint32_t conjunctive = network.AddNode(node, node.Hash());
   network.MoveToHead(top);
-  const std::uint32_t made = network.AddNode(bottom, partner, {}, {});
+  const std::uint32_t made = network.AddNode(partner, hash);
   network.SetPartner(conjunctive, made);
   state_.NodeAdded(conjunctive);
   state_.NodeAdded(made);

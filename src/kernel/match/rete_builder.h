@@ -40,21 +40,28 @@ class ReteBuilder {
     std::uint32_t mask = 0;
     std::vector<NodeTest> tests;
     std::vector<std::uint32_t> disjuncts;
-    Node key;  ///< Only its key fields.
+    NodeShape key;  ///< Only its key fields.
   };
 
   std::uint32_t BuildAll(std::span<const Condition> conditions, std::uint32_t emitter, std::uint32_t depth);
   std::uint32_t BuildPositive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
   std::uint32_t BuildNegative(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
   std::uint32_t BuildConjunctive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
-  std::uint32_t MakeNode(std::uint32_t parent, Node node, bool with_tests);
+  std::uint32_t FindOrMakeMemory(std::uint32_t parent);
+  std::uint32_t FindOrMake(std::uint32_t parent, NodeKind kind, const Condition& condition);
+  std::uint32_t Make(const NodePlan& plan, std::uint32_t hash);
   std::uint32_t NearestAncestor(std::uint32_t node, std::uint32_t alpha) const;
 
   void TakeApart(const Condition& condition, std::uint32_t depth);
-  void AddEquality(const Test& test, Field field, std::uint32_t depth);
+  void AddEquality(Symbol symbol, std::uint32_t place, std::uint32_t depth);
   void AddTest(const Test& test, Field field, std::uint32_t depth);
   void ChooseKey();
-  Binding& BindingOf(Symbol variable);
+  Binding& BindingOf(Symbol variable) {
+    if (variable.index() >= bindings_.size()) [[unlikely]] {
+      bindings_.resize(variable.index() + 1u);
+    }
+    return bindings_[variable.index()];
+  }
   /// Forgets the bindings made since the trail had this length.
   void Unbind(std::size_t trail);
 

@@ -193,8 +193,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<std::uint32_t> gathered, sorting;  ///< Scratch: tokens that an element joins with; a list to be sorted.
   RecordArray<AlphaItem> items;
   std::uint32_t free_items = kNil;
-  std::vector<AlphaState> alphas;
-  std::vector<NodeState> nodes;
+  PlainVector<AlphaState> alphas;
+  PlainVector<NodeState> nodes;
   std::vector<WmeLinks> links;
   std::uint32_t newest_wme = kNil;
   std::uint32_t wme_count = 0;

@@ -93,18 +93,6 @@ ConditionDraft ToDraft(const Condition& condition, Arena& arena) {
   return draft;
 }
 
-Symbol EqualitySymbol(const TestDraft& test) {
-  if (test.kind == TestKind::kEqual) {
-    return test.referent;
-  }
-  for (const TestDraft& part : test.parts) {
-    if (part.kind == TestKind::kEqual) {
-      return part.referent;
-    }
-  }
-  return {};
-}
-
 Symbol EqualitySymbol(const Test& test) {
   if (test.kind == TestKind::kEqual) {
     return test.referent();

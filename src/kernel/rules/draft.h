@@ -59,10 +59,19 @@ struct DraftList {
 /// Variables of a rule are numbered from 0 (VariableIndex); this stands for constants and for nothing at all.
 inline constexpr std::uint32_t kNoVariable = 0xFFFFFFFFu;
 
+/// A constant or variable as a rule names it.
+struct Term {
+  Symbol symbol;
+  std::uint32_t variable = kNoVariable;  ///< Its number, if it is a variable.
+
+  Term() = default;
+  Term(Symbol term, std::uint32_t number = kNoVariable) : symbol(term), variable(number) {}
+};
+
 struct TestDraft {
   TestKind kind = TestKind::kBlank;
   std::uint32_t disjunct_count = 0;
-  std::uint32_t variable = kNoVariable;  ///< The referent's number, once variables are numbered.
+  std::uint32_t variable = kNoVariable;  ///< The referent's number.
   Symbol referent;                       ///< Constant or variable, for the relational kinds and @.
   const Symbol* disjuncts = nullptr;     ///< kDisjunction.
   DraftList<TestDraft> parts;            ///< kConjunction; never nested, at most one part is kEqual.
@@ -83,7 +92,7 @@ struct ValueDraft {
   RhsValueKind kind = RhsValueKind::kConstant;
   BindingSite site;                      ///< kBound.
   std::uint16_t index = 0;               ///< kNew: of the new identifier; kFunction: of the function.
-  std::uint32_t variable = kNoVariable;  ///< The symbol's number, once variables are numbered.
+  std::uint32_t variable = kNoVariable;  ///< The symbol's number.
   Symbol symbol;
   DraftList<ValueDraft> arguments;  ///< kFunction.
   ValueDraft* next = nullptr;
@@ -112,14 +121,15 @@ struct RuleDraft {
   DraftList<ActionDraft> actions;
   std::vector<Symbol> new_identifiers;
   FileName file;
-  int line = 0;
+  int line = 0, column = 0;
 };
 
 /// A test of one symbol.
-inline TestDraft MakeTest(TestKind kind, Symbol referent = {}) {
+inline TestDraft MakeTest(TestKind kind, Term referent = {}) {
   TestDraft test;
   test.kind = kind;
-  test.referent = referent;
+  test.referent = referent.symbol;
+  test.variable = referent.variable;
   return test;
 }
 
@@ -130,19 +140,27 @@ ValueDraft Copy(const ValueDraft& value, Arena& arena);
 TestDraft ToDraft(const Test& test, Arena& arena);
 ConditionDraft ToDraft(const Condition& condition, Arena& arena);
 
-/// The variable or constant that a test equates its field with; none if it has no equality test.
-Symbol EqualitySymbol(const TestDraft& test);
-/// Its number, if it is a variable.
-inline std::uint32_t EqualityVariable(const TestDraft& test) {
+/// The test of equality in a test, or null.
+inline const TestDraft* EqualityIn(const TestDraft& test) {
   if (test.kind == TestKind::kEqual) {
-    return test.variable;
+    return &test;
   }
   for (const TestDraft& part : test.parts) {
     if (part.kind == TestKind::kEqual) {
-      return part.variable;
+      return &part;
     }
   }
-  return kNoVariable;
+  return nullptr;
+}
+/// The variable or constant that a test equates its field with; none if it has no equality test.
+inline Symbol EqualitySymbol(const TestDraft& test) {
+  const TestDraft* const equality = EqualityIn(test);
+  return equality != nullptr ? equality->referent : Symbol();
+}
+/// Its number, if it is a variable.
+inline std::uint32_t EqualityVariable(const TestDraft& test) {
+  const TestDraft* const equality = EqualityIn(test);
+  return equality != nullptr ? equality->variable : kNoVariable;
 }
 Symbol EqualitySymbol(const Test& test);
 

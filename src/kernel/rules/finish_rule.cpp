@@ -7,7 +7,6 @@
 #include "kernel/rules/chunk_variables.h"
 #include "kernel/rules/print_production.h"
 #include "kernel/rules/reorder.h"
-#include "kernel/rules/variable_index.h"
 
 namespace soarbox::kernel {
 
@@ -224,11 +223,6 @@ void WarnOfArchitectureLinks(const RuleDraft& rule, const SymbolTable& symbols, 
   }
 }
 
-void NumberVariables(const RuleDraft& rule, VariableIndex& variables) {
-  variables.NumberAll(rule.conditions);
-  variables.NumberAll(rule.actions);
-}
-
 void BindVariables(RuleDraft& rule, const VariableIndex& variables, Arena& arena) {
   Binder binder(rule, variables, arena);
   for (ActionDraft& action : rule.actions) {
@@ -240,13 +234,12 @@ void BindVariables(RuleDraft& rule, const VariableIndex& variables, Arena& arena
 
 }  // namespace
 
-bool FinishRule(RuleDraft& rule, const SourcePlace& place, SymbolTable& symbols, Arena& arena, ParseOutcome& out) {
-  VariableIndex variables;
-  NumberVariables(rule, variables);
+bool FinishRule(RuleDraft& rule, const VariableIndex& variables, const SourcePlace& place, SymbolTable& symbols,
+                const ExpectedValues& expected, Arena& arena, ParseOutcome& out) {
   if (!OrderActions(rule, variables, symbols, arena, out, place)) {
     return false;
   }
-  ReorderOutcome order = ReorderConditions(rule, variables, symbols, arena);
+  ReorderOutcome order = ReorderConditions(rule, variables, expected, symbols, arena);
   for (RuleMessage& message : order.messages) {
     if (!order.ok && message.text.starts_with("Error: ")) {
       AddTrap(out, place, Severity::kError, message.text.substr(7, message.text.find('\n') - 7), "");
@@ -270,7 +263,8 @@ bool FinishRule(RuleDraft& rule, const SourcePlace& place, SymbolTable& symbols,
   if (rule.type == ProductionType::kChunk) {
     RenameVariables(rule, symbols);
     VariableIndex renamed;
-    NumberVariables(rule, renamed);
+    renamed.NumberAll(rule.conditions);
+    renamed.NumberAll(rule.actions);
     BindVariables(rule, renamed, arena);
   } else {
     BindVariables(rule, variables, arena);

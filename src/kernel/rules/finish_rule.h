@@ -2,14 +2,17 @@
 #pragma once
 
 #include "kernel/rules/draft.h"
+#include "kernel/rules/expected_values.h"
 #include "kernel/rules/parser.h"
+#include "kernel/rules/variable_index.h"
 
 namespace soarbox::kernel {
 
 /// Turns a rule in text order into one in match order: orders actions and conditions, checks that they hang together,
-/// binds variables and sets what follows from the contents (new identifiers, is_rl). Adds Soar's messages to
-/// `out.late_messages` and our own to `out.diagnostics`; false if the rule must be refused. Learned rules pass through
-/// here as well.
-bool FinishRule(RuleDraft& rule, const SourcePlace& place, SymbolTable& symbols, Arena& arena, ParseOutcome& out);
+/// binds variables (which `variables` has numbered) and sets what follows from the contents (new identifiers, is_rl).
+/// Adds Soar's messages to `out.late_messages` and our own to `out.diagnostics`; false if the rule must be refused.
+/// Learned rules pass through here as well.
+bool FinishRule(RuleDraft& rule, const VariableIndex& variables, const SourcePlace& place, SymbolTable& symbols,
+                const ExpectedValues& expected, Arena& arena, ParseOutcome& out);
 
 }  // namespace soarbox::kernel

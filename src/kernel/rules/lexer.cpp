@@ -11,44 +11,46 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// What a character can be part of.
-enum CharacterClass : std::uint8_t {
-  kWordCharacter = 1,  ///< Of symbols written without bars.
-  kDigitCharacter = 2,
-  kLetterCharacter = 4,
-  kSignCharacter = 8,  ///< Of the signs that are made of word characters.
-  kStartsToken = 16,   ///< Anything but blanks.
-  kStartsComment = 32,
-};
-
 struct CharacterTable {
-  std::array<std::uint8_t, 256> classes{};
-  std::array<TokenKind, 256> single{};  ///< The tokens of one character that end words; kEnd for others.
+  std::array<bool, 256> word{};  ///< Part of symbols written without bars.
+  /// What a token that begins so is: signs of one character that end words by their kind, kString for words, kQuoted
+  /// for what stands between two marks. kEnd for blanks and comments.
+  std::array<TokenKind, 256> first{};
 
-  constexpr std::uint8_t ClassOf(char c) const { return classes[static_cast<unsigned char>(c)]; }
-  constexpr TokenKind Single(char c) const { return single[static_cast<unsigned char>(c)]; }
+  constexpr bool InWord(char c) const { return word[static_cast<unsigned char>(c)]; }
+  constexpr TokenKind First(char c) const { return first[static_cast<unsigned char>(c)]; }
 };
 
 constexpr CharacterTable kCharacters = [] {
   CharacterTable table;
-  for (int n = 0; n < 256; ++n) {
-    const char c = static_cast<char>(n);
-    const bool sign = std::string_view("+-=<>&").find(c) != std::string_view::npos;
-    table.classes[static_cast<std::size_t>(n)] = static_cast<std::uint8_t>(
-        (IsConstituent(c) ? kWordCharacter | kStartsToken : 0) | (IsDigit(c) ? kDigitCharacter : 0) |
-        (IsLetter(c) ? kLetterCharacter : 0) | (sign ? kSignCharacter : 0) | (c == '|' || c == '"' ? kStartsToken : 0) |
-        (c == '#' ? kStartsComment : 0));
+  for (std::size_t n = 0; n < 256; ++n) {
+    table.word[n] = IsConstituent(static_cast<char>(n));
+    table.first[n] = table.word[n] ? TokenKind::kString : TokenKind::kEnd;
   }
-  constexpr std::pair<char, TokenKind> kSingles[] = {
+  constexpr std::pair<char, TokenKind> kOthers[] = {
       {'(', TokenKind::kLeftParen},  {')', TokenKind::kRightParen}, {'{', TokenKind::kLeftBrace},
       {'}', TokenKind::kRightBrace}, {'^', TokenKind::kUpArrow},    {'!', TokenKind::kExclamation},
-      {'~', TokenKind::kTilde},      {'.', TokenKind::kPeriod},     {',', TokenKind::kComma}};
-  for (const auto& [c, kind] : kSingles) {
-    table.single[static_cast<unsigned char>(c)] = kind;
-    table.classes[static_cast<unsigned char>(c)] |= kStartsToken;
+      {'~', TokenKind::kTilde},      {'.', TokenKind::kPeriod},     {',', TokenKind::kComma},
+      {'@', TokenKind::kAt},         {'|', TokenKind::kQuoted},     {'"', TokenKind::kQuoted}};
+  for (const auto& [c, kind] : kOthers) {
+    table.first[static_cast<unsigned char>(c)] = kind;
   }
   return table;
 }();
+
+const char* WordEnd(const char* from, const char* text_end) {
+  while (from != text_end && kCharacters.InWord(*from)) {
+    ++from;
+  }
+  return from;
+}
+
+bool AllDigits(const char* from, const char* end) {
+  while (from != end && IsDigit(*from)) {
+    ++from;
+  }
+  return from == end;
+}
 
 /// A word of up to three characters as a number.
 constexpr std::uint32_t Packed(std::string_view word) {
@@ -188,77 +190,73 @@ std::string RuleToken::Warning() const {
   }
 }
 
-inline void Lexer::Finish(RuleToken& token, TokenKind kind, std::size_t end) {
-  token.kind = kind;
-  token.offset = at_;
-  token.length = end - at_;
-  at_ = end;
-  after_name_ = kind == TokenKind::kString || kind == TokenKind::kVariable || kind == TokenKind::kIdentifier;
-}
-
-inline void Lexer::SkipBlanks() {
-  const std::size_t begin = at_;
-  const char* const end = text_.data() + text_.size();
-  const char* p = text_.data() + at_;
-  while (p != end) {
-    const std::uint8_t c = kCharacters.ClassOf(*p);
-    if ((c & (kStartsToken | kStartsComment)) == 0) {
-      ++p;
-    } else if ((c & kStartsToken) != 0) {
-      break;
-    } else {
-      p = std::find(p, end, '\n');
-    }
-  }
-  at_ = static_cast<std::size_t>(p - text_.data());
-  if (at_ != begin) {
-    after_name_ = false;
-  }
-}
-
+// What most tokens are is told apart here; the calls stand at the ends, so that nothing has to be kept across them.
 void Lexer::Read(RuleToken& token) {
-  SkipBlanks();
+  const char* const text_end = end_;
+  const char* first = at_;
   token.suspicious = false;
-  if (at_ >= text_.size()) {
-    token.text = {};
-    return Finish(token, TokenKind::kEnd, at_);
-  }
-  const char c = text_[at_];
-  if (const TokenKind single = kCharacters.Single(c); single != TokenKind::kEnd) {
-    const bool starts_float = c == '.' && !after_name_ && at_ + 1 < text_.size() && IsDigit(text_[at_ + 1]);
-    if (!starts_float) {
-      token.text = text_.substr(at_, 1);
-      return Finish(token, single, at_ + 1);
+  TokenKind kind = TokenKind::kEnd;
+  for (; first != text_end; ++first) {
+    kind = kCharacters.First(*first);
+    if (kind != TokenKind::kEnd) {
+      break;
     }
-  } else if (c == '|') {
-    return ReadDelimited(token, c, TokenKind::kString);
-  } else if (c == '"') {
-    return ReadDelimited(token, c, TokenKind::kQuoted);
-  } else if (c == '@') {
-    const bool with_sign = WordEnd(at_) - at_ == 2 && (text_[at_ + 1] == '+' || text_[at_ + 1] == '-');
-    const std::size_t length = with_sign ? 2 : 1;
-    token.text = text_.substr(at_, length);
-    const TokenKind kind = !with_sign              ? TokenKind::kAt
-                           : text_[at_ + 1] == '+' ? TokenKind::kAtPlus
-                                                   : TokenKind::kAtMinus;
-    return Finish(token, kind, at_ + length);
+    if (*first == '#') {
+      first = std::find(first, text_end, '\n') - 1;
+    }
   }
-  ReadWord(token);
+  if (kind == TokenKind::kString) {
+    const char* const end = WordEnd(first + 1, text_end);
+    token.text = {first, end};
+    if (IsLetter(*first) && !IsDigit(end[-1])) {
+      token.suspicious = end[-1] == '>';
+      return FinishName(token, TokenKind::kString, first, end);
+    }
+    if (*first == '<' && end[-1] == '>' && end - first >= 3 && (end - first != 3 || first[1] != '=')) {
+      return FinishName(token, TokenKind::kVariable, first, end);
+    }
+    return ReadRareWord(token, first, end);
+  }
+  switch (kind) {
+    case TokenKind::kEnd:
+      token.text = {};
+      return Finish(token, kind, first, first);
+    case TokenKind::kQuoted:
+      return ReadDelimited(token, first);
+    case TokenKind::kPeriod:
+      if (first != name_end_ && first + 1 != text_end && IsDigit(first[1])) {
+        return ReadRareWord(token, first, first);
+      }
+      break;
+    case TokenKind::kAt:
+      if (WordEnd(first, text_end) - first == 2 && (first[1] == '+' || first[1] == '-')) {
+        token.text = {first, 2};
+        return Finish(token, first[1] == '+' ? TokenKind::kAtPlus : TokenKind::kAtMinus, first, first + 2);
+      }
+      break;
+    default:
+      break;
+  }
+  token.text = {first, 1};
+  Finish(token, kind, first, first + 1);
 }
 
-void Lexer::ReadDelimited(RuleToken& token, char delimiter, TokenKind kind) {
-  std::size_t i = at_ + 1;
+void Lexer::ReadDelimited(RuleToken& token, const char* first) {
+  const char delimiter = *first;
+  const char* end = first + 1;
   bool escapes = false;
-  for (; i < text_.size() && text_[i] != delimiter; ++i) {
-    if (text_[i] == '\\' && i + 1 < text_.size()) {
+  for (; end != end_ && *end != delimiter; ++end) {
+    if (*end == '\\' && end + 1 != end_) {
       escapes = true;
-      ++i;
+      ++end;
     }
   }
-  const bool closed = i < text_.size();
-  token.text = text_.substr(at_ + 1, i - at_ - 1);
-  token.suspicious = !closed;
-  if (escapes && closed) {
+  token.text = {first + 1, end};
+  if (end == end_) {
+    token.suspicious = true;
+    return Finish(token, TokenKind::kUnclosed, first, end);
+  }
+  if (escapes) {
     std::string text;
     for (std::size_t n = 0; n < token.text.size(); ++n) {
       n += token.text[n] == '\\' && n + 1 < token.text.size() ? 1 : 0;
@@ -266,77 +264,57 @@ void Lexer::ReadDelimited(RuleToken& token, char delimiter, TokenKind kind) {
     }
     token.text = arena_.Copy(text);
   }
-  Finish(token, closed ? kind : TokenKind::kUnclosed, closed ? i + 1 : text_.size());
-}
-
-std::size_t Lexer::WordEnd(std::size_t from) const {
-  while (from < text_.size() && (kCharacters.ClassOf(text_[from]) & kWordCharacter) != 0) {
-    ++from;
+  if (delimiter == '"') {
+    return Finish(token, TokenKind::kQuoted, first, end + 1);
   }
-  return from;
+  FinishName(token, TokenKind::kString, first, end + 1);
 }
 
-/// Reads a number that goes on behind the dot at `end`; if that does not make a float, the dot is a token of its own.
-bool Lexer::ReadFloat(RuleToken& token, std::size_t end) {
-  const std::size_t float_end = WordEnd(end + 1);
-  const std::string_view candidate = text_.substr(at_, float_end - at_);
+/// Reads a number that goes on behind a dot; if that does not make a float, the dot is a token of its own.
+bool Lexer::ReadFloat(RuleToken& token, const char* first, const char* dot) {
+  const char* const end = WordEnd(dot + 1, end_);
+  const std::string_view candidate(first, end);
   if (ReadsAsFloat(candidate)) {
     token.text = candidate;
     token.suspicious = !ReadNumber(candidate, token.real);
-    Finish(token, TokenKind::kFloat, float_end);
+    Finish(token, TokenKind::kFloat, first, end);
     return true;
   }
-  if (end == at_) {
-    token.text = text_.substr(at_, 1);
-    Finish(token, TokenKind::kPeriod, at_ + 1);
+  if (dot == first) {
+    token.text = {first, 1};
+    Finish(token, TokenKind::kPeriod, first, first + 1);
     return true;
   }
   return false;
 }
 
-void Lexer::ReadWord(RuleToken& token) {
-  const char* const begin = text_.data() + at_;
-  const char* const text_end = text_.data() + text_.size();
-  // The classes that all characters but the first share.
-  std::uint8_t shared = 0xFF;
-  const char* p = begin;
-  const std::uint8_t first = kCharacters.ClassOf(*begin);
-  if ((first & kWordCharacter) != 0) {
-    for (++p; p != text_end; ++p) {
-      const std::uint8_t c = kCharacters.ClassOf(*p);
-      if ((c & kWordCharacter) == 0) {
-        break;
-      }
-      shared &= c;
+/// A word that may be a sign, a number or an identifier.
+void Lexer::ReadRareWord(RuleToken& token, const char* first, const char* end) {
+  const std::string_view word(first, end);
+  if (word.size() > 1 && IsLetter(*first)) {
+    if (AllDigits(first + 1, end)) {
+      token.text = NormalIdentifier(word, arena_);
+      return FinishName(token, TokenKind::kIdentifier, first, end);
     }
+    return FinishName(token, TokenKind::kString, first, end);
   }
-  const std::size_t end = static_cast<std::size_t>(p - text_.data());
-  const std::string_view word(begin, static_cast<std::size_t>(p - begin));
-  if (p != text_end && *p == '.' && IsSignOrDigits(word) && ReadFloat(token, end)) {
+  if (end != end_ && *end == '.' && IsSignOrDigits(word) && ReadFloat(token, first, end)) {
     return;
   }
-  token.text = word;
-  if (word.front() == '<' && p[-1] == '>' && word.size() >= 3 && word != "<=>") {
-    return Finish(token, TokenKind::kVariable, end);
-  }
-  if ((first & kSignCharacter) != 0 && word.size() <= 3) {
+  if (word.size() <= 3) {
     if (const TokenKind sign = SignOf(word); sign != TokenKind::kEnd) {
-      return Finish(token, sign, end);
+      return Finish(token, sign, first, end);
     }
   }
-  if ((shared & kDigitCharacter) != 0) {
+  if (AllDigits(first + 1, end)) {
     const bool signed_number = (word.front() == '+' || word.front() == '-') && word.size() > 1;
-    if ((first & kDigitCharacter) != 0 || signed_number) {
+    if (IsDigit(word.front()) || signed_number) {
       token.suspicious = !ReadInteger(word, token.integer);
-      return Finish(token, TokenKind::kInteger, end);
-    }
-    if ((first & kLetterCharacter) != 0 && word.size() > 1) {
-      token.text = NormalIdentifier(word, arena_);
-      return Finish(token, TokenKind::kIdentifier, end);
+      return Finish(token, TokenKind::kInteger, first, end);
     }
   }
   token.suspicious = word.front() == '<' || word.back() == '>';
-  Finish(token, TokenKind::kString, end);
+  FinishName(token, TokenKind::kString, first, end);
 }
 
 TextPlace PlaceFinder::Find(std::size_t offset) {

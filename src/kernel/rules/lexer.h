@@ -62,7 +62,8 @@ struct RuleToken {
 /// count as blanks. Texts that are not in the source as they are (with escapes in them) are made in the arena.
 class Lexer {
  public:
-  Lexer(std::string_view text, Arena& arena) : text_(text), arena_(arena) {}
+  Lexer(std::string_view text, Arena& arena)
+      : begin_(text.data()), end_(text.data() + text.size()), at_(begin_), arena_(arena) {}
 
   /// Reads the next token; kEnd again and again once the text is used up.
   void Read(RuleToken& token);
@@ -73,17 +74,26 @@ class Lexer {
   }
 
  private:
-  void SkipBlanks();
-  void ReadDelimited(RuleToken& token, char delimiter, TokenKind kind);
-  void ReadWord(RuleToken& token);
-  bool ReadFloat(RuleToken& token, std::size_t end);
-  std::size_t WordEnd(std::size_t from) const;
-  void Finish(RuleToken& token, TokenKind kind, std::size_t end);
+  void ReadDelimited(RuleToken& token, const char* first);
+  void ReadRareWord(RuleToken& token, const char* first, const char* end);
+  bool ReadFloat(RuleToken& token, const char* first, const char* dot);
+  void Finish(RuleToken& token, TokenKind kind, const char* first, const char* end) {
+    token.kind = kind;
+    token.offset = static_cast<std::size_t>(first - begin_);
+    token.length = static_cast<std::size_t>(end - first);
+    at_ = end;
+  }
+  /// A token that a path's dot may follow.
+  void FinishName(RuleToken& token, TokenKind kind, const char* first, const char* end) {
+    name_end_ = end;
+    Finish(token, kind, first, end);
+  }
 
-  std::string_view text_;
+  const char* begin_;
+  const char* end_;
+  const char* at_;
+  const char* name_end_ = nullptr;  ///< A dot that stands here is a path's.
   Arena& arena_;
-  std::size_t at_ = 0;
-  bool after_name_ = false;  ///< The character before is the last of a string or variable: a dot here is a path dot.
 };
 
 /// A position in a text, counted from 1.

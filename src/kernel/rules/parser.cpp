@@ -23,11 +23,12 @@ std::string_view LineAt(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-RuleReader::RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, Arena& arena,
-                       ParseOutcome& out)
+RuleReader::RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, VariableIndex& variables,
+                       Arena& arena, ParseOutcome& out)
     : body_(body),
       place_(place),
       symbols_(symbols),
+      variables_(variables),
       arena_(arena),
       out_(out),
       names_(symbols, body),
@@ -86,33 +87,41 @@ bool RuleReader::Fail(std::string_view message, std::string_view hint) {
   return false;
 }
 
-Symbol RuleReader::ConstantOrVariable() {
-  Symbol symbol;
+/// The term that the token is; goes on behind it. No symbol if it is none.
+Term RuleReader::ConstantOrVariable() {
+  Term term;
   switch (token_.kind) {
     case TokenKind::kVariable:
-      symbol = symbols_.Variable(token_.text);
+      term.symbol = symbols_.Variable(token_.text);
+      term.variable = variables_.Add(term.symbol);
       break;
     case TokenKind::kString:
-      symbol = symbols_.String(token_.text);
+      term.symbol = symbols_.String(token_.text);
       break;
     case TokenKind::kIdentifier:
       Report(Severity::kWarning, token_,
              std::string(body_.substr(token_.offset, token_.length)) +
                  " looks like an identifier and is read as the string |" + std::string(token_.text) + "|",
              "rules cannot name identifiers; put bars around a constant of this form");
-      symbol = symbols_.String(token_.text);
+      term.symbol = symbols_.String(token_.text);
       break;
     case TokenKind::kInteger:
-      symbol = symbols_.Integer(token_.integer);
+      term.symbol = symbols_.Integer(token_.integer);
       break;
     case TokenKind::kFloat:
-      symbol = symbols_.Float(token_.real);
+      term.symbol = symbols_.Float(token_.real);
       break;
     default:
-      return symbol;
+      return term;
   }
   Advance();
-  return symbol;
+  return term;
+}
+
+/// A variable that the rule does not write.
+Term RuleReader::NewVariable(char letter) {
+  const Symbol symbol = names_.Make(letter);
+  return {symbol, variables_.Add(symbol)};
 }
 
 bool RuleReader::ReadFlags(RuleDraft& rule) {
@@ -169,26 +178,29 @@ bool RuleReader::ReadRule(RuleDraft& rule) {
   return ReadActions(rule.actions);
 }
 
-ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols) {
+ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
+                             const ExpectedValues& expected) {
   const SymbolTable::PinScope pin(symbols);
   ParseOutcome out;
   Arena arena;
   RuleDraft rule;
   rule.file = place.file;
   rule.line = place.line;
+  rule.column = place.column;
   const auto ignore = [&](std::vector<RuleMessage>& messages) {
     if (!out.name.empty()) {
       messages.push_back(
           {"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
     }
   };
-  RuleReader reader(body, place, symbols, arena, out);
+  VariableIndex variables;
+  RuleReader reader(body, place, symbols, variables, arena, out);
   if (!reader.ReadRule(rule)) {
     ignore(out.messages);
     return out;
   }
   out.syntax_ok = true;
-  if (!FinishRule(rule, place, symbols, arena, out)) {
+  if (!FinishRule(rule, variables, place, symbols, expected, arena, out)) {
     ignore(out.late_messages);
     return out;
   }

@@ -7,6 +7,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "kernel/base/symbol_table.h"
+#include "kernel/rules/expected_values.h"
 #include "kernel/rules/production.h"
 
 namespace soarbox::kernel {
@@ -37,7 +38,9 @@ struct ParseOutcome {
 };
 
 /// Reads a rule: the text between the braces of `sp { ... }`. Interns what the rule mentions, pinned. Never fails in
-/// another way than through the outcome, whatever the text; work and depth are bounded by its length.
-ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols);
+/// another way than through the outcome, whatever the text; work and depth are bounded by its length. `expected` is for
+/// the order of the conditions.
+ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
+                             const ExpectedValues& expected = {});
 
 }  // namespace soarbox::kernel

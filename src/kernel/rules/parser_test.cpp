@@ -232,5 +232,25 @@ TEST_F(ParserTest, ACommaIsAnAcceptablePreferenceWhereOneMayStand) {
                         "           ^operator (* 1 2) + ^operator (* 1 2) = 5)\n"));
 }
 
+TEST_F(ParserTest, ConditionsOnAttributesOfManyValuesComeLater) {
+  constexpr std::string_view kRule =
+      "wide (state <s> ^superstate nil ^near <n> ^far <f> ^seen <f>) --> (<s> ^done yes)";
+  const auto attributes = [this](const Production& rule) {
+    std::string text;
+    for (const Condition& condition : rule.conditions) text += ToString(symbols_, condition.attribute.referent()) + ' ';
+    return text;
+  };
+  EXPECT_EQ(attributes(*Parse(kRule).production), "superstate seen far near ");
+  ExpectedValues expected;
+  expected.Set(symbols_.String("seen"), 5);
+  expected.Set(symbols_.String("far"), 4);
+  expected.Set(symbols_.String("far"), 2);
+  EXPECT_EQ(attributes(*ParseProduction(kRule, {}, symbols_, expected).production), "superstate near far seen ");
+  expected.Set(symbols_.String("near"), 1000000000);
+  const ParseOutcome outcome = ParseProduction(kRule, {}, symbols_, expected);
+  EXPECT_EQ(attributes(*outcome.production), "superstate far seen near ");
+  EXPECT_TRUE(outcome.late_messages.empty()) << "dear, but connected";
+}
+
 }  // namespace
 }  // namespace soarbox::kernel

@@ -37,34 +37,79 @@ bool operator==(const Action& a, const Action& b) {
          a.attribute == b.attribute && a.value == b.value && a.referent == b.referent;
 }
 
-/// Lays the tree of a draft out in one block: first measured without memory, then written.
+/// How many bytes the tree of a draft takes.
+class RuleSize {
+ public:
+  explicit RuleSize(const RuleDraft& draft) {
+    Add(draft.conditions);
+    for (const ActionDraft& action : draft.actions) {
+      bytes_ += sizeof(Action);
+      for (const ValueDraft* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
+        AddParts(*value);
+      }
+    }
+    bytes_ += draft.new_identifiers.size() * sizeof(Symbol) + draft.name.size() + draft.documentation.size();
+  }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  void Add(const DraftList<ConditionDraft>& conditions) {
+    for (const ConditionDraft& condition : conditions) {
+      bytes_ += sizeof(Condition);
+      if (condition.kind == ConditionKind::kConjunctiveNegation) {
+        Add(condition.conditions);
+        continue;
+      }
+      AddParts(condition.id);
+      AddParts(condition.attribute);
+      AddParts(condition.value);
+    }
+  }
+  void AddParts(const TestDraft& test) {
+    if (test.kind == TestKind::kDisjunction) {
+      bytes_ += test.disjunct_count * sizeof(Symbol);
+    } else if (test.kind == TestKind::kConjunction) {
+      for (const TestDraft& part : test.parts) {
+        bytes_ += sizeof(Test);
+        AddParts(part);
+      }
+    }
+  }
+  void AddParts(const ValueDraft& value) {
+    if (value.kind != RhsValueKind::kFunction) {
+      return;
+    }
+    bytes_ += sizeof(std::uint32_t);
+    for (const ValueDraft& argument : value.arguments) {
+      bytes_ += sizeof(RhsValue);
+      AddParts(argument);
+    }
+  }
+
+  std::size_t bytes_ = 0;
+};
+
+/// Lays the tree of a draft out in a block of that size.
 class RuleWriter {
  public:
-  /// Measures only.
-  RuleWriter() = default;
-  explicit RuleWriter(std::byte* block) : block_(block) {}
-  std::size_t bytes() const { return used_; }
+  explicit RuleWriter(std::byte* block) : next_(block) {}
 
   std::span<const Condition> Write(const DraftList<ConditionDraft>& drafts) {
     const std::uint32_t count = drafts.Count();
     Condition* const conditions = Take<Condition>(count);
-    std::size_t n = 0;
+    Condition* out = conditions;
     for (const ConditionDraft& draft : drafts) {
-      Condition* const out = block_ == nullptr ? nullptr : &conditions[n++];
-      if (out != nullptr) {
-        out->kind = draft.kind;
-        out->tests_acceptable = draft.tests_acceptable;
-      }
+      out->kind = draft.kind;
+      out->tests_acceptable = draft.tests_acceptable;
       if (draft.kind == ConditionKind::kConjunctiveNegation) {
         const std::span<const Condition> inner = Write(draft.conditions);
-        if (out != nullptr) {
-          Point(out->id, inner.data(), inner.size());
-        }
-        continue;
+        Point(out->id, inner.data(), inner.size());
+      } else {
+        Write(draft.id, out->id);
+        Write(draft.attribute, out->attribute);
+        Write(draft.value, out->value);
       }
-      Write(draft.id, out != nullptr ? &out->id : nullptr);
-      Write(draft.attribute, out != nullptr ? &out->attribute : nullptr);
-      Write(draft.value, out != nullptr ? &out->value : nullptr);
+      ++out;
     }
     return {conditions, count};
   }
@@ -72,49 +117,38 @@ class RuleWriter {
   std::span<const Action> Write(const DraftList<ActionDraft>& drafts) {
     const std::uint32_t count = drafts.Count();
     Action* const actions = Take<Action>(count);
-    std::size_t n = 0;
+    Action* out = actions;
     for (const ActionDraft& draft : drafts) {
-      Action* const out = block_ == nullptr ? nullptr : &actions[n++];
-      if (out != nullptr) {
-        out->is_function_call = draft.is_function_call;
-        out->preference = draft.preference;
-      }
-      Write(draft.id, out != nullptr ? &out->id : nullptr);
-      Write(draft.attribute, out != nullptr ? &out->attribute : nullptr);
-      Write(draft.value, out != nullptr ? &out->value : nullptr);
-      Write(draft.referent, out != nullptr ? &out->referent : nullptr);
+      out->is_function_call = draft.is_function_call;
+      out->preference = draft.preference;
+      Write(draft.id, out->id);
+      Write(draft.attribute, out->attribute);
+      Write(draft.value, out->value);
+      Write(draft.referent, out->referent);
+      ++out;
     }
     return {actions, count};
   }
 
   std::span<const Symbol> Write(std::span<const Symbol> symbols) {
     Symbol* const out = Take<Symbol>(symbols.size());
-    if (out != nullptr) {
-      std::ranges::copy(symbols, out);
-    }
+    std::ranges::copy(symbols, out);
     return {out, symbols.size()};
   }
 
   std::string_view Write(std::string_view text) {
     char* const out = Take<char>(text.size());
-    if (out != nullptr) {
-      text.copy(out, text.size());
-    }
+    text.copy(out, text.size());
     return {out, text.size()};
   }
 
  private:
-  /// Room for some values, made by default; null while measuring. Everything but texts is aligned to four bytes, and
-  /// texts come last.
+  /// Room for some values, made by default. Everything but texts is aligned to four bytes, and texts come last.
   template <typename T>
   T* Take(std::size_t count) {
     static_assert(alignof(T) <= 4);
-    const std::size_t at = used_;
-    used_ += sizeof(T) * count;
-    if (block_ == nullptr) {
-      return nullptr;
-    }
-    T* const made = reinterpret_cast<T*>(block_ + at);
+    T* const made = reinterpret_cast<T*>(next_);
+    next_ += sizeof(T) * count;
     for (std::size_t n = 0; n < count; ++n) {
       new (made + n) T;
     }
@@ -132,54 +166,47 @@ class RuleWriter {
     test.data_ = Distance(&test, items);
   }
 
-  void Write(const TestDraft& draft, Test* out) {
-    if (out != nullptr) {
-      out->kind = draft.kind;
-      out->data_ = draft.referent.bits();
+  void Write(const TestDraft& draft, Test& out) {
+    out.kind = draft.kind;
+    out.data_ = draft.referent.bits();
+    if (draft.kind == TestKind::kDisjunction || draft.kind == TestKind::kConjunction) {
+      WriteParts(draft, out);
     }
+  }
+  void WriteParts(const TestDraft& draft, Test& out) {
     if (draft.kind == TestKind::kDisjunction) {
       const std::span<const Symbol> disjuncts = Write(std::span(draft.disjuncts, draft.disjunct_count));
-      if (out != nullptr) {
-        Point(*out, disjuncts.data(), disjuncts.size());
-      }
-    } else if (draft.kind == TestKind::kConjunction) {
-      const std::uint32_t count = draft.parts.Count();
-      Test* const parts = Take<Test>(count);
-      std::size_t n = 0;
-      for (const TestDraft& part : draft.parts) {
-        Write(part, out != nullptr ? &parts[n++] : nullptr);
-      }
-      if (out != nullptr) {
-        Point(*out, parts, count);
-      }
+      Point(out, disjuncts.data(), disjuncts.size());
+      return;
+    }
+    const std::uint32_t count = draft.parts.Count();
+    Test* const parts = Take<Test>(count);
+    Point(out, parts, count);
+    Test* next = parts;
+    for (const TestDraft& part : draft.parts) {
+      Write(part, *next++);
     }
   }
 
-  void Write(const ValueDraft& draft, RhsValue* out) {
-    if (out != nullptr) {
-      out->kind = draft.kind;
-      out->index_ = draft.kind == RhsValueKind::kBound ? draft.site.positive_condition : draft.index;
-      out->field_ = draft.site.field;
-      out->data_ = draft.symbol.bits();
-    }
+  void Write(const ValueDraft& draft, RhsValue& out) {
+    out.kind = draft.kind;
+    out.index_ = draft.kind == RhsValueKind::kBound ? draft.site.positive_condition : draft.index;
+    out.field_ = draft.site.field;
+    out.data_ = draft.symbol.bits();
     if (draft.kind != RhsValueKind::kFunction) {
       return;
     }
     const std::uint32_t count = draft.arguments.Count();
     std::uint32_t* const stored_count = Take<std::uint32_t>(1);
-    RhsValue* const arguments = Take<RhsValue>(count);
-    if (out != nullptr) {
-      *stored_count = count;
-      out->data_ = Distance(out, stored_count);
-    }
-    std::size_t n = 0;
+    *stored_count = count;
+    out.data_ = Distance(&out, stored_count);
+    RhsValue* next = Take<RhsValue>(count);
     for (const ValueDraft& argument : draft.arguments) {
-      Write(argument, out != nullptr ? &arguments[n++] : nullptr);
+      Write(argument, *next++);
     }
   }
 
-  std::byte* block_ = nullptr;
-  std::size_t used_ = 0;
+  std::byte* next_;
 };
 
 std::shared_ptr<const Production> Production::Make(const RuleDraft& draft) {
@@ -193,19 +220,15 @@ std::shared_ptr<const Production> Production::Make(const RuleDraft& draft) {
   rule->is_rl = draft.is_rl;
   rule->file_ = draft.file;
   rule->line = draft.line;
-  const auto write = [&](RuleWriter& writer) {
-    rule->conditions = writer.Write(draft.conditions);
-    rule->actions = writer.Write(draft.actions);
-    rule->new_identifiers = writer.Write(std::span(draft.new_identifiers));
-    rule->name = writer.Write(draft.name);
-    rule->documentation = writer.Write(draft.documentation);
-  };
-  RuleWriter measure;
-  write(measure);
-  rule->block_bytes_ = measure.bytes();
-  rule->block_ = std::make_unique_for_overwrite<std::byte[]>(measure.bytes());
+  rule->column = draft.column;
+  rule->block_bytes_ = RuleSize(draft).bytes();
+  rule->block_ = std::make_unique_for_overwrite<std::byte[]>(rule->block_bytes_);
   RuleWriter writer(rule->block_.get());
-  write(writer);
+  rule->conditions = writer.Write(draft.conditions);
+  rule->actions = writer.Write(draft.actions);
+  rule->new_identifiers = writer.Write(std::span(draft.new_identifiers));
+  rule->name = writer.Write(draft.name);
+  rule->documentation = writer.Write(draft.documentation);
   return rule;
 }
 

@@ -134,7 +134,7 @@ class Production {
   bool explain = false;            ///< :explain
   bool is_rl = false;              ///< Exactly one action, a numeric-indifferent preference for an operator.
                                    ///< Never for templates.
-  int line = 0;                    ///< Of the rule's first line in `file`; 0 if unknown.
+  int line = 0, column = 0;        ///< Of the rule's first character in `file`; 0 if unknown.
   std::string_view name;
   std::string_view documentation;
   std::span<const Condition> conditions;    ///< In match order.

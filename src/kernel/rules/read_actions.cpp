@@ -10,10 +10,11 @@ namespace {
 
 constexpr const char* kIllegalValue = "Illegal value for RHS value";
 
-ValueDraft Plain(Symbol symbol) {
+ValueDraft Plain(Term term) {
   ValueDraft value;
-  value.kind = symbol.IsVariable() ? RhsValueKind::kNew : RhsValueKind::kConstant;
-  value.symbol = symbol;
+  value.kind = term.variable != kNoVariable ? RhsValueKind::kNew : RhsValueKind::kConstant;
+  value.symbol = term.symbol;
+  value.variable = term.variable;
   return value;
 }
 
@@ -61,7 +62,7 @@ bool RuleReader::ReadMakeActions(Actions& out) {
       ActionDraft* const step = arena_.New<ActionDraft>();
       step->id = id;
       step->attribute = attribute;
-      step->value = Plain(names_.Make(names_.LetterFor(attribute.symbol)));
+      step->value = Plain(NewVariable(names_.LetterFor(attribute.symbol)));
       id = step->value;
       out.Add(step);
       if (!ReadRhsValue(attribute, 0)) {
@@ -101,11 +102,11 @@ bool RuleReader::ReadRhsValue(ValueDraft& value, int depth) {
     Advance();
     return ReadFunction(value, false, depth + 1);
   }
-  const Symbol symbol = ConstantOrVariable();
-  if (!symbol) {
+  const Term term = ConstantOrVariable();
+  if (!term.symbol) {
     return Fail(kIllegalValue);
   }
-  value = Plain(symbol);
+  value = Plain(term);
   return true;
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr const char* kExpectedTest = "Expected variable or constant for test";
 
-TestDraft Equal(Symbol symbol) {
-  return MakeTest(TestKind::kEqual, symbol);
+TestDraft Equal(Term term) {
+  return MakeTest(TestKind::kEqual, term);
 }
 
 TestKind RelationOf(TokenKind kind) {
@@ -150,11 +150,11 @@ bool RuleReader::ReadPositiveCondition(Conditions& out, int depth) {
   if (!Is(TokenKind::kLeftParen)) {
     return Fail("Expected ( to begin condition element");
   }
-  Symbol id;
+  Term id;
   return ReadObject(out, true, 's', id, depth);
 }
 
-bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, Symbol& id_symbol, int depth) {
+bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, Term& object, int depth) {
   if (depth > kMaxDepth) {
     return Fail("Conditions are nested too deeply");
   }
@@ -173,7 +173,7 @@ bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, S
     }
   }
   AddEquality(id, id_letter);
-  id_symbol = EqualitySymbol(id);
+  object = {EqualitySymbol(id), EqualityVariable(id)};
   if (is_goal) {
     TestDraft both = MakeTest(TestKind::kConjunction);
     both.parts.Add(arena_.New(goal));
@@ -251,7 +251,7 @@ bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int d
     ConditionDraft* const step = arena_.New<ConditionDraft>();
     step->id = Copy(id, arena_);
     step->attribute = attribute;
-    step->value = Equal(names_.Make(names_.LetterFor(EqualitySymbol(attribute))));
+    step->value = Equal(NewVariable(names_.LetterFor(EqualitySymbol(attribute))));
     out.Add(step);
     id = step->value;
     attribute = TestDraft();
@@ -268,7 +268,7 @@ bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int d
     condition->attribute = Copy(attribute, arena_);
     Conditions inner;
     if (Is(TokenKind::kLeftParen)) {
-      Symbol object;
+      Term object;
       if (!ReadObject(inner, false, letter, object, depth + 1)) {
         return false;
       }
@@ -331,6 +331,7 @@ void RuleReader::AddToConjunction(DraftList<TestDraft>& parts, const TestDraft& 
              "test " + dropped + " in a condition of its own");
       if (replace) {
         part.referent = test.referent;
+        part.variable = test.variable;
       }
       return;
     }
@@ -363,11 +364,10 @@ bool RuleReader::ReadSimpleTest(TestDraft& test) {
     test.kind = RelationOf(token_.kind);
     Advance();
   }
-  test.referent = ConstantOrVariable();
-  if (!test.referent) {
-    return Fail(kExpectedTest);
-  }
-  return true;
+  const Term term = ConstantOrVariable();
+  test.referent = term.symbol;
+  test.variable = term.variable;
+  return term.symbol || Fail(kExpectedTest);
 }
 
 bool RuleReader::ReadDisjunction(TestDraft& test) {
@@ -379,7 +379,7 @@ bool RuleReader::ReadDisjunction(TestDraft& test) {
       return Fail("Expected constant or >> while reading disjunction test",
                   "a disjunction holds constants only; write one rule per alternative to test variables");
     }
-    const Symbol constant = ConstantOrVariable();
+    const Symbol constant = ConstantOrVariable().symbol;
     if (!constant) {
       return Fail("Expected constant or >> while reading disjunction test");
     }
@@ -397,7 +397,7 @@ void RuleReader::AddEquality(TestDraft& test, char letter) {
   if (EqualitySymbol(test)) {
     return;
   }
-  const TestDraft equality = Equal(names_.Make(letter));
+  const TestDraft equality = Equal(NewVariable(letter));
   if (test.kind == TestKind::kBlank) {
     test = equality;
     return;

@@ -107,18 +107,22 @@ template <typename Set>
 class ListReorderer {
  public:
   /// `bound` has kNoVariable as well: constants are known.
-  ListReorderer(std::string_view rule_name, const SymbolTable& symbols, const VariableIndex& variables, Arena& arena,
-                const Set& bound, const Set& known_goals, ReorderOutcome& out)
+  ListReorderer(std::string_view rule_name, const SymbolTable& symbols, const VariableIndex& variables,
+                const ExpectedValues& expected, Arena& arena, const Set& bound, const Set& known_goals,
+                ReorderOutcome& out)
       : rule_name_(rule_name),
         symbols_(symbols),
         variables_(variables),
+        expected_(expected),
         arena_(arena),
         bound_(bound),
         known_goals_(known_goals),
         out_(out),
         roots_(variables, arena),
         positive_values_(variables, arena),
-        positive_variables_(variables, arena) {}
+        positive_variables_(variables, arena),
+        fresh_(variables, arena),
+        ahead_(variables, arena) {}
 
   /// `needs_goal`: the list must hang on something; for the top level of a rule.
   void Reorder(DraftList<ConditionDraft>& conditions, bool needs_goal) {
@@ -133,10 +137,11 @@ class ListReorderer {
     NoteNeeds();
     conditions = {};
     while (count_ != 0) {
-      const std::size_t at = Choose();
-      ConditionDraft* const chosen = waiting_[at].condition;
-      --count_;
-      std::copy(waiting_ + at + 1, waiting_ + count_ + 1, waiting_ + at);
+      std::size_t at = Choose();
+      ConditionDraft* const chosen = waiting_[at]->condition;
+      for (--count_; at < count_; ++at) {
+        waiting_[at] = waiting_[at + 1];
+      }
       Place(*chosen);
       conditions.Add(chosen);
     }
@@ -146,11 +151,14 @@ class ListReorderer {
  private:
   /// A condition that waits to be placed.
   struct Waiting {
-    Waiting(ConditionDraft* waiting, const Set& no_needs) : condition(waiting), needs(no_needs) {}
+    Waiting(ConditionDraft* waiting, const VariableIndex& variables, Arena& arena)
+        : condition(waiting), needs(variables, arena) {}
     ConditionDraft* condition;
     bool positive = false;
     std::uint32_t fields[3] = {};  ///< The variables of the fields' equality tests.
-    Set needs;                     ///< Of negated conditions: their variables that positive ones of this list bind.
+    std::int64_t expected = 1;     ///< Of positive ones: values under the attribute, if that is known.
+    std::int64_t cost = 0;         ///< As long as no more of `needs` is bound.
+    Set needs;                     ///< Its variables; of negated conditions those that positive ones of this list bind.
   };
 
   void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
@@ -170,12 +178,13 @@ class ListReorderer {
   /// Takes the tests that may have to move off the positive conditions, in text order.
   void Strip(const DraftList<ConditionDraft>& conditions) {
     count_ = conditions.Count();
-    waiting_ = arena_.NewRoom<Waiting>(count_);
+    waiting_ = arena_.NewRoom<Waiting*>(count_);
     tied_ = arena_.NewRoom<std::uint32_t>(count_);
-    const Set none(variables_, arena_);
-    Waiting* next = waiting_;
+    Waiting** next = waiting_;
+    Waiting* made = arena_.NewRoom<Waiting>(count_);
     for (ConditionDraft& condition : conditions) {
-      Waiting& waiting = *new (next++) Waiting(&condition, none);
+      Waiting& waiting = *new (made++) Waiting(&condition, variables_, arena_);
+      *next++ = &waiting;
       waiting.positive = condition.kind == ConditionKind::kPositive;
       if (waiting.positive) {
         StripField(condition.id);
@@ -186,12 +195,22 @@ class ListReorderer {
       waiting.fields[1] = EqualityVariable(condition.attribute);
       waiting.fields[2] = EqualityVariable(condition.value);
       if (waiting.positive) {
+        waiting.expected = ExpectedUnder(condition.attribute);
         AddVariable(positive_values_, waiting.fields[2]);
         for (const std::uint32_t field : waiting.fields) {
           AddVariable(positive_variables_, field);
+          AddVariable(waiting.needs, field);
         }
       }
     }
+  }
+
+  /// Less than what stands for "not yet", however much is expected.
+  std::int64_t ExpectedUnder(const TestDraft& attribute) const {
+    if (expected_.all().empty()) {
+      return 1;
+    }
+    return std::min(expected_.Of(EqualitySymbol(attribute)), (kInfinite - 1) / kUnboundCost);
   }
 
   void StripField(TestDraft& test) {
@@ -259,8 +278,8 @@ class ListReorderer {
   bool FindRoots() {
     bool any = false;
     for (std::size_t n = 0; n < count_; ++n) {
-      const std::uint32_t id = waiting_[n].fields[0];
-      if (id == kNoVariable || !waiting_[n].positive || bound_.Has(id) || positive_values_.Has(id) || roots_.Has(id)) {
+      const std::uint32_t id = waiting_[n]->fields[0];
+      if (id == kNoVariable || !waiting_[n]->positive || bound_.Has(id) || positive_values_.Has(id) || roots_.Has(id)) {
         continue;
       }
       roots_.Add(id);
@@ -293,12 +312,12 @@ class ListReorderer {
 
   void NoteNeeds() {
     for (std::size_t n = 0; n < count_; ++n) {
-      if (!waiting_[n].positive) {
-        Set needs(variables_, arena_);
-        AddVariables(*waiting_[n].condition, needs);
-        needs.KeepOnly(positive_variables_);
-        waiting_[n].needs = needs;
+      Waiting& waiting = *waiting_[n];
+      if (!waiting.positive) {
+        AddVariables(*waiting.condition, waiting.needs);
+        waiting.needs.KeepOnly(positive_variables_);
       }
+      waiting.cost = Cost(waiting);
     }
   }
 
@@ -325,23 +344,27 @@ class ListReorderer {
     if (!bound_.Has(waiting.fields[0]) && !roots_.Has(waiting.fields[0])) {
       return kInfinite;
     }
-    return (bound_.Has(waiting.fields[1]) ? 1 : kUnboundCost) * (bound_.Has(waiting.fields[2]) ? 1 : kUnboundCost);
+    return (bound_.Has(waiting.fields[1]) ? waiting.expected : kUnboundCost) *
+           (bound_.Has(waiting.fields[2]) ? 1 : kUnboundCost);
   }
 
   /// The cheapest cost among the others once `taken` has been chosen.
   std::int64_t LookAhead(std::size_t taken) {
     std::uint32_t added[3];
     std::size_t added_count = 0;
-    for (const std::uint32_t field : waiting_[taken].fields) {
+    ahead_.Clear();
+    for (const std::uint32_t field : waiting_[taken]->fields) {
       if (!bound_.Has(field)) {
         bound_.Add(field);
+        ahead_.Add(field);
         added[added_count++] = field;
       }
     }
     std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();
     for (std::size_t other = 0; other < count_ && cheapest > 1; ++other) {
+      const Waiting& waiting = *waiting_[other];
       if (other != taken) {
-        cheapest = std::min(cheapest, Cost(waiting_[other]));
+        cheapest = std::min(cheapest, waiting.needs.Meets(ahead_) ? Cost(waiting) : waiting.cost);
       }
     }
     while (added_count > 0) {
@@ -369,7 +392,11 @@ class ListReorderer {
     std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();
     std::size_t tied = 0;  // How many of tied_ count; last in the text first.
     for (std::size_t at = count_; at-- > 0;) {
-      const std::int64_t cost = Cost(waiting_[at]);
+      Waiting& waiting = *waiting_[at];
+      if (waiting.needs.Meets(fresh_)) {
+        waiting.cost = Cost(waiting);
+      }
+      const std::int64_t cost = waiting.cost;
       if (cost < cheapest) {
         cheapest = cost;
         tied = 0;
@@ -378,6 +405,7 @@ class ListReorderer {
         tied_[tied++] = static_cast<std::uint32_t>(at);
       }
     }
+    fresh_.Clear();
     if (cheapest >= kInfinite) {
       if (!warned_) {
         Warn("Warning:  in production " + RuleName() + ",\n     The LHS conditions are not all connected.\n");
@@ -392,10 +420,10 @@ class ListReorderer {
       best = LookAhead(incumbent);
     }
     for (std::size_t i = 1; i < tied; ++i) {
-      const ConditionDraft& held = *waiting_[incumbent].condition;
-      const ConditionDraft& candidate = *waiting_[tied_[i]].condition;
-      const bool held_positive = waiting_[incumbent].positive;
-      const bool positive = waiting_[tied_[i]].positive;
+      const ConditionDraft& held = *waiting_[incumbent]->condition;
+      const ConditionDraft& candidate = *waiting_[tied_[i]]->condition;
+      const bool held_positive = waiting_[incumbent]->positive;
+      const bool positive = waiting_[tied_[i]]->positive;
       bool replace = false;
       if (look_ahead) {
         const std::int64_t ahead = LookAhead(tied_[i]);
@@ -431,7 +459,7 @@ class ListReorderer {
             inner_goals.Add(goal.variable);
           }
         }
-        ListReorderer inner(rule_name_, symbols_, variables_, arena_, inner_bound, inner_goals, out_);
+        ListReorderer inner(rule_name_, symbols_, variables_, expected_, arena_, inner_bound, inner_goals, out_);
         inner.Reorder(condition.conditions, false);
         return;
       }
@@ -439,7 +467,11 @@ class ListReorderer {
   }
 
   void PlaceField(TestDraft& test) {
-    AddVariable(bound_, EqualityVariable(test));
+    const std::uint32_t variable = EqualityVariable(test);
+    if (!bound_.Has(variable)) {
+      bound_.Add(variable);
+      fresh_.Add(variable);
+    }
     if (unplaced_ != 0) {
       PutBack(test);
     }
@@ -535,39 +567,42 @@ class ListReorderer {
   std::string_view rule_name_;
   const SymbolTable& symbols_;
   const VariableIndex& variables_;
+  const ExpectedValues& expected_;
   Arena& arena_;
   Set bound_;
   Set known_goals_;  ///< Variables that conditions around this list test to be goals.
   ReorderOutcome& out_;
   Set roots_, positive_values_, positive_variables_;
+  Set fresh_;                        ///< Variables bound since the costs were computed.
+  Set ahead_;                        ///< Scratch of LookAhead: variables bound for a moment.
   std::vector<Symbol> unconnected_;  ///< Roots of this list that are no goals.
   DraftList<SavedTest> saved_;
   std::size_t unplaced_ = 0;  ///< Saved tests not put back yet.
   DraftList<GoalTest> goal_tests_;
-  Waiting* waiting_ = nullptr;  ///< Conditions that are not placed yet, in text order.
+  Waiting** waiting_ = nullptr;  ///< Conditions that are not placed yet, in text order.
   std::size_t count_ = 0;
   std::uint32_t* tied_ = nullptr;  ///< Scratch of Choose.
   bool warned_ = false;
 };
 
 template <typename Set>
-void Reorder(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols, Arena& arena,
-             ReorderOutcome& out) {
+void Reorder(RuleDraft& rule, const VariableIndex& variables, const ExpectedValues& expected,
+             const SymbolTable& symbols, Arena& arena, ReorderOutcome& out) {
   Set bound(variables, arena);
   bound.Add(kNoVariable);
   const Set goals(variables, arena);
-  ListReorderer<Set>(rule.name, symbols, variables, arena, bound, goals, out).Reorder(rule.conditions, true);
+  ListReorderer<Set>(rule.name, symbols, variables, expected, arena, bound, goals, out).Reorder(rule.conditions, true);
 }
 
 }  // namespace
 
-ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols,
-                                 Arena& arena) {
+ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const ExpectedValues& expected,
+                                 const SymbolTable& symbols, Arena& arena) {
   ReorderOutcome out;
   if (variables.size() <= FewVariables::kMost) {
-    Reorder<FewVariables>(rule, variables, symbols, arena, out);
+    Reorder<FewVariables>(rule, variables, expected, symbols, arena, out);
   } else {
-    Reorder<ManyVariables>(rule, variables, symbols, arena, out);
+    Reorder<ManyVariables>(rule, variables, expected, symbols, arena, out);
   }
   return out;
 }

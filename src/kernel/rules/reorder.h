@@ -6,6 +6,7 @@
 
 #include "kernel/base/symbol_table.h"
 #include "kernel/rules/draft.h"
+#include "kernel/rules/expected_values.h"
 #include "kernel/rules/parser.h"
 #include "kernel/rules/variable_index.h"
 
@@ -20,8 +21,8 @@ struct ReorderOutcome {
 /// Brings a rule's conditions into match order, as Soar does (kernel_algorithms: cheapest next, one step of look-ahead,
 /// ties by creation stamps), and moves every test to the first place where both its sides are bound, turned round if
 /// need be. Relational tests that nothing binds vanish from positive conditions and are errors in negated ones.
-/// `variables` has numbered all variables of the conditions.
-ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols,
-                                 Arena& arena);
+/// `variables` has numbered all variables of the conditions; `expected` makes some attributes dearer.
+ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const ExpectedValues& expected,
+                                 const SymbolTable& symbols, Arena& arena);
 
 }  // namespace soarbox::kernel

@@ -206,6 +206,7 @@ Diagnostic Warning(const Sibling& below, const Sibling& above, const SymbolTable
   diagnostic.severity = Severity::kWarning;
   diagnostic.file = later.file();
   diagnostic.line = later.line;
+  diagnostic.column = later.column;
   diagnostic.message = "if ^" + attribute + " is exactly " + number_text + ", neither " +
                        std::string(below.rule->name) + " (" + TestText(below, number, symbols) + ") nor " +
                        std::string(above.rule->name) + " (" + TestText(above, number, symbols) + ") proposes";

@@ -19,7 +19,7 @@ class RuleGapsTest : public testing::Test {
         ") --> (<s> ^operator <o> +) (<o> ^name " + name + ")");
   }
   void Add(const std::string& body) {
-    const ProductionPtr rule = ParseProduction(body, {"scout.soar", ++line_ * 10, 1}, symbols_).production;
+    const ProductionPtr rule = ParseProduction(body, {"scout.soar", ++line_ * 10, 5}, symbols_).production;
     ASSERT_NE(rule, nullptr) << body;
     kept_.push_back(rule);
     rules_.push_back(rule.get());
@@ -40,6 +40,7 @@ TEST_F(RuleGapsTest, ANumberBetweenTwoProposalsIsToldOfAtTheLaterOne) {
   EXPECT_EQ(gaps[0].severity, Severity::kWarning);
   EXPECT_EQ(gaps[0].file, "scout.soar");
   EXPECT_EQ(gaps[0].line, 20);
+  EXPECT_EQ(gaps[0].column, 5);
   EXPECT_EQ(gaps[0].message, "if ^distance is exactly 3, neither flee (< 3) nor seek (> 3) proposes");
   EXPECT_THAT(gaps[0].hint, HasSubstr("<="));
 }

@@ -10,6 +10,7 @@
 #include "kernel/rules/draft.h"
 #include "kernel/rules/lexer.h"
 #include "kernel/rules/parser.h"
+#include "kernel/rules/variable_index.h"
 
 namespace soarbox::kernel {
 
@@ -36,9 +37,10 @@ class VariableNames {
 /// functions return false then, and the messages say why.
 class RuleReader {
  public:
-  RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, Arena& arena, ParseOutcome& out);
+  RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, VariableIndex& variables,
+             Arena& arena, ParseOutcome& out);
 
-  /// Reads everything into `rule`; conditions and actions in text order, variables not yet bound.
+  /// Reads everything into `rule`; conditions and actions in text order, variables numbered but not yet bound.
   bool ReadRule(RuleDraft& rule);
 
  private:
@@ -66,14 +68,15 @@ class RuleReader {
   bool Fail(std::string_view message, std::string_view hint = {});
   void Report(Severity severity, const RuleToken& token, std::string message, std::string hint);
   void Say(std::string text, bool is_warning = false);
-  Symbol ConstantOrVariable();
+  Term ConstantOrVariable();
+  Term NewVariable(char letter);
   bool ReadFlags(RuleDraft& rule);
 
   // Left-hand side (read_conditions.cpp)
   bool ReadConditions(Conditions& out, int depth);
   bool ReadCondition(Conditions& out, int depth);
   bool ReadPositiveCondition(Conditions& out, int depth);
-  bool ReadObject(Conditions& out, bool may_be_goal, char id_letter, Symbol& id, int depth);
+  bool ReadObject(Conditions& out, bool may_be_goal, char id_letter, Term& id, int depth);
   bool ReadIdTest(TestDraft& id);
   bool ReadAttributes(const TestDraft& id, Conditions& out, int depth);
   bool ReadAttribute(const TestDraft& id, Conditions& out, int depth);
@@ -101,6 +104,7 @@ class RuleReader {
   std::string_view body_;
   const SourcePlace& place_;
   SymbolTable& symbols_;
+  VariableIndex& variables_;
   Arena& arena_;
   ParseOutcome& out_;
   VariableNames names_;

@@ -69,6 +69,8 @@ class FewVariables {
   void Add(std::uint32_t variable) { bits_ |= std::uint64_t{1} << (variable % 64); }
   void Remove(std::uint32_t variable) { bits_ &= ~(std::uint64_t{1} << (variable % 64)); }
   bool Covers(const FewVariables& other) const { return (other.bits_ & ~bits_) == 0; }
+  bool Meets(const FewVariables& other) const { return (other.bits_ & bits_) != 0; }
+  void Clear() { bits_ = 0; }
   void KeepOnly(const FewVariables& other) { bits_ &= other.bits_; }
   void Assign(const FewVariables& other) { bits_ = other.bits_; }
 
@@ -96,6 +98,15 @@ class ManyVariables {
     }
     return true;
   }
+  bool Meets(const ManyVariables& other) const {
+    for (std::size_t n = 0; n < count_; ++n) {
+      if ((other.words_[n] & words_[n]) != 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+  void Clear() { std::fill_n(words_, count_, 0); }
   void KeepOnly(const ManyVariables& other) {
     for (std::size_t n = 0; n < count_; ++n) {
       words_[n] &= other.words_[n];

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/symbol.h"
+
+namespace soarbox::kernel {
+
+/// How many values the user expects under some attributes (`production optimize-attribute`). The reorderer takes
+/// conditions on such an attribute for so much dearer. Counts for rules that are loaded from then on.
+///
+/// Its symbols must be pinned: it does not keep them.
+class ExpectedValues {
+ public:
+  /// `count`: from 1.
+  void Set(Symbol attribute, std::int64_t count) {
+    const auto known = std::ranges::find(counts_, attribute, &Count::first);
+    if (known != counts_.end()) {
+      known->second = count;
+    } else {
+      counts_.emplace_back(attribute, count);
+    }
+  }
+  /// 1 for attributes of which nothing was said.
+  std::int64_t Of(Symbol attribute) const {
+    const auto known = std::ranges::find(counts_, attribute, &Count::first);
+    return known != counts_.end() ? known->second : 1;
+  }
+
+  using Count = std::pair<Symbol, std::int64_t>;
+  const std::vector<Count>& all() const { return counts_; }
+
+ private:
+  std::vector<Count> counts_;
+};
+
+}  // namespace soarbox::kernel
