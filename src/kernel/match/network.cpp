@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
 
 namespace soarbox::kernel {
 
@@ -51,6 +52,8 @@ Network::Network() {
   alpha_buckets_.assign(std::size_t{1} << kFirstAlphaBits, kNil);
   alpha_shift_ = 32 - static_cast<int>(kFirstAlphaBits);
   share_buckets_.assign(kFirstShareBuckets, kNil);
+  constexpr std::uint8_t kAnyAttribute = 0x33;  // Bits of the masks without the attribute's bit.
+  for (auto& masks : masks_of_attribute_) std::fill(std::begin(masks), std::end(masks), kAnyAttribute);
   nodes_.emplace_back();
   nodes_[0].kind = NodeKind::kRoot;
 }
@@ -89,6 +92,9 @@ std::uint32_t Network::AddAlpha(const std::uint32_t (&constants)[3], std::uint32
   ++alpha_count_;
   ++mask_counts_[acceptable ? 1 : 0][mask];
   masks_in_use_[acceptable ? 1 : 0] |= 1u << mask;
+  if ((mask & 2) != 0) {
+    masks_of_attribute_[acceptable ? 1 : 0][constants[1] % kAttributeClasses] |= static_cast<std::uint8_t>(1u << mask);
+  }
   return index;
 }
 

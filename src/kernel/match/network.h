@@ -183,7 +183,7 @@ class [[gnu::visibility("hidden")]] Network {
   void ForEachAlpha(const std::uint32_t(&fields)[3], bool acceptable, Visit&& visit) const {
     const std::uint32_t hashes[3] = {fields[0] * kHashOfField[0], fields[1] * kHashOfField[1],
                                      fields[2] * kHashOfField[2]};
-    for (std::uint32_t masks = masks_in_use_[acceptable ? 1 : 0]; masks != 0; masks &= masks - 1) {
+    for (std::uint32_t masks = MasksFor(fields[1], acceptable); masks != 0; masks &= masks - 1) {
       const MaskUse& use = kMaskUse[std::countr_zero(masks)];
       const std::uint32_t hash = (hashes[0] & use.field[0]) ^ (hashes[1] & use.field[1]) ^ (hashes[2] & use.field[2]) ^
                                  use.hash_of_kind[acceptable ? 1 : 0];
@@ -246,6 +246,10 @@ class [[gnu::visibility("hidden")]] Network {
   }
   static constexpr MaskUse kMaskUse[8] = {MaskUse(0), MaskUse(1), MaskUse(2), MaskUse(3),
                                           MaskUse(4), MaskUse(5), MaskUse(6), MaskUse(7)};
+  /// The masks of the alpha memories that an element with this attribute may belong to.
+  std::uint32_t MasksFor(std::uint32_t attribute, bool acceptable) const {
+    return masks_in_use_[acceptable ? 1 : 0] & masks_of_attribute_[acceptable ? 1 : 0][attribute % kAttributeClasses];
+  }
   void InsertShared(std::uint32_t node);
   void LinkChild(std::uint32_t node);
   void FindOnlyMemory(std::uint32_t parent);
@@ -265,6 +269,9 @@ class [[gnu::visibility("hidden")]] Network {
   std::uint32_t alpha_count_ = 0;
   std::uint32_t mask_counts_[2][8] = {};
   std::uint32_t masks_in_use_[2] = {};  ///< Bit n: some memory of that kind has mask n.
+  /// Bit n: some memory with mask n has, or once had, an attribute of this class, or the mask leaves attributes open.
+  static constexpr std::size_t kAttributeClasses = 512;
+  std::uint8_t masks_of_attribute_[2][kAttributeClasses];
   std::vector<std::uint32_t> share_buckets_;
   std::uint32_t share_count_ = 0;
   std::vector<std::shared_ptr<const RuleInfo>> rules_;
