@@ -143,6 +143,9 @@ bool Init(CommandCall& call) {
   if (call.interpreter.host().IsRunning(call.session)) {
     return call.Fail("The agent cannot be initialised while it runs.");
   }
+  if (call.session.agent().out_of_memory()) {
+    return call.Fail("The agent ran out of memory and is halted for good: destroy it and make a new one.");
+  }
   {
     PrintStream::Uncaptured uncaptured(call.stream());
     call.interpreter.host().Reinitialize(call.session);

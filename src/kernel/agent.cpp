@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <new>
 #include <utility>
 
 #include "kernel/base/words.h"
@@ -39,17 +40,32 @@ LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& plac
   outcome.printed = std::move(parsed.messages);
   outcome.printed_late = std::move(parsed.late_messages);
   outcome.messages = std::move(parsed.diagnostics);
-  if (parsed.syntax_ok && !outcome.name.empty()) ExciseNamed(outcome.name, outcome);
-  if (parsed.production != nullptr) Enter(std::move(parsed.production), outcome);
+  if (parsed.syntax_ok && !outcome.name.empty()) Replace(std::move(parsed.production), outcome);
   return outcome;
 }
 
 LoadOutcome Agent::AddProduction(ProductionPtr production) {
   LoadOutcome outcome;
   outcome.name = std::string(production->name);
-  ExciseNamed(production->name, outcome);
-  Enter(std::move(production), outcome);
+  Replace(std::move(production), outcome);
   return outcome;
+}
+
+void Agent::Replace(ProductionPtr production, LoadOutcome& outcome) {
+  if (!out_of_memory()) {
+    try {
+      ExciseNamed(outcome.name, outcome);
+      if (production != nullptr) Enter(std::move(production), outcome);
+      return;
+    } catch (const std::bad_alloc&) {
+      BreakDown();
+    }
+  }
+  outcome.loaded = false;
+  Diagnostic refusal;
+  refusal.message = "there is no memory for the matches of " + outcome.name + ": the agent is halted for good";
+  refusal.hint = "destroy the agent and make a new one";
+  outcome.messages.push_back(std::move(refusal));
 }
 
 void Agent::ExciseNamed(std::string_view name, LoadOutcome& outcome) {
@@ -89,7 +105,7 @@ void Agent::Excise(ProductionId id) {
   engine_->rules_changed = true;
   --engine_->type_counts[static_cast<std::size_t>(rule->type)];
   engine_->NameProduction(rule->name, ProductionId::kNone);
-  if (running()) {
+  if (engine_->run.running()) {
     engine_->ExciseLater(id);
   } else {
     engine_->rete.ExciseProduction(id);
@@ -136,14 +152,40 @@ bool Agent::HasBreak(ProductionId id) const {
 
 // Running -------------------------------------------------------------------------------------------------------------
 
+template <typename Work>
+RunResult Agent::RunGuarded(Work work) {
+  try {
+    return work(engine_->run);
+  } catch (const std::bad_alloc&) {
+    BreakDown();
+    RunResult broken;
+    broken.reason = StopReason::kHalted;
+    return broken;
+  }
+}
+
 RunResult Agent::Run(RunUnit unit, std::uint64_t count) {
-  return engine_->run.Run(unit, count);
+  return RunGuarded([&](RunControl& run) { return run.Run(unit, count); });
 }
 RunResult Agent::Step(RunUnit unit) {
-  return engine_->run.Step(unit);
+  return RunGuarded([&](RunControl& run) { return run.Step(unit); });
 }
 RunResult Agent::RunToPhase(Phase phase) {
-  return engine_->run.RunToPhase(phase);
+  return RunGuarded([&](RunControl& run) { return run.RunToPhase(phase); });
+}
+bool Agent::out_of_memory() const {
+  return engine_->run.broken();
+}
+
+void Agent::BreakDown() {
+  engine_->run.BreakDown();
+  try {
+    const std::string text = "Error: agent " + name() + " ran out of memory and is halted for good; destroy it.  " +
+                             "Rules whose conditions match in very many combinations are the usual cause.\n";
+    engine_->observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(*this, text); });
+  } catch (const std::bad_alloc&) {
+    // There is no memory to say so either; halted() and out_of_memory() tell.
+  }
 }
 Phase Agent::next_phase() const {
   return engine_->run.phase();
@@ -164,7 +206,7 @@ bool Agent::halted() const {
   return engine_->run.halted();
 }
 bool Agent::running() const {
-  return engine_->run.running();
+  return engine_->run.running() && !out_of_memory();
 }
 void Agent::SetGoalToWatch(Symbol goal) {
   engine_->run.WatchGoal(goal);
@@ -174,7 +216,8 @@ bool Agent::watched_goal_gone() const {
 }
 
 void Agent::InitSoar() {
-  if (running()) return;
+  if (out_of_memory()) BreakDown();
+  if (engine_->run.running()) return;
   engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnBeforeInit(*this); });
   ++engine_->counters.inits;
   engine_->Initialize(true);
@@ -336,7 +379,7 @@ Symbol Agent::OutputLinkIdentifier() const {
 }
 
 Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable) {
-  if (running()) return Refusal("working memory cannot be changed while the agent runs");
+  if (engine_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
   if (acceptable) return Refusal("an element of an acceptable preference comes from a rule only");
   if (!id.IsIdentifier() || !engine_->memory.identifier(id).live) {
     return Refusal("the element's identifier is not in working memory");
@@ -351,7 +394,7 @@ Symbol Agent::NewIdentifier(char letter) {
 }
 
 Result<void> Agent::RemoveWme(WmeId wme) {
-  if (running()) return Refusal("working memory cannot be changed while the agent runs");
+  if (engine_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
   WorkingMemory& memory = engine_->memory;
   if (Index(wme) >= memory.wmes().size() || !memory.wme(wme).live) {
     return Refusal("there is no such element");

@@ -149,6 +149,9 @@ class Agent {
   bool stop_requested() const;
   bool halted() const;   ///< (halt) ran: Run and Step do nothing until InitSoar.
   bool running() const;  ///< In the middle of Run or Step.
+  /// Memory ran out while the agent ran or loaded a rule, and it said so. It is halted and can only be read and
+  /// destroyed: whatever would change it is refused.
+  bool out_of_memory() const;
   /// A goal whose removal ends the run (`run -g`); the none symbol for none.
   void SetGoalToWatch(Symbol goal);
   bool watched_goal_gone() const;
@@ -255,6 +258,11 @@ class Agent {
   void ExciseNamed(std::string_view name, LoadOutcome& outcome);
   /// Adds a rule whose name no other has.
   void Enter(ProductionPtr production, LoadOutcome& outcome);
+
+  template <typename Work>
+  RunResult RunGuarded(Work work);
+  void BreakDown();
+  void Replace(ProductionPtr production, LoadOutcome& outcome);
 
   std::unique_ptr<Engine> engine_;
 };

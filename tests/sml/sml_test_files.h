@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -8,7 +10,9 @@
 /// A file with rules that lives as long as the object.
 class RuleFile {
  public:
-  RuleFile(const std::string& name, const std::string& rules) : path_(std::filesystem::temp_directory_path() / (name + ".soar")) {
+  /// Tests run side by side in processes of their own, so the process is in the name.
+  RuleFile(const std::string& name, const std::string& rules)
+      : path_(std::filesystem::temp_directory_path() / (name + "_" + std::to_string(getpid()) + ".soar")) {
     std::ofstream(path_) << rules;
   }
   ~RuleFile() {

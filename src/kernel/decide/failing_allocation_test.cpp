@@ -56,7 +56,8 @@ constexpr std::string_view kRules[] = {
     "absent (state <s> ^superstate nil ^block <b>) -{ (<s> ^block <c>) (<c> ^done yes) } --> (<s> ^all-there yes)",
 };
 
-void Live() {
+/// False if the agent ran out of memory and says so.
+bool Live() {
   Agent agent("short-lived");
   for (const std::string_view rule : kRules) agent.LoadProduction(rule);
   agent.input().Add(InputObject::kInputLink, "range", 0.5);
@@ -64,7 +65,11 @@ void Live() {
   agent.Excise(agent.FindProduction("compare"));
   agent.Run(RunUnit::kDecision, 4);
   agent.InitSoar();
-  agent.Run(RunUnit::kDecision, 2);
+  const RunResult last = agent.Run(RunUnit::kDecision, 2);
+  if (!agent.out_of_memory()) return true;
+  EXPECT_EQ(last.reason, StopReason::kHalted);
+  EXPECT_TRUE(agent.halted());
+  return false;
 }
 
 TEST(FailingAllocation, LeavesAnAgentThatCanBeDestroyed) {
@@ -83,7 +88,7 @@ TEST(FailingAllocation, LeavesAnAgentThatCanBeDestroyed) {
   for (std::int64_t n = 0; n < count; n += kStride) {
     allocations_left = n;
     try {
-      Live();
+      if (!Live()) ++failures;
     } catch (const std::bad_alloc&) {
       ++failures;
     }

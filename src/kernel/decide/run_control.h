@@ -48,6 +48,9 @@ class RunControl {
     if (goal == watched_goal_) watched_goal_gone_ = true;
   }
   void Clear();
+  /// Memory ran out in the middle of something: the agent counts as running for ever, so that nothing changes it.
+  void BreakDown() { broken_ = running_ = halted_ = true; }
+  bool broken() const { return broken_; }
 
  private:
   /// One elaboration, or a whole phase that has none. Returns true if a phase ended.
@@ -77,6 +80,7 @@ class RunControl {
   Phase phase_ = Phase::kInput;
   bool in_middle_ = false;
   bool running_ = false;
+  bool broken_ = false;
   bool halted_ = false;
   bool halt_requested_ = false;
   bool goal_stack_limit_ = false;
