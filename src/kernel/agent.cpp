@@ -62,8 +62,8 @@ void Agent::Replace(ProductionPtr production, LoadOutcome& outcome) {
     }
   }
   outcome.loaded = false;
-  Diagnostic refusal;
-  refusal.message = "there is no memory for the matches of " + outcome.name + ": the agent is halted for good";
+  Diagnostic refusal =
+      Refusal("there is no memory for the matches of " + outcome.name + ": the agent is halted for good");
   refusal.hint = "destroy the agent and make a new one";
   outcome.messages.push_back(std::move(refusal));
 }

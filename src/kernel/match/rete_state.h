@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <span>
@@ -361,11 +360,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
     return (id * 0x85EBCA6Bu) ^ (value * 0xC2B2AE35u);
   }
   static std::uint32_t FieldOf(const Wme& wme, Field field) {
-    static_assert(offsetof(Wme, id) == 0 && offsetof(Wme, attribute) == 4 && offsetof(Wme, value) == 8 &&
-                  static_cast<int>(Field::kValue) == 2 && sizeof(Symbol) == 4);
-    std::uint32_t bits;
-    std::memcpy(&bits, reinterpret_cast<const char*>(&wme) + 4 * static_cast<std::size_t>(field), sizeof(bits));
-    return bits;
+    return kernel::FieldOf(wme, field).bits();
   }
   GoalLevel GoalLevelOf(Symbol id) const {
     return id.IsIdentifier() && id.index() < goals.level_of_goal.size() ? goals.level_of_goal[id.index()]
