@@ -17,7 +17,9 @@ std::string LineStart(const GoalInfo& goal, const std::string& cycle) {
   return line;
 }
 
-std::string ImpasseName(kernel::ImpasseType type) {
+}  // namespace
+
+const char* ImpasseName(kernel::ImpasseType type) {
   switch (type) {
     case kernel::ImpasseType::kTie:
       return "tie";
@@ -30,10 +32,8 @@ std::string ImpasseName(kernel::ImpasseType type) {
     case kernel::ImpasseType::kNone:
       break;
   }
-  return {};
+  return "none";
 }
-
-}  // namespace
 
 std::string ImpasseText(const GoalInfo& goal) {
   if (goal.impasse == kernel::ImpasseType::kNone) return {};

@@ -10,6 +10,9 @@
 
 namespace soarbox::cli {
 
+/// "tie", "no-change"; "none" for none.
+const char* ImpasseName(kernel::ImpasseType type);
+
 /// "(operator tie)", "(state no-change)"; empty for the top state.
 std::string ImpasseText(const kernel::GoalInfo& goal);
 

@@ -14,28 +14,17 @@ using soarbox::wire::Message;
 void ReadWmes(const Element& parent, const std::function<void(const OutputWme&)>& visit) {
   for (const Element& element : parent.children) {
     if (element.tag != "wme") continue;
-    const auto text = [&](const char* name) -> std::string_view {
-      const std::string* value = element.Attribute(name);
-      return value ? std::string_view(*value) : std::string_view();
-    };
-    const std::string* tag = element.Attribute("tag");
+    const InputWme read = soarbox::wire::ReadWme(element);
     OutputWme wme;
-    wme.add = text("action") != "remove";
-    wme.tag = tag ? std::atoll(tag->c_str()) : 0;
-    wme.id = IdentifierKey(text("id"));
-    wme.attribute = text("attr");
-    wme.text = text("value");
-    const std::string_view type = text("valtype");
-    if (type == "int") {
-      wme.type = InputWme::Type::kInt;
-      wme.integer = std::atoll(std::string(wme.text).c_str());
-    } else if (type == "double") {
-      wme.type = InputWme::Type::kDouble;
-      wme.real = std::strtod(std::string(wme.text).c_str(), nullptr);
-    } else if (type == "id") {
-      wme.type = InputWme::Type::kId;
-      wme.value_id = IdentifierKey(wme.text);
-    }
+    wme.add = read.add;
+    wme.tag = read.tag;
+    wme.id = IdentifierKey(read.id);
+    wme.attribute = read.attribute;
+    wme.type = read.type;
+    wme.text = read.text;
+    wme.integer = read.integer;
+    wme.real = read.real;
+    if (read.type == InputWme::Type::kId) wme.value_id = IdentifierKey(read.text);
     visit(wme);
   }
 }
@@ -71,28 +60,15 @@ Element& RemoteAgentLink::Batch() {
 }
 
 InputHandle RemoteAgentLink::AddInput(const InputWme& wme) {
-  Element& element = Batch().Add("wme");
-  element.Set("action", "add").Set("attr", std::string(wme.attribute)).Set("id", std::string(wme.id));
-  element.Set("tag", std::to_string(wme.tag));
-  switch (wme.type) {
-    case InputWme::Type::kString:
-      element.Set("value", std::string(wme.text));
-      break;
-    case InputWme::Type::kId:
-      element.Set("valtype", "id").Set("value", std::string(wme.text));
-      break;
-    case InputWme::Type::kInt:
-      element.Set("valtype", "int").Set("value", std::to_string(wme.integer));
-      break;
-    case InputWme::Type::kDouble:
-      element.Set("valtype", "double").Set("value", soarbox::wire::ShortDouble(wme.real));
-      break;
-  }
+  soarbox::wire::AddWme(Batch(), wme);
   return kNoInputHandle;
 }
 
 void RemoteAgentLink::RemoveInput(InputHandle, long long tag) {
-  Batch().Add("wme").Set("action", "remove").Set("tag", std::to_string(tag));
+  InputWme removed;
+  removed.add = false;
+  removed.tag = tag;
+  soarbox::wire::AddWme(Batch(), removed);
 }
 
 InputHandle RemoteAgentLink::UpdateInput(InputHandle element, long long old_tag, const InputWme& wme) {

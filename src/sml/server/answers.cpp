@@ -68,29 +68,7 @@ std::string ErrorDetails(const cli::CommandResult& result) {
 wire::Element InputReceivedCommand(HostedAgent& agent, std::span<const InputWme> wmes) {
   wire::Element command("command");
   command.Set("name", "event").AddArg("eventid", "xml-input-received").AddArg("agent", agent.name());
-  for (const InputWme& wme : wmes) {
-    wire::Element& element = command.Add("wme");
-    element.Set("action", wme.add ? "add" : "remove");
-    if (!wme.add) {
-      element.Set("tag", std::to_string(wme.tag));
-      continue;
-    }
-    element.Set("attr", std::string(wme.attribute)).Set("id", std::string(wme.id)).Set("tag", std::to_string(wme.tag));
-    switch (wme.type) {
-      case InputWme::Type::kInt:
-        element.Set("valtype", "int").Set("value", std::to_string(wme.integer));
-        break;
-      case InputWme::Type::kDouble:
-        element.Set("valtype", "double").Set("value", wire::ShortDouble(wme.real));
-        break;
-      case InputWme::Type::kId:
-        element.Set("valtype", "id").Set("value", std::string(wme.text));
-        break;
-      case InputWme::Type::kString:
-        element.Set("value", std::string(wme.text));
-        break;
-    }
-  }
+  for (const InputWme& wme : wmes) wire::AddWme(command, wme);
   return command;
 }
 

@@ -9,6 +9,7 @@
 
 #include "kernel/io/output_link.h"
 #include "sml/server/event_set.h"
+#include "sml/wire/input_wme.h"
 
 namespace soarbox::server {
 
@@ -33,22 +34,7 @@ inline std::string IdentifierName(long long key) {
   return static_cast<char>(key >> 56) + std::to_string(key & ((1LL << 56) - 1));
 }
 
-/// One element that a client adds to the input (or one that it takes away: only the tag counts then).
-struct InputWme {
-  enum class Type : std::uint8_t { kString, kInt, kDouble, kId };
-
-  bool add = true;
-  long long tag = 0;
-  /// The parent, as the client or the kernel names it. May be left out if there is an id_hint.
-  std::string_view id;
-  long long id_key = 0;       ///< The same as one number (IdentifierKey), if the kernel named it.
-  std::uint32_t id_hint = 0;  ///< The kernel's handle of the parent when the client heard of it; 0 if it never did.
-  std::string_view attribute;
-  Type type = Type::kString;
-  std::string_view text;  ///< A string, or the name of an identifier.
-  long long integer = 0;
-  double real = 0.0;
-};
+using wire::InputWme;
 
 /// A client of a kernel: the program that the kernel lives in, or one at the other end of a socket. The kernel calls
 /// these functions for events that the client has registered for; all on the thread that holds the kernel.

@@ -101,34 +101,10 @@ void GetInputLink(Request& request) {
   request.Raw(kernel::ToString(agent.symbols(), agent.InputLinkIdentifier()));
 }
 
-InputWme ReadWme(const wire::Element& element) {
-  const auto text = [&](std::string_view name) -> std::string_view {
-    const std::string* value = element.Attribute(name);
-    return value ? std::string_view(*value) : std::string_view();
-  };
-  InputWme wme;
-  wme.add = text("action") != "remove";
-  wme.tag = ReadInt(element.Attribute("tag"));
-  wme.id = text("id");
-  wme.attribute = text("attr");
-  wme.text = text("value");
-  const std::string_view type = text("valtype");
-  if (type == "int") {
-    wme.type = InputWme::Type::kInt;
-    wme.integer = ReadInt(element.Attribute("value"));
-  } else if (type == "double") {
-    wme.type = InputWme::Type::kDouble;
-    wme.real = std::strtod(std::string(wme.text).c_str(), nullptr);
-  } else if (type == "id") {
-    wme.type = InputWme::Type::kId;
-  }
-  return wme;
-}
-
 void Input(Request& request) {
   std::vector<InputWme> wmes;
   for (const wire::Element& child : request.command.children) {
-    if (child.tag == "wme") wmes.push_back(ReadWme(child));
+    if (child.tag == "wme") wmes.push_back(wire::ReadWme(child));
   }
   if (!wmes.empty()) request.from.takes_part = true;
   AgentInput& input = request.agent->input();

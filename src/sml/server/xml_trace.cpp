@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "cli/stack_printer.h"
 #include "cli/trace_printer.h"
 #include "kernel/base/words.h"
 #include "kernel/decide/exploration.h"
@@ -34,22 +35,6 @@ const char* PhaseName(kernel::Phase phase) {
       return "output";
   }
   return "";
-}
-
-const char* ImpasseName(kernel::ImpasseType impasse) {
-  switch (impasse) {
-    case kernel::ImpasseType::kTie:
-      return "tie";
-    case kernel::ImpasseType::kConflict:
-      return "conflict";
-    case kernel::ImpasseType::kConstraintFailure:
-      return "constraint-failure";
-    case kernel::ImpasseType::kNoChange:
-      return "no-change";
-    case kernel::ImpasseType::kNone:
-      break;
-  }
-  return "none";
 }
 
 const char* TypeName(kernel::FiringType type) {
@@ -241,7 +226,8 @@ void XmlTracer::OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& g
   Set(agent, "current_state_id", goal.goal);
   pen_.Set("decision_cycle_count", decision);
   if (goal.impasse != kernel::ImpasseType::kNone) {
-    pen_.Set("impasse_object", goal.on_operator ? "operator" : "state").Set("impasse_type", ImpasseName(goal.impasse));
+    pen_.Set("impasse_object", goal.on_operator ? "operator" : "state")
+        .Set("impasse_type", cli::ImpasseName(goal.impasse));
   }
   if (const kernel::Symbol name = agent.memory().ValueOf(goal.goal, kernel::words::kName)) Set(agent, "name", name);
   pen_.Set("stack_level", level).End("state");

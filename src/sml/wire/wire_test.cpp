@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sml/wire/framing.h"
+#include "sml/wire/input_wme.h"
 #include "sml/wire/message.h"
 #include "sml/wire/xml_reader.h"
 #include "sml/wire/xml_writer.h"
@@ -101,6 +102,36 @@ TEST(ReadMessage, NeedsAnSmlRootAndADoctype) {
   const Result<Message> message = ReadMessage("<sml doctype='response' ack='x7' id='y'/>");
   ASSERT_TRUE(message.ok());
   EXPECT_EQ(message.value().ack, "x7");
+}
+
+TEST(InputWme, IsWrittenByItsTypeAndReadsBack) {
+  Element command("command");
+  InputWme wme;
+  wme.tag = -4;
+  wme.id = "p2";
+  wme.attribute = "distance";
+  wme.type = InputWme::Type::kDouble;
+  wme.real = 50.25;
+  AddWme(command, wme);
+  wme.type = InputWme::Type::kInt;
+  wme.integer = -7;
+  AddWme(command, wme);
+  wme.type = InputWme::Type::kString;
+  wme.text = "far";
+  AddWme(command, wme);
+  wme.type = InputWme::Type::kId;
+  wme.text = "p3";
+  AddWme(command, wme);
+  wme.add = false;
+  AddWme(command, wme);
+  const std::string start = R"(<wme action="add" attr="distance" id="p2" tag="-4")";
+  EXPECT_EQ(ToXml(command), "<command>" + start + R"( valtype="double" value="50.25"></wme>)" + start +
+                                R"( valtype="int" value="-7"></wme>)" + start + R"( value="far"></wme>)" + start +
+                                R"( valtype="id" value="p3"></wme><wme action="remove" tag="-4"></wme></command>)");
+
+  Element again("command");
+  for (const Element& element : command.children) AddWme(again, ReadWme(element));
+  EXPECT_EQ(ToXml(again), ToXml(command));
 }
 
 TEST(FrameReader, CutsPiecesOfAnySizeIntoMessages) {
