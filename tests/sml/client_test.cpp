@@ -2,6 +2,7 @@
 // The client API in one process, as programs use it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -210,6 +211,36 @@ TEST(ClientErrors, LoadingAFaultyFileNamesFileLineAndColumnAndLoadsTheRest) {
   EXPECT_EQ(program.kernel->CreateAgent("mover"), nullptr);
   EXPECT_STREQ(program.kernel->GetLastErrorDescription(),
                "Trying to create an agent that already exists in the kernel.");
+}
+
+/// How often `part` stands in `text`.
+std::size_t Count(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+TEST(ClientErrors, OfManyFaultyRulesEachIsToldOnceAndSoAreTheWarningsOfTheOthers) {
+  Program program;
+  constexpr int kLines = 3000;
+  std::string rules;
+  for (int line = 1; line <= kLines; ++line) {
+    const std::string number = std::to_string(line);
+    // What is wrong with the first of two is printed, what is odd about the second is not.
+    rules += "sp {rule*" + number + " (state <s> ^superstate nil) --> (" +
+             (line % 2 == 1 ? "<unknown" + number + "> ^name value" : "<s> ^name n" + number) + ")}\n";
+  }
+  const RuleFile faulty("sml_many_faulty", rules);
+  EXPECT_FALSE(program.agent->LoadProductions(faulty.path().c_str()));
+  const std::string text = program.agent->GetLastErrorDescription();
+  EXPECT_EQ(Count(text, ": error: "), kLines / 2);
+  EXPECT_EQ(Count(text, ": warning: "), kLines / 2);
+  std::vector<int> told(kLines + 1);
+  const std::string place = faulty.path() + ":";
+  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + place.size())) {
+    ++told.at(std::stoul(text.substr(at + place.size(), 10)));
+  }
+  EXPECT_EQ(std::count(told.begin() + 1, told.end(), 1), kLines);
 }
 
 TEST(ClientErrors, ATakenPortIsAnErrorThatNamesItAndTheKernelStillWorks) {

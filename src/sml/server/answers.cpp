@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/server/answers.h"
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
 #include "diagnostics/diagnostic.h"
 #include "sml/server/hosted_agent.h"
 
@@ -54,13 +60,24 @@ std::shared_ptr<const wire::Element> StructuredDocument(const cli::CommandResult
 }
 
 std::string ErrorDetails(const cli::CommandResult& result) {
+  // What was printed already stands at the beginning of a line: the first line finds it, however many errors there are.
+  std::unordered_map<std::string_view, std::size_t> line_begins;
+  const std::string_view printed = result.text;
+  for (std::size_t begin = 0, end; begin < printed.size(); begin = end) {
+    end = std::min(printed.find('\n', begin), printed.size() - 1) + 1;
+    line_begins.emplace(printed.substr(begin, end - begin), begin);
+  }
+  std::unordered_set<std::string> added;
   std::string details = result.text;
   for (const Diagnostic& diagnostic : result.diagnostics) {
     if (diagnostic.line == 0 && diagnostic.hint.empty()) continue;
-    const std::string text = Format(diagnostic);
-    if (details.find(text) != std::string::npos) continue;
+    std::string text = Format(diagnostic);
+    const auto line = line_begins.find(std::string_view(text).substr(0, text.find('\n') + 1));
+    if (line != line_begins.end() && printed.substr(line->second).starts_with(text)) continue;
+    const auto [place, is_new] = added.insert(std::move(text));
+    if (!is_new) continue;
     if (!details.empty() && details.back() != '\n') details += '\n';
-    details += text;
+    details += *place;
   }
   return details;
 }
