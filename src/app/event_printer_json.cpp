@@ -26,6 +26,7 @@ const char* NameOf(sim::EventKind kind) {
     case sim::EventKind::kDiagnostic:
       return "diagnostic";
     case sim::EventKind::kAgentFailed:
+    case sim::EventKind::kMindFailed:
       return "failed";
     case sim::EventKind::kMindLost:
       return "lost";
@@ -62,6 +63,7 @@ class JsonPrinter : public EventPrinter {
         break;
       case sim::EventKind::kDiagnostic:
       case sim::EventKind::kAgentFailed:
+      case sim::EventKind::kMindFailed:
         json["diagnostic"] = ToJson(event.diagnostic);
         break;
       default:

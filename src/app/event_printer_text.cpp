@@ -41,11 +41,14 @@ class TextPrinter : public EventPrinter {
         break;
       case sim::EventKind::kAgentFailed:
         Line(event, "stops: its script failed");
-        [[fallthrough]];
+        Problem(event.diagnostic);
+        break;
+      case sim::EventKind::kMindFailed:
+        Line(event, "stops: its Soar program failed");
+        Problem(event.diagnostic);
+        break;
       case sim::EventKind::kDiagnostic:
-        // Flushed first, so that a problem stands where it happened also when both streams share a terminal.
-        out_.flush();
-        errors_ << Format(event.diagnostic);
+        Problem(event.diagnostic);
         break;
     }
   }
@@ -70,6 +73,12 @@ class TextPrinter : public EventPrinter {
  private:
   void Line(const sim::Event& event, const std::string& text) {
     out_ << fmt::format("{:8.2f} s  {:<14} {}\n", event.time_s, event.agent.empty() ? "sandbox" : event.agent, text);
+  }
+
+  /// Flushes first, so that a problem stands where it happened also when both streams share a terminal.
+  void Problem(const Diagnostic& diagnostic) {
+    out_.flush();
+    errors_ << Format(diagnostic);
   }
 
   std::ostream& out_;

@@ -70,7 +70,7 @@ int RunSession::Finish() {
 void RunSession::PrintEvents() {
   for (const sim::Event& event : simulation_->TakeEvents()) {
     const bool is_problem =
-        event.kind == sim::EventKind::kAgentFailed ||
+        event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed ||
         (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError);
     if (is_problem) ++problems_;
     printer_->Print(event);

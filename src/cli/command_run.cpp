@@ -107,7 +107,8 @@ bool CommandRun(CommandCall& call) {
     call.Out(line);
   }
   if (run.reason != kernel::StopReason::kCompleted && !agent.halted()) call.AddArgument("runresult", "int", "4");
-  return true;
+  if (agent.out_of_memory()) call.failure = CommandCall::Failure::kReported;
+  return !agent.out_of_memory();
 }
 
 }  // namespace soarbox::cli

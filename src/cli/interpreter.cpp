@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/interpreter.h"
 
+#include <new>
 #include <system_error>
 
 #include "cli/command.h"
@@ -93,7 +94,14 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
   const std::span<const Word> outer = call.words;
   call.words = words;
   ++depth_;
-  const bool ok = command->handler(call);
+  bool ok = false;
+  try {
+    ok = command->handler(call);
+  } catch (const std::bad_alloc&) {
+    // An answer that grew too large; agents see to themselves when they run.
+    call.result.text = std::string();
+    call.Fail("There is no memory for this command.");
+  }
   --depth_;
   call.words = outer;
   if (!ok && call.failure == CommandCall::Failure::kNone) call.failure = CommandCall::Failure::kWithoutMessage;

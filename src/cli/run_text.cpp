@@ -21,6 +21,7 @@ std::vector<std::string> RunLines(const kernel::Agent& agent, const RunCounts& b
   const bool stopped = run.reason == kernel::StopReason::kInterrupted || run.reason == kernel::StopReason::kLimit;
   if (stopped) lines.push_back("\nRun stopped (interrupted).");
   if (agent.halted()) lines.push_back("\nAn agent halted during the run.");
+  if (agent.out_of_memory()) lines.push_back(fmt::format("\nThe agent ran out of memory: {}.", agent.breakdown()));
   return lines;
 }
 

@@ -58,7 +58,7 @@ void Agent::Replace(ProductionPtr production, LoadOutcome& outcome) {
       if (production != nullptr) Enter(std::move(production), outcome);
       return;
     } catch (const std::bad_alloc&) {
-      BreakDown();
+      BreakDown(outcome.name);
     }
   }
   outcome.loaded = false;
@@ -153,15 +153,23 @@ bool Agent::HasBreak(ProductionId id) const {
 // Running -------------------------------------------------------------------------------------------------------------
 
 template <typename Work>
-RunResult Agent::RunGuarded(Work work) {
+bool Agent::Guarded(Work work) {
   try {
-    return work(engine_->run);
+    work();
+    return true;
   } catch (const std::bad_alloc&) {
     BreakDown();
-    RunResult broken;
-    broken.reason = StopReason::kHalted;
-    return broken;
+    return false;
   }
+}
+
+template <typename Work>
+RunResult Agent::RunGuarded(Work work) {
+  RunResult result;
+  if (Guarded([&] { result = work(engine_->run); })) return result;
+  RunResult broken;
+  broken.reason = StopReason::kHalted;
+  return broken;
 }
 
 RunResult Agent::Run(RunUnit unit, std::uint64_t count) {
@@ -177,11 +185,36 @@ bool Agent::out_of_memory() const {
   return engine_->run.broken();
 }
 
-void Agent::BreakDown() {
+std::string_view Agent::breakdown() const {
+  return breakdown_;
+}
+
+void Agent::BreakDown(std::string_view rule) {
+  if (out_of_memory()) return;
   engine_->run.BreakDown();
+  // The rule with most partial matches is the cause if they fill a good part of the memory. (If rules share their
+  // conditions, the first of them is named.)
+  ProductionId heaviest = ProductionId::kNone;
+  std::size_t most = MemoryBytes() / 4 / Rete::kTokenBytes;
+  for (const ProductionId id : engine_->loading_order) {
+    const std::size_t tokens = engine_->rete.CountTokens(id);
+    if (tokens <= most) continue;
+    most = tokens;
+    heaviest = id;
+  }
+  // From here on there is memory again, for others too.
+  engine_->rete.Abandon();
   try {
-    const std::string text = "Error: agent " + name() + " ran out of memory and is halted for good; destroy it.  " +
-                             "Rules whose conditions match in very many combinations are the usual cause.\n";
+    if (!rule.empty()) {
+      breakdown_ = "there is no room for the matches of rule " + std::string(rule);
+    } else if (heaviest != ProductionId::kNone) {
+      breakdown_ =
+          "rule " + std::string(production(heaviest).name) + " had " + std::to_string(most) + " partial matches";
+    } else {
+      breakdown_ = "rules whose conditions match in very many combinations are the usual cause";
+    }
+    const std::string text =
+        "Error: agent " + name() + " ran out of memory and is halted for good: " + breakdown_ + ".  Destroy it.\n";
     engine_->observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(*this, text); });
   } catch (const std::bad_alloc&) {
     // There is no memory to say so either; halted() and out_of_memory() tell.
@@ -216,11 +249,10 @@ bool Agent::watched_goal_gone() const {
 }
 
 void Agent::InitSoar() {
-  if (out_of_memory()) BreakDown();
   if (engine_->run.running()) return;
   engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnBeforeInit(*this); });
   ++engine_->counters.inits;
-  engine_->Initialize(true);
+  if (!Guarded([&] { engine_->Initialize(true); })) return;
   engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnAfterInit(*this); });
 }
 
@@ -384,8 +416,12 @@ Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acce
   if (!id.IsIdentifier() || !engine_->memory.identifier(id).live) {
     return Refusal("the element's identifier is not in working memory");
   }
-  const WmeId wme = engine_->changes.Add(WmeKind::kInput, id, attribute, value);
-  engine_->elaboration.ApplyWorkingMemoryChanges();
+  WmeId wme = WmeId::kNone;
+  const bool added = Guarded([&] {
+    wme = engine_->changes.Add(WmeKind::kInput, id, attribute, value);
+    engine_->elaboration.ApplyWorkingMemoryChanges();
+  });
+  if (!added) return Refusal("there is no memory for the matches of the element: the agent is halted for good");
   return wme;
 }
 
@@ -400,22 +436,25 @@ Result<void> Agent::RemoveWme(WmeId wme) {
     return Refusal("there is no such element");
   }
   const WmeRecord& record = memory.record(wme);
-  // A value that rules made goes with the preferences for it.
   if (record.kind == WmeKind::kSlot && memory.slot(record.slot).is_operator) {
     return Refusal("the selected operator cannot be removed by hand");
   }
-  if (record.preference != PreferenceId::kNone) {
-    const SlotId slot = record.slot;
-    const Symbol value = memory.wme(wme).value;
-    PreferenceId next;
-    for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = next) {
-      next = memory.preference(p).next_in_slot;
-      if (memory.preference(p).value == value) engine_->preferences.Retract(p);
+  const bool removed = Guarded([&] {
+    // A value that rules made goes with the preferences for it.
+    if (record.preference != PreferenceId::kNone) {
+      const SlotId slot = record.slot;
+      const Symbol value = memory.wme(wme).value;
+      PreferenceId next;
+      for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = next) {
+        next = memory.preference(p).next_in_slot;
+        if (memory.preference(p).value == value) engine_->preferences.Retract(p);
+      }
+    } else {
+      engine_->changes.Lose(wme);
     }
-  } else {
-    engine_->changes.Lose(wme);
-  }
-  engine_->elaboration.ApplyWorkingMemoryChanges();
+    engine_->elaboration.ApplyWorkingMemoryChanges();
+  });
+  if (!removed) return Refusal("there is no memory for the matches without the element: the agent is halted for good");
   return {};
 }
 

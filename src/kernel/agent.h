@@ -152,6 +152,8 @@ class Agent {
   /// Memory ran out while the agent ran or loaded a rule, and it said so. It is halted and can only be read and
   /// destroyed: whatever would change it is refused.
   bool out_of_memory() const;
+  /// What used the memory up, as far as that can be told: "rule p had 5000000 partial matches". Empty before.
+  std::string_view breakdown() const;
   /// A goal whose removal ends the run (`run -g`); the none symbol for none.
   void SetGoalToWatch(Symbol goal);
   bool watched_goal_gone() const;
@@ -259,12 +261,17 @@ class Agent {
   /// Adds a rule whose name no other has.
   void Enter(ProductionPtr production, LoadOutcome& outcome);
 
+  /// False if memory ran out meanwhile.
+  template <typename Work>
+  bool Guarded(Work work);
   template <typename Work>
   RunResult RunGuarded(Work work);
-  void BreakDown();
+  /// Halts the agent for good and says so. `rule`: the rule whose addition took too much, if it was one.
+  void BreakDown(std::string_view rule = {});
   void Replace(ProductionPtr production, LoadOutcome& outcome);
 
   std::unique_ptr<Engine> engine_;
+  std::string breakdown_;
 };
 
 }  // namespace soarbox::kernel

@@ -17,6 +17,7 @@ enum class EventKind : std::uint8_t {
   kLog,           ///< text: printed by a script or a rule.
   kDiagnostic,    ///< diagnostic: something that a user should mend.
   kAgentFailed,   ///< The agent's script stopped; the world goes on.
+  kMindFailed,    ///< The agent's Soar program can do nothing any more; the world goes on.
   kMindLost,      ///< The connection to the minds' kernel is gone.
   kMindBack,      ///< The minds live again in a kernel that answers at the same address.
 };
@@ -28,7 +29,7 @@ struct Event {
   double time_s = 0;
   std::string agent;  ///< Name; empty for the sandbox itself.
   std::string text;
-  Diagnostic diagnostic;  ///< kDiagnostic and kAgentFailed.
+  Diagnostic diagnostic;  ///< kDiagnostic, kAgentFailed and kMindFailed.
   float perceived = 0;    ///< kCommand: the ^distance that the mind saw (squared metres, as the thesis has it).
   world::Vec3 position;   ///< kCommand: where the agent stood.
 };

@@ -88,17 +88,28 @@ void Minds::Decide(Mind& mind) {
   mind.soar.Decide(mind.distance_squared_m2);
   if (!host_.IsConnected()) return;  // Its kernel went meanwhile; that is no gap in the rules.
   mind.decided = true;
-  if (mind.soar.commands().empty()) {
+  if (mind.soar.commands().empty() || !mind.soar.Breakdown().empty()) {
     TellGap(mind, body);
   } else {
     mind.in_gap = false;
   }
 }
 
+/// Tells why there is no command.
 void Minds::TellGap(Mind& mind, const world::Agent& body) {
   Event event;
   event.kind = EventKind::kGap;
   event.agent = body.name();
+  if (!mind.soar.Breakdown().empty()) {
+    mind.lost = true;
+    event.kind = EventKind::kMindFailed;
+    event.diagnostic.file = mind.rules.string();
+    event.diagnostic.message =
+        body.name() + " ran out of memory and stands still from now on: " + std::string(mind.soar.Breakdown());
+    event.diagnostic.hint = "conditions that share no variable match in all combinations of their elements";
+    report_(std::move(event));
+    return;
+  }
   if (mind.soar.Halted()) {
     // In a gap the goal stack grows until the kernel halts the program: start it anew, it did not ask to be halted.
     if (mind.in_gap) {

@@ -42,7 +42,7 @@ class Minds final : public script::MindFactory {
     SoarMind soar;
     float distance_squared_m2 = 0;
     bool decided = false;  ///< In this tick.
-    bool lost = false;     ///< Its program could not be made again.
+    bool lost = false;     ///< Its program has broken down, or could not be made again.
     bool in_gap = false;
     bool told_halt = false;
     std::string last_command = {};

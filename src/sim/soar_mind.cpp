@@ -10,7 +10,7 @@ SoarMind::SoarMind(sml::Agent& agent)
 
 void SoarMind::Decide(float distance_squared_m2) {
   agent_->Update(distance_, distance_squared_m2);
-  agent_->RunSelfTilOutput();
+  answer_ = agent_->RunSelfTilOutput();
   // Strings are assigned in place, so that a tick allocates nothing once the longest word has been seen.
   std::size_t count = 0;
   handles_.clear();
@@ -34,6 +34,14 @@ void SoarMind::Answer(std::size_t index, bool succeeded) {
 
 bool SoarMind::Halted() const {
   return agent_->GetRunState() == sml::sml_RUNSTATE_HALTED;
+}
+
+std::string_view SoarMind::Breakdown() const {
+  constexpr std::string_view kBeforeCause = "The agent ran out of memory: ";
+  const std::size_t begin = answer_.find(kBeforeCause);
+  if (begin == std::string::npos) return {};
+  const std::string_view cause = std::string_view(answer_).substr(begin + kBeforeCause.size());
+  return cause.substr(0, cause.find_last_not_of(".\n") + 1);
 }
 
 void SoarMind::Restart() {

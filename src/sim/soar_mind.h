@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sml {
@@ -34,12 +35,15 @@ class SoarMind {
 
   /// True once the program has halted; it then does nothing more until it is restarted.
   bool Halted() const;
+  /// What used up the program's memory, in the kernel's words; empty if nothing did. The program is at its end then.
+  std::string_view Breakdown() const;
   /// Starts the program anew: working memory is cleared, the rules stay.
   void Restart();
 
  private:
   sml::Agent* agent_;
   sml::FloatElement* distance_;
+  std::string answer_;  ///< The kernel's to the last run.
   std::vector<std::string> commands_;
   std::vector<sml::Identifier*> handles_;  ///< Beside commands_; valid until the next Decide.
 };

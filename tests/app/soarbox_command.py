@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -11,15 +12,20 @@ COMMAND = os.environ["SOARBOX"]
 SHARED = pathlib.Path(os.environ.get("SOARBOX_SHARED_DIR", "/nonexistent"))
 
 
-class Run:
-    """One finished run of the command."""
+def limit_memory(process_id, memory_bytes):
+    resource.prlimit(process_id, resource.RLIMIT_AS, (memory_bytes, memory_bytes))
 
-    def __init__(self, *arguments, display=False, limit_s=240, cwd=None):
+
+class Run:
+    """One finished run of the command; `memory_bytes`: all that it may have."""
+
+    def __init__(self, *arguments, display=False, limit_s=240, cwd=None, memory_bytes=None):
         environment = dict(os.environ)
         if not display:
             environment.pop("DISPLAY", None)
         done = subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=limit_s,
-                              env=environment, cwd=cwd, check=False)
+                              env=environment, cwd=cwd, check=False,
+                              preexec_fn=memory_bytes and (lambda: limit_memory(0, memory_bytes)))
         self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
         self.events = [json.loads(line) for line in self.out.splitlines() if line.startswith("{")]
 

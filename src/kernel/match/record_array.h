@@ -41,6 +41,12 @@ class RecordArray {
   std::size_t size() const { return used_ / sizeof(T); }
   std::size_t MemoryBytes() const { return capacity_; }
 
+  /// Gives all memory back.
+  void Release() {
+    std::free(data_);
+    data_ = nullptr;
+    used_ = capacity_ = 0;
+  }
   /// Appends one record, uninitialised, and returns its handle.
   std::uint32_t Append() {
     if (used_ == capacity_) {

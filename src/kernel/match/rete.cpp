@@ -59,6 +59,10 @@ void Rete::Clear() {
   state_->Clear();
 }
 
+void Rete::Abandon() {
+  state_->Abandon();
+}
+
 MatchId Rete::Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation) {
   return state_->Watch(wmes, goal, level, instantiation);
 }

@@ -83,6 +83,9 @@ class Rete {
   void RemoveWme(WmeId wme, const GoalView& goals);
   /// Forgets all elements and matches, keeps the rules (init-soar).
   void Clear();
+  /// Memory ran out in the middle of a change: gives the memory of partial matches back. From then on nothing may be
+  /// matched; rules and the match set stay readable, and the queries below find no matches.
+  void Abandon();
 
   /// A match without a rule in the network, fired from the start: it becomes a retraction as soon as one of the
   /// elements leaves the match. This is all that a justification without negated conditions needs.
@@ -117,6 +120,7 @@ class Rete {
   std::vector<WmeId> RightMatches(ProductionId production, std::span<const std::uint16_t> path) const;
   /// Tokens in the memories of a rule (`production memory-usage`); shared ones count for each rule that uses them.
   std::size_t CountTokens(ProductionId production) const;
+  static constexpr std::size_t kTokenBytes = 64;
 
   // Sharing and measuring -------------------------------------------------------------------------------------------
 

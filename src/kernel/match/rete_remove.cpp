@@ -302,6 +302,20 @@ void ReteState::RemoveWatch(std::uint32_t token) {
 
 // All at once ---------------------------------------------------------------------------------------------------------
 
+/// What tokens and items point to may be half made: nothing is followed, and nothing is allocated.
+void ReteState::Abandon() {
+  tokens.Release();
+  parked.Release();
+  items.Release();
+  free_tokens = free_parked = free_items = newest_wme = kNil;
+  wme_count = 0;
+  sparse.clear();
+  tables = TablePool();
+  links = std::vector<WmeLinks>();
+  std::fill(nodes.begin(), nodes.end(), NodeState());
+  std::fill(alphas.begin(), alphas.end(), AlphaState());
+}
+
 void ReteState::Clear() {
   while (newest_wme != kNil) {
     RemoveWme(newest_wme);

@@ -51,6 +51,7 @@ struct Token {
   static constexpr std::uint32_t kNodeMask = 0x1FFFFFFFu;
   static constexpr std::uint32_t kWatchNode = 0x1FFFFFFFu;
 };
+static_assert(sizeof(Token) == Rete::kTokenBytes);
 
 /// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). Stale, and as good as gone, once its
 /// token or its element has left: then their records have changed hands since.
@@ -255,6 +256,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void RemoveWatch(std::uint32_t token);
   void EndWatch(std::uint32_t first);
   void Clear();
+  void Abandon();
 
   // rete_join.cpp
   void RightJoin(std::uint32_t join, std::uint32_t wme, const Wme& element);

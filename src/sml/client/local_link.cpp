@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/client/local_link.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <thread>
 
@@ -157,15 +158,13 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     request.self_only = spec.self;
     HostedAgent& hosted = static_cast<LocalAgentLink*>(link)->hosted();
     answer.ok = true;
-    if (!want_text) {
-      host_.RunAgents(hosted, request, spec.interleave_given);
-      return answer;
-    }
     const auto before = soarbox::cli::RunCounts::Of(hosted.agent());
-    const std::string name = hosted.name();
     const soarbox::kernel::RunResult result = host_.RunAgents(hosted, request, spec.interleave_given);
+    if (!want_text && result.reason != soarbox::kernel::StopReason::kHalted) return answer;
     // A handler may have destroyed the agent meanwhile.
-    if (host_.Find(name) == &hosted) answer.text = soarbox::cli::RunText(hosted.agent(), before, result);
+    if (std::ranges::find(host_.agents(), &hosted) == host_.agents().end()) return answer;
+    answer.text = soarbox::cli::RunText(hosted.agent(), before, result);
+    answer.ok = !hosted.agent().out_of_memory();
     return answer;
   }
 

@@ -64,6 +64,8 @@ cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::strin
   if (echoes) hosted.FireEcho(options.from, std::string(line));
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
   if (hosted.doomed) return result;
+  // Memory may run out outside of a run too.
+  if (hosted.agent().out_of_memory()) hosted.run_state = sml_RUNSTATE_HALTED;
   hosted.PrepareRun();
   hosted.FlushPrint();
   hosted.FlushXmlTrace();
