@@ -327,6 +327,36 @@ TEST(ClientRuns, HandlersMayDestroyTheirAgentAndStartNoSecondRun) {
   EXPECT_EQ(program.kernel->GetNumberAgents(), 0);
 }
 
+TEST(ClientCommands, HandlersMayDestroyTheirAgentInTheMiddleOfACommand) {
+  const std::unique_ptr<Kernel> kernel(Kernel::CreateKernelInCurrentThread(false, Kernel::kSuppressListener));
+  const auto on_print = [](smlPrintEventId, void*, Agent* agent, char const*) {
+    agent->GetKernel()->DestroyAgent(agent);
+  };
+  const auto on_rule = [](smlProductionEventId, void*, Agent* agent, char const*, char const*) {
+    agent->GetKernel()->DestroyAgent(agent);
+  };
+  Agent* printing = kernel->CreateAgent("printing");
+  printing->RegisterForPrintEvent(smlEVENT_PRINT, on_print, nullptr);
+  kernel->CreateAgent("second")->RegisterForPrintEvent(smlEVENT_PRINT, on_print, nullptr);
+  kernel->ExecuteCommandLine("run 2", "printing");
+  EXPECT_EQ(kernel->GetNumberAgents(), 0);
+
+  Agent* loading = kernel->CreateAgent("loading");
+  loading->RegisterForProductionEvent(smlEVENT_AFTER_PRODUCTION_ADDED, on_rule, nullptr);
+  kernel->ExecuteCommandLine("sp {one (state <s> ^superstate nil) --> (<s> ^x y)}\nrun 1\ninit-soar\nprint s1",
+                             "loading");
+  EXPECT_EQ(kernel->GetNumberAgents(), 0);
+
+  kernel->CreateAgent("starting");
+  kernel->RegisterForAgentEvent(
+      smlEVENT_BEFORE_AGENT_REINITIALIZED,
+      [](smlAgentEventId, void*, Agent* agent) { agent->GetKernel()->DestroyAgent(agent); }, nullptr);
+  kernel->ExecuteCommandLine("init-soar", "starting");
+  EXPECT_EQ(kernel->GetNumberAgents(), 0);
+  EXPECT_NE(kernel->CreateAgent("starting"), nullptr);
+  EXPECT_FALSE(kernel->HadError());
+}
+
 TEST(ClientFunctions, RulesCallTheProgramAndClientsSendMessages) {
   Program program;
   program.kernel->AddRhsFunction("shout", [](smlRhsEventId, Agent*, char const* name, char const* argument) {

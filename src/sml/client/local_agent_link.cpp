@@ -54,6 +54,7 @@ void LocalAgentLink::NoteRemoval(long long tag) {
 }
 
 void LocalAgentLink::TellInput() {
+  const soarbox::server::KernelHost::Stay stay(host_);
   std::vector<InputWme> wmes;
   std::vector<std::string> texts;
   wmes.swap(noted_);

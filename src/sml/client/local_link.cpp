@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/client/local_link.h"
 
-#include <algorithm>
 #include <condition_variable>
 #include <thread>
 
@@ -156,13 +155,14 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     request.count = static_cast<std::uint64_t>(spec.forever ? 1 : spec.count);
     request.interleave = UnitOf(spec.interleave);
     request.self_only = spec.self;
+    const soarbox::server::KernelHost::Stay stay(host_);
     HostedAgent& hosted = static_cast<LocalAgentLink*>(link)->hosted();
     answer.ok = true;
     const auto before = soarbox::cli::RunCounts::Of(hosted.agent());
     const soarbox::kernel::RunResult result = host_.RunAgents(hosted, request, spec.interleave_given);
     if (!want_text && result.reason != soarbox::kernel::StopReason::kHalted) return answer;
     // A handler may have destroyed the agent meanwhile.
-    if (std::ranges::find(host_.agents(), &hosted) == host_.agents().end()) return answer;
+    if (hosted.doomed) return answer;
     answer.text = soarbox::cli::RunText(hosted.agent(), before, result);
     answer.ok = !hosted.agent().out_of_memory();
     return answer;

@@ -327,6 +327,7 @@ void Dispatcher::Handle(const wire::Message& call, wire::Message& response) {
   if (entry == kEntries.end()) {
     return wire::AddError(response, "Command " + *name + " is not recognized by the kernel");
   }
+  const KernelHost::Stay stay(host_);
   Request request{host_, from_, *command, *name, nullptr, response};
   if (const std::string* agent = command->Arg("agent")) {
     request.agent = host_.Find(*agent);

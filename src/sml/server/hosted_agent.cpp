@@ -89,8 +89,9 @@ void HostedAgent::Tell(int event, Call call) {
   const bool within_phase = event < ::sml::smlEVENT_BEFORE_PHASE_EXECUTED || ::sml::IsAFTERPhaseEventID(event) ||
                             event == ::sml::smlEVENT_AFTER_PHASE_EXECUTED || ::sml::IsProductionEventID(event);
   if (!within_phase) FlushPrint();
-  // Handlers may register and unregister: the list may change under the loop.
-  for (std::size_t i = 0; i < listeners_.size(); ++i) {
+  // Handlers may register and unregister: the list may change under the loop. They may also destroy the agent, and its
+  // clients know nothing of it then.
+  for (std::size_t i = 0; i < listeners_.size() && !doomed; ++i) {
     if (listeners_[i].events.Has(event)) call(*listeners_[i].connection);
   }
 }
@@ -130,7 +131,7 @@ void HostedAgent::FireEcho(const Connection* from, const std::string& text) {
 void HostedAgent::SendPrint() {
   std::string text;
   text.swap(printed_);
-  for (std::size_t i = 0; i < listeners_.size(); ++i) {
+  for (std::size_t i = 0; i < listeners_.size() && !doomed; ++i) {
     if (listeners_[i].events.Has(::sml::smlEVENT_PRINT)) listeners_[i].connection->OnPrint(*this, text);
   }
   // Keeps the room for the next text, unless a handler printed meanwhile.

@@ -102,7 +102,7 @@ class HostedAgent {
   ::sml::smlRunState run_state = ::sml::sml_RUNSTATE_STOPPED;
   ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;
   std::uint64_t last_run = 0;  ///< The number of the last run that it took part in; 0 for none since init-soar.
-  bool doomed = false;         ///< Destroyed while it ran: gone at the end of the run.
+  bool doomed = false;         ///< Destroyed, but still in use (KernelHost::Stay).
 
   /// The object that stands for this agent in the program that the kernel lives in.
   void* embedded_peer = nullptr;

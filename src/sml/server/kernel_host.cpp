@@ -57,6 +57,7 @@ void KernelHost::InstallFunctions(HostedAgent& hosted) {
 }
 
 void KernelHost::DestroyAgent(HostedAgent& hosted) {
+  const Stay stay(*this);
   FireAgent(hosted, smlEVENT_BEFORE_AGENT_DESTROYED);
   const auto found = by_name_.find(hosted.name());
   if (found == by_name_.end() || found->second.get() != &hosted) return;
@@ -66,16 +67,16 @@ void KernelHost::DestroyAgent(HostedAgent& hosted) {
   hosted.RequestStop();
   doomed_.push_back(std::move(found->second));
   by_name_.erase(found);
-  if (!running()) EndOfRun();
 }
 
 void KernelHost::DestroyAllAgents() {
+  const Stay stay(*this);
   while (!order_.empty()) DestroyAgent(*order_.front());
 }
 
 void KernelHost::BuryDoomed() {
-  // An agent in the middle of a phase is destroyed when the call that started the phase comes back.
-  std::erase_if(doomed_, [](const std::unique_ptr<HostedAgent>& hosted) { return !hosted->agent().running(); });
+  std::vector<std::unique_ptr<HostedAgent>> gone;
+  gone.swap(doomed_);
 }
 
 HostedAgent* KernelHost::Find(std::string_view name) {
@@ -95,6 +96,7 @@ HostedAgent* KernelHost::Addressed(HostedAgent* hosted) {
 }
 
 kernel::RunResult KernelHost::RunAgents(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
+  const Stay stay(*this);
   return run_.Run(addressed, request, interleave_given);
 }
 

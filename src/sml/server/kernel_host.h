@@ -32,6 +32,21 @@ class KernelHost : public cli::Host {
 
   CallMutex& mutex() { return mutex_; }
 
+  /// While one lives, agents that are destroyed stay where they are: the caller, or somebody further up the stack, is
+  /// using them. Handlers may destroy any agent at any moment, so whatever calls handlers holds one.
+  class Stay {
+   public:
+    explicit Stay(KernelHost& host) : host_(host) { ++host_.stays_; }
+    ~Stay() {
+      if (--host_.stays_ == 0 && !host_.doomed_.empty()) host_.BuryDoomed();
+    }
+    Stay(const Stay&) = delete;
+    Stay& operator=(const Stay&) = delete;
+
+   private:
+    KernelHost& host_;
+  };
+
   // Agents ----------------------------------------------------------------------------------------------------------
 
   /// Null if there is an agent of that name. Sources settings.soar, if there is one.
@@ -119,10 +134,6 @@ class KernelHost : public cli::Host {
     return listened_.HasAnyOf({smlEVENT_INTERRUPT_CHECK, smlEVENT_BEFORE_AGENTS_RUN_STEP,
                                smlEVENT_AFTER_ALL_OUTPUT_PHASES, smlEVENT_AFTER_ALL_GENERATED_OUTPUT});
   }
-  /// Called by RunControl when a run has ended: agents that were destroyed meanwhile go.
-  void EndOfRun() {
-    if (!doomed_.empty()) BuryDoomed();
-  }
 
  private:
   struct Function {
@@ -133,6 +144,7 @@ class KernelHost : public cli::Host {
 
   void ServePump();
   void TellSystem(int event);
+  void FlushPrints();
   void BuryDoomed();
   bool SearchFilters() const;
   HostedAgent* Addressed(HostedAgent* hosted);
@@ -146,7 +158,8 @@ class KernelHost : public cli::Host {
   cli::Interpreter interpreter_;
   std::map<std::string, std::unique_ptr<HostedAgent>, std::less<>> by_name_;
   std::vector<HostedAgent*> order_;
-  std::vector<std::unique_ptr<HostedAgent>> doomed_;
+  std::vector<std::unique_ptr<HostedAgent>> doomed_;  ///< Destroyed while somebody held a Stay.
+  int stays_ = 0;
   std::unique_ptr<HostedAgent> nobody_;  ///< Takes command lines while there is no agent.
   HostedAgent* last_addressed_ = nullptr;
   std::vector<Connection*> connections_;

@@ -76,8 +76,14 @@ void KernelHost::UnregisterFunction(Connection& connection, int event, const std
   });
 }
 
+void KernelHost::FlushPrints() {
+  const Stay stay(*this);
+  // Handlers may make and destroy agents: the list may change under the loop.
+  for (std::size_t i = 0; i < order_.size(); ++i) order_[i]->FlushPrint();
+}
+
 void KernelHost::TellSystem(int event) {
-  for (HostedAgent* hosted : order_) hosted->FlushPrint();
+  FlushPrints();
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     if (connections_[i]->kernel_events.Has(event)) connections_[i]->OnSystemEvent(event);
   }
@@ -85,14 +91,15 @@ void KernelHost::TellSystem(int event) {
 
 void KernelHost::FireUpdate(int event, int run_flags) {
   if (!listened_.Has(event)) return;
-  for (HostedAgent* hosted : order_) hosted->FlushPrint();
+  FlushPrints();
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     if (connections_[i]->kernel_events.Has(event)) connections_[i]->OnUpdateEvent(event, run_flags);
   }
 }
 
 void KernelHost::FireAgent(HostedAgent& hosted, int event) {
-  if (!listened_.Has(event)) return;
+  if (!listened_.Has(event) || hosted.doomed) return;
+  const Stay stay(*this);
   hosted.FlushPrint();
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     if (connections_[i]->kernel_events.Has(event)) connections_[i]->OnAgentEvent(hosted, event);
@@ -110,7 +117,7 @@ std::optional<std::string> KernelHost::FireString(int event, std::string_view va
 
 std::optional<std::string> KernelHost::CallFunction(HostedAgent* hosted, int event, std::string_view name,
                                                     std::string_view argument) {
-  for (std::size_t i = 0; i < functions_.size(); ++i) {
+  for (std::size_t i = 0; i < functions_.size() && !(hosted && hosted->doomed); ++i) {
     if (functions_[i].event != event || functions_[i].name != name) continue;
     Connection* connection = functions_[i].connection;
     if (auto answer = connection->OnFunction(hosted, event, name, argument)) return answer;

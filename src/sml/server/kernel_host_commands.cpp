@@ -28,7 +28,7 @@ bool KernelHost::SearchFilters() const {
 
 /// Shows the line to each filter in turn, which may change it. A result: the line ends there with this answer.
 std::optional<cli::CommandResult> KernelHost::PassFilters(HostedAgent& hosted, std::string& line) {
-  for (std::size_t i = 0; i < functions_.size(); ++i) {
+  for (std::size_t i = 0; i < functions_.size() && !hosted.doomed; ++i) {
     if (functions_[i].event != smlEVENT_FILTER || functions_[i].name != kFilterName) continue;
     const auto answer =
         functions_[i].connection->OnFunction(&hosted, smlEVENT_FILTER, kFilterName, FilterDocument(line));
@@ -50,6 +50,7 @@ std::optional<cli::CommandResult> KernelHost::PassFilters(HostedAgent& hosted, s
 }
 
 cli::CommandResult KernelHost::Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options) {
+  const Stay stay(*this);
   HostedAgent& addressed = *Addressed(hosted);
   std::string text(line);
   if (options.filter && HasFilters()) {

@@ -92,7 +92,6 @@ kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest&
       if (runner.hosted->session().times().on()) runner.hosted->session().times().AddRun(time);
     }
   }
-  host_.EndOfRun();
   return result;
 }
 
