@@ -287,9 +287,26 @@ void Network::MoveToHead(std::uint32_t index) {
   LinkChild(index);
 }
 
+void Network::MoveBehind(std::uint32_t index, std::uint32_t sibling) {
+  UnlinkChild(index);
+  Node& node = nodes_[index];
+  node.previous_sibling = sibling;
+  node.next_sibling = nodes_[sibling].next_sibling;
+  nodes_[sibling].next_sibling = index;
+  if (node.next_sibling != kNil) {
+    nodes_[node.next_sibling].previous_sibling = index;
+  }
+  FindOnlyMemory(node.parent);
+}
+
 void Network::SetPartner(std::uint32_t conjunctive, std::uint32_t partner) {
   nodes_[conjunctive].partner = partner;
   nodes_[partner].partner = conjunctive;
+}
+
+void Network::SetChains(std::uint32_t conjunctive, std::uint32_t anchors, std::uint32_t chains) {
+  nodes_[conjunctive].ancestor = anchors;
+  nodes_[chains].partner = conjunctive;
 }
 
 // Rules ---------------------------------------------------------------------------------------------------------------

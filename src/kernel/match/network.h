@@ -30,6 +30,8 @@ enum class NodeKind : std::uint8_t {
   kNegative,
   kConjunctive,
   kPartner,
+  kAnchors,  ///< Memory above a shared conjunction (rete_shared.cpp): the identifiers that it begins with.
+  kChains,   ///< Memory below it: the chains of elements that it matches. Its only child is the partner.
   kProduction,
 };
 
@@ -65,6 +67,7 @@ struct NodeTest {
   Field referent_field = Field::kId;
   std::uint16_t levels = 0;    ///< 0: the element itself; n: the element of the (n-1)th token up from the left one.
   std::uint16_t count = 0;     ///< kDisjunction: how many constants, from `referent` on in Network::disjuncts.
+                               ///< Of a shared conjunction: steps up from its chain to the element.
   std::uint32_t referent = 0;  ///< Symbol bits, or an index.
 
   friend bool operator==(const NodeTest&, const NodeTest&) = default;
@@ -94,8 +97,9 @@ struct Node : NodeShape {
   std::uint32_t first_test = 0;
   std::uint32_t parent = kNil, first_child = kNil, next_sibling = kNil, previous_sibling = kNil;
   std::uint32_t alpha = kNil;     ///< kJoin, kNegative.
-  std::uint32_t ancestor = kNil;  ///< Nearest ancestor with the same alpha memory.
-  std::uint32_t partner = kNil;   ///< Between a conjunctive node and its partner.
+  std::uint32_t ancestor = kNil;  ///< kJoin, kNegative: nearest ancestor with the same alpha memory.
+                                  ///< Shared conjunctive node: the anchors of its conjunction.
+  std::uint32_t partner = kNil;   ///< Between a conjunctive node and its partner. kChains: the conjunctive node.
   std::uint32_t rule = kNil;      ///< kProduction.
   std::uint32_t share_hash = 0, share_next = kNil;
   std::uint32_t only_memory = kNil;  ///< The child if there is just one and it is a memory: the common case.
@@ -230,7 +234,11 @@ class [[gnu::visibility("hidden")]] Network {
   /// The node has no children. Its tests go with it.
   void RemoveNode(std::uint32_t node);
   void MoveToHead(std::uint32_t node);
+  /// Both have the same parent.
+  void MoveBehind(std::uint32_t node, std::uint32_t sibling);
   void SetPartner(std::uint32_t conjunctive, std::uint32_t partner);
+  /// Of a shared conjunction.
+  void SetChains(std::uint32_t conjunctive, std::uint32_t anchors, std::uint32_t chains);
 
   void AddRule(std::uint32_t number, std::shared_ptr<const RuleInfo> rule);
   void RemoveRule(std::uint32_t number);

@@ -76,6 +76,10 @@ void Rete::ParkAfter(std::uint32_t matches) {
   state_->park_after = matches;
 }
 
+void Rete::ShareConjunctions(bool share) {
+  state_->share_conjunctions = share;
+}
+
 std::shared_ptr<const Network> Rete::network() const {
   return state_->network;
 }
@@ -103,7 +107,9 @@ Rete::Statistics Rete::statistics() const {
     statistics.productions += network.rule(n) != nullptr ? 1 : 0;
   }
   for (std::uint32_t n = 0; n < network.node_limit(); ++n) {
-    statistics.nodes += network.node(n).kind != NodeKind::kFree ? 1 : 0;
+    const Node& node = network.node(n);
+    statistics.nodes += node.kind != NodeKind::kFree ? 1 : 0;
+    statistics.shared_conjunctions += node.kind == NodeKind::kConjunctive && node.key != KeyKind::kNone ? 1 : 0;
   }
   for (std::uint32_t n = 0; n < network.alpha_limit(); ++n) {
     statistics.alpha_memories += network.alpha(n).uses != 0 ? 1 : 0;

@@ -97,6 +97,9 @@ class Rete {
   /// How many more partial matches must have come to a memory in vain than not before it keeps those apart that join
   /// with nothing (256). Changes speed only; for tests.
   void ParkAfter(std::uint32_t matches);
+  /// Whether conjunctive negations of rules that are added from now on may be shared (rete_shared.cpp): they are,
+  /// unless a test compares the two ways.
+  void ShareConjunctions(bool share);
 
   // The match set ---------------------------------------------------------------------------------------------------
 
@@ -133,6 +136,7 @@ class Rete {
 
   struct Statistics {
     std::size_t productions = 0, nodes = 0, alpha_memories = 0, tokens = 0, wmes = 0;
+    std::size_t shared_conjunctions = 0;
   };
   Statistics statistics() const;
   std::size_t MemoryBytes() const;   ///< This agent's part.

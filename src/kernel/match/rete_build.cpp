@@ -104,10 +104,16 @@ void ReteState::NodeAdded(std::uint32_t index) {
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kNegative) {
     nodes[index].roles |= NodeState::kNegative;
-  } else if (node.kind != NodeKind::kMemory) {
+  } else if (node.kind != NodeKind::kMemory && node.kind != NodeKind::kAnchors && node.kind != NodeKind::kChains) {
     nodes[index].roles |= NodeState::kOther;
   }
+  if (node.kind == NodeKind::kAnchors || (nodes[node.parent].roles & NodeState::kInChain) != 0) {
+    nodes[index].roles |= NodeState::kInChain;
+  }
   if (node.kind == NodeKind::kJoin) {
+    if ((nodes[index].roles & NodeState::kInChain) != 0) {
+      alphas[node.alpha].sparse |= AlphaState::kInChains;
+    }
     const ValueFilter filter = node.test_count == 0 ? ValueFilter() : FilterOf(node);
     nodes[index].lowest = filter.lowest;
     nodes[index].range = filter.range;
@@ -156,7 +162,7 @@ ValueFilter ReteState::FilterOf(const Node& join) const {
 /// Hands a new node what its parent has emitted so far, newest first.
 void ReteState::Prime(std::uint32_t child) {
   const std::uint32_t parent = network->node(child).parent;
-  if (network->node(parent).kind == NodeKind::kMemory) {
+  if (network->node(parent).kind == NodeKind::kMemory || network->node(parent).kind == NodeKind::kAnchors) {
     return;  // A join emits when it gets children.
   }
   for (const Emission& emission : Emissions(parent)) {

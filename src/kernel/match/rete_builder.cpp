@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/match/rete_builder.h"
 
+#include <algorithm>
+
 #include "kernel/match/rete_state.h"
 
 namespace soarbox::kernel {
@@ -56,6 +58,39 @@ void ReteBuilder::Unbind(std::size_t trail) {
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
+/// A node in front of the condition at a depth, indexed by an identifier that was bound earlier.
+NodeShape ReteBuilder::ShapeOf(NodeKind kind, std::uint32_t depth, const Binding& binding) {
+  NodeShape shape;
+  shape.kind = kind;
+  shape.key = KeyKind::kId;
+  shape.key_id_levels = static_cast<std::uint16_t>(depth - binding.depth - 1u);
+  shape.key_id_field = binding.field;
+  return shape;
+}
+
+/// In a shared conjunction: a comparison with a binding outside of it is to be made with its owners. The identifier of
+/// its first condition is what it hangs on.
+inline bool ReteBuilder::Defer(TestOp op, Field field, std::uint32_t depth, const Binding& binding) {
+  if (chain_.first == kNil || chain_.Holds(binding.depth)) {
+    return false;
+  }
+  const auto levels = static_cast<std::uint16_t>(chain_.first - binding.depth);
+  if (!chain_.anchored) {
+    chain_.anchored = true;
+    chain_.anchor = ShapeOf(NodeKind::kAnchors, depth, binding);
+    return true;
+  }
+  NodeTest test;
+  test.op = op;
+  test.field = field;
+  test.against_binding = true;
+  test.levels = levels;
+  test.referent_field = binding.field;
+  test.count = static_cast<std::uint16_t>(chain_.last - depth);
+  chain_.tests.push_back(test);
+  return true;
+}
+
 inline void ReteBuilder::AddEquality(Symbol symbol, std::uint32_t place, std::uint32_t depth) {
   if (!symbol.IsVariable() && tests_.constants[place] == 0) {
     tests_.constants[place] = symbol.bits();
@@ -71,7 +106,7 @@ inline void ReteBuilder::AddEquality(Symbol symbol, std::uint32_t place, std::ui
     const Binding before = binding;
     trail_.push_back({symbol.index(), before});
     binding = {depth, field};
-    if (before.depth == kNil) {
+    if (before.depth == kNil || Defer(TestOp::kEqual, field, depth, before)) {
       return;
     }
     node_test.against_binding = true;
@@ -106,6 +141,8 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
     const Binding& binding = BindingOf(test.referent());
     if (binding.depth == kNil) {
       node_test.op = TestOp::kNever;  // Rules are checked before they come here; this cannot be satisfied.
+    } else if (Defer(node_test.op, field, depth, binding)) {
+      return;
     } else {
       node_test.against_binding = true;
       node_test.levels = static_cast<std::uint16_t>(depth - binding.depth);
@@ -195,6 +232,19 @@ std::uint32_t ReteBuilder::Make(const NodePlan& plan, std::uint32_t hash) {
   return made;
 }
 
+/// A memory at an end of a shared conjunction. `tests`: what makes it one of its own.
+std::uint32_t ReteBuilder::FindOrMakeShaped(std::uint32_t parent, NodeKind kind, const NodeShape& shape,
+                                            std::span<const NodeTest> tests) {
+  NodePlan plan;
+  plan.parent = parent;
+  plan.shape = shape;
+  plan.shape.kind = kind;
+  plan.tests = tests;
+  const std::uint32_t hash = plan.Hash();
+  const std::uint32_t shared = state_.network->FindShared(plan, hash);
+  return shared != kNil ? shared : Make(plan, hash);
+}
+
 /// The memory for joins with the key of the condition at hand. Most nodes that emit have one memory at most.
 std::uint32_t ReteBuilder::FindOrMakeMemory(std::uint32_t parent) {
   const Network& network = *state_.network;
@@ -209,7 +259,19 @@ std::uint32_t ReteBuilder::FindOrMakeMemory(std::uint32_t parent) {
   const std::uint32_t hash = plan.Hash();
   const bool childless = network.node(parent).first_child == kNil;
   const std::uint32_t shared = childless ? kNil : network.FindShared(plan, hash);
-  return shared != kNil ? shared : Make(plan, hash);
+  if (shared != kNil) {
+    return shared;
+  }
+  const std::uint32_t made = Make(plan, hash);
+  if (!childless && state_.shares_conjunctions) {
+    // It stands where it would if a shared conjunction had begun with it.
+    plan.shape.kind = NodeKind::kAnchors;
+    const std::uint32_t twin = network.FindShared(plan, plan.Hash());
+    if (twin != kNil) {
+      state_.network->MoveBehind(made, twin);
+    }
+  }
+  return made;
 }
 
 /// A join or negative node with the tests of the condition at hand.
@@ -248,39 +310,63 @@ std::uint32_t ReteBuilder::BuildNegative(const Condition& condition, std::uint32
 // The conjunction's own nodes must see a token before the conjunctive node does, so that it is blocked in time: they
 // stand in front of it.
 std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
+  if (CanBeShared(condition, emitter, depth)) {
+    return BuildShared(condition, emitter, depth);
+  }
   const std::size_t trail = trail_.size();
   const std::uint32_t bottom = BuildAll(condition.conditions(), emitter, depth);
   Unbind(trail);
   if (bottom == emitter) {
     return emitter;  // An empty conjunction; the parser never makes one.
   }
+  NodePlan node;
+  node.parent = emitter;
+  node.shape.kind = NodeKind::kConjunctive;
+  node.digest = bottom;
+  return MakeConjunctive(node, bottom, static_cast<std::uint32_t>(condition.conditions().size()));
+}
+
+/// The conjunctive node of a conjunction of `length` conditions that ends with the node `bottom`.
+std::uint32_t ReteBuilder::MakeConjunctive(const NodePlan& conjunctive, std::uint32_t bottom, std::uint32_t length) {
   Network& network = *state_.network;
   NodePlan partner;
   partner.parent = bottom;
   partner.shape.kind = NodeKind::kPartner;
-  partner.shape.key_id_levels = static_cast<std::uint16_t>(condition.conditions().size());
+  partner.shape.key_id_levels = static_cast<std::uint16_t>(length);
   const std::uint32_t hash = partner.Hash();
   const std::uint32_t shared = network.FindShared(partner, hash);
   if (shared != kNil) {
     return network.node(shared).partner;
   }
   std::uint32_t top = bottom;
-  while (network.node(top).parent != emitter) {
+  while (network.node(top).parent != conjunctive.parent) {
     top = network.node(top).parent;
   }
-  NodePlan node;
-  node.parent = emitter;
-  node.shape.kind = NodeKind::kConjunctive;
-  node.digest = bottom;
-  const std::uint32_t conjunctive = network.AddNode(node, node.Hash());
+  const std::uint32_t node = network.AddNode(conjunctive, conjunctive.Hash());
   network.MoveToHead(top);
+  if (state_.shares_conjunctions) {
+    const NodeKind kind = network.node(top).kind;
+    NodePlan twin;
+    twin.parent = conjunctive.parent;
+    twin.shape = network.node(top);
+    twin.shape.kind = kind == NodeKind::kAnchors ? NodeKind::kMemory : NodeKind::kAnchors;
+    const std::uint32_t other =
+        kind == NodeKind::kAnchors || kind == NodeKind::kMemory ? network.FindShared(twin, twin.Hash()) : kNil;
+    if (other != kNil) {
+      network.MoveBehind(other, top);
+    }
+  }
   const std::uint32_t made = network.AddNode(partner, hash);
-  network.SetPartner(conjunctive, made);
-  state_.NodeAdded(conjunctive);
+  network.SetPartner(node, made);
+  if (network.node(bottom).kind == NodeKind::kChains) {
+    network.SetChains(node, top, bottom);
+  }
+  state_.NodeAdded(node);
   state_.NodeAdded(made);
+  state_.new_chains.clear();  // Those there were before will be found by the owners, which come now.
   state_.Prime(made);
-  state_.Prime(conjunctive);
-  return conjunctive;
+  state_.Prime(node);
+  return node;
 }
 
 std::uint32_t ReteBuilder::BuildAll(std::span<const Condition> conditions, std::uint32_t emitter, std::uint32_t depth) {

@@ -47,6 +47,12 @@ class ReteBuilder {
   std::uint32_t BuildPositive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
   std::uint32_t BuildNegative(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
   std::uint32_t BuildConjunctive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
+  bool CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
+  static NodeShape ShapeOf(NodeKind kind, std::uint32_t depth, const Binding& binding);
+  std::uint32_t BuildShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);
+  std::uint32_t MakeConjunctive(const NodePlan& conjunctive, std::uint32_t bottom, std::uint32_t length);
+  std::uint32_t FindOrMakeShaped(std::uint32_t parent, NodeKind kind, const NodeShape& shape,
+                                 std::span<const NodeTest> tests = {});
   std::uint32_t FindOrMakeMemory(std::uint32_t parent);
   std::uint32_t FindOrMake(std::uint32_t parent, NodeKind kind, const Condition& condition);
   std::uint32_t Make(const NodePlan& plan, std::uint32_t hash);
@@ -66,7 +72,20 @@ class ReteBuilder {
   void Unbind(std::size_t trail);
 
   ReteState& state_;
+  /// A shared conjunction that is being built. Its own conditions are tested where they stand; what compares them with
+  /// earlier bindings, once they have all been met.
+  struct Chain {
+    std::uint32_t first = kNil;  ///< Depth of its first condition; kNil: none is being built.
+    std::uint32_t last = 0;
+    bool anchored = false;  ///< The identifier of the first condition has been seen.
+    NodeShape anchor;       ///< Where the owner has this identifier. Only its key fields.
+    std::vector<NodeTest> tests;
+    bool Holds(std::uint32_t depth) const { return first != kNil && depth >= first; }
+  };
+  bool Defer(TestOp op, Field field, std::uint32_t depth, const Binding& binding);
+
   Tests tests_;
+  Chain chain_;
   std::vector<Binding> bindings_;  ///< By variable.
   std::vector<Rebinding> trail_;   ///< What was bound, in order, and what it was before.
 };

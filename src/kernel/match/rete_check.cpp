@@ -119,11 +119,15 @@ class Checker {
     if (node.kind == NodeKind::kRoot || node.kind == NodeKind::kPartner) {
       return;
     }
+    if (node.kind == NodeKind::kAnchors) {
+      CheckAnchors(index);
+      return;
+    }
     std::uint32_t count = 0;
     s_.ForEachToken(index, [&](std::uint32_t token) {
       ++count;
       Expect((s_.tokens[token].node & Token::kNodeMask) == index, "token of another node", token);
-      if (node.kind == NodeKind::kMemory || node.kind == NodeKind::kNegative) {
+      if (node.kind == NodeKind::kMemory || node.kind == NodeKind::kNegative || node.kind == NodeKind::kChains) {
         Expect(s_.tokens[token].key == s_.KeyOfToken(node, token), "wrong key", token);
       }
     });
@@ -150,9 +154,56 @@ class Checker {
           ++results_;
         }
       });
-      Expect(s_.Emissions(network_.node(node.partner).parent).size() == results_, "results are missing", index);
+      Expect(ResultsWanted(index) == results_, "results are missing", index);
       results_ = 0;
     }
+  }
+
+  /// How many results the tokens of a conjunctive node have together.
+  std::size_t ResultsWanted(std::uint32_t index) {
+    const std::uint32_t bottom = network_.node(network_.node(index).partner).parent;
+    if (network_.node(bottom).kind != NodeKind::kChains) {
+      return s_.Emissions(bottom).size();
+    }
+    std::size_t wanted = 0;
+    s_.ForEachToken(index, [&](std::uint32_t owner) {
+      std::uint32_t found = 0;
+      s_.ForEachToken(bottom, [&](std::uint32_t chain) {
+        std::uint32_t anchor = chain;
+        while (s_.tokens[anchor].parent != kNil) {
+          anchor = s_.tokens[anchor].parent;
+        }
+        if (anchor == s_.tokens[owner].pairs && s_.Pairs(owner, chain)) {
+          ++found;
+        }
+      });
+      for (std::uint32_t r = s_.tokens[owner].first_child;
+           r != kNil && (s_.tokens[owner].node & Token::kBlockedBit) != 0; r = s_.tokens[r].next_in_chain) {
+        --found;
+      }
+      Expect(found == 0, "wrong results of a token", owner);
+      wanted += found;
+    });
+    return wanted + results_;
+  }
+
+  /// Each identifier that tokens wait for a shared conjunction with has one anchor, which counts them.
+  void CheckAnchors(std::uint32_t index) {
+    std::map<std::uint32_t, std::uint32_t> owners, ids;
+    for (std::uint32_t n = 0; n < network_.node_limit(); ++n) {
+      const Node& node = network_.node(n);
+      if (node.kind == NodeKind::kConjunctive && node.key != KeyKind::kNone && node.ancestor == index) {
+        s_.ForEachToken(n, [&](std::uint32_t token) { ++owners[s_.tokens[token].pairs]; });
+      }
+    }
+    std::uint32_t count = 0;
+    s_.ForEachToken(index, [&](std::uint32_t token) {
+      ++count;
+      Expect(s_.tokens[token].previous_sibling == owners[token], "anchor with a wrong number of owners", token);
+      Expect(++ids[s_.tokens[token].key] == 1, "two anchors of one identifier", token);
+    });
+    Expect(count == owners.size(), "owners without an anchor", index);
+    Expect(count == s_.nodes[index].count, "wrong count of anchors", index);
   }
 
   /// Every pair is a token or parked, never both; tokens above know how many there are.

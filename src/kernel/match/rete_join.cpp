@@ -501,14 +501,10 @@ void ReteState::LeftMemory(std::uint32_t index, std::uint32_t parent, std::uint3
   }
 }
 
-/// A pair reaches a memory that is not sparse.
-void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
-  const Node& node = network->node(index);
-  NodeState& state = nodes[index];
-  const std::uint32_t token = MakeToken(*this, index, parent, wme);
-  const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  InsertWithKey(*this, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
-  for (std::uint32_t next = state.first_linked; next != kNil;) {
+/// Hands a new token of a memory to the joins below it.
+[[gnu::always_inline]] inline void ReteState::JoinAll(const NodeState& memory, std::uint32_t token,
+                                                      const KeyParts& key) {
+  for (std::uint32_t next = memory.first_linked; next != kNil;) {
     const std::uint32_t join = next;
     next = nodes[join].next_left;
     if (!nodes[join].right_linked && !LinkJoin(join)) {
@@ -520,9 +516,27 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
       JoinFrom(join, joined, token, key, item);
     }
   }
+}
+
+/// A pair reaches a memory that is not sparse.
+void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
+  const Node& node = network->node(index);
+  NodeState& state = nodes[index];
+  const std::uint32_t token = MakeToken(*this, index, parent, wme);
+  const KeyParts key = KeyOfPair(*this, node, parent, wme);
+  InsertWithKey(*this, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
+  JoinAll(state, token, key);
   if ((state.roles & NodeState::kMayBeSparse) != 0) {
     Judge(index, token);
   }
+}
+
+/// Makes a token for an identifier that a shared conjunction begins with, and all its chains.
+std::uint32_t ReteState::MakeAnchor(std::uint32_t anchors, std::uint32_t id) {
+  const std::uint32_t token = MakeToken(*this, anchors, kNil, kNil);
+  InsertWithKey(*this, anchors, token, id, true);
+  JoinAll(nodes[anchors], token, KeyParts{id, id, 0});
+  return token;
 }
 
 // Right side ----------------------------------------------------------------------------------------------------------
@@ -576,6 +590,9 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
     SortByAge(gathered);
   }
   EmitGathered(join, wme);
+  if (!new_chains.empty()) [[unlikely]] {
+    BlockOwners(node.parent);
+  }
 }
 
 /// An element that has come into the alpha memory of a left-linked join meets the tokens on the other side.
@@ -620,6 +637,9 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
   }
   if ((nodes[node.parent].roles & NodeState::kMayBeSparse) != 0) {
     SpeakAgainstSparse(node.parent, 2 + 2 * late);
+  }
+  if (!new_chains.empty()) [[unlikely]] {
+    BlockOwners(node.parent);
   }
 }
 

@@ -19,75 +19,73 @@ std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t le
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
-bool ReteState::Passes(const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
-  const NodeTest* test = network->tests(node).data();
-  for (const NodeTest* end = test + node.test_count; test != end; ++test) {
-    bool decided;
-    if (Compare(*this, *test, parent, left, wme, decided)) {
-      continue;
-    }
-    if (decided) {
-      return false;
-    }
-    const std::uint32_t value = FieldOf(wme, test->field);
-    std::uint32_t referent = test->referent;
-    if (test->against_binding) {
-      referent = test->levels == 0 ? FieldOf(wme, test->referent_field)
-                                   : FieldOf(wmes.data()[ElementAt(tokens.records(), parent, left, test->levels - 1u)],
-                                             test->referent_field);
-    }
-    bool passed = false;
-    switch (test->op) {
-      case TestOp::kEqual:
-      case TestOp::kNotEqual:
-        break;  // Decided above.
-      case TestOp::kLess:
-        passed = CompareSymbols(symbols, value, referent) < 0;
-        break;
-      case TestOp::kGreater:
-        passed = CompareSymbols(symbols, value, referent) > 0;
-        break;
-      case TestOp::kLessOrEqual:
-        passed = CompareSymbols(symbols, value, referent) <= 0;
-        break;
-      case TestOp::kGreaterOrEqual:
-        passed = CompareSymbols(symbols, value, referent) >= 0;
-        break;
-      case TestOp::kSameType:
-        passed = Symbol::FromBits(value).kind() == Symbol::FromBits(referent).kind();
-        break;
-      case TestOp::kDisjunction: {
-        const std::uint32_t* first = network->disjuncts(*test);
-        passed = std::find(first, first + test->count, value) != first + test->count;
-        break;
-      }
-      case TestOp::kIsGoal:
-        passed = GoalLevelOf(Symbol::FromBits(value)) != 0;
-        break;
-      case TestOp::kNever:
-        passed = false;
-        break;
-      case TestOp::kSameLti:
-      case TestOp::kNotSameLti: {
-        const Symbol other = Symbol::FromBits(referent);
-        const std::uint64_t lti = LtiOf(Symbol::FromBits(value));
-        const std::uint64_t wanted =
-            other.IsInteger() ? static_cast<std::uint64_t>(symbols.IntegerValue(other)) : LtiOf(other);
-        passed = (lti != 0 && lti == wanted) == (test->op == TestOp::kSameLti);
-        break;
-      }
-      case TestOp::kIsLti:
-        passed = LtiOf(Symbol::FromBits(value)) != 0;
-        break;
-      case TestOp::kIsNotLti:
-        passed = LtiOf(Symbol::FromBits(value)) == 0;
-        break;
-    }
-    if (!passed) {
-      return false;
-    }
+/// One test that Compare does not decide.
+bool ReteState::PassesTest(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
+  const std::uint32_t value = FieldOf(wme, test.field);
+  std::uint32_t referent = test.referent;
+  if (test.against_binding) {
+    referent = test.levels == 0 ? FieldOf(wme, test.referent_field)
+                                : FieldOf(wmes.data()[ElementAt(tokens.records(), parent, left, test.levels - 1u)],
+                                          test.referent_field);
   }
-  return true;
+  bool passed = false;
+  switch (test.op) {
+    case TestOp::kEqual:
+    case TestOp::kNotEqual:
+      break;  // Decided above.
+    case TestOp::kLess:
+      passed = CompareSymbols(symbols, value, referent) < 0;
+      break;
+    case TestOp::kGreater:
+      passed = CompareSymbols(symbols, value, referent) > 0;
+      break;
+    case TestOp::kLessOrEqual:
+      passed = CompareSymbols(symbols, value, referent) <= 0;
+      break;
+    case TestOp::kGreaterOrEqual:
+      passed = CompareSymbols(symbols, value, referent) >= 0;
+      break;
+    case TestOp::kSameType:
+      passed = Symbol::FromBits(value).kind() == Symbol::FromBits(referent).kind();
+      break;
+    case TestOp::kDisjunction: {
+      const std::uint32_t* first = network->disjuncts(test);
+      passed = std::find(first, first + test.count, value) != first + test.count;
+      break;
+    }
+    case TestOp::kIsGoal:
+      passed = GoalLevelOf(Symbol::FromBits(value)) != 0;
+      break;
+    case TestOp::kNever:
+      passed = false;
+      break;
+    case TestOp::kSameLti:
+    case TestOp::kNotSameLti: {
+      const Symbol other = Symbol::FromBits(referent);
+      const std::uint64_t lti = LtiOf(Symbol::FromBits(value));
+      const std::uint64_t wanted =
+          other.IsInteger() ? static_cast<std::uint64_t>(symbols.IntegerValue(other)) : LtiOf(other);
+      passed = (lti != 0 && lti == wanted) == (test.op == TestOp::kSameLti);
+      break;
+    }
+    case TestOp::kIsLti:
+      passed = LtiOf(Symbol::FromBits(value)) != 0;
+      break;
+    case TestOp::kIsNotLti:
+      passed = LtiOf(Symbol::FromBits(value)) == 0;
+      break;
+  }
+  return passed;
+}
+
+bool ReteState::PassesOne(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
+  bool decided;
+  return Compare(*this, test, parent, left, wme, decided) || (!decided && PassesTest(test, parent, left, wme));
+}
+
+bool ReteState::Passes(const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
+  return std::ranges::all_of(network->tests(node),
+                             [&](const NodeTest& test) { return PassesOne(test, parent, left, wme); });
 }
 
 // Alpha memories ------------------------------------------------------------------------------------------------------
@@ -218,11 +216,19 @@ void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme)
       LeftNegative(node, token, wme);
       break;
     case NodeKind::kConjunctive:
-      LeftConjunctive(node, token, wme);
+      if (network->node(node).key != KeyKind::kNone) {
+        LeftShared(node, token, wme);
+      } else {
+        LeftConjunctive(node, token, wme);
+      }
       break;
     case NodeKind::kPartner:
       LeftPartner(node, token, wme);
       break;
+    case NodeKind::kChains:
+      LeftChain(node, token, wme);
+      break;
+    case NodeKind::kAnchors:  // Its tokens come from the conjunctive node.
     case NodeKind::kFree:
     case NodeKind::kRoot:
     case NodeKind::kJoin:

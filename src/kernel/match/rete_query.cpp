@@ -70,10 +70,41 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
     case NodeKind::kFree:
     case NodeKind::kMemory:
     case NodeKind::kPartner:
+    case NodeKind::kAnchors:
+    case NodeKind::kChains:
     case NodeKind::kProduction:
       break;
   }
   return emissions;
+}
+
+/// The owners, oldest first, for which (parent, wme), emitted by a join of the conjunction, is a partial match.
+std::vector<std::uint32_t> ReteState::OwnersOf(std::uint32_t conjunctive, std::uint32_t join, std::uint32_t parent,
+                                               std::uint32_t wme) const {
+  const Network& net = *network;
+  const Node& node = net.node(conjunctive);
+  std::uint32_t below = 0;  // Conditions of the conjunction behind this one.
+  for (std::uint32_t n = net.node(net.node(node.partner).parent).parent; n != join; ++below) {
+    n = net.node(net.node(n).parent).parent;
+  }
+  std::uint32_t anchor = parent;
+  while (tokens[anchor].parent != kNil) {
+    anchor = tokens[anchor].parent;
+  }
+  const auto passes = [&](std::uint32_t owner) {
+    const Token& left = tokens[owner];
+    return left.pairs == anchor && std::ranges::all_of(net.tests(node), [&](const NodeTest& test) {
+             if (test.count < below) {
+               return true;  // Of a condition that comes later.
+             }
+             const Wme& element = wmes.data()[ElementAt(tokens.records(), parent, wme, test.count - below)];
+             return PassesOne(test, left.parent, left.wme, element);
+           });
+  };
+  std::vector<std::uint32_t> owners = TokensByAge(conjunctive);
+  std::erase_if(owners, [&](std::uint32_t owner) { return !passes(owner); });
+  std::reverse(owners.begin(), owners.end());
+  return owners;
 }
 
 namespace {
@@ -82,11 +113,14 @@ namespace {
 struct Place {
   std::uint32_t node = kNil;
   std::uint32_t before = kNil;
+  std::uint32_t conjunctive = kNil;  ///< If the condition is part of a shared conjunction.
+  bool first = false;                ///< And the first there: what reaches it is what reaches the conjunction.
 };
 
 Place PlaceOf(const Network& network, const RuleInfo& rule, std::span<const std::uint16_t> path) {
   std::uint32_t emitter = network.node(rule.node).parent;
   std::span<const Condition> conditions = rule.rule->conditions;
+  std::uint32_t conjunctive = kNil;
   for (std::size_t step = 0; step < path.size(); ++step) {
     if (path[step] >= conditions.size()) {
       return {};
@@ -101,6 +135,8 @@ Place PlaceOf(const Network& network, const RuleInfo& rule, std::span<const std:
       emitter = place.before;
     }
     if (step + 1 == path.size()) {
+      place.conjunctive = conjunctive;
+      place.first = path[step] == 0;
       return place;
     }
     const Condition& condition = conditions[path[step]];
@@ -108,6 +144,11 @@ Place PlaceOf(const Network& network, const RuleInfo& rule, std::span<const std:
       return {};
     }
     emitter = network.node(network.node(place.node).partner).parent;
+    conjunctive = kNil;
+    if (network.node(emitter).kind == NodeKind::kChains) {
+      emitter = network.node(emitter).parent;
+      conjunctive = place.node;
+    }
     conditions = condition.conditions();
   }
   return {};
@@ -119,47 +160,71 @@ const RuleInfo* RuleOf(const ReteState& state, ProductionId production) {
   return Index(production) < state.network->rule_limit() ? state.network->rule(Index(production)).get() : nullptr;
 }
 
-Rete::PartialMatches Describe(const ReteState& state, std::uint32_t node) {
+/// Appends the elements of a token, first condition first.
+void AppendElements(const ReteState& state, std::uint32_t token, std::vector<WmeId>& match) {
+  const auto first = static_cast<std::ptrdiff_t>(match.size());
+  for (; token != kNil; token = state.tokens[token].parent) {
+    if (state.tokens[token].wme != kNil) {
+      match.push_back(static_cast<WmeId>(state.tokens[token].wme));
+    }
+  }
+  std::reverse(match.begin() + first, match.end());
+}
+
+/// What a node has emitted and not withdrawn, oldest first. A node of a shared conjunction: for each token that waits
+/// for the conjunction, as if it were matched below it.
+Rete::PartialMatches Describe(const ReteState& state, std::uint32_t node, std::uint32_t conjunctive) {
   Rete::PartialMatches found;
   if (node == kNil) {
     return found;
   }
   const auto emissions = state.Emissions(node);
-  for (auto it = emissions.rbegin(); it != emissions.rend(); ++it) {
+  const auto append = [&](std::uint32_t owner, const ReteState::Emission& emission) {
     std::vector<WmeId>& match = found.emplace_back();
-    if (it->second != kNil) {
-      match.push_back(static_cast<WmeId>(it->second));
+    AppendElements(state, owner, match);
+    AppendElements(state, emission.first, match);
+    if (emission.second != kNil) {
+      match.push_back(static_cast<WmeId>(emission.second));
     }
-    for (std::uint32_t token = it->first; token != kNil; token = state.tokens[token].parent) {
-      if (state.tokens[token].wme != kNil) {
-        match.push_back(static_cast<WmeId>(state.tokens[token].wme));
-      }
+  };
+  for (auto it = emissions.rbegin(); it != emissions.rend(); ++it) {
+    if (conjunctive == kNil) {
+      append(kNil, *it);
+      continue;
     }
-    std::reverse(match.begin(), match.end());
+    for (const std::uint32_t owner : state.OwnersOf(conjunctive, node, it->first, it->second)) {
+      append(owner, *it);
+    }
   }
   return found;
 }
 
+Place PlaceIn(const ReteState& state, ProductionId production, std::span<const std::uint16_t> path) {
+  const RuleInfo* rule = RuleOf(state, production);
+  return rule ? PlaceOf(*state.network, *rule, path) : Place();
+}
+
 std::size_t Rete::CountAfter(ProductionId production, std::span<const std::uint16_t> path) const {
-  const RuleInfo* rule = RuleOf(*state_, production);
-  const std::uint32_t node = rule ? PlaceOf(*state_->network, *rule, path).node : kNil;
-  return node == kNil ? 0 : state_->Emissions(node).size();
+  const Place place = PlaceIn(*state_, production, path);
+  if (place.conjunctive != kNil) {
+    return MatchesAfter(production, path).size();
+  }
+  return place.node == kNil ? 0 : state_->Emissions(place.node).size();
 }
 
 Rete::PartialMatches Rete::MatchesAfter(ProductionId production, std::span<const std::uint16_t> path) const {
-  const RuleInfo* rule = RuleOf(*state_, production);
-  return Describe(*state_, rule ? PlaceOf(*state_->network, *rule, path).node : kNil);
+  const Place place = PlaceIn(*state_, production, path);
+  return Describe(*state_, place.node, place.conjunctive);
 }
 
 Rete::PartialMatches Rete::MatchesBefore(ProductionId production, std::span<const std::uint16_t> path) const {
-  const RuleInfo* rule = RuleOf(*state_, production);
-  return Describe(*state_, rule ? PlaceOf(*state_->network, *rule, path).before : kNil);
+  const Place place = PlaceIn(*state_, production, path);
+  return Describe(*state_, place.before, place.first ? kNil : place.conjunctive);
 }
 
 std::vector<WmeId> Rete::RightMatches(ProductionId production, std::span<const std::uint16_t> path) const {
   std::vector<WmeId> found;
-  const RuleInfo* rule = RuleOf(*state_, production);
-  const std::uint32_t node = rule ? PlaceOf(*state_->network, *rule, path).node : kNil;
+  const std::uint32_t node = PlaceIn(*state_, production, path).node;
   if (node == kNil || state_->network->node(node).alpha == kNil) {
     return found;
   }
@@ -179,7 +244,8 @@ std::size_t Rete::CountTokens(ProductionId production) const {
   std::size_t count = state_->nodes[rule->node].count;
   for (std::uint32_t node = network.node(rule->node).parent; node != kNil;) {
     const Node& n = network.node(node);
-    if (n.kind == NodeKind::kMemory || n.kind == NodeKind::kNegative || n.kind == NodeKind::kConjunctive) {
+    if (n.kind == NodeKind::kMemory || n.kind == NodeKind::kNegative || n.kind == NodeKind::kConjunctive ||
+        n.kind == NodeKind::kAnchors || n.kind == NodeKind::kChains) {
       count += state_->nodes[node].count;
     }
     // The conjunction hangs below what comes before it, so that its nodes lead on upwards.

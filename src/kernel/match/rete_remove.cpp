@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <utility>
 
 #include "kernel/match/rete_inline.h"
 
@@ -9,7 +10,10 @@ namespace soarbox::kernel {
   const Records<AlphaItem> all = items.records();
   AlphaItem& item = all[index];
   AlphaState& memory = alphas[item.alpha];
-  if (memory.sparse != 0) {
+  if ((memory.sparse & AlphaState::kInChains) != 0) {
+    chain_element = true;
+  }
+  if ((memory.sparse & ~AlphaState::kInChains) != 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
       if ((nodes[node].roles & NodeState::kFeedsSparse) != 0) {
         ForgetPairs(node, item.wme);
@@ -48,9 +52,21 @@ namespace soarbox::kernel {
   free_items = index;
 }
 
+void ReteState::RemoveTokenOfElement(std::uint32_t token) {
+  const std::uint32_t node = tokens[token].node;
+  if (node == Token::kWatchNode) {
+    RemoveWatch(token);
+  } else if ((node & Token::kResultBit) != 0) {
+    RemoveResult(token);
+  } else {
+    RemoveSubtree(token);
+  }
+}
+
 void ReteState::RemoveWme(std::uint32_t wme) {
   removing = wme;
   WmeLinks& link = links[wme];
+  arrival_of_removing = link.serial;
   link.serial = next_serial++;
   for (std::uint32_t item = link.first_item; item != kNil;) {
     const std::uint32_t next = items[item].next_of_wme;
@@ -61,16 +77,12 @@ void ReteState::RemoveWme(std::uint32_t wme) {
   if (link.unsorted) {
     SortTokensOf(wme);
   }
+  if (chain_element) [[unlikely]] {
+    RemoveTokensInOrder(wme);
+  }
   // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
   for (std::uint32_t token = link.first_token; token != kNil; token = link.first_token) {
-    const std::uint32_t node = tokens[token].node;
-    if (node == Token::kWatchNode) {
-      RemoveWatch(token);
-    } else if ((node & Token::kResultBit) != 0) {
-      RemoveResult(token);
-    } else {
-      RemoveSubtree(token);
-    }
+    RemoveTokenOfElement(token);
   }
   if (link.next != kNil) {
     links[link.next].previous = link.previous;
@@ -245,6 +257,12 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       }
       RemoveFromChain(node, index);
       FreeToken(index);
+      if (network->node(node).key != KeyKind::kNone) {
+        const std::uint32_t anchor = std::exchange(tokens[index].pairs, 0);
+        tokens[index].node = 0;  // Nobody takes it for an owner any more.
+        last_owner = last_owner == index ? kNil : last_owner;
+        OwnerGone(anchor);
+      }
       break;
     case NodeKind::kPartner: {
       const std::uint32_t owner = tokens[index].key;
@@ -276,6 +294,8 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
     }
     case NodeKind::kMemory:
     case NodeKind::kNegative:
+    case NodeKind::kAnchors:
+    case NodeKind::kChains:
     case NodeKind::kFree:
     case NodeKind::kRoot:
     case NodeKind::kJoin:

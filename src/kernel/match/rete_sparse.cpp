@@ -371,7 +371,7 @@ void ReteState::SortChain(std::uint32_t& head) {
 void ReteState::ChildAdded(std::uint32_t child) {
   const std::uint32_t parent = network->node(child).parent;
   const NodeKind kind = network->node(parent).kind;
-  if (kind != NodeKind::kJoin && kind != NodeKind::kMemory) {
+  if (kind != NodeKind::kJoin && kind != NodeKind::kMemory && kind != NodeKind::kAnchors) {
     return;
   }
   MakePlain(parent);

@@ -27,6 +27,10 @@ namespace soarbox::kernel {
 ///   has results as children, an open one has tokens of later nodes: never both.
 /// * partner: a result inside a conjunction; child of the token above it, and in the chain of results of the
 ///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that chain.
+/// * shared conjunctive: stands in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
+/// the
+///   chain that blocks it and has no element.
+/// * anchor: has no parent and no element; `key` is the identifier, `previous_sibling` counts its owners.
 /// * production: `key` is the match.
 /// * kWatchNode: `parent` is kNil, `key` the match, `chain` links the match's other watch tokens.
 ///
@@ -80,7 +84,9 @@ struct AlphaState {
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
   std::uint8_t id_bits = 0, pair_bits = 0;  ///< 0: no table; the items are searched one by one.
-  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories.
+  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories; kInChains.
+
+  static constexpr std::uint32_t kInChains = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
@@ -98,6 +104,7 @@ struct NodeState {
   // What else the end of a token depends on.
   static constexpr std::uint8_t kNegative = 16;  ///< Is a negative node.
   static constexpr std::uint8_t kOther = 32;     ///< Is neither a negative node nor a memory.
+  static constexpr std::uint8_t kInChain = 64;   ///< Is part of a shared conjunction.
 
   union {
     std::uint32_t head = kNil;  ///< Tokens: the chain if bits is 0, else a table of chains.
@@ -164,9 +171,20 @@ struct WmeLinks {
 };
 static_assert(sizeof(WmeLinks) == 32, "elements are addressed by a shift");
 
+/// A token that a chain blocks, and a token on the chain's way down.
+struct OwnerAndChain {
+  std::uint32_t owner = kNil;
+  std::uint32_t prefix = kNil;
+  std::uint32_t chain = kNil;
+  std::uint32_t place = 0;    ///< Breaks ties.
+  std::uint32_t node = kNil;  ///< The owner's.
+  std::uint64_t serial = 0;   ///< The owner's.
+  std::uint64_t due = 0;      ///< To be opened: tokens that are younger than this go first.
+};
+
 /// The contents of one agent's Rete and the algorithms on it, file by file: rete_match (additions), rete_join
-/// (joins and memories), rete_sparse (memories that park pairs), rete_remove, rete_build (rules), rete_query,
-/// rete_check.
+/// (joins and memories), rete_sparse (memories that park pairs), rete_shared (conjunctions that tokens share),
+/// rete_remove, rete_build (rules), rete_query, rete_check.
 struct [[gnu::visibility("hidden")]] ReteState {
   ReteState(MatchSet & matches, const SymbolTable& symbols, const WmeTable& wmes);
   ~ReteState();
@@ -208,6 +226,14 @@ struct [[gnu::visibility("hidden")]] ReteState {
   bool excising = false;
   std::vector<std::uint32_t> free_rules;       ///< Free rule numbers, last freed last.
   std::unique_ptr<class ReteBuilder> builder;  ///< Keeps its scratch memory from rule to rule.
+  // Shared conjunctions (rete_shared.cpp).
+  bool share_conjunctions = true;                        ///< See Rete::ShareConjunctions.
+  bool shares_conjunctions = false;                      ///< There are some, or have been.
+  std::uint32_t last_owner = kNil;                       ///< That was made.
+  std::vector<std::uint32_t> new_chains;                 ///< Chains whose owners are still to be blocked.
+  std::vector<struct OwnerAndChain> pairings, openings;  ///< Scratch.
+  bool chain_element = false;             ///< The element that RemoveWme works on may be part of a chain.
+  std::uint64_t arrival_of_removing = 0;  ///< WmeLinks::serial of it before it left.
   // While a new rule is matched for the first time:
   std::uint32_t refracting_node = kNil;
   std::span<const WmeId> refracted;
@@ -227,6 +253,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void LeftProduction(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void Block(std::uint32_t token, std::uint32_t wme);
   MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
+  bool PassesTest(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
+  bool PassesOne(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
   bool Passes(const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
   bool Passes(const Node& node, std::uint32_t token, const Wme& wme) const {
     return Passes(node, tokens[token].parent, tokens[token].wme, wme);
@@ -246,6 +274,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   // rete_remove.cpp
   void RemoveWme(std::uint32_t wme);
   void RemoveItem(std::uint32_t item);
+  void RemoveTokenOfElement(std::uint32_t token);
   void RemoveResult(std::uint32_t token);
   void RemoveSubtree(std::uint32_t token);
   void MemoryEmptied(std::uint32_t node);
@@ -272,6 +301,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void LeftSparse(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
   void JoinBucket(std::uint32_t memory, std::uint32_t token, std::uint32_t id, std::uint32_t item);
   void LeftPlain(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
+  void JoinAll(const NodeState& memory, std::uint32_t token, const KeyParts& key);
+  std::uint32_t MakeAnchor(std::uint32_t anchors, std::uint32_t id);
 
   // rete_sparse.cpp
   void MakeRoomToPark(SparseState & memory);
@@ -315,6 +346,24 @@ struct [[gnu::visibility("hidden")]] ReteState {
     std::uint32_t& score = nodes[node].previous_left;
     score -= std::min(score, weight);
   }
+  // rete_shared.cpp
+  void LeftShared(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
+  void LeftChain(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
+  void OwnerGone(std::uint32_t anchor);
+  bool Pairs(std::uint32_t owner, std::uint32_t chain) const;
+  void BlockOwners(std::uint32_t above);
+  void BlockOwner(std::uint32_t owner, std::uint32_t chain);
+  bool CameWithElement(const Token& token) const;
+  OwnerAndChain Meeting(std::uint32_t owner, std::uint32_t prefix) const;
+  bool CameLater(const OwnerAndChain& a, const OwnerAndChain& b) const;
+  void RemoveTokensInOrder(std::uint32_t wme);
+  bool IsInChain(const Token& token) const;
+  void FindOpenings(std::uint32_t wme);
+  void OpenOwner(const OwnerAndChain& opening);
+  std::vector<std::uint32_t> OwnersOf(std::uint32_t conjunctive, std::uint32_t join, std::uint32_t parent,
+                                      std::uint32_t wme) const;
+  bool Holds(std::uint32_t token, std::uint32_t wme) const;
+
   void MakeJudgedSparse();
   void MakeSparse(std::uint32_t node);
   void MakePlain(std::uint32_t node);

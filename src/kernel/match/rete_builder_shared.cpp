@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "kernel/match/rete_builder.h"
+#include "kernel/match/rete_state.h"
+
+/// Which conjunctions are shared, and their nodes. What that means: rete_shared.cpp.
+namespace soarbox::kernel {
+
+namespace {
+
+/// The variables that a field is tested for equality with.
+template <typename Visit>
+void ForEachEqual(const Test& test, Visit visit) {
+  if (test.kind == TestKind::kEqual && test.referent().IsVariable()) {
+    visit(test.referent());
+  } else if (test.kind == TestKind::kConjunction) {
+    for (const Test& part : test.parts()) {
+      ForEachEqual(part, visit);
+    }
+  }
+}
+
+/// Whether a field is compared with a variable that `is` tells of.
+template <typename Is>
+bool ComparesWith(const Test& test, Is is) {
+  if (test.kind == TestKind::kConjunction) {
+    return std::ranges::any_of(test.parts(), [&](const Test& part) { return ComparesWith(part, is); });
+  }
+  return test.kind != TestKind::kBlank && test.kind != TestKind::kDisjunction && test.referent().IsVariable() &&
+         is(test.referent());
+}
+
+/// Whether what the test says of an element is the same as long as the element is there.
+bool IsLasting(const Test& test) {
+  switch (test.kind) {
+    case TestKind::kState:
+    case TestKind::kSameLti:
+    case TestKind::kNotSameLti:
+    case TestKind::kIsLti:
+    case TestKind::kIsNotLti:
+      return false;
+    case TestKind::kConjunction:
+      return std::ranges::all_of(test.parts(), IsLasting);
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+/// A conjunction can be shared if it is a chain: two or more positive conditions, the first of an identifier bound
+/// outside, each other of an identifier bound inside. Not while several tokens wait for it already: the order in which
+/// they would have met its elements is not known. And not where the first condition is joined with a memory that other
+/// rules have as well: the order of its children says in which order their matches appear.
+bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
+  const std::span<const Condition> conditions = condition.conditions();
+  if (!state_.share_conjunctions || chain_.first != kNil || conditions.size() < 2) {
+    return false;
+  }
+  std::vector<Symbol> inside;
+  Binding anchor;
+  bool compares = false;
+  for (const Condition& part : conditions) {
+    if (part.kind != ConditionKind::kPositive || !IsLasting(part.id) || !IsLasting(part.attribute) ||
+        !IsLasting(part.value)) {
+      return false;
+    }
+    bool hangs = false;
+    ForEachEqual(part.id, [&](Symbol variable) {
+      if (!inside.empty()) {
+        hangs |= std::ranges::find(inside, variable) != inside.end();
+      } else if (!hangs && BindingOf(variable).depth != kNil) {
+        hangs = true;
+        anchor = BindingOf(variable);
+      }
+    });
+    if (!hangs) {
+      return false;
+    }
+    for (const Test* field : {&part.id, &part.attribute, &part.value}) {
+      compares |= (field != &part.id || !inside.empty()) && ComparesWith(*field, [&](Symbol variable) {
+                    return BindingOf(variable).depth != kNil && std::ranges::find(inside, variable) == inside.end();
+                  });
+    }
+    for (const Test* field : {&part.id, &part.attribute, &part.value}) {
+      ForEachEqual(*field, [&](Symbol variable) { inside.push_back(variable); });
+    }
+  }
+  if (!compares || anchor.depth + 1 >= depth) {
+    return false;
+  }
+  NodePlan memory;
+  memory.parent = emitter;
+  memory.shape = ShapeOf(NodeKind::kAnchors, depth, anchor);
+  if (state_.network->FindShared(memory, memory.Hash()) != kNil) {
+    return true;  // As an equal rule would be.
+  }
+  memory.shape.kind = NodeKind::kMemory;
+  return state_.network->FindShared(memory, memory.Hash()) == kNil && state_.Emissions(emitter).size() < 2;
+}
+
+std::uint32_t ReteBuilder::BuildShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
+  state_.shares_conjunctions = true;
+  const std::span<const Condition> conditions = condition.conditions();
+  const auto length = static_cast<std::uint32_t>(conditions.size());
+  const std::size_t trail = trail_.size();
+  chain_.first = depth;
+  chain_.last = depth + length - 1;
+  chain_.anchored = false;
+  chain_.anchor = NodeShape();
+  chain_.tests.clear();
+  std::uint32_t bottom = emitter;
+  for (std::uint32_t n = 0; n < length; ++n) {
+    TakeApart(conditions[n], depth + n);
+    std::uint32_t memory;
+    if (n == 0) {
+      memory = FindOrMakeShaped(emitter, NodeKind::kAnchors, chain_.anchor);
+      tests_.key = NodeShape();
+      tests_.key.key = KeyKind::kId;
+    } else {
+      memory = FindOrMakeMemory(bottom);
+    }
+    bottom = FindOrMake(memory, NodeKind::kJoin, conditions[n]);
+  }
+  Unbind(trail);
+  chain_.first = kNil;
+
+  NodePlan owner;
+  owner.parent = emitter;
+  owner.shape = chain_.anchor;
+  owner.shape.kind = NodeKind::kConjunctive;
+  NodeShape chains;
+  chains.key = KeyKind::kId;
+  chains.key_id_field = Field::kId;
+  chains.key_id_levels = static_cast<std::uint16_t>(length - 1);
+  // Owners and chains meet by the identifier, and by the first other binding that must be equal.
+  const auto equal = std::ranges::find_if(chain_.tests, [](const NodeTest& test) { return test.op == TestOp::kEqual; });
+  if (equal != chain_.tests.end()) {
+    chains.key = owner.shape.key = KeyKind::kIdValue;
+    owner.shape.key_value_levels = static_cast<std::uint16_t>(equal->levels - 1u);
+    owner.shape.key_value_field = equal->referent_field;
+    chains.key_value_levels = equal->count;
+    chains.key_value_field = equal->field;
+  }
+  bottom = FindOrMakeShaped(bottom, NodeKind::kChains, chains, chain_.tests);
+  owner.tests = chain_.tests;
+  owner.digest = bottom;
+  return MakeConjunctive(owner, bottom, length);
+}
+
+}  // namespace soarbox::kernel

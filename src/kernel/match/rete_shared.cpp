@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <utility>
+
+#include "kernel/match/rete_inline.h"
+
+/// Shared conjunctions: most conjunctive negations look from one object along a chain of elements for something that
+/// beats or excludes what has been matched (no other task of the class ranks higher, no slot of the zone is free).
+/// Matched below each token they make as many partial matches as there are tokens times elements. Where the conditions
+/// form a chain that begins at one identifier, they are matched once per identifier instead: its *anchor*. The tokens
+/// that wait for the conjunction, its *owners*, meet complete chains by the anchor and what else must be equal; the
+/// other comparisons of the two are made there, and only what blocks an owner becomes a record.
+///
+/// An anchor lives while it has owners. So there are never more chains than partial matches there would be otherwise.
+///
+/// Nothing that can be observed depends on it: owners are blocked and opened in the order in which the partial matches
+/// (owner, chain) would have been made and removed. That order follows from serial numbers: such a match is made when
+/// the later one of the two arrives; when that is the chain, and an element completed it, the owners are met in the
+/// reverse of the order in which they met what was there of the chain before.
+namespace soarbox::kernel {
+
+// Meeting -------------------------------------------------------------------------------------------------------------
+
+/// Whether a chain that has an owner's key blocks it.
+bool ReteState::Pairs(std::uint32_t owner, std::uint32_t chain) const {
+  const Network& net = *network;
+  const Token& left = tokens[owner];
+  const Token& right = tokens[chain];
+  const Node& node = net.node(left.node & Token::kNodeMask);
+  const Node& chains = net.node(right.node & Token::kNodeMask);
+  const Records<const Token> all = tokens.records();
+  if (node.key == KeyKind::kIdValue &&
+      FieldOf(wmes.data()[ElementAt(all, left.parent, left.wme, node.key_id_levels)], node.key_id_field) !=
+          FieldOf(wmes.data()[ElementAt(all, right.parent, right.wme, chains.key_id_levels)], Field::kId)) {
+    return false;
+  }
+  for (const NodeTest& test : net.tests(node)) {
+    const Wme& element = wmes.data()[ElementAt(all, right.parent, right.wme, test.count)];
+    if (!PassesOne(test, left.parent, left.wme, element)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether an element is part of a chain.
+bool ReteState::Holds(std::uint32_t chain, std::uint32_t wme) const {
+  while (tokens[chain].parent != kNil && tokens[chain].wme != wme) {
+    chain = tokens[chain].parent;
+  }
+  return tokens[chain].parent != kNil;
+}
+
+void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
+  const Node& node = network->node(index);
+  const std::uint32_t anchors = node.ancestor;
+  const std::uint32_t chains = network->node(node.partner).parent;
+  const KeyParts key = KeyOfPair(*this, node, parent, wme);
+  std::uint32_t anchor = ChainHead(*this, nodes[anchors], key.id);
+  while (anchor != kNil && tokens[anchor].key != key.id) {
+    anchor = tokens[anchor].next_in_chain;
+  }
+  if (anchor == kNil) {
+    anchor = MakeAnchor(anchors, key.id);
+    new_chains.clear();  // There is nobody else that they might block.
+    tokens[anchor].previous_sibling = 0;
+  }
+  ++tokens[anchor].previous_sibling;
+  // What is emitted once to several conjunctions reaches them all at once.
+  const bool again = last_owner != kNil && tokens[last_owner].parent == parent && tokens[last_owner].wme == wme &&
+                     (tokens[last_owner].node & Token::kNodeMask) != index &&
+                     network->node(tokens[last_owner].node & Token::kNodeMask).parent == node.parent;
+  const std::uint32_t owner = MakeToken(*this, index, parent, wme, again ? tokens[last_owner].serial : next_serial++);
+  last_owner = owner;
+  tokens[owner].pairs = anchor;
+  InsertWithKey(*this, index, owner, key.key, true);
+  for (std::uint32_t chain = ChainHead(*this, nodes[chains], key.key); chain != kNil;
+       chain = tokens[chain].next_in_chain) {
+    if (tokens[chain].key == key.key && Pairs(owner, chain) && (removing == kNil || !Holds(chain, removing))) {
+      BlockOwner(owner, chain);
+    }
+  }
+  if ((tokens[owner].node & Token::kBlockedBit) == 0) {
+    Emit(index, owner, kNil);
+  }
+}
+
+void ReteState::OwnerGone(std::uint32_t anchor) {
+  if (--tokens[anchor].previous_sibling == 0) {
+    tokens[anchor].previous_sibling = kNil;
+    RemoveSubtree(anchor);
+  }
+}
+
+void ReteState::LeftChain(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
+  const std::uint32_t chain = NewToken(index, parent, wme);
+  InsertWithKey(*this, index, chain, KeyOfToken(network->node(index), chain), true);
+  new_chains.push_back(chain);
+}
+
+void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t chain) {
+  const std::uint32_t conjunctive = tokens[owner].node & Token::kNodeMask;
+  if ((tokens[owner].node & Token::kBlockedBit) == 0) {
+    while (tokens[owner].first_child != kNil) {
+      RemoveSubtree(tokens[owner].first_child);
+    }
+    tokens[owner].node |= Token::kBlockedBit;
+  }
+  const std::uint32_t result = NewToken(network->node(conjunctive).partner, chain, kNil);
+  const std::uint32_t head = tokens[owner].first_child;
+  tokens[result].key = owner;
+  tokens[result].previous_in_chain = kNil;
+  tokens[result].next_in_chain = head;
+  if (head != kNil) {
+    tokens[head].previous_in_chain = result;
+  }
+  tokens[owner].first_child = result;
+}
+
+// Order ---------------------------------------------------------------------------------------------------------------
+
+/// Whether a token of a chain was made when its element came, not when what is above it was made.
+bool ReteState::CameWithElement(const Token& token) const {
+  const Token& above = tokens[token.parent];
+  const std::uint64_t arrival = token.wme == removing ? arrival_of_removing : links[token.wme].serial;
+  return above.parent == kNil || arrival > above.serial;  // Below the anchor it must have been: the owners were there.
+}
+
+OwnerAndChain ReteState::Meeting(std::uint32_t owner, std::uint32_t prefix) const {
+  OwnerAndChain meeting;
+  meeting.owner = owner;
+  meeting.prefix = prefix;
+  meeting.node = tokens[owner].node & Token::kNodeMask;
+  meeting.serial = tokens[owner].serial;
+  return meeting;
+}
+
+/// Whether the partial match of a's owner and prefix would have been made after that of b's.
+bool ReteState::CameLater(const OwnerAndChain& a, const OwnerAndChain& b) const {
+  if (a.serial == b.serial && a.prefix == b.prefix) {
+    return a.place > b.place;
+  }
+  OwnerAndChain x = a;
+  OwnerAndChain y = b;
+  for (;;) {
+    for (OwnerAndChain* meeting : {&x, &y}) {
+      while (tokens[meeting->prefix].parent != kNil && !CameWithElement(tokens[meeting->prefix])) {
+        meeting->prefix = tokens[meeting->prefix].parent;
+      }
+    }
+    const Token& of_x = tokens[x.prefix];
+    const Token& of_y = tokens[y.prefix];
+    const bool same_element = x.serial < of_x.serial && y.serial < of_y.serial && of_x.wme == of_y.wme &&
+                              of_x.node == of_y.node && of_x.parent != kNil;
+    if (!same_element) {
+      const std::uint64_t made_x = std::max(x.serial, of_x.serial);
+      const std::uint64_t made_y = std::max(y.serial, of_y.serial);
+      return made_x != made_y ? made_x > made_y : x.serial != y.serial ? x.serial > y.serial : a.place > b.place;
+    }
+    if (x.serial == y.serial && x.prefix == y.prefix) {
+      return a.place > b.place;
+    }
+    // One element completed both: it was joined first with what had come last.
+    x.prefix = of_x.parent;
+    y.prefix = of_y.parent;
+    std::swap(x, y);
+  }
+}
+
+// Blocking ------------------------------------------------------------------------------------------------------------
+
+/// An element has completed chains: blocks their owners. `above`: the memory that it joined with.
+void ReteState::BlockOwners(std::uint32_t above) {
+  pairings.clear();
+  for (const std::uint32_t chain : new_chains) {
+    const std::uint32_t conjunctive = network->node(tokens[chain].node & Token::kNodeMask).partner;
+    std::uint32_t prefix = chain;
+    while ((tokens[prefix].node & Token::kNodeMask) != above) {
+      prefix = tokens[prefix].parent;
+    }
+    const std::uint32_t key = tokens[chain].key;
+    for (std::uint32_t owner = ChainHead(*this, nodes[conjunctive], key); owner != kNil;
+         owner = tokens[owner].next_in_chain) {
+      if (tokens[owner].key == key && Pairs(owner, chain)) {
+        OwnerAndChain meeting = Meeting(owner, prefix);
+        meeting.chain = chain;
+        meeting.place = static_cast<std::uint32_t>(pairings.size());
+        pairings.push_back(meeting);
+      }
+    }
+  }
+  new_chains.clear();
+  if (pairings.size() > 1) {
+    // What would have been joined first is what came last; its chains come in the order in which they were made.
+    std::ranges::sort(pairings, [this](const OwnerAndChain& a, const OwnerAndChain& b) {
+      return a.serial == b.serial ? a.place < b.place : CameLater(a, b);
+    });
+  }
+  for (const OwnerAndChain& pairing : pairings) {
+    BlockOwner(pairing.owner, pairing.chain);
+  }
+}
+
+// Opening -------------------------------------------------------------------------------------------------------------
+
+/// Whether a token belongs to a shared conjunction's own conditions.
+bool ReteState::IsInChain(const Token& token) const {
+  return token.node != Token::kWatchNode && (token.node & Token::kResultBit) == 0 &&
+         (nodes[token.node & Token::kNodeMask].roles & NodeState::kInChain) != 0;
+}
+
+/// Finds the owners that nothing will block when the chains with an element have gone: those that are opened first
+/// come last. The element's tokens in chains move behind its other ones.
+void ReteState::FindOpenings(std::uint32_t wme) {
+  pairings.clear();
+  new_chains.clear();
+  std::uint32_t last = kNil;
+  for (std::uint32_t token = links[wme].first_token; token != kNil; token = tokens[token].next_of_wme) {
+    if (IsInChain(tokens[token])) {
+      new_chains.push_back(token);
+    }
+    last = token;
+  }
+  for (const std::uint32_t top : new_chains) {
+    if (top != last) {
+      Token& moved = tokens[top];
+      tokens[moved.next_of_wme].previous_of_wme = moved.previous_of_wme;
+      (moved.previous_of_wme != kNil ? tokens[moved.previous_of_wme].next_of_wme : links[wme].first_token) =
+          moved.next_of_wme;
+      moved.previous_of_wme = last;
+      moved.next_of_wme = kNil;
+      tokens[last].next_of_wme = top;
+      last = top;
+    }
+    // What is below another token of the same element goes with that one.
+    for (std::uint32_t token = top;;) {
+      std::uint32_t next = kNil;
+      if (token == top || tokens[token].wme != wme) {
+        if (network->node(tokens[token].node & Token::kNodeMask).kind == NodeKind::kChains) {
+          for (std::uint32_t result = tokens[token].first_child; result != kNil; result = tokens[result].next_sibling) {
+            OwnerAndChain meeting = Meeting(tokens[result].key, top);
+            meeting.due = std::max(meeting.serial, tokens[top].serial);
+            meeting.place = ~static_cast<std::uint32_t>(pairings.size());  // The newest chain goes first.
+            pairings.push_back(meeting);
+          }
+        } else {
+          next = tokens[token].first_child;
+        }
+      }
+      while (next == kNil && token != top) {
+        next = tokens[token].next_sibling;
+        if (next == kNil) {
+          token = tokens[token].parent;
+        }
+      }
+      if (next == kNil) {
+        break;
+      }
+      token = next;
+    }
+  }
+
+  new_chains.clear();
+  openings.clear();
+  std::ranges::sort(pairings, {}, &OwnerAndChain::owner);
+  for (std::size_t first = 0, end; first < pairings.size(); first = end) {
+    OwnerAndChain opening = pairings[first];
+    for (end = first + 1; end < pairings.size() && pairings[end].owner == opening.owner; ++end) {
+      if (CameLater(opening, pairings[end])) {
+        opening = pairings[end];
+      }
+    }
+    std::size_t results = 0;
+    for (std::uint32_t result = tokens[opening.owner].first_child; result != kNil;
+         result = tokens[result].next_in_chain) {
+      ++results;
+    }
+    if (results == end - first) {
+      openings.push_back(opening);
+    }
+  }
+  std::ranges::sort(openings, [this](const OwnerAndChain& a, const OwnerAndChain& b) { return CameLater(b, a); });
+}
+
+/// The last chain that blocked an owner is going.
+void ReteState::OpenOwner(const OwnerAndChain& opening) {
+  const std::uint32_t owner = opening.owner;
+  if (tokens[owner].node != (opening.node | Token::kBlockedBit) || tokens[owner].serial != opening.serial) {
+    return;  // It went itself meanwhile.
+  }
+  while (tokens[owner].first_child != kNil) {
+    const std::uint32_t result = tokens[owner].first_child;
+    tokens[owner].first_child = tokens[result].next_in_chain;
+    UnlinkToken(result);
+    FreeToken(result);
+  }
+  tokens[owner].node &= ~Token::kBlockedBit;
+  Emit(opening.node, owner, kNil);
+}
+
+/// Removes the tokens of an element that may be part of chains.
+void ReteState::RemoveTokensInOrder(std::uint32_t wme) {
+  chain_element = false;
+  FindOpenings(wme);
+  while (!openings.empty()) {
+    const OwnerAndChain& opening = openings.back();
+    const std::uint32_t token = links[wme].first_token;
+    if (token != kNil && tokens[token].serial > opening.due && !IsInChain(tokens[token])) {
+      RemoveTokenOfElement(token);
+      continue;
+    }
+    OpenOwner(opening);
+    openings.pop_back();
+  }
+}
+
+}  // namespace soarbox::kernel
