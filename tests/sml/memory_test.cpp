@@ -42,9 +42,9 @@ class MemoryLimit {
 constexpr std::size_t kRoom = 150u << 20;
 
 /// 400 values, and a rule that matches all combinations of four of them.
-std::string ValueRule() {
+std::string ValueRule(int count = 400) {
   std::string rule = "sp {values (state <s> ^superstate nil) --> (<s> ^value";
-  for (int value = 0; value < 400; ++value) rule += " " + std::to_string(value);
+  for (int value = 0; value < count; ++value) rule += " " + std::to_string(value);
   return rule + ")}\n";
 }
 constexpr const char* kExplodingRule =
@@ -145,6 +145,22 @@ TEST_P(Memory, ThatEndsWithAnElementAddedByHandIsTold) {
     EXPECT_TRUE(Has(printed_, "agent greedy ran out of memory and is halted for good: rule explode had ")) << printed_;
     CheckEverythingElseGoesOn();
   }
+}
+
+TEST_P(Memory, ThatIsShortForOneCommandFailsThatCommandOnly) {
+  // Half a million partial matches.
+  greedy_->ExecuteCommandLine(ValueRule(1000).c_str());
+  greedy_->ExecuteCommandLine(
+      "sp {pairs (state <s> ^value <a> ^value {<b> > <a>} ^superstate <x>) (<x> ^never <y>) --> (<s> ^all yes)}");
+  greedy_->RunSelf(1);
+  {
+    const MemoryLimit limit(1u << 20);
+    EXPECT_TRUE(Has(greedy_->ExecuteCommandLine("matches --wmes pairs"), "There is no memory for this command."));
+    EXPECT_FALSE(greedy_->GetLastCommandLineResult());
+  }
+  EXPECT_TRUE(Has(greedy_->ExecuteCommandLine("matches pairs"), "499500"));
+  EXPECT_FALSE(Has(greedy_->RunSelf(3), "memory"));
+  EXPECT_TRUE(greedy_->GetLastCommandLineResult());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, Memory, testing::Bool(),
