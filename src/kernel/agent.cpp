@@ -85,26 +85,27 @@ void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
   outcome.loaded = true;
   const std::uint32_t index = Index(added.production);
   if (engine_->productions.size() <= index) engine_->productions.resize(index + 1u);
-  engine_->productions[index] = Engine::ProductionRecord{};
-  engine_->productions[index].live = true;
-  engine_->productions[index].has_negations = std::ranges::any_of(
-      production->conditions, [](const Condition& c) { return c.kind != ConditionKind::kPositive; });
-  engine_->loading_order.push_back(added.production);
+  Engine::ProductionRecord record;
+  record.Set(Engine::ProductionRecord::kLive, true);
+  record.Set(Engine::ProductionRecord::kHasNegations,
+             std::ranges::any_of(production->conditions,
+                                 [](const Condition& c) { return c.kind != ConditionKind::kPositive; }));
+  engine_->productions[index] = record;
+  engine_->rules.Add(added.production, engine_->NameOf(*production), production->type);
   engine_->rules_changed = true;
-  ++engine_->type_counts[static_cast<std::size_t>(production->type)];
-  engine_->NameProduction(production->name, added.production);
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, added.production); });
 }
 
 void Agent::Excise(ProductionId id) {
-  if (Index(id) >= engine_->productions.size() || !engine_->productions[Index(id)].live) return;
+  if (Index(id) >= engine_->productions.size() ||
+      !engine_->productions[Index(id)].Is(Engine::ProductionRecord::kLive)) {
+    return;
+  }
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(*this, id); });
   const ProductionPtr rule = engine_->rete.production(id);
-  engine_->productions[Index(id)].live = false;
-  std::erase(engine_->loading_order, id);
+  engine_->productions[Index(id)].Set(Engine::ProductionRecord::kLive, false);
+  engine_->rules.Remove(id, engine_->NameOf(*rule), rule->type);
   engine_->rules_changed = true;
-  --engine_->type_counts[static_cast<std::size_t>(rule->type)];
-  engine_->NameProduction(rule->name, ProductionId::kNone);
   if (engine_->run.running()) {
     engine_->ExciseLater(id);
   } else {
@@ -114,8 +115,7 @@ void Agent::Excise(ProductionId id) {
 
 ProductionId Agent::FindProduction(std::string_view name) const {
   const Symbol symbol = engine_->symbols.FindString(name);
-  const std::vector<ProductionId>& named = engine_->production_of_name;
-  return symbol && symbol.index() < named.size() ? named[symbol.index()] : ProductionId::kNone;
+  return symbol ? engine_->rules.Named(symbol) : ProductionId::kNone;
 }
 
 const Production& Agent::production(ProductionId id) const {
@@ -125,29 +125,29 @@ const ProductionPtr& Agent::production_ptr(ProductionId id) const {
   return engine_->rete.production(id);
 }
 std::vector<ProductionId> Agent::Productions() const {
-  return engine_->loading_order;
+  return engine_->rules.loading_order();
 }
 
 std::uint32_t Agent::CountProductions(ProductionType type) const {
   if (type == ProductionType::kJustification) return static_cast<std::uint32_t>(engine_->justifier.Live().size());
-  return engine_->type_counts[static_cast<std::size_t>(type)];
+  return engine_->rules.count(type);
 }
 
 std::uint64_t Agent::FiringCount(ProductionId id) const {
-  return engine_->productions[Index(id)].firings;
+  return engine_->productions[Index(id)].firings();
 }
 
 void Agent::ResetFiringCounts() {
-  for (Engine::ProductionRecord& record : engine_->productions) record.firings = 0;
+  for (Engine::ProductionRecord& record : engine_->productions) record.ResetFirings();
 }
 
 void Agent::SetBreak(ProductionId id, bool on) {
-  engine_->productions[Index(id)].breaks = on;
-  engine_->productions[Index(id)].silenced = !on;
+  engine_->productions[Index(id)].Set(Engine::ProductionRecord::kBreaks, on);
+  engine_->productions[Index(id)].Set(Engine::ProductionRecord::kSilenced, !on);
 }
 
 bool Agent::HasBreak(ProductionId id) const {
-  return engine_->productions[Index(id)].breaks;
+  return engine_->productions[Index(id)].Is(Engine::ProductionRecord::kBreaks);
 }
 
 // Running -------------------------------------------------------------------------------------------------------------
@@ -196,7 +196,7 @@ void Agent::BreakDown(std::string_view rule) {
   // conditions, the first of them is named.)
   ProductionId heaviest = ProductionId::kNone;
   std::size_t most = MemoryBytes() / 4 / Rete::kTokenBytes;
-  for (const ProductionId id : engine_->loading_order) {
+  for (const ProductionId id : engine_->rules.loading_order()) {
     const std::size_t tokens = engine_->rete.CountTokens(id);
     if (tokens <= most) continue;
     most = tokens;

@@ -155,7 +155,7 @@ class ConstantPool {
   void Reset(std::uint32_t first_index, std::vector<Entry> entries) {
     first_ = first_index;
     entries_ = std::move(entries);
-    free_.clear();
+    free_ = std::vector<std::uint32_t>();
     live_ = 0;
     for (std::size_t local = entries_.size(); local-- > 0;) {
       if (entries_[local].marks.Live()) {
@@ -168,7 +168,7 @@ class ConstantPool {
     while (live_ * 2 > size) {
       size *= 2;
     }
-    slots_.clear();
+    slots_ = std::vector<std::uint32_t>();
     if (live_ > 0) {
       Rehash(size);
     }

@@ -12,7 +12,7 @@
 namespace soarbox::kernel {
 
 /// A vector of plain records for arrays that grow for long and large. It moves by reallocation, which for large arrays
-/// copies nothing and never holds two copies, and grows by an eighth, where std::vector would double.
+/// copies nothing and never holds two copies, and grows by an eighth when it is large, where std::vector would double.
 template <typename T>
 class PlainVector {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
@@ -61,6 +61,17 @@ class PlainVector {
     size_ = size;
   }
   void clear() { size_ = 0; }
+  /// Gives back what is not in use. Never fails: at worst all stays as it is.
+  void shrink_to_fit() noexcept {
+    if (size_ == 0 || size_ == capacity_) {
+      return;
+    }
+    T* const moved = static_cast<T*>(std::realloc(static_cast<void*>(data_), size_ * sizeof(T)));
+    if (moved != nullptr) {
+      data_ = moved;
+      capacity_ = size_;
+    }
+  }
 
   friend bool operator==(const PlainVector& a, const PlainVector& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
@@ -72,7 +83,10 @@ class PlainVector {
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
   }
-  [[gnu::noinline, gnu::cold]] void Grow(std::size_t size) { Reserve(std::max(size, capacity_ + capacity_ / 8 + 16)); }
+  [[gnu::noinline, gnu::cold]] void Grow(std::size_t size) {
+    constexpr std::size_t kLarge = std::size_t{1} << 18;  // Bytes.
+    Reserve(std::max(size, capacity_ + capacity_ / (capacity_ * sizeof(T) < kLarge ? 4 : 8) + 16));
+  }
   void Reserve(std::size_t capacity) {
     if (capacity == 0) {
       return;

@@ -35,13 +35,9 @@ Engine::Engine(Agent& owner, std::string agent_name)
   });
 }
 
-void Engine::NameProduction(std::string_view name, ProductionId production) {
+Symbol Engine::NameOf(const Production& rule) {
   const SymbolTable::PinScope pin(symbols);
-  const Symbol symbol = symbols.String(name);
-  if (symbol.index() >= production_of_name.size()) {
-    production_of_name.resize(symbol.index() + 1u, ProductionId::kNone);
-  }
-  production_of_name[symbol.index()] = production;
+  return symbols.String(rule.name);
 }
 
 // Describing ----------------------------------------------------------------------------------------------------------

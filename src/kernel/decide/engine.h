@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "kernel/decide/preference_changes.h"
 #include "kernel/decide/preference_semantics.h"
 #include "kernel/decide/rule_context.h"
+#include "kernel/decide/rule_directory.h"
 #include "kernel/decide/run_control.h"
 #include "kernel/decide/slot_decision.h"
 #include "kernel/io/input_link.h"
@@ -55,19 +55,28 @@ struct Engine {
   RandomStream random;
   Observers observers;
 
-  /// What the agent knows of each rule beside the rule itself, by ProductionId.
-  struct ProductionRecord {
-    std::uint64_t firings = 0;
-    bool breaks = false;
-    bool silenced = false;  ///< Its own :interrupt was cleared.
-    bool live = false;
-    bool has_negations = false;  ///< Negated conditions, which justifications look for.
+  /// What the agent knows of each rule beside the rule itself, by ProductionId: flags, and how often it has fired. One
+  /// number, because each agent has its own record of each rule.
+  class ProductionRecord {
+   public:
+    static constexpr std::uint64_t kLive = 1;
+    static constexpr std::uint64_t kBreaks = 2;
+    static constexpr std::uint64_t kSilenced = 4;      ///< Its own :interrupt was cleared.
+    static constexpr std::uint64_t kHasNegations = 8;  ///< Negated conditions, which justifications look for.
+
+    bool Is(std::uint64_t flag) const { return (word_ & flag) != 0; }
+    void Set(std::uint64_t flag, bool on) { word_ = on ? word_ | flag : word_ & ~flag; }
+    std::uint64_t firings() const { return word_ / kFiring; }
+    void CountFiring() { word_ += kFiring; }
+    void ResetFirings() { word_ %= kFiring; }
+
+   private:
+    static constexpr std::uint64_t kFiring = 16;
+    std::uint64_t word_ = 0;
   };
   std::vector<ProductionRecord> productions;
-  std::vector<ProductionId> loading_order;       ///< Live rules, oldest first.
-  bool rules_changed = false;                    ///< Since they were last offered for sharing.
-  std::vector<ProductionId> production_of_name;  ///< By the index of the string that is a rule's name.
-  std::array<std::uint32_t, 5> type_counts{};    ///< Live rules by ProductionType.
+  RuleDirectory rules;
+  bool rules_changed = false;  ///< Since they were last offered for sharing.
 
   // What happens, in the order of the cycle.
   InputLink input;
@@ -103,8 +112,8 @@ struct Engine {
   std::vector<ProductionId> excisions;
   void ExciseLater(ProductionId production) { excisions.push_back(production); }
 
-  /// Notes which rule has a name; kNone: none has it any more.
-  void NameProduction(std::string_view name, ProductionId production);
+  /// The string that is a rule's name. It stays while the agent lives.
+  Symbol NameOf(const Production& rule);
   GoalView goal_view() const { return {memory.goal_levels(), memory.long_term_identifiers()}; }
   [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
   [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;

@@ -57,8 +57,9 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
 
   ++engine_.counters.firings;
   Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
-  ++record.firings;
-  const bool interrupt = record.breaks || (rule.interrupt && !record.silenced);
+  record.CountFiring();
+  const bool interrupt = record.Is(Engine::ProductionRecord::kBreaks) ||
+                         (rule.interrupt && !record.Is(Engine::ProductionRecord::kSilenced));
 
   if (engine_.observers.Wants(Event::kAssertion)) {
     const FiringInfo info = engine_.DescribeInstantiation(id);

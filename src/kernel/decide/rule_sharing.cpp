@@ -16,6 +16,7 @@ namespace {
 struct SharedRules {
   std::shared_ptr<const FrozenSymbols> symbols;
   std::shared_ptr<const Network> network;
+  RuleDirectory directory;
 };
 
 using Key = std::pair<std::uint64_t, std::uint64_t>;
@@ -33,7 +34,7 @@ Store& TheStore() {
 }  // namespace
 
 void ShareRules(Engine& engine) {
-  if (engine.loading_order.empty()) return;
+  if (engine.rules.loading_order().empty()) return;
   const Key key{engine.symbols.Digest(), engine.rete.NetworkDigest()};
   Store& store = TheStore();
   const std::lock_guard<std::mutex> lock(store.mutex);
@@ -41,12 +42,15 @@ void ShareRules(Engine& engine) {
   std::erase_if(store.entries, [](const auto& entry) { return entry.second.network.use_count() == 1; });
   const auto found = store.entries.find(key);
   if (found == store.entries.end()) {
-    store.entries.emplace(key, SharedRules{engine.symbols.Freeze(), engine.rete.network()});
+    store.entries.emplace(key, SharedRules{engine.symbols.Freeze(), engine.rete.network(), engine.rules});
     return;
   }
   if (engine.rete.network() == found->second.network) return;
   // The network's handles mean something only with the constants that they were made with.
-  if (engine.symbols.Adopt(found->second.symbols)) engine.rete.AdoptNetwork(found->second.network);
+  if (engine.symbols.Adopt(found->second.symbols) && engine.rete.AdoptNetwork(found->second.network)) {
+    engine.rules.Adopt(found->second.directory);
+    engine.productions.shrink_to_fit();
+  }
 }
 
 }  // namespace soarbox::kernel

@@ -5,8 +5,8 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// Lets agents that loaded equal rules share them: the constants that the rules mention, the rules and the network's
-/// topology. Called before a run when the rules have changed; a thousand equal agents then hold one copy.
+/// Lets agents that loaded equal rules share them: the constants that the rules mention, the rules, their directory and
+/// the network's topology. Called before a run when the rules have changed; a thousand equal agents then hold one copy.
 ///
 /// The store is process-wide and guarded by a mutex; what is in it never changes, and leaves it when the last agent
 /// that used it changes its rules or dies. An agent that adds or excises a rule copies the shared topology first

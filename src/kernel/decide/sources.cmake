@@ -12,6 +12,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/preference_changes.cpp
   decide/preference_semantics.cpp
   decide/rule_context.cpp
+  decide/rule_directory.cpp
   decide/rule_sharing.cpp
   decide/run_control.cpp
   decide/slot_decision.cpp)

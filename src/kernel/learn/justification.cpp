@@ -233,7 +233,7 @@ void Justifier::CollectNegations(InstantiationId id) {
     }
     return;
   }
-  if (!engine_.productions[Index(instantiation.production)].has_negations) return;
+  if (!engine_.productions[Index(instantiation.production)].Is(Engine::ProductionRecord::kHasNegations)) return;
   const ProductionPtr& rule = engine_.rete.production(instantiation.production);
   if (rule == nullptr) return;
   for (const Condition& condition : rule->conditions) {

@@ -112,6 +112,8 @@ class MatchSet {
     if (production >= rules_.size()) rules_.resize(production + 1u);
     ExpectElements(elements);
   }
+  /// Gives back room kept for more rules.
+  void ShrinkRules() { rules_.shrink_to_fit(); }
   /// A new pending assertion.
   MatchId Assert(const Arrival& arrival);
   /// A match that counts as fired from the start.

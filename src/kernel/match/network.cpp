@@ -185,6 +185,38 @@ std::uint32_t Network::StoreTests(std::span<const NodeTest> tests, std::span<con
   return place;
 }
 
+ValueFilter Network::FilterOf(const Node& join) const {
+  // The constant must be a small integer, and so will the value that is asked for be.
+  const std::uint32_t smallest = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger) << Symbol::kIndexBits;
+  std::uint32_t low = smallest;
+  std::uint32_t high = smallest | Symbol::kIndexMask;
+  bool any = false;
+  for (const NodeTest& test : tests(join)) {
+    if (test.op < TestOp::kLess || test.op > TestOp::kGreaterOrEqual || test.against_binding ||
+        test.field != Field::kValue || !ValueFilter::Knows(test.referent)) {
+      continue;
+    }
+    any = true;
+    const std::uint32_t bound = ValueFilter::Place(test.referent);
+    switch (test.op) {
+      case TestOp::kLess:
+        high = std::min(high, bound - 1);
+        break;
+      case TestOp::kLessOrEqual:
+        high = std::min(high, bound);
+        break;
+      case TestOp::kGreater:
+        low = std::max(low, bound + 1);
+        break;
+      default:
+        low = std::max(low, bound);
+        break;
+    }
+  }
+  // An empty interval becomes one value that is none of a small integer.
+  return !any ? ValueFilter() : low > high ? ValueFilter{0, 0} : ValueFilter{low, high - low};
+}
+
 std::uint32_t Network::AddNode(const NodePlan& plan, std::uint32_t hash) {
   std::uint32_t index = free_nodes_;
   if (index != kNil) {
@@ -200,7 +232,10 @@ std::uint32_t Network::AddNode(const NodePlan& plan, std::uint32_t hash) {
   node.parent = plan.parent;
   node.alpha = plan.alpha;
   node.ancestor = plan.ancestor;
-  node.rule = plan.rule;
+  node.counterpart = plan.rule;
+  if (node.kind == NodeKind::kJoin && node.test_count != 0) {
+    node.filter = FilterOf(node);
+  }
   node.share_hash = hash;
   LinkChild(index);
   InsertShared(index);
@@ -300,13 +335,13 @@ void Network::MoveBehind(std::uint32_t index, std::uint32_t sibling) {
 }
 
 void Network::SetPartner(std::uint32_t conjunctive, std::uint32_t partner) {
-  nodes_[conjunctive].partner = partner;
-  nodes_[partner].partner = conjunctive;
+  nodes_[conjunctive].counterpart = partner;
+  nodes_[partner].counterpart = conjunctive;
 }
 
 void Network::SetChains(std::uint32_t conjunctive, std::uint32_t anchors, std::uint32_t chains) {
   nodes_[conjunctive].ancestor = anchors;
-  nodes_[chains].partner = conjunctive;
+  nodes_[chains].counterpart = conjunctive;
 }
 
 // Rules ---------------------------------------------------------------------------------------------------------------

@@ -92,18 +92,36 @@ struct NodeShape {
 };
 static_assert(sizeof(NodeShape) == 8);
 
+/// Which small integers as an element's value pass a join's comparisons with constants: those of an interval. Rules
+/// that sort one number into many bands make many joins below one memory; each but few are then done with in one
+/// comparison.
+struct ValueFilter {
+  std::uint32_t lowest = 0, range = 0xFFFFFFFFu;  ///< Passes: Place(value) - lowest <= range, unsigned.
+
+  /// Ascending with a small integer's value.
+  static std::uint32_t Place(std::uint32_t bits) { return bits ^ 1u << (Symbol::kIndexBits - 1); }
+  static bool Knows(std::uint32_t bits) {
+    return bits >> Symbol::kIndexBits == static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
+  }
+  friend bool operator==(const ValueFilter&, const ValueFilter&) = default;
+};
+
 struct Node : NodeShape {
   std::uint16_t test_count = 0;
   std::uint32_t first_test = 0;
   std::uint32_t parent = kNil, first_child = kNil, next_sibling = kNil, previous_sibling = kNil;
-  std::uint32_t alpha = kNil;     ///< kJoin, kNegative.
-  std::uint32_t ancestor = kNil;  ///< kJoin, kNegative: nearest ancestor with the same alpha memory.
-                                  ///< Shared conjunctive node: the anchors of its conjunction.
-  std::uint32_t partner = kNil;   ///< Between a conjunctive node and its partner. kChains: the conjunctive node.
-  std::uint32_t rule = kNil;      ///< kProduction.
+  std::uint32_t alpha = kNil;        ///< kJoin, kNegative.
+  std::uint32_t ancestor = kNil;     ///< kJoin, kNegative: nearest ancestor with the same alpha memory.
+                                     ///< Shared conjunctive node: the anchors of its conjunction.
+  std::uint32_t counterpart = kNil;  ///< See partner() and rule().
   std::uint32_t share_hash = 0, share_next = kNil;
   std::uint32_t only_memory = kNil;  ///< The child if there is just one and it is a memory: the common case.
-  std::uint32_t spare = 0;           ///< Makes it 64 bytes.
+  ValueFilter filter;                ///< kJoin.
+
+  /// Between a conjunctive node and its partner. kChains: the conjunctive node.
+  std::uint32_t partner() const { return counterpart; }
+  /// kProduction: its number.
+  std::uint32_t rule() const { return counterpart; }
 
   friend bool operator==(const Node&, const Node&) = default;
 };
@@ -156,6 +174,9 @@ class [[gnu::visibility("hidden")]] Network {
 
   const Node& node(std::uint32_t index) const {
     return nodes_[index];
+  }
+  const Node* nodes() const {
+    return nodes_.data();
   }
   std::uint32_t node_limit() const {
     return static_cast<std::uint32_t>(nodes_.size());
@@ -258,6 +279,7 @@ class [[gnu::visibility("hidden")]] Network {
   std::uint32_t MasksFor(std::uint32_t attribute, bool acceptable) const {
     return masks_in_use_[acceptable ? 1 : 0] & masks_of_attribute_[acceptable ? 1 : 0][attribute % kAttributeClasses];
   }
+  [[gnu::noinline]] ValueFilter FilterOf(const Node& join) const;
   void InsertShared(std::uint32_t node);
   void LinkChild(std::uint32_t node);
   void FindOnlyMemory(std::uint32_t parent);

@@ -13,6 +13,8 @@ ReteState::ReteState(MatchSet& match_set, const SymbolTable& symbol_table, const
       network(std::make_shared<Network>()),
       builder(std::make_unique<ReteBuilder>(*this)) {
   nodes.emplace_back();
+  marks.emplace_back();
+  ParkAfter(256);
 }
 
 ReteState::~ReteState() = default;
@@ -73,7 +75,7 @@ void Rete::Unwatch(MatchId match) {
 }
 
 void Rete::ParkAfter(std::uint32_t matches) {
-  state_->park_after = matches;
+  state_->ParkAfter(matches);
 }
 
 void Rete::ShareConjunctions(bool share) {
@@ -97,6 +99,11 @@ bool Rete::AdoptNetwork(const std::shared_ptr<const Network>& network) {
   }
   // Nobody changes a topology that has more than one owner: OwnNetwork copies it first.
   state_->network = std::const_pointer_cast<Network>(network);
+  // Many agents may share it, and hardly any of them gets more rules.
+  state_->nodes.shrink_to_fit();
+  state_->marks.shrink_to_fit();
+  state_->alphas.shrink_to_fit();
+  matches_.ShrinkRules();
   return true;
 }
 
@@ -132,7 +139,8 @@ std::size_t Rete::MemoryBytes() const {
   }
   return s.tokens.MemoryBytes() + s.items.MemoryBytes() + s.parked.MemoryBytes() + logs +
          s.alphas.capacity() * sizeof(AlphaState) + s.nodes.capacity() * sizeof(NodeState) +
-         s.links.capacity() * sizeof(WmeLinks) + s.tables.MemoryBytes() + matches_.MemoryBytes();
+         s.marks.capacity() * sizeof(NodeMarks) + s.links.capacity() * sizeof(WmeLinks) + s.tables.MemoryBytes() +
+         matches_.MemoryBytes();
 }
 
 std::size_t Rete::NetworkBytes() const {

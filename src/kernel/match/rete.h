@@ -131,7 +131,8 @@ class Rete {
   /// A digest of all rules added and excised so far. Agents with equal digests, equal frozen symbols and equal rules
   /// have equal topologies.
   std::uint64_t NetworkDigest() const;
-  /// Uses `network` in place of its own if the two are equal; false (and no change) if not.
+  /// Uses `network` in place of its own if the two are equal, and gives back what room its own state had for more nodes
+  /// and rules; false (and no change) if not.
   bool AdoptNetwork(const std::shared_ptr<const Network>& network);
 
   struct Statistics {

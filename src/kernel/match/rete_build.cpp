@@ -44,7 +44,7 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   const std::uint32_t hash = plan.Hash();
   for (std::uint32_t other = network->FindProduction(plan, hash); other != kNil;
        other = network->FindProduction(plan, hash, other)) {
-    const std::uint32_t number = network->node(other).rule;
+    const std::uint32_t number = network->node(other).rule();
     if (SameActions(*network->rule(number)->rule, rule, options.ignore_rl_value)) {
       return {Rete::AddResult::kDuplicate, static_cast<ProductionId>(number), MatchId::kNone};
     }
@@ -96,27 +96,24 @@ void ReteState::ExciseProduction(std::uint32_t number) {
 // Nodes ---------------------------------------------------------------------------------------------------------------
 
 void ReteState::NodeAdded(std::uint32_t index) {
-  if (index >= nodes.size()) {
-    nodes.resize(index + 1u);
+  while (index >= nodes.size()) {  // Else RemoveNode left its state as good as new.
+    marks.emplace_back();
+    nodes.emplace_back();
   }
-  nodes[index] = NodeState();
   ChildAdded(index);
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kNegative) {
-    nodes[index].roles |= NodeState::kNegative;
+    marks[index].Set(NodeMarks::kNegative);
   } else if (node.kind != NodeKind::kMemory && node.kind != NodeKind::kAnchors && node.kind != NodeKind::kChains) {
-    nodes[index].roles |= NodeState::kOther;
+    marks[index].Set(NodeMarks::kOther);
   }
-  if (node.kind == NodeKind::kAnchors || (nodes[node.parent].roles & NodeState::kInChain) != 0) {
-    nodes[index].roles |= NodeState::kInChain;
+  if (node.kind == NodeKind::kAnchors || marks[node.parent].Is(NodeMarks::kInChain)) {
+    marks[index].Set(NodeMarks::kInChain);
   }
   if (node.kind == NodeKind::kJoin) {
-    if ((nodes[index].roles & NodeState::kInChain) != 0) {
+    if (marks[index].Is(NodeMarks::kInChain)) {
       alphas[node.alpha].sparse |= AlphaState::kInChains;
     }
-    const ValueFilter filter = node.test_count == 0 ? ValueFilter() : FilterOf(node);
-    nodes[index].lowest = filter.lowest;
-    nodes[index].range = filter.range;
     const bool has_tokens = nodes[node.parent].count != 0;
     if (!has_tokens || alphas[node.alpha].count != 0) {
       LinkLeft(index);
@@ -125,38 +122,6 @@ void ReteState::NodeAdded(std::uint32_t index) {
       LinkRight(index);
     }
   }
-}
-
-ValueFilter ReteState::FilterOf(const Node& join) const {
-  // The constant must be a small integer, and so will the value that is asked for be.
-  const std::uint32_t smallest = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger) << Symbol::kIndexBits;
-  std::uint32_t low = smallest;
-  std::uint32_t high = smallest | Symbol::kIndexMask;
-  bool any = false;
-  for (const NodeTest& test : network->tests(join)) {
-    if (test.op < TestOp::kLess || test.op > TestOp::kGreaterOrEqual || test.against_binding ||
-        test.field != Field::kValue || !ValueFilter::Knows(test.referent)) {
-      continue;
-    }
-    any = true;
-    const std::uint32_t bound = ValueFilter::Place(test.referent);
-    switch (test.op) {
-      case TestOp::kLess:
-        high = std::min(high, bound - 1);
-        break;
-      case TestOp::kLessOrEqual:
-        high = std::min(high, bound);
-        break;
-      case TestOp::kGreater:
-        low = std::max(low, bound + 1);
-        break;
-      default:
-        low = std::max(low, bound);
-        break;
-    }
-  }
-  // An empty interval becomes one value that is none of a small integer.
-  return !any ? ValueFilter() : low > high ? ValueFilter{0, 0} : ValueFilter{low, high - low};
 }
 
 /// Hands a new node what its parent has emitted so far, newest first.
@@ -179,17 +144,17 @@ void ReteState::RemoveTokens(std::uint32_t node) {
 }
 
 void ReteState::RemoveNode(std::uint32_t index) {
-  NodeState& state = nodes[index];
   if (network->node(index).kind == NodeKind::kJoin) {
     MakePlain(network->node(index).parent);
   }
-  if (state.bits != 0) {
-    tables.Free(state.head, state.bits);
+  const NodeMarks has = marks[index];
+  if (has.bits() != 0) {
+    tables.Free(nodes[index].head, has.bits());
   }
-  if (state.left_linked) {
+  if (has.Is(NodeMarks::kLeftLinked)) {
     UnlinkLeft(index);
   }
-  if (state.right_linked) {
+  if (has.Is(NodeMarks::kRightLinked)) {
     UnlinkRight(index);
   }
   const std::uint32_t alpha = network->node(index).alpha;
@@ -197,7 +162,8 @@ void ReteState::RemoveNode(std::uint32_t index) {
   if (alpha != kNil) {
     DropAlpha(alpha);
   }
-  state = NodeState();
+  nodes[index] = NodeState();
+  marks[index] = NodeMarks();
 }
 
 /// Removes a node without children, and what that leaves without children above it.
@@ -209,7 +175,7 @@ void ReteState::RemoveUnused(std::uint32_t index) {
       RemoveTokens(index);
     }
     if (node.kind == NodeKind::kConjunctive) {
-      const std::uint32_t partner = node.partner;
+      const std::uint32_t partner = node.partner();
       next = network->node(partner).parent;  // Leads up to this node's own parent.
       RemoveNode(partner);
     }

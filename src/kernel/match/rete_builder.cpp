@@ -220,7 +220,7 @@ std::uint32_t ReteBuilder::NearestAncestor(std::uint32_t node, std::uint32_t alp
     if (n.alpha == alpha) {
       return node;
     }
-    node = n.kind == NodeKind::kConjunctive ? network.node(n.partner).parent : n.parent;
+    node = n.kind == NodeKind::kConjunctive ? network.node(n.partner()).parent : n.parent;
   }
   return kNil;
 }
@@ -336,7 +336,7 @@ std::uint32_t ReteBuilder::MakeConjunctive(const NodePlan& conjunctive, std::uin
   const std::uint32_t hash = partner.Hash();
   const std::uint32_t shared = network.FindShared(partner, hash);
   if (shared != kNil) {
-    return network.node(shared).partner;
+    return network.node(shared).partner();
   }
   std::uint32_t top = bottom;
   while (network.node(top).parent != conjunctive.parent) {

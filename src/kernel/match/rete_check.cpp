@@ -59,8 +59,8 @@ class Checker {
     }
     previous = kNil;
     for (std::uint32_t node = memory.first_node; node != kNil; node = s_.nodes[node].next_right) {
-      Expect(s_.nodes[node].right_linked && network_.node(node).alpha == alpha, "wrong node in alpha memory's list",
-             node);
+      Expect(s_.marks[node].Is(NodeMarks::kRightLinked) && network_.node(node).alpha == alpha,
+             "wrong node in alpha memory's list", node);
       Expect(s_.nodes[node].previous_right == previous, "broken list of nodes", alpha);
       for (std::uint32_t later = s_.nodes[node].next_right; later != kNil; later = s_.nodes[later].next_right) {
         for (std::uint32_t up = network_.node(later).ancestor; up != kNil; up = network_.node(up).ancestor) {
@@ -106,14 +106,17 @@ class Checker {
   void CheckNode(std::uint32_t index) {
     const Node& node = network_.node(index);
     const NodeState& state = s_.nodes[index];
+    const NodeMarks marks = s_.marks[index];
+    const bool left_linked = marks.Is(NodeMarks::kLeftLinked);
+    const bool right_linked = marks.Is(NodeMarks::kRightLinked);
     if (node.kind == NodeKind::kJoin) {
       const bool left = s_.nodes[node.parent].count != 0;
       const bool right = s_.alphas[node.alpha].count != 0;
-      Expect(state.left_linked || state.right_linked, "join unlinked on both sides", index);
-      Expect(!(left && right) || (state.left_linked && state.right_linked), "join is not linked", index);
-      Expect(!(state.left_linked && state.right_linked) || (left && right), "join is linked in vain", index);
-      Expect(state.left_linked || !right, "join left-unlinked from a full alpha memory", index);
-      Expect(state.right_linked || !left, "join right-unlinked with a full memory", index);
+      Expect(left_linked || right_linked, "join unlinked on both sides", index);
+      Expect(!(left && right) || (left_linked && right_linked), "join is not linked", index);
+      Expect(!(left_linked && right_linked) || (left && right), "join is linked in vain", index);
+      Expect(left_linked || !right, "join left-unlinked from a full alpha memory", index);
+      Expect(right_linked || !left, "join right-unlinked with a full memory", index);
       return;
     }
     if (node.kind == NodeKind::kRoot || node.kind == NodeKind::kPartner) {
@@ -131,16 +134,18 @@ class Checker {
         Expect(s_.tokens[token].key == s_.KeyOfToken(node, token), "wrong key", token);
       }
     });
-    if ((state.roles & NodeState::kSparse) != 0) {
+    if (marks.Is(NodeMarks::kSparse)) {
       Expect(count == s_.SparseOf(index).tokens, "wrong count of a sparse memory's tokens", index);
       CheckSparse(index);
     } else {
       Expect(count == state.count, "wrong count of a memory", index);
+      Expect(node.kind != NodeKind::kMemory || state.judgement == kNil || s_.CanBeSparse(index),
+             "judgement on a memory that cannot be sparse", index);
     }
     count = state.count;
     Expect(s_.Emissions(node.parent).size() == count, "memory differs from what reaches it", index);
     if (node.kind == NodeKind::kNegative) {
-      Expect(state.right_linked == (count != 0), "negative node linked wrongly", index);
+      Expect(right_linked == (count != 0), "negative node linked wrongly", index);
       s_.ForEachToken(index, [&](std::uint32_t token) { CheckResults(node, token); });
     }
     if (node.kind == NodeKind::kConjunctive) {
@@ -150,7 +155,7 @@ class Checker {
         }
         Expect(s_.tokens[token].first_child != kNil, "blocked by nothing", token);
         for (std::uint32_t r = s_.tokens[token].first_child; r != kNil; r = s_.tokens[r].next_in_chain) {
-          Expect(s_.tokens[r].node == node.partner && s_.tokens[r].key == token, "wrong result", r);
+          Expect(s_.tokens[r].node == node.partner() && s_.tokens[r].key == token, "wrong result", r);
           ++results_;
         }
       });
@@ -161,7 +166,7 @@ class Checker {
 
   /// How many results the tokens of a conjunctive node have together.
   std::size_t ResultsWanted(std::uint32_t index) {
-    const std::uint32_t bottom = network_.node(network_.node(index).partner).parent;
+    const std::uint32_t bottom = network_.node(network_.node(index).partner()).parent;
     if (network_.node(bottom).kind != NodeKind::kChains) {
       return s_.Emissions(bottom).size();
     }
@@ -209,6 +214,10 @@ class Checker {
   /// Every pair is a token or parked, never both; tokens above know how many there are.
   void CheckSparse(std::uint32_t index) {
     const Node& node = network_.node(index);
+    const std::uint32_t above = network_.node(node.parent).parent;
+    Expect(s_.marks[node.parent].Is(NodeMarks::kFeedsSparse), "unmarked join of a sparse memory", index);
+    Expect(s_.marks[above].Is(NodeMarks::kAboveSparse) && s_.SparseBelow(above) == index,
+           "unmarked memory above a sparse one", index);
     std::map<ReteState::Emission, int> pairs;
     std::map<std::uint32_t, std::uint32_t> of_token;
     for (const ReteState::Emission& emission : s_.Emissions(node.parent)) {
@@ -237,7 +246,7 @@ class Checker {
     for (const auto& [pair, missing] : pairs) {
       Expect(missing == 0, "pair of a sparse memory is lost or there twice", index);
     }
-    s_.ForEachToken(network_.node(node.parent).parent, [&](std::uint32_t token) {
+    s_.ForEachToken(above, [&](std::uint32_t token) {
       Expect(s_.tokens[token].pairs == of_token[token], "wrong number of pairs of a token", token);
     });
   }

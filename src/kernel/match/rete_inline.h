@@ -103,7 +103,7 @@ struct KeyParts {
                                                  std::uint32_t index, std::uint32_t key, bool keyed,
                                                  std::uint32_t& counter) {
   const Records<Token> all = state.tokens.records();
-  const std::uint32_t bits = memory.bits;
+  const std::uint32_t bits = state.marks[node].bits();
   std::uint32_t* head = &memory.head;
   const std::uint32_t count = ++counter;
   bool grow = false;
@@ -325,8 +325,13 @@ inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token
 }
 
 /// The first token of the chain in which tokens with this key stand (among others).
-inline std::uint32_t ChainHead(const ReteState& state, const NodeState& memory, std::uint32_t key) {
-  return memory.bits == 0 ? memory.head : state.tables[memory.head + ReteState::Hash(key, memory.bits)];
+[[gnu::always_inline]] inline std::uint32_t ChainHead(const ReteState& state, std::uint32_t node, std::uint32_t bits,
+                                                      std::uint32_t key) {
+  const std::uint32_t head = state.nodes[node].head;
+  return bits == 0 ? head : state.tables[head + ReteState::Hash(key, bits)];
+}
+inline std::uint32_t ChainHead(const ReteState& state, std::uint32_t node, std::uint32_t key) {
+  return ChainHead(state, node, state.marks[node].bits(), key);
 }
 
 inline std::uint32_t ConjunctiveKey(std::uint32_t parent, std::uint32_t wme) {

@@ -230,7 +230,7 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
   const Field value_field = node.key_value_field;
   const Wme* const wmes = state.wmes.data();
   NodeState& memory = state.nodes[index];
-  SparseState& sparse = *state.sparse[memory.next_left];
+  SparseState& sparse = *state.sparse[memory.place];
   const bool tested = joined.test_count != 0;
 
   std::uint32_t parent = kNil;
@@ -307,9 +307,7 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
 template <bool one_parent, typename Source>
 [[gnu::always_inline]] inline void AddPairs(ReteState& state, std::uint32_t index, const Source& source) {
   const std::uint32_t join = state.network->node(index).first_child;
-  if (state.nodes[join].left_linked && !state.nodes[join].right_linked) {
-    state.LinkJoin(join);
-  }
+  state.LinkOnlyJoin(index, join);
   const RightSide right(state, state.network->node(join));
   switch (right.kind()) {
     case RightSide::kIdTable:
@@ -335,13 +333,20 @@ template <bool one_parent, typename Source>
 
 /// Links a join to its alpha memory because its own memory has tokens. False if there is nothing to join with; the join
 /// is then off its memory's list.
-bool ReteState::LinkJoin(std::uint32_t node) {
+[[gnu::always_inline]] inline bool ReteState::LinkJoin(std::uint32_t node) {
   LinkRight(node);
   if (alphas[network->node(node).alpha].count == 0) {
     UnlinkLeft(node);
     return false;
   }
   return true;
+}
+
+/// A pair is coming to a sparse memory. While there are others its join is linked.
+[[gnu::always_inline]] inline void ReteState::LinkOnlyJoin(std::uint32_t memory, std::uint32_t join) {
+  if (nodes[memory].count == 0 && marks[join].Is(NodeMarks::kLeftLinked) && !marks[join].Is(NodeMarks::kRightLinked)) {
+    LinkJoin(join);
+  }
 }
 
 /// A pair joins: a sparse memory makes a token of it.
@@ -382,9 +387,7 @@ void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32
 void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t join = node.first_child;
-  if (nodes[join].left_linked && !nodes[join].right_linked) {
-    LinkJoin(join);
-  }
+  LinkOnlyJoin(index, join);
   const Node& joined = network->node(join);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   const std::uint64_t serial = next_serial++;
@@ -420,7 +423,7 @@ void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t tok
       return;
     }
   }
-  if ((nodes[join].roles & NodeState::kFeedsSparse) != 0) {
+  if (marks[join].Is(NodeMarks::kFeedsSparse)) {
     JoinSparse(node, right, token, key, item);
     return;
   }
@@ -456,7 +459,7 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
   std::uint32_t wme = kNil;
   bool more = source.Next(left, wme);
   const std::uint32_t join = memory.first_linked;
-  if (source.item == kNil || join == kNil || !nodes[join].right_linked || nodes[join].next_left != kNil) {
+  if (source.item == kNil || join == kNil || memory.count == 0 || nodes[join].next_left != kNil) {
     for (; more; more = source.Next(left, wme)) {
       LeftPlain(index, parent, wme);
     }
@@ -466,7 +469,7 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
   const bool with_value = node.key == KeyKind::kIdValue;
   const bool id_moves = node.key != KeyKind::kNone && node.key_id_levels == 0;
   const bool value_moves = node.key_value_levels == 0;
-  const bool judged = (memory.roles & NodeState::kMayBeSparse) != 0;
+  const bool judged = memory.judgement != kNil;
   KeyParts key;
   if (more) {
     key = KeyOfPair(*this, node, parent, wme);
@@ -488,33 +491,53 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
       JoinFrom(join, joined, token, key, found);
     }
     if (judged) {
-      Judge(index, token);
+      Judge(memory.judgement, index, token);
     }
   }
 }
 
 void ReteState::LeftMemory(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
-  if ((nodes[index].roles & NodeState::kSparse) != 0) {
+  if (marks[index].Is(NodeMarks::kSparse)) {
     LeftSparse(index, parent, wme);
   } else {
     LeftPlain(index, parent, wme);
   }
 }
 
-/// Hands a new token of a memory to the joins below it.
-[[gnu::always_inline]] inline void ReteState::JoinAll(const NodeState& memory, std::uint32_t token,
-                                                      const KeyParts& key) {
-  for (std::uint32_t next = memory.first_linked; next != kNil;) {
+/// Hands a token of a memory to a join below it.
+[[gnu::always_inline]] inline void ReteState::JoinOne(std::uint32_t join, std::uint32_t token, const KeyParts& key) {
+  const Node& joined = network->node(join);
+  const std::uint32_t item = FirstOffered(*this, joined, key);
+  if (item != kNil) {
+    JoinFrom(join, joined, token, key, item);
+  }
+}
+
+/// Hands it to the joins of the memory's list from `next` on.
+void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) {
+  while (next != kNil) {
     const std::uint32_t join = next;
     next = nodes[join].next_left;
-    if (!nodes[join].right_linked && !LinkJoin(join)) {
-      continue;
+    if (marks[join].Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
+      JoinOne(join, token, key);
     }
-    const Node& joined = network->node(join);
-    const std::uint32_t item = FirstOffered(*this, joined, key);
-    if (item != kNil) {
-      JoinFrom(join, joined, token, key, item);
-    }
+  }
+}
+
+/// Hands a new token of a memory to the joins below it. Most memories have one: a loop would cost them more than it
+/// does. While a memory has other tokens its joins are linked to their alpha memories.
+[[gnu::always_inline]] inline void ReteState::JoinAll(const NodeState& memory, std::uint32_t token,
+                                                      const KeyParts& key) {
+  const std::uint32_t join = memory.first_linked;
+  if (join == kNil) {
+    return;
+  }
+  const std::uint32_t next = nodes[join].next_left;
+  if (memory.count != 1 || marks[join].Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
+    JoinOne(join, token, key);
+  }
+  if (next != kNil) {
+    JoinRest(next, token, key);
   }
 }
 
@@ -526,8 +549,8 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   InsertWithKey(*this, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
   JoinAll(state, token, key);
-  if ((state.roles & NodeState::kMayBeSparse) != 0) {
-    Judge(index, token);
+  if (state.judgement != kNil) {
+    Judge(state.judgement, index, token);
   }
 }
 
@@ -562,7 +585,7 @@ void ReteState::EmitGathered(std::uint32_t join, std::uint32_t wme) {
     return;
   }
   const Node& node = network->node(join);
-  if ((nodes[join].roles & NodeState::kFeedsSparse) != 0) {
+  if (marks[join].Is(NodeMarks::kFeedsSparse)) {
     AddPairs<false>(*this, node.only_memory, TokensAndElement{gathered.data(), gathered.data() + gathered.size(), wme});
   } else if (node.only_memory != kNil) {
     for (const std::uint32_t token : gathered) {
@@ -581,7 +604,7 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   const std::uint32_t key = KeyOfElement(node, element);
   const SparseState& memory = SparseOf(node.parent);
   gathered.clear();
-  ForEachLeft(*this, node, ChainHead(*this, nodes[node.parent], key), key, element,
+  ForEachLeft(*this, node, ChainHead(*this, node.parent, key), key, element,
               [this](std::uint32_t token) { gathered.push_back(token); });
   if (memory.logged != 0 || memory.indexed != 0) {
     GatherParked(join, wme, key);
@@ -596,16 +619,16 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
 }
 
 /// An element that has come into the alpha memory of a left-linked join meets the tokens on the other side.
-[[gnu::always_inline]] inline void ReteState::RightJoin(std::uint32_t index, std::uint32_t wme, const Wme& element) {
-  const Node& node = network->node(index);
-  const NodeState& memory = nodes[node.parent];
-  if ((memory.roles & NodeState::kSparse) != 0) {
+[[gnu::always_inline]] inline void ReteState::RightJoin(std::uint32_t index, const Node& node, std::uint32_t wme,
+                                                        const Wme& element) {
+  const NodeMarks memory = marks[node.parent];
+  if (memory.Is(NodeMarks::kSparse)) {
     RightSparse(index, wme);
     return;
   }
   const std::uint32_t key = KeyOfElement(node, element);
   const Records<const Token> all = std::as_const(tokens).records();
-  std::uint32_t token = ChainHead(*this, memory, key);
+  std::uint32_t token = ChainHead(*this, node.parent, memory.bits(), key);
   while (token != kNil && all[token].key != key) {
     token = all[token].next_in_chain;
   }
@@ -619,7 +642,7 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
   const Node& node = network->node(index);
   const Wme& element = wmes[wme];
   std::uint32_t late = 0;  // Tokens that would have been parked.
-  if ((nodes[index].roles & NodeState::kFeedsSparse) != 0) {
+  if (marks[index].Is(NodeMarks::kFeedsSparse)) {
     gathered.clear();
     ForEachLeft(*this, node, token, key, element, [this](std::uint32_t left) { gathered.push_back(left); });
     late = static_cast<std::uint32_t>(gathered.size());
@@ -635,30 +658,64 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
       }
     });
   }
-  if ((nodes[node.parent].roles & NodeState::kMayBeSparse) != 0) {
-    SpeakAgainstSparse(node.parent, 2 + 2 * late);
+  std::uint32_t& judgement = nodes[node.parent].judgement;
+  if (judgement != kNil) {
+    SpeakAgainst(judgement, 2 + 2 * late);
   }
   if (!new_chains.empty()) [[unlikely]] {
     BlockOwners(node.parent);
   }
 }
 
-/// An element has come into the alpha memory of a join that is not linked on the left, or of a negative node.
-void ReteState::RightRare(std::uint32_t index, std::uint32_t wme) {
-  const Node& node = network->node(index);
+/// An element has come into the alpha memory of a negative node.
+void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32_t wme) {
   const Wme& element = wmes[wme];
-  if (node.kind == NodeKind::kJoin) {
-    LinkLeft(index);
-    if (nodes[node.parent].count == 0) {
-      UnlinkRight(index);
-    } else {
-      RightJoin(index, wme, element);
-    }
-    return;
-  }
   const std::uint32_t key = KeyOfElement(node, element);
-  ForEachLeft(*this, node, ChainHead(*this, nodes[index], key), key, element,
+  ForEachLeft(*this, node, ChainHead(*this, index, key), key, element,
               [this, wme](std::uint32_t left) { Block(left, wme); });
+}
+
+/// The first element has come into an alpha memory. The joins of its list, from `first` on, were not linked on the left
+/// (but for those that come onto it meanwhile).
+void ReteState::RightFirst(std::uint32_t first, std::uint32_t wme) {
+  for (std::uint32_t index = first; index != kNil;) {
+    const std::uint32_t next = nodes[index].next_right;
+    const Node& node = network->node(index);
+    if (node.kind != NodeKind::kJoin) {
+      RightNegative(index, node, wme);
+    } else {
+      const bool waited = !marks[index].Is(NodeMarks::kLeftLinked);
+      if (waited) {
+        LinkLeft(index);
+      }
+      if (waited && nodes[node.parent].count == 0) {
+        UnlinkRight(index);
+      } else {
+        RightJoin(index, node, wme, wmes[wme]);
+      }
+    }
+    index = next;
+  }
+}
+
+/// One more element has come into an alpha memory: all joins of its list, from `first` on, are linked on the left.
+[[gnu::always_inline]] inline void ReteState::RightAll(std::uint32_t first, std::uint32_t wme, const Wme& element) {
+  const std::uint32_t value = element.value.bits();
+  const std::uint32_t place = ValueFilter::Place(value);
+  const std::uint32_t known = ValueFilter::Knows(value) ? ~std::uint32_t{0} : 0;
+  const Node* const topology = network->nodes();
+  for (std::uint32_t index = first; index != kNil;) {
+    const std::uint32_t next = nodes[index].next_right;
+    const Node& node = topology[index];
+    if (((place - node.filter.lowest) & known) <= node.filter.range) {
+      if (node.kind == NodeKind::kJoin) {
+        RightJoin(index, node, wme, element);
+      } else {
+        RightNegative(index, node, wme);
+      }
+    }
+    index = next;
+  }
 }
 
 void ReteState::AddWme(std::uint32_t wme) {
@@ -682,8 +739,6 @@ void ReteState::AddWme(std::uint32_t wme) {
   last_timetag = std::max(last_timetag, element.timetag);
 
   const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
-  const std::uint32_t place = ValueFilter::Place(fields[2]);
-  const std::uint32_t known = ValueFilter::Knows(fields[2]) ? ~std::uint32_t{0} : 0;
   // Found first and filled then: two small loops run better than one that needs everything at once.
   std::uint32_t found[8];
   std::uint32_t* end = found;
@@ -691,15 +746,14 @@ void ReteState::AddWme(std::uint32_t wme) {
   for (const std::uint32_t* at = found; at != end; ++at) {
     const std::uint32_t alpha = *at;
     InsertItem(*this, alpha, wme);
-    for (std::uint32_t node = alphas[alpha].first_node; node != kNil;) {
-      const NodeState& state = nodes[node];
-      const std::uint32_t next = state.next_right;
-      if (!state.left_linked) {
-        RightRare(node, wme);
-      } else if (((place - state.lowest) & known) <= state.range) {
-        RightJoin(node, wme, element);
-      }
-      node = next;
+    const std::uint32_t node = alphas[alpha].first_node;
+    if (node == kNil) {
+      continue;
+    }
+    if (alphas[alpha].count == 1) {
+      RightFirst(node, wme);
+    } else {
+      RightAll(node, wme, element);
     }
   }
   if (!becoming_sparse.empty() || !becoming_plain.empty()) {

@@ -12,11 +12,11 @@ void ReteState::LinkLeft(std::uint32_t node) {
     nodes[head].previous_left = node;
   }
   head = node;
-  state.left_linked = true;
+  marks[node].Set(NodeMarks::kLeftLinked);
 }
 
 void ReteState::UnlinkLeft(std::uint32_t node) {
-  NodeState& state = nodes[node];
+  const NodeState& state = nodes[node];
   if (state.next_left != kNil) {
     nodes[state.next_left].previous_left = state.previous_left;
   }
@@ -25,7 +25,7 @@ void ReteState::UnlinkLeft(std::uint32_t node) {
   } else {
     nodes[network->node(node).parent].first_linked = state.next_left;
   }
-  state.left_linked = false;
+  marks[node].Unset(NodeMarks::kLeftLinked);
 }
 
 // In front of the nearest linked ancestor with the same alpha memory, else at the end: a descendant must see a new
@@ -34,22 +34,22 @@ void ReteState::LinkRight(std::uint32_t node) {
   NodeState& state = nodes[node];
   AlphaState& alpha = alphas[network->node(node).alpha];
   std::uint32_t ancestor = network->node(node).ancestor;
-  while (ancestor != kNil && !nodes[ancestor].right_linked) {
+  while (ancestor != kNil && !marks[ancestor].Is(NodeMarks::kRightLinked)) {
     ancestor = network->node(ancestor).ancestor;
   }
   state.next_right = ancestor;
   state.previous_right = ancestor == kNil ? alpha.last_node : nodes[ancestor].previous_right;
   (ancestor == kNil ? alpha.last_node : nodes[ancestor].previous_right) = node;
   (state.previous_right == kNil ? alpha.first_node : nodes[state.previous_right].next_right) = node;
-  state.right_linked = true;
+  marks[node].Set(NodeMarks::kRightLinked);
 }
 
 void ReteState::UnlinkRight(std::uint32_t node) {
-  NodeState& state = nodes[node];
+  const NodeState& state = nodes[node];
   AlphaState& alpha = alphas[network->node(node).alpha];
   (state.next_right == kNil ? alpha.last_node : nodes[state.next_right].previous_right) = state.previous_right;
   (state.previous_right == kNil ? alpha.first_node : nodes[state.previous_right].next_right) = state.next_right;
-  state.right_linked = false;
+  marks[node].Unset(NodeMarks::kRightLinked);
 }
 
 }  // namespace soarbox::kernel

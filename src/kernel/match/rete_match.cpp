@@ -154,7 +154,7 @@ std::uint32_t ReteState::KeyOfToken(const Node& memory, std::uint32_t token) con
 // Each chain is split in place, oldest token first, so that tokens with equal keys stay newest first.
 void ReteState::GrowChains(std::uint32_t node) {
   NodeState& state = nodes[node];
-  const std::uint32_t old_bits = state.bits;
+  const std::uint32_t old_bits = marks[node].bits();
   const std::uint32_t old_head = state.head;
   const std::uint32_t bits = old_bits == 0 ? 4 : old_bits + 2;
   const std::uint32_t table = tables.Allocate(bits);
@@ -180,7 +180,7 @@ void ReteState::GrowChains(std::uint32_t node) {
     tables.Free(old_head, old_bits);
   }
   state.head = table;
-  state.bits = static_cast<std::uint8_t>(bits);
+  marks[node].SetBits(bits);
 }
 
 // Blocking -----------------------------------------------------------------------------------------------------------
@@ -241,7 +241,7 @@ void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std
   const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   InsertWithKey(*this, node_index, token, key.key, node.key != KeyKind::kNone);
-  if (!nodes[node_index].right_linked) {
+  if (nodes[node_index].count == 1) {
     LinkRight(node_index);
   }
   bool blocked = false;
@@ -258,8 +258,7 @@ void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std
 
 void ReteState::LeftConjunctive(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
   const std::uint32_t key = ConjunctiveKey(parent, wme);
-  for (std::uint32_t token = ChainHead(*this, nodes[node_index], key); token != kNil;
-       token = tokens[token].next_in_chain) {
+  for (std::uint32_t token = ChainHead(*this, node_index, key); token != kNil; token = tokens[token].next_in_chain) {
     if (tokens[token].parent == parent && tokens[token].wme == wme) {
       return;  // Its conjunction matched first and blocks it.
     }
@@ -278,13 +277,13 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   const std::uint32_t owner_parent = tokens[top].parent;
   const std::uint32_t owner_wme = tokens[top].wme;
   const std::uint32_t key = ConjunctiveKey(owner_parent, owner_wme);
-  std::uint32_t owner = ChainHead(*this, nodes[node.partner], key);
+  std::uint32_t owner = ChainHead(*this, node.partner(), key);
   while (owner != kNil && (tokens[owner].parent != owner_parent || tokens[owner].wme != owner_wme)) {
     owner = tokens[owner].next_in_chain;
   }
   if (owner == kNil) {
-    owner = NewToken(node.partner | Token::kBlockedBit, owner_parent, owner_wme);
-    InsertWithKey(*this, node.partner, owner, key, true);
+    owner = NewToken(node.partner() | Token::kBlockedBit, owner_parent, owner_wme);
+    InsertWithKey(*this, node.partner(), owner, key, true);
   } else if ((tokens[owner].node & Token::kBlockedBit) == 0) {
     while (tokens[owner].first_child != kNil) {
       RemoveSubtree(tokens[owner].first_child);
@@ -303,7 +302,7 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
 }
 
 void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
-  const std::uint32_t production = network->node(node_index).rule;
+  const std::uint32_t production = network->node(node_index).rule();
   const RuleInfo& rule = *network->rule(production);
   WmeId* const first = elements.data();
   WmeId* place = first + rule.positives;

@@ -31,20 +31,20 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
       emissions.emplace_back(kNil, kNil);
       break;
     case NodeKind::kJoin: {
-      const NodeState& memory = nodes[node.parent];
-      if (memory.count == 0) {
+      if (nodes[node.parent].count == 0) {
         break;
       }
       for (std::uint32_t item = alphas[node.alpha].first; item != kNil; item = items[item].next) {
         const std::uint32_t wme = items[item].wme;
         const std::uint32_t key = KeyOfElement(node, wmes[wme]);
         const std::size_t first = emissions.size();
-        for (std::uint32_t token = ChainHead(*this, memory, key); token != kNil; token = tokens[token].next_in_chain) {
+        for (std::uint32_t token = ChainHead(*this, node.parent, key); token != kNil;
+             token = tokens[token].next_in_chain) {
           if (tokens[token].key == key && HasKey(*this, node, token, wmes[wme]) && Passes(node, token, wmes[wme])) {
             emissions.emplace_back(token, wme);
           }
         }
-        if ((memory.roles & NodeState::kSparse) != 0) {  // Its chains may be out of order.
+        if (marks[node.parent].Is(NodeMarks::kSparse)) {  // Its chains may be out of order.
           std::sort(
               emissions.begin() + static_cast<std::ptrdiff_t>(first), emissions.end(),
               [this](const Emission& a, const Emission& b) { return tokens[a.first].serial > tokens[b.first].serial; });
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> ReteState::OwnersOf(std::uint32_t conjunctive, std::u
   const Network& net = *network;
   const Node& node = net.node(conjunctive);
   std::uint32_t below = 0;  // Conditions of the conjunction behind this one.
-  for (std::uint32_t n = net.node(net.node(node.partner).parent).parent; n != join; ++below) {
+  for (std::uint32_t n = net.node(net.node(node.partner()).parent).parent; n != join; ++below) {
     n = net.node(net.node(n).parent).parent;
   }
   std::uint32_t anchor = parent;
@@ -143,7 +143,7 @@ Place PlaceOf(const Network& network, const RuleInfo& rule, std::span<const std:
     if (condition.kind != ConditionKind::kConjunctiveNegation) {
       return {};
     }
-    emitter = network.node(network.node(place.node).partner).parent;
+    emitter = network.node(network.node(place.node).partner()).parent;
     conjunctive = kNil;
     if (network.node(emitter).kind == NodeKind::kChains) {
       emitter = network.node(emitter).parent;
@@ -249,7 +249,7 @@ std::size_t Rete::CountTokens(ProductionId production) const {
       count += state_->nodes[node].count;
     }
     // The conjunction hangs below what comes before it, so that its nodes lead on upwards.
-    node = n.kind == NodeKind::kConjunctive ? network.node(n.partner).parent : n.parent;
+    node = n.kind == NodeKind::kConjunctive ? network.node(n.partner()).parent : n.parent;
   }
   return count;
 }

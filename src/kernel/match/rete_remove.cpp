@@ -15,7 +15,7 @@ namespace soarbox::kernel {
   }
   if ((memory.sparse & ~AlphaState::kInChains) != 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
-      if ((nodes[node].roles & NodeState::kFeedsSparse) != 0) {
+      if (marks[node].Is(NodeMarks::kFeedsSparse)) {
         ForgetPairs(node, item.wme);
       }
     }
@@ -43,7 +43,7 @@ namespace soarbox::kernel {
   }
   if (--memory.count == 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
-      if (nodes[node].left_linked) {  // Only joins ever are.
+      if (marks[node].Is(NodeMarks::kLeftLinked)) {  // Only joins ever are.
         UnlinkLeft(node);
       }
     }
@@ -95,9 +95,8 @@ void ReteState::RemoveWme(std::uint32_t wme) {
 
 namespace {
 
-[[gnu::always_inline]] inline void UnlinkFromElement(ReteState& state, const Token& token) {
+[[gnu::always_inline]] inline void UnlinkFromElement(ReteState& state, Records<Token> all, const Token& token) {
   if (token.wme != kNil) [[likely]] {
-    const Records<Token> all = state.tokens.records();
     const std::uint32_t next = token.next_of_wme;
     const std::uint32_t previous = token.previous_of_wme;
     if (next != kNil) {
@@ -119,8 +118,8 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
 }
 
 /// Takes a token off its chain. Counting is the caller's part.
-[[gnu::always_inline]] inline void UnlinkFromChain(ReteState& state, NodeState& memory, const Token& token) {
-  const Records<Token> all = state.tokens.records();
+[[gnu::always_inline]] inline void UnlinkFromChain(ReteState& state, Records<Token> all, std::uint32_t node,
+                                                   const Token& token) {
   const std::uint32_t next = token.next_in_chain;
   const std::uint32_t previous = token.previous_in_chain;
   if (next != kNil) {
@@ -129,7 +128,9 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
   if (previous != kNil) {
     all[previous].next_in_chain = next;
   } else {
-    (memory.bits == 0 ? memory.head : state.tables[memory.head + ReteState::Hash(token.key, memory.bits)]) = next;
+    std::uint32_t& head = state.nodes[node].head;
+    const std::uint32_t bits = state.marks[node].bits();
+    (bits == 0 ? head : state.tables[head + ReteState::Hash(token.key, bits)]) = next;
   }
 }
 
@@ -143,7 +144,7 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
 /// Takes a token off the lists of its parent and its element.
 void ReteState::UnlinkToken(std::uint32_t index) {
   UnlinkFromParent(*this, tokens[index]);
-  UnlinkFromElement(*this, tokens[index]);
+  UnlinkFromElement(*this, tokens.records(), tokens[index]);
 }
 
 void ReteState::FreeToken(std::uint32_t index) {
@@ -151,7 +152,7 @@ void ReteState::FreeToken(std::uint32_t index) {
 }
 
 void ReteState::RemoveFromChain(std::uint32_t node, std::uint32_t index) {
-  UnlinkFromChain(*this, nodes[node], tokens[index]);
+  UnlinkFromChain(*this, tokens.records(), node, tokens[index]);
   --nodes[node].count;
 }
 
@@ -190,12 +191,15 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         all[next].previous_sibling = kNil;
       }
     }
-    UnlinkFromElement(*this, leaf);
+    UnlinkFromElement(*this, all, leaf);
     if ((leaf.node & Token::kResultBit) == 0) {
       const std::uint32_t node = leaf.node & Token::kNodeMask;
-      NodeState& memory = nodes[node];
-      const std::uint32_t roles = memory.roles;
-      if ((roles & NodeState::kOther) != 0) {
+      if (!marks[node].Is(NodeMarks::kUncommonEnd)) {
+        UnlinkFromChain(*this, all, node, leaf);
+        if (--nodes[node].count == 0) {
+          MemoryEmptied(node);
+        }
+      } else if (marks[node].Is(NodeMarks::kOther)) {
         RemoveRareLeaf(token);
         if (token == root) {
           return;
@@ -203,19 +207,20 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         all = tokens.records();
         token = parent;
         continue;
-      }
-      UnlinkFromChain(*this, memory, leaf);
-      if ((roles & NodeState::kAboveSparse) != 0) {
-        if (leaf.pairs != 0) {
-          ForgetPairsOf(memory, leaf.pairs);
-          leaf.pairs = 0;
+      } else {
+        UnlinkFromChain(*this, all, node, leaf);
+        if (marks[node].Is(NodeMarks::kAboveSparse)) {
+          if (leaf.pairs != 0) {
+            ForgetPairsOf(SparseBelow(node), leaf.pairs);
+            leaf.pairs = 0;
+          }
+          leaf.forgotten = next_serial;
         }
-        leaf.forgotten = next_serial;
-      }
-      if ((roles & NodeState::kSparse) != 0) {
-        --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
-      } else if (--memory.count == 0) {
-        MemoryEmptied(node);
+        if (marks[node].Is(NodeMarks::kSparse)) {
+          --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
+        } else if (--nodes[node].count == 0) {
+          MemoryEmptied(node);
+        }
       }
     }
     leaf.next_sibling = free_tokens;
@@ -229,14 +234,14 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
 
 /// The last token of a memory or a negative node is going: nothing can join with it from the right.
 void ReteState::MemoryEmptied(std::uint32_t node) {
-  if ((nodes[node].roles & NodeState::kNegative) != 0) {
-    if (nodes[node].right_linked) {
+  if (marks[node].Is(NodeMarks::kNegative)) {
+    if (marks[node].Is(NodeMarks::kRightLinked)) {
       UnlinkRight(node);
     }
     return;
   }
   for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
-    if (nodes[join].right_linked) {
+    if (marks[join].Is(NodeMarks::kRightLinked)) {
       UnlinkRight(join);
     }
   }
@@ -333,6 +338,7 @@ void ReteState::Abandon() {
   tables = TablePool();
   links = std::vector<WmeLinks>();
   std::fill(nodes.begin(), nodes.end(), NodeState());
+  std::fill(marks.begin(), marks.end(), NodeMarks());
   std::fill(alphas.begin(), alphas.end(), AlphaState());
 }
 

@@ -54,9 +54,9 @@ bool ReteState::Holds(std::uint32_t chain, std::uint32_t wme) const {
 void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t anchors = node.ancestor;
-  const std::uint32_t chains = network->node(node.partner).parent;
+  const std::uint32_t chains = network->node(node.partner()).parent;
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  std::uint32_t anchor = ChainHead(*this, nodes[anchors], key.id);
+  std::uint32_t anchor = ChainHead(*this, anchors, key.id);
   while (anchor != kNil && tokens[anchor].key != key.id) {
     anchor = tokens[anchor].next_in_chain;
   }
@@ -74,8 +74,7 @@ void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint3
   last_owner = owner;
   tokens[owner].pairs = anchor;
   InsertWithKey(*this, index, owner, key.key, true);
-  for (std::uint32_t chain = ChainHead(*this, nodes[chains], key.key); chain != kNil;
-       chain = tokens[chain].next_in_chain) {
+  for (std::uint32_t chain = ChainHead(*this, chains, key.key); chain != kNil; chain = tokens[chain].next_in_chain) {
     if (tokens[chain].key == key.key && Pairs(owner, chain) && (removing == kNil || !Holds(chain, removing))) {
       BlockOwner(owner, chain);
     }
@@ -106,7 +105,7 @@ void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t chain) {
     }
     tokens[owner].node |= Token::kBlockedBit;
   }
-  const std::uint32_t result = NewToken(network->node(conjunctive).partner, chain, kNil);
+  const std::uint32_t result = NewToken(network->node(conjunctive).partner(), chain, kNil);
   const std::uint32_t head = tokens[owner].first_child;
   tokens[result].key = owner;
   tokens[result].previous_in_chain = kNil;
@@ -173,14 +172,13 @@ bool ReteState::CameLater(const OwnerAndChain& a, const OwnerAndChain& b) const 
 void ReteState::BlockOwners(std::uint32_t above) {
   pairings.clear();
   for (const std::uint32_t chain : new_chains) {
-    const std::uint32_t conjunctive = network->node(tokens[chain].node & Token::kNodeMask).partner;
+    const std::uint32_t conjunctive = network->node(tokens[chain].node & Token::kNodeMask).partner();
     std::uint32_t prefix = chain;
     while ((tokens[prefix].node & Token::kNodeMask) != above) {
       prefix = tokens[prefix].parent;
     }
     const std::uint32_t key = tokens[chain].key;
-    for (std::uint32_t owner = ChainHead(*this, nodes[conjunctive], key); owner != kNil;
-         owner = tokens[owner].next_in_chain) {
+    for (std::uint32_t owner = ChainHead(*this, conjunctive, key); owner != kNil; owner = tokens[owner].next_in_chain) {
       if (tokens[owner].key == key && Pairs(owner, chain)) {
         OwnerAndChain meeting = Meeting(owner, prefix);
         meeting.chain = chain;
@@ -206,7 +204,7 @@ void ReteState::BlockOwners(std::uint32_t above) {
 /// Whether a token belongs to a shared conjunction's own conditions.
 bool ReteState::IsInChain(const Token& token) const {
   return token.node != Token::kWatchNode && (token.node & Token::kResultBit) == 0 &&
-         (nodes[token.node & Token::kNodeMask].roles & NodeState::kInChain) != 0;
+         marks[token.node & Token::kNodeMask].Is(NodeMarks::kInChain);
 }
 
 /// Finds the owners that nothing will block when the chains with an element have gone: those that are opened first

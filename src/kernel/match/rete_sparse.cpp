@@ -152,7 +152,7 @@ void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_
     SortByAge(gathered);
     // Tokens that are made late anyway are dear.
     memory.late += static_cast<std::uint32_t>(gathered.size() - before);
-    if (memory.late > nodes[memory.node].patience && memory.late > memory.saved / 2) {
+    if (memory.late > ripe[memory.tries] >> kTryBits && memory.late > memory.saved / 2) {
       becoming_plain.push_back(memory.node);
       memory.late = 0;
     }
@@ -231,7 +231,7 @@ void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
   const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
   std::uint32_t pairs = 0;
-  for (std::uint32_t token = ChainHead(*this, nodes[node.parent], key); token != kNil;) {
+  for (std::uint32_t token = ChainHead(*this, node.parent, key); token != kNil;) {
     Token& left = tokens[token];
     if (left.key == key && HasKey(*this, node, left.parent, left.wme, element) &&
         PassesAll(*this, net, node, left.parent, left.wme, element)) {
@@ -241,14 +241,14 @@ void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
     token = left.next_in_chain;
   }
   if (pairs != 0) {
-    ForgetPairsOf(nodes[node.parent], pairs);
+    ForgetPairsOf(node.only_memory, pairs);
   }
 }
 
 /// The last pair of a sparse memory is gone.
 void ReteState::SparseEmptied(std::uint32_t memory) {
   const std::uint32_t join = network->node(memory).first_child;
-  if (nodes[join].left_linked && nodes[join].right_linked) {
+  if (marks[join].Is(NodeMarks::kLeftLinked) && marks[join].Is(NodeMarks::kRightLinked)) {
     UnlinkRight(join);
   }
 }
@@ -278,20 +278,20 @@ void ReteState::MakeSparse(std::uint32_t index) {
   NodeState& state = nodes[index];
   sparse[place]->node = index;
   sparse[place]->tokens = state.count;
-  state.next_left = place;
-  state.roles = static_cast<std::uint8_t>((state.roles | NodeState::kSparse) & ~NodeState::kMayBeSparse);
+  sparse[place]->tries = static_cast<std::uint8_t>(state.judgement & kTryMask);
+  state.place = place;
+  marks[index].Set(NodeMarks::kSparse);
   const std::uint32_t join = network->node(index).parent;
-  nodes[join].roles |= NodeState::kFeedsSparse;
+  marks[join].Set(NodeMarks::kFeedsSparse);
   ++alphas[network->node(join).alpha].sparse;
-  NodeState& above = nodes[network->node(join).parent];
-  above.roles |= NodeState::kAboveSparse;
-  above.below = index;
+  marks[network->node(join).parent].Set(NodeMarks::kAboveSparse);
   ForEachToken(index, [this](std::uint32_t token) { ++tokens[tokens[token].parent].pairs; });
 }
 
 void ReteState::MakeJudgedSparse() {
   for (const std::uint32_t node : becoming_sparse) {
-    if (node < nodes.size() && (nodes[node].roles & NodeState::kMayBeSparse) != 0) {
+    if (node < nodes.size() && network->node(node).kind == NodeKind::kMemory && !marks[node].Is(NodeMarks::kSparse) &&
+        nodes[node].judgement != kNil) {
       MakeSparse(node);
     }
   }
@@ -305,23 +305,23 @@ void ReteState::MakeJudgedSparse() {
 /// It may become sparse again, but takes longer to each time: what happens while an agent sets itself up tells little
 /// of what it does later.
 void ReteState::MakePlainForNow(std::uint32_t index) {
-  if (index >= nodes.size() || (nodes[index].roles & NodeState::kSparse) == 0) {
+  if (index >= nodes.size() || !marks[index].Is(NodeMarks::kSparse)) {
     return;
   }
+  const std::uint32_t tries = std::min(SparseOf(index).tries + 1u, kTryMask);
   MakePlain(index);
-  NodeState& state = nodes[index];
-  state.roles |= NodeState::kMayBeSparse;
-  state.previous_left = 0;
-  state.patience = std::min(state.patience, 0x0FFFFFFFu) * 16;
+  nodes[index].judgement = tries;
 }
 
 /// Makes tokens of all parked pairs, puts all chains in order and lets the memory be as any other from now on.
 void ReteState::MakePlain(std::uint32_t index) {
-  NodeState& state = nodes[index];
-  if ((state.roles & NodeState::kSparse) == 0) {
-    state.roles &= static_cast<std::uint8_t>(~NodeState::kMayBeSparse);
+  if (!marks[index].Is(NodeMarks::kSparse)) {
+    if (network->node(index).kind == NodeKind::kMemory) {
+      nodes[index].judgement = kNil;
+    }
     return;
   }
+  NodeState& state = nodes[index];
   SparseState& memory = SparseOf(index);
   IndexParked(memory);
   for (std::uint32_t n = 0; n < 1u << memory.bits; ++n) {
@@ -336,18 +336,19 @@ void ReteState::MakePlain(std::uint32_t index) {
     }
   }
   tables.Free(memory.table, memory.bits);
-  for (std::uint32_t n = 0; memory.unsorted && n < 1u << state.bits; ++n) {
-    SortChain(state.bits == 0 ? state.head : tables[state.head + n]);
+  const std::uint32_t bits = marks[index].bits();
+  for (std::uint32_t n = 0; memory.unsorted && n < 1u << bits; ++n) {
+    SortChain(bits == 0 ? state.head : tables[state.head + n]);
   }
   ForEachToken(index, [this](std::uint32_t token) { tokens[tokens[token].parent].pairs = 0; });
   const std::uint32_t join = network->node(index).parent;
-  nodes[join].roles &= static_cast<std::uint8_t>(~NodeState::kFeedsSparse);
+  marks[join].Unset(NodeMarks::kFeedsSparse);
   --alphas[network->node(join).alpha].sparse;
-  nodes[network->node(join).parent].roles &= static_cast<std::uint8_t>(~NodeState::kAboveSparse);
-  state.roles &= static_cast<std::uint8_t>(~NodeState::kSparse);
+  marks[network->node(join).parent].Unset(NodeMarks::kAboveSparse);
+  marks[index].Unset(NodeMarks::kSparse);
   memory = SparseState();
-  free_sparse.push_back(state.next_left);
-  state.next_left = kNil;
+  free_sparse.push_back(state.place);
+  state.judgement = kNil;
 }
 
 void ReteState::SortChain(std::uint32_t& head) {
@@ -393,9 +394,7 @@ void ReteState::ChildAdded(std::uint32_t child) {
     }
   }
   if (kind == NodeKind::kMemory && CanBeSparse(parent)) {
-    nodes[parent].roles |= NodeState::kMayBeSparse;
-    nodes[parent].previous_left = 0;
-    nodes[parent].patience = park_after;
+    nodes[parent].judgement = 0;
   }
 }
 

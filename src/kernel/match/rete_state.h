@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -90,59 +91,60 @@ struct AlphaState {
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
-/// A node's part of the agent's state.
+/// A node's part of the agent's state, in the four words that nodes of its kind need.
 ///
 /// Unlinking: a join is not in its memory's list while its alpha memory is empty, and not in the alpha memory's list
 /// while its memory is empty, but it is always in at least one of the two. A negative node is in its alpha memory's
 /// list exactly while it has tokens.
 struct NodeState {
-  // What a node has to do with sparse memories (rete_sparse.cpp).
-  static constexpr std::uint8_t kSparse = 1;       ///< Is one.
-  static constexpr std::uint8_t kAboveSparse = 2;  ///< Memory: its only join feeds one.
-  static constexpr std::uint8_t kFeedsSparse = 4;  ///< Join: its only child is one.
-  static constexpr std::uint8_t kMayBeSparse = 8;  ///< Memory: would be one if more of its pairs were to join in vain.
-  // What else the end of a token depends on.
-  static constexpr std::uint8_t kNegative = 16;  ///< Is a negative node.
-  static constexpr std::uint8_t kOther = 32;     ///< Is neither a negative node nor a memory.
-  static constexpr std::uint8_t kInChain = 64;   ///< Is part of a shared conjunction.
-
   union {
-    std::uint32_t head = kNil;  ///< Tokens: the chain if bits is 0, else a table of chains.
-    std::uint32_t lowest;       ///< Join: see ValueFilter.
+    std::uint32_t head = kNil;  ///< Tokens: the chain if NodeMarks::bits() is 0, else a table of chains.
+    std::uint32_t next_left;    ///< Join: in its memory's list.
   };
   union {
     std::uint32_t count = 0;  ///< Tokens; of a sparse memory also parked pairs that are not stale.
-    std::uint32_t range;      ///< Join: see ValueFilter.
+    std::uint32_t previous_left;
   };
-  std::uint32_t first_linked = kNil;                     ///< Memory: left-linked joins, last linked first.
-  std::uint32_t next_left = kNil, previous_left = kNil;  ///< Join: in its memory's list.
-                                                         ///< Sparse memory: next_left is its place in `sparse`.
-                                                         ///< One that may be: previous_left is its score.
   union {
-    std::uint32_t next_right = kNil;  ///< Join, negative: in the alpha memory's list.
-    std::uint32_t below;              ///< Memory above a sparse one: that one.
+    std::uint32_t first_linked = kNil;  ///< Memory: left-linked joins, last linked first.
+    std::uint32_t next_right;           ///< Join, negative: in the alpha memory's list.
   };
   union {
     std::uint32_t previous_right = kNil;
-    std::uint32_t patience;  ///< Memory that may be sparse or is: the score that makes it so.
+    std::uint32_t judgement;  ///< Memory that is not sparse: see ReteState::Judge.
+    std::uint32_t place;      ///< Sparse memory: in ReteState::sparse.
   };
-  std::uint8_t bits = 0;
-  bool left_linked = false;
-  bool right_linked = false;
-  std::uint8_t roles = 0;
 };
+static_assert(sizeof(NodeState) == 16, "nodes are addressed by a shift");
 
-/// Which small integers as an element's value pass a join's comparisons with constants: those of an interval. Rules
-/// that sort one number into many bands make many joins below one memory; each but few are then done with in one
-/// comparison.
-struct ValueFilter {
-  std::uint32_t lowest = 0, range = 0xFFFFFFFFu;  ///< Passes: Place(value) - lowest <= range, unsigned.
+/// The small part of a node's state, in an array of its own so that it costs no more than it is. One number of 16 bits:
+/// storing bytes, which may be part of anything, would make the compiler forget what it has in registers.
+class NodeMarks {
+ public:
+  // What a node has to do with sparse memories (rete_sparse.cpp).
+  static constexpr std::uint16_t kSparse = 0x100;       ///< Is one.
+  static constexpr std::uint16_t kAboveSparse = 0x200;  ///< Memory: its only join feeds one.
+  static constexpr std::uint16_t kFeedsSparse = 0x400;  ///< Join: its only child is one.
+  // What else the end of a token depends on.
+  static constexpr std::uint16_t kNegative = 0x800;  ///< Is a negative node.
+  static constexpr std::uint16_t kOther = 0x1000;    ///< Is neither a negative node nor a memory.
+  static constexpr std::uint16_t kUncommonEnd = kSparse | kAboveSparse | kOther;
+  static constexpr std::uint16_t kInChain = 0x8000;  ///< Is part of a shared conjunction.
+  // See NodeState on unlinking.
+  static constexpr std::uint16_t kLeftLinked = 0x2000;   ///< Join.
+  static constexpr std::uint16_t kRightLinked = 0x4000;  ///< Join, negative.
 
-  /// Ascending with a small integer's value.
-  static std::uint32_t Place(std::uint32_t bits) { return bits ^ 1u << (Symbol::kIndexBits - 1); }
-  static bool Knows(std::uint32_t bits) {
-    return bits >> Symbol::kIndexBits == static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
-  }
+  /// Any of them.
+  bool Is(std::uint16_t mark) const { return (word_ & mark) != 0; }
+  void Set(std::uint16_t mark) { word_ = static_cast<std::uint16_t>(word_ | mark); }
+  void Unset(std::uint16_t mark) { word_ = static_cast<std::uint16_t>(word_ & ~mark); }
+
+  /// Of the node's table of tokens; 0: it has none.
+  std::uint32_t bits() const { return word_ & 0xFFu; }
+  void SetBits(std::uint32_t bits) { word_ = static_cast<std::uint16_t>((word_ & 0xFF00u) | bits); }
+
+ private:
+  std::uint16_t word_ = 0;
 };
 
 /// The rest of a sparse memory's state. Pairs are parked in a log; the first element that comes from the right moves
@@ -157,6 +159,7 @@ struct SparseState {
   std::uint32_t table = kNil;   ///< Of chains.
   std::uint8_t bits = 0;        ///< 0: no table.
   bool unsorted = false;        ///< Chains of tokens may be out of order.
+  std::uint8_t tries = 0;       ///< How often the memory was plain again after it had been sparse.
   std::uint32_t saved = 0;      ///< Pairs that went without ever being tokens.
   std::uint32_t late = 0;       ///< Pairs that became tokens later.
 };
@@ -207,12 +210,13 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<std::uint32_t> free_sparse;
   std::vector<std::uint32_t> becoming_sparse;  ///< Memories that are to change when the element is in.
   std::vector<std::uint32_t> becoming_plain;
-  std::uint32_t park_after = 256;                ///< See Rete::ParkAfter.
+  std::array<std::uint32_t, 8> ripe;             ///< By number of tries: the judgement that makes a memory sparse.
   std::vector<std::uint32_t> gathered, sorting;  ///< Scratch: tokens that an element joins with; a list to be sorted.
   RecordArray<AlphaItem> items;
   std::uint32_t free_items = kNil;
   PlainVector<AlphaState> alphas;
   PlainVector<NodeState> nodes;
+  PlainVector<NodeMarks> marks;  ///< Of each node.
   std::vector<WmeLinks> links;
   std::uint32_t newest_wme = kNil;
   std::uint32_t wme_count = 0;
@@ -247,6 +251,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftMemory(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   bool LinkJoin(std::uint32_t node);
+  void LinkOnlyJoin(std::uint32_t memory, std::uint32_t join);
   [[gnu::noinline]] void LeftNegative(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   [[gnu::noinline]] void LeftConjunctive(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   [[gnu::noinline]] void LeftPartner(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
@@ -288,9 +293,11 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Abandon();
 
   // rete_join.cpp
-  void RightJoin(std::uint32_t join, std::uint32_t wme, const Wme& element);
+  void RightJoin(std::uint32_t join, const Node& node, std::uint32_t wme, const Wme& element);
   void RightMatch(std::uint32_t join, std::uint32_t wme, std::uint32_t token, std::uint32_t key);
-  void RightRare(std::uint32_t node, std::uint32_t wme);
+  void RightNegative(std::uint32_t index, const Node& node, std::uint32_t wme);
+  void RightFirst(std::uint32_t first, std::uint32_t wme);
+  void RightAll(std::uint32_t first, std::uint32_t wme, const Wme& element);
   void RightSparse(std::uint32_t join, std::uint32_t wme);
   void EmitGathered(std::uint32_t join, std::uint32_t wme);
   void JoinSparsely(std::uint32_t node, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
@@ -301,6 +308,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void LeftSparse(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
   void JoinBucket(std::uint32_t memory, std::uint32_t token, std::uint32_t id, std::uint32_t item);
   void LeftPlain(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
+  void JoinOne(std::uint32_t join, std::uint32_t token, const KeyParts& key);
+  void JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key);
   void JoinAll(const NodeState& memory, std::uint32_t token, const KeyParts& key);
   std::uint32_t MakeAnchor(std::uint32_t anchors, std::uint32_t id);
 
@@ -314,37 +323,54 @@ struct [[gnu::visibility("hidden")]] ReteState {
     return pair.serial < tokens[pair.parent].forgotten || pair.serial < links[pair.wme].serial;
   }
   void ForgetPairs(std::uint32_t join, std::uint32_t wme);
-  /// Counts off pairs of tokens of the memory above a sparse one.
-  void ForgetPairsOf(const NodeState& above, std::uint32_t pairs) {
-    NodeState& memory = nodes[above.below];
-    memory.count -= pairs;
-    if (memory.count == 0) {
-      SparseEmptied(above.below);
+  /// Counts off pairs of a sparse memory.
+  void ForgetPairsOf(std::uint32_t memory, std::uint32_t pairs) {
+    std::uint32_t& count = nodes[memory].count;
+    count -= pairs;
+    if (count == 0) {
+      SparseEmptied(memory);
     }
   }
-  void SparseEmptied(std::uint32_t memory);
+  /// The sparse memory below a memory.
+  std::uint32_t SparseBelow(std::uint32_t memory) const {
+    return network->node(network->node(memory).first_child).only_memory;
+  }
+  [[gnu::noinline]] void SparseEmptied(std::uint32_t memory);
   void SortByAge(std::vector<std::uint32_t> & list) const;
   void SortChildren(std::uint32_t token);
   void SortTokensOf(std::uint32_t wme);
   void SortChain(std::uint32_t & head);
   SparseState& SparseOf(std::uint32_t node) {
-    return *sparse[nodes[node].next_left];
+    return *sparse[nodes[node].place];
   }
   const SparseState& SparseOf(std::uint32_t node) const {
-    return *sparse[nodes[node].next_left];
+    return *sparse[nodes[node].place];
   }
   bool CanBeSparse(std::uint32_t node) const;
-  /// A pair has become a token of a memory that may be sparse, and did or did not join.
-  void Judge(std::uint32_t node, std::uint32_t token) {
-    if (tokens[token].first_child != kNil) {
-      SpeakAgainstSparse(node, 3);
-    } else if (++nodes[node].previous_left == nodes[node].patience) {
-      becoming_sparse.push_back(node);
+  // The judgement on a memory that may become sparse: the number of its tries in the lowest bits, above them a score.
+  // On others it is kNil.
+  static constexpr std::uint32_t kTryBits = 3;
+  static constexpr std::uint32_t kTryMask = (1u << kTryBits) - 1;
+  /// See Rete::ParkAfter. Each try makes a memory sixteen times as patient.
+  void ParkAfter(std::uint32_t matches) {
+    for (std::uint32_t tries = 0; tries <= kTryMask; ++tries) {
+      const std::uint64_t score = std::min(std::uint64_t{matches} << (4 * tries), (std::uint64_t{1} << 29) - 2);
+      ripe[tries] = static_cast<std::uint32_t>(score) << kTryBits | tries;
     }
   }
-  void SpeakAgainstSparse(std::uint32_t node, std::uint32_t weight) {
-    std::uint32_t& score = nodes[node].previous_left;
-    score -= std::min(score, weight);
+  /// A pair has become a token of a memory that may become sparse, and did or did not join.
+  void Judge(std::uint32_t & judgement, std::uint32_t node, std::uint32_t token) {
+    if (tokens[token].first_child != kNil) {
+      SpeakAgainst(judgement, 3);
+    } else {
+      judgement += 1u << kTryBits;
+      if (judgement == ripe[judgement & kTryMask]) {
+        becoming_sparse.push_back(node);
+      }
+    }
+  }
+  static void SpeakAgainst(std::uint32_t & judgement, std::uint32_t weight) {
+    judgement -= std::min(judgement & ~kTryMask, weight << kTryBits);
   }
   // rete_shared.cpp
   void LeftShared(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
@@ -377,7 +403,6 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::uint32_t MakeAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable);
   void DropAlpha(std::uint32_t alpha);
   void NodeAdded(std::uint32_t node);
-  ValueFilter FilterOf(const Node& join) const;
   void Prime(std::uint32_t child);
   void RemoveNode(std::uint32_t node);
   void RemoveUnused(std::uint32_t node);
@@ -391,10 +416,10 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::size_t CountTokens() const;
   template <typename Visit>
   void ForEachToken(std::uint32_t node, Visit && visit) const {
-    const NodeState& state = nodes[node];
-    const std::uint32_t chains = state.bits == 0 ? 1u : 1u << state.bits;
-    for (std::uint32_t n = 0; n < chains; ++n) {
-      std::uint32_t token = state.bits == 0 ? state.head : tables[state.head + n];
+    const std::uint32_t head = nodes[node].head;
+    const std::uint32_t bits = marks[node].bits();
+    for (std::uint32_t n = 0; n < 1u << bits; ++n) {
+      std::uint32_t token = bits == 0 ? head : tables[head + n];
       while (token != kNil) {
         const std::uint32_t next = tokens[token].next_in_chain;
         visit(token);
