@@ -443,6 +443,11 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   }
 
   KernelData& kernel_;
+  // These outlive io_: its thread may be in WakeEvents still when Shutdown comes back.
+  std::mutex wake_mutex_;
+  std::condition_variable wake_;
+  bool awake_ = false;
+  bool stopping_ = false;
   soarbox::wire::IoThread io_;
   std::unique_ptr<Channel> channel_;
   std::atomic<int> limit_ms_{0};   ///< For answers; 0: kPatience.
@@ -453,10 +458,6 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   std::vector<std::string> waiting_;      ///< Calls whose answers are awaited, the outermost first.
   std::map<std::string, Message> early_;  ///< Answers to outer calls that came inside inner ones.
   std::thread events_;
-  std::mutex wake_mutex_;
-  std::condition_variable wake_;
-  bool awake_ = false;
-  bool stopping_ = false;
 };
 
 }  // namespace
