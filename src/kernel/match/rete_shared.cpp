@@ -179,12 +179,17 @@ void ReteState::BlockOwners(std::uint32_t above) {
     }
     const std::uint32_t key = tokens[chain].key;
     for (std::uint32_t owner = ChainHead(*this, conjunctive, key); owner != kNil; owner = tokens[owner].next_in_chain) {
-      if (tokens[owner].key == key && Pairs(owner, chain)) {
-        OwnerAndChain meeting = Meeting(owner, prefix);
-        meeting.chain = chain;
-        meeting.place = static_cast<std::uint32_t>(pairings.size());
-        pairings.push_back(meeting);
+      if (tokens[owner].key != key || !Pairs(owner, chain)) {
+        continue;
       }
+      if ((tokens[owner].node & Token::kBlockedBit) != 0) {
+        BlockOwner(owner, chain);  // Once more: nobody notices when.
+        continue;
+      }
+      OwnerAndChain meeting = Meeting(owner, prefix);
+      meeting.chain = chain;
+      meeting.place = static_cast<std::uint32_t>(pairings.size());
+      pairings.push_back(meeting);
     }
   }
   new_chains.clear();
@@ -205,6 +210,15 @@ void ReteState::BlockOwners(std::uint32_t above) {
 bool ReteState::IsInChain(const Token& token) const {
   return token.node != Token::kWatchNode && (token.node & Token::kResultBit) == 0 &&
          marks[token.node & Token::kNodeMask].Is(NodeMarks::kInChain);
+}
+
+/// Whether a chain without the element blocks an owner.
+bool ReteState::StaysBlocked(std::uint32_t owner, std::uint32_t wme) const {
+  std::uint32_t result = tokens[owner].first_child;
+  while (result != kNil && Holds(tokens[result].parent, wme)) {
+    result = tokens[result].next_in_chain;
+  }
+  return result != kNil;
 }
 
 /// Finds the owners that nothing will block when the chains with an element have gone: those that are opened first
@@ -236,7 +250,11 @@ void ReteState::FindOpenings(std::uint32_t wme) {
       if (token == top || tokens[token].wme != wme) {
         if (network->node(tokens[token].node & Token::kNodeMask).kind == NodeKind::kChains) {
           for (std::uint32_t result = tokens[token].first_child; result != kNil; result = tokens[result].next_sibling) {
-            OwnerAndChain meeting = Meeting(tokens[result].key, top);
+            const std::uint32_t owner = tokens[result].key;
+            if (StaysBlocked(owner, wme)) {
+              continue;
+            }
+            OwnerAndChain meeting = Meeting(owner, top);
             meeting.due = std::max(meeting.serial, tokens[top].serial);
             meeting.place = ~static_cast<std::uint32_t>(pairings.size());  // The newest chain goes first.
             pairings.push_back(meeting);
@@ -261,6 +279,7 @@ void ReteState::FindOpenings(std::uint32_t wme) {
   new_chains.clear();
   openings.clear();
   std::ranges::sort(pairings, {}, &OwnerAndChain::owner);
+  // An owner that several chains blocked is opened when the last of them goes.
   for (std::size_t first = 0, end; first < pairings.size(); first = end) {
     OwnerAndChain opening = pairings[first];
     for (end = first + 1; end < pairings.size() && pairings[end].owner == opening.owner; ++end) {
@@ -268,14 +287,7 @@ void ReteState::FindOpenings(std::uint32_t wme) {
         opening = pairings[end];
       }
     }
-    std::size_t results = 0;
-    for (std::uint32_t result = tokens[opening.owner].first_child; result != kNil;
-         result = tokens[result].next_in_chain) {
-      ++results;
-    }
-    if (results == end - first) {
-      openings.push_back(opening);
-    }
+    openings.push_back(opening);
   }
   std::ranges::sort(openings, [this](const OwnerAndChain& a, const OwnerAndChain& b) { return CameLater(b, a); });
 }

@@ -389,6 +389,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<std::uint32_t> OwnersOf(std::uint32_t conjunctive, std::uint32_t join, std::uint32_t parent,
                                       std::uint32_t wme) const;
   bool Holds(std::uint32_t token, std::uint32_t wme) const;
+  bool StaysBlocked(std::uint32_t owner, std::uint32_t wme) const;
 
   void MakeJudgedSparse();
   void MakeSparse(std::uint32_t node);
