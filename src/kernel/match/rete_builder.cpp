@@ -70,8 +70,9 @@ NodeShape ReteBuilder::ShapeOf(NodeKind kind, std::uint32_t depth, const Binding
 
 /// In a shared conjunction: a comparison with a binding outside of it is to be made with its owners. The identifier of
 /// its first condition is what it hangs on.
-inline bool ReteBuilder::Defer(TestOp op, Field field, std::uint32_t depth, const Binding& binding) {
-  if (chain_.first == kNil || chain_.Holds(binding.depth)) {
+[[gnu::noinline, gnu::cold]] bool ReteBuilder::Defer(TestOp op, Field field, std::uint32_t depth,
+                                                     const Binding& binding) {
+  if (chain_.Holds(binding.depth)) {
     return false;
   }
   const auto levels = static_cast<std::uint16_t>(chain_.first - binding.depth);
@@ -91,7 +92,7 @@ inline bool ReteBuilder::Defer(TestOp op, Field field, std::uint32_t depth, cons
   return true;
 }
 
-inline void ReteBuilder::AddEquality(Symbol symbol, std::uint32_t place, std::uint32_t depth) {
+[[gnu::always_inline]] inline void ReteBuilder::AddEquality(Symbol symbol, std::uint32_t place, std::uint32_t depth) {
   if (!symbol.IsVariable() && tests_.constants[place] == 0) {
     tests_.constants[place] = symbol.bits();
     tests_.mask |= 1u << place;
@@ -106,7 +107,7 @@ inline void ReteBuilder::AddEquality(Symbol symbol, std::uint32_t place, std::ui
     const Binding before = binding;
     trail_.push_back({symbol.index(), before});
     binding = {depth, field};
-    if (before.depth == kNil || Defer(TestOp::kEqual, field, depth, before)) {
+    if (before.depth == kNil || (chain_.IsBuilt() && Defer(TestOp::kEqual, field, depth, before))) {
       return;
     }
     node_test.against_binding = true;
@@ -141,7 +142,7 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
     const Binding& binding = BindingOf(test.referent());
     if (binding.depth == kNil) {
       node_test.op = TestOp::kNever;  // Rules are checked before they come here; this cannot be satisfied.
-    } else if (Defer(node_test.op, field, depth, binding)) {
+    } else if (chain_.IsBuilt() && Defer(node_test.op, field, depth, binding)) {
       return;
     } else {
       node_test.against_binding = true;

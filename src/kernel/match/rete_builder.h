@@ -80,12 +80,14 @@ class ReteBuilder {
     bool anchored = false;  ///< The identifier of the first condition has been seen.
     NodeShape anchor;       ///< Where the owner has this identifier. Only its key fields.
     std::vector<NodeTest> tests;
-    bool Holds(std::uint32_t depth) const { return first != kNil && depth >= first; }
+    bool IsBuilt() const { return first != kNil; }
+    bool Holds(std::uint32_t depth) const { return depth >= first; }
   };
   bool Defer(TestOp op, Field field, std::uint32_t depth, const Binding& binding);
 
   Tests tests_;
   Chain chain_;
+  std::vector<Symbol> inside_;     ///< Scratch: variables of a conjunction.
   std::vector<Binding> bindings_;  ///< By variable.
   std::vector<Rebinding> trail_;   ///< What was bound, in order, and what it was before.
 };

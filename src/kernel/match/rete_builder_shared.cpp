@@ -55,10 +55,11 @@ bool IsLasting(const Test& test) {
 /// rules have as well: the order of its children says in which order their matches appear.
 bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::span<const Condition> conditions = condition.conditions();
-  if (!state_.share_conjunctions || chain_.first != kNil || conditions.size() < 2) {
+  if (!state_.share_conjunctions || chain_.IsBuilt() || conditions.size() < 2) {
     return false;
   }
-  std::vector<Symbol> inside;
+  std::vector<Symbol>& inside = inside_;
+  inside.clear();
   Binding anchor;
   bool compares = false;
   for (const Condition& part : conditions) {
