@@ -50,9 +50,13 @@ bool IsLasting(const Test& test) {
 }  // namespace
 
 /// A conjunction can be shared if it is a chain: two or more positive conditions, the first of an identifier bound
-/// outside, each other of an identifier bound inside. Not while several tokens wait for it already: the order in which
-/// they would have met its elements is not known. And not where the first condition is joined with a memory that other
-/// rules have as well: the order of its children says in which order their matches appear.
+/// outside, each other of an identifier bound inside. It is worth it if several tokens may have that identifier and
+/// something compares what they have with the chain. What comes behind such a comparison must be of the same object:
+/// otherwise it might be much that the comparison would have kept away.
+///
+/// Not while several tokens wait for it already: the order in which they would have met its elements is not known. And
+/// not where the first condition is joined with a memory that other rules have as well: the order of its children says
+/// in which order their matches appear.
 bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::span<const Condition> conditions = condition.conditions();
   if (!state_.share_conjunctions || chain_.IsBuilt() || conditions.size() < 2) {
@@ -61,34 +65,37 @@ bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter,
   std::vector<Symbol>& inside = inside_;
   inside.clear();
   Binding anchor;
-  bool compares = false;
+  Symbol compared;  // The identifier of the first condition that compares with something outside.
   for (const Condition& part : conditions) {
     if (part.kind != ConditionKind::kPositive || !IsLasting(part.id) || !IsLasting(part.attribute) ||
         !IsLasting(part.value)) {
       return false;
     }
-    bool hangs = false;
+    Symbol id;
     ForEachEqual(part.id, [&](Symbol variable) {
-      if (!inside.empty()) {
-        hangs |= std::ranges::find(inside, variable) != inside.end();
-      } else if (!hangs && BindingOf(variable).depth != kNil) {
-        hangs = true;
-        anchor = BindingOf(variable);
+      if (!id &&
+          (inside.empty() ? BindingOf(variable).depth != kNil : std::ranges::find(inside, variable) != inside.end())) {
+        id = variable;
       }
     });
-    if (!hangs) {
+    if (!id || (compared && id != compared)) {
       return false;
     }
-    for (const Test* field : {&part.id, &part.attribute, &part.value}) {
-      compares |= (field != &part.id || !inside.empty()) && ComparesWith(*field, [&](Symbol variable) {
-                    return BindingOf(variable).depth != kNil && std::ranges::find(inside, variable) == inside.end();
-                  });
+    if (inside.empty()) {
+      anchor = BindingOf(id);
+    }
+    const auto is_outside = [&](Symbol variable) {
+      return variable != id && BindingOf(variable).depth != kNil && std::ranges::find(inside, variable) == inside.end();
+    };
+    if (ComparesWith(part.id, is_outside) || ComparesWith(part.attribute, is_outside) ||
+        ComparesWith(part.value, is_outside)) {
+      compared = id;
     }
     for (const Test* field : {&part.id, &part.attribute, &part.value}) {
       ForEachEqual(*field, [&](Symbol variable) { inside.push_back(variable); });
     }
   }
-  if (!compares || anchor.depth + 1 >= depth) {
+  if (!compared || anchor.depth + 1 >= depth) {
     return false;
   }
   NodePlan memory;

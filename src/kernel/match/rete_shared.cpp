@@ -11,7 +11,8 @@
 /// that wait for the conjunction, its *owners*, meet complete chains by the anchor and what else must be equal; the
 /// other comparisons of the two are made there, and only what blocks an owner becomes a record.
 ///
-/// An anchor lives while it has owners. So there are never more chains than partial matches there would be otherwise.
+/// An anchor lives while it has owners, and comparisons with owners come last (rete_builder_shared.cpp). So there are
+/// about as many chains per identifier as there would otherwise be partial matches per token.
 ///
 /// Nothing that can be observed depends on it: owners are blocked and opened in the order in which the partial matches
 /// (owner, chain) would have been made and removed. That order follows from serial numbers: such a match is made when

@@ -29,8 +29,7 @@ namespace soarbox::kernel {
 /// * partner: a result inside a conjunction; child of the token above it, and in the chain of results of the
 ///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that chain.
 /// * shared conjunctive: stands in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
-/// the
-///   chain that blocks it and has no element.
+///   the chain that blocks it and has no element.
 /// * anchor: has no parent and no element; `key` is the identifier, `previous_sibling` counts its owners.
 /// * production: `key` is the match.
 /// * kWatchNode: `parent` is kNil, `key` the match, `chain` links the match's other watch tokens.
