@@ -11,6 +11,16 @@ import unittest
 COMMAND = os.environ["SOARBOX"]
 SHARED = pathlib.Path(os.environ.get("SOARBOX_SHARED_DIR", "/nonexistent"))
 
+# An agent's script: it walks along the x axis.
+WALKER = """
+function Agent_Initialize(agent)
+    agent:SetTarget(Vector.new(50, 0, 0));
+end
+function Agent_Update(agent, deltaTimeInMillis, command)
+    agent:ApplyForce(agent:ForceToPosition(agent:GetTarget()) * 50);
+end
+"""
+
 
 def limit_memory(process_id, memory_bytes):
     resource.prlimit(process_id, resource.RLIMIT_AS, (memory_bytes, memory_bytes))

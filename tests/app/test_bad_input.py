@@ -3,21 +3,13 @@
 import socket
 import unittest
 
-from soarbox_command import Run, ScenarioCase, run_json
+from soarbox_command import WALKER, Run, ScenarioCase, run_json
 
 SANDBOX = """
 function Sandbox_Initialize(sandbox)
     Sandbox.CreatePlane(sandbox, 200, 200);
     Sandbox.CreateAgent(sandbox, "Good.lua");
     %s
-end
-"""
-GOOD = """
-function Agent_Initialize(agent)
-    agent:SetTarget(Vector.new(50, 0, 0));
-end
-function Agent_Update(agent, deltaTimeInMillis, command)
-    agent:ApplyForce(agent:ForceToPosition(agent:GetTarget()) * 50);
 end
 """
 
@@ -68,7 +60,7 @@ class CommandLine(unittest.TestCase):
 class Scripts(ScenarioCase):
     def scenario(self, line):
         self.write("Sandbox.lua", SANDBOX % line)
-        self.write("Good.lua", GOOD)
+        self.write("Good.lua", WALKER)
         return self.folder
 
     def check_world_goes_on(self, run):
@@ -128,7 +120,7 @@ class Rules(ScenarioCase):
     def setUp(self):
         super().setUp()
         self.write("Sandbox.lua", SANDBOX % 'Sandbox.CreateSoarSeekingAgent(sandbox, "Good.lua");')
-        self.write("Good.lua", GOOD)
+        self.write("Good.lua", WALKER)
 
     def run_(self):
         return run_json(self.folder, "--seconds", 2, "--every-command")

@@ -4,7 +4,7 @@ import os
 import unittest
 
 import test_wire
-from soarbox_command import ScenarioCase, limit_memory, run_json
+from soarbox_command import WALKER, ScenarioCase, limit_memory, run_json
 
 MEMORY_BYTES = 600 << 20
 
@@ -14,14 +14,6 @@ function Sandbox_Initialize(sandbox)
     Sandbox.CreateAgent(sandbox, "Walker.lua");
     Sandbox.CreateSoarAgent(sandbox, "Walker.lua", "greedy.soar");
     Sandbox.CreateSoarAgent(sandbox, "Walker.lua", "modest.soar");
-end
-"""
-WALKER = """
-function Agent_Initialize(agent)
-    agent:SetTarget(Vector.new(50, 0, 0));
-end
-function Agent_Update(agent, deltaTimeInMillis, command)
-    agent:ApplyForce(agent:ForceToPosition(agent:GetTarget()) * 50);
 end
 """
 MODEST = """
