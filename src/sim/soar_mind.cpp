@@ -37,6 +37,7 @@ bool SoarMind::Halted() const {
 }
 
 std::string_view SoarMind::Breakdown() const {
+  // The client API gives texts only: this is what `run` answers (cli/run_text.cpp).
   constexpr std::string_view kBeforeCause = "The agent ran out of memory: ";
   const std::size_t begin = answer_.find(kBeforeCause);
   if (begin == std::string::npos) return {};

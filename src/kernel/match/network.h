@@ -120,6 +120,8 @@ struct Node : NodeShape {
 
   /// Between a conjunctive node and its partner. kChains: the conjunctive node.
   std::uint32_t partner() const { return counterpart; }
+  /// Of a conjunctive node: is its conjunction a shared one?
+  bool IsShared() const { return kind == NodeKind::kConjunctive && key != KeyKind::kNone; }
   /// kProduction: its number.
   std::uint32_t rule() const { return counterpart; }
 

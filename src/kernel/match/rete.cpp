@@ -116,7 +116,7 @@ Rete::Statistics Rete::statistics() const {
   for (std::uint32_t n = 0; n < network.node_limit(); ++n) {
     const Node& node = network.node(n);
     statistics.nodes += node.kind != NodeKind::kFree ? 1 : 0;
-    statistics.shared_conjunctions += node.kind == NodeKind::kConjunctive && node.key != KeyKind::kNone ? 1 : 0;
+    statistics.shared_conjunctions += node.IsShared() ? 1 : 0;
   }
   for (std::uint32_t n = 0; n < network.alpha_limit(); ++n) {
     statistics.alpha_memories += network.alpha(n).uses != 0 ? 1 : 0;

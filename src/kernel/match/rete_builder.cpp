@@ -246,6 +246,20 @@ std::uint32_t ReteBuilder::FindOrMakeShaped(std::uint32_t parent, NodeKind kind,
   return shared != kNil ? shared : Make(plan, hash);
 }
 
+/// Of a memory the anchors, and of anchors the memory, that are indexed like it and have the same parent; kNil if there
+/// is none. Without sharing the two would be one node, so they stand side by side.
+std::uint32_t ReteBuilder::TwinOf(std::uint32_t index) const {
+  const Node& node = state_.network->node(index);
+  if (!state_.shares_conjunctions || (node.kind != NodeKind::kAnchors && node.kind != NodeKind::kMemory)) {
+    return kNil;
+  }
+  NodePlan twin;
+  twin.parent = node.parent;
+  twin.shape = node;
+  twin.shape.kind = node.kind == NodeKind::kAnchors ? NodeKind::kMemory : NodeKind::kAnchors;
+  return state_.network->FindShared(twin, twin.Hash());
+}
+
 /// The memory for joins with the key of the condition at hand. Most nodes that emit have one memory at most.
 std::uint32_t ReteBuilder::FindOrMakeMemory(std::uint32_t parent) {
   const Network& network = *state_.network;
@@ -264,13 +278,9 @@ std::uint32_t ReteBuilder::FindOrMakeMemory(std::uint32_t parent) {
     return shared;
   }
   const std::uint32_t made = Make(plan, hash);
-  if (!childless && state_.shares_conjunctions) {
-    // It stands where it would if a shared conjunction had begun with it.
-    plan.shape.kind = NodeKind::kAnchors;
-    const std::uint32_t twin = network.FindShared(plan, plan.Hash());
-    if (twin != kNil) {
-      state_.network->MoveBehind(made, twin);
-    }
+  const std::uint32_t twin = TwinOf(made);
+  if (twin != kNil) {
+    state_.network->MoveBehind(made, twin);
   }
   return made;
 }
@@ -345,17 +355,9 @@ std::uint32_t ReteBuilder::MakeConjunctive(const NodePlan& conjunctive, std::uin
   }
   const std::uint32_t node = network.AddNode(conjunctive, conjunctive.Hash());
   network.MoveToHead(top);
-  if (state_.shares_conjunctions) {
-    const NodeKind kind = network.node(top).kind;
-    NodePlan twin;
-    twin.parent = conjunctive.parent;
-    twin.shape = network.node(top);
-    twin.shape.kind = kind == NodeKind::kAnchors ? NodeKind::kMemory : NodeKind::kAnchors;
-    const std::uint32_t other =
-        kind == NodeKind::kAnchors || kind == NodeKind::kMemory ? network.FindShared(twin, twin.Hash()) : kNil;
-    if (other != kNil) {
-      network.MoveBehind(other, top);
-    }
+  const std::uint32_t twin = TwinOf(top);
+  if (twin != kNil) {
+    network.MoveBehind(twin, top);
   }
   const std::uint32_t made = network.AddNode(partner, hash);
   network.SetPartner(node, made);

@@ -53,6 +53,7 @@ class ReteBuilder {
   std::uint32_t MakeConjunctive(const NodePlan& conjunctive, std::uint32_t bottom, std::uint32_t length);
   std::uint32_t FindOrMakeShaped(std::uint32_t parent, NodeKind kind, const NodeShape& shape,
                                  std::span<const NodeTest> tests = {});
+  std::uint32_t TwinOf(std::uint32_t index) const;
   std::uint32_t FindOrMakeMemory(std::uint32_t parent);
   std::uint32_t FindOrMake(std::uint32_t parent, NodeKind kind, const Condition& condition);
   std::uint32_t Make(const NodePlan& plan, std::uint32_t hash);

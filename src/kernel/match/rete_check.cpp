@@ -174,11 +174,7 @@ class Checker {
     s_.ForEachToken(index, [&](std::uint32_t owner) {
       std::uint32_t found = 0;
       s_.ForEachToken(bottom, [&](std::uint32_t chain) {
-        std::uint32_t anchor = chain;
-        while (s_.tokens[anchor].parent != kNil) {
-          anchor = s_.tokens[anchor].parent;
-        }
-        if (anchor == s_.tokens[owner].pairs && s_.Pairs(owner, chain)) {
+        if (s_.AnchorOf(chain) == s_.tokens[owner].pairs && s_.Pairs(owner, chain)) {
           ++found;
         }
       });
@@ -197,7 +193,7 @@ class Checker {
     std::map<std::uint32_t, std::uint32_t> owners, ids;
     for (std::uint32_t n = 0; n < network_.node_limit(); ++n) {
       const Node& node = network_.node(n);
-      if (node.kind == NodeKind::kConjunctive && node.key != KeyKind::kNone && node.ancestor == index) {
+      if (node.IsShared() && node.ancestor == index) {
         s_.ForEachToken(n, [&](std::uint32_t token) { ++owners[s_.tokens[token].pairs]; });
       }
     }

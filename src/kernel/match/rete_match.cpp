@@ -216,7 +216,7 @@ void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme)
       LeftNegative(node, token, wme);
       break;
     case NodeKind::kConjunctive:
-      if (network->node(node).key != KeyKind::kNone) {
+      if (network->node(node).IsShared()) {
         LeftShared(node, token, wme);
       } else {
         LeftConjunctive(node, token, wme);
@@ -284,13 +284,20 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   if (owner == kNil) {
     owner = NewToken(node.partner() | Token::kBlockedBit, owner_parent, owner_wme);
     InsertWithKey(*this, node.partner(), owner, key, true);
-  } else if ((tokens[owner].node & Token::kBlockedBit) == 0) {
+  }
+  BlockOwner(owner, parent, wme);
+}
+
+/// Makes (parent, wme) a result for a conjunctive token, which is blocked from then on: what it has led to goes.
+void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint32_t wme) {
+  if ((tokens[owner].node & Token::kBlockedBit) == 0) {
     while (tokens[owner].first_child != kNil) {
       RemoveSubtree(tokens[owner].first_child);
     }
     tokens[owner].node |= Token::kBlockedBit;
   }
-  const std::uint32_t result = NewToken(node_index, parent, wme);
+  const std::uint32_t partner = network->node(tokens[owner].node & Token::kNodeMask).partner();
+  const std::uint32_t result = NewToken(partner, parent, wme);
   const std::uint32_t head = tokens[owner].first_child;
   tokens[result].key = owner;
   tokens[result].previous_in_chain = kNil;

@@ -87,10 +87,7 @@ std::vector<std::uint32_t> ReteState::OwnersOf(std::uint32_t conjunctive, std::u
   for (std::uint32_t n = net.node(net.node(node.partner()).parent).parent; n != join; ++below) {
     n = net.node(net.node(n).parent).parent;
   }
-  std::uint32_t anchor = parent;
-  while (tokens[anchor].parent != kNil) {
-    anchor = tokens[anchor].parent;
-  }
+  const std::uint32_t anchor = AnchorOf(parent);
   const auto passes = [&](std::uint32_t owner) {
     const Token& left = tokens[owner];
     return left.pairs == anchor && std::ranges::all_of(net.tests(node), [&](const NodeTest& test) {

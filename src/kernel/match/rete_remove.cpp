@@ -151,6 +151,17 @@ void ReteState::FreeToken(std::uint32_t index) {
   Free(*this, index);
 }
 
+/// Frees all results of a blocked conjunctive token.
+void ReteState::FreeResults(std::uint32_t owner) {
+  for (std::uint32_t result = tokens[owner].first_child; result != kNil;) {
+    const std::uint32_t next = tokens[result].next_in_chain;
+    UnlinkToken(result);
+    FreeToken(result);
+    result = next;
+  }
+  tokens[owner].first_child = kNil;
+}
+
 void ReteState::RemoveFromChain(std::uint32_t node, std::uint32_t index) {
   UnlinkFromChain(*this, tokens.records(), node, tokens[index]);
   --nodes[node].count;
@@ -253,16 +264,11 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
   switch (network->node(node).kind) {
     case NodeKind::kConjunctive:
       if ((node_bits & Token::kBlockedBit) != 0) {
-        for (std::uint32_t result = tokens[index].first_child; result != kNil;) {
-          const std::uint32_t next = tokens[result].next_in_chain;
-          UnlinkToken(result);
-          FreeToken(result);
-          result = next;
-        }
+        FreeResults(index);
       }
       RemoveFromChain(node, index);
       FreeToken(index);
-      if (network->node(node).key != KeyKind::kNone) {
+      if (network->node(node).IsShared()) {
         const std::uint32_t anchor = std::exchange(tokens[index].pairs, 0);
         tokens[index].node = 0;  // Nobody takes it for an owner any more.
         last_owner = last_owner == index ? kNil : last_owner;

@@ -52,6 +52,13 @@ bool ReteState::Holds(std::uint32_t chain, std::uint32_t wme) const {
   return tokens[chain].parent != kNil;
 }
 
+std::uint32_t ReteState::AnchorOf(std::uint32_t token) const {
+  while (tokens[token].parent != kNil) {
+    token = tokens[token].parent;
+  }
+  return token;
+}
+
 void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t anchors = node.ancestor;
@@ -77,7 +84,7 @@ void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint3
   InsertWithKey(*this, index, owner, key.key, true);
   for (std::uint32_t chain = ChainHead(*this, chains, key.key); chain != kNil; chain = tokens[chain].next_in_chain) {
     if (tokens[chain].key == key.key && Pairs(owner, chain) && (removing == kNil || !Holds(chain, removing))) {
-      BlockOwner(owner, chain);
+      BlockOwner(owner, chain, kNil);
     }
   }
   if ((tokens[owner].node & Token::kBlockedBit) == 0) {
@@ -96,25 +103,6 @@ void ReteState::LeftChain(std::uint32_t index, std::uint32_t parent, std::uint32
   const std::uint32_t chain = NewToken(index, parent, wme);
   InsertWithKey(*this, index, chain, KeyOfToken(network->node(index), chain), true);
   new_chains.push_back(chain);
-}
-
-void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t chain) {
-  const std::uint32_t conjunctive = tokens[owner].node & Token::kNodeMask;
-  if ((tokens[owner].node & Token::kBlockedBit) == 0) {
-    while (tokens[owner].first_child != kNil) {
-      RemoveSubtree(tokens[owner].first_child);
-    }
-    tokens[owner].node |= Token::kBlockedBit;
-  }
-  const std::uint32_t result = NewToken(network->node(conjunctive).partner(), chain, kNil);
-  const std::uint32_t head = tokens[owner].first_child;
-  tokens[result].key = owner;
-  tokens[result].previous_in_chain = kNil;
-  tokens[result].next_in_chain = head;
-  if (head != kNil) {
-    tokens[head].previous_in_chain = result;
-  }
-  tokens[owner].first_child = result;
 }
 
 // Order ---------------------------------------------------------------------------------------------------------------
@@ -184,7 +172,7 @@ void ReteState::BlockOwners(std::uint32_t above) {
         continue;
       }
       if ((tokens[owner].node & Token::kBlockedBit) != 0) {
-        BlockOwner(owner, chain);  // Once more: nobody notices when.
+        BlockOwner(owner, chain, kNil);  // Once more: nobody notices when.
         continue;
       }
       OwnerAndChain meeting = Meeting(owner, prefix);
@@ -201,7 +189,7 @@ void ReteState::BlockOwners(std::uint32_t above) {
     });
   }
   for (const OwnerAndChain& pairing : pairings) {
-    BlockOwner(pairing.owner, pairing.chain);
+    BlockOwner(pairing.owner, pairing.chain, kNil);
   }
 }
 
@@ -299,12 +287,7 @@ void ReteState::OpenOwner(const OwnerAndChain& opening) {
   if (tokens[owner].node != (opening.node | Token::kBlockedBit) || tokens[owner].serial != opening.serial) {
     return;  // It went itself meanwhile.
   }
-  while (tokens[owner].first_child != kNil) {
-    const std::uint32_t result = tokens[owner].first_child;
-    tokens[owner].first_child = tokens[result].next_in_chain;
-    UnlinkToken(result);
-    FreeToken(result);
-  }
+  FreeResults(owner);
   tokens[owner].node &= ~Token::kBlockedBit;
   Emit(opening.node, owner, kNil);
 }

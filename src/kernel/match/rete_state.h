@@ -230,13 +230,13 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<std::uint32_t> free_rules;       ///< Free rule numbers, last freed last.
   std::unique_ptr<class ReteBuilder> builder;  ///< Keeps its scratch memory from rule to rule.
   // Shared conjunctions (rete_shared.cpp).
-  bool share_conjunctions = true;                        ///< See Rete::ShareConjunctions.
-  bool shares_conjunctions = false;                      ///< There are some, or have been.
-  std::uint32_t last_owner = kNil;                       ///< That was made.
-  std::vector<std::uint32_t> new_chains;                 ///< Chains whose owners are still to be blocked.
-  std::vector<struct OwnerAndChain> pairings, openings;  ///< Scratch.
-  bool chain_element = false;             ///< The element that RemoveWme works on may be part of a chain.
-  std::uint64_t arrival_of_removing = 0;  ///< WmeLinks::serial of it before it left.
+  bool share_conjunctions = true;                 ///< See Rete::ShareConjunctions.
+  bool shares_conjunctions = false;               ///< There are some, or have been.
+  std::uint32_t last_owner = kNil;                ///< That was made.
+  std::vector<std::uint32_t> new_chains;          ///< Chains whose owners are still to be blocked.
+  std::vector<OwnerAndChain> pairings, openings;  ///< Scratch.
+  bool chain_element = false;                     ///< The element that RemoveWme works on may be part of a chain.
+  std::uint64_t arrival_of_removing = 0;          ///< WmeLinks::serial of it before it left.
   // While a new rule is matched for the first time:
   std::uint32_t refracting_node = kNil;
   std::span<const WmeId> refracted;
@@ -256,6 +256,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   [[gnu::noinline]] void LeftPartner(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void LeftProduction(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void Block(std::uint32_t token, std::uint32_t wme);
+  void BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint32_t wme);
   MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
   bool PassesTest(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
   bool PassesOne(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
@@ -286,6 +287,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void RemoveFromChain(std::uint32_t node, std::uint32_t token);
   void UnlinkToken(std::uint32_t token);
   void FreeToken(std::uint32_t token);
+  void FreeResults(std::uint32_t owner);
   void RemoveWatch(std::uint32_t token);
   void EndWatch(std::uint32_t first);
   void Clear();
@@ -377,7 +379,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void OwnerGone(std::uint32_t anchor);
   bool Pairs(std::uint32_t owner, std::uint32_t chain) const;
   void BlockOwners(std::uint32_t above);
-  void BlockOwner(std::uint32_t owner, std::uint32_t chain);
+  std::uint32_t AnchorOf(std::uint32_t token) const;
   bool CameWithElement(const Token& token) const;
   OwnerAndChain Meeting(std::uint32_t owner, std::uint32_t prefix) const;
   bool CameLater(const OwnerAndChain& a, const OwnerAndChain& b) const;
