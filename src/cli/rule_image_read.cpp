@@ -341,8 +341,9 @@ class Reader {
         !is_operator) {
       Fail("only the attribute operator takes this preference");
     }
-    if (action.preference == PreferenceType::kNumericIndifferent && action.referent.kind == RhsValueKind::kConstant &&
-        !action.referent.symbol.IsNumber()) {
+    // A referent that is known only when the rule fires makes a binary preference until then.
+    if (action.preference == PreferenceType::kNumericIndifferent &&
+        !(action.referent.kind == RhsValueKind::kConstant && action.referent.symbol.IsNumber())) {
       Fail("a numeric preference has no number");
     }
     for (const ValueDraft* value : {&action.attribute, &action.value, &action.referent}) Ready(*value);

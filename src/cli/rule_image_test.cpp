@@ -165,6 +165,20 @@ TEST_F(RuleImageTest, ErrorsInThePayloadNameTheRuleAndTheByte) {
   EXPECT_THAT(rules.error().message, HasSubstr("rule "));
 }
 
+TEST_F(RuleImageTest, ANumericPreferenceNeedsItsNumberAtOnce) {
+  Shell shell;
+  shell.Do("sp {p (state <s> ^operator <o> + ^name <n>) --> (<s> ^operator <o> = <n>)}");
+  std::string payload = WriteRuleImage(shell.agent).substr(rule_image::kHeaderSize);
+  // The only action is the last: its code, then object, attribute, value and referent with two bytes each.
+  char& code = payload[payload.size() - 9];
+  ASSERT_EQ(code, static_cast<char>(kernel::PreferenceType::kBinaryIndifferent));
+  code = static_cast<char>(kernel::PreferenceType::kNumericIndifferent);
+  kernel::SymbolTable symbols;
+  const auto rules = ReadRuleImage(Wrap(payload), "f", symbols);
+  ASSERT_FALSE(rules.ok());
+  EXPECT_THAT(rules.error().message, HasSubstr("rule 'p': a numeric preference has no number"));
+}
+
 TEST_F(RuleImageTest, EveryCutIsAnErrorAndLeavesNoSymbols) {
   const std::string payload = WriteRuleImage(source_.agent).substr(rule_image::kHeaderSize);
   for (std::size_t length = 0; length < payload.size(); ++length) {
