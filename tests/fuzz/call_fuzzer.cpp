@@ -12,9 +12,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "cli/command.h"
+#include "firing_limit.h"
 #include "sml/server/answers.h"
 #include "sml/server/connection.h"
 #include "sml/server/dispatcher.h"
@@ -78,8 +80,15 @@ class ShortRuns : public server::KernelHost {
       hosted->agent().SetCommandRunner([this, hosted](kernel::Agent&, std::string_view line) {
         return IsSafe(line) ? Execute(hosted, line, {}).text : std::string();
       });
+      if (limited_.insert(&hosted->agent()).second) {
+        hosted->agent().AddObserver(limit_, kernel::Mask(kernel::Event::kFiring));
+      }
     }
   }
+
+ private:
+  FiringLimit limit_;
+  std::unordered_set<const kernel::Agent*> limited_;
 };
 
 class Stream;
