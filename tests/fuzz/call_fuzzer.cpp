@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "firing_limit.h"
+#include "growth_limit.h"
 #include "sml/server/answers.h"
 #include "sml/server/connection.h"
 #include "sml/server/dispatcher.h"
@@ -81,13 +81,13 @@ class ShortRuns : public server::KernelHost {
         return IsSafe(line) ? Execute(hosted, line, {}).text : std::string();
       });
       if (limited_.insert(&hosted->agent()).second) {
-        hosted->agent().AddObserver(limit_, kernel::Mask(kernel::Event::kFiring));
+        hosted->agent().AddObserver(limit_, GrowthLimit::kEvents);
       }
     }
   }
 
  private:
-  FiringLimit limit_;
+  GrowthLimit limit_;
   std::unordered_set<const kernel::Agent*> limited_;
 };
 

@@ -8,7 +8,7 @@
 
 #include "cli/percepts.h"
 #include "cli/rule_image.h"
-#include "firing_limit.h"
+#include "growth_limit.h"
 
 namespace {
 
@@ -29,9 +29,9 @@ std::string WithHeader(std::string_view payload) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  FiringLimit limit;
+  GrowthLimit limit;
   kernel::Agent agent("fuzz");
-  agent.AddObserver(limit, kernel::Mask(kernel::Event::kFiring));
+  agent.AddObserver(limit, GrowthLimit::kEvents);
   if (bytes.starts_with("soarbox")) {
     auto file = cli::ReadPercepts(bytes, "file");
     if (!file) return 0;

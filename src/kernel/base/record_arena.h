@@ -43,7 +43,10 @@ class RecordArena {
   /// Takes all records back; keeps the room.
   void Clear() {
     free_ = {};
-    for (std::size_t n = slabs_.size(); n-- > 0;) Chain(slabs_[n]);
+    for (std::size_t n = slabs_.size(); n-- > 0;) {
+      std::fill_n(slabs_[n].records.get(), slabs_[n].size, Record{});
+      Chain(slabs_[n]);
+    }
   }
   std::size_t MemoryBytes() const {
     std::size_t bytes = slabs_.capacity() * sizeof(Slab);
@@ -59,11 +62,9 @@ class RecordArena {
     std::size_t size;
   };
 
+  /// Makes all records of a slab free ones; they have their default contents.
   void Chain(const Slab& slab) {
-    for (std::size_t n = slab.size; n-- > 0;) {
-      slab.records[n] = Record{};
-      Give(RecordId<Record>{&slab.records[n]});
-    }
+    for (std::size_t n = slab.size; n-- > 0;) Give(RecordId<Record>{&slab.records[n]});
   }
   [[gnu::noinline, gnu::cold]] void Grow() {
     std::size_t size = kFirst;
