@@ -39,6 +39,7 @@ std::string SettingsText(CommandCall& call) {
   number("max-nil-output-cycles", settings.max_nil_output_cycles, initial.max_nil_output_cycles);
   number("max-dc-time", settings.max_decision_time_us, initial.max_decision_time_us);
   number("max-gp", settings.max_gp, initial.max_gp);
+  number("max-partial-matches", settings.max_partial_matches, initial.max_partial_matches);
   if (settings.keep_all_top_o_preferences) text += "soar keep-all-top-oprefs on\n";
   if (settings.wait_snc) text += "soar wait-snc on\n";
 

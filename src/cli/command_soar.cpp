@@ -23,6 +23,18 @@ constexpr std::string_view kInvalidSubcommand =
 constexpr std::string_view kInvalidCommand = "Invalid command.  Use 'soar ?' to see a list of valid settings.";
 constexpr std::string_view kInvalidArgument = "Invalid argument. Use 'soar ?' to see a list of valid settings.";
 
+constexpr OptionSpec kStopOptions[] = {{'s', "self", OptionArgument::kNone, "stop this agent only"}};
+constexpr OptionSpec kSwitchOptions[] = {
+    {'e', "on"},
+    {'e', "enable", OptionArgument::kNone, "switch on"},
+    {'d', "off"},
+    {'d', "disable", OptionArgument::kNone, "switch off"},
+};
+constexpr OptionSpec kStopPhaseOptions[] = {
+    {'i', "input"}, {'p', "propose"}, {'p', "proposal"}, {'d', "decide"}, {'d', "decision"},
+    {'a', "apply"}, {'o', "output"},  {'B', "before"},   {'A', "after"},
+};
+
 std::string_view PhaseName(Phase phase) {
   switch (phase) {
     case Phase::kInput:
@@ -69,6 +81,7 @@ std::string Value(CommandCall& call, std::string_view name) {
   if (name == "max-goal-depth") return std::to_string(settings.max_goal_depth);
   if (name == "max-nil-output-cycles") return std::to_string(settings.max_nil_output_cycles);
   if (name == "max-dc-time") return std::to_string(settings.max_decision_time_us);
+  if (name == "max-partial-matches") return std::to_string(settings.max_partial_matches);
   if (name == "max-gp") return std::to_string(settings.max_gp);
   if (name == "stop-phase") return std::string(PhaseName(settings.stop_phase));
   if (name == "wait-snc") return std::string(OnOff(settings.wait_snc));
@@ -156,7 +169,7 @@ bool Init(CommandCall& call) {
 
 bool Stop(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kSoarSubcommands[1].options, parsed)) return false;
+  if (!call.Parse(kStopOptions, parsed)) return false;
   call.interpreter.host().Stop(call.session, parsed.Has('s'));
   return true;
 }
@@ -173,7 +186,7 @@ bool Version(CommandCall& call) {
 /// Reads "on" or "off" from the words of a setting; nothing: not there. False: neither.
 bool ReadSwitch(CommandCall& call, std::optional<bool>& on) {
   ParsedWords parsed;
-  if (!call.Parse(kSoarSubcommands[3].options, parsed)) return false;
+  if (!call.Parse(kSwitchOptions, parsed)) return false;
   if (parsed.Has('e')) on = true;
   if (parsed.Has('d')) on = false;
   if (parsed.arguments.empty()) return true;
@@ -287,9 +300,16 @@ bool MaxGp(CommandCall& call) {
   });
 }
 
+bool MaxPartialMatches(CommandCall& call) {
+  return Number(call, "max-partial-matches", 1, [&](std::int64_t value) {
+    call.agent().mutable_settings().max_partial_matches = static_cast<std::uint32_t>(value);
+    return fmt::format("An agent that needs more than {} partial matches at a time is now halted.\n", value);
+  });
+}
+
 bool StopPhase(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kSoarSubcommands[10].options, parsed)) return false;
+  if (!call.Parse(kStopPhaseOptions, parsed)) return false;
   std::string word;
   for (const ParsedOption& option : parsed.options) {
     switch (option.letter) {
@@ -326,18 +346,6 @@ bool StopPhase(CommandCall& call) {
   return true;
 }
 
-constexpr OptionSpec kStopOptions[] = {{'s', "self", OptionArgument::kNone, "stop this agent only"}};
-constexpr OptionSpec kSwitchOptions[] = {
-    {'e', "on"},
-    {'e', "enable", OptionArgument::kNone, "switch on"},
-    {'d', "off"},
-    {'d', "disable", OptionArgument::kNone, "switch off"},
-};
-constexpr OptionSpec kStopPhaseOptions[] = {
-    {'i', "input"}, {'p', "propose"}, {'p', "proposal"}, {'d', "decide"}, {'d', "decision"},
-    {'a', "apply"}, {'o', "output"},  {'B', "before"},   {'A', "after"},
-};
-
 constexpr SubcommandInfo kSubcommands[] = {
     {"init", "", "starts the agent again: working memory is emptied, rules stay", {}, Init},
     {"stop", "[--self]", "stops running agents", kStopOptions, Stop},
@@ -350,6 +358,11 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"max-dc-time", "[MICROSECONDS]", "time that a decision may take; 0: any", {}, MaxDcTime},
     {"max-memory-usage", "[BYTES]", "memory at which a warning is due", {}, MaxMemoryUsage},
     {"max-gp", "[N]", "rules that one gp command may make", {}, MaxGp},
+    {"max-partial-matches",
+     "[N]",
+     "partial matches that rules may have at a time; an agent whose rules need more is halted for good",
+     {},
+     MaxPartialMatches},
     {"stop-phase", "[PHASE]", "the phase before which runs by decisions stop", kStopPhaseOptions, StopPhase},
     {"tcl", "[on | off]", "Tcl in commands; never available", kSwitchOptions, Tcl},
     {"timers", "[on | off]", "keep times for stats", kSwitchOptions, Timers},

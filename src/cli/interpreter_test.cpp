@@ -177,5 +177,21 @@ TEST_F(InterpreterTest, AWarningThatASourceRepeatsIsToldOnceAndCounted) {
   EXPECT_EQ(result.diagnostics[1].more, 0);
 }
 
+TEST_F(InterpreterTest, PartialMatchesAreLimitedByASetting) {
+  EXPECT_EQ(Do("soar max-partial-matches").text, "max-partial-matches is 8000000\n");
+  for (const char* wrong : {"soar max-partial-matches 0", "soar max-partial-matches many", "soar max-partial-matches -5",
+                            "soar max-partial-matches 99999999999"}) {
+    EXPECT_FALSE(Do(wrong).ok) << wrong;
+  }
+  EXPECT_TRUE(Do("soar max-partial-matches 1000").ok);
+  EXPECT_EQ(Do("soar max-partial-matches").text, "max-partial-matches is 1000\n");
+  Do("sp {values (state <s> ^superstate nil) --> (<s> ^value 1 2 3 4 5 6 7 8 9 10 11 12)}");
+  Do("sp {explode (state <s> ^value <a> ^value <b> ^value <c> ^value <d>) --> (<s> ^all yes)}");
+  const CommandResult result = Do("run 3");
+  EXPECT_FALSE(result.ok);
+  EXPECT_THAT(result.text, HasSubstr("The agent ran out of memory: rule explode had "));
+  EXPECT_THAT(result.text, HasSubstr("'soar max-partial-matches' allows 1000 in all"));
+}
+
 }  // namespace
 }  // namespace soarbox::cli

@@ -53,6 +53,7 @@ LoadOutcome Agent::AddProduction(ProductionPtr production) {
 
 void Agent::Replace(ProductionPtr production, LoadOutcome& outcome) {
   if (!out_of_memory()) {
+    engine_->rete.LimitPartialMatches(settings().max_partial_matches);
     try {
       ExciseNamed(outcome.name, outcome);
       if (production != nullptr) Enter(std::move(production), outcome);
@@ -154,6 +155,7 @@ bool Agent::HasBreak(ProductionId id) const {
 
 template <typename Work>
 bool Agent::Guarded(Work work) {
+  engine_->rete.LimitPartialMatches(settings().max_partial_matches);
   try {
     work();
     return true;
@@ -202,6 +204,7 @@ void Agent::BreakDown(std::string_view rule) {
     most = tokens;
     heaviest = id;
   }
+  const bool at_limit = engine_->rete.at_limit();
   // From here on there is memory again, for others too.
   engine_->rete.Abandon();
   try {
@@ -212,6 +215,9 @@ void Agent::BreakDown(std::string_view rule) {
           "rule " + std::string(production(heaviest).name) + " had " + std::to_string(most) + " partial matches";
     } else {
       breakdown_ = "rules whose conditions match in very many combinations are the usual cause";
+    }
+    if (at_limit) {
+      breakdown_ += "; 'soar max-partial-matches' allows " + std::to_string(settings().max_partial_matches) + " in all";
     }
     const std::string text =
         "Error: agent " + name() + " ran out of memory and is halted for good: " + breakdown_ + ".  Destroy it.\n";

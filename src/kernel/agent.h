@@ -41,6 +41,9 @@ struct AgentSettings {
   int max_nil_output_cycles = 15;
   std::int64_t max_decision_time_us = 0;  ///< 0: unlimited.
   int max_gp = 20000;
+  /// A rule that needs more partial matches at a time breaks its agent down: see Agent::out_of_memory(). Each takes 64
+  /// bytes, what becomes of it several times as much.
+  std::uint32_t max_partial_matches = 8'000'000;
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
   Phase stop_phase = Phase::kApply;  ///< `run -d` stops before this phase.

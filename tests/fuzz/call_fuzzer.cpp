@@ -51,6 +51,7 @@ class ShortRuns : public server::KernelHost {
       kernel::AgentSettings& settings = hosted->agent().mutable_settings();
       settings.max_elaborations = std::min(settings.max_elaborations, 20);
       settings.max_goal_depth = std::min(settings.max_goal_depth, 6);
+      settings.max_partial_matches = std::min(settings.max_partial_matches, 50000u);
       settings.max_nil_output_cycles = std::min(settings.max_nil_output_cycles, 5);
     }
     return KernelHost::Run(session, cut);
@@ -80,9 +81,7 @@ class ShortRuns : public server::KernelHost {
       hosted->agent().SetCommandRunner([this, hosted](kernel::Agent&, std::string_view line) {
         return IsSafe(line) ? Execute(hosted, line, {}).text : std::string();
       });
-      if (limited_.insert(&hosted->agent()).second) {
-        hosted->agent().AddObserver(limit_, GrowthLimit::kEvents);
-      }
+      if (limited_.insert(&hosted->agent()).second) limit_.Guard(hosted->agent());
     }
   }
 

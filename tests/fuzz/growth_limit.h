@@ -9,22 +9,20 @@
 namespace soarbox {
 
 /// Rules that multiply what they match are sound, but would keep a fuzzer busy for ages and fill its memory. An agent
-/// that fires very often, or whose working memory grows beyond what a few conditions can combine in a moment, gets no
-/// more memory, which ends it.
+/// that fires very often or has very many partial matches gets no more memory, which ends it.
 class GrowthLimit : public kernel::Observer {
  public:
-  static constexpr kernel::EventMask kEvents = kernel::Event::kFiring | kernel::Event::kWme;
-  static constexpr int kFirings = 5000;
-  static constexpr std::uint32_t kElements = 64;
+  void Guard(kernel::Agent& agent) {
+    agent.AddObserver(*this, kernel::Mask(kernel::Event::kFiring));
+    agent.mutable_settings().max_partial_matches = 50000;
+  }
 
   void OnFiring(const kernel::Agent&, const kernel::FiringInfo&) override {
     if (++firings_ > kFirings) throw std::bad_alloc();
   }
-  void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo&) override {
-    if (agent.memory().wme_count() > kElements) throw std::bad_alloc();
-  }
 
  private:
+  static constexpr int kFirings = 5000;
   int firings_ = 0;
 };
 

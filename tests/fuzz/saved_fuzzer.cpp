@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   GrowthLimit limit;
   kernel::Agent agent("fuzz");
-  agent.AddObserver(limit, GrowthLimit::kEvents);
+  limit.Guard(agent);
   if (bytes.starts_with("soarbox")) {
     auto file = cli::ReadPercepts(bytes, "file");
     if (!file) return 0;

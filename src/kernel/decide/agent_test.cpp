@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/agent.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -291,6 +292,63 @@ TEST_F(AgentTest, IdentifiersAndConstantsThatNobodyMentionsAreGivenBack) {
   agent.Run(RunUnit::kDecision, 20000);
   EXPECT_EQ(agent.goals().depth(), 1u);
   EXPECT_LT(agent.memory().identifier_limit(), 3000u);
+}
+
+// Partial matches -----------------------------------------------------------------------------------------------------
+
+TEST(AgentMemory, MorePartialMatchesThanAreAllowedEndTheAgentAndNameTheRule) {
+  Agent agent("greedy");
+  agent.mutable_settings().max_partial_matches = 5000;
+  for (const char* rule :
+       {"values (state <s> ^superstate nil) --> (<s> ^value 1 2 3 4 5 6 7 8 9 10 11 12)",
+        "pairs (state <s> ^value <a> ^value <b>) --> (<s> ^pairs yes)"}) {
+    ASSERT_TRUE(agent.LoadProduction(rule).loaded);
+  }
+  agent.Run(RunUnit::kDecision, 2);
+  EXPECT_FALSE(agent.out_of_memory());
+  EXPECT_FALSE(
+      agent.LoadProduction("explode (state <s> ^pairs yes ^value <a> ^value <b> ^value <c> ^value <d>) --> (<s> ^all yes)")
+          .loaded);
+  EXPECT_TRUE(agent.out_of_memory());
+  EXPECT_TRUE(agent.halted());
+  EXPECT_EQ(agent.breakdown(),
+            "there is no room for the matches of rule explode; 'soar max-partial-matches' allows 5000 in all");
+}
+
+TEST(AgentMemory, PartialMatchesThatAreKeptApartAreLimitedToo) {
+  // Hardly any pair meets the last condition: those that come late are parked.
+  Agent agent("greedy");
+  agent.mutable_settings().max_partial_matches = 20000;
+  for (const char* side : {"left", "right"}) {
+    std::string values = std::string(side) + " (state <s> ^superstate nil) --> (<s> ^" + side;
+    for (int value = 0; value < 400; ++value) values += " " + std::to_string(value);
+    ASSERT_TRUE(agent.LoadProduction(values + ")").loaded);
+  }
+  ASSERT_TRUE(agent.LoadProduction("join (state <s> ^left <a> ^right <b> ^<a> <b>) --> (<s> ^all yes)").loaded);
+  agent.Run(RunUnit::kDecision, 2);
+  EXPECT_TRUE(agent.out_of_memory());
+  EXPECT_THAT(std::string(agent.breakdown()), testing::EndsWith("'soar max-partial-matches' allows 20000 in all"));
+  EXPECT_EQ(agent.rete().statistics().tokens, 0u) << "what they took is given back";
+}
+
+// Large slots ---------------------------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, AFactThatIsThereAlreadyIsNotAddedAgainToALargeSlot) {
+  Load("init (state <s> ^superstate nil) --> (<s> ^operator <o> + =) (<o> ^name init)");
+  std::string one = "one (state <s> ^operator.name init) --> (<s> ^part <s> <a> <b>";
+  for (int value = 0; value < 397; ++value) one += " " + std::to_string(value);
+  Load(one + ")");
+  Load("two (state <s> ^operator.name init ^io.input-link.step 2 ^part <p>) --> (<s> ^part <p>)");
+  Load("three (state <s> ^operator.name init ^io.input-link.step 3 ^part { <p> > 9 }) --> (<s> ^part <p> -)");
+  Load("four (state <s> ^operator.name init ^io.input-link.step 4) --> (<s> ^part 300 9)");
+  std::vector<std::uint32_t> counts;
+  for (std::int64_t step = 1; step <= 4; ++step) {
+    agent.input().Add(InputObject::kInputLink, "step", step);
+    agent.Run(RunUnit::kDecision, 2);
+    counts.push_back(agent.memory().slot(agent.memory().FindSlot(Top(), Text("part"))).acceptable_count);
+    EXPECT_EQ(agent.CheckInvariants(), "");
+  }
+  EXPECT_EQ(counts, (std::vector<std::uint32_t>{400, 400, 13, 14}));
 }
 
 // Sharing ---------------------------------------------------------------------------------------------------------

@@ -42,10 +42,7 @@ bool PreferenceChanges::Assert(PreferenceId id) {
   const SlotId slot = memory.FindOrMakeSlot(preference.id, preference.attribute, is_operator);
   if (preference.o_supported && preference.type == PreferenceType::kAcceptable && preference.level == 1 &&
       !is_operator && !engine_.settings.keep_all_top_o_preferences) {
-    for (PreferenceId other = memory.slot(slot).acceptable; other != PreferenceId::kNone;
-         other = memory.preference(other).next_in_slot) {
-      if (memory.preference(other).o_supported && memory.preference(other).value == preference.value) return false;
-    }
+    if (memory.HasFact(slot, preference.value)) return false;
   }
   memory.InsertInSlot(id, slot);
   preference.stamp = ++last_stamp_;

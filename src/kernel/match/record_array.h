@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -47,6 +48,12 @@ class RecordArray {
     data_ = nullptr;
     used_ = capacity_ = 0;
   }
+  /// From now on it grows to no more than `records` records: as if there were no memory for more. What there is stays.
+  void SetLimit(std::size_t records) {
+    limit_ = static_cast<std::uint32_t>(std::min(records, kMostBytes / sizeof(T)) * sizeof(T));
+  }
+  /// The limit left no room for one more record. (Else it was the system.)
+  bool at_limit() const { return used_ >= limit_; }
   /// Appends one record, uninitialised, and returns its handle.
   std::uint32_t Append() {
     if (used_ == capacity_) {
@@ -58,10 +65,13 @@ class RecordArray {
   }
 
  private:
+  static constexpr std::size_t kMostBytes = 0xFFFFFFF0u;
+
   [[gnu::noinline, gnu::cold]] void Grow() {
     const std::size_t count = capacity_ / sizeof(T);
-    const std::size_t bytes = (count < 64 ? 64 : count + count / 2) * sizeof(T);
-    char* moved = bytes > 0xFFFFFFF0u ? nullptr : static_cast<char*>(std::realloc(data_, bytes));
+    const std::size_t wanted = (count < 64 ? 64 : count + count / 2) * sizeof(T);
+    const std::size_t bytes = std::min<std::size_t>(wanted, limit_);
+    char* moved = bytes <= capacity_ ? nullptr : static_cast<char*>(std::realloc(data_, bytes));
     if (moved == nullptr) {
       throw std::bad_alloc();
     }
@@ -72,6 +82,7 @@ class RecordArray {
   char* data_ = nullptr;
   std::uint32_t used_ = 0;
   std::uint32_t capacity_ = 0;
+  std::uint32_t limit_ = static_cast<std::uint32_t>(kMostBytes / sizeof(T) * sizeof(T));
 };
 
 }  // namespace soarbox::kernel

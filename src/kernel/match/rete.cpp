@@ -74,6 +74,15 @@ void Rete::Unwatch(MatchId match) {
   matches_.Drop(match);
 }
 
+void Rete::LimitPartialMatches(std::uint32_t most) {
+  state_->tokens.SetLimit(most);
+  state_->parked.SetLimit(most);
+  state_->most_partial_matches = most;
+}
+bool Rete::at_limit() const {
+  return state_->tokens.at_limit() || state_->parked.at_limit() || state_->log_at_limit;
+}
+
 void Rete::ParkAfter(std::uint32_t matches) {
   state_->ParkAfter(matches);
 }

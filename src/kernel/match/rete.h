@@ -94,6 +94,12 @@ class Rete {
   /// Ends it without a retraction.
   void Unwatch(MatchId match);
 
+  /// How many partial matches there may be at the same time: what needs more throws std::bad_alloc, as if memory had run
+  /// out. (Partial matches that a memory keeps apart are counted for themselves, memory by memory.)
+  void LimitPartialMatches(std::uint32_t most);
+  /// It was this limit that left no room.
+  bool at_limit() const;
+
   /// How many more partial matches must have come to a memory in vain than not before it keeps those apart that join
   /// with nothing (256). Changes speed only; for tests.
   void ParkAfter(std::uint32_t matches);

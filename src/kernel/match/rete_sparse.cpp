@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 #include <bit>
+#include <new>
 
 #include "kernel/match/rete_inline.h"
 
@@ -56,7 +57,11 @@ void ReteState::MakeRoomToPark(SparseState& memory) {
   }
   memory.saved += memory.logged - kept;
   memory.logged = kept;
-  memory.log_limit = 3 * kept + 16;
+  memory.log_limit = std::min(3 * kept + 16, std::max(most_partial_matches, kept));
+  if (memory.log_limit == kept) {
+    log_at_limit = true;
+    throw std::bad_alloc();
+  }
   if (memory.log_limit > memory.log.size()) {
     memory.log.resize(memory.log_limit);
   }

@@ -221,6 +221,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::uint32_t wme_count = 0;
   TablePool tables;
   std::uint64_t last_timetag = 0;
+  std::uint32_t most_partial_matches = 0xFFFFFFFFu;
+  bool log_at_limit = false;           ///< A sparse memory met this limit.
   std::uint32_t removing = kNil;       ///< The element that RemoveWme works on.
   std::vector<WmeId> elements;         ///< Scratch for a new match.
   std::vector<char> mixed_reported;    ///< By rule.

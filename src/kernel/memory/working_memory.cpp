@@ -244,6 +244,8 @@ void WorkingMemory::InsertInSlot(PreferenceId id, SlotId slot_id) {
   if (preference.type == PreferenceType::kAcceptable) {
     ++slot.acceptable_count;
     if (preference.o_supported && preference.level > 1) ++slot.substate_facts;
+    if (slot.is_large && preference.o_supported) [[unlikely]]
+      large_slots_.CountUp(&slot, preference.value);
   }
   // In front of the first one that is not of a higher goal.
   PreferenceId before = head, after = PreferenceId::kNone;
@@ -277,11 +279,54 @@ void WorkingMemory::RemoveFromSlot(PreferenceId id) {
   if (preference.type == PreferenceType::kAcceptable) {
     --slot.acceptable_count;
     if (preference.o_supported && preference.level > 1) --slot.substate_facts;
+    if (slot.is_large) [[unlikely]] {
+      if (preference.o_supported) large_slots_.CountDown(&slot, preference.value);
+      if (slot.acceptable_count == 0) {
+        large_slots_.Remove(&slot);
+        slot.is_large = false;
+      }
+    }
   }
   preference.next_in_slot = preference.previous_in_slot = PreferenceId::kNone;
   preference.slot = SlotId::kNone;
   preference.in_slot = false;
   --preference.references;
+}
+
+bool WorkingMemory::HasFact(SlotId slot_id, Symbol value) {
+  Slot& slot = *slot_id.record;
+  if (slot.acceptable_count > kManyValues) {
+    if (!slot.is_large) MakeLarge(slot);
+    return large_slots_.Has(&slot, value);
+  }
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) {
+    if (p.record->o_supported && p.record->value == value) return true;
+  }
+  return false;
+}
+
+void WorkingMemory::MakeLarge(Slot& slot) {
+  large_slots_.Add(&slot, FactsOf(slot));
+  slot.is_large = true;
+}
+
+LargeSlots::Counts WorkingMemory::FactsOf(const Slot& slot) {
+  LargeSlots::Counts counts;
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) {
+    if (p.record->o_supported) ++counts[p.record->value.bits()];
+  }
+  return counts;
+}
+
+bool WorkingMemory::LargeSlotsAreRight() const {
+  std::size_t large = 0;
+  bool right = true;
+  ForEachSlot([&](SlotId slot) {
+    if (!slot.record->is_large) return;
+    ++large;
+    right = right && large_slots_.CountsOf(slot.record) == FactsOf(*slot.record);
+  });
+  return right && large == large_slots_.size();
 }
 
 void WorkingMemory::FreePreference(PreferenceId id) {
@@ -304,6 +349,7 @@ void WorkingMemory::Clear() {
   goal_levels_.clear();
   long_term_.clear();
   slot_index_.Clear();
+  large_slots_.Clear();
   next_timetag_ = 1;
   live_wmes_ = 0;
   live_identifiers_ = 0;
@@ -313,7 +359,8 @@ std::size_t WorkingMemory::MemoryBytes() const {
   return wmes_.capacity() * sizeof(Wme) + records_.capacity() * sizeof(WmeRecord) +
          free_wmes_.capacity() * sizeof(WmeId) + slots_.MemoryBytes() + preferences_.MemoryBytes() +
          identifiers_.capacity() * sizeof(IdentifierRecord) + goal_levels_.capacity() * sizeof(GoalLevel) +
-         long_term_.capacity() * sizeof(std::uint64_t) + slot_index_.MemoryBytes();
+         long_term_.capacity() * sizeof(std::uint64_t) + slot_index_.MemoryBytes() +
+         large_slots_.MemoryBytes();
 }
 
 }  // namespace soarbox::kernel

@@ -10,6 +10,7 @@
 #include "kernel/base/record_arena.h"
 #include "kernel/base/symbol.h"
 #include "kernel/base/symbol_table.h"
+#include "kernel/memory/large_slots.h"
 #include "kernel/memory/preference.h"
 #include "kernel/memory/slot_index.h"
 #include "kernel/memory/wme.h"
@@ -49,6 +50,7 @@ struct Slot {
   bool live = false;
   bool is_operator = false;  ///< ^operator of a goal: decided in the decide phase only.
   bool changed = false;      ///< Is on the list of changed slots.
+  bool is_large = false;     ///< Its values are counted: see large_slots.h.
   std::uint32_t acceptable_count = 0;
   std::uint32_t substate_facts = 0;               ///< Of these the o-supported ones that a substate's rule made.
   WmeId wmes = WmeId::kNone;                      ///< Newest first.
@@ -166,6 +168,10 @@ class WorkingMemory {
   /// Links into its slot in the order of the class comment. The slot exists.
   void InsertInSlot(PreferenceId preference, SlotId slot);
   void RemoveFromSlot(PreferenceId preference);
+  /// True if the values of all large slots are counted right.
+  bool LargeSlotsAreRight() const;
+  /// Whether the slot has an o-supported acceptable preference for a value.
+  bool HasFact(SlotId slot, Symbol value);
   /// Returns a preference that nothing refers to.
   void FreePreference(PreferenceId preference);
 
@@ -178,8 +184,13 @@ class WorkingMemory {
   static const IdentifierRecord kUnknownIdentifier;
   /// Slots of an identifier that has no more than this are found along its list, those of others by slot_index_.
   static constexpr std::uint16_t kFewSlots = 4;
+  /// Preferences of slots that have had no more than this are found along their list, those of others counted in
+  /// large_slots_.
+  static constexpr std::uint32_t kManyValues = 256;
 
   void IndexSlots(Symbol id);
+  [[gnu::noinline]] void MakeLarge(Slot& slot);
+  static LargeSlots::Counts FactsOf(const Slot& slot);
   SlotId FindSlot(const IdentifierRecord& owner, Symbol id, Symbol attribute) const;
 
   WmeId& ListHead(const WmeRecord& record, const Wme& content);
@@ -192,6 +203,7 @@ class WorkingMemory {
   RecordArena<Preference, &Preference::next_of_goal> preferences_;
   std::vector<IdentifierRecord> identifiers_;
   SlotIndex slot_index_;
+  LargeSlots large_slots_;
   std::vector<GoalLevel> goal_levels_;
   std::vector<std::uint64_t> long_term_;
   std::uint64_t next_timetag_ = 1;
