@@ -179,8 +179,8 @@ TEST_F(InterpreterTest, AWarningThatASourceRepeatsIsToldOnceAndCounted) {
 
 TEST_F(InterpreterTest, PartialMatchesAreLimitedByASetting) {
   EXPECT_EQ(Do("soar max-partial-matches").text, "max-partial-matches is 8000000\n");
-  for (const char* wrong : {"soar max-partial-matches 0", "soar max-partial-matches many", "soar max-partial-matches -5",
-                            "soar max-partial-matches 99999999999"}) {
+  for (const char* wrong : {"soar max-partial-matches 0", "soar max-partial-matches many",
+                            "soar max-partial-matches -5", "soar max-partial-matches 99999999999"}) {
     EXPECT_FALSE(Do(wrong).ok) << wrong;
   }
   EXPECT_TRUE(Do("soar max-partial-matches 1000").ok);

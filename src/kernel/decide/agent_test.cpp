@@ -299,16 +299,16 @@ TEST_F(AgentTest, IdentifiersAndConstantsThatNobodyMentionsAreGivenBack) {
 TEST(AgentMemory, MorePartialMatchesThanAreAllowedEndTheAgentAndNameTheRule) {
   Agent agent("greedy");
   agent.mutable_settings().max_partial_matches = 5000;
-  for (const char* rule :
-       {"values (state <s> ^superstate nil) --> (<s> ^value 1 2 3 4 5 6 7 8 9 10 11 12)",
-        "pairs (state <s> ^value <a> ^value <b>) --> (<s> ^pairs yes)"}) {
+  for (const char* rule : {"values (state <s> ^superstate nil) --> (<s> ^value 1 2 3 4 5 6 7 8 9 10 11 12)",
+                           "pairs (state <s> ^value <a> ^value <b>) --> (<s> ^pairs yes)"}) {
     ASSERT_TRUE(agent.LoadProduction(rule).loaded);
   }
   agent.Run(RunUnit::kDecision, 2);
   EXPECT_FALSE(agent.out_of_memory());
-  EXPECT_FALSE(
-      agent.LoadProduction("explode (state <s> ^pairs yes ^value <a> ^value <b> ^value <c> ^value <d>) --> (<s> ^all yes)")
-          .loaded);
+  EXPECT_FALSE(agent
+                   .LoadProduction(
+                       "explode (state <s> ^pairs yes ^value <a> ^value <b> ^value <c> ^value <d>) --> (<s> ^all yes)")
+                   .loaded);
   EXPECT_TRUE(agent.out_of_memory());
   EXPECT_TRUE(agent.halted());
   EXPECT_EQ(agent.breakdown(),

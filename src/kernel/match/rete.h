@@ -94,8 +94,8 @@ class Rete {
   /// Ends it without a retraction.
   void Unwatch(MatchId match);
 
-  /// How many partial matches there may be at the same time: what needs more throws std::bad_alloc, as if memory had run
-  /// out. (Partial matches that a memory keeps apart are counted for themselves, memory by memory.)
+  /// How many partial matches there may be at the same time: what needs more throws std::bad_alloc, as if memory had
+  /// run out. (Partial matches that a memory keeps apart are counted for themselves, memory by memory.)
   void LimitPartialMatches(std::uint32_t most);
   /// It was this limit that left no room.
   bool at_limit() const;

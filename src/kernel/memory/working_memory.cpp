@@ -359,8 +359,7 @@ std::size_t WorkingMemory::MemoryBytes() const {
   return wmes_.capacity() * sizeof(Wme) + records_.capacity() * sizeof(WmeRecord) +
          free_wmes_.capacity() * sizeof(WmeId) + slots_.MemoryBytes() + preferences_.MemoryBytes() +
          identifiers_.capacity() * sizeof(IdentifierRecord) + goal_levels_.capacity() * sizeof(GoalLevel) +
-         long_term_.capacity() * sizeof(std::uint64_t) + slot_index_.MemoryBytes() +
-         large_slots_.MemoryBytes();
+         long_term_.capacity() * sizeof(std::uint64_t) + slot_index_.MemoryBytes() + large_slots_.MemoryBytes();
 }
 
 }  // namespace soarbox::kernel
