@@ -118,6 +118,16 @@ void PreferenceChanges::ApplyOReject(PreferenceId reject) {
     if (memory.preference(newest).value == value) Retract(newest);
     return;
   }
+  if (others == PreferenceId::kNone && !memory.slot(slot).is_operator) {
+    if (const LargeSlot* const large = memory.Large(slot)) {
+      const LargeSlot::Value* const known = large->Find(value);
+      if (known == nullptr || known->acceptable == 0) return;
+      if (known->only != PreferenceId::kNone) {
+        Retract(known->only);
+        return;
+      }
+    }
+  }
   rejected_.clear();
   const auto collect = [&](PreferenceId first) {
     for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {

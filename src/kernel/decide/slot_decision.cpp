@@ -2,6 +2,7 @@
 #include "kernel/decide/slot_decision.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "kernel/decide/engine.h"
 
@@ -70,9 +71,13 @@ void SlotDecision::DecideChangedSlots() {
     if (slot.others == PreferenceId::kNone &&
         (only == PreferenceId::kNone || engine_.memory.preference(only).next_in_slot == PreferenceId::kNone)) {
       DecideSingle(id, only);
+    } else if (LargeSlot* const large = engine_.memory.Large(id); large != nullptr && !large->all_changed) {
+      DecideLarge(id, *large);
     } else {
       Decide(id);
     }
+    if (slot.is_large) [[unlikely]]
+      engine_.memory.Large(id)->Settle(slot.others != PreferenceId::kNone);
   }
 }
 
@@ -103,13 +108,54 @@ void SlotDecision::Decide(SlotId slot_id) {
   }
   // New ones are made in candidate order, the reverse of the list of preferences.
   for (std::size_t n = values_.size(); n-- > 0;) {
-    if (values_[n].present) continue;
-    const Value value = values_[n];
-    const WmeId wme =
-        engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
-    if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
+    if (!values_[n].present) MakeElement(slot_id, values_[n]);
   }
   if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);
+}
+
+// The same as Decide, for the values that changed.
+void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
+  WorkingMemory& memory = engine_.memory;
+  const Slot& slot = memory.slot(slot_id);
+  changed_ = large.changed;
+  std::ranges::sort(changed_, {}, &Symbol::bits);
+  changed_.erase(std::ranges::unique(changed_).begin(), changed_.end());
+  values_.clear();
+  lost_.clear();
+  for (const Symbol symbol : changed_) {
+    const LargeSlot::Value* const known = large.Find(symbol);
+    if (known == nullptr) continue;
+    if (known->acceptable == 0) {
+      lost_.push_back(known->wme);
+      continue;
+    }
+    PreferenceId first = known->only;
+    if (first == PreferenceId::kNone) {
+      first = slot.acceptable;
+      while (memory.preference(first).value != symbol) first = memory.preference(first).next_in_slot;
+    }
+    if (known->wme == WmeId::kNone) {
+      values_.push_back({symbol, first, false});
+    } else {
+      memory.mutable_record(known->wme).preference = first;
+    }
+  }
+  std::ranges::sort(lost_, std::greater<>(), [&](WmeId wme) { return memory.wme(wme).timetag; });
+  for (const WmeId wme : lost_) engine_.changes.Lose(wme);
+  std::ranges::sort(values_, [&](const Value& a, const Value& b) {
+    const Preference& p = memory.preference(a.preference);
+    const Preference& q = memory.preference(b.preference);
+    return p.level != q.level ? p.level > q.level : p.stamp < q.stamp;
+  });
+  for (const Value& value : values_) MakeElement(slot_id, value);
+  if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);
+}
+
+void SlotDecision::MakeElement(SlotId slot_id, const Value& value) {
+  const Slot& slot = engine_.memory.slot(slot_id);
+  const WmeId wme =
+      engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
+  if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
 }
 
 void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
@@ -129,9 +175,7 @@ void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
     }
   }
   if (value) {
-    if (present) return;
-    const WmeId wme = engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value, slot_id, only);
-    if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
+    if (!present) MakeElement(slot_id, {value, only, false});
   } else if (slot.wmes == WmeId::kNone && slot.acceptable_wmes == WmeId::kNone) {
     engine_.preferences.empty_slots().push_back(slot_id);
   }

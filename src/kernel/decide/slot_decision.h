@@ -11,6 +11,7 @@
 namespace soarbox::kernel {
 
 struct Engine;
+struct LargeSlot;
 
 /// Turns preferences into elements once per working memory phase: ordinary slots get every acceptable value that is not
 /// rejected; operator slots get the elements of their acceptable and required values (their decision comes later).
@@ -34,6 +35,9 @@ class SlotDecision {
   [[gnu::noinline]] void Decide(SlotId slot);
   /// The same for the common slot that has no preference, or one that is acceptable.
   void DecideSingle(SlotId slot, PreferenceId only);
+  /// The same for slots with very many preferences, if only acceptable ones have changed.
+  [[gnu::noinline]] void DecideLarge(SlotId slot, const LargeSlot& large);
+  void MakeElement(SlotId slot, const Value& value);
   void UpdateAcceptables(SlotId slot);
   /// Adds the value if it is not among values_ and not excluded.
   void AddValue(Symbol value, PreferenceId preference);
@@ -48,6 +52,8 @@ class SlotDecision {
   Engine& engine_;
   std::vector<Value> values_;
   std::vector<Symbol> excluded_;
+  std::vector<Symbol> changed_;  ///< Scratch of DecideLarge.
+  std::vector<WmeId> lost_;      ///< Likewise.
   std::vector<std::uint32_t> table_;  ///< Open addressing over values_ when there are many.
   std::size_t indexed_ = 0;           ///< How many of values_ are in the table.
 };

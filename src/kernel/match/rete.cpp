@@ -75,6 +75,9 @@ void Rete::Unwatch(MatchId match) {
 }
 
 void Rete::LimitPartialMatches(std::uint32_t most) {
+  if (most == state_->most_partial_matches) {
+    return;
+  }
   state_->tokens.SetLimit(most);
   state_->parked.SetLimit(most);
   state_->most_partial_matches = most;

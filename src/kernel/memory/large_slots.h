@@ -4,38 +4,76 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
+#include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/memory/preference.h"
 
 namespace soarbox::kernel {
 
 struct Slot;
 
-/// For slots with very many preferences: how many o-supported acceptable ones there are for each value. (Walking all of
-/// them for each new one would take time that grows with the square of their number.)
-class LargeSlots {
- public:
-  using Counts = std::unordered_map<std::uint32_t, std::uint32_t>;  ///< By Symbol::bits().
+/// What is known of a slot with very many preferences, so that a change costs what changes and not what there is:
+/// walking all preferences for each new one would take time that grows with the square of their number.
+///
+/// Kept right by WorkingMemory from the moment on when the slot is found to be large until it has no acceptable
+/// preference left.
+struct LargeSlot {
+  struct Value {
+    std::uint32_t acceptable = 0;             ///< Acceptable preferences for it.
+    std::uint32_t facts = 0;                  ///< Of these the o-supported ones.
+    PreferenceId only = PreferenceId::kNone;  ///< If there is one; kNone also if it is not known which one is left.
+    WmeId wme = WmeId::kNone;                 ///< The element.
 
-  void Add(const Slot* slot, Counts counts) { slots_.emplace(slot, std::move(counts)); }
-  void Remove(const Slot* slot) { slots_.erase(slot); }
-  void CountUp(const Slot* slot, Symbol value) { ++slots_.at(slot)[value.bits()]; }
-  void CountDown(const Slot* slot, Symbol value) {
-    Counts& counts = slots_.at(slot);
-    if (const auto at = counts.find(value.bits()); at != counts.end() && --at->second == 0) counts.erase(at);
-  }
-  bool Has(const Slot* slot, Symbol value) const { return slots_.at(slot).contains(value.bits()); }
-  const Counts& CountsOf(const Slot* slot) const { return slots_.at(slot); }
-  std::size_t size() const { return slots_.size(); }
-  void Clear() { slots_.clear(); }
-  std::size_t MemoryBytes() const {
-    std::size_t entries = 0;
-    for (const auto& [slot, counts] : slots_) entries += counts.size();
-    return entries * (sizeof(Counts::value_type) + 2 * sizeof(void*));
-  }
+    bool IsGone() const { return acceptable == 0 && wme == WmeId::kNone; }
+    friend bool operator==(const Value& a, const Value& b) {
+      return a.acceptable == b.acceptable && a.facts == b.facts && a.wme == b.wme;
+    }
+  };
+  std::unordered_map<std::uint32_t, Value> values;  ///< By Symbol::bits().
+  std::vector<Symbol> changed;  ///< Values whose acceptable preferences changed since the slot was decided.
+  bool all_changed = true;      ///< There are or were preferences of other types, or it has not been decided yet.
 
- private:
-  std::unordered_map<const Slot*, Counts> slots_;
+  void Insert(PreferenceId id) {
+    if (id.record->type != PreferenceType::kAcceptable) {
+      all_changed = true;
+      return;
+    }
+    Value& value = values[id.record->value.bits()];
+    value.only = ++value.acceptable == 1 ? id : PreferenceId::kNone;
+    value.facts += id.record->o_supported;
+    changed.push_back(id.record->value);
+  }
+  void Remove(PreferenceId id) {
+    if (id.record->type != PreferenceType::kAcceptable) {
+      all_changed = true;
+      return;
+    }
+    const auto at = values.find(id.record->value.bits());
+    at->second.only = PreferenceId::kNone;
+    at->second.facts -= id.record->o_supported;
+    --at->second.acceptable;
+    changed.push_back(id.record->value);
+    if (at->second.IsGone()) values.erase(at);
+  }
+  void SetWme(Symbol value, WmeId wme) {
+    const auto at = values.try_emplace(value.bits()).first;
+    at->second.wme = wme;
+    if (at->second.IsGone()) values.erase(at);
+  }
+  /// The slot has been decided.
+  void Settle(bool has_others) {
+    changed.clear();
+    all_changed = has_others;
+  }
+  /// Null if the slot has no acceptable preference for it, and no element.
+  const Value* Find(Symbol value) const {
+    const auto at = values.find(value.bits());
+    return at == values.end() ? nullptr : &at->second;
+  }
 };
+
+using LargeSlots = std::unordered_map<const Slot*, LargeSlot>;
 
 }  // namespace soarbox::kernel

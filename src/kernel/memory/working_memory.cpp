@@ -95,6 +95,8 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
   record.next = head;
   if (head != WmeId::kNone) records_[Index(head)].previous = wme;
   head = wme;
+  if (kind == WmeKind::kSlot && slot.record->is_large) [[unlikely]]
+    LargeOf(*slot.record).SetWme(value, wme);
   return wme;
 }
 
@@ -121,6 +123,9 @@ void WorkingMemory::Unlink(WmeId wme) {
     ListHead(record, wmes_[Index(wme)]) = record.next;
   }
   if (record.next != WmeId::kNone) records_[Index(record.next)].previous = record.previous;
+  if (record.kind == WmeKind::kSlot && record.slot.record->is_large) [[unlikely]] {
+    LargeOf(*record.slot.record).SetWme(wmes_[Index(wme)].value, WmeId::kNone);
+  }
   record.next = record.previous = WmeId::kNone;
   record.kind = WmeKind::kFree;
   wmes_[Index(wme)].live = false;
@@ -244,9 +249,9 @@ void WorkingMemory::InsertInSlot(PreferenceId id, SlotId slot_id) {
   if (preference.type == PreferenceType::kAcceptable) {
     ++slot.acceptable_count;
     if (preference.o_supported && preference.level > 1) ++slot.substate_facts;
-    if (slot.is_large && preference.o_supported) [[unlikely]]
-      large_slots_.CountUp(&slot, preference.value);
   }
+  if (slot.is_large) [[unlikely]]
+    LargeOf(slot).Insert(id);
   // In front of the first one that is not of a higher goal.
   PreferenceId before = head, after = PreferenceId::kNone;
   while (before != PreferenceId::kNone && before.record->level < preference.level) {
@@ -279,12 +284,12 @@ void WorkingMemory::RemoveFromSlot(PreferenceId id) {
   if (preference.type == PreferenceType::kAcceptable) {
     --slot.acceptable_count;
     if (preference.o_supported && preference.level > 1) --slot.substate_facts;
-    if (slot.is_large) [[unlikely]] {
-      if (preference.o_supported) large_slots_.CountDown(&slot, preference.value);
-      if (slot.acceptable_count == 0) {
-        large_slots_.Remove(&slot);
-        slot.is_large = false;
-      }
+  }
+  if (slot.is_large) [[unlikely]] {
+    LargeOf(slot).Remove(id);
+    if (slot.acceptable_count == 0) {
+      large_slots_.erase(&slot);
+      slot.is_large = false;
     }
   }
   preference.next_in_slot = preference.previous_in_slot = PreferenceId::kNone;
@@ -293,40 +298,45 @@ void WorkingMemory::RemoveFromSlot(PreferenceId id) {
   --preference.references;
 }
 
-bool WorkingMemory::HasFact(SlotId slot_id, Symbol value) {
-  Slot& slot = *slot_id.record;
-  if (slot.acceptable_count > kManyValues) {
-    if (!slot.is_large) MakeLarge(slot);
-    return large_slots_.Has(&slot, value);
+// Large slots ---------------------------------------------------------------------------------------------------------
+
+bool WorkingMemory::HasFact(SlotId slot, Symbol value) {
+  if (const LargeSlot* const large = Large(slot)) {
+    const LargeSlot::Value* const known = large->Find(value);
+    return known != nullptr && known->facts != 0;
   }
-  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) {
+  for (PreferenceId p = slot.record->acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) {
     if (p.record->o_supported && p.record->value == value) return true;
   }
   return false;
 }
 
-void WorkingMemory::MakeLarge(Slot& slot) {
-  large_slots_.Add(&slot, FactsOf(slot));
-  slot.is_large = true;
+LargeSlot& WorkingMemory::LargeOf(Slot& slot) {
+  if (!slot.is_large) {
+    large_slots_[&slot] = Describe(slot);
+    slot.is_large = true;
+  }
+  return large_slots_.find(&slot)->second;
 }
 
-LargeSlots::Counts WorkingMemory::FactsOf(const Slot& slot) {
-  LargeSlots::Counts counts;
-  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) {
-    if (p.record->o_supported) ++counts[p.record->value.bits()];
-  }
-  return counts;
+LargeSlot WorkingMemory::Describe(const Slot& slot) const {
+  LargeSlot large;
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) large.Insert(p);
+  for (WmeId wme = slot.wmes; wme != WmeId::kNone; wme = record(wme).next) large.SetWme(this->wme(wme).value, wme);
+  large.changed.clear();
+  return large;
 }
 
 bool WorkingMemory::LargeSlotsAreRight() const {
-  std::size_t large = 0;
+  std::size_t count = 0;
   bool right = true;
   ForEachSlot([&](SlotId slot) {
     if (!slot.record->is_large) return;
-    ++large;
-    right = right && large_slots_.CountsOf(slot.record) == FactsOf(*slot.record);
+    ++count;
+    const auto at = large_slots_.find(slot.record);
+    right = right && at != large_slots_.end() && at->second.values == Describe(*slot.record).values;
   });
-  return right && large == large_slots_.size();
+  return right && count == large_slots_.size();
 }
 
 void WorkingMemory::FreePreference(PreferenceId id) {
@@ -349,17 +359,22 @@ void WorkingMemory::Clear() {
   goal_levels_.clear();
   long_term_.clear();
   slot_index_.Clear();
-  large_slots_.Clear();
+  large_slots_.clear();
   next_timetag_ = 1;
   live_wmes_ = 0;
   live_identifiers_ = 0;
 }
 
 std::size_t WorkingMemory::MemoryBytes() const {
+  std::size_t large = 0;
+  for (const auto& [slot, known] : large_slots_) {
+    using Known = decltype(known.values)::value_type;
+    large += sizeof(known) + known.values.size() * (sizeof(Known) + 2 * sizeof(void*));
+  }
   return wmes_.capacity() * sizeof(Wme) + records_.capacity() * sizeof(WmeRecord) +
          free_wmes_.capacity() * sizeof(WmeId) + slots_.MemoryBytes() + preferences_.MemoryBytes() +
          identifiers_.capacity() * sizeof(IdentifierRecord) + goal_levels_.capacity() * sizeof(GoalLevel) +
-         long_term_.capacity() * sizeof(std::uint64_t) + slot_index_.MemoryBytes() + large_slots_.MemoryBytes();
+         long_term_.capacity() * sizeof(std::uint64_t) + slot_index_.MemoryBytes() + large;
 }
 
 }  // namespace soarbox::kernel

@@ -50,7 +50,7 @@ struct Slot {
   bool live = false;
   bool is_operator = false;  ///< ^operator of a goal: decided in the decide phase only.
   bool changed = false;      ///< Is on the list of changed slots.
-  bool is_large = false;     ///< Its values are counted: see large_slots.h.
+  bool is_large = false;     ///< See large_slots.h.
   std::uint32_t acceptable_count = 0;
   std::uint32_t substate_facts = 0;               ///< Of these the o-supported ones that a substate's rule made.
   WmeId wmes = WmeId::kNone;                      ///< Newest first.
@@ -168,10 +168,16 @@ class WorkingMemory {
   /// Links into its slot in the order of the class comment. The slot exists.
   void InsertInSlot(PreferenceId preference, SlotId slot);
   void RemoveFromSlot(PreferenceId preference);
-  /// True if the values of all large slots are counted right.
-  bool LargeSlotsAreRight() const;
+  /// What is known of a slot with very many acceptable preferences; null if it has few. To be asked of slots that are
+  /// not an operator slot.
+  LargeSlot* Large(SlotId id) {
+    Slot& slot = *id.record;
+    return slot.is_large || slot.acceptable_count > kManyPreferences ? &LargeOf(slot) : nullptr;
+  }
   /// Whether the slot has an o-supported acceptable preference for a value.
   bool HasFact(SlotId slot, Symbol value);
+  /// True if what is known of large slots is what there is.
+  bool LargeSlotsAreRight() const;
   /// Returns a preference that nothing refers to.
   void FreePreference(PreferenceId preference);
 
@@ -184,13 +190,16 @@ class WorkingMemory {
   static const IdentifierRecord kUnknownIdentifier;
   /// Slots of an identifier that has no more than this are found along its list, those of others by slot_index_.
   static constexpr std::uint16_t kFewSlots = 4;
-  /// Preferences of slots that have had no more than this are found along their list, those of others counted in
-  /// large_slots_.
-  static constexpr std::uint32_t kManyValues = 256;
+  /// What a slot with more acceptable preferences has is in large_slots_. (Builds that check themselves try it early.)
+#ifdef SOARBOX_CHECK_INVARIANTS
+  static constexpr std::uint32_t kManyPreferences = 1;
+#else
+  static constexpr std::uint32_t kManyPreferences = 256;
+#endif
 
   void IndexSlots(Symbol id);
-  [[gnu::noinline]] void MakeLarge(Slot& slot);
-  static LargeSlots::Counts FactsOf(const Slot& slot);
+  [[gnu::noinline]] LargeSlot& LargeOf(Slot& slot);
+  LargeSlot Describe(const Slot& slot) const;
   SlotId FindSlot(const IdentifierRecord& owner, Symbol id, Symbol attribute) const;
 
   WmeId& ListHead(const WmeRecord& record, const Wme& content);
