@@ -331,6 +331,19 @@ TEST(AgentMemory, PartialMatchesThatAreKeptApartAreLimitedToo) {
   EXPECT_EQ(agent.rete().statistics().tokens, 0u) << "what they took is given back";
 }
 
+// Levels --------------------------------------------------------------------------------------------------------------
+
+TEST_F(AgentTest, WhatTheArchitecturePutsIntoAnObjectGoesUpWithIt) {
+  Load("propose (state <s> ^superstate nil) --> (<s> ^operator <o> + =) (<o> ^name wait)");
+  Load("keep (state <s> ^superstate <top> ^epmem <e>) (<top> ^superstate nil) --> (<top> ^kept <e>)");
+  agent.Run(RunUnit::kDecision, 3);
+  const Symbol memory = agent.memory().ValueOf(Top(), Text("kept"));
+  ASSERT_TRUE(memory.IsIdentifier());
+  EXPECT_EQ(agent.memory().level(memory), 1);
+  EXPECT_EQ(agent.memory().level(agent.memory().ValueOf(memory, Text("command"))), 1);
+  EXPECT_EQ(agent.CheckInvariants(), "");
+}
+
 // Large slots ---------------------------------------------------------------------------------------------------------
 
 TEST_F(AgentTest, AFactThatIsThereAlreadyIsNotAddedAgainToALargeSlot) {

@@ -295,6 +295,8 @@ void LinkGraph::ForEachLinkFrom(Symbol id, Visit visit) const {
   for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
     visit_preferences(memory_.slot(slot).acceptable);
     visit_preferences(memory_.slot(slot).others);
+    // What the architecture puts into a slot (^command and ^result of the memories) is there without a preference.
+    if (memory_.slot(slot).acceptable == PreferenceId::kNone) visit_elements(memory_.slot(slot).wmes);
   }
   visit_elements(record.architecture_wmes);
   visit_elements(record.input_wmes);
