@@ -118,7 +118,7 @@ void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
   WorkingMemory& memory = engine_.memory;
   const Slot& slot = memory.slot(slot_id);
   changed_ = large.changed;
-  std::ranges::sort(changed_, {}, &Symbol::bits);
+  std::ranges::sort(changed_, {}, [](Symbol symbol) { return symbol.bits(); });
   changed_.erase(std::ranges::unique(changed_).begin(), changed_.end());
   values_.clear();
   lost_.clear();
