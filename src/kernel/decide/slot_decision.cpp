@@ -2,7 +2,6 @@
 #include "kernel/decide/slot_decision.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "kernel/decide/engine.h"
 
@@ -118,8 +117,8 @@ void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
   WorkingMemory& memory = engine_.memory;
   const Slot& slot = memory.slot(slot_id);
   changed_ = large.changed;
-  std::ranges::sort(changed_, {}, [](Symbol symbol) { return symbol.bits(); });
-  changed_.erase(std::ranges::unique(changed_).begin(), changed_.end());
+  std::sort(changed_.begin(), changed_.end(), [](Symbol a, Symbol b) { return a.bits() < b.bits(); });
+  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   values_.clear();
   lost_.clear();
   for (const Symbol symbol : changed_) {
@@ -140,9 +139,10 @@ void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
       memory.mutable_record(known->wme).preference = first;
     }
   }
-  std::ranges::sort(lost_, std::greater<>(), [&](WmeId wme) { return memory.wme(wme).timetag; });
+  std::sort(lost_.begin(), lost_.end(),
+            [&](WmeId a, WmeId b) { return memory.wme(a).timetag > memory.wme(b).timetag; });
   for (const WmeId wme : lost_) engine_.changes.Lose(wme);
-  std::ranges::sort(values_, [&](const Value& a, const Value& b) {
+  std::sort(values_.begin(), values_.end(), [&](const Value& a, const Value& b) {
     const Preference& p = memory.preference(a.preference);
     const Preference& q = memory.preference(b.preference);
     return p.level != q.level ? p.level > q.level : p.stamp < q.stamp;
