@@ -52,8 +52,8 @@ class SlotDecision {
   Engine& engine_;
   std::vector<Value> values_;
   std::vector<Symbol> excluded_;
-  std::vector<Symbol> changed_;  ///< Scratch of DecideLarge.
-  std::vector<WmeId> lost_;      ///< Likewise.
+  std::vector<Symbol> changed_;       ///< Scratch of DecideLarge.
+  std::vector<WmeId> lost_;           ///< Likewise.
   std::vector<std::uint32_t> table_;  ///< Open addressing over values_ when there are many.
   std::size_t indexed_ = 0;           ///< How many of values_ are in the table.
 };
