@@ -44,13 +44,13 @@ constexpr Section kSections[] = {
     {PreferenceType::kRequire, "requires"},
     {PreferenceType::kReject, "rejects"},
     {PreferenceType::kProhibit, "prohibits"},
-    {PreferenceType::kBetter, "betters"},
-    {PreferenceType::kWorse, "worses"},
+    {PreferenceType::kUnaryIndifferent, "unary indifferents"},
     {PreferenceType::kBest, "bests"},
     {PreferenceType::kWorst, "worsts"},
-    {PreferenceType::kUnaryIndifferent, "unary indifferents"},
-    {PreferenceType::kNumericIndifferent, "numeric indifferents"},
     {PreferenceType::kBinaryIndifferent, "binary indifferents"},
+    {PreferenceType::kBetter, "betters"},
+    {PreferenceType::kWorse, "worses"},
+    {PreferenceType::kNumericIndifferent, "numeric indifferents"},
 };
 
 /// How much is said about where a preference comes from.
@@ -124,6 +124,12 @@ class PreferencePrinter {
         const Agent::CandidateChance certain{id, value, 0, 1};
         PrintPreference(id, &certain);
       }
+      for (const Section& section : kSections) {
+        if (section.type == PreferenceType::kAcceptable) continue;
+        for (const PreferenceId id : agent_.PreferencesOf(record.slot, section.type)) {
+          if (agent_.memory().preference(id).value == value) PrintPreference(id, nullptr);
+        }
+      }
     }
   }
 
@@ -173,6 +179,8 @@ class PreferencePrinter {
       text += " = " + value;
     }
     text += preference.o_supported ? " :O " : " :I ";
+    // Made in a substate.
+    if (!chance && preference.level > 1) text += fmt::format(" [level {}] ", preference.level);
     if (chance) text += fmt::format("({:.2f}%)", chance->probability * 100);
     Print(text + "\n");
     PrintOrigin(preference);

@@ -49,8 +49,7 @@ std::string FileOf(const kernel::Production& rule) {
   return rule.file().empty() ? "_unknown_" : rule.file();
 }
 
-void PrintRule(CommandCall& call, ProductionId id, const RuleListStyle& style) {
-  const kernel::Production& rule = call.agent().production(id);
+void PrintRule(CommandCall& call, const kernel::Production& rule, const RuleListStyle& style) {
   if (style.full) {
     if (style.file) call.stream().Print("# source file: " + FileOf(rule) + "\n");
     call.stream().Print(RuleText(call.agent(), rule, style.internal));
@@ -65,21 +64,27 @@ void PrintRules(CommandCall& call, const ParsedWords& parsed, const RuleListStyl
   struct Listed {
     char letter;
     ProductionType type;
-    bool in_all;
   };
   constexpr Listed kTypes[] = {
-      {'D', ProductionType::kDefault, true},        {'u', ProductionType::kUser, true},
-      {'T', ProductionType::kTemplate, true},       {'c', ProductionType::kChunk, true},
-      {'j', ProductionType::kJustification, false},
+      {'D', ProductionType::kDefault}, {'u', ProductionType::kUser},          {'T', ProductionType::kTemplate},
+      {'c', ProductionType::kChunk},   {'j', ProductionType::kJustification},
   };
   bool any_type = false;
   for (const Listed& listed : kTypes) any_type = any_type || parsed.Has(listed.letter);
   const bool only_rl = parsed.Has('r') && !any_type;
   for (const Listed& listed : kTypes) {
-    const bool wanted = parsed.Has('a') || !any_type ? listed.in_all : parsed.Has(listed.letter);
+    const bool wanted = parsed.Has('a') || !any_type || parsed.Has(listed.letter);
     if (!wanted) continue;
+    if (listed.type == ProductionType::kJustification) {
+      if (only_rl && !parsed.Has('a')) continue;
+      const std::vector<kernel::ProductionPtr> rules = call.agent().Justifications();
+      for (auto rule = rules.rbegin(); rule != rules.rend(); ++rule) PrintRule(call, **rule, style);
+      continue;
+    }
     for (const ProductionId id : RulesOfType(call.agent(), listed.type)) {
-      if (!only_rl || parsed.Has('a') || call.agent().production(id).is_rl) PrintRule(call, id, style);
+      if (!only_rl || parsed.Has('a') || call.agent().production(id).is_rl) {
+        PrintRule(call, call.agent().production(id), style);
+      }
     }
   }
 }
@@ -186,10 +191,16 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
   } else {
     const ProductionId id = FindRule(agent, word);
     if (id == ProductionId::kNone) {
+      for (const kernel::ProductionPtr& rule : agent.Justifications()) {
+        if (rule->name == word) {
+          PrintRule(call, *rule, rule_style);
+          return;
+        }
+      }
       out.Print("No production named " + word + "\n");
       return;
     }
-    PrintRule(call, id, rule_style);
+    PrintRule(call, agent.production(id), rule_style);
   }
 }
 

@@ -80,7 +80,11 @@ bool Excise(CommandCall& call) {
           "production.");
     }
     const ProductionId id = FindRule(agent, parsed.arguments.front().text);
-    if (id == ProductionId::kNone) return call.Fail("Production not found.");
+    if (id == ProductionId::kNone) {
+      if (!agent.ExciseJustification(parsed.arguments.front().text)) return call.Fail("Production not found.");
+      call.Out("1 production excised.\n");
+      return true;
+    }
     rules.push_back(id);
   } else {
     for (const ProductionId id : agent.Productions()) {

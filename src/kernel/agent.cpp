@@ -354,8 +354,12 @@ std::span<const WmeId> Agent::MatchedWmes(InstantiationId id) const {
 
 std::vector<ProductionPtr> Agent::Justifications() const {
   std::vector<ProductionPtr> rules;
-  for (const std::uint32_t index : engine_->justifier.Live()) rules.push_back(engine_->justifier.AsRule(index));
+  for (const std::uint32_t index : engine_->justifier.Live()) rules.push_back(engine_->justifier.AsRule(index, true));
   return rules;
+}
+
+bool Agent::ExciseJustification(std::string_view name) {
+  return !engine_->run.running() && engine_->justifier.Excise(name);
 }
 
 WmeInfo Agent::Describe(WmeId id) const {

@@ -207,6 +207,8 @@ class Agent {
   std::span<const WmeId> MatchedWmes(InstantiationId id) const;
   /// The justifications that live, oldest first, as rules with literal conditions (`print --justifications`).
   std::vector<ProductionPtr> Justifications() const;
+  /// False if there is none of this name, or the agent is running.
+  bool ExciseJustification(std::string_view name);
   WmeInfo Describe(WmeId id) const;
   GoalInfo Describe(const Goal& goal) const;
   /// The selected operator of a goal, or none.

@@ -224,7 +224,7 @@ bool Decision::CheckChanged(GoalLevel level) {
     } else {
       engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(current + 1), GoalRemoval::kInconsistent);
     }
-    engine_.elaboration.ApplyWorkingMemoryChanges();
+    engine_.elaboration.ApplyBufferedChanges();
     return false;
   }
   return true;

@@ -187,10 +187,10 @@ void Elaboration::AssertNew() {
     }
   }
   // Rejects work in the order of firing, the first action first.
-  while (!o_rejects_.empty()) {
-    engine_.preferences.ApplyOReject(o_rejects_.back());
-    o_rejects_.pop_back();
-  }
+  for (std::size_t n = o_rejects_.size(); n-- > 0;) engine_.preferences.ApplyOReject(o_rejects_[n]);
+  // The same reject on the levels where it was reasoned out goes with it: it is never asserted.
+  for (std::size_t n = o_rejects_.size(); n-- > 0;) engine_.preferences.SpendClones(o_rejects_[n]);
+  o_rejects_.clear();
   for (std::size_t n = made.size(); n-- > 0;) {
     const InstantiationId id = made[n];
     if (engine_.observers.Wants(Event::kAssertion)) {
@@ -200,7 +200,9 @@ void Elaboration::AssertNew() {
     PreferenceId next;
     for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone; p = next) {
       next = memory.preference(p).next_of_instantiation;
-      if (is_o_reject(memory.preference(p)) || !engine_.preferences.Assert(p)) engine_.preferences.FreeIfUnused(p);
+      const Preference& preference = memory.preference(p);
+      const bool never = preference.is_spent || is_o_reject(preference);
+      if (never || !engine_.preferences.Assert(p)) engine_.preferences.FreeIfUnused(p);
     }
     engine_.instantiations[id].held = false;
     engine_.preferences.FreeIfUnused(id);
@@ -246,6 +248,11 @@ void Elaboration::ApplyWorkingMemoryChanges() {
   if (!engine_.preferences.changed_slots().empty()) engine_.slot_decision.DecideChangedSlots();
   if (!engine_.preferences.changed_acceptables().empty()) engine_.slot_decision.UpdateAcceptables();
   if (retired > 0) engine_.preferences.ReleaseRetired(retired);
+  ApplyBufferedChanges();
+}
+
+void Elaboration::ApplyBufferedChanges() {
+  if (!engine_.preferences.changed_acceptables().empty()) engine_.slot_decision.UpdateAcceptables();
   while (engine_.links.HasWork()) {
     garbage_.clear();
     engine_.links.Settle(garbage_);

@@ -33,6 +33,8 @@ class Elaboration {
 
   /// Decides changed slots, settles links and hands the changes to the match.
   void ApplyWorkingMemoryChanges();
+  /// The same without deciding slots: those that changed outside an elaboration wait for the next one.
+  void ApplyBufferedChanges();
   std::uint32_t count() const { return count_; }
   FiringType firing_type() const { return firing_; }
   GoalLevel active_level() const { return active_; }

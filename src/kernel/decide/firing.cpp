@@ -4,15 +4,43 @@
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
 #include "kernel/rules/functions/builtin_functions.h"
+#include "kernel/rules/print_production.h"
 
 namespace soarbox::kernel {
 namespace {
 
+/// A value of an action as Soar 9.6.3 shows it at run time, where variables have no names.
+void AppendLoaded(std::string& out, const SymbolTable& symbols, const RhsValue& value) {
+  if (value.kind == RhsValueKind::kBound) {
+    out += "[RETE-loc]";
+  } else if (value.kind == RhsValueKind::kNew) {
+    out += "<unbound-variable>";
+  } else if (value.kind == RhsValueKind::kFunction) {
+    out.append("(").append(BuiltinFunctions()[value.function_index()].name);
+    for (const RhsValue& argument : value.arguments()) {
+      out += ' ';
+      AppendLoaded(out, symbols, argument);
+    }
+    out += ')';
+  } else {
+    AppendRhsValue(out, symbols, value);
+  }
+}
+
 /// What the trace prints of a preference that cannot be made.
-std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Production& rule) {
-  std::string text = "\nError: RHS makes a preference for " + ToString(symbols, id) + " (not an identifier)";
-  text += " in rule " + std::string(rule.name) + "\n";
-  return text;
+std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Action& action) {
+  std::string text = "Error: RHS of action           (";
+  AppendLoaded(text, symbols, action.id);
+  text += " ^";
+  AppendLoaded(text, symbols, action.attribute);
+  text += ' ';
+  AppendLoaded(text, symbols, action.value);
+  text.append(" ").append(PreferenceSign(action.preference));
+  if (action.HasReferent()) {
+    text += ' ';
+    AppendLoaded(text, symbols, action.referent);
+  }
+  return text + ") makes a preference for " + ToString(symbols, id) + " (not an identifier)\n";
 }
 
 }  // namespace
@@ -121,11 +149,9 @@ void Firing::RunActions(const Production& rule, InstantiationId id) {
   const std::size_t new_count = rule.new_identifiers.size();
   if (new_identifiers_.size() < new_count) new_identifiers_.resize(new_count);
   for (std::size_t n = 0; n < new_count; ++n) new_identifiers_[n] = Symbol();
-  rule_ = &rule;
   engine_.context.SetFiring(id);
   for (const Action& action : rule.actions) RunAction(action, id);
   engine_.context.SetFiring(InstantiationId::kNone);
-  rule_ = nullptr;
 }
 
 void Firing::RunAction(const Action& action, InstantiationId id) {
@@ -137,7 +163,7 @@ void Firing::RunAction(const Action& action, InstantiationId id) {
   const Symbol object = Evaluate(action.id);
   if (!object) return;
   if (!object.IsIdentifier()) {
-    engine_.Print(BadIdentifier(engine_.symbols, object, *rule_));
+    engine_.Print(BadIdentifier(engine_.symbols, object, action));
     return;
   }
   // What an object's preference makes hangs on that object, so it begins with its level.

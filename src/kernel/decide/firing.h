@@ -61,7 +61,6 @@ class Firing {
   GoalLevel match_level_ = 0;  ///< Of the match that fires.
   bool o_support_ = false;
   GoalLevel level_ = 0;  ///< Of identifiers that the action at hand makes.
-  const Production* rule_ = nullptr;
 };
 
 }  // namespace soarbox::kernel

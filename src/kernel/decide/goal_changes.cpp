@@ -129,8 +129,8 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   const Symbol non_numeric_count = engine_.symbols.Integer(non_numeric);
 
   const auto wanted = [&](const Wme& wme) {
-    if (wme.attribute == words::kItemCount) return wme.value == item_count;
-    if (wme.attribute == words::kNonNumericCount) return wme.value == non_numeric_count;
+    // The counts are made anew each time, also when they stay the same.
+    if (wme.attribute == words::kItemCount || wme.attribute == words::kNonNumericCount) return false;
     return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
       return candidate.value == wme.value && (wme.attribute == words::kItem || !candidate.is_numeric);
     });

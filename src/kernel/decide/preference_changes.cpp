@@ -142,6 +142,18 @@ void PreferenceChanges::ApplyOReject(PreferenceId reject) {
   for (const PreferenceId p : rejected_) Retract(p);
 }
 
+void PreferenceChanges::SpendClones(PreferenceId reject) {
+  WorkingMemory& memory = engine_.memory;
+  for (PreferenceId p = memory.preference(reject).next_clone; p != PreferenceId::kNone;
+       p = memory.preference(p).next_clone) {
+    memory.mutable_preference(p).is_spent = true;
+  }
+  for (PreferenceId p = memory.preference(reject).previous_clone; p != PreferenceId::kNone;
+       p = memory.preference(p).previous_clone) {
+    memory.mutable_preference(p).is_spent = true;
+  }
+}
+
 void PreferenceChanges::AddReference(PreferenceId id) {
   ++engine_.memory.mutable_preference(id).references;
 }

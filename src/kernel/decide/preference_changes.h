@@ -41,6 +41,8 @@ class PreferenceChanges {
   void RemoveSelected(SlotId slot);
   /// Removes every preference for the same value from the slot of an o-supported reject.
   void ApplyOReject(PreferenceId reject);
+  /// Marks the clones of a reject as spent.
+  void SpendClones(PreferenceId reject);
   /// Puts the preferences of a new instantiation of a substate on its goal's list: they go when the goal goes.
   void LinkToGoal(InstantiationId instantiation);
   /// The goal is going: takes the preference out of its slot and off the goal's list.

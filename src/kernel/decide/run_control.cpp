@@ -36,7 +36,7 @@ void RunControl::InputPhase() {
   engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleBegin(engine_.agent); });
   BeginPhase();
   engine_.input.Apply();
-  engine_.elaboration.ApplyWorkingMemoryChanges();
+  engine_.elaboration.ApplyBufferedChanges();
   EndPhase(Phase::kPropose);
 }
 
@@ -62,7 +62,7 @@ void RunControl::DecidePhase() {
   BeginPhase();
   ++engine_.counters.decision_phases;
   engine_.decision.Decide();
-  engine_.elaboration.ApplyWorkingMemoryChanges();
+  engine_.elaboration.ApplyBufferedChanges();
   if (engine_.observers.Wants(Event::kDecision)) {
     const GoalInfo info = engine_.Describe(engine_.goals.bottom());
     const std::uint64_t number = engine_.counters.decision_phases;

@@ -198,11 +198,12 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
   WorkingMemory& memory = engine_.memory;
   ResetValues();
   const Slot& slot = memory.slot(slot_id);
-  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
-    AddValue(memory.preference(p).value, p);
-  }
+  // Required ones enter first.
   for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     if (memory.preference(p).type == PreferenceType::kRequire) AddValue(memory.preference(p).value, p);
+  }
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    AddValue(memory.preference(p).value, p);
   }
   WmeId next;
   for (WmeId wme = slot.acceptable_wmes; wme != WmeId::kNone; wme = next) {

@@ -56,8 +56,15 @@ void Justifier::AddResult(PreferenceId preference, InstantiationId base) {
   }
   std::uint32_t& seen = engine_.memory.mutable_preference(preference).seen;
   if (std::exchange(seen, trace_number_) == trace_number_) return;
-  results_.push_back(preference);
   const Preference content = engine_.memory.preference(preference);
+  // A result that says the same as another one adds nothing.
+  const bool said = std::ranges::any_of(results_, [&](PreferenceId other) {
+    const Preference& result = engine_.memory.preference(other);
+    return result.id == content.id && result.attribute == content.attribute && result.value == content.value &&
+           result.type == content.type && result.referent == content.referent;
+  });
+  if (said) return;
+  results_.push_back(preference);
   AddResultsBelow(content.value, base);
   AddResultsBelow(content.referent, base);
 }
@@ -98,12 +105,23 @@ void Justifier::Backtrace(InstantiationId base) {
   drafts_.Clear();
   queue_.clear();
   VisitInstantiation(base);
-  for (const PreferenceId result : results_) VisitInstantiation(engine_.memory.preference(result).instantiation);
+  for (auto result = results_.rbegin(); result != results_.rend(); ++result) {
+    VisitInstantiation(engine_.memory.preference(*result).instantiation);
+  }
+  VisitQueued();
+  std::reverse(grounds_.begin(), grounds_.end());  // What was found last is tested first.
+}
+
+/// The grounds of a firing are taken at once, what it rests on in the substate later: the last one first.
+void Justifier::VisitQueued() {
   while (!queue_.empty()) {
-    const InstantiationId id = queue_.back();
+    const Open open = queue_.back();
     queue_.pop_back();
-    for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) VisitCondition(trace);
-    CollectNegations(id);
+    if (open.instantiation != InstantiationId::kNone) {
+      VisitInstantiation(open.instantiation);
+    } else {
+      VisitItem(open.item);
+    }
   }
 }
 
@@ -111,7 +129,8 @@ void Justifier::VisitInstantiation(InstantiationId id) {
   Instantiation& instantiation = engine_.instantiations[id];
   if (instantiation.backtrace == trace_number_) return;
   instantiation.backtrace = trace_number_;
-  queue_.push_back(id);
+  for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) VisitCondition(trace);
+  CollectNegations(id);
 }
 
 inline void Justifier::AddGround(WmeId ground) {
@@ -123,15 +142,31 @@ inline void Justifier::AddGround(WmeId ground) {
   if (wme.attribute == words::kOperator && !wme.acceptable) operator_grounds_.push_back(ground);
 }
 
+/// An item of an impasse rests on the proposal in the superstate.
+void Justifier::VisitItem(WmeId item) {
+  const WorkingMemory& memory = engine_.memory;
+  const Wme& wme = memory.wme(item);
+  if (wme.attribute != words::kItem || level_ < 2 || wme.id != engine_.goals.at(level_).id) return;
+  const SlotId slot = engine_.goals.at(static_cast<GoalLevel>(level_ - 1)).operator_slot;
+  for (WmeId p = memory.slot(slot).acceptable_wmes; p != WmeId::kNone; p = memory.record(p).next) {
+    if (memory.wme(p).value != wme.value) continue;
+    if (Mark(seen_wmes_, Index(p), trace_number_)) AddGround(p);
+    return;
+  }
+}
+
 inline void Justifier::VisitCondition(const ConditionTrace& trace) {
   if (trace.level < level_) {
     if (Mark(seen_wmes_, Index(trace.wme), trace_number_)) AddGround(trace.wme);
     return;
   }
-  if (trace.preference == PreferenceId::kNone) return;  // Of the architecture: it came with the substate.
+  if (trace.preference == PreferenceId::kNone) {  // Of the architecture: it came with the substate.
+    queue_.push_back({InstantiationId::kNone, trace.wme});
+    return;
+  }
   const WorkingMemory& memory = engine_.memory;
   const Preference& made_by = memory.preference(trace.preference);
-  VisitInstantiation(made_by.instantiation);
+  queue_.push_back({made_by.instantiation, WmeId::kNone});
   // The selected operator also rests on what made it better than others.
   if (made_by.attribute != words::kOperator || memory.wme(trace.wme).acceptable || made_by.slot == SlotId::kNone)
     return;
@@ -142,7 +177,7 @@ inline void Justifier::VisitCondition(const ConditionTrace& trace) {
     if (local == PreferenceId::kNone) continue;
     const bool decided = evaluation.type == PreferenceType::kProhibit || evaluation.type == PreferenceType::kReject ||
                          evaluation.value == made_by.value || evaluation.referent == made_by.value;
-    if (decided) VisitInstantiation(memory.preference(local).instantiation);
+    if (decided) queue_.push_back({memory.preference(local).instantiation, WmeId::kNone});
   }
 }
 
@@ -276,6 +311,7 @@ std::uint32_t Justifier::NewRecord() {
   }
   Record& record = records_[index];
   record.live = true;
+  record.excised = false;
   record.production = ProductionId::kNone;
   // Numbers go up by two, as in Soar 9.6.3.
   record.number = next_number_;
@@ -345,7 +381,7 @@ MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel go
     Rete::AddOptions options;
     options.refracted = record.grounds;
     options.instantiation = id;
-    const Rete::Added added = engine_.rete.AddProduction(AsRule(index), engine_.goal_view(), options);
+    const Rete::Added added = engine_.rete.AddProduction(AsRule(index, false), engine_.goal_view(), options);
     if (added.result == Rete::AddResult::kAdded) {
       record.production = added.production;
       if (added.refracted != MatchId::kNone) return added.refracted;
@@ -362,6 +398,22 @@ void Justifier::InstantiationFreed(InstantiationId id) {
   free_records_.push_back(index);
 }
 
+bool Justifier::Excise(std::string_view name) {
+  for (const std::uint32_t index : Live()) {
+    if (Name(index) != name) continue;
+    Record& record = records_[index];
+    record.excised = true;
+    const ProductionId production = std::exchange(record.production, ProductionId::kNone);
+    if (production != ProductionId::kNone) {
+      engine_.rete.ExciseProduction(production);
+    } else {
+      engine_.rete.RetractWatched(engine_.instantiations[record.instantiation].match);
+    }
+    return true;
+  }
+  return false;
+}
+
 void Justifier::SetLearning(Symbol state, bool learn) {
   std::vector<Symbol>& states = learn ? force_learn_ : dont_learn_;
   if (std::find(states.begin(), states.end(), state) == states.end()) states.push_back(state);
@@ -370,7 +422,7 @@ void Justifier::SetLearning(Symbol state, bool learn) {
 std::vector<std::uint32_t> Justifier::Live() const {
   std::vector<std::uint32_t> live;
   for (std::uint32_t index = 0; index < records_.size(); ++index) {
-    if (records_[index].live) live.push_back(index);
+    if (records_[index].live && !records_[index].excised) live.push_back(index);
   }
   std::sort(live.begin(), live.end(),
             [&](std::uint32_t a, std::uint32_t b) { return records_[a].number < records_[b].number; });
@@ -384,17 +436,25 @@ std::string_view Justifier::Name(std::uint32_t index) const {
   return names_[index];
 }
 
-ProductionPtr Justifier::AsRule(std::uint32_t index) const {
+ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
   const Record& record = records_[index];
   const WorkingMemory& memory = engine_.memory;
   Arena arena;
   RuleDraft rule;
   rule.name = Name(index);
   rule.type = ProductionType::kJustification;
+  std::vector<Symbol> states;
   for (const WmeId ground : record.grounds) {
     const Wme& wme = memory.wme(ground);
     ConditionDraft* const condition = arena.New<ConditionDraft>();
     condition->id = MakeTest(TestKind::kEqual, wme.id);
+    if (shown && memory.identifier(wme.id).is_goal && std::ranges::find(states, wme.id) == states.end()) {
+      states.push_back(wme.id);
+      TestDraft both = MakeTest(TestKind::kConjunction);
+      both.parts.Add(arena.New(MakeTest(TestKind::kState)));
+      both.parts.Add(arena.New(condition->id));
+      condition->id = both;
+    }
     condition->attribute = MakeTest(TestKind::kEqual, wme.attribute);
     condition->value = MakeTest(TestKind::kEqual, wme.value);
     condition->tests_acceptable = wme.acceptable;
@@ -405,9 +465,13 @@ ProductionPtr Justifier::AsRule(std::uint32_t index) const {
       rule.conditions.Add(arena.New(ToDraft(negation, arena)));
     }
   }
+  std::vector<PreferenceId> results;
   for (PreferenceId p = engine_.instantiations[record.instantiation].preferences; p != PreferenceId::kNone;
        p = memory.preference(p).next_of_instantiation) {
-    const Preference& preference = memory.preference(p);
+    results.push_back(p);
+  }
+  for (auto result = results.rbegin(); result != results.rend(); ++result) {
+    const Preference& preference = memory.preference(*result);
     ActionDraft* const action = arena.New<ActionDraft>();
     action->preference = preference.type;
     action->id = Constant(preference.id);

@@ -38,6 +38,7 @@ class Justifier {
 
   struct Record {
     bool live = false;
+    bool excised = false;      ///< By name: its results go, or live on by o-support.
     std::uint32_t number = 0;  ///< justify<number>
     InstantiationId instantiation = InstantiationId::kNone;
     ProductionId production = ProductionId::kNone;  ///< If it stands in the network.
@@ -49,8 +50,10 @@ class Justifier {
   std::string_view Name(std::uint32_t index) const;
   /// Indices of the live records, oldest first.
   std::vector<std::uint32_t> Live() const;
-  /// The justification as a rule, for printing: literal conditions and actions.
-  ProductionPtr AsRule(std::uint32_t index) const;
+  /// Takes one out of the match, so that its results are retracted; false if there is none of this name.
+  bool Excise(std::string_view name);
+  /// The justification as a rule: literal conditions and actions; `shown`: with the word `state` where it belongs.
+  ProductionPtr AsRule(std::uint32_t index, bool shown) const;
 
  private:
   bool CollectResults(InstantiationId id);
@@ -58,7 +61,9 @@ class Justifier {
   void AddResultsBelow(Symbol id, InstantiationId base);
   void Backtrace(InstantiationId id);
   void VisitInstantiation(InstantiationId id);
+  void VisitQueued();
   void VisitCondition(const ConditionTrace& trace);
+  void VisitItem(WmeId item);
   void CollectNegations(InstantiationId id);
   /// Makes the justification of the results that `base` made; kNone if they rest on nothing above.
   InstantiationId Build(InstantiationId base);
@@ -86,7 +91,12 @@ class Justifier {
   std::vector<WmeId> grounds_;
   GoalLevel lowest_ground_ = 0;          ///< Of the states that grounds hang on; 0 if none hangs on a state.
   std::vector<WmeId> operator_grounds_;  ///< Those that are a state's selected operator.
-  std::vector<InstantiationId> queue_;
+  /// Still to be followed: an instantiation, or else an item of the impasse.
+  struct Open {
+    InstantiationId instantiation = InstantiationId::kNone;
+    WmeId item = WmeId::kNone;
+  };
+  std::vector<Open> queue_;
   std::vector<ConditionDraft> negations_;
   Arena drafts_;  ///< Of the negations.
   std::vector<std::uint32_t> seen_identifiers_, seen_wmes_;

@@ -69,6 +69,11 @@ MatchId Rete::Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, I
   return state_->Watch(wmes, goal, level, instantiation);
 }
 
+void Rete::RetractWatched(MatchId match) {
+  if (match == MatchId::kNone || matches_.StateOf(match) != MatchState::kFired) return;
+  state_->RemoveWatch(matches_.TokenOf(match));
+}
+
 void Rete::Unwatch(MatchId match) {
   state_->EndWatch(matches_.TokenOf(match));
   matches_.Drop(match);

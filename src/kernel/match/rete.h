@@ -91,6 +91,8 @@ class Rete {
   /// elements leaves the match. This is all that a justification without negated conditions needs.
   /// `production` of such a match is ProductionId::kNone.
   MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
+  /// Ends it as if one of its elements left.
+  void RetractWatched(MatchId match);
   /// Ends it without a retraction.
   void Unwatch(MatchId match);
 

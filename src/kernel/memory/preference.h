@@ -21,6 +21,7 @@ struct Preference {
   bool in_slot = false;  ///< Counts for decisions; false before assertion and after retraction.
   bool on_goal_list = false;
   bool live = false;
+  bool is_spent = false;         ///< A copy of an o-supported reject: never to be asserted.
   GoalLevel level = 0;           ///< Of the goal that its instantiation matched.
   std::uint32_t stamp = 0;       ///< When it entered its slot: running number.
   std::uint32_t references = 0;  ///< One for the slot, one per condition that names it.

@@ -10,6 +10,7 @@
 namespace soarbox::kernel {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class ParserTest : public testing::Test {
@@ -224,6 +225,12 @@ TEST_F(ParserTest, OnlyASingleNumericPreferenceMakesALearningRule) {
   EXPECT_FALSE(Parse("ab (state <s> ^operator <o> +) --> (<s> ^operator <o> = 2 >)").production->is_rl);
   EXPECT_FALSE(Parse("ab (state <s> ^operator <o> + ^v <v>) --> (<s> ^operator <o> = <v>)").production->is_rl);
   EXPECT_FALSE(Parse("ab :template (state <s> ^operator <o> +) --> (<s> ^operator <o> = 2)").production->is_rl);
+}
+
+TEST_F(ParserTest, OnlyAWrittenAttributeNamesTheVariableForItsValue) {
+  EXPECT_THAT(Printed("ab (state <s> ^<< a b >> > 3 ^{ <t> <> foo } > 3 ^<> zoo.x > 3 ^c > 3) --> (<s> ^d e)"),
+              AllOf(HasSubstr("^{ << a b >> <a*1> } { > 3 <v*1> }"), HasSubstr("{ > 3 <t*1> }"),
+                    HasSubstr("^{ <> zoo <a*2> } <v*2>"), HasSubstr("^c { > 3 <c*1> }")));
 }
 
 TEST_F(ParserTest, ACommaIsAnAcceptablePreferenceWhereOneMayStand) {

@@ -370,6 +370,9 @@ std::string PrintProduction(const SymbolTable& symbols, const Production& produc
     case ProductionType::kDefault:
       out += "    :default\n";
       break;
+    case ProductionType::kJustification:
+      out += "    :justification ;# not reloadable\n";
+      break;
     case ProductionType::kChunk:
       out += "    :chunk\n";
       break;

@@ -246,21 +246,23 @@ bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int d
   if (!ReadTest(attribute)) {
     return false;
   }
+  // A variable made for the attribute does not name the one for the value.
+  char letter = names_.LetterFor(EqualitySymbol(attribute));
   AddEquality(attribute, 'a');
   while (Accept(TokenKind::kPeriod)) {
     ConditionDraft* const step = arena_.New<ConditionDraft>();
     step->id = Copy(id, arena_);
     step->attribute = attribute;
-    step->value = Equal(NewVariable(names_.LetterFor(EqualitySymbol(attribute))));
+    step->value = Equal(NewVariable(letter));
     out.Add(step);
     id = step->value;
     attribute = TestDraft();
     if (!ReadTest(attribute)) {
       return false;
     }
+    letter = names_.LetterFor(EqualitySymbol(attribute));
     AddEquality(attribute, 'a');
   }
-  const char letter = names_.LetterFor(EqualitySymbol(attribute));
   bool has_value = false;
   while (!Is(TokenKind::kUpArrow) && !Is(TokenKind::kMinus) && !Is(TokenKind::kRightParen)) {
     ConditionDraft* const condition = arena_.New<ConditionDraft>();
