@@ -61,6 +61,15 @@ TEST_F(ResultsTest, AnOSupportedRejectFromBelowIsSpent) {
   EXPECT_THAT(preferences, Not(HasSubstr("rejects")));
 }
 
+TEST_F(ResultsTest, AMatchWithoutAnOperatorHasTheSupportOfTheOneBefore) {
+  Do("sp {propose (state <s> ^superstate nil) --> (<s> ^operator.name foo)}");
+  Do("sp {any (state <s> ^type state ^{ <> item <a> } <v>) --> (<s> ^seen yes)}");
+  Do("trace 5; run 3");
+  EXPECT_THAT(printed_, HasSubstr("+ (S1 ^seen yes +) (any)"));
+  EXPECT_THAT(printed_, HasSubstr("+ (S1 ^seen yes +  :O ) (any)"));
+  EXPECT_THAT(printed_, HasSubstr("+ (S2 ^seen yes +  :O ) [level 2] (any)"));
+}
+
 TEST_F(ResultsTest, PreferencesAreListedInTheirOrder) {
   Do("sp {propose (state <s> ^superstate nil) --> (<s> ^operator <a> + > = ^operator <b> + < = 2)"
      " (<s> ^operator <a> > <b>, = <b>)}");

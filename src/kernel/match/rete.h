@@ -72,7 +72,7 @@ class Rete {
   void ExciseProduction(ProductionId production);
   /// Null for a number that is not in use.
   const ProductionPtr& production(ProductionId id) const;
-  /// Called when a match of a rule both elaborates and applies its operator; at most once per rule. The rule is then
+  /// Called when a match of a rule both elaborates and applies its operator; once per match. The match is then
   /// i-supported.
   void OnMixedSupport(std::function<void(ProductionId)> callback);
 

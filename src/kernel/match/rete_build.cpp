@@ -60,9 +60,10 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   if (elements.size() < positives) {
     elements.resize(positives);
   }
-  if (number < mixed_reported.size()) {
-    mixed_reported[number] = 0;
+  if (number >= last_o_support.size()) {
+    last_o_support.resize(number + 1u, 0);
   }
+  last_o_support[number] = 0;
   NodeAdded(made);
   if (!options.refracted.empty()) {
     refracting_node = made;

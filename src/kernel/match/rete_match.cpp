@@ -344,15 +344,12 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
     }
     if (rule.support == RuleInfo::Support::kByMatch) {
       const RuleInfo::MatchSupport support = rule.SupportOf(arrival.elements, wmes, goals.level_of_goal, arrival.goal);
-      arrival.o_support = support == RuleInfo::MatchSupport::kO;
-      if (support == RuleInfo::MatchSupport::kMixed) {
-        if (production >= mixed_reported.size()) {
-          mixed_reported.resize(production + 1u, 0);
-        }
-        if (!mixed_reported[production] && on_mixed_support) {
-          mixed_reported[production] = 1;
-          on_mixed_support(static_cast<ProductionId>(production));
-        }
+      if (support != RuleInfo::MatchSupport::kAsBefore) {
+        last_o_support[production] = support == RuleInfo::MatchSupport::kO;
+      }
+      arrival.o_support = last_o_support[production] != 0;
+      if (support == RuleInfo::MatchSupport::kMixed && on_mixed_support) {
+        on_mixed_support(static_cast<ProductionId>(production));
       }
     } else {
       arrival.o_support = rule.support == RuleInfo::Support::kO;

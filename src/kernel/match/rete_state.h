@@ -225,7 +225,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   bool log_at_limit = false;           ///< A sparse memory met this limit.
   std::uint32_t removing = kNil;       ///< The element that RemoveWme works on.
   std::vector<WmeId> elements;         ///< Scratch for a new match.
-  std::vector<char> mixed_reported;    ///< By rule.
+  std::vector<char> last_o_support;    ///< By rule: whether its last match that tested an operator is o-supported.
   std::vector<std::uint32_t> excised;  ///< Rules excised whose last match may not be released yet.
   std::vector<ProductionPtr> retired;  ///< By number: excised rules, until the number is used again.
   bool excising = false;

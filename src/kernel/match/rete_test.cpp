@@ -131,7 +131,7 @@ TEST_F(ReteTest, AnOperatorOfAHigherGoalGivesISupport) {
   EXPECT_FALSE(rete.matches().HasAssertions(2, kO));
 }
 
-TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedOnceAndGetsISupport) {
+TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedPerMatchAndGetsISupport) {
   const ProductionPtr rule =
       Rule("mixed", {OnState("operator", "<o>")}, {Make({0, Field::kId}, "done"), Make({0, Field::kValue}, "done")});
   int reports = 0;
@@ -139,7 +139,7 @@ TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedOnceAndGetsISupport) {
   AddRule(rule);
   Add("S1", "operator", "O1");
   Add("S1", "operator", "O2");
-  EXPECT_EQ(reports, 1);
+  EXPECT_EQ(reports, 2);
   EXPECT_EQ(rete.matches().Pending(MatchSet::List::kIAssertions).size(), 2u);
 }
 

@@ -139,11 +139,13 @@ RuleInfo::MatchSupport RuleInfo::SupportOf(std::span<const WmeId> elements, cons
   }
   bool elaborates = false;
   bool applies = false;
+  bool tests_operator = false;
   for (const std::uint16_t condition : operator_conditions) {
     const Wme& wme = wmes[Index(elements[condition])];
     if (wme.id != goal || wme.attribute != words::kOperator || wme.acceptable) {
       continue;
     }
+    tests_operator = true;
     applies |= has_other_action_ids;
     for (const BindingSite& site : action_ids) {
       (SymbolAt(site, elements, wmes) == wme.value ? elaborates : applies) = true;
@@ -151,6 +153,9 @@ RuleInfo::MatchSupport RuleInfo::SupportOf(std::span<const WmeId> elements, cons
   }
   if (elaborates && applies) {
     return MatchSupport::kMixed;
+  }
+  if (!tests_operator) {
+    return MatchSupport::kAsBefore;
   }
   return applies ? MatchSupport::kO : MatchSupport::kI;
 }

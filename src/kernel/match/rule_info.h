@@ -19,7 +19,8 @@ namespace soarbox::kernel {
 /// only that operator. Most rules are decided here; the rest looks at the goals of each match.
 struct RuleInfo {
   enum class Support : std::uint8_t { kI, kO, kByMatch };
-  enum class MatchSupport : std::uint8_t { kI, kO, kMixed };
+  /// kAsBefore: the match tests no selected operator of its goal, and gets the support of the rule's last match.
+  enum class MatchSupport : std::uint8_t { kI, kO, kMixed, kAsBefore };
 
   ProductionPtr rule;
   std::uint32_t node = 0xFFFFFFFFu;  ///< Its production node.
