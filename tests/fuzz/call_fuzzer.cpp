@@ -51,7 +51,7 @@ class ShortRuns : public server::KernelHost {
       kernel::AgentSettings& settings = hosted->agent().mutable_settings();
       settings.max_elaborations = std::min(settings.max_elaborations, 20);
       settings.max_goal_depth = std::min(settings.max_goal_depth, 6);
-      settings.max_partial_matches = std::min(settings.max_partial_matches, 50000u);
+      settings.max_partial_matches = std::min(settings.max_partial_matches, 10000u);
       settings.max_nil_output_cycles = std::min(settings.max_nil_output_cycles, 5);
     }
     return KernelHost::Run(session, cut);

@@ -14,7 +14,7 @@ class GrowthLimit : public kernel::Observer {
  public:
   void Guard(kernel::Agent& agent) {
     agent.AddObserver(*this, kernel::Mask(kernel::Event::kFiring));
-    agent.mutable_settings().max_partial_matches = 50000;
+    agent.mutable_settings().max_partial_matches = 10000;
   }
 
   void OnFiring(const kernel::Agent&, const kernel::FiringInfo&) override {
@@ -22,7 +22,7 @@ class GrowthLimit : public kernel::Observer {
   }
 
  private:
-  static constexpr int kFirings = 5000;
+  static constexpr int kFirings = 1000;
   int firings_ = 0;
 };
 
