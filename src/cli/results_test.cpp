@@ -108,5 +108,15 @@ TEST_F(ResultsTest, AResultGoesWithTheNextElaborationAfterItsState) {
   EXPECT_THAT(printed_.substr(result == std::string::npos ? 0 : result, 40), HasSubstr("^two yes"));
 }
 
+TEST_F(ResultsTest, AFactThatTheTopStateHasAlreadyIsTracedAsIgnored) {
+  Do("sp {propose (state <s> ^superstate nil) --> (<s> ^operator <o> + =) (<o> ^name go)}");
+  Do("sp {first (state <s> ^operator.name go) --> (<s> ^x 1)}");
+  Do("sp {second (state <s> ^operator.name go ^x 1) --> (<s> ^x 1)}");
+  Do("trace 5");
+  Do("run 2");
+  EXPECT_THAT(printed_, HasSubstr("\n+ (S1 ^x 1 +  :O ) (first)\n"));
+  EXPECT_THAT(printed_, HasSubstr("\n+ (S1 ^x 1 +  :O ) (second) ALREADY SUPPORTED ON TOP LEVEL.  IGNORING.\n"));
+}
+
 }  // namespace
 }  // namespace soarbox::cli

@@ -205,15 +205,22 @@ void TracePrinter::OnWmeRemoved(const Agent& agent, const WmeInfo& wme) {
   Print("<=WM: " + WmeText(agent, wme) + "\n");
 }
 
-void TracePrinter::PrintPreferenceChange(const Agent& agent, kernel::PreferenceId id, char sign) {
+void TracePrinter::PrintPreferenceChange(const Agent& agent, kernel::PreferenceId id, char sign,
+                                         std::string_view remark) {
   const kernel::Preference& preference = agent.memory().preference(id);
   session_.stream().FreshLine();
-  Print(fmt::format("{} {}{} ({})\n", sign, PreferenceText(agent, preference), Level(preference.level),
-                    agent.ProductionName(preference.instantiation)));
+  Print(fmt::format("{} {}{} ({}){}\n", sign, PreferenceText(agent, preference), Level(preference.level),
+                    agent.ProductionName(preference.instantiation), remark));
 }
 
 void TracePrinter::OnPreferenceAdded(const Agent& agent, kernel::PreferenceId id) {
   if (session_.trace().On(TraceFlag::kPreferences)) PrintPreferenceChange(agent, id, '+');
+}
+
+void TracePrinter::OnPreferenceIgnored(const Agent& agent, kernel::PreferenceId id) {
+  if (session_.trace().On(TraceFlag::kPreferences)) {
+    PrintPreferenceChange(agent, id, '+', " ALREADY SUPPORTED ON TOP LEVEL.  IGNORING.");
+  }
 }
 
 void TracePrinter::OnPreferenceRemoved(const Agent& agent, kernel::PreferenceId id) {

@@ -37,6 +37,7 @@ class TracePrinter : public kernel::Observer {
   void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) override;
+  void OnPreferenceIgnored(const kernel::Agent& agent, kernel::PreferenceId id) override;
   void OnPreferenceRemoved(const kernel::Agent& agent, kernel::PreferenceId id) override;
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t decision) override;
   void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override;
@@ -63,7 +64,8 @@ class TracePrinter : public kernel::Observer {
   void Print(const std::string& text);
   void PrintMatched(const kernel::Agent& agent, const kernel::FiringInfo& info);
   void PrintPreference(const kernel::Agent& agent, kernel::PreferenceId id);
-  void PrintPreferenceChange(const kernel::Agent& agent, kernel::PreferenceId id, char sign);
+  void PrintPreferenceChange(const kernel::Agent& agent, kernel::PreferenceId id, char sign,
+                             std::string_view remark = {});
 
   Session& session_;
   bool retracting_ = false;  ///< The preferences that go now are those of a firing that is shown in detail.

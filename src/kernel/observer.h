@@ -148,6 +148,8 @@ class Observer {
 
   // kPreference: look the preference up in agent.memory().preference(id).
   virtual void OnPreferenceAdded(const Agent&, PreferenceId) {}
+  /// One that is not added, because the top state has the same o-supported fact already.
+  virtual void OnPreferenceIgnored(const Agent&, PreferenceId) {}
   virtual void OnPreferenceRemoved(const Agent&, PreferenceId) {}
 
   // kDecision

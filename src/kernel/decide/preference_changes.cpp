@@ -42,7 +42,10 @@ bool PreferenceChanges::Assert(PreferenceId id) {
   const SlotId slot = memory.FindOrMakeSlot(preference.id, preference.attribute, is_operator);
   if (preference.o_supported && preference.type == PreferenceType::kAcceptable && preference.level == 1 &&
       !is_operator && !engine_.settings.keep_all_top_o_preferences) {
-    if (memory.HasFact(slot, preference.value)) return false;
+    if (memory.HasFact(slot, preference.value)) {
+      engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceIgnored(engine_.agent, id); });
+      return false;
+    }
   }
   memory.InsertInSlot(id, slot);
   preference.stamp = ++last_stamp_;

@@ -206,6 +206,10 @@ void XmlTracer::OnPreferenceAdded(const kernel::Agent& agent, kernel::Preference
   if (hosted_.session().trace().On(TraceFlag::kPreferences)) AddPreference(agent, id);
 }
 
+void XmlTracer::OnPreferenceIgnored(const kernel::Agent& agent, kernel::PreferenceId id) {
+  OnPreferenceAdded(agent, id);
+}
+
 void XmlTracer::OnPreferenceRemoved(const kernel::Agent& agent, kernel::PreferenceId id) {
   if (retracting_) AddPreference(agent, id);
   if (hosted_.session().trace().On(TraceFlag::kPreferences)) AddPreference(agent, id);

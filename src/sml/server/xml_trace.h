@@ -39,6 +39,7 @@ class XmlTracer : public kernel::Observer {
   void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override;
   void OnPreferenceAdded(const kernel::Agent& agent, kernel::PreferenceId id) override;
+  void OnPreferenceIgnored(const kernel::Agent& agent, kernel::PreferenceId id) override;
   void OnPreferenceRemoved(const kernel::Agent& agent, kernel::PreferenceId id) override;
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t decision) override;
   void OnOperatorRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::OperatorRemoval why,
