@@ -51,8 +51,8 @@ bool CommandCall::Parse(std::span<const OptionSpec> specs, ParsedWords& parsed) 
   return Fail(parsed.error);
 }
 
-bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid,
-                   std::string_view usage_hint) {
+bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
+                   std::string_view also_known) {
   // Soar checks the options against those of all sub-commands before it looks at the sub-command.
   // Where two of them use a letter in different ways, the named one's counts.
   std::vector<OptionSpec> all;
@@ -66,6 +66,7 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
       if (!known) all.push_back(option);
     }
   }
+  for (const char letter : also_known) all.push_back({letter, ""});
   const ParsedWords checked = ParseOptions(call.words.subspan(1), all);
   if (!checked.error.empty()) {
     return call.Fail(checked.error + "\n" + std::string(usage_hint));

@@ -77,9 +77,9 @@ const CommandInfo* FindCommand(std::string_view word, std::string& error);
 
 /// Carries out the sub-command that words[1] names by its full name or a unique beginning. `invalid` is the message if
 /// there is none. Options are checked against those of all sub-commands of the command first, as Soar does;
-/// `usage_hint` follows its message.
-bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid,
-                   std::string_view usage_hint);
+/// `usage_hint` follows its message, but not for the letters `also_known`, which pass there.
+bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
+                   std::string_view also_known = {});
 
 /// The names that commands and sub-commands have, nearest to a misspelt word.
 std::string NearestCommand(std::string_view word, const std::vector<std::pair<std::string, std::string>>& aliases);

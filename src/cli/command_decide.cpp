@@ -44,7 +44,7 @@ bool Overview(CommandCall& call) {
   const ExplorationSettings& settings = call.agent().exploration();
   Summary summary(55);
   summary.Rule('=').Text("                     Decide Summary\n").Rule('=');
-  summary.Row("Numeric indifference mode:", settings.average_numbers ? "avg" : "sum").Rule('-');
+  summary.Row("Numeric indifference mode:", settings.average_numbers ? "average" : "sum").Rule('-');
   summary.Row("Exploration Policy:", Name(settings.policy));
   summary.Row("Automatic Policy Parameter Reduction:", OnOff(settings.auto_reduce));
   summary.Row("Epsilon:", fmt::format("{:f}", settings.epsilon.value));
@@ -61,15 +61,10 @@ bool NumericMode(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kDecideSubcommands[0].options, parsed)) return false;
   ExplorationSettings& settings = call.agent().mutable_exploration();
-  std::string word;
-  if (!parsed.arguments.empty()) word = parsed.arguments.front().text;
-  if (parsed.Has('a') || word == "avg")
-    settings.average_numbers = true;
-  else if (parsed.Has('s') || word == "sum")
-    settings.average_numbers = false;
-  else if (!word.empty())
-    return call.Fail("Invalid setting.");
-  else {
+  if (!parsed.arguments.empty()) return call.Fail("Too many arguments.");
+  if (!parsed.options.empty()) {
+    settings.average_numbers = parsed.options.back().letter == 'a';
+  } else {
     call.Out(fmt::format("Current numeric indifferent mode: Soar will {} numeric preferences.",
                          settings.average_numbers ? "average" : "use the sum of"));
   }
@@ -90,6 +85,7 @@ bool ShowValue(CommandCall& call, double value) {
 
 bool Parameter(CommandCall& call, bool epsilon, const ParsedWords& parsed) {
   ExplorationSettings& settings = call.agent().mutable_exploration();
+  if (parsed.arguments.size() > 1) return call.Fail("Too many arguments.");
   if (parsed.arguments.empty()) return ShowValue(call, epsilon ? settings.epsilon.value : settings.temperature.value);
   const auto value = ParseDouble(parsed.arguments.front().text);
   if (!value || !(epsilon ? settings.SetEpsilon(*value) : settings.SetTemperature(*value))) {
@@ -109,23 +105,25 @@ bool ReadReduction(std::string_view word, ReductionPolicy& policy) {
 }
 
 bool Reduction(CommandCall& call, const ParsedWords& parsed) {
-  if (parsed.arguments.empty() || parsed.arguments.size() > 2) return call.Fail("Invalid parameter.");
+  if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
+  if (parsed.arguments.size() > 2) return call.Fail("Too many arguments.");
   ExplorationParameter* parameter = FindParameter(call.agent().mutable_exploration(), parsed.arguments[0].text);
-  if (!parameter) return call.Fail("Invalid parameter.");
+  if (!parameter) return call.Fail("Invalid parameter value.");
   if (parsed.arguments.size() == 1) {
     call.Out(Name(parameter->reduction));
     return true;
   }
-  if (!ReadReduction(parsed.arguments[1].text, parameter->reduction)) return call.Fail("Invalid reduction policy.");
+  if (!ReadReduction(parsed.arguments[1].text, parameter->reduction)) return call.Fail("Invalid parameter value.");
   return true;
 }
 
 bool Rate(CommandCall& call, const ParsedWords& parsed) {
-  if (parsed.arguments.size() < 2 || parsed.arguments.size() > 3) return call.Fail("Invalid parameter.");
+  if (parsed.arguments.size() < 2) return call.Fail("Too few arguments.");
+  if (parsed.arguments.size() > 3) return call.Fail("Too many arguments.");
   ExplorationParameter* parameter = FindParameter(call.agent().mutable_exploration(), parsed.arguments[0].text);
   ReductionPolicy policy;
-  if (!parameter) return call.Fail("Invalid parameter.");
-  if (!ReadReduction(parsed.arguments[1].text, policy)) return call.Fail("Invalid reduction policy.");
+  if (!parameter) return call.Fail("Invalid exploration parameter.");
+  if (!ReadReduction(parsed.arguments[1].text, policy)) return call.Fail("Invalid exploration reduction policy.");
   if (parsed.arguments.size() == 2) {
     return ShowValue(call,
                      policy == ReductionPolicy::kExponential ? parameter->exponential_rate : parameter->linear_rate);
@@ -153,22 +151,16 @@ bool Indifferent(CommandCall& call) {
   if (!call.Parse(kDecideSubcommands[1].options, parsed)) return false;
   ExplorationSettings& settings = call.agent().mutable_exploration();
   if (parsed.options.empty()) {
-    if (!parsed.arguments.empty()) {
-      for (const PolicyName& entry : kPolicies) {
-        if (entry.name == parsed.arguments.front().text) {
-          settings.policy = entry.policy;
-          return true;
-        }
-      }
-      return call.Fail("Invalid setting.");
-    }
+    if (!parsed.arguments.empty()) return call.Fail("Too many args.");
     call.Out(Name(settings.policy));
     call.AddArgument("indifferentselectionmode", "string", std::string(Name(settings.policy)));
     return true;
   }
-  const char letter = parsed.options.back().letter;
+  if (parsed.options.size() > 1) return call.Fail("indifferent-selection takes only one option at a time.");
+  const char letter = parsed.options.front().letter;
   for (const PolicyName& entry : kPolicies) {
     if (entry.letter == letter) {
+      if (!parsed.arguments.empty()) return call.Fail("Too many arguments.");
       settings.policy = entry.policy;
       return true;
     }
@@ -183,14 +175,16 @@ bool Indifferent(CommandCall& call) {
     case 'r':
       return Rate(call, parsed);
     case 's':
+      if (!parsed.arguments.empty()) return call.Fail("Too many arguments.");
       Stats(call);
       return true;
     case 'a':
+      if (parsed.arguments.size() > 1) return call.Fail("Too many arguments.");
       if (parsed.arguments.empty()) {
         call.Out(OnOff(settings.auto_reduce));
       } else {
         const std::string& word = parsed.arguments.front().text;
-        if (word != "on" && word != "off") return call.Fail("Invalid setting.");
+        if (word != "on" && word != "off") return call.Fail("Invalid parameter value.");
         settings.auto_reduce = word == "on";
       }
       return true;
@@ -212,6 +206,7 @@ bool Select(CommandCall& call) {
     call.Out(selected.empty() ? "No operator selected." : selected);
     return true;
   }
+  if (call.words.size() > 2) return call.Fail("Syntax: decide select <id>");
   const std::string& word = call.words[1].text;
   agent.SelectOperator(word);
   call.Out(fmt::format("Operator {} will be selected.", word));
@@ -297,7 +292,7 @@ bool CommandDecide(CommandCall& call) {
   std::string error;
   return RunSubcommand(call, *FindCommand("decide", error),
                        "Invalid decide command.  Use 'decide ?' to see a list of valid settings.",
-                       "Use 'decide ?' or 'help decide' to learn more about the decide command.");
+                       "Use 'decide ?' or 'help decide' to learn more about the decide command.", "qvz");
 }
 
 }  // namespace soarbox::cli

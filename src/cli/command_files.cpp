@@ -9,6 +9,7 @@
 namespace soarbox::cli {
 
 bool CommandPwd(CommandCall& call) {
+  if (call.words.size() > 1) return call.Fail("Syntax: pwd");
   const std::string directory = call.interpreter.directory().string();
   call.Out(directory);
   call.AddArgument("directory", "string", directory);
@@ -16,7 +17,8 @@ bool CommandPwd(CommandCall& call) {
 }
 
 bool CommandCd(CommandCall& call) {
-  if (call.words.size() > 2) return call.Fail("Only one directory is expected.");
+  if (call.words.size() > 2)
+    return call.Fail("Only one argument (a directory) is allowed. Paths with spaces should be enclosed in quotes.");
   std::string target;
   if (call.words.size() == 2) {
     target = call.words[1].text;
@@ -28,7 +30,10 @@ bool CommandCd(CommandCall& call) {
 }
 
 bool CommandPushd(CommandCall& call) {
-  if (call.words.size() != 2) return call.Fail("Exactly one directory is expected.");
+  if (call.words.size() < 2) return call.Fail("Syntax: pushd directory");
+  if (call.words.size() > 2) {
+    return call.Fail("Expected on argument (directory). Enclose directory in quotes if there are spaces in the path.");
+  }
   const std::filesystem::path before = call.interpreter.directory();
   if (!call.interpreter.ChangeDirectory(call.words[1].text)) {
     return call.Fail("Error changing to " + call.words[1].text);
@@ -38,6 +43,7 @@ bool CommandPushd(CommandCall& call) {
 }
 
 bool CommandPopd(CommandCall& call) {
+  if (call.words.size() > 1) return call.Fail("Syntax: popd");
   std::vector<std::filesystem::path>& stack = call.interpreter.directory_stack();
   if (stack.empty()) return call.Fail("Directory stack is empty.");
   const std::string target = stack.back().string();
@@ -55,6 +61,7 @@ bool CommandDirs(CommandCall& call) {
 }
 
 bool CommandLs(CommandCall& call) {
+  if (call.words.size() > 1) return call.Fail("Syntax: ls");
   std::string text = "\n[.]\n[..]";
   std::error_code error;
   std::vector<std::string> names;

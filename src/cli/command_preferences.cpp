@@ -118,16 +118,11 @@ class PreferencePrinter {
         Print("    This is an architecture-wme and has no prefs.\n");
         continue;
       }
-      for (const PreferenceId id : agent_.PreferencesOf(record.slot, PreferenceType::kAcceptable)) {
-        const Preference& preference = memory.preference(id);
-        if (preference.value != value) continue;
-        const Agent::CandidateChance certain{id, value, 0, 1};
-        PrintPreference(id, &certain);
-      }
       for (const Section& section : kSections) {
-        if (section.type == PreferenceType::kAcceptable) continue;
         for (const PreferenceId id : agent_.PreferencesOf(record.slot, section.type)) {
-          if (agent_.memory().preference(id).value == value) PrintPreference(id, nullptr);
+          if (memory.preference(id).value != value) continue;
+          const Agent::CandidateChance certain{id, value, 0, 1};
+          PrintPreference(id, section.type == PreferenceType::kAcceptable ? &certain : nullptr);
         }
       }
     }
@@ -201,7 +196,7 @@ class PreferencePrinter {
     }
     if (detail_ == Detail::kWmes) {
       for (const WmeId wme : wmes) {
-        Print(fmt::format("WME with time tag {}\n", agent_.memory().wme(wme).timetag));
+        Print(MatchedText(agent_, wme, preference.level) + "\n");
         AddWmeNode(node, agent_, wme);
       }
     }

@@ -128,9 +128,9 @@ bool Watch(CommandCall& call) {
       call.Out("No watched productions found.");
       return true;
     }
-    for (const std::string& name : watched) {
-      call.Out("\n" + name);
-      call.AddArgument("name", "string", name);
+    for (auto name = watched.rbegin(); name != watched.rend(); ++name) {
+      call.Out("\n" + *name);
+      call.AddArgument("name", "string", *name);
     }
     return true;
   }
@@ -147,18 +147,21 @@ bool Break(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kProductionSubcommands[0].options, parsed)) return false;
   kernel::Agent& agent = call.agent();
-  std::string name;
-  if (const auto set = parsed.Argument('s')) name = *set;
-  if (const auto clear = parsed.Argument('c')) name = *clear;
-  if (name.empty() && !parsed.arguments.empty()) name = parsed.arguments.front().text;
-  if (name.empty()) {
+  if ((parsed.Has('s') || parsed.Has('c')) && parsed.arguments.size() != 1) {
+    return call.Fail("pbreak --set/--clear takes exactly one argument.");
+  }
+  if (parsed.arguments.size() > 1) return call.Fail("pbreak used incorrectly.");
+  if (parsed.arguments.empty()) {
     call.result.structured.Add("break");
-    for (const ProductionId id : agent.Productions()) {
+    std::vector<ProductionId> rules = agent.Productions();
+    std::reverse(rules.begin(), rules.end());
+    for (const ProductionId id : rules) {
       if (!agent.HasBreak(id) && !agent.production(id).interrupt) continue;
       if (agent.HasBreak(id)) call.Out(RuleName(agent, agent.production(id)) + "\n");
     }
     return true;
   }
+  const std::string& name = parsed.arguments.front().text;
   const ProductionId id = FindRule(agent, name);
   if (id == ProductionId::kNone) return call.Fail("Production not found: " + name);
   agent.SetBreak(id, !parsed.Has('c'));
@@ -215,7 +218,12 @@ bool FiringCounts(CommandCall& call) {
     if (*number < 0) return call.Fail("Expected non-negative integer.");
     limit = static_cast<std::size_t>(*number);
   }
+  // Templates are not told apart here: the option for them shows all rules.
+  if (parsed.Has('T')) parsed.options.push_back({'a', std::nullopt});
   std::vector<ProductionId> rules = Selected(call, parsed);
+  // Equal counts show in the order of loading, but default rules after the others.
+  std::stable_partition(rules.begin(), rules.end(),
+                        [&](ProductionId id) { return call.agent().production(id).type != ProductionType::kDefault; });
   if (rules.empty()) return call.Fail("No productions in memory of those type(s).");
   if (parsed.Has('f')) std::erase_if(rules, [&](ProductionId id) { return count(id) == 0; });
   return Counts(call, std::move(rules), limit, count);
@@ -225,7 +233,7 @@ bool MemoryUsage(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kProductionSubcommands[5].options, parsed)) return false;
   if (parsed.arguments.size() > 1) return call.Fail("Syntax: memories [options] [number]\nmemories production_name");
-  const auto count = [&](ProductionId id) { return call.agent().rete().CountTokens(id); };
+  const auto count = [&](ProductionId id) { return call.agent().rete().CountTokens(id, false); };
   std::size_t limit = 0;
   if (!parsed.arguments.empty()) {
     const std::string& word = parsed.arguments.front().text;
@@ -239,6 +247,8 @@ bool MemoryUsage(CommandCall& call) {
     limit = static_cast<std::size_t>(*number);
   }
   std::vector<ProductionId> rules = Selected(call, parsed);
+  std::stable_partition(rules.begin(), rules.end(),
+                        [&](ProductionId id) { return call.agent().production(id).type == ProductionType::kDefault; });
   if (rules.empty()) return call.Fail("Production not found.");
   return Counts(call, std::move(rules), limit, count);
 }
@@ -282,7 +292,7 @@ bool OptimizeAttribute(CommandCall& call) {
   std::int64_t value = 10;
   if (call.words.size() == 3) {
     const auto number = ParseInteger(call.words[2].text);
-    if (!number || *number <= 1 || *number > 1000000000) return call.Fail("Expected integer greater than 1.");
+    if (!number || *number < 1 || *number > 1000000000) return call.Fail("Expected non-negative integer.");
     value = *number;
   }
   const kernel::SymbolTable::PinScope pin(agent.mutable_symbols());
@@ -308,8 +318,8 @@ bool Help(CommandCall& call) {
 
 constexpr auto kNone = OptionArgument::kNone;
 constexpr OptionSpec kBreakOptions[] = {
-    {'s', "set", OptionArgument::kRequired, "stop when this rule fires"},
-    {'c', "clear", OptionArgument::kRequired, "no longer stop at this rule"},
+    {'s', "set", kNone, "stop when this rule matches"},
+    {'c', "clear", kNone, "no longer stop at this rule"},
     {'p', "print", kNone, "list the rules at which runs stop"},
 };
 constexpr OptionSpec kExciseOptions[] = {
@@ -358,7 +368,7 @@ constexpr OptionSpec kWatchOptions[] = {
 };
 
 constexpr SubcommandInfo kSubcommands[] = {
-    {"break", "[RULE]", "stops runs when a rule fires", kBreakOptions, Break},
+    {"break", "[RULE]", "stops runs when a rule matches", kBreakOptions, Break},
     {"excise", "[RULE]", "removes rules", kExciseOptions, Excise},
     {"find", "PATTERN", "finds rules by what they test", kFindOptions, Find},
     {"firing-counts", "[N | RULE]", "how often rules fired", kCountOptions, FiringCounts},
@@ -383,7 +393,7 @@ bool CommandProduction(CommandCall& call) {
   std::string error;
   return RunSubcommand(call, *FindCommand("production", error),
                        "Invalid production command.  Use 'production ?' to see a list of valid settings.",
-                       "Use 'production ?' or 'help production' to learn more about the production command.");
+                       "Use 'production ?' or 'help production' to learn more about the production command.", "bqvxyz");
 }
 
 }  // namespace soarbox::cli

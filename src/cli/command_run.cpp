@@ -51,6 +51,29 @@ int Size(RunUnit unit) {
   return 4;
 }
 
+/// How often the agent has come to the stop phase so far.
+std::uint64_t StopsPassed(const kernel::Agent& agent) {
+  return agent.counters().decision_cycles + (agent.next_phase() >= agent.settings().stop_phase ? 1 : 0);
+}
+
+/// Whether an interrupt came in the last unit that was asked for: then it cut nothing off.
+bool BeganLastUnit(const kernel::Agent& agent, const RunRequest& request, std::uint64_t stops_before) {
+  switch (request.unit) {
+    case RunUnit::kElaboration:
+      return true;
+    case RunUnit::kPhase:
+      return request.count == 1;
+    case RunUnit::kDecision: {
+      const bool arrived = agent.next_phase() == agent.settings().stop_phase && !agent.in_middle_of_phase();
+      return StopsPassed(agent) - stops_before + (arrived ? 0 : 1) >= request.count;
+    }
+    case RunUnit::kOutput:
+    case RunUnit::kForever:
+      return false;
+  }
+  return false;
+}
+
 }  // namespace
 
 const std::span<const OptionSpec> kRunOptions = kOptions;
@@ -95,11 +118,15 @@ bool CommandRun(CommandCall& call) {
   if (host.IsRunning(call.session)) return call.Fail("Soar is already running");
 
   kernel::Agent& agent = call.agent();
+  const std::uint64_t stops_before = StopsPassed(agent);
   const RunCounts before = RunCounts::Of(agent);
   kernel::RunResult run;
   {
     PrintStream::Uncaptured uncaptured(call.stream());
     run = host.Run(call.session, request);
+  }
+  if (run.reason == kernel::StopReason::kInterrupted && BeganLastUnit(agent, request, stops_before)) {
+    run.reason = kernel::StopReason::kCompleted;
   }
   const std::vector<std::string> lines = RunLines(agent, before, run);
   for (const std::string& line : lines) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -132,8 +133,15 @@ bool Overview(CommandCall& call) {
     rules += agent.CountProductions(type);
   }
   std::string stack;
-  for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
-    if (level > 1) stack += ", ";
+  // Of a deep stack, the two states at either end.
+  const std::size_t depth = agent.goals().depth();
+  for (std::size_t level = 1; level <= depth; ++level) {
+    if (depth > 4 && level == 3) {
+      stack += " ... ";
+      level = depth - 1;
+    } else if (level > 1) {
+      stack += ", ";
+    }
     stack += SymbolText(agent, agent.goals().at(static_cast<kernel::GoalLevel>(level)).id);
   }
   Summary summary(55);
@@ -153,6 +161,7 @@ bool Overview(CommandCall& call) {
 }
 
 bool Init(CommandCall& call) {
+  if (call.words.size() > 1) return call.Fail(kInvalidArgument);
   if (call.interpreter.host().IsRunning(call.session)) {
     return call.Fail("The agent cannot be initialised while it runs.");
   }
@@ -170,6 +179,7 @@ bool Init(CommandCall& call) {
 bool Stop(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kStopOptions, parsed)) return false;
+  if (!parsed.arguments.empty()) return call.Fail(kInvalidArgument);
   call.interpreter.host().Stop(call.session, parsed.Has('s'));
   return true;
 }
@@ -211,7 +221,7 @@ bool KeepAllTopOprefs(CommandCall& call) {
   if (!on) return Show(call, "keep-all-top-oprefs");
   call.agent().mutable_settings().keep_all_top_o_preferences = *on;
   call.Out(*on ? "Soar will now always retain top level preferences for items that are already o-supported.\n"
-               : "Soar will no longer retain top level preferences for items that are already o-supported.\n");
+               : "Soar will now not retain top level preferences for items that are already o-supported.\n");
   return true;
 }
 
@@ -238,7 +248,11 @@ bool Timers(CommandCall& call) {
 bool Tcl(CommandCall& call) {
   std::optional<bool> on;
   if (!ReadSwitch(call, on)) return false;
-  if (on.value_or(false)) return call.Fail("Could not load library tclsoarlib: Tcl is not available in this build.");
+  if (on.value_or(false)) return call.Fail("Could not load library tclsoarlib: Library not found.");
+  if (on) {
+    call.Out("Tcl mode is already off.\n");
+    return true;
+  }
   return Show(call, "tcl");
 }
 
@@ -279,6 +293,9 @@ bool MaxNilOutputCycles(CommandCall& call) {
 bool MaxDcTime(CommandCall& call) {
   return Number(call, "max-dc-time", 0, [&](std::int64_t value) {
     call.agent().mutable_settings().max_decision_time_us = value;
+    if (value == 0) {
+      return std::string("Soar will no longer interrupt based on how how long a decision takes. (default)\n");
+    }
     return fmt::format("Soar will now interrupt decisions after {} seconds.\n", value);
   });
 }
@@ -380,7 +397,10 @@ constexpr SubcommandInfo kSubcommands[] = {
 const std::span<const SubcommandInfo> kSoarSubcommands = kSubcommands;
 
 bool CommandSoar(CommandCall& call) {
-  if (call.words.size() < 2) return Overview(call);
+  // More words than a setting and its value show the summary, as no words do.
+  const auto plain =
+      std::count_if(call.words.begin(), call.words.end(), [](const Word& word) { return !word.text.starts_with('-'); });
+  if (plain < 2 || plain > 3) return Overview(call);
   std::string error;
   const CommandInfo* command = FindCommand("soar", error);
   return RunSubcommand(call, *command, call.words.size() == 2 ? kInvalidSubcommand : kInvalidCommand,

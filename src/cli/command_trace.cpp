@@ -84,7 +84,7 @@ std::string Table(const TraceSettings& trace) {
   flag(kPreferences);
   text += " \n" + Rule("Additional General Trace Messages");
   for (const TraceFlag which : {kAssertions, kGdsWmes, kIndifferent, kRl}) flag(which);
-  constexpr const char* kDetails[] = {"none", "timetags", "full"};
+  constexpr const char* kDetails[] = {"none", "timetag", "full detail"};
   row("WME Detail Level", kDetails[static_cast<int>(trace.wme_detail())], "--nowmes, --timetags, --fullwmes");
   text += " \n" + Rule("Additional Chunking Trace Messages");
   flag(kBacktracing);
@@ -145,7 +145,7 @@ void Report(CommandCall& call, const Changes& changes) {
     constexpr const char* kMessages[] = {
         "Will not print any information about chunks or justifications learned.\n",
         "Now printing the names of chunks and justifications that are learned and any chunking issues detected.\n",
-        "Now printing all rules that are learned and any chunking issues detected.\n",
+        "Now printing the full chunks and justifications that are learned and any chunking issues detected.\n",
     };
     call.Out(kMessages[trace.learning()]);
   }
@@ -176,6 +176,7 @@ bool SetLearning(CommandCall& call, const std::string& word, Changes& changes) {
 bool ApplyOption(CommandCall& call, const ParsedOption& option, Changes& changes) {
   TraceSettings& trace = call.session.trace();
   bool on = true;
+  if (option.letter == 'l') return true;
   if (option.argument && option.letter != 'L') {
     if (*option.argument != "remove" && *option.argument != "0") {
       call.Out("Invalid argument, expected remove or 0. Got: " + *option.argument + "\n\n");
@@ -228,9 +229,7 @@ bool CommandTrace(CommandCall& call) {
     AddStructured(call, call.session.trace());
     return true;
   }
-  // A level decides alone; what else the line says is not looked at.
-  if (const auto level = parsed.Argument('l')) return SetLevel(call, *level);
-  if (!parsed.arguments.empty()) return SetLevel(call, parsed.arguments.front().text);
+  if (parsed.arguments.size() > 1) return call.Fail("Only non option argument allowed is watch level.");
   Changes changes;
   for (const ParsedOption& option : parsed.options) {
     if (!ApplyOption(call, option, changes)) {
@@ -238,6 +237,11 @@ bool CommandTrace(CommandCall& call) {
       return false;
     }
   }
+  // A level comes last and overrules the options, of which it leaves the detail of elements and learned rules.
+  const auto level = parsed.Argument('l');
+  if (level && !SetLevel(call, *level)) return false;
+  if (!parsed.arguments.empty()) return SetLevel(call, parsed.arguments.front().text);
+  if (level) return true;
   call.session.UpdateTrace();
   Report(call, changes);
   return true;

@@ -156,7 +156,7 @@ TEST_F(InterpreterTest, OptimisedAttributesAreTestedLaterByRulesLoadedFromThenOn
   EXPECT_TRUE(far_first());
   EXPECT_TRUE(Do("multi-attributes near").ok);
   EXPECT_TRUE(Do("multi-attributes far 20").ok);
-  EXPECT_FALSE(Do("multi-attributes far 1").ok);
+  EXPECT_FALSE(Do("multi-attributes far 0").ok);
   EXPECT_EQ(Do("multi-attributes").text, "Value\tSymbol\n20\tfar\n10\tnear\n");
   EXPECT_TRUE(far_first()) << "rules that are there already stay as they are";
   Do(std::string("sp ") + kRule);
@@ -175,6 +175,78 @@ TEST_F(InterpreterTest, AWarningThatASourceRepeatsIsToldOnceAndCounted) {
   EXPECT_THAT(result.diagnostics[1].message, StartsWith("r3 looks like an identifier"));
   EXPECT_EQ(result.diagnostics[1].line, 2);
   EXPECT_EQ(result.diagnostics[1].more, 0);
+}
+
+TEST_F(InterpreterTest, CountsOfRulesShowDefaultRulesApartAndBeginAgainWithTheAgent) {
+  Do("sp {basic :default (state <s> ^superstate nil) --> (<s> ^x 1)}");
+  Do("sp {two (state <s> ^superstate nil ^x <x>) --> (<s> ^y <x>)}");
+  Do("run 1");
+  EXPECT_EQ(Do("firing-counts").text, "     1:  two\n     1:  basic\n");
+  EXPECT_EQ(Do("firing-counts --templates").text, Do("firing-counts").text);
+  EXPECT_EQ(Do("production memory-usage").text, "     2:  two\n     1:  basic\n");
+  Do("init-soar");
+  EXPECT_EQ(Do("firing-counts two").text, "     0:  two\n");
+}
+
+TEST_F(InterpreterTest, ALevelOfTheTraceComesAfterTheOptionsThatStandBesideIt) {
+  EXPECT_THAT(Do("trace 1 --phases -t").text, StartsWith("Trace level 1 enabled"));
+  const std::string table = Do("trace").text;
+  EXPECT_THAT(table, HasSubstr("Phases                                                   off"));
+  EXPECT_THAT(table, HasSubstr("WME Detail Level                                     timetag"));
+  EXPECT_THAT(Do("trace --level 2").text, StartsWith("Trace level 2 enabled"));
+  EXPECT_THAT(Do("trace 2 3").text, StartsWith("Only non option argument allowed is watch level."));
+}
+
+TEST_F(InterpreterTest, PreferencesOfSubstatesNameTheirLevelAndShowWhatMatchedInFull) {
+  Do("sp {sub (state <s> ^impasse no-change) --> (<s> ^name sub)}");
+  Do("run 2");
+  EXPECT_THAT(Do("preferences s2 name").text, HasSubstr("  (S2 ^name sub)  :I  [level 2] \n"));
+  EXPECT_THAT(Do("preferences --wmes s2 name").text, HasSubstr(" ^impasse no-change)\n"));
+  EXPECT_THAT(Do("preferences --object s2").text,
+              HasSubstr("Preferences for S2 ^operator:Support for S2 ^smem:\nSupport for S2 ^epmem:\n"));
+}
+
+TEST_F(InterpreterTest, PreferencesAreListedKindByKind) {
+  Do("sp {propose (state <s> ^superstate nil) --> (<s> ^operator <a> +, <, = ^operator <b> +, >) (<a> ^name a)"
+     " (<b> ^name b)}");
+  Do("sp {better (state <s> ^operator <a> + ^operator <b> +) (<a> ^name a) (<b> ^name b) --> (<s> ^operator <b> > "
+     "<a>)}");
+  Do("run 1");
+  const std::string text = Do("preferences s1 operator").text;
+  EXPECT_LT(text.find("unary indifferents:"), text.find("bests:"));
+  EXPECT_LT(text.find("bests:"), text.find("worsts:"));
+  EXPECT_LT(text.find("worsts:"), text.find("betters:"));
+}
+
+TEST_F(InterpreterTest, WatchedRulesAndBreaksAreListedNewestFirst) {
+  Do(kGo);
+  Do("sp {second (state <s> ^nothing <n>) --> (<s> ^x 1)}");
+  for (const char* line : {"production watch go", "production watch second", "pbreak go", "pbreak --set second"})
+    Do(line);
+  EXPECT_EQ(Do("production watch").text, "\nsecond\ngo");
+  EXPECT_EQ(Do("production break").text, "second\ngo\n");
+  EXPECT_THAT(Do("pbreak --clear").text, StartsWith("pbreak --set/--clear takes exactly one argument."));
+  EXPECT_EQ(Do("excise -x").text.find("Use 'production ?'"), std::string::npos);
+  EXPECT_THAT(Do("excise --nonsense").text, HasSubstr("Use 'production ?'"));
+}
+
+TEST_F(InterpreterTest, ARunThatARuleInterruptsInItsLastCycleIsNotCalledStopped) {
+  Do("sp {begin (state <s> ^superstate nil) --> (<s> ^n 1)}");
+  Do("sp {stop :interrupt (state <s> ^n 1) --> (<s> ^m 2)}");
+  EXPECT_EQ(Do("run 1").text.find("Run stopped"), std::string::npos);
+  EXPECT_THAT(printed_, HasSubstr("probably from stop\n    [Phase] (Interrupt, Stop) is [1] (2,1)\n"));
+  Do("init-soar");
+  EXPECT_THAT(Do("run 2").text, HasSubstr("Run stopped (interrupted)."));
+  EXPECT_THAT(printed_, HasSubstr("[Phase] (Interrupt, Stop) is [1] (3,1)\n"));
+}
+
+TEST_F(InterpreterTest, SettingsOfSoarTakeOneValue) {
+  EXPECT_THAT(Do("soar wait-snc on off").text, HasSubstr("Soar 9.6.3 Summary"));
+  EXPECT_THAT(Do("soar init now").text, StartsWith("Invalid argument."));
+  EXPECT_THAT(Do("decide indifferent-selection first").text, StartsWith("Too many args."));
+  EXPECT_THAT(Do("decide indifferent-selection -f -l").text, HasSubstr("only one option at a time"));
+  Do("run 6");
+  EXPECT_THAT(Do("soar").text, HasSubstr(" S1, S2 ... S6, S7\n"));
 }
 
 TEST_F(InterpreterTest, PartialMatchesAreLimitedByASetting) {

@@ -161,6 +161,11 @@ std::string WmeText(const Agent& agent, const kernel::WmeInfo& wme, bool timetag
   return text + ")";
 }
 
+std::string MatchedText(const Agent& agent, WmeId wme, kernel::GoalLevel level) {
+  if (level > 1) return " " + WmeText(agent, wme);
+  return "WME with time tag " + std::to_string(agent.memory().wme(wme).timetag);
+}
+
 std::vector<WmeId> SortedWmes(const Agent& agent, Symbol id) {
   std::vector<WmeId> wmes = agent.memory().WmesOf(id);
   std::vector<std::pair<std::string, WmeId>> named;

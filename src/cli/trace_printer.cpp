@@ -44,11 +44,6 @@ const char* PhaseTitle(Phase phase) {
 }
 
 /// The phase that is under way or was run last, counted from input (0) to output (4).
-int PhaseNumber(const Agent& agent) {
-  const int next = static_cast<int>(agent.next_phase());
-  return agent.in_middle_of_phase() ? next : (next + 4) % 5;
-}
-
 std::string Level(kernel::GoalLevel level) {
   return level > 1 ? fmt::format(" [level {}]", level) : std::string();
 }
@@ -139,7 +134,7 @@ void TracePrinter::PrintMatched(const Agent& agent, const FiringInfo& info) {
   if (detail == WmeDetail::kTimetags) {
     for (const kernel::WmeId wme : info.wmes) Print(fmt::format(" {}", agent.memory().wme(wme).timetag));
   } else {
-    for (const kernel::WmeId wme : info.wmes) Print(WmeText(agent, wme) + "\n");
+    for (const kernel::WmeId wme : info.wmes) Print(MatchedText(agent, wme, info.level) + "\n");
   }
   Print(" -->\n");
 }
@@ -342,24 +337,20 @@ void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::
   }
 }
 
-void TracePrinter::OnInterrupt(const Agent& agent, std::string_view reason) {
-  constexpr std::string_view kRule = "*** Production interrupt: ";
+void TracePrinter::OnRuleInterrupt(const Agent& agent, kernel::ProductionId rule, std::uint32_t count) {
+  Print(
+      fmt::format("\n*** Production match-time interrupt (:interrupt), probably from {}\n"
+                  "    [Phase] (Interrupt, Stop) is [{}] ({},1)\n",
+                  agent.production(rule).name, static_cast<int>(agent.next_phase()), count + 1));
+}
+
+void TracePrinter::OnInterrupt(const Agent&, std::string_view reason) {
   if (reason == "goal stack limit") {
     Print("\nSystem halted.\n");
     session_.stream().PrintUncounted("Interrupt received.Interrupt received.");
     return;
   }
-  if (reason.starts_with(kRule)) {
-    std::string_view name = reason.substr(kRule.size());
-    if (name.ends_with(" ***")) name.remove_suffix(4);
-    Print(
-        fmt::format("\n*** Production match-time interrupt (:interrupt), probably from {}\n"
-                    "    [Phase] (Interrupt, Stop) is [{}] (2,1)\n",
-                    name, PhaseNumber(agent)));
-    Print("\n:interrupt\n");
-  } else {
-    Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));
-  }
+  Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));
   session_.stream().PrintUncounted("Interrupt received.");
 }
 

@@ -51,6 +51,7 @@ class TracePrinter : public kernel::Observer {
   void OnLog(const kernel::Agent&, int channel, std::string_view text) override;
   void OnTraceText(const kernel::Agent&, int level, std::string_view text) override;
   void OnWarning(const kernel::Agent&, kernel::WarningKind kind, std::string_view text) override;
+  void OnRuleInterrupt(const kernel::Agent&, kernel::ProductionId rule, std::uint32_t count) override;
   void OnInterrupt(const kernel::Agent&, std::string_view reason) override;
   void OnHalt(const kernel::Agent&) override;
   void OnInstantiationMade(const kernel::Agent& agent, const kernel::FiringInfo& info) override;

@@ -94,6 +94,8 @@ void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
   engine_->productions[index] = record;
   engine_->rules.Add(added.production, engine_->NameOf(*production), production->type);
   engine_->rules_changed = true;
+  engine_->interrupts.erase(added.production);
+  if (engine_->rete.matches().HasInterrupting()) engine_->run.TellInterrupts();
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, added.production); });
 }
 
@@ -144,7 +146,8 @@ void Agent::ResetFiringCounts() {
 
 void Agent::SetBreak(ProductionId id, bool on) {
   engine_->productions[Index(id)].Set(Engine::ProductionRecord::kBreaks, on);
-  engine_->productions[Index(id)].Set(Engine::ProductionRecord::kSilenced, !on);
+  engine_->rete.matches().SetInterrupts(Index(id), on);
+  engine_->interrupts.erase(id);
 }
 
 bool Agent::HasBreak(ProductionId id) const {
@@ -258,6 +261,7 @@ void Agent::InitSoar() {
   if (engine_->run.running()) return;
   engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnBeforeInit(*this); });
   ++engine_->counters.inits;
+  ResetFiringCounts();
   if (!Guarded([&] { engine_->Initialize(true); })) return;
   engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnAfterInit(*this); });
 }

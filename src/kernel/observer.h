@@ -193,6 +193,9 @@ class Observer {
   virtual void OnProductionExcised(const Agent&, ProductionId) {}
 
   // kRun
+  /// A rule with `:interrupt` or a break matches anew, the `count`-th time; a run that is under way ends after the
+  /// phase.
+  virtual void OnRuleInterrupt(const Agent&, ProductionId, std::uint32_t count) { (void)count; }
   /// The run ended because of a request (command, rule, goal-stack limit); the text says why.
   virtual void OnInterrupt(const Agent&, std::string_view reason) { (void)reason; }
   virtual void OnHalt(const Agent&) {}

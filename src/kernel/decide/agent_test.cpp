@@ -225,9 +225,25 @@ TEST_F(AgentTest, ClearingTheBreakOfARuleSilencesItsOwnInterrupt) {
   Load("stop :interrupt (state <s> ^superstate nil) --> (<s> ^ready yes)");
   agent.SetBreak(agent.FindProduction("stop"), false);
   EXPECT_EQ(agent.Run(RunUnit::kDecision, 1).reason, StopReason::kCompleted);
-  agent.InitSoar();
   agent.SetBreak(agent.FindProduction("stop"), true);
-  EXPECT_EQ(agent.Run(RunUnit::kDecision, 1).reason, StopReason::kInterrupted);
+  agent.InitSoar();
+  EXPECT_EQ(agent.Run(RunUnit::kDecision, 1).reason, StopReason::kCompleted) << "it matched before the run began";
+}
+
+TEST_F(AgentTest, AMatchOfARuleThatInterruptsEndsTheRunAfterItsPhase) {
+  Load("begin (state <s> ^superstate nil) --> (<s> ^n 1)");
+  Load("stop :interrupt (state <s> ^n 1) --> (<s> ^m 2)");
+  Load("next (state <s> ^m 2) --> (<s> ^o 3)");
+  EXPECT_EQ(agent.Run(RunUnit::kDecision, 3).reason, StopReason::kInterrupted);
+  EXPECT_EQ(agent.next_phase(), Phase::kDecide);
+  EXPECT_EQ(agent.counters().firings, 3u);
+  agent.SetBreak(agent.FindProduction("stop"), false);
+  agent.InitSoar();
+  EXPECT_EQ(agent.Run(RunUnit::kDecision, 3).reason, StopReason::kCompleted);
+  agent.SetBreak(agent.FindProduction("next"), true);
+  agent.InitSoar();
+  EXPECT_EQ(agent.Run(RunUnit::kElaboration, 5).reason, StopReason::kInterrupted);
+  EXPECT_EQ(agent.counters().firings, 2u);
 }
 
 TEST_F(AgentTest, AHaltEndsTheRunAndRefusesOthersUntilInit) {

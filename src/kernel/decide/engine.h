@@ -61,8 +61,7 @@ struct Engine {
    public:
     static constexpr std::uint64_t kLive = 1;
     static constexpr std::uint64_t kBreaks = 2;
-    static constexpr std::uint64_t kSilenced = 4;      ///< Its own :interrupt was cleared.
-    static constexpr std::uint64_t kHasNegations = 8;  ///< Negated conditions, which justifications look for.
+    static constexpr std::uint64_t kHasNegations = 4;  ///< Negated conditions, which justifications look for.
 
     bool Is(std::uint64_t flag) const { return (word_ & flag) != 0; }
     void Set(std::uint64_t flag, bool on) { word_ = on ? word_ | flag : word_ & ~flag; }
@@ -76,7 +75,8 @@ struct Engine {
   };
   std::vector<ProductionRecord> productions;
   RuleDirectory rules;
-  bool rules_changed = false;  ///< Since they were last offered for sharing.
+  std::map<ProductionId, std::uint32_t> interrupts;  ///< How often the rules that interrupt runs have done so.
+  bool rules_changed = false;                        ///< Since they were last offered for sharing.
 
   // What happens, in the order of the cycle.
   InputLink input;

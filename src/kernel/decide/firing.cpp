@@ -86,8 +86,6 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   ++engine_.counters.firings;
   Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
   record.CountFiring();
-  const bool interrupt = record.Is(Engine::ProductionRecord::kBreaks) ||
-                         (rule.interrupt && !record.Is(Engine::ProductionRecord::kSilenced));
 
   if (engine_.observers.Wants(Event::kAssertion)) {
     const FiringInfo info = engine_.DescribeInstantiation(id);
@@ -111,7 +109,6 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   }
   engine_.preferences.LinkToGoal(id);
   made_.push_back(id);
-  if (interrupt) engine_.run.InterruptByRule(rule.name);
   if (match.level > 1) engine_.justifier.Consider(id);
 }
 

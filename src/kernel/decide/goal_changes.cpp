@@ -52,7 +52,6 @@ Goal& GoalChanges::PushGoal() {
   Goal& goal = engine_.goals.Push();
   goal.id = engine_.memory.NewIdentifier('S', goal.level);
   engine_.memory.SetGoal(goal.id, goal.level);
-  goal.operator_slot = engine_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
   goal.created_in_decision = engine_.counters.decision_phases;
   return goal;
 }
@@ -66,6 +65,8 @@ void GoalChanges::AddMemoryLinks(Goal& goal) {
   const Symbol smem = AddModule(goal.id, words::kSmem, 'L');
   AddModule(smem, words::kCommand, 'C');
   AddModule(smem, words::kResult, 'R');
+  // After the others: an object's slots are shown newest first.
+  goal.operator_slot = engine_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
 }
 
 void GoalChanges::MakeTopState() {

@@ -131,8 +131,13 @@ void RunControl::ClearStop() {
   stop_.store(false, std::memory_order_relaxed);
 }
 
-void RunControl::InterruptByRule(std::string_view rule) {
-  RequestStop("*** Production interrupt: " + std::string(rule) + " ***");
+void RunControl::TellInterrupts() {
+  for (const std::uint32_t rule : engine_.rete.matches().TakeInterrupting()) {
+    const auto id = static_cast<ProductionId>(rule);
+    const std::uint32_t count = ++engine_.interrupts[id];
+    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnRuleInterrupt(engine_.agent, id, count); });
+    rule_interrupt_ = running_;
+  }
 }
 
 void RunControl::GoalStackLimit() {
@@ -158,6 +163,12 @@ bool RunControl::Stop() {
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, "goal stack limit"); });
     return true;
   }
+  if (rule_interrupt_ && (!in_middle_ || by_elaboration_)) {
+    rule_interrupt_ = false;
+    ended_ = true;
+    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, ":interrupt"); });
+    return true;
+  }
   if (stop_.load(std::memory_order_relaxed)) {
     std::string reason;
     {
@@ -180,7 +191,7 @@ RunControl::Start RunControl::Begin() {
     ShareRules(engine_);
   }
   running_ = true;
-  ended_ = limit_reached_ = false;
+  ended_ = limit_reached_ = rule_interrupt_ = by_elaboration_ = false;
   return {engine_.counters.decision_cycles, engine_.counters.elaborations, engine_.counters.firings};
 }
 
@@ -220,6 +231,7 @@ RunResult RunControl::Step(RunUnit unit) {
   const Start start = Begin();
   switch (unit) {
     case RunUnit::kElaboration:
+      by_elaboration_ = true;
       Advance();
       CheckStop();
       break;
@@ -285,7 +297,7 @@ RunResult RunControl::Run(RunUnit unit, std::uint64_t count) {
 void RunControl::Clear() {
   phase_ = Phase::kInput;
   in_middle_ = false;
-  halted_ = halt_requested_ = goal_stack_limit_ = ended_ = output_changed_ = false;
+  halted_ = halt_requested_ = goal_stack_limit_ = ended_ = output_changed_ = rule_interrupt_ = false;
   watched_goal_ = Symbol();
   watched_goal_gone_ = false;
   ClearStop();

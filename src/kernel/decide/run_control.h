@@ -39,7 +39,8 @@ class RunControl {
 
   /// (halt): the current elaboration finishes, then the run ends.
   void Halt() { halt_requested_ = true; }
-  void InterruptByRule(std::string_view rule);
+  /// Says which rules with interrupts match anew; a run that is under way ends with its phase.
+  void TellInterrupts();
   /// The goal stack is at its limit: the run ends as if halted, but may go on.
   void GoalStackLimit();
   void WatchGoal(Symbol goal);
@@ -63,7 +64,8 @@ class RunControl {
   void EndPhase(Phase next);
   /// After each elaboration and phase: halts or interrupts that were asked for. True if the run must end.
   bool CheckStop() {
-    const bool due = halt_requested_ | goal_stack_limit_ | watched_goal_gone_ | stop_.load(std::memory_order_relaxed);
+    const bool due = halt_requested_ | goal_stack_limit_ | watched_goal_gone_ | rule_interrupt_ |
+                     stop_.load(std::memory_order_relaxed);
     return due && Stop();
   }
   [[gnu::noinline]] bool Stop();
@@ -83,6 +85,8 @@ class RunControl {
   bool broken_ = false;
   bool halted_ = false;
   bool halt_requested_ = false;
+  bool rule_interrupt_ = false;  ///< Asked for by a rule's match.
+  bool by_elaboration_ = false;  ///< This run ends after one elaboration.
   bool goal_stack_limit_ = false;
   bool limit_reached_ = false;   ///< By the goal stack, in this run.
   bool ended_ = false;           ///< This run was interrupted.

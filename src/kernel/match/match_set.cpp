@@ -118,6 +118,9 @@ MatchId MatchSet::Assert(const Arrival& arrival) {
   const std::uint32_t match = NewRecord(arrival);
   records_[match].state = MatchState::kPendingAssertion;
   Push(match, AssertionList(arrival.o_support));
+  if (rules_[arrival.production].interrupts) [[unlikely]] {
+    interrupting_.push_back(arrival.production);
+  }
   return static_cast<MatchId>(match);
 }
 
@@ -373,7 +376,10 @@ void MatchSet::Clear() {
   std::fill(free_elements_.begin(), free_elements_.end(), kNil);
   std::fill(hash_buckets_.begin(), hash_buckets_.end(), kNil);
   hash_count_ = 0;
-  std::fill(rules_.begin(), rules_.end(), RuleCounts());
+  for (RuleCounts& rule : rules_) {
+    rule.returnable = rule.live = 0;
+  }
+  interrupting_.clear();
   next_stamp_ = 0;
 }
 

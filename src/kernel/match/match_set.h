@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/ids.h"
@@ -108,10 +109,16 @@ class MatchSet {
   /// False if no match of the rule waits for its retraction and can come back.
   bool MayReturn(std::uint32_t production) const { return rules_[production].returnable != 0; }
   /// To be called before the first match of a rule.
-  void RuleAdded(std::uint32_t production, std::size_t elements) {
+  void RuleAdded(std::uint32_t production, std::size_t elements, bool interrupts) {
     if (production >= rules_.size()) rules_.resize(production + 1u);
+    rules_[production].interrupts = interrupts;
     ExpectElements(elements);
   }
+  /// Whether new assertions of a rule are to be noted, see TakeInterrupting.
+  void SetInterrupts(std::uint32_t production, bool on) { rules_[production].interrupts = on; }
+  bool HasInterrupting() const { return !interrupting_.empty(); }
+  /// The rules with interrupts that got a new assertion since the last call, one entry for each of them.
+  std::vector<std::uint32_t> TakeInterrupting() { return std::exchange(interrupting_, {}); }
   /// Gives back room kept for more rules.
   void ShrinkRules() { rules_.shrink_to_fit(); }
   /// A new pending assertion.
@@ -158,6 +165,7 @@ class MatchSet {
   struct RuleCounts {
     std::uint32_t returnable = 0;  ///< Retractions in the hash table.
     std::uint32_t live = 0;        ///< Records in use.
+    bool interrupts = false;
   };
   struct Level {
     std::uint32_t head[3] = {kNil, kNil, kNil};
@@ -186,6 +194,7 @@ class MatchSet {
   std::vector<std::uint32_t> hash_buckets_;
   std::uint32_t hash_count_ = 0;
   std::vector<RuleCounts> rules_;
+  std::vector<std::uint32_t> interrupting_;  ///< Rules, for TakeInterrupting.
   std::uint64_t next_stamp_ = 0;
 };
 

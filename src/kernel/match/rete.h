@@ -129,8 +129,8 @@ class Rete {
   PartialMatches MatchesBefore(ProductionId production, std::span<const std::uint16_t> path) const;
   /// Elements that pass the condition's constant tests, newest first. Empty for a conjunctive negation.
   std::vector<WmeId> RightMatches(ProductionId production, std::span<const std::uint16_t> path) const;
-  /// Tokens in the memories of a rule (`production memory-usage`); shared ones count for each rule that uses them.
-  std::size_t CountTokens(ProductionId production) const;
+  /// Tokens in the memories of a rule; shared ones count for each rule that uses them. `complete`: with whole matches.
+  std::size_t CountTokens(ProductionId production, bool complete = true) const;
   static constexpr std::size_t kTokenBytes = 64;
 
   // Sharing and measuring -------------------------------------------------------------------------------------------

@@ -56,7 +56,7 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   info->node = made;
   network->AddRule(number, std::move(info));
   const std::uint16_t positives = network->rule(number)->positives;
-  matches.RuleAdded(number, positives);
+  matches.RuleAdded(number, positives, rule.interrupt);
   if (elements.size() < positives) {
     elements.resize(positives);
   }

@@ -232,13 +232,13 @@ std::vector<WmeId> Rete::RightMatches(ProductionId production, std::span<const s
   return found;
 }
 
-std::size_t Rete::CountTokens(ProductionId production) const {
+std::size_t Rete::CountTokens(ProductionId production, bool complete) const {
   const RuleInfo* rule = RuleOf(*state_, production);
   if (rule == nullptr) {
     return 0;
   }
   const Network& network = *state_->network;
-  std::size_t count = state_->nodes[rule->node].count;
+  std::size_t count = complete ? state_->nodes[rule->node].count : 0;
   for (std::uint32_t node = network.node(rule->node).parent; node != kNil;) {
     const Node& n = network.node(node);
     if (n.kind == NodeKind::kMemory || n.kind == NodeKind::kNegative || n.kind == NodeKind::kConjunctive ||

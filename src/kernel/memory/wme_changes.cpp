@@ -66,6 +66,8 @@ void WmeChanges::Flush() {
       record.in_match = true;
       record.entered = ++last_entered_;
       engine_.rete.AddWme(wme, goals);
+      if (engine_.rete.matches().HasInterrupting()) [[unlikely]]
+        engine_.run.TellInterrupts();
     }
     if (tell) {
       const WmeInfo info = engine_.Describe(wme);
@@ -75,7 +77,11 @@ void WmeChanges::Flush() {
   for (std::size_t n = flushing_removed_.size(); n-- > 0;) {
     const WmeId wme = flushing_removed_[n];
     WmeRecord& record = engine_.memory.mutable_record(wme);
-    if (record.in_match) engine_.rete.RemoveWme(wme, goals);
+    if (record.in_match) {
+      engine_.rete.RemoveWme(wme, goals);
+      if (engine_.rete.matches().HasInterrupting()) [[unlikely]]
+        engine_.run.TellInterrupts();
+    }
     record.in_match = false;
     record.removing = true;
     if (tell) {
