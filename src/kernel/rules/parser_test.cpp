@@ -83,6 +83,12 @@ TEST_F(ParserTest, RulesThatHangOnNothingAreRefusedOrWarnedOf) {
             "        (<x> ^c <y> +)\n        (<y> ^d e +)\n\n(Ignoring production ab)\n\n");
   EXPECT_EQ(Messages("ab (state <s> ^a b) (<x> ^c <y>) (<y> ^e f) --> (<s> ^e <y>)"),
             "\nWarning: On the LHS of production ab, identifier <x> is not connected to any goal or impasse.\n");
+  // (Here, other than elsewhere, a name stands as it is.)
+  EXPECT_EQ(Messages("ab*1 (state <s> ^a b) (<x> ^c <y>) (<y> ^e f) --> (<s> ^e <y>)"),
+            "\nWarning: On the LHS of production ab*1, identifier <x> is not connected to any goal or impasse.\n");
+  EXPECT_EQ(Messages("ab*1 (state <s> ^a b -^c > <limit>) --> (<s> ^e f)")
+                .find("Error: production ab*1 has an unbound referent in negated relational test > <limit>.\n"),
+            0u);
   EXPECT_EQ(Messages("ab -(state <s> ^a b) --> (write x)"),
             "Error: production ab has no positive conditions that reference a goal state.\n"
             "Did you forget to add \"^type state\" or \"^superstate nil\"?\n(Ignoring production ab)\n\n");

@@ -128,7 +128,7 @@ class ListReorderer {
   void Reorder(DraftList<ConditionDraft>& conditions, bool needs_goal) {
     Strip(conditions);
     if (!FindRoots() && needs_goal) {
-      Warn("Error: production " + RuleName() +
+      Warn("Error: production " + std::string(rule_name_) +
            " has no positive conditions that reference a goal state.\n"
            "Did you forget to add \"^type state\" or \"^superstate nil\"?\n");
       out_.ok = false;
@@ -162,12 +162,6 @@ class ListReorderer {
   };
 
   void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
-
-  /// The name as messages show it.
-  std::string RuleName() const {
-    const Symbol name = symbols_.FindString(rule_name_);
-    return name ? ToString(symbols_, name) : std::string(rule_name_);
-  }
 
   static void AddVariable(Set& set, std::uint32_t variable) {
     if (variable != kNoVariable) {
@@ -305,7 +299,7 @@ class ListReorderer {
     out_.unconnected.push_back(root);
     unconnected_.push_back(root);
     for (const Symbol variable : unconnected_) {
-      Warn("\nWarning: On the LHS of production " + RuleName() + ", identifier " +
+      Warn("\nWarning: On the LHS of production " + std::string(rule_name_) + ", identifier " +
            std::string(symbols_.Text(variable)) + " is not connected to any goal or impasse.\n");
     }
   }
@@ -408,7 +402,8 @@ class ListReorderer {
     fresh_.Clear();
     if (cheapest >= kInfinite) {
       if (!warned_) {
-        Warn("Warning:  in production " + RuleName() + ",\n     The LHS conditions are not all connected.\n");
+        Warn("Warning:  in production " + std::string(rule_name_) +
+             ",\n     The LHS conditions are not all connected.\n");
         warned_ = true;
       }
       return tied_[0];
@@ -524,9 +519,9 @@ class ListReorderer {
     }
     std::string text;
     AppendTest(text, symbols_, test);
-    out_.messages.push_back(
-        {"Error: production " + RuleName() + " has an unbound referent in negated relational test " + text + ".\n",
-         false, false});
+    out_.messages.push_back({"Error: production " + std::string(rule_name_) +
+                                 " has an unbound referent in negated relational test " + text + ".\n",
+                             false, false});
     Warn("\nAttempted to add an invalid rule:\n      Unbound relational test in negative condition of rule \n");
     out_.ok = false;
   }
