@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// How many ticks per second the world makes, headless, with 1, 10, 100 and 1,000 agents, half Soar and half Lua.
+// How many ticks per second the world makes, headless, with 1 to 10,000 agents, half Soar and half Lua, what the parts
+// of a tick take, and the memory.
 //
-//   world_ticks [AGENTS [SECONDS]]     without AGENTS: all four crowds; SECONDS are simulated (default 10)
+//   world_ticks [AGENTS [SECONDS [THREADS]]]     without AGENTS: all crowds; SECONDS are simulated (default 10, for
+//   10,000
+//                                                agents 1); THREADS for the minds (default: one per core)
 //
 // Prints one line of JSON per crowd.
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -19,7 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-int Measure(int agents, double seconds) {
+int Measure(int agents, double seconds, int threads) {
   const std::string root = SOARBOX_SOURCE_DIR;
   const soarbox::sim::DataFolders data{root + "/scenarios", root + "/media"};
   const auto scenario = soarbox::sim::FindScenario("crowd/crowd_" + std::to_string(agents) + ".lua", data);
@@ -27,23 +34,34 @@ int Measure(int agents, double seconds) {
     std::fputs(soarbox::Format(scenario.error()).c_str(), stderr);
     return 1;
   }
+  soarbox::sim::SimulationSettings settings;
+  settings.soar.threads = threads;
   const Clock::time_point begin = Clock::now();
-  auto simulation = soarbox::sim::Simulation::Create(scenario.value(), {});
+  auto simulation = soarbox::sim::Simulation::Create(scenario.value(), settings);
   if (!simulation) {
     std::fputs(soarbox::Format(simulation.error()).c_str(), stderr);
     return 1;
   }
   soarbox::sim::Simulation& world = **simulation;
   world.Tick();
+  const soarbox::sim::TickCosts before = world.costs();
   const Clock::time_point start = Clock::now();
   while (world.time_s() < seconds) world.Tick();
   const double run_s = std::chrono::duration<double>(Clock::now() - start).count();
   const double ticks = static_cast<double>(world.tick() - 1);
+  const soarbox::sim::TickCosts& after = world.costs();
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto us = [&](double first, double last) { return (last - first) * 1e6 / ticks; };
   std::printf(
       "{\"benchmark\": \"world_ticks\", \"agents\": %d, \"soar\": %zu, \"ticks\": %.0f, \"ticks_per_second\": %.1f, "
-      "\"us_per_agent_tick\": %.2f, \"set_up_seconds\": %.3f, \"state\": \"%016llx\"}\n",
+      "\"us_per_agent_tick\": %.2f, \"tick_us\": {\"events\": %.1f, \"decide\": %.1f, \"act\": %.1f, \"move\": %.1f, "
+      "\"rest\": %.1f}, \"set_up_seconds\": %.3f, \"peak_mb\": %.1f, \"state\": \"%016llx\"}\n",
       agents, world.soar_agents(), ticks, ticks / run_s, run_s * 1e6 / (ticks * agents),
-      std::chrono::duration<double>(start - begin).count(), static_cast<unsigned long long>(world.StateHash()));
+      us(before.events_s, after.events_s), us(before.decide_s, after.decide_s), us(before.act_s, after.act_s),
+      us(before.move_s, after.move_s), us(before.rest_s, after.rest_s),
+      std::chrono::duration<double>(start - begin).count(), static_cast<double>(used.ru_maxrss) / 1024,
+      static_cast<unsigned long long>(world.StateHash()));
   std::fflush(stdout);
   return 0;
 }
@@ -52,9 +70,14 @@ int Measure(int agents, double seconds) {
 
 int main(int argc, char** argv) {
   const double seconds = argc > 2 ? std::atof(argv[2]) : 10;
-  if (argc > 1) return Measure(std::atoi(argv[1]), seconds);
-  for (const int agents : {1, 10, 100, 1000}) {
-    if (const int status = Measure(agents, seconds); status != 0) return status;
+  const int threads = argc > 3 ? std::atoi(argv[3]) : 0;
+  if (argc > 1) return Measure(std::atoi(argv[1]), seconds, threads);
+  for (const int agents : {1, 10, 100, 1000, 10000}) {
+    // Each crowd in a process of its own: its peak of memory is then its own too.
+    const pid_t child = fork();
+    if (child == 0) return Measure(agents, agents < 10000 ? seconds : 1, threads);
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) return 1;
   }
   return 0;
 }

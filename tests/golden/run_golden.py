@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Runs golden cases and compares their transcripts with what Soar 9.6.3 printed.
 
-usage: run_golden.py --driver TRACE_CASE --cases FOLDER --compare COMPARE.PY [--minimum FILE] [--show] [CASE...]
+usage: run_golden.py --driver TRACE_CASE --cases FOLDER [--minimum FILE [--raise]] [--show] [CASE...]
        run_golden.py --driver TRACE_CASE --cases FOLDER --remote-driver DRIVER --soarbox COMMAND [CASE...]
 
-Each case runs in a copy of its folder. Prints how many agree in meaning (compare.py's default) and letter by letter,
-and names those that do not. Fails if fewer agree than the file of minimums asks for: {"AREA": {"semantic": N,
-"verbatim": N}}, counts of cases. CASE: only cases whose names contain one of these words; then nothing is required.
+Each case runs in a copy of its folder, for a limited time and with limited output. Prints how many agree in meaning
+(compare.py's default) and letter by letter, and names those that do not. Fails if fewer agree than the file of minimums
+asks for: {"AREA": {"semantic": N, "verbatim": N}}, counts of cases or "all". If more agree, it says so; with --raise it
+writes the new counts to the file. CASE: only cases whose names contain one of these words; then nothing is required.
 
 With --remote-driver each case runs a second time with its kernel in another process (`soarbox kernel`, started in the
 case's folder), and fails unless both transcripts are equal to the letter.
@@ -15,16 +16,21 @@ case's folder), and fails unless both transcripts are equal to the letter.
 import argparse
 import contextlib
 import difflib
+import io
 import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
 
+import compare
+
 TIMEOUT_S = 60
+MOST_OUTPUT_BYTES = 64 << 20
 
 
 @contextlib.contextmanager
@@ -49,20 +55,56 @@ def transcript(driver, case, soarbox=None):
         environment = dict(os.environ)
         if soarbox:
             environment["SOARBOX_KERNEL_PORT"] = stack.enter_context(kernel_port(soarbox, copy))
-        try:
-            run = subprocess.run([driver, "case.cmd"], cwd=copy, capture_output=True, timeout=TIMEOUT_S, check=False,
-                                 env=environment)
-        except subprocess.TimeoutExpired as expired:
-            return (expired.stdout or b""), f"still running after {TIMEOUT_S} s"
-        ending = "" if run.returncode == 0 else f"exit status {run.returncode}"
-        return run.stdout, ending
+        output = pathlib.Path(folder) / "output"
+        with open(output, "wb") as stream:
+            try:
+                run = subprocess.run([driver, "case.cmd"], cwd=copy, stdout=stream, stderr=subprocess.DEVNULL,
+                                     stdin=subprocess.DEVNULL, timeout=TIMEOUT_S, check=False, env=environment,
+                                     preexec_fn=limit_output)
+                ending = "" if run.returncode == 0 else f"exit status {run.returncode}"
+            except subprocess.TimeoutExpired:
+                ending = f"still running after {TIMEOUT_S} s"
+        return output.read_bytes(), ending
 
 
-def same(compare, expected, actual, verbatim):
+def limit_output():
+    """A case that never stops printing ends with a signal."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_OUTPUT_BYTES, MOST_OUTPUT_BYTES))
+
+
+def same(expected, actual, verbatim):
     """Whether compare.py finds two transcripts equal, and the difference that it prints."""
-    command = [sys.executable, compare] + (["--verbatim"] if verbatim else []) + [expected, actual]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    return run.returncode == 0, run.stdout
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        status = compare.main((["--verbatim"] if verbatim else []) + [str(expected), str(actual)])
+    return status == 0, printed.getvalue()
+
+
+def required_counts(required, case_count):
+    """The counts that an area asks for; "all" stands for every case."""
+    return {kind: case_count if count == "all" else count for kind, count in required.items()}
+
+
+def check_minimum(path, area, reached, case_count, raise_it):
+    """The exit status: whether as many cases agree as the file asks for."""
+    minimums = json.loads(path.read_text(encoding="utf-8"))
+    if area not in minimums:
+        print(f"{path} does not say how many cases of {area} must agree")
+        return 1
+    required = required_counts(minimums[area], case_count)
+    fewer = [kind for kind, count in required.items() if reached[kind] < count]
+    if fewer:
+        print("too few agree: " + ", ".join(f"{kind} {reached[kind]}, required {required[kind]}" for kind in fewer) + f" ({path})")
+        return 1
+    more = {kind: reached[kind] for kind, count in required.items() if reached[kind] > count}
+    if more and raise_it:
+        minimums[area].update(more)
+        lines = [f"  {json.dumps(name)}: {json.dumps(counts)}" for name, counts in minimums.items()]
+        path.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+        print(f"raised the minimum of {area}: {more} ({path})")
+    elif more:
+        print(f"more agree than required: raise {area} to {more} in {path} (run again with --raise)")
+    return 0
 
 
 def compare_remote(arguments, cases):
@@ -84,25 +126,23 @@ def compare_remote(arguments, cases):
     return 1 if failed else 0
 
 
-def main():
+def main(argument_list=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--driver", required=True)
     parser.add_argument("--cases", required=True, type=pathlib.Path)
-    parser.add_argument("--compare")
     parser.add_argument("--remote-driver")
     parser.add_argument("--soarbox")
     parser.add_argument("--minimum", type=pathlib.Path)
+    parser.add_argument("--raise", dest="raise_it", action="store_true", help="write a higher count to the file of minimums")
     parser.add_argument("--show", action="store_true", help="print the differences")
     parser.add_argument("words", nargs="*", metavar="CASE")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(argument_list)
 
     cases = sorted(folder for folder in arguments.cases.iterdir() if (folder / "case.cmd").exists())
     if arguments.words:
         cases = [case for case in cases if any(word in case.name for word in arguments.words)]
     if arguments.remote_driver:
         return compare_remote(arguments, cases)
-    if not arguments.compare:
-        parser.error("--compare or --remote-driver is missing")
     semantic = verbatim = 0
     failed, nearly = [], []
     with tempfile.TemporaryDirectory() as folder:
@@ -111,8 +151,8 @@ def main():
             actual = pathlib.Path(folder) / "actual.out"
             actual.write_bytes(output)
             expected = case / "expected.out"
-            equal, difference = same(arguments.compare, expected, actual, verbatim=False)
-            letters, letter_difference = same(arguments.compare, expected, actual, verbatim=True)
+            equal, difference = same(expected, actual, verbatim=False)
+            letters, letter_difference = same(expected, actual, verbatim=True)
             if ending:
                 equal = letters = False
             semantic += equal
@@ -133,12 +173,7 @@ def main():
             print(f"{title}:\n  " + "\n  ".join(names))
     if arguments.words or not arguments.minimum:
         return 0
-    required = json.loads(arguments.minimum.read_text(encoding="utf-8"))[area]
-    if semantic < required["semantic"] or verbatim < required["verbatim"]:
-        print(f"required: {required['semantic']} in meaning, {required['verbatim']} letter by letter "
-              f"({arguments.minimum})")
-        return 1
-    return 0
+    return check_minimum(arguments.minimum, area, {"semantic": semantic, "verbatim": verbatim}, len(cases), arguments.raise_it)
 
 
 if __name__ == "__main__":
