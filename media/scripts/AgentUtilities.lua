@@ -1,85 +1,85 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Helpers for agents that steer: turning a steering force into motion, keeping the speed in bounds, looks.
+-- From steering to motion: each of these functions is about one agent and one step.
 
-local kWeakForceSquared = 0.1;
-local kSmoothing = 0.4;
-local kTurnRate = 0.2;
+local Utilities = {
+    weakest = 0.1,  -- The square of the length below which a steering direction says nothing.
+    blend = 0.4,    -- The share of a new acceleration in the smoothed one.
+    turn = 0.2      -- The share of the way to a new heading that one step turns.
+};
 
-local function HorizontalPart(vector)
-    return Vector.new(vector.x, 0, vector.z);
+local function OnGround(x, z)
+    return Vector.new(x, 0, z);
 end
 
--- Pushes the agent with all its strength along the horizontal part of `force`, and turns it to where that takes it.
--- The force's y becomes 0 in the caller's vector too.
+-- The agent can be pushed, and the direction means something; flattens the caller's vector.
+local function IsPush(agent, direction)
+    if (agent:GetMass() <= 0 or Vector.LengthSquared(direction) < Utilities.weakest) then
+        return false;
+    end
+    direction.y = 0;
+    return Vector.LengthSquared(direction) > 0;
+end
+
+-- Pushes with all of the agent's strength along the ground towards `force` (whose y is set to 0), and turns the agent to
+-- where it is going to move.
 function AgentUtilities_ApplyPhysicsSteeringForce(agent, force, deltaTimeInSeconds)
-    local mass = agent:GetMass();
-    if (mass <= 0) then
+    if (agent:GetMass() <= 0) then
         return;
     end
-
     force.y = 0;
-    local push = Vector.Normalize(force) * agent:GetMaxForce();
-    agent:ApplyForce(push);
-
-    local heading = HorizontalPart(agent:GetVelocity() + push / mass * deltaTimeInSeconds);
-    if (Vector.LengthSquared(heading) > 0) then
-        agent:SetForward(Vector.Normalize(heading));
-    end
+    local strength = Vector.Normalize(force) * agent:GetMaxForce();
+    local next = agent:GetVelocity() + strength * (deltaTimeInSeconds / agent:GetMass());
+    agent:ApplyForce(strength);
+    agent:SetForward(OnGround(next.x, next.z));
 end
 
--- The same by velocity instead of force: `accumulator` is a vector that the caller keeps from call to call and that
--- smooths the acceleration.
+-- Changes the velocity instead, smoothly: `accumulator` is a vector of the caller's that remembers the acceleration from
+-- step to step.
 function AgentUtilities_ApplySteeringForce2(agent, force, accumulator, deltaTimeInSeconds)
-    local mass = agent:GetMass();
-    if (mass <= 0 or Vector.LengthSquared(force) < kWeakForceSquared) then
+    if (not IsPush(agent, force)) then
         return;
     end
+    local change = Vector.Normalize(force) * (agent:GetMaxForce() / agent:GetMass()) - accumulator;
+    for _, axis in ipairs({ "x", "y", "z" }) do
+        accumulator[axis] = accumulator[axis] + change[axis] * Utilities.blend;
+    end
+    agent:SetVelocity(agent:GetVelocity() + accumulator * deltaTimeInSeconds);
 
-    force.y = 0;
-    local wanted = Vector.Normalize(force) * (agent:GetMaxForce() / mass);
-    local acceleration = accumulator + (wanted - accumulator) * kSmoothing;
-    accumulator.x = acceleration.x;
-    accumulator.y = acceleration.y;
-    accumulator.z = acceleration.z;
-
-    local velocity = agent:GetVelocity() + acceleration * deltaTimeInSeconds;
-    agent:SetVelocity(velocity);
-
-    local heading = HorizontalPart(velocity);
-    if (Vector.LengthSquared(velocity) > 0.1 and Vector.LengthSquared(heading) > 0) then
-        local forward = agent:GetForward();
-        agent:SetForward(forward + (Vector.Normalize(heading) - forward) * kTurnRate);
+    local velocity = agent:GetVelocity();
+    if (Vector.LengthSquared(velocity) > Utilities.weakest) then
+        local facing = agent:GetForward() * (1 - Utilities.turn);
+        agent:SetForward(facing + Vector.Normalize(OnGround(velocity.x, velocity.z)) * Utilities.turn);
     end
 end
 
--- Cuts the horizontal speed to the agent's maximum; falling and rising stay as they are.
+-- Nobody runs faster than their top speed; jumps and falls are let be.
 function AgentUtilities_ClampHorizontalSpeed(agent)
     local velocity = agent:GetVelocity();
-    local horizontal = HorizontalPart(velocity);
-    local maxSpeed = agent:GetMaxSpeed();
-    if (Vector.LengthSquared(horizontal) > maxSpeed * maxSpeed) then
-        local clamped = Vector.Normalize(horizontal) * maxSpeed;
-        clamped.y = velocity.y;
-        agent:SetVelocity(clamped);
+    local speed = math.sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
+    if (speed > agent:GetMaxSpeed()) then
+        local factor = agent:GetMaxSpeed() / speed;
+        agent:SetVelocity(Vector.new(velocity.x * factor, velocity.y, velocity.z * factor));
     end
 end
 
--- Gives the agent the looks of an upright capsule.
+-- A capsule to look at, which the agent wears from now on.
 function AgentUtilities_CreateAgentRepresentation(agent, height, radius)
-    local capsule = Core.CreateCapsule(agent, height, radius);
-    Core.SetMaterial(capsule, "Ground2");
-    return capsule;
+    local body = Core.CreateCapsule(agent, height, radius);
+    Core.SetMaterial(body, "Ground2");
+    return body;
 end
 
+-- For this step: green from the agent to its target, red around the target.
 function AgentUtilities_DrawLineToTarget(agent)
-    Core.DrawLine(agent:GetPosition(), agent:GetTarget(), Vector.new(0, 1, 0));
+    Core.DrawLine(agent:GetTarget(), agent:GetPosition(), Vector.new(0, 1, 0));
 end
 
 function AgentUtilities_DrawTargetRadius(agent)
     Core.DrawCircle(agent:GetTarget(), agent:GetTargetRadius(), Vector.new(1, 0, 0));
 end
 
--- Moves an agent without a body along its velocity.
+-- What physics does for agents with a body: go on at the present velocity.
 function AgentUtilities_UpdatePosition(agent, deltaTimeInSeconds)
-    agent:SetPosition(agent:GetPosition() + agent:GetVelocity() * deltaTimeInSeconds);
+    local way = agent:GetVelocity() * deltaTimeInSeconds;
+    agent:SetPosition(way + agent:GetPosition());
 end

@@ -1,35 +1,54 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Lines and spheres that show what agents are about. What is drawn lasts for one step.
+-- Shows for one step what agents and objects are up to.
+
+local function Color(red, green, blue)
+    return Vector.new(red, green, blue);
+end
 
 DebugUtilities = {
-    Black = Vector.new(0, 0, 0),
-    Blue = Vector.new(0, 0, 1),
-    Green = Vector.new(0, 1, 0),
-    Orange = Vector.new(1, 0.65, 0),
-    Red = Vector.new(1, 0, 0),
-    White = Vector.new(1, 1, 1)
+    Black = Color(0, 0, 0),
+    White = Color(1, 1, 1),
+    Red = Color(1, 0, 0),
+    Green = Color(0, 1, 0),
+    Blue = Color(0, 0, 1),
+    Orange = Color(1, 0.5, 0)
 };
 
--- Lines from point to point, and back to the first one if the path is cyclic.
+-- Joins the points by lines, moved by `offset`; a cyclic path is closed. The color is green unless told otherwise.
 function DebugUtilities_DrawPath(points, cyclic, offset, color)
-    offset = offset or Vector.new();
-    color = color or DebugUtilities.Green;
-
-    for index = 2, #points do
-        Core.DrawLine(points[index - 1] + offset, points[index] + offset, color);
+    local from;
+    local function LineTo(point)
+        local to = offset and point + offset or point;
+        if (from) then
+            Core.DrawLine(from, to, color or DebugUtilities.Green);
+        end
+        from = to;
+    end
+    for _, point in ipairs(points) do
+        LineTo(point);
     end
     if (cyclic and #points > 2) then
-        Core.DrawLine(points[#points] + offset, points[1] + offset, color);
+        LineTo(points[1]);
     end
 end
 
--- The path and the target of each agent that lives and has a path.
+-- The ways of all agents that are alive and on one, each with a ball at its target.
 function DebugUtilities_DrawPaths(agents)
-    for index = 1, #agents do
-        local agent = agents[index];
-        if (agent:GetHealth() > 0 and agent:HasPath()) then
-            DebugUtilities_DrawPath(agent:GetPath(), false, Vector.new(0, 0.02, 0));
+    local lift = Vector.new(0, 0.02, 0);
+    for _, agent in ipairs(agents) do
+        local path = agent:GetHealth() > 0 and agent:GetPath() or {};
+        if (#path > 0) then
+            DebugUtilities_DrawPath(path, false, lift);
             Core.DrawSphere(agent:GetTarget(), 0.1, DebugUtilities.Red, true);
+        end
+    end
+end
+
+-- Draws around each object that `fits`, or around all.
+local function DrawAround(objects, fits)
+    for _, object in ipairs(objects) do
+        if (not fits or fits(object)) then
+            DebugUtilities_DrawBoundingSphere(object);
         end
     end
 end
@@ -39,16 +58,9 @@ function DebugUtilities_DrawBoundingSphere(object)
 end
 
 function DebugUtilities_DrawBoundingSpheres(objects)
-    for index = 1, #objects do
-        DebugUtilities_DrawBoundingSphere(objects[index]);
-    end
+    DrawAround(objects);
 end
 
--- The spheres of the objects that can move.
 function DebugUtilities_DrawDynamicBoundingSpheres(objects)
-    for index = 1, #objects do
-        if (Core.GetMass(objects[index]) > 0) then
-            DebugUtilities_DrawBoundingSphere(objects[index]);
-        end
-    end
+    DrawAround(objects, function(object) return Core.GetMass(object) > 0; end);
 end

@@ -100,3 +100,95 @@ function SandboxUtilities_ShootBullet(sandbox)
     Sandbox.AddCollisionCallback(sandbox, bullet, OnBulletHit);
     return bullet;
 end
+
+-- The level: a floor at y = 0 with two terraces at y = 4, a basin at y = -2 beside it, ramps between them, and blocks in
+-- the way. Each entry is a cube: its edge and its center.
+local function Row(cubes, size, y, x, z, step, count)
+    for index = 0, count - 1 do
+        table.insert(cubes, { size = size, center = Vector.new(x + step.x * index, y, z + step.z * index) });
+    end
+end
+
+local function LevelCubes()
+    local cubes = {};
+    local east, north = { x = 1, z = 0 }, { x = 0, z = 1 };
+    local function Along(direction, distance)
+        return { x = direction.x * distance, z = direction.z * distance };
+    end
+    -- Floor and basin.
+    for row = 0, 3 do
+        Row(cubes, 20, -10, -20, 20 * row, Along(east, 20), 3);
+    end
+    Row(cubes, 20, -12, 40, 0, Along(north, 20), 4);
+    Row(cubes, 8, -6, 54, -6, Along(north, 8), 10);
+    -- Terraces, with parapets at their edges.
+    for row = 0, 2 do
+        Row(cubes, 4, 2, -26, 24 + 4 * row, Along(east, 4), 6);
+        Row(cubes, 4, 2, 12, 48 + 4 * row, Along(east, 4), 4);
+    end
+    Row(cubes, 2, 5, -27, 33, Along(east, 2), 12);
+    Row(cubes, 2, 5, -27, 23, Along(north, 2), 5);
+    Row(cubes, 2, 5, 11, 57, Along(east, 2), 8);
+    -- Blocks: x and z of each.
+    local blocks = {
+        { size = 4, y = 2, places = {
+            -26, -6, -26, 0, -14, -6, -4, -6, 8, -6, 20, -6, 26, 0, 26, 8, 22, 16, 24, 28, 26, 36, -26, 42, -16, 42, -16, 60
+        } },
+        { size = 6, y = 3, places = { -24, 52, -8, 60, 3, 65, 25, 65, -26, 66, -10, 16 } },
+        { size = 6, y = 1, places = { 44, 12, 44, 48 } },
+        { size = 8, y = 3, places = { 4, 14, -24, 60, 16, 66 } }
+    };
+    for _, kind in ipairs(blocks) do
+        for index = 1, #kind.places, 2 do
+            Row(cubes, kind.size, kind.y, kind.places[index], kind.places[index + 1], Along(east, 0), 1);
+        end
+    end
+    return cubes;
+end
+
+-- A cube of 8 m, turned so that one of its sides is a ramp that ends at the edge `top` and rises along x or z.
+local function CreateRamp(sandbox, top, degrees, along)
+    local size = 8;
+    local angle = math.rad(degrees);
+    local rotation = Vector.new(-degrees * along.z, 0, degrees * along.x);
+    local forward = Vector.new(along.x, 0, along.z);
+    local middle = top - forward * (size / 2 * math.cos(angle)) - Vector.new(0, size / 2 * math.sin(angle), 0);
+    local normal = Vector.new(0, math.cos(angle), 0) - forward * math.sin(angle);
+    local ramp = SandboxUtilities_CreateBox(sandbox, size, middle - normal * (size / 2));
+    Core.SetRotation(ramp, rotation);
+    return ramp;
+end
+
+-- 113 fixed cubes, a plane below them, a sky and lights.
+function SandboxUtilities_CreateLevel(sandbox)
+    for _, cube in ipairs(LevelCubes()) do
+        SandboxUtilities_CreateBox(sandbox, cube.size, cube.center);
+    end
+    CreateRamp(sandbox, Vector.new(-22, 4, 22), 30, { x = 0, z = 1 });
+    CreateRamp(sandbox, Vector.new(-4, 4, 28), 30, { x = -1, z = 0 });
+    CreateRamp(sandbox, Vector.new(18, 4, 46), 30, { x = 0, z = 1 });
+    CreateRamp(sandbox, Vector.new(10, 4, 52), 30, { x = 1, z = 0 });
+    for z = 0, 60, 30 do
+        CreateRamp(sandbox, Vector.new(30, 0, z), 15, { x = -1, z = 0 });
+    end
+
+    local ground = Sandbox.CreatePlane(sandbox, 200, 200);
+    Core.SetPosition(ground, Vector.new(0, -10, 0));
+    Core.SetMaterial(ground, "Ground2");
+    Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0));
+    SandboxUtilities_CreateLights(sandbox);
+end
+
+-- A round through the level, over both terraces: 21 points.
+function SandboxUtilities_GetLevelPath()
+    local places = {
+        { 0, 0, 0 }, { -10, 0, 6 }, { -22, 0, 10 }, { -22, 0, 14 }, { -22, 4, 23 }, { -22, 4, 28 }, { -14, 4, 28 },
+        { -5, 4, 28 }, { 4, 0, 28 }, { 3, 0, 34 }, { -1, 0, 40 }, { -3, 0, 47 }, { 1, 0, 52 }, { 11, 4, 52 },
+        { 18, 4, 52 }, { 18, 4, 47 }, { 18, 0, 38 }, { 14, 0, 32 }, { 14, 0, 22 }, { 12, 0, 10 }, { 5, 0, 3 }
+    };
+    local path = {};
+    for index, place in ipairs(places) do
+        path[index] = Vector.new(place[1], place[2], place[3]);
+    end
+    return path;
+end

@@ -20,7 +20,9 @@ float GridLine(vec2 place, float step_m, float width_m)
 
 void main()
 {
-    vec2 place = world_position.xz;
+    // Upright faces take the plane that they stand in, so that nothing is smeared down their sides.
+    vec3 facing = abs(normalize(world_normal));
+    vec2 place = facing.y > 0.55 ? world_position.xz : facing.x > facing.z ? world_position.zy : world_position.xy;
 #ifdef LOW_DETAIL
     vec3 fine = vec3(0.5);
 #else

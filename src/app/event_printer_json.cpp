@@ -13,29 +13,6 @@ Json Components(const world::Vec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-const char* NameOf(sim::EventKind kind) {
-  switch (kind) {
-    case sim::EventKind::kAgentCreated:
-      return "agent";
-    case sim::EventKind::kCommand:
-      return "command";
-    case sim::EventKind::kGap:
-      return "gap";
-    case sim::EventKind::kLog:
-      return "log";
-    case sim::EventKind::kDiagnostic:
-      return "diagnostic";
-    case sim::EventKind::kAgentFailed:
-    case sim::EventKind::kMindFailed:
-      return "failed";
-    case sim::EventKind::kMindLost:
-      return "lost";
-    case sim::EventKind::kMindBack:
-      return "back";
-  }
-  return "unknown";
-}
-
 class JsonPrinter : public EventPrinter {
  public:
   explicit JsonPrinter(std::ostream& out) : out_(out) {}
@@ -51,14 +28,15 @@ class JsonPrinter : public EventPrinter {
 
   void Print(const sim::Event& event) override {
     Json json;
-    json["event"] = NameOf(event.kind);
+    json["event"] = sim::EventName(event.kind);
     json["tick"] = event.tick;
     json["time"] = event.time_s;
     if (!event.agent.empty()) json["agent"] = event.agent;
     switch (event.kind) {
       case sim::EventKind::kCommand:
         json["command"] = event.text;
-        json["distance"] = event.perceived;
+        if (!event.parameters.empty()) json["parameters"] = event.parameters;
+        if (event.has_perceived) json["distance"] = event.perceived;
         json["position"] = Components(event.position);
         break;
       case sim::EventKind::kDiagnostic:
@@ -66,8 +44,19 @@ class JsonPrinter : public EventPrinter {
       case sim::EventKind::kMindFailed:
         json["diagnostic"] = ToJson(event.diagnostic);
         break;
+      case sim::EventKind::kOutcome:
+        json["command"] = event.news;
+        json["text"] = event.text;
+        json["position"] = Components(event.position);
+        break;
+      case sim::EventKind::kNews:
+        json["news"] = event.news;
+        json["text"] = event.text;
+        json["position"] = Components(event.position);
+        break;
       default:
         json["text"] = event.text;
+        if (!event.reasons.empty()) json["reasons"] = event.reasons;
         break;
     }
     Write(json);

@@ -24,11 +24,23 @@ class TextPrinter : public EventPrinter {
         Line(event, "joins: " + event.text);
         break;
       case sim::EventKind::kCommand:
+        if (!event.has_perceived) {
+          Line(event, event.text + (event.parameters.empty() ? "" : " " + event.parameters));
+          break;
+        }
         Line(event, fmt::format("{:<14} perceives distance {:.2f}, stands at ({:.1f}, {:.1f})", event.text,
                                 event.perceived, event.position.x, event.position.z));
         break;
+      case sim::EventKind::kOutcome:
+      case sim::EventKind::kNews:
+        Line(event, event.news + ": " + event.text);
+        break;
+      case sim::EventKind::kEnded:
+        Line(event, "reached: " + event.text);
+        break;
       case sim::EventKind::kGap:
         Line(event, "no command: " + event.text);
+        for (const std::string& reason : event.reasons) out_ << fmt::format("{:27}- {}\n", "", reason);
         break;
       case sim::EventKind::kLog:
         Line(event, event.text);

@@ -7,6 +7,9 @@
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/kernel_server.h"
+#include "app/look_commands.h"
+#include "app/new_scenario.h"
+#include "app/recording_commands.h"
 #include "app/run_options.h"
 #include "app/soar_shell.h"
 #include "sim/scenario.h"
@@ -14,17 +17,21 @@
 namespace {
 
 using soarbox::app::KernelServerOptions;
+using soarbox::app::RecordingOptions;
 using soarbox::app::RunOptions;
 using soarbox::app::SoarShellOptions;
 
 void AddRun(CLI::App& program, RunOptions& options) {
   CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
   run->add_option("scenario", options.scenario,
-                  "A folder with Sandbox.lua, a Lua file, or a name that `soarbox list` shows")
+                  "A folder with scenario.toml or Sandbox.lua, a scenario, Lua or rules file (scout.soar: one agent in "
+                  "a field), "
+                  "or a name that `soarbox list` shows")
       ->capture_default_str();
   run->add_flag("--headless", options.headless, "No window; 60 simulated seconds unless --seconds says otherwise");
   run->add_option("--seconds", options.seconds, "End after so many simulated seconds")->check(CLI::NonNegativeNumber);
-  run->add_option("--seed", options.seed, "Seed of the world, the scripts and the minds")->capture_default_str();
+  run->add_option("--seed", options.seed,
+                  "Seed of the world, the scripts and the minds (default: the scenario's own, else 1)");
   run->add_option("--speed", options.speed, "Times real time (default: 1 in a window, as fast as possible headless)")
       ->check(CLI::Range(0.001, 1000.0));
   run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
@@ -43,8 +50,23 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
   run->add_option("--report", options.report_s, "Print where all agents are, each so many simulated seconds")
       ->check(CLI::PositiveNumber);
+  run->add_option("--threads", options.threads,
+                  "Threads that the Soar minds decide on; 0: one per core; the run is the same on any number")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 64));
+  run->add_option("--input", options.input,
+                  "Keys, buttons, pointer and wheel at ticks, from this text file (see docs/command.md)");
+  run->add_flag("--watch", options.watch,
+                "Let edits of rules and scripts reach the running world (a window always does)");
   run->add_option("--port", options.port, "Let Soar debuggers attach at this TCP port of this machine; 0: none")
       ->check(CLI::Range(0, 65535));
+  CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
+  run->add_flag("--no-record", options.no_record, "No recording; without this a run in a window is recorded")
+      ->excludes(record);
+  run->add_option("--record-level", options.record_level, "How much: world, decisions or all")->capture_default_str();
+  run->add_option("--record-limit", options.record_limit_mb,
+                  "Megabytes; at this size the older half of the frames goes")
+      ->check(CLI::Range(1.0, 1e6));
   run->add_option("--kernel", options.kernel,
                   "HOST:PORT of a Soar kernel in another process to use instead of our own");
   run->add_option("--kernel-limit", options.kernel_limit_s,
@@ -57,6 +79,31 @@ void AddSoar(CLI::App& program, SoarShellOptions& options) {
   CLI::App* soar = program.add_subcommand("soar", "The interactive shell of the Soar command language");
   soar->add_option("files", options.files, "Sourced first, in order");
   soar->add_flag("--json", options.json, "Answer each command with a line of JSON");
+}
+
+void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app::WhyOptions& why) {
+  CLI::App* checks =
+      program.add_subcommand("check", "Look over rules, scripts and scenario files without running them");
+  checks->add_option("files", check.files, "Files (.soar, .lua, .toml) and folders")->required();
+  checks->add_flag("--json", check.json, "One line of JSON per problem");
+
+  CLI::App* reasons = program.add_subcommand("why", "Tell why an agent does what it does at a moment of a run");
+  reasons->add_option("scenario", why.scenario, "As for `soarbox run`")->required();
+  reasons->add_option("--agent", why.agent, "Its name; the first one with a mind if it is not said");
+  reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(CLI::Range(0.0, 36000.0));
+  reasons->add_option("--seed", why.seed, "As for `soarbox run`");
+  reasons->add_option("--path", why.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
+}
+
+void AddNew(CLI::App& program, soarbox::app::NewOptions& options) {
+  CLI::App* made = program.add_subcommand("new", "Write a commented starter scenario with a test into a new folder");
+  made->add_option("name", options.name, "The folder to make; its last part is the scenario's name")->required();
+  CLI::Option* of_soar =
+      made->add_flag("--soar", options.soar, "One agent of Soar rules alone (this is what you get by default)");
+  CLI::Option* of_lua = made->add_flag("--lua", options.lua, "A world made by a Lua script, with a body of its own");
+  CLI::Option* of_team = made->add_flag("--team", options.team, "Two teams of Soar agents");
+  of_soar->excludes(of_lua, of_team);
+  of_lua->excludes(of_team);
 }
 
 void AddKernel(CLI::App& program, KernelServerOptions& options) {
@@ -73,8 +120,48 @@ int List() {
     std::cerr << soarbox::Format(data.error());
     return soarbox::app::kCannotStart;
   }
-  for (const std::string& name : soarbox::sim::ListScenarios(data.value())) std::cout << name << '\n';
+  for (const std::string& name : soarbox::sim::ListScenarios(data.value())) {
+    const std::string about = soarbox::sim::DescribeScenario(name, data.value());
+    std::cout << name << std::string(name.size() < 16 ? 16 - name.size() : 1, ' ') << about << '\n';
+  }
   return soarbox::app::kOk;
+}
+
+void AddRecordingFile(CLI::App& command, RecordingOptions& options) {
+  command.add_option("file", options.file, "A recording, as `soarbox run --record` makes them")->required();
+}
+
+void AddRange(CLI::App& command, RecordingOptions& options) {
+  command.add_option("--from", options.from_s, "Begin at this simulated second")->check(CLI::NonNegativeNumber);
+  command.add_option("--to", options.to_s, "End at this simulated second")->check(CLI::NonNegativeNumber);
+}
+
+void AddRecordings(CLI::App& program, RecordingOptions& options) {
+  CLI::App* replay = program.add_subcommand("replay", "Show a recording, in the window or as text");
+  AddRecordingFile(*replay, options);
+  AddRange(*replay, options);
+  replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
+  replay->add_flag("--json", options.json, "Print it as lines of JSON");
+  CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
+  AddRecordingFile(*verify, options);
+  CLI::App* export_data = program.add_subcommand("export", "Write a recording as a table or as JSON");
+  AddRecordingFile(*export_data, options);
+  AddRange(*export_data, options);
+  CLI::Option* csv = export_data->add_flag("--csv", options.csv, "A row for each agent and tick (the default)");
+  export_data->add_flag("--json", options.json, "Everything, a line per tick")->excludes(csv);
+  export_data->add_option("-o,--output", options.output, "Write to this file");
+  CLI::App* resume = program.add_subcommand("resume", "Go back to a moment of a recording and go on live from there");
+  AddRecordingFile(*resume, options);
+  resume->add_option("--at", options.at_s, "The simulated second")->required()->check(CLI::NonNegativeNumber);
+  resume->add_option("--rules", options.rules, "Rules that replace those of the same names (may be repeated)");
+  resume->add_option("--agent", options.agents, "Only this agent's rules (may be repeated)");
+  resume->add_option("--seconds", options.seconds, "Go on for so long (default: as long as the recording does)")
+      ->check(CLI::NonNegativeNumber);
+  resume->add_option("--record", options.output, "Record the new future, whole, to this file");
+  resume->add_flag("--json", options.json, "Print events as lines of JSON");
+  CLI::App* compare = program.add_subcommand("compare", "Tell where two recordings part, and how they go on");
+  AddRecordingFile(*compare, options);
+  compare->add_option("other", options.other, "The second recording")->required();
 }
 
 int Main(int argc, char** argv) {
@@ -87,6 +174,13 @@ int Main(int argc, char** argv) {
   AddSoar(program, soar);
   KernelServerOptions kernel;
   AddKernel(program, kernel);
+  soarbox::app::NewOptions made;
+  AddNew(program, made);
+  RecordingOptions recording;
+  AddRecordings(program, recording);
+  soarbox::app::CheckOptions check;
+  soarbox::app::WhyOptions why;
+  AddLooks(program, check, why);
   program.add_subcommand("list", "List the scenarios that come with the program");
   try {
     program.parse(argc, argv);
@@ -96,7 +190,15 @@ int Main(int argc, char** argv) {
   }
   if (program.got_subcommand("run")) return soarbox::app::Run(run);
   if (program.got_subcommand("soar")) return soarbox::app::RunSoarShell(soar);
+  if (program.got_subcommand("replay")) return soarbox::app::Replay(recording);
+  if (program.got_subcommand("verify")) return soarbox::app::Verify(recording);
+  if (program.got_subcommand("export")) return soarbox::app::Export(recording);
+  if (program.got_subcommand("resume")) return soarbox::app::Resume(recording);
+  if (program.got_subcommand("compare")) return soarbox::app::Compare(recording);
   if (program.got_subcommand("kernel")) return soarbox::app::ServeKernel(kernel);
+  if (program.got_subcommand("check")) return soarbox::app::Check(check);
+  if (program.got_subcommand("why")) return soarbox::app::Why(why);
+  if (program.got_subcommand("new")) return soarbox::app::NewScenario(made);
   return List();
 }
 

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/record_run.h"
 #include "app/run_headless.h"
 #include "app/run_options.h"
 #include "app/run_session.h"
 #include "app/run_window.h"
+#include "record/header.h"
+#include "record/recorder.h"
+#include "sim/input_text.h"
+#include "sim/scenario_file.h"
 
 namespace soarbox::app {
 namespace {
@@ -39,6 +46,25 @@ Result<void> ReadKernelAddress(const std::string& text, sim::SoarSettings& setti
   return {};
 }
 
+/// Reads the file of inputs; false if it cannot be read or any line is wrong, after telling which.
+bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
+  if (file.empty()) return true;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();
+  if (!in || text.fail()) {
+    Diagnostic problem;
+    problem.file = file;
+    problem.message = "this file of inputs cannot be read";
+    std::cerr << Format(problem);
+    return false;
+  }
+  const sim::InputText read = sim::ReadInputs(text.str(), file);
+  for (const Diagnostic& problem : read.problems) std::cerr << Format(problem);
+  for (const sim::Input& input : read.inputs) simulation.Submit(input);
+  return read.problems.empty();
+}
+
 bool HasDisplay() {
   const char* display = std::getenv("DISPLAY");
   return display != nullptr && *display != '\0';
@@ -53,8 +79,26 @@ int Run(const RunOptions& given) {
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
   if (!scenario) return CannotStart(scenario.error());
 
+  // What the command line leaves open the scenario's file may say.
+  if (!scenario.value().definition.empty()) {
+    Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario.value().definition);
+    if (!file) return CannotStart(file.error());
+    if (!options.seed) options.seed = file->seed;
+    if (!options.seconds && options.headless) options.seconds = file->seconds;
+  }
+  const std::uint64_t seed = options.seed.value_or(1);
+
   // A window unless told otherwise; without a display the same world runs headless, and says so.
   const bool wants_screenshot = !options.screenshot.empty();
+  if (options.headless && wants_screenshot) {
+    Diagnostic problem;
+    problem.message = "a headless run draws nothing, so no picture can be taken";
+    problem.hint =
+        "leave --headless out: with --screenshot no window is shown; on a machine without a screen, xvfb-run "
+        "gives a virtual one";
+    std::cerr << Format(problem);
+    return kUsage;
+  }
   if (!options.headless && (!HasDisplay() || !kHasWindow)) {
     Diagnostic note;
     note.message = kHasWindow ? "there is no display (DISPLAY is not set)" : "this build has no window";
@@ -72,11 +116,12 @@ int Run(const RunOptions& given) {
   if (options.headless && !options.seconds) options.seconds = kHeadlessSeconds;
 
   sim::SimulationSettings settings;
-  settings.seed = options.seed;
+  settings.seed = seed;
   settings.screen_width_px = options.width_px;
   settings.screen_height_px = options.height_px;
   settings.every_command = options.every_command;
-  settings.soar.seed = options.seed;
+  settings.soar.seed = seed;
+  settings.soar.threads = options.threads;
   settings.soar.remote_limit_ms = static_cast<int>(options.kernel_limit_s * 1000);
   if (!options.kernel.empty()) {
     if (const Result<void> read = ReadKernelAddress(options.kernel, settings.soar); !read) {
@@ -87,6 +132,15 @@ int Run(const RunOptions& given) {
     settings.soar.port = options.port.value_or(options.headless ? 0 : kDefaultPort);
   }
 
+  const Result<record::Level> level = record::LevelNamed(options.record_level);
+  if (!level) {
+    std::cerr << Format(level.error());
+    return kUsage;
+  }
+  const bool is_recorded = WantsRecording(options);
+  if (is_recorded) settings.mind_detail = record::DetailOf(*level);
+
+  CatchInterrupts();
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
   if (!simulation && !options.port && settings.soar.port != 0) {
     // Nobody asked for the port: the run goes on without debuggers if that was what failed.
@@ -102,11 +156,17 @@ int Run(const RunOptions& given) {
   }
   if (!simulation) return CannotStart(simulation.error());
 
-  CatchInterrupts();
+  if (!SubmitInputs(options.input, **simulation)) return kCannotStart;
+  options.watch |= !options.headless && !wants_screenshot;
   std::unique_ptr<EventPrinter> printer =
       options.json ? EventPrinter::MakeJson(std::cout) : EventPrinter::MakeText(std::cout, std::cerr);
-  printer->Begin({scenario.value().name, options.seed, options.headless});
+  printer->Begin({scenario.value().name, seed, options.headless});
   RunSession session(std::move(*simulation), std::move(printer), options);
+  if (is_recorded) {
+    const std::string note = RecordRun(session, options, *scenario, settings, *level);
+    if (note.empty() && !options.record.empty()) return kCannotStart;
+    options.remark = note;
+  }
   return options.headless ? RunHeadless(session, options) : RunWindow(session, options, data.value());
 }
 

@@ -14,9 +14,9 @@ struct RunOptions {
   std::string scenario = "thesis";
   std::vector<std::filesystem::path> extra_folders;
   bool headless = false;
-  std::optional<double> seconds;  ///< Simulated; none: until the window is closed, or 60 s headless.
-  std::uint64_t seed = 1;
-  std::optional<double> speed;  ///< Times real time; none: 1 with a window, as fast as possible without.
+  std::optional<double> seconds;      ///< Simulated; none: until the window is closed, or 60 s headless.
+  std::optional<std::uint64_t> seed;  ///< None: the scenario's own, else 1.
+  std::optional<double> speed;        ///< Times real time; none: 1 with a window, as fast as possible without.
   bool json = false;
   bool every_command = false;
   std::optional<double> report_s;  ///< Print all agents each so many simulated seconds.
@@ -24,8 +24,16 @@ struct RunOptions {
   double screenshot_at_s = 5;
   int width_px = 1280;
   int height_px = 720;
-  std::optional<int> port;      ///< For debuggers; none: 12121 with a window if it is free, closed without.
-  std::string kernel;           ///< HOST:PORT of a Soar kernel in another process; empty: our own.
+  std::optional<int> port;                 ///< For debuggers; none: 12121 with a window if it is free, closed without.
+  std::string kernel;                      ///< HOST:PORT of a Soar kernel in another process; empty: our own.
+  std::string input;                       ///< File of inputs with ticks; empty: none.
+  int threads = 0;                         ///< For the minds; 0: one per core.
+  std::filesystem::path record;            ///< File of the recording; empty: none, or in a window the usual one.
+  bool no_record = false;                  ///< Not even in a window.
+  std::string record_level = "decisions";  ///< record::LevelNamed.
+  std::optional<double> record_limit_mb;   ///< None: no limit, or kUsualLimitMb in the usual file.
+  std::string remark;                      ///< For the window's status bar: where the recording goes.
+  bool watch = false;           ///< Edits of rules and scripts reach the running world; a window always watches.
   double kernel_limit_s = 2.0;  ///< How long that kernel may be silent before it counts as gone.
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/run_session.h"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <iostream>
 #include <limits>
 
 #include "app/exit_codes.h"
@@ -11,8 +14,19 @@ namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
-void OnInterrupt(int) {
-  g_interrupted = 1;
+/// A run that has not come to its end by then is ended where it stands; what was printed is out.
+constexpr unsigned kGrace_s = 2;
+
+/// The first signal ends the run in good order, the second at once. Only calls that a handler may make.
+void OnInterrupt(int signal) {
+  if (g_interrupted != 0) _exit(128 + signal);
+  g_interrupted = signal;
+  sim::Simulation::EndScripts();
+  alarm(kGrace_s);
+}
+
+void OnAlarm(int) {
+  _exit(128 + static_cast<int>(g_interrupted));
 }
 
 }  // namespace
@@ -20,6 +34,7 @@ void OnInterrupt(int) {
 void CatchInterrupts() {
   std::signal(SIGINT, &OnInterrupt);
   std::signal(SIGTERM, &OnInterrupt);
+  std::signal(SIGALRM, &OnAlarm);
 }
 
 bool WasInterrupted() {
@@ -31,13 +46,24 @@ RunSession::RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_
     : simulation_(std::move(simulation)),
       printer_(std::move(printer)),
       end_s_(options.seconds.value_or(std::numeric_limits<double>::infinity())),
+      ends_with_scenario_(options.headless),
       report_every_s_(options.report_s.value_or(0)) {
+  if (options.watch) edits_ = std::make_unique<sim::LiveEdits>(*simulation_);
   PrintEvents();
 }
 
+void RunSession::TakeEdits() {
+  const auto now = std::chrono::steady_clock::now();
+  if (edits_ == nullptr || now < next_look_) return;
+  next_look_ = now + std::chrono::milliseconds(500);
+  for (const std::string& line : edits_->Poll()) std::cerr << line;
+}
+
 void RunSession::Tick() {
+  TakeEdits();
   simulation_->Tick();
   PrintEvents();
+  RecordTick();
   if (report_every_s_ > 0 && simulation_->time_s() >= next_report_s_) {
     printer_->Report(simulation_->Snapshot());
     next_report_s_ += report_every_s_;
@@ -45,15 +71,36 @@ void RunSession::Tick() {
 }
 
 void RunSession::Idle() {
+  TakeEdits();
   simulation_->Idle();
   PrintEvents();
 }
 
+void RunSession::Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too) {
+  recorder_ = std::move(recorder);
+  if (last_tick_too) RecordTick();
+}
+
+void RunSession::RecordTick() {
+  if (recorder_ != nullptr) {
+    if (const Result<void> taken = recorder_->Take(*simulation_, unrecorded_); !taken)
+      std::cerr << Format(taken.error());
+  }
+  unrecorded_.clear();
+}
+
 bool RunSession::IsOver() const {
-  return WasInterrupted() || simulation_->time_s() >= end_s_;
+  return WasInterrupted() || simulation_->time_s() >= end_s_ || (ends_with_scenario_ && simulation_->HasEnded());
 }
 
 int RunSession::Finish() {
+  if (simulation_->waiting_inputs() > 0 && !WasInterrupted()) {
+    Diagnostic warning;
+    warning.severity = Severity::kWarning;
+    warning.message = "the run ended before " + std::to_string(simulation_->waiting_inputs()) + " of its inputs";
+    warning.hint = "let it run longer with --seconds";
+    std::cerr << Format(warning);
+  }
   simulation_->Finish();
   PrintEvents();
   RunFooter footer;
@@ -68,13 +115,17 @@ int RunSession::Finish() {
 }
 
 void RunSession::PrintEvents() {
-  for (const sim::Event& event : simulation_->TakeEvents()) {
+  sim::EventList events = simulation_->TakeEvents();
+  for (sim::Event& event : events) {
     const bool is_problem =
         event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed ||
         (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError);
     if (is_problem) ++problems_;
     printer_->Print(event);
+    if (recorder_ != nullptr || simulation_->tick() == 0) unrecorded_.push_back(std::move(event));
   }
+  // A run can be ended at any moment: what happened so far is out.
+  if (!events.empty()) std::cout.flush();
 }
 
 }  // namespace soarbox::app

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "app/event_printer.h"
 #include "app/run_options.h"
+#include "record/recorder.h"
 #include "sim/simulation.h"
 
 namespace soarbox::app {
@@ -21,6 +23,8 @@ class RunSession {
   void Idle();
   /// True once the asked-for time has passed or the user has asked to stop (Ctrl-C).
   bool IsOver() const;
+  /// Records what follows; with `last_tick_too`, what is there now first. Null: records nothing.
+  void Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too = true);
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
@@ -28,16 +32,25 @@ class RunSession {
 
  private:
   void PrintEvents();
+  void RecordTick();
+  /// Twice a second of real time: files that were edited.
+  void TakeEdits();
 
   std::unique_ptr<sim::Simulation> simulation_;
   std::unique_ptr<EventPrinter> printer_;
-  double end_s_;           ///< Simulated time to stop at; infinite if none.
-  double report_every_s_;  ///< 0: never.
+  std::unique_ptr<record::Recorder> recorder_;
+  sim::EventList unrecorded_;  ///< Since the last tick that was recorded.
+  double end_s_;               ///< Simulated time to stop at; infinite if none.
+  bool ends_with_scenario_;    ///< Headless runs end where the scenario does.
+  double report_every_s_;      ///< 0: never.
   double next_report_s_ = 0;
+  std::unique_ptr<sim::LiveEdits> edits_;  ///< Null if files are not watched.
+  std::chrono::steady_clock::time_point next_look_;
   std::size_t problems_ = 0;
 };
 
-/// Makes Ctrl-C end the run at the next tick instead of killing the process. Idempotent.
+/// Makes SIGINT (Ctrl-C) and SIGTERM end the run: scripts are stopped where they are, the footer is printed, and after
+/// two seconds the process ends in any case; a second signal ends it at once. Idempotent.
 void CatchInterrupts();
 bool WasInterrupted();
 

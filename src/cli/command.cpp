@@ -82,9 +82,10 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
     if (!word.empty() && subcommand.name.starts_with(word)) found.push_back(&subcommand);
   }
   if (found.size() > 1) {
+    std::sort(found.begin(), found.end(), [](const auto* a, const auto* b) { return a->name < b->name; });
     std::string message = "%?  Did you mean ";
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (i > 0) message += i + 1 == found.size() ? ", or " : ", ";
+      if (i > 0) message += i + 1 == found.size() ? ", or " : " ";
       message += found[i]->name;
     }
     return call.Fail(message + "?\n" + std::string(invalid));

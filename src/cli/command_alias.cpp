@@ -34,7 +34,7 @@ bool CommandAlias(CommandCall& call) {
   }
   const std::string& name = words.front().text;
   if (remove) {
-    if (words.size() > 1) return call.Fail("Only one alias can be removed at a time.");
+    if (words.size() > 1) return call.Fail("If your alias has -r or --remove, enclose in quotes.");
     aliases.Remove(name);
     return true;
   }

@@ -221,7 +221,7 @@ bool SetRandomSeed(CommandCall& call) {
     call.Out("Random number generator seed set to new random value.\n");
     return true;
   }
-  const auto number = ParseInteger(call.words[1].text);
+  const auto number = ParseLeadingInteger(call.words[1].text);
   const auto seed = static_cast<std::uint32_t>(number.value_or(0));
   call.agent().random().Seed(seed);
   call.Out(fmt::format("Random number generator seed set to {}\n", seed));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/command.h"
 #include "cli/session.h"
 #include "cli/setting_store.h"
@@ -66,7 +68,10 @@ void Help(CommandCall& call) {
 constexpr std::string_view kModes[] = {"always", "never", "only", "except", "flagged", "unflagged"};
 
 bool Chunk(CommandCall& call) {
-  if (call.words.size() < 2) {
+  // Soar's chunk has no options and does not mind them.
+  const auto plain = std::count_if(call.words.begin() + 1, call.words.end(),
+                                   [](const Word& word) { return !word.text.starts_with('-'); });
+  if (plain == 0) {
     Overview(call);
     return true;
   }

@@ -18,12 +18,16 @@ std::string Counted(int count, std::string_view what) {
   return fmt::format("{} production{} {}.", count, count == 1 ? "" : "s", what);
 }
 
-/// "N productions sourced. M productions excised. K productions ignored."
-std::string CountsText(int sourced, int excised, int ignored) {
-  std::string text = Counted(sourced, "sourced");
-  if (excised > 0) text += " " + Counted(excised, "excised");
-  if (ignored > 0) text += " " + Counted(ignored, "ignored");
-  return text;
+/// "N productions sourced. M productions excised. K productions ignored.", and the names of those that were excised.
+std::string CountsText(const SourceRun::Counts& counts, bool names) {
+  std::string text = Counted(counts.sourced, "sourced");
+  if (!counts.excised.empty()) {
+    text += " " + Counted(static_cast<int>(counts.excised.size()), "excised");
+    if (names) text += "\nExcised productions:";
+    for (std::size_t i = 0; names && i < counts.excised.size(); ++i) text += "\n\t" + counts.excised[i];
+  }
+  if (counts.ignored > 0) text += " " + Counted(counts.ignored, "ignored");
+  return text + "\n";
 }
 
 void FreshLine(CommandCall& call) {
@@ -74,13 +78,13 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const int line = words.front().line;
     run.line = line;
     call.failure = CommandCall::Failure::kNone;
-    const bool loads = words.front().text == "sp" || words.front().text == "gp" || words.front().text == "source";
+    const bool loads = words.front().text == "sp" || words.front().text == "gp";
     const bool stars = run.stars_pending && !loads;
     const std::size_t length = call.result.text.size();
     const bool command_ok = call.interpreter.ExecuteWords(call, words);
     if (stars && call.result.text.size() > length) {
-      // Other output than stars ends their line.
-      call.result.text.insert(length, " \n");
+      // Other output than stars ends their line, unless a command of a file that was read in between did so.
+      if (call.result.text.compare(length, 2, " \n") != 0) call.result.text.insert(length, " \n");
       run.stars_pending = false;
     }
     if (!command_ok) {
@@ -116,14 +120,64 @@ void ReportGaps(CommandCall& call, int loaded) {
   }
 }
 
+/// While it lives, relative names start from the folder of a file, as after `pushd`.
+class InFolderOf {
+ public:
+  InFolderOf(Interpreter& interpreter, const std::string& file) : interpreter_(interpreter) {
+    const std::size_t end = file.rfind('/');
+    if (end == std::string::npos || end + 1 == file.size()) return;
+    folder_ = file.substr(0, end + 1);
+    const std::filesystem::path before = interpreter_.directory();
+    if (!interpreter_.ChangeDirectory(folder_)) {
+      ok_ = false;
+      return;
+    }
+    interpreter_.directory_stack().push_back(before);
+    entered_ = true;
+  }
+  ~InFolderOf() {
+    std::vector<std::filesystem::path>& stack = interpreter_.directory_stack();
+    if (!entered_ || stack.empty()) return;
+    interpreter_.ChangeDirectory(stack.back().string());
+    stack.pop_back();
+  }
+  InFolderOf(const InFolderOf&) = delete;
+  InFolderOf& operator=(const InFolderOf&) = delete;
+
+  bool ok() const { return ok_; }
+  const std::string& folder() const { return folder_; }
+
+ private:
+  Interpreter& interpreter_;
+  std::string folder_;
+  bool ok_ = true, entered_ = false;
+};
+
+/// What a file says at its end: its counts if they were asked for, and an end to the line of stars.
+void EndFile(CommandCall& call, SourceRun& run, const std::string& path) {
+  if (run.per_file) call.Out(path + ": " + CountsText(run.counts, run.verbose));
+  if (run.counts.sourced + run.counts.ignored > 0) {
+    call.Out("\n");
+    run.stars_pending = false;
+  }
+  run.total.sourced += run.counts.sourced;
+  run.total.ignored += run.counts.ignored;
+  run.total.excised.insert(run.total.excised.end(), run.counts.excised.begin(), run.counts.excised.end());
+  run.counts = {};
+}
+
 bool LoadFile(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kLoadSubcommands[0].options, parsed)) return false;
-  if (parsed.arguments.size() != 1) {
+  if (parsed.arguments.empty()) {
     return call.Fail("Syntax: load file [--all | --disable | --verbose] <filename>");
   }
   const std::string& file = parsed.arguments.front().text;
-  const std::filesystem::path path = call.interpreter.Resolve(file);
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForReading(call, file, path)) return false;
+  const InFolderOf folder(call.interpreter, file);
+  if (!folder.ok()) return call.Fail("Error changing to " + folder.folder());
+  path = call.interpreter.Resolve(file.substr(folder.folder().size()));
   std::error_code error;
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path, error)) {
@@ -135,37 +189,27 @@ bool LoadFile(CommandCall& call) {
   SourceRun own;
   SourceRun*& current = call.interpreter.source_run();
   const bool outermost = current == nullptr;
-  if (outermost) current = &own;
+  if (outermost) {
+    current = &own;
+    own.verbose = parsed.Has('v');
+    own.per_file = parsed.Has('a');
+    own.silent = parsed.Has('d');
+  }
   SourceRun& run = *current;
-  if (parsed.Has('v')) call.Out("Sourcing " + file + ".\n");
-  const SourceRun before = run;
+  if (run.verbose) call.Out("Sourcing " + path.filename().string() + ".\n");
   run.files.push_back(path.string());
-  const bool ok = is_image ? LoadRuleImage(call, file) : RunCommands(call, run, path.string(), text);
+  const bool ok = is_image ? LoadRuleImage(call, path.string()) : RunCommands(call, run, path.string(), text);
   run.files.pop_back();
-  if (outermost) current = nullptr;
-
-  if (parsed.Has('a')) {
-    call.Out(fmt::format(
-        "{}: {}\n", path.string(),
-        CountsText(run.sourced - before.sourced, run.excised - before.excised, run.ignored - before.ignored)));
-    if (outermost) call.Out("\n");
-  }
+  EndFile(call, run, path.string());
   if (!outermost) return ok;
-  if (run.sourced > 0) ReportGaps(call, run.sourced);
-  // Counts stand apart from what was printed while rules were read.
-  const bool counted = run.sourced + run.excised + run.ignored > 0;
-  if (counted && !parsed.Has('a') && !parsed.Has('d'))
-    call.Out("\n");
-  else
-    FreshLine(call);
-  if (!parsed.Has('d')) call.Out("Total: " + CountsText(run.sourced, run.excised, run.ignored) + "\n");
-  if (parsed.Has('v') && !run.excised_names.empty()) {
-    call.Out("Excised productions:\n");
-    for (const std::string& name : run.excised_names) call.Out("\t" + name + "\n");
-  }
-  call.AddArgument("sourced-production-count", "int", std::to_string(run.sourced));
-  call.AddArgument("excised-production-count", "int", std::to_string(run.excised));
-  call.AddArgument("ignored-production-count", "int", std::to_string(run.ignored));
+  current = nullptr;
+
+  if (run.total.sourced > 0) ReportGaps(call, run.total.sourced);
+  FreshLine(call);
+  if (!run.silent) call.Out("Total: " + CountsText(run.total, run.verbose));
+  call.AddArgument("sourced-production-count", "int", std::to_string(run.total.sourced));
+  call.AddArgument("excised-production-count", "int", std::to_string(run.total.excised.size()));
+  call.AddArgument("ignored-production-count", "int", std::to_string(run.total.ignored));
   if (!ok) {
     call.Out("Error while sourcing file\n");
     call.failure = CommandCall::Failure::kReported;
@@ -213,7 +257,8 @@ bool LoadPercepts(CommandCall& call) {
   }
   const std::string file = *parsed.Argument('o');
   std::error_code error;
-  const std::filesystem::path path = call.interpreter.Resolve(file);
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForReading(call, file, path)) return false;
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path, error)) return call.Fail("Failed to open file for reading: " + file);
   std::ostringstream content;

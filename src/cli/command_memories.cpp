@@ -96,6 +96,9 @@ bool Set(CommandCall& call, const Part& part, const ParsedWords& parsed) {
       break;
   }
   if (name == "learning") HintIfSwitchedOn(call, part);
+  if (part.group == "rl" && name == "chunk-stop") {
+    call.agent().mutable_settings().ignore_numbers_of_duplicates = store.IsOn("rl", "chunk-stop");
+  }
   if (!part.silent) call.Out(fmt::format("{} is now {}\n", name, value));
   return true;
 }

@@ -100,11 +100,16 @@ bool AgentLogs(CommandCall& call) {
   }
   const auto channel = ParseInteger(call.words[1].text);
   if (call.words.size() != 3 || !channel || *channel < 1 || *channel > OutputSettings::kLogChannels) {
-    return call.Fail("Wrong number of arguments to output agent-trace command.");
+    return call.Fail(call.words.size() == 3 && (!channel || *channel < 1)
+                         ? "Agent trace channel must be an integer between 1 and 100."
+                         : "Wrong number of arguments to output agent-trace command.");
   }
   const auto index = static_cast<std::size_t>(*channel - 1);
   const std::string& word = call.words[2].text;
-  if (word != "on" && word != "off") return call.Fail(kInvalidArgument);
+  if (word != "on" && word != "off") {
+    return call.Fail(
+        "Agent trace channel setting must be 'on' or 'off'. Use 'output ?' to see a list of valid sub-commands.");
+  }
   output.log_channels[index] = word == "on";
   return true;
 }
@@ -115,10 +120,10 @@ bool PrintDepth(CommandCall& call) {
     call.Out(fmt::format("print-depth is {}\n", output.print_depth));
     return true;
   }
-  const auto depth = ParseInteger(call.words[1].text);
+  const auto depth = ParseLeadingInteger(call.words[1].text);
   if (!depth || *depth < 1 || *depth > 1000000) return call.Fail(kInvalidArgument);
   output.print_depth = static_cast<int>(*depth);
-  call.Out(fmt::format("print-depth is now {}\n", output.print_depth));
+  call.Out(fmt::format("print-depth is now {}\n", call.words[1].text));
   return true;
 }
 
@@ -150,7 +155,9 @@ bool Log(CommandCall& call) {
   }
   const std::string& file = parsed.arguments.front().text;
   if (session.log_open()) return call.Fail("Log is already open." + std::string(kUsage));
-  if (!session.OpenLog(call.interpreter.Resolve(file).string(), parsed.Has('A') || parsed.Has('e'))) {
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForWriting(call, file, path)) return false;
+  if (!session.OpenLog(path.string(), parsed.Has('A') || parsed.Has('e'))) {
     return call.Fail("Failed to open log file " + file + " for writing." + std::string(kUsage));
   }
   call.Out(fmt::format("Log file '{}' open.", file));
@@ -169,9 +176,14 @@ bool CommandToFile(CommandCall& call) {
     call.Out("command-to-file is on\n");
     return true;
   }
-  if (words.size() < 2) return call.Fail("Syntax: output command-to-file [-a] <file> <command> [arguments]");
+  if (words.size() < 2)
+    return call.Fail(
+        "Syntax: output command-to-file [-a] <filename> command [args]\nUse 'output ?' and 'help output' to learn more "
+        "about the output command.");
   const std::string& file = words.front().text;
-  std::ofstream out(call.interpreter.Resolve(file), append ? std::ios::app : std::ios::trunc);
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForWriting(call, file, path)) return false;
+  std::ofstream out(path, append ? std::ios::app : std::ios::trunc);
   if (!out) return call.Fail("Failed to open file for writing: " + file);
   const std::string before = std::exchange(call.result.text, {});
   std::vector<Word> command(words.begin() + 1, words.end());

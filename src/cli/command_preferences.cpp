@@ -103,19 +103,20 @@ class PreferencePrinter {
     for (std::uint32_t i = 0; i < memory.wmes().size(); ++i) {
       if (memory.wmes()[i].live && memory.wmes()[i].value == value) links.push_back(static_cast<WmeId>(i));
     }
+    // The last to enter the match comes first.
     std::sort(links.begin(), links.end(),
-              [&](WmeId a, WmeId b) { return memory.wme(a).timetag > memory.wme(b).timetag; });
+              [&](WmeId a, WmeId b) { return memory.record(a).entered > memory.record(b).entered; });
     for (const WmeId link : links) {
       std::string text = WmeText(agent_, link);
       if (text.ends_with(" +)")) text.replace(text.size() - 3, 2, "");  // As the reference shows proposals.
       Print("Support for " + text + "\n");
       const kernel::WmeRecord& record = memory.record(link);
-      if (record.kind == kernel::WmeKind::kInput) {
-        Print("    This is an input-wme and has no prefs.\n");
-        continue;
-      }
-      if (record.slot == SlotId::kNone) {
-        Print("    This is an architecture-wme and has no prefs.\n");
+      if (record.slot == SlotId::kNone || record.preference == PreferenceId::kNone) {
+        // Of the architecture's elements, only a tie's items pass for such.
+        const std::string attribute = SymbolText(agent_, memory.wme(link).attribute);
+        const bool is_item =
+            record.kind == kernel::WmeKind::kArchitecture && (attribute == "item" || attribute == "non-numeric");
+        Print(fmt::format("    This is an {}-wme and has no prefs.\n", is_item ? "arch" : "input"));
         continue;
       }
       for (const Section& section : kSections) {
@@ -169,7 +170,7 @@ class PreferencePrinter {
                                                  : SymbolText(agent_, preference.referent);
     }
     if (chance) {
-      std::string value = Shortest(chance->numeric_value);
+      std::string value = fmt::format("{:.16g}", chance->numeric_value);
       if (value.find_first_of(".e") == std::string::npos) value += '.';
       text += " = " + value;
     }
@@ -215,6 +216,28 @@ class PreferencePrinter {
   const Agent& agent_;
   Detail detail_;
 };
+
+/// Whether anything knows a constant: an attribute that does not exist may still be one that rules name.
+bool IsKnown(const Agent& agent, Symbol constant) {
+  if (!constant.IsNumber()) return true;
+  const kernel::WmeTable& wmes = agent.memory().wmes();
+  for (std::uint32_t i = 0; i < wmes.size(); ++i) {
+    const kernel::Wme& wme = wmes[i];
+    if (wme.live && (wme.attribute == constant || wme.value == constant)) return true;
+  }
+  return false;
+}
+
+/// The attribute that a word stands for; the none symbol if nothing knows it.
+Symbol FindAttribute(Agent& agent, const std::string& word) {
+  if (const Symbol identifier = FindIdentifier(agent, word)) return identifier;
+  const bool quoted = word.size() > 1 && word.front() == '|' && word.back() == '|';
+  const bool number = !quoted && ParseDouble(word).has_value();
+  if (!quoted && !number) return agent.symbols().FindString(word);
+  if (quoted && !agent.symbols().FindString(word.substr(1, word.size() - 2))) return {};
+  const Symbol constant = MakeConstant(agent, word);
+  return IsKnown(agent, constant) ? constant : Symbol();
+}
 
 bool NotFound(CommandCall& call, const std::string& what) {
   call.Out(what + "\n");
@@ -270,25 +293,23 @@ bool CommandPreferences(CommandCall& call) {
     return true;
   }
   const bool is_goal = printer.GoalOf(id) != nullptr;
-  if (parsed.arguments.size() < 2 && !is_goal) {
+  const std::string word = parsed.arguments.size() > 1 ? parsed.arguments[1].text : "operator";
+  if (word == "operator" && !is_goal) {
     printer.PrintSupportOf(id);
     return true;
   }
-  const std::string word = parsed.arguments.size() > 1 ? parsed.arguments[1].text : "operator";
   std::string attribute_word = word;
   if (attribute_word.size() > 1 && attribute_word.front() == '^') attribute_word.erase(0, 1);
-  Symbol attribute = FindIdentifier(agent, attribute_word);
-  if (!attribute) attribute = MakeConstant(agent, attribute_word);
-  const SlotId slot = agent.memory().FindSlot(id, attribute);
-  const bool dropped = agent.memory().identifier(id).value_of == 0 && agent.memory().WmesOf(id).empty() && !is_goal;
-  if (slot == SlotId::kNone || (!printer.HasPreferences(slot) && !agent.memory().slot(slot).is_operator)) {
-    if (dropped || agent.memory().ValueOf(id, attribute)) {
-      call.stream().Print("  This is probably an io- or arch-wme and does not have preferences\n");
-      return true;
-    }
-    if (!is_goal || word != "operator") {
-      return NotFound(call, "Could not find prefs for the id,attribute pair: " + id_word + " " + word);
-    }
+  const Symbol attribute = FindAttribute(agent, attribute_word);
+  const SlotId slot = attribute ? agent.memory().FindSlot(id, attribute) : SlotId::kNone;
+  const bool is_operator = is_goal && word == "operator";
+  if (!is_operator && !attribute) {
+    return NotFound(call, "Could not find prefs for the id,attribute pair: " + id_word + " " + word);
+  }
+  if (!is_operator &&
+      (slot == SlotId::kNone || (!printer.HasPreferences(slot) && !agent.memory().slot(slot).is_operator))) {
+    call.stream().Print("  This is probably an io- or arch-wme and does not have preferences\n");
+    return true;
   }
   printer.Print("\nPreferences for " + SymbolText(agent, id) + " ^" + SymbolText(agent, attribute) + ":\n");
   if (slot != SlotId::kNone) printer.PrintSlot(slot, word == "operator");

@@ -159,6 +159,25 @@ void PrintPattern(CommandCall& call, const std::string& text, const ObjectStyle&
   if (open) call.stream().Print(")\n");
 }
 
+void PrintRuleNamed(CommandCall& call, const std::string& word, const RuleListStyle& style) {
+  kernel::Agent& agent = call.agent();
+  std::string name = word;
+  std::erase(name, '|');
+  ProductionId id = FindRule(agent, word);
+  if (id == ProductionId::kNone) id = FindRule(agent, name);
+  if (id != ProductionId::kNone) {
+    PrintRule(call, agent.production(id), style);
+    return;
+  }
+  for (const kernel::ProductionPtr& rule : agent.Justifications()) {
+    if (rule->name == name) {
+      PrintRule(call, *rule, style);
+      return;
+    }
+  }
+  call.stream().Print("No production named " + word + "\n");
+}
+
 /// A single word: an object, a time tag, a long-term identifier or a rule.
 void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& style, RuleListStyle rule_style) {
   kernel::Agent& agent = call.agent();
@@ -166,7 +185,8 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
   if (word.front() == '(') {
     PrintPattern(call, word, style, false);
   } else if (word.front() == '@') {
-    if (word.size() > 1) out.Print("LTI " + word + " not found in semantic memory.\n");
+    if (word.size() > 1 && word[1] >= '0' && word[1] <= '9')
+      out.Print("LTI " + word + " not found in semantic memory.\n");
   } else if (word.front() == '<' && word.back() == '>') {
     const Symbol id = FindIdentifier(agent, word);
     if (!IsContextVariable(word))
@@ -189,18 +209,7 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
     else
       PrintObject(out, agent, agent.memory().wme(wme).id, style, call.result.structured);
   } else {
-    const ProductionId id = FindRule(agent, word);
-    if (id == ProductionId::kNone) {
-      for (const kernel::ProductionPtr& rule : agent.Justifications()) {
-        if (rule->name == word) {
-          PrintRule(call, *rule, rule_style);
-          return;
-        }
-      }
-      out.Print("No production named " + word + "\n");
-      return;
-    }
-    PrintRule(call, agent.production(id), rule_style);
+    PrintRuleNamed(call, word, rule_style);
   }
 }
 
@@ -209,17 +218,18 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
 const std::span<const OptionSpec> kPrintOptions = kOptions;
 
 bool CommandPrint(CommandCall& call) {
-  ParsedWords parsed;
-  if (!call.Parse(kOptions, parsed)) return false;
+  const ParsedWords parsed = ParseOptions(call.words.subspan(1), kOptions);
   PrintStream::Capture capture(call.stream(), &call.result.text);
 
   ObjectStyle style;
   style.depth = call.session.output().print_depth;
+  // A depth is read where it stands, before what may be wrong with the words behind it.
   if (const auto depth = parsed.Argument('d')) {
-    const auto number = ParseInteger(*depth);
+    const auto number = ParseLeadingInteger(*depth);
     if (!number || *number < 0) return call.Fail("Non-negative depth expected.");
     style.depth = static_cast<int>(std::min<std::int64_t>(*number, 1000000));
   }
+  if (!parsed.error.empty()) return call.Fail(parsed.error);
   style.internal = parsed.Has('i');
   style.tree = parsed.Has('t');
   style.variables = parsed.Has('v');
@@ -240,6 +250,9 @@ bool CommandPrint(CommandCall& call) {
   if (parsed.Has('e') && (parsed.Has('d') || parsed.Has('t'))) {
     return call.Fail("No depth/tree flags allowed when printing exact.");
   }
+  if (parsed.arguments.empty() && (parsed.Has('d') || parsed.Has('t'))) {
+    return call.Fail("Syntax: print [options] [production_name]\nprint [options] identifier|timetag|pattern");
+  }
   if (parsed.Has('s')) {
     PrintStack(call.stream(), call.agent(), !parsed.Has('o') || parsed.Has('S'), !parsed.Has('S') || parsed.Has('o'),
                call.result.structured);
@@ -254,8 +267,13 @@ bool CommandPrint(CommandCall& call) {
   // Several words, or one in parentheses, are a pattern.
   std::string text;
   for (const Word& word : parsed.arguments) text += (text.empty() ? "" : " ") + word.text;
-  if (text.empty()) return true;
-  if (text.front() == '(' || (parsed.arguments.size() > 1 && text.front() != '|')) {
+  if (text.find('|') != std::string::npos || text.empty()) {
+    // Bars make a name of it, as Soar reads it, whatever else stands there.
+    rules.full = parsed.Has('f') || !parsed.Has('n');
+    PrintRuleNamed(call, text, rules);
+    return true;
+  }
+  if (text.front() == '(' || (parsed.arguments.size() > 1)) {
     PrintPattern(call, text, style, parsed.Has('e'));
     return true;
   }

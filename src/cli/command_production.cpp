@@ -11,6 +11,7 @@
 #include "cli/lookup.h"
 #include "cli/matches_printer.h"
 #include "cli/rule_text.h"
+#include "cli/source_run.h"
 #include "cli/summary.h"
 
 namespace soarbox::cli {
@@ -87,6 +88,7 @@ bool Excise(CommandCall& call) {
     }
     rules.push_back(id);
   } else {
+    if (!parsed.arguments.empty()) return call.Fail("Invalid additional arguments.");
     for (const ProductionId id : agent.Productions()) {
       const Production& rule = agent.production(id);
       const bool wanted =
@@ -99,17 +101,24 @@ bool Excise(CommandCall& call) {
       if (wanted) rules.push_back(id);
     }
   }
+  std::size_t count = rules.size();
+  if (parsed.Has('a')) {
+    for (const kernel::ProductionPtr& rule : agent.Justifications()) {
+      count += agent.ExciseJustification(rule->name) ? 1 : 0;
+    }
+  }
   std::vector<std::string>& watched = call.session.watched_rules();
   for (const ProductionId id : rules) {
     const std::string name(agent.production(id).name);
     std::erase(watched, name);
     call.AddArgument("name", "string", name);
     if (parsed.Has('n') || parsed.Has('r')) call.Out("#");
+    if (SourceRun* source = call.interpreter.source_run()) source->counts.excised.push_back(name);
     agent.Excise(id);
   }
   call.session.UpdateTrace();
-  call.AddArgument("count", "int", std::to_string(rules.size()));
-  call.Out(fmt::format("{} production{} excised.\n", rules.size(), rules.size() == 1 ? "" : "s"));
+  call.AddArgument("count", "int", std::to_string(count));
+  call.Out(fmt::format("{} production{} excised.\n", count, count == 1 ? "" : "s"));
   return true;
 }
 
@@ -128,9 +137,14 @@ bool Watch(CommandCall& call) {
       call.Out("No watched productions found.");
       return true;
     }
-    for (auto name = watched.rbegin(); name != watched.rend(); ++name) {
-      call.Out("\n" + *name);
-      call.AddArgument("name", "string", *name);
+    for (const ProductionType type : {ProductionType::kUser, ProductionType::kDefault, ProductionType::kChunk,
+                                      ProductionType::kJustification, ProductionType::kTemplate}) {
+      for (const ProductionId id : RulesOfType(call.agent(), type)) {
+        const std::string name(call.agent().production(id).name);
+        if (std::find(watched.begin(), watched.end(), name) == watched.end()) continue;
+        call.Out("\n" + name);
+        call.AddArgument("name", "string", name);
+      }
     }
     return true;
   }
@@ -207,15 +221,17 @@ bool FiringCounts(CommandCall& call) {
   if (parsed.arguments.size() > 1) return call.Fail("Too many parameters.");
   const auto count = [&](ProductionId id) { return call.agent().FiringCount(id); };
   std::size_t limit = 0;
+  bool number_given = false;
   if (!parsed.arguments.empty()) {
     const std::string& word = parsed.arguments.front().text;
-    const auto number = ParseInteger(word);
+    const auto number = ParseLeadingInteger(word);
     if (!number) {
       const ProductionId id = FindRule(call.agent(), word);
       if (id == ProductionId::kNone) return call.Fail("Production not found.");
       return Counts(call, {id}, 0, count);
     }
     if (*number < 0) return call.Fail("Expected non-negative integer.");
+    number_given = true;
     limit = static_cast<std::size_t>(*number);
   }
   // Templates are not told apart here: the option for them shows all rules.
@@ -226,7 +242,20 @@ bool FiringCounts(CommandCall& call) {
                         [&](ProductionId id) { return call.agent().production(id).type != ProductionType::kDefault; });
   if (rules.empty()) return call.Fail("No productions in memory of those type(s).");
   if (parsed.Has('f')) std::erase_if(rules, [&](ProductionId id) { return count(id) == 0; });
-  return Counts(call, std::move(rules), limit, count);
+  // None at all: those that have never fired.
+  if (number_given && limit == 0) std::erase_if(rules, [&](ProductionId id) { return count(id) > 0; });
+  const std::size_t listed = rules.size();
+  if (!Counts(call, std::move(rules), limit, count)) return false;
+  if (!parsed.options.empty()) return true;
+  // Justifications come last: they never fire.
+  std::size_t more = limit == 0 ? std::string::npos : limit - std::min(limit, listed);
+  for (const kernel::ProductionPtr& rule : call.agent().Justifications()) {
+    if (more-- == 0) break;
+    call.Out(fmt::format("{:6}:  {}\n", 0, rule->name));
+    call.AddArgument("name", "string", std::string(rule->name));
+    call.AddArgument("count", "int", "0");
+  }
+  return true;
 }
 
 bool MemoryUsage(CommandCall& call) {
@@ -237,7 +266,7 @@ bool MemoryUsage(CommandCall& call) {
   std::size_t limit = 0;
   if (!parsed.arguments.empty()) {
     const std::string& word = parsed.arguments.front().text;
-    const auto number = ParseInteger(word);
+    const auto number = ParseLeadingInteger(word);
     if (!number) {
       const ProductionId id = FindRule(call.agent(), word);
       if (id == ProductionId::kNone) return call.Fail("Production not found.");
@@ -257,9 +286,13 @@ bool Matches(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kProductionSubcommands[4].options, parsed)) return false;
   if (parsed.arguments.size() > 1) return call.Fail("Error.");
+  if (!parsed.arguments.empty() && (parsed.Has('a') || parsed.Has('r'))) return call.Fail("Error.");
   WmeDetail detail = WmeDetail::kNone;
-  if (parsed.Has('t')) detail = WmeDetail::kTimetags;
-  if (parsed.Has('w')) detail = WmeDetail::kFull;
+  for (const ParsedOption& option : parsed.options) {
+    if (option.letter == 'n' || option.letter == 'c') detail = WmeDetail::kNone;
+    if (option.letter == 't') detail = WmeDetail::kTimetags;
+    if (option.letter == 'w') detail = WmeDetail::kFull;
+  }
   PrintStream::Capture capture(call.stream(), &call.result.text);
   if (parsed.arguments.empty()) {
     const bool both = parsed.Has('a') == parsed.Has('r');
@@ -291,7 +324,7 @@ bool OptimizeAttribute(CommandCall& call) {
   }
   std::int64_t value = 10;
   if (call.words.size() == 3) {
-    const auto number = ParseInteger(call.words[2].text);
+    const auto number = ParseLeadingInteger(call.words[2].text);
     if (!number || *number < 1 || *number > 1000000000) return call.Fail("Expected non-negative integer.");
     value = *number;
   }

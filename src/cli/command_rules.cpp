@@ -56,17 +56,14 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
   PrintMessages(call, outcome.printed);
   if (outcome.replaced) {
     call.stream().PrintUncounted("#");
-    if (source) {
-      ++source->excised;
-      source->excised_names.push_back(outcome.name);
-    }
+    if (source) source->counts.excised.push_back(outcome.name);
   }
   PrintMessages(call, outcome.printed_late);
   Keep(call.result.diagnostics, outcome.messages, source);
   if (!outcome.duplicate_of.empty()) {
     call.stream().Print(fmt::format("Ignoring {} because it is a duplicate of {}\n", RuleName(agent, outcome.name),
                                     RuleName(agent, outcome.duplicate_of)));
-    if (source) ++source->ignored;
+    if (source) ++source->counts.ignored;
     return true;
   }
   if (!outcome.loaded) {
@@ -76,7 +73,7 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
   }
   call.stream().PrintUncounted("*");
   if (source) {
-    ++source->sourced;
+    ++source->counts.sourced;
     source->stars_pending = true;
   }
   return true;

@@ -51,27 +51,16 @@ int Size(RunUnit unit) {
   return 4;
 }
 
-/// How often the agent has come to the stop phase so far.
-std::uint64_t StopsPassed(const kernel::Agent& agent) {
-  return agent.counters().decision_cycles + (agent.next_phase() >= agent.settings().stop_phase ? 1 : 0);
+/// How many cycles a run by decisions is to execute before the way to the stop phase, which nothing cuts off.
+std::uint64_t CyclesOf(const kernel::Agent& agent, const RunRequest& request) {
+  const bool at_stop = agent.next_phase() == agent.settings().stop_phase;
+  return request.count > 0 && !at_stop ? request.count - 1 : request.count;
 }
 
-/// Whether an interrupt came in the last unit that was asked for: then it cut nothing off.
-bool BeganLastUnit(const kernel::Agent& agent, const RunRequest& request, std::uint64_t stops_before) {
-  switch (request.unit) {
-    case RunUnit::kElaboration:
-      return true;
-    case RunUnit::kPhase:
-      return request.count == 1;
-    case RunUnit::kDecision: {
-      const bool arrived = agent.next_phase() == agent.settings().stop_phase && !agent.in_middle_of_phase();
-      return StopsPassed(agent) - stops_before + (arrived ? 0 : 1) >= request.count;
-    }
-    case RunUnit::kOutput:
-    case RunUnit::kForever:
-      return false;
-  }
-  return false;
+/// Whether an interrupt cut off nothing of a run: then the run is complete all the same.
+bool IsComplete(const RunRequest& request, bool by_phase, std::uint64_t cycles, std::uint64_t wanted_cycles) {
+  if (by_phase) return true;
+  return request.unit == RunUnit::kElaboration || (request.unit == RunUnit::kDecision && cycles >= wanted_cycles);
 }
 
 }  // namespace
@@ -83,8 +72,9 @@ bool CommandRun(CommandCall& call) {
   if (!call.Parse(kOptions, parsed)) return false;
   RunRequest request;
   bool has_unit = false;
-  for (const ParsedOption& option : parsed.options) {
-    if (ReadUnit(std::string(1, option.letter), request.unit)) has_unit = true;
+  // The smallest unit counts.
+  for (const std::string_view letter : {"e", "p", "d", "o"}) {
+    if (!has_unit && parsed.Has(letter.front())) has_unit = ReadUnit(letter, request.unit);
   }
   request.self_only = parsed.Has('s');
   request.until_goal_removed = parsed.Has('g');
@@ -101,7 +91,7 @@ bool CommandRun(CommandCall& call) {
         "Syntax: run  [-f|count]\nrun -[d|e|o|p][s][un][g] [f|count]\nrun -[d|e|o|p][un] count [-i e|p|d|o]");
   }
   if (!parsed.arguments.empty()) {
-    const auto count = ParseInteger(parsed.arguments.front().text);
+    const auto count = ParseLeadingInteger(parsed.arguments.front().text);
     if (!count) return call.Fail("Integer count expected.");
     if (*count < 0 || (*count == 0 && has_unit && request.unit != RunUnit::kDecision)) {
       return call.Fail("Count must be positive.");
@@ -110,7 +100,8 @@ bool CommandRun(CommandCall& call) {
     if (!has_unit) request.unit = RunUnit::kDecision;
   }
   request.interleave_given = parsed.Has('i');
-  if (Size(request.interleave) > Size(request.unit)) {
+  const bool fixed = request.unit == RunUnit::kPhase || request.unit == RunUnit::kElaboration;
+  if (Size(request.interleave) > Size(request.unit) || (fixed && request.interleave != request.unit)) {
     if (parsed.Has('i')) return call.Fail("Run type and interleave setting incompatible.");
     request.interleave = request.unit;
   }
@@ -118,14 +109,16 @@ bool CommandRun(CommandCall& call) {
   if (host.IsRunning(call.session)) return call.Fail("Soar is already running");
 
   kernel::Agent& agent = call.agent();
-  const std::uint64_t stops_before = StopsPassed(agent);
+  const std::uint64_t wanted_cycles = CyclesOf(agent, request);
   const RunCounts before = RunCounts::Of(agent);
   kernel::RunResult run;
   {
     PrintStream::Uncaptured uncaptured(call.stream());
     run = host.Run(call.session, request);
   }
-  if (run.reason == kernel::StopReason::kInterrupted && BeganLastUnit(agent, request, stops_before)) {
+  const RunUnit own = request.unit == RunUnit::kForever ? RunUnit::kPhase : request.unit;
+  const bool by_phase = (request.interleave_given ? request.interleave : own) == RunUnit::kPhase;
+  if (run.reason == kernel::StopReason::kInterrupted && IsComplete(request, by_phase, run.decisions, wanted_cycles)) {
     run.reason = kernel::StopReason::kCompleted;
   }
   const std::vector<std::string> lines = RunLines(agent, before, run);

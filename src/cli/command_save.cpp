@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <initializer_list>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -15,33 +17,41 @@
 namespace soarbox::cli {
 namespace {
 
-std::string RulesText(const kernel::Agent& agent, bool only_chunks) {
+/// The rules of some types, in the order of `print`.
+std::string RulesText(const kernel::Agent& agent, std::initializer_list<kernel::ProductionType> types) {
   std::string text;
-  for (const kernel::ProductionId id : agent.Productions()) {
-    const kernel::Production& rule = agent.production(id);
-    const bool is_chunk = rule.type == kernel::ProductionType::kChunk;
-    if (rule.type == kernel::ProductionType::kJustification || (only_chunks && !is_chunk)) continue;
-    text += RuleText(agent, rule, false) + "\n";
+  for (const kernel::ProductionType type : types) {
+    for (const kernel::ProductionId id : RulesOfType(agent, type)) {
+      text += RuleText(agent, agent.production(id), false) + "\n";
+    }
   }
   return text;
 }
 
-/// Commands that bring the settings back that differ from their initial values.
+/// What Soar writes whatever the values are: of these settings, only these.
+constexpr std::string_view kAlwaysOfChunk[] = {"bottom-only",   "add-osk",    "allow-local-negations",
+                                               "add-ltm-links", "max-chunks", "max-dupes"};
+
+/// Commands that bring the settings back: Soar's, and the others that differ from their initial values.
 std::string SettingsText(CommandCall& call) {
   const kernel::AgentSettings& settings = call.agent().settings();
   const kernel::AgentSettings initial;
-  std::string text;
+  const SettingStore& store = call.session.settings();
+  std::string text = "chunk " + store.Get("chunk", "mode") + "\n";
+  for (const std::string_view name : kAlwaysOfChunk)
+    text += fmt::format("chunk {} {}\n", name, store.Get("chunk", name));
+  text += fmt::format("soar max-elaborations {}\n", settings.max_elaborations);
+  text += fmt::format("soar max-goal-depth {}\n", settings.max_goal_depth);
+  text += fmt::format("soar wait-snc {}\n", OnOff(settings.wait_snc));
+
   const auto number = [&](std::string_view name, std::int64_t value, std::int64_t usual) {
     if (value != usual) text += fmt::format("soar {} {}\n", name, value);
   };
-  number("max-elaborations", settings.max_elaborations, initial.max_elaborations);
-  number("max-goal-depth", settings.max_goal_depth, initial.max_goal_depth);
   number("max-nil-output-cycles", settings.max_nil_output_cycles, initial.max_nil_output_cycles);
   number("max-dc-time", settings.max_decision_time_us, initial.max_decision_time_us);
   number("max-gp", settings.max_gp, initial.max_gp);
   number("max-partial-matches", settings.max_partial_matches, initial.max_partial_matches);
   if (settings.keep_all_top_o_preferences) text += "soar keep-all-top-oprefs on\n";
-  if (settings.wait_snc) text += "soar wait-snc on\n";
 
   const kernel::ExplorationSettings& exploration = call.agent().exploration();
   constexpr const char* kPolicies[] = {"boltzmann", "epsilon-greedy", "softmax", "first", "last"};
@@ -54,11 +64,12 @@ std::string SettingsText(CommandCall& call) {
   };
   parameter("epsilon", exploration.epsilon.value, 0.1);
   parameter("temperature", exploration.temperature.value, 25);
-  for (const SettingStore::Changed& changed : call.session.settings().Differences()) {
-    if (changed.group == "chunk" && changed.name == "mode")
-      text += "chunk " + changed.value + "\n";
-    else if (changed.group == "chunk" || changed.group == "explain" || changed.group == "visualize" ||
-             changed.group == "soar") {
+  for (const SettingStore::Changed& changed : store.Differences()) {
+    if (changed.group == "chunk" && (changed.name == "mode" || std::ranges::count(kAlwaysOfChunk, changed.name) > 0)) {
+      continue;
+    }
+    if (changed.group == "chunk" || changed.group == "explain" || changed.group == "visualize" ||
+        changed.group == "soar") {
       text += fmt::format("{} {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
     } else {
       text += fmt::format("{} --set {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
@@ -68,7 +79,9 @@ std::string SettingsText(CommandCall& call) {
 }
 
 bool Write(CommandCall& call, const std::string& file, const std::string& text) {
-  std::ofstream out(call.interpreter.Resolve(file), std::ios::binary | std::ios::trunc);
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForWriting(call, file, path)) return false;
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out << text;
   out.close();
   if (!out) return call.Fail("Failed to open file for writing: " + file);
@@ -77,8 +90,12 @@ bool Write(CommandCall& call, const std::string& file, const std::string& text) 
 
 bool SaveAgent(CommandCall& call) {
   if (call.words.size() != 2) return call.Fail("Syntax: save agent <filename>");
-  const std::string text = fmt::format("# Agent {}: settings and rules.\n\n{}\n{}", call.session.name(),
-                                       SettingsText(call), RulesText(call.agent(), false));
+  using kernel::ProductionType;
+  const std::string rules = RulesText(call.agent(), {ProductionType::kDefault, ProductionType::kUser,
+                                                     ProductionType::kTemplate, ProductionType::kChunk});
+  const std::string text =
+      fmt::format("# Settings\n\n{}\n# Procedural Memory\n\n{}\n\n# Semantic memory is not enabled.  Did not save.\n",
+                  SettingsText(call), rules);
   if (!Write(call, call.words[1].text, text)) return false;
   call.Out("Procedural memory, semantic memory and settings written to file.\n");
   return true;
@@ -87,7 +104,7 @@ bool SaveAgent(CommandCall& call) {
 bool SaveChunks(CommandCall& call) {
   if (call.words.size() != 2) return call.Fail("Syntax: save chunks <filename>");
   const std::string& file = call.words[1].text;
-  if (!Write(call, file, RulesText(call.agent(), true))) return false;
+  if (!Write(call, file, RulesText(call.agent(), {kernel::ProductionType::kChunk}))) return false;
   call.Out("Chunks written to file " + file + ".\n");
   return true;
 }
@@ -103,7 +120,9 @@ bool SavePercepts(CommandCall& call) {
     if (call.session.percept_player()) {
       return call.Fail("Input is being replayed: end that with 'load percepts --close' before recording.");
     }
-    auto opened = std::make_unique<PerceptRecorder>(call.agent(), call.interpreter.Resolve(file).string());
+    std::filesystem::path path;
+    if (!call.interpreter.ResolveForWriting(call, file, path)) return false;
+    auto opened = std::make_unique<PerceptRecorder>(call.agent(), path.string());
     if (!opened->good()) return call.Fail("Failed to open file for writing: " + file);
     recorder = std::move(opened);
     call.Out(fmt::format("Capturing input with random seed: {}", recorder->seed()));

@@ -32,8 +32,7 @@ constexpr OptionSpec kSwitchOptions[] = {
     {'d', "disable", OptionArgument::kNone, "switch off"},
 };
 constexpr OptionSpec kStopPhaseOptions[] = {
-    {'i', "input"}, {'p', "propose"}, {'p', "proposal"}, {'d', "decide"}, {'d', "decision"},
-    {'a', "apply"}, {'o', "output"},  {'B', "before"},   {'A', "after"},
+    {'i', "input"}, {'p', "propose"}, {'d', "decide"}, {'a', "apply"}, {'o', "output"}, {'B', ""}, {'A', ""},
 };
 
 std::string_view PhaseName(Phase phase) {
@@ -58,7 +57,7 @@ bool ReadPhase(std::string_view word, Phase& phase) {
     phase = Phase::kInput;
   else if (word == "propose")
     phase = Phase::kPropose;
-  else if (word == "decide" || word == "decision")
+  else if (word == "decision")
     phase = Phase::kDecide;
   else if (word == "apply")
     phase = Phase::kApply;
@@ -71,7 +70,7 @@ bool ReadPhase(std::string_view word, Phase& phase) {
 
 /// The part of an argument that a number can be read from, as Soar reads it: nothing gives 0.
 std::int64_t LooseInteger(const std::string& text) {
-  return ParseInteger(text).value_or(0);
+  return ParseLeadingInteger(text).value_or(0);
 }
 
 std::string Value(CommandCall& call, std::string_view name) {
@@ -337,7 +336,7 @@ bool StopPhase(CommandCall& call) {
         word = "propose";
         break;
       case 'd':
-        word = "decide";
+        word = "decide";  // Which Soar does not take for the name of a phase: it says "decision".
         break;
       case 'a':
         word = "apply";

@@ -199,7 +199,7 @@ const std::span<const OptionSpec> kStatsOptions = kOptions;
 bool CommandStats(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kOptions, parsed)) return false;
-  if (!parsed.arguments.empty()) return call.Fail("stats takes options only.");
+  if (!parsed.arguments.empty()) return call.Fail("Syntax: stats [options]");
   call.session.times().Refresh();
   AddStructured(call);
   if (parsed.options.empty()) System(call);

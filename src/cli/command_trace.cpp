@@ -105,7 +105,7 @@ void AddStructured(CommandCall& call, const TraceSettings& trace) {
 }
 
 bool SetLevel(CommandCall& call, const std::string& word) {
-  const auto level = ParseInteger(word);
+  const auto level = ParseLeadingInteger(word);
   if (!level) return call.Fail("Integer argument expected.");
   if (*level < 0 || *level > TraceSettings::kMaxLevel) {
     call.Out("Expected trace level from 0 to 5.\n\n");
@@ -239,6 +239,7 @@ bool CommandTrace(CommandCall& call) {
   }
   // A level comes last and overrules the options, of which it leaves the detail of elements and learned rules.
   const auto level = parsed.Argument('l');
+  if (level && !ParseLeadingInteger(*level)) return call.Fail("Syntax: trace [options]");
   if (level && !SetLevel(call, *level)) return false;
   if (!parsed.arguments.empty()) return SetLevel(call, parsed.arguments.front().text);
   if (level) return true;

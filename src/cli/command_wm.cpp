@@ -2,16 +2,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
 #include "cli/lookup.h"
+#include "cli/print_stream.h"
 #include "cli/setting_store.h"
 
 namespace soarbox::cli {
 namespace {
 
 using kernel::Symbol;
+
+/// The attribute or value that a word of `wm add` stands for; the none symbol after saying what is wrong. Each `*` is a
+/// new identifier; it takes its letter from Soar's habit for input.
+Symbol ReadField(CommandCall& call, const std::string& word, std::string_view field) {
+  kernel::Agent& agent = call.agent();
+  if (word == "*") return agent.NewIdentifier('I');
+  const auto identifier = ParseIdentifierName(word);
+  const bool is_variable = word.size() > 2 && word.front() == '<' && word.back() == '>';
+  if (identifier || is_variable) {
+    if (const Symbol named = FindIdentifier(agent, word)) return named;
+    const PrintStream::Capture capture(call.stream(), &call.result.text);
+    if (identifier) {
+      call.stream().Print(fmt::format("There is no identifier {}{}.\n", identifier->letter, identifier->number));
+    } else {
+      call.stream().Print(IsContextVariable(word) ? "There is no current " + word + ".\n"
+                                                  : std::string("Expected identifier (or context variable)\n"));
+    }
+    call.Fail(fmt::format("Invalid {}.", field));
+    return {};
+  }
+  const bool quoted = word.size() > 1 && word.front() == '|' && word.back() == '|';
+  if (!quoted && (word.empty() || word.find_first_of(" \t\n\"(){}^~@&") != std::string::npos)) {
+    call.Fail(fmt::format("Unknown {} type.", field));
+    return {};
+  }
+  return MakeConstant(agent, word);
+}
 
 bool Add(CommandCall& call) {
   constexpr std::string_view kSyntax = "Syntax: wm add id [^]attribute value [+]";
@@ -25,17 +54,11 @@ bool Add(CommandCall& call) {
   const Symbol id = FindIdentifier(agent, words[0].text);
   if (!id) return call.Fail("Invalid identifier");
   std::string attribute_word = words[1].text;
-  if (attribute_word.starts_with('^')) attribute_word.erase(0, 1);
-  // Each `*` is a new identifier; it takes its letter from Soar's habit for input.
-  const auto read = [&](const std::string& word) -> Symbol {
-    if (word == "*") return agent.NewIdentifier('I');
-    if (const Symbol named = FindIdentifier(agent, word)) return named;
-    return MakeConstant(agent, word);
-  };
-  if (attribute_word.empty() || words[2].text.empty()) return call.Fail(kSyntax);
-  // The value is made first, as its identifier gets the lower number.
-  const Symbol value = read(words[2].text);
-  const Symbol attribute = read(attribute_word);
+  if (attribute_word.size() > 1 && attribute_word.front() == '^') attribute_word.erase(0, 1);
+  const Symbol attribute = ReadField(call, attribute_word, "attribute");
+  if (!attribute) return false;
+  const Symbol value = ReadField(call, words[2].text, "value");
+  if (!value) return false;
   auto added = agent.AddWme(id, attribute, value, words.size() == 4);
   if (!added) return call.Fail(added.error().message);
   call.Out(fmt::format("Timetag: {}", agent.memory().wme(*added).timetag));
@@ -44,7 +67,7 @@ bool Add(CommandCall& call) {
 
 bool Remove(CommandCall& call) {
   if (call.words.size() != 2) return call.Fail("Syntax: wm remove <time-tag>");
-  const auto timetag = ParseInteger(call.words[1].text);
+  const auto timetag = ParseLeadingInteger(call.words[1].text);
   if (!timetag || *timetag <= 0) return call.Fail("<time-tag> must be positive");
   if (call.interpreter.host().IsRunning(call.session)) {
     return call.Fail("Elements cannot be removed while the agent runs.");
@@ -60,62 +83,71 @@ bool Remove(CommandCall& call) {
   return true;
 }
 
-std::string Upper(std::string word) {
-  if (const auto name = ParseIdentifierName(word)) return name->letter + std::to_string(name->number);
-  return word;
+/// A field of a filter as it is shown; false if it names an identifier that does not exist.
+bool ReadFilterField(CommandCall& call, const std::string& word, std::string& field) {
+  field = word;
+  if (const auto name = ParseIdentifierName(word)) field = name->letter + std::to_string(name->number);
+  const bool names = field != word || ParseIdentifierName(word) || IsContextVariable(word);
+  if (!names) return true;
+  const Symbol found = FindIdentifier(call.agent(), word);
+  if (found) field = ToString(call.agent().symbols(), found);
+  return static_cast<bool>(found);
 }
 
 bool Watch(CommandCall& call) {
+  constexpr std::string_view kSyntax = "Syntax: wm watch -[a|r]  -t <type>  <pattern>\nwm watch -[l|R] [-t <type>]";
   ParsedWords parsed;
   if (!call.Parse(kWmSubcommands[3].options, parsed)) return false;
+  // The last filter that was made is the first one.
   std::vector<WmeFilter>& filters = call.session.wme_filters();
-  const std::string type = parsed.Argument('t').value_or("both");
-  bool adds = std::string_view("adds").starts_with(type);
-  bool removes = std::string_view("removes").starts_with(type);
-  if (std::string_view("both").starts_with(type)) adds = removes = true;
-  if (type.empty() || (!adds && !removes)) return call.Fail("Unknown type: expected adds, removes or both.");
-  if (parsed.Has('R')) {
-    const std::size_t before = filters.size();
-    for (WmeFilter& filter : filters) {
-      filter.adds = filter.adds && !adds;
-      filter.removes = filter.removes && !removes;
-    }
-    std::erase_if(filters, [](const WmeFilter& filter) { return !filter.adds && !filter.removes; });
-    call.session.UpdateTrace();
-    if (before == 0) return call.Fail("The specified WME filter was not found.");
-    return true;
+  const std::optional<std::string> type = parsed.Argument('t');
+  if (type && *type != "adds" && *type != "removes" && *type != "both") {
+    return call.Fail("Invalid wme filter type, got: " + *type);
   }
-  if (!parsed.Has('a') && !parsed.Has('r')) {
-    for (const WmeFilter& filter : filters) {
-      if ((adds && filter.adds) || (removes && filter.removes)) {
-        call.Out(fmt::format("wme filter: ({} ^{} {}) {}{}\n", filter.id, filter.attribute, filter.value,
-                             filter.adds ? "adds " : "", filter.removes ? "removes" : ""));
-      }
-    }
-    return true;
-  }
-  if (parsed.arguments.size() != 3) {
-    return call.Fail("Three fields expected: identifier, attribute and value, each of which may be *.");
-  }
-  WmeFilter filter{Upper(parsed.arguments[0].text), parsed.arguments[1].text, Upper(parsed.arguments[2].text), adds,
-                   removes};
-  if (filter.attribute.size() > 1 && filter.attribute.front() == '^') filter.attribute.erase(0, 1);
-  const auto same = [&](const WmeFilter& other) {
-    return other.id == filter.id && other.attribute == filter.attribute && other.value == filter.value;
+  const bool adds = type.value_or("both") != "removes", removes = type.value_or("both") != "adds";
+  const auto text = [](const WmeFilter& filter) {
+    return fmt::format("({} ^{} {}) {} {}\n", filter.id, filter.attribute, filter.value, filter.adds ? "adds" : "",
+                       filter.removes ? "removes" : "");
   };
-  const auto found = std::find_if(filters.begin(), filters.end(), same);
-  if (parsed.Has('a')) {
-    if (found == filters.end()) {
-      filters.push_back(filter);
-    } else {
-      found->adds = found->adds || adds;
-      found->removes = found->removes || removes;
+  const auto concerned = [&](const WmeFilter& filter) { return (adds && filter.adds) || (removes && filter.removes); };
+  const bool changes_one = parsed.Has('a') || parsed.Has('r');
+  if (!changes_one && !parsed.arguments.empty()) return call.Fail(kSyntax);
+  if (parsed.Has('R')) {
+    if (std::none_of(filters.begin(), filters.end(), concerned)) {
+      return call.Fail("The specified WME filter was not found.");
     }
+    for (const WmeFilter& filter : filters) {
+      if (concerned(filter)) call.Out("Removed: " + text(filter));
+    }
+    std::erase_if(filters, concerned);
+    call.session.UpdateTrace();
+    return true;
+  }
+  if (!changes_one) {
+    for (const WmeFilter& filter : filters) {
+      if (concerned(filter)) call.Out("wme filter: " + text(filter));
+    }
+    return true;
+  }
+  if (!type) return call.Fail("Wme type required.");
+  if (parsed.arguments.size() != 3) return call.Fail(kSyntax);
+  WmeFilter filter{"", "", "", adds, removes};
+  std::string attribute = parsed.arguments[1].text;
+  if (attribute.size() > 1 && attribute.front() == '^') attribute.erase(0, 1);
+  const std::string &id = parsed.arguments[0].text, &value = parsed.arguments[2].text;
+  if (!ReadFilterField(call, id, filter.id)) return call.Fail("Invalid id, got: " + id);
+  if (!ReadFilterField(call, attribute, filter.attribute)) return call.Fail("Invalid attribute, got: " + attribute);
+  if (!ReadFilterField(call, value, filter.value)) return call.Fail("Invalid value, got: " + value);
+  const auto found = std::find_if(filters.begin(), filters.end(), [&](const WmeFilter& other) {
+    return other.id == filter.id && other.attribute == filter.attribute && other.value == filter.value &&
+           other.adds == filter.adds && other.removes == filter.removes;
+  });
+  if (parsed.Has('a')) {
+    if (found != filters.end()) return call.Fail("That WME filter already exists.");
+    filters.insert(filters.begin(), filter);
   } else {
     if (found == filters.end()) return call.Fail("The specified WME filter was not found.");
-    found->adds = found->adds && !adds;
-    found->removes = found->removes && !removes;
-    if (!found->adds && !found->removes) filters.erase(found);
+    filters.erase(found);
   }
   call.session.UpdateTrace();
   return true;
@@ -127,27 +159,29 @@ bool Activation(CommandCall& call) {
   SettingStore& store = call.session.settings();
   if (parsed.Has('g')) {
     const std::string name = *parsed.Argument('g');
-    if (!SettingStore::Find("wma", name)) return call.Fail("Invalid setting.");
+    if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
     call.Out(store.Get("wma", name));
     return true;
   }
   if (parsed.Has('s')) {
     const std::string name = *parsed.Argument('s');
-    if (parsed.arguments.size() != 1) return call.Fail("Invalid number of arguments for set.");
+    if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
+    if (parsed.arguments.size() > 1) return call.Fail("Too many args.");
     const std::string& value = parsed.arguments.front().text;
     if (name == "activation" && value == "on") {
       return call.Fail("Activation of working memory is not available in this build.");
     }
     switch (store.Set("wma", name, value)) {
       case SettingStore::SetResult::kUnknown:
-        return call.Fail("Invalid setting.");
+        return call.Fail("Invalid activation setting.");
       case SettingStore::SetResult::kInvalid:
         return call.Fail("Invalid value for setting.");
       case SettingStore::SetResult::kOk:
         return true;
     }
   }
-  if (parsed.Has('h')) {
+  if (const auto tag = parsed.Argument('h')) {
+    if (!ParseLeadingInteger(*tag)) return call.Fail("Invalid timetag.");
     call.Out("WME has no decay history");
     return true;
   }
@@ -155,6 +189,7 @@ bool Activation(CommandCall& call) {
     call.Out("Forgotten WMEs: 0\n");
     return true;
   }
+  if (!parsed.Has('t') && !parsed.arguments.empty()) return call.Fail("Too many args.");
   if (parsed.Has('t')) return call.Fail("Timers of activation are not available in this build.");
   const auto line = [&](std::string_view name) { call.Out(fmt::format("{}: {}\n", name, store.Get("wma", name))); };
   call.Out(fmt::format("\nWMA activation: {}\n\nActivation\n----------\n", store.Get("wma", "activation")));
@@ -196,7 +231,7 @@ constexpr OptionSpec kActivationOptions[] = {
     {'S', "stats", OptionArgument::kOptional, "what was forgotten"},
 };
 constexpr OptionSpec kWatchOptions[] = {
-    {'a', "add-filter", OptionArgument::kNone, "show changes of elements that fit"},
+    {'a', "add-filter", OptionArgument::kNone, "trace only elements that fit"},
     {'r', "remove-filter", OptionArgument::kNone, "take a filter away"},
     {'l', "list-filter", OptionArgument::kNone, "list the filters"},
     {'R', "reset-filter", OptionArgument::kNone, "take all filters away"},
@@ -208,7 +243,7 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"remove", "TIMETAG", "removes an element from working memory", {}, Remove},
     {"activation", "[--get NAME | --set NAME VALUE]", "settings of activation and forgetting", kActivationOptions,
      Activation},
-    {"watch", "[--add-filter ID ATTRIBUTE VALUE]", "shows changes of certain elements at any trace level",
+    {"watch", "[--add-filter ID ATTRIBUTE VALUE]", "limits the trace of elements (trace --wmes) to certain ones",
      kWatchOptions, Watch},
     {"?", "", "an overview of the sub-commands", {}, Help},
     {"help", "", "an overview of the sub-commands", {}, Help},

@@ -98,7 +98,9 @@ kernel::ProductionPtr ReadPattern(PrintStream& stream, kernel::Agent& agent, con
   const std::string body = "pattern " + pattern + "\n --> (write a)";
   kernel::ParseOutcome outcome = kernel::ParseProduction(body, {}, agent.mutable_symbols());
   if (outcome.production) return outcome.production;
-  for (const kernel::RuleMessage& message : outcome.messages) {
+  std::vector<kernel::RuleMessage> messages = std::move(outcome.messages);
+  messages.insert(messages.end(), outcome.late_messages.begin(), outcome.late_messages.end());
+  for (const kernel::RuleMessage& message : messages) {
     if (message.text.find("(Ignoring production") != std::string::npos) continue;
     stream.FreshLine();
     stream.Print(message.text);

@@ -96,7 +96,8 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
   ++depth_;
   bool ok = false;
   try {
-    ok = command->handler(call);
+    const std::string refusal = fence_ ? Fence::Refusal(words) : std::string();
+    ok = refusal.empty() ? command->handler(call) : call.Fail(refusal);
   } catch (const std::bad_alloc&) {
     // An answer that grew too large; agents see to themselves when they run.
     call.result.text = std::string();
@@ -114,10 +115,22 @@ std::filesystem::path Interpreter::Resolve(const std::string& file) const {
   return (directory_ / path).lexically_normal();
 }
 
+bool Interpreter::ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const {
+  path = Resolve(file);
+  if (!fence_ || fence_->MayRead(path)) return true;
+  return call.Fail("The files of a scenario may not read outside its folder: " + file);
+}
+
+bool Interpreter::ResolveForWriting(CommandCall& call, const std::string& file, std::filesystem::path& path) const {
+  path = Resolve(file);
+  return !fence_ || call.Fail("The files of a scenario may not write files: " + file);
+}
+
 bool Interpreter::ChangeDirectory(const std::string& path) {
   std::error_code error;
   std::filesystem::path target = std::filesystem::canonical(Resolve(path), error);
   if (error || !std::filesystem::is_directory(target, error)) return false;
+  if (fence_ && !fence_->MayRead(target)) return false;
   directory_ = std::move(target);
   return true;
 }

@@ -5,9 +5,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/aliases.h"
+#include "cli/fence.h"
 #include "cli/host.h"
 #include "cli/result.h"
 #include "cli/session.h"
@@ -48,6 +50,26 @@ class Interpreter {
   /// A file name as typed, relative to directory().
   std::filesystem::path Resolve(const std::string& file) const;
 
+  /// For commands that read a file: its path, or a failure of the call if it lies outside the fence.
+  bool ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
+  /// For commands that write one: inside a fence nothing is written.
+  bool ResolveForWriting(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
+
+  /// While one lives, commands are those of a stranger's files: the fence holds for them. Null: for nothing.
+  class Fenced {
+   public:
+    Fenced(Interpreter& interpreter, const Fence* fence)
+        : interpreter_(interpreter), before_(std::exchange(interpreter.fence_, fence)) {}
+    ~Fenced() { interpreter_.fence_ = before_; }
+    Fenced(const Fenced&) = delete;
+    Fenced& operator=(const Fenced&) = delete;
+
+   private:
+    Interpreter& interpreter_;
+    const Fence* before_;
+  };
+  const Fence* fence() const { return fence_; }
+
   /// For commands that run others (source, time, command-to-file). Appends to call.result.text; expands aliases in
   /// `words`.
   bool ExecuteWords(CommandCall& call, std::vector<Word>& words);
@@ -61,6 +83,7 @@ class Interpreter {
   std::filesystem::path directory_;
   std::vector<std::filesystem::path> directory_stack_;
   SourceRun* source_run_ = nullptr;
+  const Fence* fence_ = nullptr;
   int depth_ = 0;
 };
 

@@ -30,7 +30,8 @@ bool LoadRuleImage(CommandCall& call, const std::string& file) {
   if (call.interpreter.host().IsRunning(call.session)) {
     return call.Fail("Rules cannot be replaced by an image while the agent runs.");
   }
-  const std::filesystem::path path = call.interpreter.Resolve(file);
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForReading(call, file, path)) return false;
   std::error_code error;
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path, error)) {
@@ -47,10 +48,7 @@ bool LoadRuleImage(CommandCall& call, const std::string& file) {
   SourceRun* source = call.interpreter.source_run();
   const std::vector<kernel::ProductionId> older = agent.Productions();
   for (const kernel::ProductionId id : older) {
-    if (source) {
-      ++source->excised;
-      source->excised_names.emplace_back(agent.production(id).name);
-    }
+    if (source) source->counts.excised.emplace_back(agent.production(id).name);
     agent.Excise(id);
     call.stream().Print("#");
   }
@@ -64,7 +62,7 @@ bool LoadRuleImage(CommandCall& call, const std::string& file) {
       call.Hint(fmt::format("{} was left out: it equals {}", outcome.name, outcome.duplicate_of), {});
     }
   }
-  if (source) source->sourced += loaded;
+  if (source) source->counts.sourced += loaded;
   call.AddArgument("sourced-production-count", "int", std::to_string(loaded));
   return true;
 }
@@ -77,7 +75,9 @@ bool SaveRuleImage(CommandCall& call, const std::string& file) {
         "Use 'init-soar' first, or write the image before the run.");
   }
   const std::string image = WriteRuleImage(agent);
-  std::ofstream out(call.interpreter.Resolve(file), std::ios::binary | std::ios::trunc);
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForWriting(call, file, path)) return false;
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out << image;
   out.close();
   if (!out) return call.Fail("Failed to open file for writing: " + file);

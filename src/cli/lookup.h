@@ -26,6 +26,9 @@ kernel::Symbol MakeConstant(kernel::Agent& agent, std::string_view text);
 
 /// A whole word as a number; nothing if it is none or does not fit.
 std::optional<std::int64_t> ParseInteger(std::string_view text);
+/// The number that a word begins with, after blanks: "2.9" is 2, "3x" is 3. Nothing if there is none, or it does not
+/// fit.
+std::optional<std::int64_t> ParseLeadingInteger(std::string_view text);
 std::optional<double> ParseDouble(std::string_view text);
 
 }  // namespace soarbox::cli

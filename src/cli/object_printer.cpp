@@ -112,19 +112,25 @@ class ObjectPrinter {
     ResultNode& node = structured_.Add("id");
     node.Set("id", SymbolText(agent_, id));
     stream_.Print(indent + "(" + Show(agent_, id, style_.variables));
+    stream_.SetColumn(stream_.column() - BracketsOf(id));
     for (const WmeId wme_id : wmes) {
       const Wme& wme = agent_.memory().wme(wme_id);
       std::string text =
           " ^" + Show(agent_, wme.attribute, style_.variables) + " " + Show(agent_, wme.value, style_.variables);
       if (wme.acceptable) text += " +";
-      if (stream_.column() + static_cast<int>(text.size()) >= kLineWidth) {
+      const int width = static_cast<int>(text.size()) - BracketsOf(wme.attribute) - BracketsOf(wme.value);
+      if (stream_.column() + width >= kLineWidth) {
         stream_.Print("\n" + indent + std::string(kContinuation.substr(0, kContinuation.size() - 1)));
       }
       stream_.Print(text);
+      stream_.SetColumn(stream_.column() - BracketsOf(wme.attribute) - BracketsOf(wme.value));
       AddWmeNode(node, agent_, wme_id);
     }
     stream_.Print(")\n");
   }
+
+  /// The brackets that make a variable of an identifier do not count for the width of lines.
+  int BracketsOf(Symbol symbol) const { return style_.variables && symbol.IsIdentifier() ? 2 : 0; }
 
   PrintStream& stream_;
   const Agent& agent_;
@@ -168,6 +174,9 @@ std::string MatchedText(const Agent& agent, WmeId wme, kernel::GoalLevel level) 
 
 std::vector<WmeId> SortedWmes(const Agent& agent, Symbol id) {
   std::vector<WmeId> wmes = agent.memory().WmesOf(id);
+  // Of equal attributes, those of the architecture and input come first.
+  std::stable_partition(wmes.begin(), wmes.end(),
+                        [&](WmeId wme) { return agent.memory().record(wme).slot == kernel::SlotId::kNone; });
   std::vector<std::pair<std::string, WmeId>> named;
   named.reserve(wmes.size());
   for (const WmeId wme : wmes) named.emplace_back(SymbolText(agent, agent.memory().wme(wme).attribute), wme);

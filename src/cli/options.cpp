@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/options.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace soarbox::cli {
@@ -16,7 +17,8 @@ const OptionSpec* FindLong(std::string_view name, std::span<const OptionSpec> sp
     error = "No such option: " + std::string(name);
     return nullptr;
   }
-  if (found.size() > 1) {
+  const auto differs = [&](const OptionSpec* spec) { return spec->name != found.front()->name; };
+  if (std::any_of(found.begin(), found.end(), differs)) {
     error = "Ambiguous option, possibilities: ";
     for (const OptionSpec* spec : found) error += "'--" + std::string(spec->name) + "' ";
     return nullptr;

@@ -70,6 +70,36 @@ TEST_F(ResultsTest, AMatchWithoutAnOperatorHasTheSupportOfTheOneBefore) {
   EXPECT_THAT(printed_, HasSubstr("+ (S2 ^seen yes +  :O ) [level 2] (any)"));
 }
 
+TEST_F(ResultsTest, AStructureThatWasMadeEarlierOutlivesItsState) {
+  Do("sp {propose (state <s> ^superstate nil -^result) --> (<s> ^operator.name foo)}");
+  Do("sp {one (state <s> ^superstate.operator.name foo -^part) --> (<s> ^operator <o> +) (<o> ^name one)}");
+  Do("sp {make (state <s> ^operator.name one) --> (<s> ^part <p>) (<p> ^size 4 ^inner <i>) (<i> ^size 2)}");
+  Do("sp {two (state <s> ^part) --> (<s> ^operator <o> +) (<o> ^name two)}");
+  Do("sp {return (state <s> ^operator.name two ^part <p> ^superstate <ss>) --> (<ss> ^result <p>)}");
+  Do("run 6");
+  EXPECT_THAT(Do("print --depth 3 s1"), HasSubstr("^inner I4 ^size 4"));
+  EXPECT_THAT(Do("print --depth 3 s1"), HasSubstr("(I4 ^size 2)"));
+  EXPECT_EQ(agent_.CheckInvariants(), "");
+}
+
+TEST_F(ResultsTest, EqualFiringsMakeOneJustification) {
+  Do("sp {propose (state <s> ^superstate nil) --> (<s> ^operator.name foo)}");
+  Do("sp {local (state <s> ^superstate.operator.name foo) --> (<s> ^local 1 2)}");
+  Do("sp {give (state <s> ^local <l> ^superstate <ss>) (<ss> ^c <c>) --> (<ss> ^got <c>)}");
+  Do("run 3");
+  EXPECT_EQ(agent_.Justifications().size(), 1u);
+  const std::string preferences = Do("preferences s1 got --names");
+  EXPECT_EQ(preferences.find("From give"), preferences.rfind("From give"));
+}
+
+TEST_F(ResultsTest, ARuleThatMakesTooManyDuplicatesMakesNothingMoreInThisDecision) {
+  Do("sp {propose (state <s> ^superstate nil) --> (<s> ^operator.name foo)}");
+  Do("sp {local (state <s> ^superstate.operator.name foo) --> (<s> ^local 1 2 3 4 5 6)}");
+  Do("sp {give (state <s> ^local <l> ^superstate <ss>) (<ss> ^c <c>) --> (<ss> ^got <c>)}");
+  Do("trace 2; run 3");
+  EXPECT_THAT(printed_, HasSubstr("Rule that has reached the max-dupes limit: give"));
+}
+
 TEST_F(ResultsTest, PreferencesAreListedInTheirOrder) {
   Do("sp {propose (state <s> ^superstate nil) --> (<s> ^operator <a> + > = ^operator <b> + < = 2)"
      " (<s> ^operator <a> > <b>, = <b>)}");

@@ -84,7 +84,7 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kPhases), Event::kPhase);
   want(trace.On(TraceFlag::kPhases) || trace.On(TraceFlag::kWaterfall), Event::kElaboration);
   want(firings, Event::kFiring);
-  want(trace.On(TraceFlag::kWmes) || !session_.wme_filters().empty(), Event::kWme);
+  want(trace.On(TraceFlag::kWmes), Event::kWme);
   want(trace.On(TraceFlag::kPreferences) || (firings && trace.wme_detail() != WmeDetail::kNone), Event::kPreference);
   want(trace.On(TraceFlag::kDecisions) || trace.On(TraceFlag::kConsistency) || trace.On(TraceFlag::kGds),
        Event::kDecision);
@@ -182,22 +182,20 @@ bool TracePrinter::PassesFilters(const Agent& agent, const WmeInfo& wme, bool ad
            pattern == kernel::ToString(agent.symbols(), symbol, false);
   };
   for (const WmeFilter& filter : session_.wme_filters()) {
-    if ((added ? filter.adds : filter.removes) && fits(filter.id, wme.id) && fits(filter.attribute, wme.attribute) &&
-        fits(filter.value, wme.value)) {
-      return true;
+    if (!(added ? filter.adds : filter.removes)) continue;
+    if (!fits(filter.id, wme.id) || !fits(filter.attribute, wme.attribute) || !fits(filter.value, wme.value)) {
+      return false;
     }
   }
-  return false;
+  return true;
 }
 
 void TracePrinter::OnWmeAdded(const Agent& agent, const WmeInfo& wme) {
-  if (!session_.trace().On(TraceFlag::kWmes) && !PassesFilters(agent, wme, true)) return;
-  Print("=>WM: " + WmeText(agent, wme) + "\n");
+  if (PassesFilters(agent, wme, true)) Print("=>WM: " + WmeText(agent, wme) + "\n");
 }
 
 void TracePrinter::OnWmeRemoved(const Agent& agent, const WmeInfo& wme) {
-  if (!session_.trace().On(TraceFlag::kWmes) && !PassesFilters(agent, wme, false)) return;
-  Print("<=WM: " + WmeText(agent, wme) + "\n");
+  if (PassesFilters(agent, wme, false)) Print("<=WM: " + WmeText(agent, wme) + "\n");
 }
 
 void TracePrinter::PrintPreferenceChange(const Agent& agent, kernel::PreferenceId id, char sign,
@@ -330,6 +328,20 @@ void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::
                       "Rule firing that led to invalid chunk: {}\n",
                       text));
       return;
+    case kernel::WarningKind::kMaxDuplicates:
+      if (!session_.trace().On(TraceFlag::kChunkWarnings)) return;
+      session_.stream().FreshLine();
+      Print(
+          fmt::format("Warning: Rule has produced maximum number of duplicate chunks this decision cycle.  Skipping "
+                      "opportunity to learn new rule.\n"
+                      "         Rule that has reached the max-dupes limit: {}\n",
+                      text));
+      return;
+    case kernel::WarningKind::kAddedAndRemoved:
+      if (session_.trace().On(TraceFlag::kWmes)) {
+        Print(fmt::format("WARNING: WME added and removed in same phase : {}\n", text));
+      }
+      return;
     case kernel::WarningKind::kMaxDecisionTime:
     case kernel::WarningKind::kOther:
       if (session_.output().warnings) session_.stream().Print(text);
@@ -350,7 +362,12 @@ void TracePrinter::OnInterrupt(const Agent&, std::string_view reason) {
     session_.stream().PrintUncounted("Interrupt received.Interrupt received.");
     return;
   }
-  Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));
+  if (reason.starts_with("(interrupt)")) {
+    // An action's; Soar is silent about it unless it runs by phases.
+    if (reason.size() > std::string_view("(interrupt)").size()) Print("\n\n");
+  } else {
+    Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));
+  }
   session_.stream().PrintUncounted("Interrupt received.");
 }
 

@@ -157,11 +157,17 @@ bool CommandReader::ReadBare(Word& word) {
   const std::size_t start = position_;
   word.line = line_;
   word.column = column_;
-  bool in_bars = false;
+  bool in_bars = Peek() == '|';
   while (!AtEnd()) {
     const char c = Peek();
     if (!in_bars && (IsBlank(c) || EndsCommand(c) || c == '#')) break;
-    if (c == '|') in_bars = !in_bars;
+    if (in_bars && c == '|' && !word.text.empty()) {
+      // A word that begins with a bar ends with the next one.
+      in_bars = false;
+      word.text += c;
+      Advance();
+      break;
+    }
     if (c == '\\') {
       if (!in_bars && position_ + 1 < text_.size() && text_[position_ + 1] == '\n') break;
       AppendEscape(word.text);

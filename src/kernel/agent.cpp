@@ -40,7 +40,7 @@ LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& plac
   outcome.printed = std::move(parsed.messages);
   outcome.printed_late = std::move(parsed.late_messages);
   outcome.messages = std::move(parsed.diagnostics);
-  if (parsed.syntax_ok && !outcome.name.empty()) Replace(std::move(parsed.production), outcome);
+  if (!outcome.name.empty()) Replace(std::move(parsed.production), outcome);
   return outcome;
 }
 
@@ -77,7 +77,9 @@ void Agent::ExciseNamed(std::string_view name, LoadOutcome& outcome) {
 }
 
 void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
-  const Rete::Added added = engine_->rete.AddProduction(production, engine_->goal_view());
+  Rete::AddOptions options;
+  options.ignore_rl_value = settings().ignore_numbers_of_duplicates;
+  const Rete::Added added = engine_->rete.AddProduction(production, engine_->goal_view(), options);
   outcome.production = added.production;
   if (added.result == Rete::AddResult::kDuplicate) {
     outcome.duplicate_of = engine_->rete.production(added.production)->name;
@@ -426,13 +428,12 @@ Symbol Agent::OutputLinkIdentifier() const {
 
 Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable) {
   if (engine_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
-  if (acceptable) return Refusal("an element of an acceptable preference comes from a rule only");
   if (!id.IsIdentifier() || !engine_->memory.identifier(id).live) {
     return Refusal("the element's identifier is not in working memory");
   }
   WmeId wme = WmeId::kNone;
   const bool added = Guarded([&] {
-    wme = engine_->changes.Add(WmeKind::kInput, id, attribute, value);
+    wme = engine_->changes.AddInput(id, attribute, value, acceptable);
     engine_->elaboration.ApplyWorkingMemoryChanges();
   });
   if (!added) return Refusal("there is no memory for the matches of the element: the agent is halted for good");
@@ -512,7 +513,8 @@ std::size_t Agent::SharedMemoryBytes() const {
   return engine_->rete.NetworkBytes();
 }
 std::string Agent::CheckInvariants() const {
-  return FindViolation(*engine_);
+  const std::string violation = FindViolation(*engine_);
+  return violation.empty() ? FindDanglingHandle(*engine_) : violation;
 }
 
 }  // namespace soarbox::kernel

@@ -46,6 +46,8 @@ struct AgentSettings {
   std::uint32_t max_partial_matches = 8'000'000;
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
+  /// A rule whose only action is a numeric preference duplicates one that differs from it in the number only.
+  bool ignore_numbers_of_duplicates = true;
   Phase stop_phase = Phase::kApply;  ///< `run -d` stops before this phase.
 };
 

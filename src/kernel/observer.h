@@ -100,6 +100,8 @@ enum class WarningKind : std::uint8_t {
   kGoalStackLimit,
   kMaxDecisionTime,
   kUnconditional,
+  kMaxDuplicates,    ///< The text is a rule's name.
+  kAddedAndRemoved,  ///< The newest new element went before the match saw it; the text shows it.
   kOther,
 };
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "script/argument_check.h"
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
@@ -22,7 +23,7 @@ using world::Vec3;
 EntityId ListedAgent(lua_State* state, int list_index) {
   const Handle* handle = ToHandle(state, -1);
   if (!handle || handle->kind != ValueKind::kAgent)
-    luaL_argerror(state, list_index,
+    ArgumentError(state, list_index,
                   lua_pushfstring(state, "a table of agents expected; it holds a %s", NameOfValue(state, -1)));
   return EntityId{handle->number};
 }

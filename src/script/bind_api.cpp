@@ -21,7 +21,7 @@ void KeepAgentMethods(lua_State* state) {
     lua_rawset(state, -5);
   }
   lua_pop(state, 1);
-  lua_setfield(state, LUA_REGISTRYINDEX, "soarbox.agent_methods");
+  InstallAgentMethods(state);
 }
 
 }  // namespace
@@ -37,9 +37,11 @@ void BindApi(lua_State* state, ApiSide side) {
   BindSandboxView(state);
   BindSandboxEvents(state);
   BindSandboxNavigation(state);
+  BindSandboxInfluence(state);
   BindAgentProperties(state);
   BindAgentSteering(state);
   BindAnimation(state);
+  BindAnimationBones(state);
   if (side == ApiSide::kSandbox) BindUi(state);
   KeepAgentMethods(state);
 

@@ -13,10 +13,12 @@ void BindCoreDraw(lua_State* state);
 void BindSandboxCreate(lua_State* state);
 void BindSandboxView(lua_State* state);
 void BindSandboxEvents(lua_State* state);
+void BindSandboxInfluence(lua_State* state);
 void BindSandboxNavigation(lua_State* state);
 void BindAgentProperties(lua_State* state);
 void BindAgentSteering(lua_State* state);
 void BindAnimation(lua_State* state);
+void BindAnimationBones(lua_State* state);
 void BindUi(lua_State* state);
 
 /// Which machine the API is for: only the sandbox's own has the table UI.

@@ -3,6 +3,7 @@
 
 #include <lua.hpp>
 
+#include "script/argument_check.h"
 #include "script/binding.h"
 #include "script/lua_order.h"
 
@@ -10,6 +11,10 @@ namespace soarbox::script {
 namespace {
 
 constexpr std::uint64_t kCreationPrice = 5'000;
+constexpr std::uint64_t kAgentPrice = 15'000;
+constexpr std::uint64_t kCrowdedPrice = 100'000;
+constexpr std::size_t kLongestText = 65'536;
+constexpr std::size_t kMostPoints = 10'000;
 
 void WarnKind(lua_State* state, int index, const char* wanted) {
   WarnIgnored(state, lua_pushfstring(state, "argument %d is not %s but %s", index, wanted, NameOfValue(state, index)));
@@ -17,7 +22,7 @@ void WarnKind(lua_State* state, int index, const char* wanted) {
 }
 
 void RaiseGone(lua_State* state, int index, const char* what) {
-  luaL_argerror(state, index, lua_pushfstring(state, "this %s was removed", what));
+  ArgumentError(state, index, lua_pushfstring(state, "this %s was removed", what));
 }
 
 }  // namespace
@@ -72,9 +77,20 @@ world::UiId UiArgument(lua_State* state, int index) {
   return id;
 }
 
+world::NodeId BodyArgument(lua_State* state, int index) {
+  const Handle* handle = ToHandle(state, index);
+  if (handle && handle->kind == ValueKind::kAgent)
+    ArgumentError(state, index, "a mesh expected, got an agent; hand over the mesh that hangs on it");
+  const world::NodeId node = NodeArgument(state, index, false);
+  if (node != world::NodeId::kNone && !ContextOf(state).world.scene().AnimatorOf(node))
+    ArgumentError(state, index, "this has no mesh with a skeleton, so nothing in it moves");
+  return node;
+}
+
 std::string_view TextArgument(lua_State* state, int index) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(state, index, &length);
+  luaL_argcheck(state, length <= kLongestText, index, "a text that the world keeps has 65536 bytes at most");
   return {text, length};
 }
 
@@ -90,6 +106,8 @@ std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {
     PushOrderedKeys(state, index);
     count = static_cast<int>(lua_objlen(state, -1));
   }
+  luaL_argcheck(state, static_cast<std::size_t>(count) <= kMostPoints, index, "a path has 10000 points at most");
+  LuaMachine::Of(state).Charge(static_cast<std::uint64_t>(count));
   std::vector<world::Vec3> vectors;
   for (int i = 1; i <= count; ++i) {
     if (plain) {
@@ -109,8 +127,21 @@ void WarnUnless(lua_State* state, bool accepted) {
   if (!accepted) WarnIgnored(state, "a value is not a finite number or does not fit here");
 }
 
-void ChargeForCreation(lua_State* state) {
-  LuaMachine::Of(state).Charge(kCreationPrice);
+void ChargeForCreation(lua_State* state, Made made) {
+  world::World& world = ContextOf(state).world;
+  // Where bodies lie on a heap each further one is looked at beside all of them.
+  const std::uint64_t price = made == Made::kAgent ? kAgentPrice : kCreationPrice;
+  LuaMachine::Of(state).Charge(world.IsCrowded() ? price + kCrowdedPrice : price);
+  const WorldLimits& limits = ContextOf(state).budget.limits();
+  if (made == Made::kObject) CheckRoom(state, world.ObjectIds().size(), limits.objects, "objects");
+  if (made == Made::kLight) CheckRoom(state, world.scene().light_count(), limits.lights, "lights");
+  if (made == Made::kPanel) CheckRoom(state, world.ui().size(), limits.panels, "panels");
+  if (made != Made::kPanel) CheckRoom(state, world.scene().node_count(), limits.nodes, "scene nodes");
+}
+
+void CheckRoom(lua_State* state, std::size_t count, std::size_t most, const char* things) {
+  if (count < most) return;
+  luaL_error(state, "this world has %d %s already: no more are made", static_cast<int>(count), things);
 }
 
 void PushPoint(lua_State* state, float x, float y) {

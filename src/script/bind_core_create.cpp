@@ -12,10 +12,10 @@ namespace {
 
 /// Runs create(scene, parent) and pushes the new node.
 template <class Create>
-int MakeNode(lua_State* state, Create create) {
+int MakeNode(lua_State* state, Create create, Made made = Made::kNode) {
   const world::NodeId parent = NodeArgument(state, 1, true);
   if (parent == world::NodeId::kNone) return 0;
-  ChargeForCreation(state);
+  ChargeForCreation(state, made);
   const world::NodeId node = create(ContextOf(state).world.scene(), parent);
   if (node == world::NodeId::kNone) {
     WarnUnless(state, false);
@@ -74,15 +74,16 @@ int CreateParticle(lua_State* state) {
 
 int CreateDirectionalLight(lua_State* state) {
   const world::Vec3 direction = CheckVector(state, 2);
-  return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) {
-    return scene.CreateDirectionalLight(parent, direction);
-  });
+  return MakeNode(
+      state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateDirectionalLight(parent, direction); },
+      Made::kLight);
 }
 
 int CreatePointLight(lua_State* state) {
   const world::Vec3 position = CheckVector(state, 2);
-  return MakeNode(state,
-                  [&](world::Scene& scene, world::NodeId parent) { return scene.CreatePointLight(parent, position); });
+  return MakeNode(
+      state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreatePointLight(parent, position); },
+      Made::kLight);
 }
 
 constexpr Binding kBindings[] = {

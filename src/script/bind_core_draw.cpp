@@ -14,7 +14,9 @@ using world::Vec3;
 
 world::DebugDraw& DebugOf(lua_State* state) {
   LuaMachine::Of(state).Charge(100);
-  return ContextOf(state).world.debug();
+  world::DebugDraw& debug = ContextOf(state).world.debug();
+  CheckRoom(state, debug.size(), ContextOf(state).budget.limits().shapes_per_tick, "lines and triangles for this step");
+  return debug;
 }
 
 int DrawCircle(lua_State* state) {

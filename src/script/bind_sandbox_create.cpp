@@ -2,6 +2,7 @@
 #include <lua.hpp>
 #include <string>
 
+#include "script/argument_check.h"
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
@@ -13,13 +14,24 @@ namespace {
 
 using world::EntityId;
 
-/// Reads the options table into the request; raises an error for values that are no option.
-void ReadOptions(lua_State* state, int index, AgentCreationRequest& request) {
+/// Reads the options table into the request; raises an error for values that are no option. Vectors and tables within
+/// become options with dotted names: "position.x", "senses.sight"; lists "senses.only.1".
+void ReadOptions(lua_State* state, int index, AgentCreationRequest& request, const std::string& prefix = {}) {
+  constexpr std::size_t kMostOptions = 200;
   luaL_checktype(state, index, LUA_TTABLE);
+  luaL_checkstack(state, 6, "nested options");
   lua_pushnil(state);
   while (lua_next(state, index) != 0) {
-    if (lua_type(state, -2) != LUA_TSTRING) luaL_argerror(state, index, "the names of options are strings");
-    const std::string name = lua_tostring(state, -2);
+    std::string name = prefix;
+    if (lua_type(state, -2) == LUA_TNUMBER && !prefix.empty()) {
+      name += std::to_string(static_cast<int>(lua_tonumber(state, -2)));
+    } else if (lua_type(state, -2) == LUA_TSTRING) {
+      name += lua_tostring(state, -2);
+    } else {
+      ArgumentError(state, index, "the names of options are strings");
+    }
+    if (request.options.size() >= kMostOptions || name.size() > 200)
+      ArgumentError(state, index, "these are too many options");
     switch (lua_type(state, -1)) {
       case LUA_TBOOLEAN:
         request.options[name] = lua_toboolean(state, -1) != 0;
@@ -30,15 +42,31 @@ void ReadOptions(lua_State* state, int index, AgentCreationRequest& request) {
       case LUA_TSTRING:
         request.options[name] = std::string(lua_tostring(state, -1));
         break;
-      default:
-        luaL_argerror(state, index, "the values of options are strings, numbers and booleans");
+      case LUA_TTABLE:
+        ReadOptions(state, lua_gettop(state), request, name + ".");
+        break;
+      default: {
+        const world::Vec3* vector = ToVector(state, -1);
+        const Handle* handle = ToHandle(state, -1);
+        if (vector != nullptr) {
+          request.options[name + ".x"] = static_cast<double>(vector->x);
+          request.options[name + ".y"] = static_cast<double>(vector->y);
+          request.options[name + ".z"] = static_cast<double>(vector->z);
+        } else if (handle != nullptr && handle->kind == ValueKind::kAgent) {
+          const auto* agent = ContextOf(state).world.FindAgent(EntityId{handle->number});
+          request.options[name] = agent != nullptr ? agent->name() : std::string();
+        } else {
+          ArgumentError(state, index,
+                        "the values of options are strings, numbers, booleans, vectors, agents and tables");
+        }
+      }
     }
     lua_pop(state, 1);
   }
 }
 
 int PushMadeAgent(lua_State* state, const AgentCreationRequest& request) {
-  ChargeForCreation(state);
+  ChargeForCreation(state, Made::kAgent);
   const Result<EntityId> agent = ContextOf(state).agents.MakeAgent(request);
   if (agent.ok()) {
     PushAgent(state, agent.value());
@@ -58,6 +86,17 @@ int MakeAgent(lua_State* state, const char* kind) {
   if (!SandboxArgument(state, 1)) return 0;
   AgentCreationRequest request;
   request.kind = kind;
+  if (lua_istable(state, 2) && request.kind == "soar") {
+    // All in one table: the agent needs no script.
+    ReadOptions(state, 2, request);
+    for (const auto& [option, field] : {std::pair{"rules", &request.rules}, std::pair{"script", &request.script}}) {
+      const auto given = request.options.find(option);
+      if (given == request.options.end()) continue;
+      if (const auto* text = std::get_if<std::string>(&given->second)) *field = *text;
+      request.options.erase(given);
+    }
+    return PushMadeAgent(state, request);
+  }
   request.script = TextArgument(state, 2);
   if (!lua_isnoneornil(state, 3)) request.rules = TextArgument(state, 3);
   if (!lua_isnoneornil(state, 4)) ReadOptions(state, 4, request);
@@ -83,7 +122,7 @@ int CreateSoarAgent(lua_State* state) {
 template <class Create>
 int MakeObject(lua_State* state, Create create) {
   if (!SandboxArgument(state, 1)) return 0;
-  ChargeForCreation(state);
+  ChargeForCreation(state, Made::kObject);
   const EntityId id = create(ContextOf(state).world);
   if (id == world::kNoEntity) {
     WarnUnless(state, false);
@@ -182,7 +221,7 @@ constexpr Binding kBindings[] = {
     {"CreatePhysicsCapsule", CreatePhysicsCapsule, 3, 3, WrongCount::kIgnored},
     {"CreatePhysicsSphere", CreatePhysicsSphere, 2, 2, WrongCount::kIgnored},
     {"CreatePlane", CreatePlane, 3, 3, WrongCount::kIgnored},
-    {"CreateSoarAgent", CreateSoarAgent, 3, 4, WrongCount::kError},
+    {"CreateSoarAgent", CreateSoarAgent, 2, 4, WrongCount::kError},
     {"CreateSoarFollowerAgent", CreateSoarFollowerAgent, 2, 4, WrongCount::kIgnored},
     {"CreateSoarSeekingAgent", CreateSoarSeekingAgent, 2, 4, WrongCount::kIgnored},
     {"CreateSoarWaypointAgent", CreateSoarWaypointAgent, 2, 4, WrongCount::kIgnored},

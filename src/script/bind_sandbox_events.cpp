@@ -10,11 +10,30 @@
 namespace soarbox::script {
 namespace {
 
+/// Apart, so that no text is alive when the error is raised.
+int RaiseFull(lua_State* state) {
+  return luaL_error(state, "the waiting events of this world hold %d MB already: no more are taken",
+                    static_cast<int>(ContextOf(state).budget.limits().event_bytes >> 20));
+}
+
+void CheckCallbacks(lua_State* state) {
+  const ScriptContext& context = ContextOf(state);
+  CheckRoom(state, context.events.callbacks() + context.collisions.size(), context.budget.limits().callbacks,
+            "callbacks");
+}
+
 int AddEvent(lua_State* state) {
   const std::string_view type = TextArgument(state, 2);
   if (!SandboxArgument(state, 1)) return 0;
   LuaMachine::Of(state).Charge(100);
-  ContextOf(state).events.Add(CopyEvent(state, type, 3));
+  EventQueue& events = ContextOf(state).events;
+  const WorldLimits& limits = ContextOf(state).budget.limits();
+  CheckRoom(state, events.waiting(), limits.waiting_events, "waiting events");
+  ScriptEvent event = CopyEvent(state, type, 3);
+  LuaMachine::Of(state).Charge(SizeOf(event) / 16);
+  const bool fits = events.waiting_bytes() + SizeOf(event) <= limits.event_bytes;
+  if (fits) events.Add(std::move(event));
+  if (!fits) return RaiseFull(state);
   return 0;
 }
 
@@ -30,6 +49,7 @@ int AddEventCallback(lua_State* state) {
   }
   if (target->kind == ValueKind::kObject) ObjectArgument(state, 2);
   LuaMachine& machine = LuaMachine::Of(state);
+  CheckCallbacks(state);
   lua_pushvalue(state, 3);
   ContextOf(state).events.SetCallback(*target, machine, luaL_ref(state, LUA_REGISTRYINDEX));
   return 0;
@@ -41,6 +61,7 @@ int AddCollisionCallback(lua_State* state) {
   const world::Object* object = ObjectArgument(state, 2);
   if (!object) return 0;
   LuaMachine& machine = LuaMachine::Of(state);
+  CheckCallbacks(state);
   lua_pushvalue(state, 3);
   ContextOf(state).collisions.Add(object->id(), machine, luaL_ref(state, LUA_REGISTRYINDEX));
   return 0;

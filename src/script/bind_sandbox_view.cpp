@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <lua.hpp>
 
+#include "script/argument_check.h"
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
@@ -90,14 +91,20 @@ int GetScreenWidth(lua_State* state) {
 int GetScreenHeight(lua_State* state) {
   return PushOfSandbox(state, [](const ScriptContext& context) { return context.world.screen_height(); });
 }
+
+/// Scripts are told nominal times, in microseconds: what the clock says differs from run to run, and a script that
+/// heard it could act on it. The window shows the measured ones.
+double NominalStep_us(const ScriptContext& context) {
+  return static_cast<double>(context.world.settings().step_s) * 1e6;
+}
 int GetRenderTime(lua_State* state) {
-  return PushOfSandbox(state, [](const ScriptContext& context) { return context.times.render_us; });
+  return PushOfSandbox(state, NominalStep_us);
 }
 int GetSimulationTime(lua_State* state) {
-  return PushOfSandbox(state, [](const ScriptContext& context) { return context.times.simulation_us; });
+  return PushOfSandbox(state, [](const ScriptContext&) { return 0; });
 }
 int GetTotalSimulationTime(lua_State* state) {
-  return PushOfSandbox(state, [](const ScriptContext& context) { return context.times.total_simulation_us; });
+  return PushOfSandbox(state, NominalStep_us);
 }
 
 int GetDrawPhysicsWorld(lua_State* state) {
@@ -113,15 +120,15 @@ int SetDrawPhysicsWorld(lua_State* state) {
 int CreateUIComponent(lua_State* state) {
   const double layer = luaL_checknumber(state, 2);
   if (!SandboxArgument(state, 1)) return 0;
-  if (!(layer >= 0 && layer < 16)) return luaL_argerror(state, 2, "a layer is a number from 0 to 15");
-  ChargeForCreation(state);
+  if (!(layer >= 0 && layer < 16)) return ArgumentError(state, 2, "a layer is a number from 0 to 15");
+  ChargeForCreation(state, Made::kPanel);
   PushHandle(state, {ValueKind::kUi, Number(WorldOf(state).ui().Create(static_cast<int>(layer)))});
   return 1;
 }
 int CreateUIComponent3d(lua_State* state) {
   const Vec3 position = CheckVector(state, 2);
   if (!SandboxArgument(state, 1)) return 0;
-  ChargeForCreation(state);
+  ChargeForCreation(state, Made::kPanel);
   PushHandle(state, {ValueKind::kUi, Number(WorldOf(state).ui().CreateInWorld(position))});
   return 1;
 }

@@ -49,7 +49,7 @@ int SetText(lua_State* state) {
 
 int CreateChild(lua_State* state) {
   const UiId parent = UiArgument(state, 1);
-  ChargeForCreation(state);
+  ChargeForCreation(state, Made::kPanel);
   PushHandle(state, {ValueKind::kUi, Number(UiOf(state).CreateChild(parent))});
   return 1;
 }

@@ -4,6 +4,7 @@
 #include <lua.hpp>
 #include <string>
 
+#include "script/argument_check.h"
 #include "script/lua_library.h"
 #include "script/lua_machine.h"
 #include "script/script_context.h"
@@ -15,12 +16,18 @@ namespace {
 /// In instructions: so that a loop over calls is stopped as early as any other loop of the same length in time.
 constexpr std::uint64_t kCallPrice = 20;
 
-/// Upvalues: the binding, "Table.Name".
+/// Upvalues: the binding, "Table.Name", its arguments in the table of the API.
 int CallBinding(lua_State* state) {
   const auto& binding = *static_cast<const Binding*>(lua_touserdata(state, lua_upvalueindex(1)));
-  LuaMachine::Of(state).Charge(kCallPrice);
+  LuaMachine& machine = LuaMachine::Of(state);
+  machine.Charge(kCallPrice);
+  if (machine.instructions_left() == 0) machine.RaiseOutOfBudget(state);
   const int count = lua_gettop(state);
-  if (count >= binding.min_arguments && count <= binding.max_arguments) return binding.function(state);
+  if (count >= binding.min_arguments && count <= binding.max_arguments) {
+    const auto* arguments = static_cast<const std::vector<ApiArgument>*>(lua_touserdata(state, lua_upvalueindex(3)));
+    if (arguments && !CheckArguments(state, *arguments)) return 0;
+    return binding.function(state);
+  }
 
   const char* name = lua_tostring(state, lua_upvalueindex(2));
   const char* text =
@@ -43,17 +50,20 @@ void RegisterTable(lua_State* state, const char* table, std::span<const Binding>
     lua_pushvalue(state, -1);
     lua_setglobal(state, table);
     MarkLoaded(state, table);
+    GuardNames(state, table);
   }
   for (const Binding& binding : bindings) {
     lua_pushlightuserdata(state, const_cast<Binding*>(&binding));
-    lua_pushfstring(state, "%s.%s", table, binding.name);
-    lua_pushcclosure(state, CallBinding, 2);
+    const char* name = lua_pushfstring(state, "%s.%s", table, binding.name);
+    const ApiFunction* entry = FindApiFunction(name);
+    lua_pushlightuserdata(state, entry ? const_cast<std::vector<ApiArgument>*>(&ArgumentsOf(*entry)) : nullptr);
+    lua_pushcclosure(state, CallBinding, 3);
     lua_setfield(state, -2, binding.name);
   }
   lua_pop(state, 1);
 }
 
-void WarnIgnored(lua_State* state, const char* why) {
+void WarnAtCaller(lua_State* state, std::string message) {
   ScriptContext* context = LuaMachine::Of(state).context();
   if (!context) return;
   Diagnostic warning;
@@ -62,8 +72,12 @@ void WarnIgnored(lua_State* state, const char* why) {
   const ScriptPath& path = LuaMachine::Of(state).path();
   warning.excerpt = path.LineOf(warning.file, warning.line);
   warning.file = path.PathOf(warning.file);
-  warning.message = std::string(why) + ": the call is ignored";
+  warning.message = std::move(message);
   context->reporter.Warn(warning);
+}
+
+void WarnIgnored(lua_State* state, const char* why) {
+  WarnAtCaller(state, std::string(why) + ": the call is ignored");
 }
 
 }  // namespace soarbox::script

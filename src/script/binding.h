@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 struct lua_State;
 
@@ -29,6 +30,8 @@ inline constexpr int kAnyCount = 250;
 /// live as long as the state.
 void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings);
 
+/// Warns of something at the script's line; once for each place in a script.
+void WarnAtCaller(lua_State* state, std::string message);
 /// Warns that the call in progress was ignored, and why; once for each place in a script.
 void WarnIgnored(lua_State* state, const char* why);
 

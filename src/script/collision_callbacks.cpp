@@ -34,19 +34,21 @@ void PushCollision(lua_State* state, const world::Collision& collision, bool b_i
 
 void CollisionCallbacks::Add(world::EntityId object, LuaMachine& machine, int function) {
   callbacks_[object].push_back({&machine, function});
+  ++size_;
 }
 
 void CollisionCallbacks::RemoveObject(world::EntityId object) {
   const auto it = callbacks_.find(object);
   if (it == callbacks_.end()) return;
   for (const Callback& callback : it->second) callback.machine->Release(callback.function);
+  size_ -= it->second.size();
   callbacks_.erase(it);
 }
 
 void CollisionCallbacks::Deliver(std::span<const world::Collision> collisions,
                                  const std::function<bool(world::EntityId)>& is_agent,
                                  const std::function<bool(const LuaMachine&)>& may_run,
-                                 const EventQueue::OnError& on_error) {
+                                 const EventQueue::OnResult& on_result) {
   if (callbacks_.empty()) return;
   const auto call = [&](const world::Collision& collision) {
     const auto it = callbacks_.find(collision.a);
@@ -60,7 +62,7 @@ void CollisionCallbacks::Deliver(std::span<const world::Collision> collisions,
         PushCollision(state, collision, is_agent(collision.b));
         return 2;
       });
-      if (error) on_error(*callback.machine, *error);
+      on_result(*callback.machine, error ? &*error : nullptr);
     }
   };
   const std::vector<world::Collision> all(collisions.begin(), collisions.end());

@@ -16,12 +16,13 @@ class CollisionCallbacks {
  public:
   /// Several per object are kept and called in the order of their registration.
   void Add(world::EntityId object, LuaMachine& machine, int function);
+  std::size_t size() const { return size_; }
   void RemoveObject(world::EntityId object);
 
   /// For each collision: the callbacks of a, then those of b with everything swapped. An object that asked for its
   /// removal in an earlier callback still hears of the rest of the step's collisions.
   void Deliver(std::span<const world::Collision> collisions, const std::function<bool(world::EntityId)>& is_agent,
-               const std::function<bool(const LuaMachine&)>& may_run, const EventQueue::OnError& on_error);
+               const std::function<bool(const LuaMachine&)>& may_run, const EventQueue::OnResult& on_result);
 
  private:
   struct Callback {
@@ -29,6 +30,7 @@ class CollisionCallbacks {
     int function;
   };
   std::map<world::EntityId, std::vector<Callback>> callbacks_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace soarbox::script

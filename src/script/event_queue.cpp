@@ -63,6 +63,20 @@ void PushEvent(lua_State* state, const ScriptEvent& event) {
   }
 }
 
+std::size_t SizeOf(const ScriptEvent& event) {
+  std::size_t bytes = sizeof event + event.type.size();
+  for (const auto& [key, value] : event.fields) {
+    bytes += 100 + key.size();
+    if (const auto* text = std::get_if<std::string>(&value)) bytes += text->size();
+  }
+  return bytes;
+}
+
+void EventQueue::Add(ScriptEvent event) {
+  waiting_bytes_ += SizeOf(event);
+  waiting_.push_back(std::move(event));
+}
+
 void EventQueue::SetCallback(Handle target, LuaMachine& machine, int function) {
   RemoveTarget(target.number);
   callbacks_[target.number] = {target, &machine, function};
@@ -75,8 +89,9 @@ void EventQueue::RemoveTarget(std::uint32_t number) {
   callbacks_.erase(it);
 }
 
-void EventQueue::Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnError& on_error) {
+void EventQueue::Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnResult& on_result) {
   const std::vector<ScriptEvent> events = std::exchange(waiting_, {});
+  waiting_bytes_ = 0;
   for (const ScriptEvent& event : events) {
     // Callbacks may set and replace callbacks: walk the numbers, not the map's nodes.
     auto it = callbacks_.begin();
@@ -91,7 +106,7 @@ void EventQueue::Deliver(const std::function<bool(const LuaMachine&)>& may_run, 
           PushEvent(state, event);
           return 4;
         });
-        if (error) on_error(*callback.machine, *error);
+        on_result(*callback.machine, error ? &*error : nullptr);
       }
       it = callbacks_.upper_bound(number);
     }

@@ -21,6 +21,9 @@ struct ScriptEvent {
   std::map<std::string, EventValue> fields;
 };
 
+/// About how much memory an event takes.
+std::size_t SizeOf(const ScriptEvent& event);
+
 /// Copies what can travel of the table at `index`: keys that are strings or numbers; values that are numbers or numeric
 /// strings, booleans, strings, vectors, and handles of agents, objects and the sandbox.
 ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index);
@@ -30,10 +33,14 @@ void PushEvent(lua_State* state, const ScriptEvent& event);
 /// Events that wait for the next step, and who wants to hear of them. Every callback hears of every event.
 class EventQueue {
  public:
-  /// What to do about an error in a callback of that machine.
-  using OnError = std::function<void(LuaMachine&, const ScriptError&)>;
+  /// What came of a callback of that machine: its error, or null.
+  using OnResult = std::function<void(LuaMachine&, const ScriptError*)>;
 
-  void Add(ScriptEvent event) { waiting_.push_back(std::move(event)); }
+  void Add(ScriptEvent event);
+  std::size_t waiting() const { return waiting_.size(); }
+  /// About how much memory the waiting events take.
+  std::size_t waiting_bytes() const { return waiting_bytes_; }
+  std::size_t callbacks() const { return callbacks_.size(); }
 
   /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces.
   void SetCallback(Handle target, LuaMachine& machine, int function);
@@ -42,7 +49,7 @@ class EventQueue {
 
   /// Calls every callback for every waiting event: events in the order of their sending, callbacks in ascending
   /// number of their target. Events that are added meanwhile wait for the next step. `may_run` skips machines.
-  void Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnError& on_error);
+  void Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnResult& on_result);
 
  private:
   struct Callback {
@@ -51,6 +58,7 @@ class EventQueue {
     int function;
   };
   std::vector<ScriptEvent> waiting_;
+  std::size_t waiting_bytes_ = 0;
   std::map<std::uint32_t, Callback> callbacks_;
 };
 

@@ -19,12 +19,20 @@ namespace soarbox::script {
 class Recorder final : public ScriptListener {
  public:
   void OnPrint(std::string_view, std::string_view text) override { prints.emplace_back(text); }
-  void OnScriptError(world::EntityId agent, const ScriptError& error) override { errors.emplace_back(agent, error); }
+  void OnScriptFailed(world::EntityId agent, const ScriptError& error) override { errors.emplace_back(agent, error); }
+  void OnScriptTrouble(const ScriptTrouble& trouble) override {
+    troubles.push_back(trouble);
+    if (trouble.kind != ScriptTrouble::Kind::kError) return;
+    for (const world::EntityId agent : trouble.agents) errors.emplace_back(agent, trouble.error);
+  }
+  void OnErrorCount(const ErrorCount& count) override { counts.push_back(count); }
   void OnScriptWarning(const Diagnostic& warning) override { warnings.push_back(warning); }
 
   std::vector<std::string> prints;
   std::vector<std::pair<world::EntityId, ScriptError>> errors;
   std::vector<Diagnostic> warnings;
+  std::vector<ScriptTrouble> troubles;
+  std::vector<ErrorCount> counts;
 };
 
 /// A test double at the border to the simulation: minds that say a fixed command.
@@ -69,6 +77,7 @@ class HostTest : public testing::Test {
     host_ = std::make_unique<ScriptHost>(*world_, settings_, &minds_, recorder_);
     loaded_ = host_->LoadSandbox(main);
     if (loaded_) host_->Initialize();
+    host_->TellTroubles();
   }
   void StartWith(std::string_view text, std::uint64_t seed = 1) {
     Write("Sandbox.lua", text);
@@ -91,6 +100,7 @@ class HostTest : public testing::Test {
     world_->Step();
     host_->HandleCollisions();
     host_->UpdateSandbox();
+    host_->TellTroubles();
   }
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) Tick();

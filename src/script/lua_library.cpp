@@ -5,16 +5,19 @@
 #include <lua.hpp>
 #include <string>
 
+#include "script/lua_guarded.h"
 #include "script/lua_machine.h"
 #include "script/lua_order.h"
 #include "script/lua_pattern.h"
 #include "script/lua_text.h"
+#include "script/nested_call.h"
 #include "script/script_path.h"
 
 namespace soarbox::script {
 namespace {
 
 int Print(lua_State* state) {
+  const NestedCall nested(state);
   const int count = lua_gettop(state);
   luaL_Buffer line;
   luaL_buffinit(state, &line);
@@ -69,6 +72,7 @@ int LoadText(lua_State* state) {
 int Load(lua_State* state) {
   if (lua_type(state, 1) == LUA_TSTRING) return LoadText(state);
   luaL_checktype(state, 1, LUA_TFUNCTION);
+  const NestedCall nested(state);
   lua_settop(state, 2);
   luaL_Buffer text;
   luaL_buffinit(state, &text);
@@ -126,6 +130,7 @@ int Require(lua_State* state) {
   if (!machine.BeginLoading(name))
     return luaL_error(state, "module '%s' requires itself, directly or through others", name.c_str());
   const LoadingMark mark{machine, name};
+  const NestedCall nested(state);
   RunChunk(state, source.value()->content, file);
   lua_pushboolean(state, 1);
   lua_setfield(state, 2, name.c_str());
@@ -199,6 +204,7 @@ void InstallLibrary(lua_State* state) {
   lua_setglobal(state, "package");
 
   RunChunk(state, kXpcall, "xpcall");
+  InstallGuards(state);
   InstallText(state);
   InstallOrder(state);
   InstallPatterns(state);

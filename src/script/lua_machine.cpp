@@ -2,6 +2,7 @@
 #include "script/lua_machine.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <lua.hpp>
 #include <utility>
@@ -13,10 +14,17 @@ namespace soarbox::script {
 namespace {
 
 constexpr std::uint64_t kCountInterval = 1000;
+/// So many bytes are cleared or copied in the time of one instruction.
+constexpr std::size_t kBytesPerInstruction = 64;
+/// A call costs this much even if it does nothing.
+constexpr std::uint64_t kCallPrice = 100;
+
+std::atomic<bool> interrupted{false};
 
 }  // namespace
 
-LuaMachine::LuaMachine(MachineSetup setup) : setup_(std::move(setup)), memory_(setup_.limits.memory_bytes) {
+LuaMachine::LuaMachine(MachineSetup setup)
+    : setup_(std::move(setup)), memory_(setup_.limits.memory_bytes, setup_.world) {
   assert(setup_.path && setup_.random && setup_.print);
   state_ = lua_newstate(Allocate, this);
   if (!state_) return;
@@ -45,7 +53,9 @@ LuaMachine::~LuaMachine() {
 }
 
 void* LuaMachine::Allocate(void* machine, void* block, std::size_t old_size, std::size_t new_size) {
-  return static_cast<LuaMachine*>(machine)->memory_.Reallocate(block, old_size, new_size);
+  LuaMachine& self = *static_cast<LuaMachine*>(machine);
+  if (new_size > old_size) self.Charge((new_size - old_size) / kBytesPerInstruction);
+  return self.memory_.Reallocate(block, old_size, new_size);
 }
 
 LuaMachine& LuaMachine::Of(lua_State* state) {
@@ -85,7 +95,7 @@ std::optional<ScriptError> LuaMachine::RunProtected(RawBody body, void* data) {
   std::optional<ScriptError> error;
   if (status != 0) error = TakeError(status);
   lua_settop(state_, top);
-  --depth_;
+  if (--depth_ == 0 && setup_.world) setup_.world->UseInstructions(armed_ - instructions_left_ + kCallPrice);
   body_ = outer_body;
   body_data_ = outer_data;
   return error;
@@ -98,7 +108,11 @@ ScriptError LuaMachine::TakeError(int status) {
     error = ScriptError{};
     error->diagnostic.file = path().PathOf(script());
     error->diagnostic.message =
-        "the script needs more than its limit of " + std::to_string(memory_.limit_bytes() >> 10) + " KB of memory";
+        memory_.world_refused()
+            ? "the scripts of this world together have too little memory left for this one: their limit is " +
+                  std::to_string(setup_.world->limits().memory_bytes >> 20) + " MB"
+            : "the script needs more than its limit of " + std::to_string(memory_.limit_bytes() >> 10) +
+                  " KB of memory";
     // What the script held is garbage now; without this the next call would fail at once.
     lua_gc(state_, LUA_GCCOLLECT, 0);
   } else if (!error) {
@@ -109,7 +123,11 @@ ScriptError LuaMachine::TakeError(int status) {
 }
 
 void LuaMachine::ArmBudget() {
-  instructions_left_ = setup_.limits.instructions;
+  armed_ = setup_.limits.instructions;
+  if (setup_.world) armed_ = std::min(armed_, setup_.world->InstructionsForCall());
+  world_bound_ = armed_ < setup_.limits.instructions;
+  instructions_left_ = armed_;
+  nested_calls_ = 0;
   lua_sethook(state_, OnCount, LUA_MASKCOUNT, kCountInterval);
 }
 
@@ -119,7 +137,7 @@ void LuaMachine::Charge(std::uint64_t instructions) {
 
 void LuaMachine::OnCount(lua_State* state, lua_Debug*) {
   LuaMachine& machine = Of(state);
-  if (machine.instructions_left_ > kCountInterval) {
+  if (machine.instructions_left_ > kCountInterval && !interrupted.load(std::memory_order_relaxed)) {
     machine.instructions_left_ -= kCountInterval;
     return;
   }
@@ -130,9 +148,29 @@ void LuaMachine::RaiseOutOfBudget(lua_State* state) {
   instructions_left_ = 0;
   // From here on each instruction fails, so that a script cannot catch the error with pcall and go on.
   lua_sethook(state, OnCount, LUA_MASKCOUNT, 1);
+  if (interrupted.load(std::memory_order_relaxed)) {
+    lua_pushliteral(state, "the run is being ended");
+    lua_error(state);
+  }
+  if (world_bound_) {
+    lua_pushfstring(
+        state,
+        "the script was given up after %d thousand instructions: one call may use a tenth of what all scripts "
+        "of this world have left in this step",
+        static_cast<int>(armed_ / 1000));
+    lua_error(state);
+  }
   lua_pushfstring(state, "the script ran for more than %d thousand instructions in one call: is there an endless loop?",
                   static_cast<int>(setup_.limits.instructions / 1000));
   lua_error(state);
+}
+
+void LuaMachine::InterruptAll() {
+  interrupted.store(true, std::memory_order_relaxed);
+}
+
+bool LuaMachine::Interrupted() {
+  return interrupted.load(std::memory_order_relaxed);
 }
 
 int LuaMachine::RunBody(lua_State* state) {

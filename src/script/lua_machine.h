@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "script/script_error.h"
 #include "script/script_memory.h"
+#include "script/world_budget.h"
 
 struct lua_State;
 struct lua_Debug;
@@ -54,6 +56,7 @@ struct MachineSetup {
   ScriptPath* path = nullptr;  ///< For chunks and require.
   RandomSource* random = nullptr;
   PrintSink* print = nullptr;
+  WorldBudget* world = nullptr;      ///< What all machines may use together; null: no bound.
   ScriptContext* context = nullptr;  ///< What the bindings of the sandbox's API work on; null for bare machines.
 };
 
@@ -112,9 +115,19 @@ class LuaMachine {
 
   /// Takes instructions off the budget of the present call, for work done on a script's behalf.
   void Charge(std::uint64_t instructions);
+  /// The same, and ends the call at once if nothing is left: for work that takes long by itself.
+  void ChargeOrRaise(lua_State* state, std::uint64_t instructions) {
+    Charge(instructions);
+    if (instructions_left_ == 0) RaiseOutOfBudget(state);
+  }
   std::uint64_t instructions_left() const { return instructions_left_; }
   /// Raises the Lua error that ends a call whose budget is used up.
   void RaiseOutOfBudget(lua_State* state);
+
+  /// Makes each call of each machine that is under way, or begins later, end with an error as soon as it can: the
+  /// process is to end. May be called from a signal's handler.
+  static void InterruptAll();
+  static bool Interrupted();
 
   /// Marks a module as being run by require; false if it is already.
   bool BeginLoading(const std::string& module) { return loading_.insert(module).second; }
@@ -126,9 +139,18 @@ class LuaMachine {
   ScriptPath& path() const { return *setup_.path; }
   RandomSource& random() const { return *setup_.random; }
   PrintSink& print() const { return *setup_.print; }
+  WorldBudget* world() const { return setup_.world; }
+
+  /// References that the values of the sandbox's API keep (lua_values.cpp): looking up a number is faster than a name.
+  struct ValueReferences {
+    std::array<int, 7> metatables{};  ///< By ValueKind.
+    int agent_handles = 0;
+  };
+  ValueReferences values;
   const ScriptMemory& memory() const { return memory_; }
 
  private:
+  friend class NestedCall;
   using RawBody = void (*)(lua_State*, void*);
 
   std::optional<ScriptError> RunProtected(RawBody body, void* data);
@@ -147,9 +169,12 @@ class LuaMachine {
   lua_State* state_ = nullptr;
   int run_body_ = 0;  // Kept functions, so that a call needs no memory before it is protected.
   int on_error_ = 0;
-  int depth_ = 0;  // Of protected calls within each other.
+  int nested_calls_ = 0;  // See NestedCall.
+  int depth_ = 0;         // Of protected calls within each other.
   std::set<std::string> loading_;
   std::uint64_t instructions_left_ = 0;
+  std::uint64_t armed_ = 0;   // What the present call began with.
+  bool world_bound_ = false;  // The world's budget allowed it less than its own.
   RawBody body_ = nullptr;
   void* body_data_ = nullptr;
   std::optional<ScriptError> error_;  // From the message handler.

@@ -7,10 +7,14 @@
 #include <lua.hpp>
 
 #include "script/lua_machine.h"
+#include "script/nested_call.h"
 #include "script/script_memory.h"
 
 namespace soarbox::script {
 namespace {
+
+/// Ranking a key takes so many instructions' time.
+constexpr std::uint64_t kPricePerKey = 8;
 
 /// What decides a key's place. Text points into a string that the table keeps alive.
 struct KeyRank {
@@ -79,7 +83,7 @@ int Next(lua_State* state) {
     }
     lua_pop(state, 1);
   }
-  LuaMachine::Of(state).Charge(looked_at);
+  LuaMachine::Of(state).ChargeOrRaise(state, looked_at * kPricePerKey);
   lua_settop(state, 4);
   return found ? 2 : 1;
 }
@@ -115,6 +119,7 @@ int Pairs(lua_State* state) {
 int ForEach(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   luaL_checktype(state, 2, LUA_TFUNCTION);
+  const NestedCall nested(state);
   lua_settop(state, 2);
   PushOrderedKeys(state, 1);
   for (int i = 1;; ++i) {
@@ -159,7 +164,7 @@ void PushOrderedKeys(lua_State* state, int index) {
     lua_rawseti(state, keys, ++count);
     if (is_array && !(lua_type(state, -1) == LUA_TNUMBER && lua_tonumber(state, -1) == count)) is_array = false;
   }
-  LuaMachine::Of(state).Charge(static_cast<std::uint64_t>(count));
+  LuaMachine::Of(state).ChargeOrRaise(state, static_cast<std::uint64_t>(count) * (is_array ? 1 : kPricePerKey));
   if (is_array) return;
 
   auto* ranks = static_cast<KeyRank*>(lua_newuserdata(state, sizeof(KeyRank) * static_cast<std::size_t>(count)));

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "script/lua_machine.h"
+#include "script/nested_call.h"
 #include "script/text_pattern.h"
 
 namespace soarbox::script {
@@ -69,7 +70,7 @@ int FindOrMatch(lua_State* state, bool find) {
   std::size_t start = OffsetArgument(state, 3, subject.size());
   if (find && (lua_toboolean(state, 4) || text.find_first_of(kSpecials) == std::string_view::npos)) {
     const std::size_t found = subject.find(text, start);
-    LuaMachine::Of(state).Charge((subject.size() - start) / 16);
+    LuaMachine::Of(state).ChargeOrRaise(state, (subject.size() - start) / 16);
     if (found == std::string_view::npos) {
       lua_pushnil(state);
       return 1;
@@ -175,6 +176,7 @@ void AddReplacement(lua_State* state, luaL_Buffer& result, const TextPattern& pa
 }
 
 int GSub(lua_State* state) {
+  const NestedCall nested(state);
   const std::string_view subject = TextAt(state, 1);
   std::string_view text = TextAt(state, 2);
   const int type = lua_type(state, 3);

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <lua.hpp>
 
+#include "script/nested_call.h"
+
 namespace soarbox::script {
 namespace {
 
@@ -71,7 +73,12 @@ int FormatText(lua_State* state) {
 
 void PushText(lua_State* state, int index) {
   if (index < 0) index = lua_gettop(state) + index + 1;
-  if (luaL_callmeta(state, index, "__tostring")) return;
+  if (luaL_getmetafield(state, index, "__tostring")) {
+    const NestedCall nested(state);
+    lua_pushvalue(state, index);
+    lua_call(state, 1, 1);
+    return;
+  }
   switch (lua_type(state, index)) {
     case LUA_TSTRING:
       lua_pushvalue(state, index);

@@ -4,6 +4,7 @@
 #include <lua.hpp>
 #include <new>
 
+#include "script/argument_check.h"
 #include "script/bind_vector.h"
 #include "script/lua_machine.h"
 
@@ -19,26 +20,24 @@ const char* MetatableOf(ValueKind kind) {
       return "AgentType";
     case ValueKind::kUi:
       return "UIComponentType";
+    case ValueKind::kAnimation:
+      return "AnimationType";
     default:
       return "LuaScriptType";
   }
 }
 
-// Registry keys of the metatables by kind, and of the agent handles that were pushed before: addresses are faster to
-// look up than names.
-char metatable_keys[6];
-char agent_handles_key;
-
 void PushMetatable(lua_State* state, ValueKind kind) {
-  lua_pushlightuserdata(state, &metatable_keys[static_cast<std::size_t>(kind)]);
-  lua_rawget(state, LUA_REGISTRYINDEX);
+  lua_rawgeti(state, LUA_REGISTRYINDEX, LuaMachine::Of(state).values.metatables[static_cast<std::size_t>(kind)]);
 }
 
 /// Files the metatable on top of the stack for its kind, and pops it.
 void KeepMetatable(lua_State* state, ValueKind kind) {
-  lua_pushlightuserdata(state, &metatable_keys[static_cast<std::size_t>(kind)]);
-  lua_insert(state, -2);
-  lua_rawset(state, LUA_REGISTRYINDEX);
+  LuaMachine::Of(state).values.metatables[static_cast<std::size_t>(kind)] = luaL_ref(state, LUA_REGISTRYINDEX);
+}
+
+void PushAgentHandles(lua_State* state) {
+  lua_rawgeti(state, LUA_REGISTRYINDEX, LuaMachine::Of(state).values.agent_handles);
 }
 
 int HandlesAreEqual(lua_State* state) {
@@ -48,25 +47,19 @@ int HandlesAreEqual(lua_State* state) {
   return 1;
 }
 
-/// agent:Name() looks in the functions of the API alone, not in what scripts add to the table Agent.
-int IndexAgent(lua_State* state) {
+/// agent:Name() where there is no such function: an error if one of nearly that name is.
+int IndexUnknownMethod(lua_State* state) {
   std::size_t length = 0;
+  if (lua_type(state, 2) != LUA_TSTRING) return 0;
   const char* key = lua_tolstring(state, 2, &length);
-  if (!key) return 0;
-  lua_getfield(state, LUA_REGISTRYINDEX, "soarbox.agent_methods");
-  lua_pushlstring(state, key, length);
-  lua_rawget(state, -2);
-  return 1;
+  RaiseIfNear(state, "Agent", {key, length});
+  return 0;
 }
 
 void InstallHandleMetatable(lua_State* state, ValueKind kind) {
   if (luaL_newmetatable(state, MetatableOf(kind)) != 0) {
     lua_pushcfunction(state, HandlesAreEqual);
     lua_setfield(state, -2, "__eq");
-    if (kind == ValueKind::kAgent) {
-      lua_pushcfunction(state, IndexAgent);
-      lua_setfield(state, -2, "__index");
-    }
     lua_pushstring(state, MetatableOf(kind));
     lua_setfield(state, -2, "__metatable");
   }
@@ -75,8 +68,7 @@ void InstallHandleMetatable(lua_State* state, ValueKind kind) {
 
 /// Agents never go, so one handle for each serves: scripts ask for all agents in every step.
 bool PushKnownAgent(lua_State* state, std::uint32_t number) {
-  lua_pushlightuserdata(state, &agent_handles_key);
-  lua_rawget(state, LUA_REGISTRYINDEX);
+  PushAgentHandles(state);
   lua_rawgeti(state, -1, static_cast<int>(number));
   lua_remove(state, -2);
   if (!lua_isnil(state, -1)) return true;
@@ -85,8 +77,7 @@ bool PushKnownAgent(lua_State* state, std::uint32_t number) {
 }
 
 void KeepAgent(lua_State* state, std::uint32_t number) {
-  lua_pushlightuserdata(state, &agent_handles_key);
-  lua_rawget(state, LUA_REGISTRYINDEX);
+  PushAgentHandles(state);
   lua_pushvalue(state, -2);
   lua_rawseti(state, -2, static_cast<int>(number));
   lua_pop(state, 1);
@@ -98,12 +89,22 @@ void InstallValues(lua_State* state) {
   luaL_newmetatable(state, MetatableOf(ValueKind::kVector));
   InstallVectorMetamethods(state);
   KeepMetatable(state, ValueKind::kVector);
-  for (const ValueKind kind :
-       {ValueKind::kAgent, ValueKind::kSandbox, ValueKind::kObject, ValueKind::kNode, ValueKind::kUi})
+  for (const ValueKind kind : {ValueKind::kAgent, ValueKind::kSandbox, ValueKind::kObject, ValueKind::kNode,
+                               ValueKind::kUi, ValueKind::kAnimation})
     InstallHandleMetatable(state, kind);
-  lua_pushlightuserdata(state, &agent_handles_key);
   lua_newtable(state);
-  lua_rawset(state, LUA_REGISTRYINDEX);
+  LuaMachine::Of(state).values.agent_handles = luaL_ref(state, LUA_REGISTRYINDEX);
+}
+
+void InstallAgentMethods(lua_State* state) {
+  lua_newtable(state);
+  lua_pushcfunction(state, IndexUnknownMethod);
+  lua_setfield(state, -2, "__index");
+  lua_setmetatable(state, -2);
+  PushMetatable(state, ValueKind::kAgent);
+  lua_insert(state, -2);
+  lua_setfield(state, -2, "__index");
+  lua_pop(state, 1);
 }
 
 void PushVector(lua_State* state, world::Vec3 vector) {
@@ -124,8 +125,7 @@ void PushHandle(lua_State* state, Handle handle) {
 void PushAgents(lua_State* state, std::span<const world::EntityId> ids) {
   LuaMachine::Of(state).Charge(ids.size());
   lua_createtable(state, static_cast<int>(ids.size()), 0);
-  lua_pushlightuserdata(state, &agent_handles_key);
-  lua_rawget(state, LUA_REGISTRYINDEX);
+  PushAgentHandles(state);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     lua_rawgeti(state, -1, static_cast<int>(Number(ids[i])));
     if (lua_isnil(state, -1)) {
@@ -149,7 +149,7 @@ const Handle* ToHandle(lua_State* state, int index) {
 
 world::Vec3 CheckVector(lua_State* state, int index) {
   if (const world::Vec3* vector = ToVector(state, index)) return *vector;
-  luaL_argerror(state, index,
+  ArgumentError(state, index,
                 lua_pushfstring(state, "%s expected, got %s", NameOf(ValueKind::kVector), NameOfValue(state, index)));
   return {};
 }
@@ -157,12 +157,14 @@ world::Vec3 CheckVector(lua_State* state, int index) {
 std::uint32_t CheckHandle(lua_State* state, int index, ValueKind kind) {
   const Handle* handle = ToHandle(state, index);
   if (handle && handle->kind == kind) return handle->number;
-  luaL_argerror(state, index, lua_pushfstring(state, "%s expected, got %s", NameOf(kind), NameOfValue(state, index)));
+  ArgumentError(state, index, lua_pushfstring(state, "%s expected, got %s", NameOf(kind), NameOfValue(state, index)));
   return 0;
 }
 
 float CheckFloat(lua_State* state, int index) {
-  return static_cast<float>(luaL_checknumber(state, index));
+  if (!lua_isnumber(state, index))
+    ArgumentError(state, index, lua_pushfstring(state, "number expected, got %s", NameOfValue(state, index)));
+  return static_cast<float>(lua_tonumber(state, index));
 }
 
 const char* NameOf(ValueKind kind) {
@@ -179,6 +181,8 @@ const char* NameOf(ValueKind kind) {
       return "scene node";
     case ValueKind::kUi:
       return "UI component";
+    case ValueKind::kAnimation:
+      return "animation";
   }
   return "userdata";
 }

@@ -13,13 +13,13 @@ struct lua_State;
 namespace soarbox::script {
 
 /// What a userdata of the sandbox's API is. Scripts can make no other userdata, so each one starts with this.
-enum class ValueKind : std::uint32_t { kVector, kAgent, kSandbox, kObject, kNode, kUi };
+enum class ValueKind : std::uint32_t { kVector, kAgent, kSandbox, kObject, kNode, kUi, kAnimation };
 
 /// A thin pointer into the world: two are equal if they mean the same thing, though they need not be the same userdata.
 /// It keeps nothing alive.
 struct Handle {
   ValueKind kind;
-  std::uint32_t number;  ///< An EntityId, NodeId or UiId, as the kind says.
+  std::uint32_t number;  ///< An EntityId, NodeId, UiId or AnimationId, as the kind says.
 };
 
 /// A vector as scripts hold it: a mutable object of its own.
@@ -30,6 +30,10 @@ struct VectorValue {
 
 /// Registers the metatables of all kinds. Call inside a protected call, before any of the functions below.
 void InstallValues(lua_State* state);
+
+/// Makes the functions of the table on top of the stack what agent:Name() finds, and pops it: the table itself, so that
+/// no function of ours runs for each call.
+void InstallAgentMethods(lua_State* state);
 
 void PushVector(lua_State* state, world::Vec3 vector);
 void PushHandle(lua_State* state, Handle handle);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/host_fixture.h"
 
-// Whole scenarios: the thesis' own scripts with minds that always say the same, and agents in the manner of the book's
-// chapters 1 and 2, over our Lua library.
+// Whole scenarios: the thesis' world in the dialect of its scripts with minds that always say the same, and agents in
+// the manner of the book's chapters 1 and 2, over our Lua library.
 
 namespace soarbox::script {
 namespace {
@@ -13,15 +13,13 @@ using world::Vec3;
 class ThesisScriptsTest : public HostTest {
  protected:
   void SetUp() override {
-    thesis_ = std::filesystem::path(SOARBOX_SHARED_DIR) / "thesis" / "scripts";
-    if (!std::filesystem::exists(thesis_ / "Sandbox.lua")) GTEST_SKIP() << "no thesis scripts at " << thesis_;
-    settings_.script_folders.insert(settings_.script_folders.begin() + 1, thesis_);
+    settings_.script_folders.insert(settings_.script_folders.begin() + 1, {SOARBOX_SOURCE_DIR "/tests/thesis/scripts",
+                                                                           SOARBOX_SOURCE_DIR "/scenarios/thesis"});
     commands_ = {{"seeking", "sametarget"}, {"follower", "follow"}, {"waypoint", "samewaypoint"}};
   }
-  std::filesystem::path thesis_;
 };
 
-TEST_F(ThesisScriptsTest, RunUnmodifiedForThreeHundredTicks) {
+TEST_F(ThesisScriptsTest, RunForThreeHundredTicks) {
   Start();
   ASSERT_TRUE(loaded_);
   ASSERT_EQ(world_->AgentIds().size(), 6u);
@@ -108,66 +106,10 @@ TEST_F(HostTest, AShowroomOfAllPiecesComesToRestOnTheGround) {
   EXPECT_EQ(Errors(), "");
 }
 
-/// A seeker, a pursuer, followers and path walkers, as the second chapter has them.
-constexpr const char* kPursuer = R"(
-require "AgentUtilities"
-local enemy
-function Agent_Initialize(agent)
-  AgentUtilities_CreateAgentRepresentation(agent, agent:GetHeight(), agent:GetRadius())
-  agent:SetPosition(Vector.new(math.random(-50, 50), 0, math.random(-50, 50)))
-  for _, other in ipairs(Sandbox.GetAgents(agent:GetSandbox())) do
-    if other ~= agent then enemy = other break end
-  end
-  agent:SetMaxSpeed(enemy:GetMaxSpeed() * 0.8)
-end
-function Agent_Update(agent, deltaTimeInMillis)
-  agent:SetTarget(enemy:PredictFuturePosition(1))
-  AgentUtilities_ApplyPhysicsSteeringForce(agent, agent:ForceToPosition(agent:GetTarget()), deltaTimeInMillis / 1000)
-  AgentUtilities_ClampHorizontalSpeed(agent)
-  distance = Vector.Distance(agent:GetPosition(), enemy:GetPosition())
-end
-)";
-
-constexpr const char* kPathWalker = R"(
-require "AgentUtilities"
-require "DebugUtilities"
-function Agent_Initialize(agent)
-  AgentUtilities_CreateAgentRepresentation(agent, agent:GetHeight(), agent:GetRadius())
-  agent:SetPosition(Vector.new(math.random(-50, 50), 0, math.random(-50, 50)))
-end
-function Agent_Update(agent, deltaTimeInMillis)
-  local force = Vector.Normalize(agent:ForceToFollowPath(1.25)) + Vector.Normalize(agent:ForceToStayOnPath(1)) * 0.25 +
-      agent:ForceToWander(deltaTimeInMillis) * 0.25
-  if agent:GetSpeed() < 3 then force = force + Vector.Normalize(agent:ForceToTargetSpeed(3)) end
-  AgentUtilities_ApplyPhysicsSteeringForce(agent, force, deltaTimeInMillis / 1000)
-  AgentUtilities_ClampHorizontalSpeed(agent)
-  DebugUtilities_DrawPath(agent:GetPath(), false, Vector.new(0, 0.02, 0))
-end
-)";
-
-constexpr const char* kMovement = R"(
-require "DebugUtilities"
-function Sandbox_Initialize(sandbox)
-  Sandbox.CreatePlane(sandbox, 200, 200)
-  seeker = Sandbox.CreateAgent(sandbox, "SeekingLuaAgent.lua")
-  Sandbox.CreateAgent(sandbox, "Pursuer.lua")
-  for i = 1, 5 do Sandbox.CreateAgent(sandbox, "FollowerLuaAgent.lua") end
-  local path = { Vector.new(0, 0, 0), Vector.new(30, 0, 0), Vector.new(30, 0, 50), Vector.new(-30, 0, 0), Vector.new(-30, 0, 20) }
-  for i = 1, 20 do
-    local agent = Sandbox.CreateAgent(sandbox, "PathWalker.lua")
-    agent:SetPath(path, true)
-    agent:SetMaxSpeed(math.random(agent:GetMaxSpeed() * 0.85, agent:GetMaxSpeed() * 1.15))
-  end
-end
-function Sandbox_Update(sandbox)
-  DebugUtilities_DrawDynamicBoundingSpheres(Sandbox.GetObjects(sandbox))
-end
-)";
-
 TEST_F(HostTest, SeekersPursuersFollowersAndPathWalkersMoveAsTheBookHasThem) {
-  Write("Pursuer.lua", kPursuer);
-  Write("PathWalker.lua", kPathWalker);
-  StartWith(kMovement);
+  settings_.script_folders.insert(settings_.script_folders.begin(),
+                                  std::filesystem::path(SOARBOX_SOURCE_DIR) / "scenarios" / "movement");
+  Start();
   ASSERT_EQ(world_->AgentIds().size(), 27u);
   EXPECT_EQ(world_->FindAgent(EntityId{20})->PathPoints().size(), 6u);
   Ticks(60);

@@ -10,14 +10,6 @@
 
 namespace soarbox::script {
 
-/// Times for the performance panel, in microseconds. The simulation may set them; they are the only numbers that
-/// scripts see which need not be the same in every run, so a run that is to be replayed leaves the defaults.
-struct ProfileTimes {
-  double render_us = 33'333;
-  double simulation_us = 0;
-  double total_simulation_us = 33'333;
-};
-
 /// Makes an agent with its own machine; implemented by the ScriptHost.
 class AgentMaker {
  public:
@@ -30,9 +22,9 @@ struct ScriptContext {
   world::World& world;
   ScriptReporter& reporter;
   AgentMaker& agents;
+  WorldBudget& budget;
   EventQueue events{};
   CollisionCallbacks collisions{};
-  ProfileTimes times{};
 };
 
 /// The context of the machine that a state belongs to. The API is bound only in machines that have one.

@@ -80,7 +80,8 @@ struct ScriptHost::AgentScript {
   AgentCreationRequest request;
   std::unique_ptr<RandomSource> random;
   std::unique_ptr<LuaMachine> machine;
-  bool runs = false;  ///< Its chunk ran, and nothing failed since.
+  bool runs = false;   ///< Its chunk ran, and nothing failed since.
+  bool senses = true;  ///< Has a function Agent_Sense, as far as is known.
 };
 
 ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener)
@@ -88,15 +89,16 @@ ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFac
       settings_(std::move(settings)),
       minds_(minds),
       path_(settings_.script_folders),
-      reporter_(listener),
-      context_{world, reporter_, *this} {}
+      budget_(settings_.world_limits),
+      reporter_(listener, budget_),
+      context_{world, reporter_, *this, budget_} {}
 
 ScriptHost::~ScriptHost() = default;
 
 std::unique_ptr<LuaMachine> ScriptHost::MakeMachine(std::string_view script, EntityId owner, MachineLimits limits,
                                                     RandomSource& random) {
   return std::make_unique<LuaMachine>(
-      MachineSetup{std::string(script), Number(owner), limits, &path_, &random, &reporter_, &context_});
+      MachineSetup{std::string(script), Number(owner), limits, &path_, &random, &reporter_, &budget_, &context_});
 }
 
 bool ScriptHost::LoadSandbox(std::string_view script) {
@@ -104,7 +106,7 @@ bool ScriptHost::LoadSandbox(std::string_view script) {
   sandbox_ = MakeMachine(script, EntityId::kSandbox, settings_.sandbox_limits, *sandbox_random_);
   auto error = sandbox_->Protected([](lua_State* state) { BindApi(state, ApiSide::kSandbox); });
   if (!error) error = sandbox_->RunFile(script);
-  if (error) reporter_.Error(EntityId::kSandbox, *error);
+  if (error) reporter_.FailedForGood(EntityId::kSandbox, *error);
   return !error;
 }
 
@@ -114,11 +116,11 @@ bool ScriptHost::Initialize() {
     PushSandbox(state);
     return 1;
   });
-  if (error) reporter_.Error(EntityId::kSandbox, *error);
-  return !error;
+  return NoteResult(EntityId::kSandbox, "Sandbox_Initialize", error);
 }
 
 void ScriptHost::BeginTick(std::span<const EntityId> removed_objects) {
+  budget_.BeginTick();
   for (const EntityId id : removed_objects) {
     context_.events.RemoveTarget(Number(id));
     context_.collisions.RemoveObject(id);
@@ -132,7 +134,7 @@ void ScriptHost::HandleInput(const InputEvent& event) {
       PushInput(state, event, world_);
       return 2;
     });
-    if (error) reporter_.Error(EntityId::kSandbox, *error);
+    NoteResult(EntityId::kSandbox, "Sandbox_HandleEvent", error);
   }
   const std::size_t count = agents_.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -143,33 +145,63 @@ void ScriptHost::HandleInput(const InputEvent& event) {
       PushInput(state, event, world_);
       return 2;
     });
-    if (error) FailAgent(script, *error, false);
+    NoteResult(script.id, "Agent_HandleEvent", error);
   }
+}
+
+void ScriptHost::AddOrder(EntityId agent, const std::string& order) {
+  ScriptEvent event{"Order", {}};
+  event.fields["agent"] = Handle{ValueKind::kAgent, Number(agent)};
+  event.fields["order"] = order;
+  context_.events.Add(std::move(event));
 }
 
 void ScriptHost::DeliverEvents() {
   context_.events.Deliver([this](const LuaMachine& machine) { return MayRun(machine); },
-                          [this](LuaMachine& machine, const ScriptError& error) { OnCallbackError(machine, error); });
+                          [this](LuaMachine& machine, const ScriptError* error) {
+                            NoteResult(EntityId{machine.owner()}, "the event callback", error);
+                          });
 }
 
-void ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> command) {
+bool ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> command, const Table& parameters) {
   AgentScript* script = Find(agent);
-  if (!script || !script->runs) return;
+  if (!script || !script->runs) return false;
   const auto error = script->machine->CallGlobal("Agent_Update", [&](lua_State* state) {
     PushAgent(state, agent);
     lua_pushinteger(state, world_.step_millis());
     if (!command) return 2;
     lua_pushlstring(state, command->data(), command->size());
-    return 3;
+    // The thesis' three kinds have no parameters, and their scripts expect none.
+    if (parameters.empty() && script->request.kind != "soar") return 3;
+    PushTable(state, parameters);
+    return 4;
   });
-  if (error) FailAgent(*script, *error, false);
+  return NoteResult(agent, "Agent_Update", error);
+}
+
+std::optional<Table> ScriptHost::SenseAgent(EntityId agent) {
+  AgentScript* script = Find(agent);
+  if (!script || !script->runs || !script->senses) return std::nullopt;
+  std::optional<Table> sensed;
+  const auto error = script->machine->Protected([&](lua_State* state) {
+    lua_getglobal(state, "Agent_Sense");
+    script->senses = lua_isfunction(state, -1);
+    if (!script->senses) return;
+    PushAgent(state, agent);
+    lua_call(state, 1, 1);
+    if (lua_istable(state, -1)) sensed = CopyTable(state, lua_gettop(state));
+  });
+  NoteResult(agent, "Agent_Sense", error);
+  return sensed;
 }
 
 void ScriptHost::HandleCollisions() {
   context_.collisions.Deliver(
       world_.Collisions(), [this](EntityId id) { return world_.FindAgent(id) != nullptr; },
       [this](const LuaMachine& machine) { return MayRun(machine); },
-      [this](LuaMachine& machine, const ScriptError& error) { OnCallbackError(machine, error); });
+      [this](LuaMachine& machine, const ScriptError* error) {
+        NoteResult(EntityId{machine.owner()}, "the collision callback", error);
+      });
 }
 
 void ScriptHost::UpdateSandbox() {
@@ -183,7 +215,7 @@ void ScriptHost::Cleanup() {
       PushAgent(state, script->id);
       return 1;
     });
-    if (error) reporter_.Error(script->id, *error);
+    NoteResult(script->id, "Agent_Cleanup", error);
   }
   CallSandbox("Sandbox_Cleanup", false);
 }
@@ -196,12 +228,15 @@ void ScriptHost::CallSandbox(const char* function, bool with_time) {
     lua_pushinteger(state, world_.step_millis());
     return 2;
   });
-  if (error) reporter_.Error(EntityId::kSandbox, *error);
+  NoteResult(EntityId::kSandbox, function, error);
 }
 
 Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
   Diagnostic refusal;
-  if (const auto source = path_.Load(request.script); !source.ok()) return source.error();
+  const bool has_script = !request.script.empty();
+  if (has_script) {
+    if (const auto source = path_.Load(request.script); !source.ok()) return source.error();
+  }
   if (agents_.size() >= settings_.max_agents) {
     refusal.message = "there are " + std::to_string(agents_.size()) + " agents already: no more are made";
     return refusal;
@@ -224,6 +259,14 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
     refusal.message = "the world cannot take another agent";
     return refusal;
   }
+  if (!has_script) {
+    // Its body is not a script's matter; the minds give it one.
+    if (const Result<void> made = minds_->MakeMind(id, request); !made.ok()) {
+      world_.FindAgent(id)->SetFailed(true);
+      reporter_.FailedForGood(id, ScriptError{made.error(), {}});
+    }
+    return id;
+  }
   agents_.push_back(std::make_unique<AgentScript>());
   AgentScript& script = *agents_.back();
   script.id = id;
@@ -241,7 +284,7 @@ void ScriptHost::InitializeAgent(AgentScript& script) {
   auto error = script.machine->Protected([](lua_State* state) { BindApi(state, ApiSide::kAgent); });
   if (!error) error = script.machine->RunFile(script.request.script);
   if (error) {
-    FailAgent(script, *error, true);
+    StopAgent(script, *error);
     return;
   }
   script.runs = true;
@@ -250,10 +293,10 @@ void ScriptHost::InitializeAgent(AgentScript& script) {
     PushAgent(state, script.id);
     return 1;
   });
-  if (error) FailAgent(script, *error, false);
-  if (!script.runs || !script.request.HasMind()) return;
+  NoteResult(script.id, "Agent_Initialize", error);
+  if (!script.request.HasMind()) return;
   if (const Result<void> made = minds_->MakeMind(script.id, script.request); !made.ok())
-    FailAgent(script, ScriptError{made.error(), {}}, true);
+    StopAgent(script, ScriptError{made.error(), {}});
 }
 
 std::string ScriptHost::NameFor(const AgentCreationRequest& request) {
@@ -282,20 +325,19 @@ bool ScriptHost::MayRun(const LuaMachine& machine) const {
   return !script || script->runs;
 }
 
-void ScriptHost::OnCallbackError(LuaMachine& machine, const ScriptError& error) {
-  if (AgentScript* script = Find(EntityId{machine.owner()})) {
-    FailAgent(*script, error, false);
+bool ScriptHost::NoteResult(EntityId agent, const char* callback, const ScriptError* error) {
+  if (error) {
+    reporter_.Failed(agent, callback, *error);
   } else {
-    reporter_.Error(EntityId::kSandbox, error);
+    reporter_.Succeeded(agent, callback);
   }
+  return !error;
 }
 
-void ScriptHost::FailAgent(AgentScript& script, const ScriptError& error, bool for_good) {
-  if (for_good || !settings_.agents_survive_errors) {
-    script.runs = false;
-    world_.FindAgent(script.id)->SetFailed(true);
-  }
-  reporter_.Error(script.id, error);
+void ScriptHost::StopAgent(AgentScript& script, const ScriptError& error) {
+  script.runs = false;
+  world_.FindAgent(script.id)->SetFailed(true);
+  reporter_.FailedForGood(script.id, error);
 }
 
 bool ScriptHost::IsLuaAgent(EntityId agent) const {
@@ -317,10 +359,6 @@ std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::s
   Diagnostic error;
   error.message = "no such agent: " + std::to_string(Number(agent_or_sandbox));
   return ScriptError{error, {}};
-}
-
-void ScriptHost::SetProfileTimes(const ProfileTimes& times) {
-  context_.times = times;
 }
 
 }  // namespace soarbox::script

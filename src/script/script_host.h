@@ -14,6 +14,7 @@
 #include "script/script_context.h"
 #include "script/script_path.h"
 #include "script/script_reporter.h"
+#include "script/script_table.h"
 #include "world/world.h"
 
 namespace soarbox::script {
@@ -24,9 +25,7 @@ struct ScriptHostSettings {
   MachineLimits sandbox_limits{std::size_t{256} << 20, 200'000'000};
   MachineLimits agent_limits{std::size_t{64} << 20, 20'000'000};
   std::size_t max_agents = 20'000;
-  /// An agent whose script fails in a callback stops (false) or only loses that call (true). A script that does not
-  /// compile stops its agent in any case.
-  bool agents_survive_errors = false;
+  WorldLimits world_limits;  ///< Of all machines together.
 };
 
 /// All scripts of one world: the sandbox's machine and one machine for each agent, with the API between them and the
@@ -42,9 +41,12 @@ struct ScriptHostSettings {
 ///   world.Step();
 ///   host.HandleCollisions();
 ///   host.UpdateSandbox();
+///   host.TellTroubles();                 // what failed, each error once
 ///
-/// Nothing that a script does ends the world: errors go to the listener, once for each distinct message, and an agent
-/// whose script failed is marked (world::Agent::Failed) and no longer updated. One thread at a time, the world's.
+/// Nothing that a script does ends the world. An error costs the call in which it came, and the agent goes on with the
+/// next one; each error is told once, with the agents that had it. Only a script that does not load, or whose mind
+/// cannot be made, stops its agent: it is marked (world::Agent::Failed) and no longer updated. One thread at a time,
+/// the world's.
 class ScriptHost final : private AgentMaker {
  public:
   /// `minds` may be null: then asking for an agent with a mind is a Lua error. All must outlive the host.
@@ -61,14 +63,24 @@ class ScriptHost final : private AgentMaker {
   void BeginTick(std::span<const world::EntityId> removed_objects);
   /// First the sandbox, then each agent hears of it.
   void HandleInput(const InputEvent& event);
+  /// Files a custom event of the type "Order" with the fields `agent` and `order`: what a user asks an agent to do.
+  void AddOrder(world::EntityId agent, const std::string& order);
   void DeliverEvents();
-  /// Agent_Update(agent, milliseconds [, command]). Nothing happens for agents that failed.
-  void UpdateAgent(world::EntityId agent, std::optional<std::string_view> command = std::nullopt);
+  /// Agent_Update(agent, milliseconds [, command, parameters]). Nothing happens for agents that failed. False if it
+  /// failed.
+  bool UpdateAgent(world::EntityId agent, std::optional<std::string_view> command = std::nullopt,
+                   const Table& parameters = {});
+  /// What Agent_Sense(agent) returns; nothing if there is no such function, it fails or it returns no table.
+  std::optional<Table> SenseAgent(world::EntityId agent);
   void HandleCollisions();
   /// Sandbox_Update(sandbox, milliseconds).
   void UpdateSandbox();
   /// Agent_Cleanup for each agent in creation order, then Sandbox_Cleanup.
   void Cleanup();
+  /// Tells the listener what failed since the last call. Call it when new agents have been announced.
+  void TellTroubles() { reporter_.TellTroubles(); }
+  /// Tells it what was not told because it came again and again, at the end of a run.
+  void TellCounts() { reporter_.TellCounts(); }
 
   /// True if the agent is driven by its script alone, false if a mind decides.
   bool IsLuaAgent(world::EntityId agent) const;
@@ -76,7 +88,6 @@ class ScriptHost final : private AgentMaker {
   const AgentCreationRequest* RequestOf(world::EntityId agent) const;
   /// Runs a text in the machine of the sandbox, or of an agent: for consoles and tests.
   std::optional<ScriptError> RunText(world::EntityId agent_or_sandbox, std::string_view text);
-  void SetProfileTimes(const ProfileTimes& times);
   ScriptPath& path() { return path_; }
 
  private:
@@ -88,8 +99,12 @@ class ScriptHost final : private AgentMaker {
   const AgentScript* Find(world::EntityId agent) const;
   std::string NameFor(const AgentCreationRequest& request);
   bool MayRun(const LuaMachine& machine) const;
-  void OnCallbackError(LuaMachine& machine, const ScriptError& error);
-  void FailAgent(AgentScript& script, const ScriptError& error, bool for_good);
+  /// Notes how a call ended; `error` may be null. False if it failed.
+  bool NoteResult(world::EntityId agent, const char* callback, const ScriptError* error);
+  bool NoteResult(world::EntityId agent, const char* callback, const std::optional<ScriptError>& error) {
+    return NoteResult(agent, callback, error ? &*error : nullptr);
+  }
+  void StopAgent(AgentScript& script, const ScriptError& error);
   std::unique_ptr<LuaMachine> MakeMachine(std::string_view script, world::EntityId owner, MachineLimits limits,
                                           RandomSource& random);
   void CallSandbox(const char* function, bool with_time);
@@ -98,6 +113,7 @@ class ScriptHost final : private AgentMaker {
   ScriptHostSettings settings_;
   MindFactory* minds_;
   ScriptPath path_;
+  WorldBudget budget_;
   ScriptReporter reporter_;
   ScriptContext context_;
   std::unique_ptr<RandomSource> sandbox_random_;

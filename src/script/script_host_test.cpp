@@ -34,7 +34,7 @@ TEST_F(HostTest, EachAgentHasGlobalsOfItsOwn) {
   EXPECT_EQ(Run("print(count)"), "nil");
 }
 
-TEST_F(HostTest, AFailingAgentIsReportedOnceAndStopsWhileTheWorldGoesOn) {
+TEST_F(HostTest, AnErrorCostsItsCallAndIsToldOnce) {
   Write("Bad.lua", "function Agent_Update(a)\n  local n = nil\n  print(n.x)\nend");
   Write("Good.lua", "updates = 0 function Agent_Update(a) updates = updates + 1 end");
   StartWith("function Sandbox_Initialize(s) Sandbox.CreateAgent(s, 'Bad.lua') Sandbox.CreateAgent(s, 'Good.lua') end");
@@ -46,17 +46,35 @@ TEST_F(HostTest, AFailingAgentIsReportedOnceAndStopsWhileTheWorldGoesOn) {
   EXPECT_EQ(error.diagnostic.line, 3);
   EXPECT_EQ(error.diagnostic.excerpt, "  print(n.x)");
   EXPECT_EQ(error.traceback, "  Bad.lua:3: in the function at line 1\n");
-  EXPECT_TRUE(world_->FindAgent(kFirst)->Failed());
+  EXPECT_FALSE(world_->FindAgent(kFirst)->Failed());
   EXPECT_EQ(Run("print(updates)", EntityId{2}), "5");
+  host_->TellCounts();
+  ASSERT_EQ(recorder_.counts.size(), 1u);
+  EXPECT_EQ(recorder_.counts[0].count, 5u);
 }
 
-TEST_F(HostTest, AnAgentMayOutliveItsErrorsWhereThatIsWanted) {
-  settings_.agents_survive_errors = true;
-  Write("Bad.lua", "tries = 0 function Agent_Update(a) tries = tries + 1 error('again') end");
+TEST_F(HostTest, OneErrorOfSeveralAgentsIsToldOnceWithAllOfThemAndAgainWhenTheyKeepFailingAndRecover) {
+  using Kind = ScriptTrouble::Kind;
+  Write("Bad.lua", "tries = 0 function Agent_Update(a) tries = tries + 1 if tries < 10 then error('again') end end");
+  StartWith("function Sandbox_Initialize(s) for i = 1, 3 do Sandbox.CreateAgent(s, 'Bad.lua') end end");
+  Ticks(20);
+  EXPECT_EQ(Run("print(tries)", kFirst), "20");
+  ASSERT_EQ(recorder_.troubles.size(), 3u);
+  const Kind kinds[] = {Kind::kError, Kind::kKeepsFailing, Kind::kWorksAgain};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(recorder_.troubles[i].kind, kinds[i]);
+    EXPECT_EQ(recorder_.troubles[i].agents.size(), 3u);
+    EXPECT_EQ(recorder_.troubles[i].callback, "Agent_Update");
+  }
+}
+
+TEST_F(HostTest, AFailedSetUpOfAnAgentDoesNotStopItsUpdates) {
+  Write("Bad.lua",
+        "updates = 0 function Agent_Initialize(a) error('no') end function Agent_Update(a) updates = updates + 1 end");
   StartWith("function Sandbox_Initialize(s) Sandbox.CreateAgent(s, 'Bad.lua') end");
   Ticks(3);
-  EXPECT_EQ(Run("print(tries)", kFirst), "3");
   EXPECT_EQ(recorder_.errors.size(), 1u);
+  EXPECT_EQ(Run("print(updates)", kFirst), "3");
 }
 
 TEST_F(HostTest, ASyntaxErrorStopsItsAgentOnly) {
@@ -169,7 +187,7 @@ TEST_F(HostTest, AgentsWithMindsAreAskedForWithTheirKindRulesAndOptions) {
       "  Sandbox.CreateSoarAgent(s, 'A.lua', 'scout.soar', {name = 'scout', range = 5, brave = true})\n"
       "  Sandbox.CreateSoarAgent(s, 'A.lua', 'missing.soar')\n"
       "  f:SetLeader(Sandbox.GetAgents(s)[1]) print(f:GetLeader():GetId())\n"
-      "  print(pcall(Sandbox.CreateSoarAgent, s, 'A.lua', 'x.soar', {bad = {}}))\n"
+      "  print(pcall(Sandbox.CreateSoarAgent, s, 'A.lua', 'x.soar', {bad = print}))\n"
       "end");
   EXPECT_EQ(recorder_.prints[0], "{ x=0.000000, y=0.000000, z=10.000000 }");
   ASSERT_EQ(minds_.made.size(), 3u);
@@ -183,7 +201,8 @@ TEST_F(HostTest, AgentsWithMindsAreAskedForWithTheirKindRulesAndOptions) {
   EXPECT_EQ(world_->FindAgent(EntityId{3})->name(), "scout");
   EXPECT_TRUE(world_->FindAgent(EntityId{4})->Failed());
   EXPECT_EQ(recorder_.prints[4], "1");
-  EXPECT_NE(recorder_.prints[5].find("the values of options are strings, numbers and booleans"), std::string::npos);
+  EXPECT_NE(recorder_.prints[5].find("the values of options are strings, numbers, booleans, vectors"),
+            std::string::npos);
   ASSERT_EQ(recorder_.errors.size(), 1u);
   EXPECT_EQ(recorder_.errors[0].second.diagnostic.message, "no such file: \"missing.soar\"");
 }

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <new>
 
+#include "script/world_budget.h"
+
 namespace soarbox::script {
 namespace {
 
@@ -32,8 +34,15 @@ void* ScriptMemory::Take(std::size_t size_class) {
   if (rest_ < size) {
     const bool own_chunk = size > next_chunk_size_ / 4;
     const std::size_t chunk_size = own_chunk ? size : next_chunk_size_;
+    world_refused_ = world_ != nullptr && !world_->TakeMemory(chunk_size, reserved_bytes_);
+    if (world_refused_) return nullptr;
+    reserved_bytes_ += chunk_size;
     Chunk chunk{std::unique_ptr<std::byte[]>(new (std::nothrow) std::byte[chunk_size]), chunk_size};
-    if (!chunk.bytes) return nullptr;
+    if (!chunk.bytes) {
+      if (world_ != nullptr) world_->GiveMemoryBack(chunk_size);
+      reserved_bytes_ -= chunk_size;
+      return nullptr;
+    }
     chunks_.push_back(std::move(chunk));
     std::byte* start = chunks_.back().bytes.get();
     if (own_chunk) return start;
@@ -51,6 +60,10 @@ void ScriptMemory::GiveBack(void* block, std::size_t size_class) {
   auto* free_block = static_cast<FreeBlock*>(block);
   free_block->next = free_[size_class];
   free_[size_class] = free_block;
+}
+
+ScriptMemory::~ScriptMemory() {
+  if (world_ != nullptr) world_->GiveMemoryBack(reserved_bytes_);
 }
 
 void* ScriptMemory::Reallocate(void* block, std::size_t old_size, std::size_t new_size) {

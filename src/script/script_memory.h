@@ -9,6 +9,8 @@
 
 namespace soarbox::script {
 
+class WorldBudget;
+
 /// The memory of one Lua machine: size classes with free lists over a few large chunks, up to a limit.
 ///
 /// Where a block lies is decided by the sequence of requests alone, never by what else the process does. So the
@@ -16,7 +18,10 @@ namespace soarbox::script {
 /// tables or functions in a stable order. Used by one thread at a time.
 class ScriptMemory {
  public:
-  explicit ScriptMemory(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+  /// `world`, if given, bounds what all machines take together; it must outlive this.
+  explicit ScriptMemory(std::size_t limit_bytes, WorldBudget* world = nullptr)
+      : limit_bytes_(limit_bytes), world_(world) {}
+  ~ScriptMemory();
   ScriptMemory(const ScriptMemory&) = delete;
   ScriptMemory& operator=(const ScriptMemory&) = delete;
 
@@ -28,6 +33,8 @@ class ScriptMemory {
 
   std::size_t used_bytes() const { return used_bytes_; }
   std::size_t limit_bytes() const { return limit_bytes_; }
+  /// True if the last refusal was the world's: this memory is below its own limit.
+  bool world_refused() const { return world_refused_; }
 
  private:
   static constexpr std::size_t kSmallStep = 16;
@@ -49,6 +56,9 @@ class ScriptMemory {
   void GiveBack(void* block, std::size_t size_class);
 
   std::size_t limit_bytes_;
+  WorldBudget* world_;
+  std::size_t reserved_bytes_ = 0;  ///< In chunks.
+  bool world_refused_ = false;
   std::size_t used_bytes_ = 0;
   std::array<FreeBlock*, kClasses> free_{};
   std::vector<Chunk> chunks_;  // In the order of their making.

@@ -45,6 +45,16 @@ std::optional<fs::path> FindIn(const fs::path& folder, const fs::path& name) {
 
 }  // namespace
 
+bool ScriptPath::LinksOutside(const fs::path& file) const {
+  std::error_code error;
+  const fs::path inside = fs::canonical(file, error);
+  if (error) return true;
+  return std::none_of(folders_.begin(), folders_.end(), [&](const fs::path& folder) {
+    const fs::path above = fs::canonical(folder, error);
+    return !error && std::mismatch(above.begin(), above.end(), inside.begin(), inside.end()).first == above.end();
+  });
+}
+
 Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
   if (const auto it = cache_.find(name); it != cache_.end()) return &it->second;
 
@@ -58,6 +68,10 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
   for (const fs::path& folder : folders_) {
     found = FindIn(folder, fs::path(name));
     if (found) break;
+  }
+  if (found && LinksOutside(*found)) {
+    error.message = "this script is a link that leads out of the scenario's folder";
+    return error;
   }
   if (!found) {
     error.message = "no such script file: \"" + std::string(name) + "\"";

@@ -41,6 +41,9 @@ class ScriptPath {
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
  private:
+  /// True if the file, all links followed, lies below none of the folders.
+  bool LinksOutside(const std::filesystem::path& file) const;
+
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, ScriptSource, std::less<>> cache_;
 };

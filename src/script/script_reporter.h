@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "script/failure_ledger.h"
 #include "script/lua_machine.h"
 #include "script/script_error.h"
 #include "world/ids.h"
@@ -16,29 +17,43 @@ class ScriptListener {
  public:
   virtual ~ScriptListener() = default;
   virtual void OnPrint(std::string_view script, std::string_view text) = 0;
-  /// A script failed; `agent` is kSandbox for the sandbox's own scripts. Distinct messages only.
-  virtual void OnScriptError(world::EntityId agent, const ScriptError& error) = 0;
+  /// A script failed for good: it did not load, or the agent has no mind. `agent` is kSandbox for the sandbox's own.
+  virtual void OnScriptFailed(world::EntityId agent, const ScriptError& error) = 0;
+  /// Calls of scripts failed, or work again; the scripts go on.
+  virtual void OnScriptTrouble(const ScriptTrouble& trouble) = 0;
+  /// An error came more often than was told. For the end of a run.
+  virtual void OnErrorCount(const ErrorCount& count) = 0;
   /// Something a script did had no effect. Distinct messages only.
   virtual void OnScriptWarning(const Diagnostic& warning) = 0;
 };
 
-/// Passes errors and warnings on, each distinct message once.
+/// Passes errors and warnings on, each distinct message once, and texts as far as the world's budget for them goes.
 class ScriptReporter final : public PrintSink {
  public:
-  explicit ScriptReporter(ScriptListener& listener) : listener_(listener) {}
+  ScriptReporter(ScriptListener& listener, WorldBudget& budget) : listener_(listener), budget_(budget) {}
 
-  void OnPrint(std::string_view script, std::string_view text) override { listener_.OnPrint(script, text); }
-  void Error(world::EntityId agent, const ScriptError& error) {
-    if (seen_.insert(std::to_string(Number(agent)) + Format(error.diagnostic)).second)
-      listener_.OnScriptError(agent, error);
+  void OnPrint(std::string_view script, std::string_view text) override;
+  void FailedForGood(world::EntityId agent, const ScriptError& error) { listener_.OnScriptFailed(agent, error); }
+  void Warn(const Diagnostic& warning);
+
+  /// A call of a script failed, or ended well.
+  void Failed(world::EntityId agent, std::string_view callback, const ScriptError& error) {
+    if (!LuaMachine::Interrupted()) ledger_.Failed(agent, callback, error);
   }
-  void Warn(const Diagnostic& warning) {
-    if (seen_.insert(Format(warning)).second) listener_.OnScriptWarning(warning);
-  }
+  void Succeeded(world::EntityId agent, std::string_view callback) { ledger_.Succeeded(agent, callback); }
+  /// Tells what went wrong since the last call.
+  void TellTroubles();
+  /// Tells what was not told at once because it came again and again.
+  void TellCounts();
 
  private:
+  static constexpr std::size_t kMostWarnings = 500;
+
   ScriptListener& listener_;
+  WorldBudget& budget_;
+  FailureLedger ledger_;
   std::set<std::string> seen_;
+  std::uint64_t prints_left_out_ = 0;
 };
 
 }  // namespace soarbox::script

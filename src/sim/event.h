@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
@@ -13,6 +14,9 @@ namespace soarbox::sim {
 enum class EventKind : std::uint8_t {
   kAgentCreated,  ///< text: its kind ("lua", "soar seeking", ...) and script.
   kCommand,       ///< text: what a mind said, when it differs from what it said before or is news by itself.
+  kOutcome,       ///< text: how a lasting command, or one that failed, ended; news: the command.
+  kNews,          ///< Something to be seen in the world; news: what ("shoots", "dies", "says"); text: the rest.
+  kEnded,         ///< The scenario's end is reached; text says which.
   kGap,           ///< A mind used its whole decision budget without a command; text says so. Once per gap.
   kLog,           ///< text: printed by a script or a rule.
   kDiagnostic,    ///< diagnostic: something that a user should mend.
@@ -21,6 +25,11 @@ enum class EventKind : std::uint8_t {
   kMindLost,      ///< The connection to the minds' kernel is gone.
   kMindBack,      ///< The minds live again in a kernel that answers at the same address.
 };
+/// Of the kinds above; a recording refuses others.
+inline constexpr EventKind kLastEventKind = EventKind::kMindBack;
+
+/// The word for a kind in JSON and in recordings: "command", "diagnostic", ...
+std::string_view EventName(EventKind kind);
 
 /// One thing that happened, for the command line, the JSON output and the panels.
 struct Event {
@@ -29,9 +38,13 @@ struct Event {
   double time_s = 0;
   std::string agent;  ///< Name; empty for the sandbox itself.
   std::string text;
-  Diagnostic diagnostic;  ///< kDiagnostic, kAgentFailed and kMindFailed.
-  float perceived = 0;    ///< kCommand: the ^distance that the mind saw (squared metres, as the thesis has it).
-  world::Vec3 position;   ///< kCommand: where the agent stood.
+  std::string news = {};                  ///< kNews, kOutcome: one word.
+  std::vector<std::string> reasons = {};  ///< kGap: why, most telling first.
+  std::string parameters = {};            ///< kCommand: what stands below the command, if anything.
+  bool has_perceived = true;              ///< kCommand: `perceived` is meant.
+  Diagnostic diagnostic;                  ///< kDiagnostic, kAgentFailed and kMindFailed.
+  float perceived = 0;   ///< kCommand: the ^distance that the mind saw (squared metres, as the thesis has it).
+  world::Vec3 position;  ///< kCommand: where the agent stood.
 };
 
 using EventList = std::vector<Event>;

@@ -2,39 +2,177 @@
 #include "sim/minds.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/directions.h"
+#include "sim/reasons.h"
+#include "sim/senses.h"
 
 namespace soarbox::sim {
 namespace {
 
-std::string RulesOfKind(const std::string& kind) {
-  return kind + "agent.soar";
+/// An agent that does nothing for so long is asked why.
+constexpr float kIdleUntilTold_s = 1;
+
+/// The files of rules in a folder, for near-misses.
+std::vector<std::string> RulesIn(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->path().extension() == ".soar") names.push_back(it->path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string NearMiss(const std::string& wanted, const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& folder : folders) {
+    const std::vector<std::string> here = RulesIn(folder);
+    names.insert(names.end(), here.begin(), here.end());
+  }
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  return std::string(Suggest(wanted, candidates));
+}
+
+void NoteRow(const script::TableField& field, std::set<std::string>& names) {
+  names.insert(field.name);
+  if (const auto* table = std::get_if<script::Table>(&field.value))
+    for (const script::TableField& below : *table) NoteRow(below, names);
 }
 
 }  // namespace
 
-Minds::Minds(world::World& world, const Scenario& scenario, SoarHost& host, Report report)
-    : world_(world), scenario_(scenario), host_(host), report_(std::move(report)) {}
+PerceptList ToPercepts(const script::Table& table) {
+  PerceptList list;
+  std::map<std::string, std::uint32_t> keys;
+  for (const script::TableField& field : table) {
+    Percept& made = list.emplace_back();
+    made.attribute = field.name;
+    made.key = ++keys[field.name];
+    if (const auto* number = std::get_if<double>(&field.value)) {
+      // Lua has one kind of number; whole ones are integers to rules.
+      if (*number == std::floor(*number) && std::abs(*number) < 1e15) {
+        made.value = static_cast<std::int64_t>(*number);
+      } else {
+        made.value = *number;
+      }
+    } else if (const auto* text = std::get_if<std::string>(&field.value)) {
+      made.value = *text;
+    } else {
+      made.value = ToPercepts(std::get<script::Table>(field.value));
+    }
+  }
+  return list;
+}
 
-Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) {
-  const world::Agent& body = *world_.FindAgent(agent);
-  const std::string wanted = request.rules.empty() ? RulesOfKind(request.kind) : request.rules;
-  const std::filesystem::path rules = FindInFolders(wanted, scenario_.rule_folders);
-  if (rules.empty()) {
+script::Table ToTable(const PerceptList& list) {
+  script::Table table;
+  for (const Percept& percept : list) {
+    script::TableField& made = table.emplace_back();
+    made.name = percept.attribute;
+    if (const auto number = percept.Number()) {
+      made.value = *number;
+    } else if (const auto* text = percept.Text()) {
+      made.value = *text;
+    } else {
+      made.value = ToTable(std::get<PerceptList>(percept.value));
+    }
+  }
+  return table;
+}
+
+Minds::Minds(world::World& world, const Scenario& scenario, SoarHost& host, Arena& arena, Report report)
+    : world_(world),
+      scenario_(scenario),
+      host_(host),
+      arena_(arena),
+      report_(std::move(report)),
+      body_kinds_(BodyKinds().begin(), BodyKinds().end()),
+      pool_(host.threads()) {}
+
+Result<std::filesystem::path> Minds::FindRules(const std::string& agent, const AgentKind& kind,
+                                               const std::string& named) {
+  const bool is_own = named.empty();
+  const std::string wanted = is_own ? std::string(kind.rules) : named;
+  if (wanted.empty()) {
     Diagnostic problem;
-    problem.file = wanted;
-    problem.message = "the rules of " + body.name() + " are in none of these folders:";
-    for (const std::filesystem::path& folder : scenario_.rule_folders) problem.message += " " + folder.string();
-    problem.hint = "check the name, or add the folder with --path";
+    problem.message = agent + " has no rules";
+    problem.hint = "name the file: Sandbox.CreateSoarAgent(sandbox, \"Body.lua\", \"scout.soar\")";
     return problem;
   }
-  Result<SoarHost::Loaded> loaded = Load(body.name(), rules);
-  if (!loaded) return loaded.error();
-  minds_.push_back({agent, request.kind == "follower", rules, SoarMind(*loaded->agent)});
+  const std::filesystem::path found = FindInFolders(wanted, scenario_.rule_folders);
+  const std::string near = found.empty() ? NearMiss(wanted, scenario_.rule_folders) : std::string();
+  if (!found.empty()) return found;
+  // The thesis' own rules stand in only where nobody named any and nothing looks like a slip of the pen.
+  if (is_own && near.empty()) {
+    if (const auto fallback = FindInFolders(wanted, scenario_.fallback_rule_folders); !fallback.empty())
+      return fallback;
+  }
+  Diagnostic problem;
+  problem.file = wanted;
+  problem.message = "the rules of " + agent + ", " + wanted + ", are in none of these folders:";
+  for (const std::filesystem::path& folder : scenario_.rule_folders) problem.message += " " + folder.string();
+  problem.hint = near.empty() ? "check the name, or add the folder with --path" : "did you mean '" + near + "'?";
+  return problem;
+}
+
+Result<void> Minds::MakeBody(world::Agent& body, const AgentOptions& options) {
+  if (!options.team.empty()) body.SetTeam(options.team);
+  if (!options.leader.empty()) {
+    const world::EntityId leader = arena_.FindAgentNamed(options.leader);
+    if (leader == world::kNoEntity) {
+      Diagnostic problem;
+      problem.message = "the leader of " + body.name() + ", '" + options.leader + "', is not there";
+      problem.hint = "make the leader before those who follow it";
+      return problem;
+    }
+    body.SetLeader(leader);
+  }
+  if (options.position) {
+    world::Vec3 place = *options.position;
+    place.y = body.Height() / 2;
+    body.SetPosition(place);
+  }
+  if (options.heading_deg) body.SetForward(AlongHeading(*options.heading_deg));
   return {};
 }
 
-Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesystem::path& rules) {
-  Result<SoarHost::Loaded> loaded = host_.CreateAgent(agent, rules);
+Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) {
+  world::Agent& body = *world_.FindAgent(agent);
+  const AgentKind* kind = FindAgentKind(request.kind);
+  if (kind == nullptr) {
+    Diagnostic problem;
+    problem.message = "there is no kind of agent '" + request.kind + "'";
+    return problem;
+  }
+  Result<AgentOptions> options = ReadAgentOptions(request.options, body_kinds_);
+  if (!options) return options.error();
+  const bool is_scripted = !request.script.empty();
+  if (!is_scripted || options->has_senses) arena_.Add(agent, options->body, is_scripted);
+  if (const Result<void> made = MakeBody(body, *options); !made) return made;
+  if (!is_scripted) {
+    body.SetTarget({0, 0, 10});
+    if (request.rules.empty()) return {};
+  }
+
+  Result<std::filesystem::path> rules = FindRules(body.name(), *kind, request.rules);
+  if (!rules) return rules.error();
+  MindSettings settings;
+  settings.has_distance = is_scripted || options->body.senses.only.contains("distance");
+  settings.blinks = is_scripted && kind->blinks;
+  settings.waits = kind->waits;
+  settings.detail = detail_;
+  Result<SoarHost::Loaded> loaded = Load(body.name(), *rules, settings);
+  if (!loaded) return loaded.error();
+  minds_.push_back(
+      {agent, settings, kind->follows_leader, is_scripted, *rules, SoarMind(*loaded->agent, settings), loaded->thread});
+  return {};
+}
+
+Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesystem::path& rules,
+                                     const MindSettings& settings) {
+  Result<SoarHost::Loaded> loaded = host_.CreateAgent(agent, rules, settings.waits ? "soar wait-snc on" : "");
   if (!loaded) return loaded;
   for (Diagnostic& problem : loaded->problems) {
     if (!reported_.insert(Format(problem)).second) continue;
@@ -50,11 +188,12 @@ Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesy
 void Minds::Restore() {
   for (Mind& mind : minds_) {
     const std::string& name = world_.FindAgent(mind.agent)->name();
-    Result<SoarHost::Loaded> loaded = Load(name, mind.rules);
+    Result<SoarHost::Loaded> loaded = Load(name, mind.rules, mind.settings);
     mind.lost = !loaded;
     mind.decided = mind.in_gap = mind.told_halt = false;
     if (loaded) {
-      mind.soar = SoarMind(*loaded->agent);
+      mind.soar = SoarMind(*loaded->agent, mind.settings);
+      mind.thread = loaded->thread;
       continue;
     }
     if (!host_.IsConnected()) return;  // Gone again: the next kernel gets them all.
@@ -73,58 +212,246 @@ Minds::Mind* Minds::Find(world::EntityId agent) {
 }
 
 void Minds::Decide() {
-  for (Mind& mind : minds_) Decide(mind);
+  if (detail_ != MindDetail::kNone)
+    for (Mind& mind : minds_) mind.soar.log().Clear();
+  // Senses draw from their agents' own streams and see the world as it is now, so that one pass serves both.
+  for (const auto& actor : arena_.actors()) {
+    if (!actor->IsAlive()) continue;
+    HearOrders(*actor);
+    if (IsSenseTick(*actor)) NoticeOthers(*actor);
+  }
+  // Scripts that sense may make agents: minds are looked up by place.
+  ready_.clear();
+  for (std::size_t i = 0; i < minds_.size(); ++i) {
+    if (Prepare(minds_[i])) ready_.push_back(i);
+  }
+  // Each mind reads and changes its own agent only, so that the result does not depend on who is first.
+  pool_.Run([this](std::size_t thread) {
+    for (const std::size_t i : ready_) {
+      if (minds_[i].thread == thread && host_.IsConnected()) minds_[i].soar.Decide();
+    }
+  });
+  for (const std::size_t i : ready_) Conclude(minds_[i]);
 }
 
-void Minds::Decide(Mind& mind) {
+/// Writes what the mind perceives now. False if it perceives nothing at all and is not to decide.
+bool Minds::Perceive(Mind& mind, const world::Agent& body) {
+  if (mind.settings.has_distance) {
+    world::Vec3 goal = body.Target();
+    const bool has_leader = body.Leader() != world::kNoEntity;
+    if (mind.follows_leader && !has_leader) return false;  // Nobody to follow: no percept, no command.
+    if (const world::Agent* leader = has_leader ? world_.FindAgent(body.Leader()) : nullptr) goal = leader->Position();
+    mind.distance_squared_m2 = world::LengthSquared(goal - body.Position());
+    mind.soar.SetDistance(mind.distance_squared_m2);
+  }
+  if (const Actor* actor = arena_.Find(mind.agent)) {
+    mind.soar.ShowOwnBody(SenseOwnBody(*actor));
+    if (IsSenseTick(*actor)) mind.soar.ShowSurroundings(SenseSurroundings(*actor));
+  }
+  return true;
+}
+
+bool Minds::Prepare(Mind& mind) {
   const world::Agent& body = *world_.FindAgent(mind.agent);
+  const bool is_actor_dead = !mind.is_scripted && body.Health() <= 0;
   mind.decided = false;
-  if (body.Failed() || mind.lost || !host_.IsConnected()) return;
-  world::Vec3 goal = body.Target();
-  const bool has_leader = body.Leader() != world::kNoEntity;
-  if (mind.follows_leader && !has_leader) return;  // Nobody to follow: no percept, no command.
-  if (const world::Agent* leader = has_leader ? world_.FindAgent(body.Leader()) : nullptr) goal = leader->Position();
-  mind.distance_squared_m2 = world::LengthSquared(goal - body.Position());
-  mind.soar.Decide(mind.distance_squared_m2);
+  if (body.Failed() || mind.lost || is_actor_dead || !host_.IsConnected()) return false;
+  if (!Perceive(mind, body)) return false;
+  if (mind.is_scripted && sense_script_) {
+    const world::EntityId agent = mind.agent;
+    const std::size_t count = minds_.size();
+    if (const auto rows = sense_script_(agent)) {
+      for (const script::TableField& field : *rows) NoteRow(field, script_rows_);
+      Mind& again = *Find(agent);
+      again.soar.ShowRows(ToPercepts(*rows));
+    }
+    if (minds_.size() != count) return false;  // It made agents: this one decides in the next tick.
+    if (body.Failed()) return false;
+  }
+  return true;
+}
+
+void Minds::Conclude(Mind& mind) {
+  const world::Agent& body = *world_.FindAgent(mind.agent);
   if (!host_.IsConnected()) return;  // Its kernel went meanwhile; that is no gap in the rules.
   mind.decided = true;
-  if (mind.soar.commands().empty() || !mind.soar.Breakdown().empty()) {
+  TellWritten(mind, body);
+  if (TellBreakdown(mind, body)) return;
+  if (!mind.soar.commands().empty()) {
+    const SaidCommand& said = mind.soar.commands().back();
+    mind.last_said = said.name + (said.parameters.empty() ? "" : " " + Describe(said.parameters));
+    mind.last_said_s = world_.time_s();
+    mind.last_answer.clear();
+  }
+  if (!mind.is_scripted) {
+    TellIdle(mind, body);
+  } else if (mind.soar.commands().empty()) {
     TellGap(mind, body);
   } else {
     mind.in_gap = false;
   }
 }
 
+void Minds::Answer() {
+  for (Mind& mind : minds_) {
+    Actor* actor = mind.is_scripted ? nullptr : arena_.Find(mind.agent);
+    if (actor == nullptr) continue;
+    for (const Outcome& outcome : actor->TakeOutcomes()) {
+      if (!mind.lost && host_.IsConnected()) mind.soar.Answer(outcome);
+      if (outcome.status == Outcome::Status::kProgress || outcome.status == Outcome::Status::kInterrupted) continue;
+      const bool is_error = outcome.status == Outcome::Status::kError;
+      mind.last_answer = outcome.command + (is_error ? " failed: " + outcome.reason : " complete");
+      const CommandRow* row = FindCommand(outcome.command);
+      if (!is_error && (row == nullptr || !row->lasting)) continue;
+      // The same fault of the same command is told once; an author sees how often at the end of the run.
+      if (is_error && ++mind.told[outcome.command + " " + outcome.reason + " " + outcome.parameter] > 1) continue;
+      Event event;
+      event.kind = EventKind::kOutcome;
+      event.agent = world_.FindAgent(mind.agent)->name();
+      event.news = outcome.command;
+      event.text =
+          is_error ? "error " + outcome.reason + (outcome.text.empty() ? "" : ": " + outcome.text) : "complete";
+      event.position = world_.FindAgent(mind.agent)->Position();
+      report_(std::move(event));
+    }
+  }
+}
+
+void Minds::Tell(EventKind kind, const world::Agent& body, std::string text) {
+  Event event;
+  event.kind = kind;
+  event.agent = body.name();
+  event.text = std::move(text);
+  report_(std::move(event));
+}
+
+void Minds::TellWritten(Mind& mind, const world::Agent& body) {
+  constexpr std::size_t kMostLines = 100;
+  std::size_t count = 0;
+  for (std::string& line : mind.soar.TakeWritten()) {
+    // The kernel's own words; what they mean is told as a gap.
+    if (line.starts_with("Goal stack depth exceeded") || line.ends_with("halted.")) continue;
+    if (++count > kMostLines) return Tell(EventKind::kLog, body, "(more was written in this tick)");
+    Tell(EventKind::kLog, body, std::move(line));
+  }
+}
+
+bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
+  if (mind.soar.Breakdown().empty()) return false;
+  mind.lost = true;
+  Event event;
+  event.kind = EventKind::kMindFailed;
+  event.agent = body.name();
+  event.diagnostic.file = mind.rules.string();
+  event.diagnostic.message =
+      body.name() + " ran out of memory and stands still from now on: " + std::string(mind.soar.Breakdown());
+  event.diagnostic.hint = "conditions that share no variable match in all combinations of their elements";
+  report_(std::move(event));
+  return true;
+}
+
 /// Tells why there is no command.
 void Minds::TellGap(Mind& mind, const world::Agent& body) {
-  Event event;
-  event.kind = EventKind::kGap;
-  event.agent = body.name();
-  if (!mind.soar.Breakdown().empty()) {
-    mind.lost = true;
-    event.kind = EventKind::kMindFailed;
-    event.diagnostic.file = mind.rules.string();
-    event.diagnostic.message =
-        body.name() + " ran out of memory and stands still from now on: " + std::string(mind.soar.Breakdown());
-    event.diagnostic.hint = "conditions that share no variable match in all combinations of their elements";
-    report_(std::move(event));
-    return;
-  }
   if (mind.soar.Halted()) {
     // In a gap the goal stack grows until the kernel halts the program: start it anew, it did not ask to be halted.
     if (mind.in_gap) {
       mind.soar.Restart();
-    } else if (!mind.told_halt) {
-      mind.told_halt = true;
-      event.text = "its program has halted";
-      report_(std::move(event));
+    } else if (!std::exchange(mind.told_halt, true)) {
+      Tell(EventKind::kGap, body, "its program has halted");
     }
     return;
   }
-  if (mind.in_gap) return;
-  mind.in_gap = true;
-  event.text = "no rule answers distance " + std::to_string(mind.distance_squared_m2) + " within the decision budget";
+  if (std::exchange(mind.in_gap, true)) return;
+  Tell(EventKind::kGap, body,
+       "no rule answers distance " + std::to_string(mind.distance_squared_m2) + " within the decision budget");
+}
+
+/// An agent whose body the vocabulary drives may well have nothing to say in a tick: it is idle only when nothing is
+/// under way either, for a while.
+void Minds::TellIdle(Mind& mind, const world::Agent& body) {
+  if (mind.soar.Halted()) {
+    if (!std::exchange(mind.told_halt, true)) Tell(EventKind::kGap, body, "its program has halted");
+    return;
+  }
+  const Actor& actor = *arena_.Find(mind.agent);
+  if (!mind.soar.commands().empty() || actor.IsBusy()) {
+    mind.idle_ticks = 0;
+    mind.in_gap = false;
+    return;
+  }
+  const auto limit = static_cast<std::uint64_t>(kIdleUntilTold_s / world_.settings().step_s);
+  if (++mind.idle_ticks != limit || std::exchange(mind.in_gap, true)) return;
+  Event event;
+  event.kind = EventKind::kGap;
+  event.agent = body.name();
+  event.reasons = MindReasons(mind.soar.agent()).WhyIdle(KnownAttributes());
+  const std::string cause = event.reasons.empty() ? std::string() : event.reasons.front();
+  if (++mind.causes[cause] > 1) return;
+  event.text = "it has done nothing for " + std::to_string(static_cast<int>(kIdleUntilTold_s)) + " s";
+  if (Actor* actor = arena_.Find(mind.agent)) {
+    const std::string percepts = Describe(SenseOwnBody(*actor)) + " " + Describe(SenseSurroundings(*actor));
+    constexpr std::size_t kShown = 600;
+    event.reasons.push_back("it perceives " +
+                            (percepts.size() > kShown ? percepts.substr(0, kShown) + " ..." : percepts));
+  }
   report_(std::move(event));
+}
+
+std::set<std::string> Minds::KnownAttributes() {
+  std::set<std::string> known = script_rows_;
+  for (Mind& mind : minds_) {
+    const auto [at, is_new] = made_by_rules_.try_emplace(mind.rules);
+    if (is_new) {
+      MindReasons reasons(mind.soar.agent());
+      for (const RuleText& rule : reasons.rules())
+        for (const RuleAttribute& action : rule.actions) at->second.insert(action.attribute);
+    }
+    known.insert(at->second.begin(), at->second.end());
+  }
+  return known;
+}
+
+void Minds::TellCounts() {
+  for (Mind& mind : minds_) {
+    const world::Agent& body = *world_.FindAgent(mind.agent);
+    for (const auto& [cause, count] : mind.causes)
+      if (count > 1) Tell(EventKind::kGap, body, std::to_string(count) + " times in all: " + cause);
+    for (const auto& [fault, count] : mind.told)
+      if (count > 1) Tell(EventKind::kGap, body, std::to_string(count) + " times in all: error of " + fault);
+  }
+}
+
+std::vector<std::string> Minds::Why(std::string_view agent) {
+  const auto at = std::find_if(minds_.begin(), minds_.end(),
+                               [&](const Mind& mind) { return world_.FindAgent(mind.agent)->name() == agent; });
+  if (at == minds_.end()) return {};
+  const world::Agent& body = *world_.FindAgent(at->agent);
+  std::vector<std::string> lines;
+  char text[160];
+  std::snprintf(text, sizeof text, "%s at %.2f s", body.name().c_str(), world_.time_s());
+  lines.emplace_back(text);
+  MindReasons reasons(at->soar.agent());
+  Actor* actor = arena_.Find(at->agent);
+  if (body.Health() <= 0) lines.emplace_back("is dead");
+  if (at->last_said.empty()) {
+    lines.emplace_back("has said no command");
+  } else {
+    std::snprintf(text, sizeof text, ", said at %.2f s: ", at->last_said_s);
+    lines.push_back("command " + at->last_said + text + (at->last_answer.empty() ? "under way" : at->last_answer));
+  }
+  const std::string command = at->last_said.substr(0, at->last_said.find(' '));
+  for (std::string& line : reasons.OperatorTree(command)) lines.push_back(std::move(line));
+  if (actor == nullptr || !actor->IsBusy()) {
+    lines.emplace_back("nothing is under way, because");
+    for (std::string& reason : reasons.WhyIdle(KnownAttributes())) lines.push_back("  " + std::move(reason));
+  }
+  if (at->settings.has_distance) lines.push_back("perceives ^distance " + std::to_string(at->distance_squared_m2));
+  if (actor != nullptr) {
+    lines.emplace_back("perceives");
+    for (const PerceptList& list : {SenseOwnBody(*actor), SenseSurroundings(*actor)})
+      for (const Percept& percept : list) lines.push_back("  ^" + percept.attribute + " " + DescribeValue(percept));
+  }
+  return lines;
 }
 
 }  // namespace soarbox::sim

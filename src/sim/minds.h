@@ -2,34 +2,57 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "script/mind_factory.h"
+#include "script/script_table.h"
+#include "sim/agent_options.h"
+#include "sim/arena.h"
 #include "sim/event.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "sim/soar_mind.h"
+#include "sim/worker_pool.h"
 #include "world/world.h"
 
 namespace soarbox::sim {
 
-/// The Soar minds of a world: makes them when scripts ask for agents that have one, and lets them decide once per tick.
+/// The Soar minds of a world: makes them when scripts or scenario files ask for agents that have one, and lets them
+/// perceive and decide once per tick.
 class Minds final : public script::MindFactory {
  public:
   /// Takes an event; the caller fills in time and tick.
   using Report = std::function<void(Event)>;
+  /// What the script of an agent perceives; nothing if it has none.
+  using SenseScript = std::function<std::optional<script::Table>(world::EntityId)>;
 
-  Minds(world::World& world, const Scenario& scenario, SoarHost& host, Report report);
+  Minds(world::World& world, const Scenario& scenario, SoarHost& host, Arena& arena, Report report);
+
+  void SetSenseScript(SenseScript sense) { sense_script_ = std::move(sense); }
+  /// How much is noted of what minds do that are made from now on.
+  void SetDetail(MindDetail detail) { detail_ = detail; }
+  /// Kinds of bodies that options may name.
+  std::vector<BodyKind>& body_kinds() { return body_kinds_; }
 
   /// Loads the rules that the request names, or its kind's own: seekingagent.soar, followeragent.soar,
-  /// waypointagent.soar. Faulty rules are reported and the others loaded.
+  /// waypointagent.soar. Faulty rules are reported and the others loaded. An agent without a script gets a body that
+  /// the vocabulary drives; without rules it just stands there.
   Result<void> MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) override;
 
   /// Every mind perceives and decides. Minds see the world as it stands before any of them acts, so their order does
   /// not matter.
   void Decide();
+  /// After the bodies have acted: tells the minds how their commands went.
+  void Answer();
+
+  /// Tells how often causes came up that were told once.
+  void TellCounts();
+  /// Why an agent does what it does now, as a tree of lines; empty if there is no such agent with a mind.
+  std::vector<std::string> Why(std::string_view agent);
 
   /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay
   /// idle.
@@ -37,31 +60,65 @@ class Minds final : public script::MindFactory {
 
   struct Mind {
     world::EntityId agent;
-    bool follows_leader;  ///< Perceives its leader, else its target.
+    MindSettings settings;
+    bool follows_leader = false;  ///< Perceives its leader, else its target.
+    bool is_scripted = true;      ///< A script carries out its commands.
     std::filesystem::path rules;
     SoarMind soar;
+    std::size_t thread = 0;  ///< On which it decides.
     float distance_squared_m2 = 0;
     bool decided = false;  ///< In this tick.
     bool lost = false;     ///< Its program has broken down, or could not be made again.
     bool in_gap = false;
     bool told_halt = false;
+    std::uint64_t idle_ticks = 0;  ///< Ticks without a command, new or under way.
     std::string last_command = {};
+    std::map<std::string, int> told = {};          ///< How often each of its faults came up; told at the first time.
+    std::map<std::string, int> causes = {};        ///< How often each cause kept it from acting, likewise.
+    std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and how it went.
+    double last_said_s = 0;
   };
   /// Null if the agent has no mind. Valid until the next MakeMind.
   Mind* Find(world::EntityId agent);
+  std::span<Mind> all() { return minds_; }
   std::size_t size() const { return minds_.size(); }
 
  private:
-  Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules);
-  void Decide(Mind& mind);
+  Result<std::filesystem::path> FindRules(const std::string& agent, const AgentKind& kind, const std::string& named);
+  Result<void> MakeBody(world::Agent& body, const AgentOptions& options);
+  Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules,
+                                const MindSettings& settings);
+  /// Before it decides: false if it does not in this tick.
+  bool Prepare(Mind& mind);
+  /// After it has.
+  void Conclude(Mind& mind);
+  bool Perceive(Mind& mind, const world::Agent& body);
   void TellGap(Mind& mind, const world::Agent& body);
+  void TellIdle(Mind& mind, const world::Agent& body);
+  bool TellBreakdown(Mind& mind, const world::Agent& body);
+  void TellWritten(Mind& mind, const world::Agent& body);
+  /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.
+  std::set<std::string> KnownAttributes();
+  void Tell(EventKind kind, const world::Agent& body, std::string text);
 
   world::World& world_;
   const Scenario& scenario_;
   SoarHost& host_;
+  Arena& arena_;
   Report report_;
+  SenseScript sense_script_;
+  MindDetail detail_ = MindDetail::kNone;
+  std::vector<BodyKind> body_kinds_;
   std::vector<Mind> minds_;         ///< In creation order, thus in ascending agent id.
-  std::set<std::string> reported_;  ///< Problems told already: many agents share one file.
+  std::vector<std::size_t> ready_;  ///< Scratch: places of the minds that decide in this tick.
+  WorkerPool pool_;
+  std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< Per file: attributes that its rules make.
+  std::set<std::string> script_rows_;  ///< Attributes that scripts' Agent_Sense returned.
+  std::set<std::string> reported_;     ///< Problems told already: many agents share one file.
 };
+
+/// A script's table as percepts, and parameters as a script's table.
+PerceptList ToPercepts(const script::Table& table);
+script::Table ToTable(const PerceptList& list);
 
 }  // namespace soarbox::sim

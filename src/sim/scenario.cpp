@@ -3,13 +3,20 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <system_error>
+
+#include "sim/scenario_file.h"
 
 namespace soarbox::sim {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kSandboxScript = "Sandbox.lua";
+constexpr const char* kScenarioFile = "scenario.toml";
+/// The world of a scenario that brings no script, and of a scenario that is only rules; in media/.
+constexpr const char* kPlainWorld = "scripts/SoarWorld.lua";
+constexpr const char* kRulesWorld = "worlds/field.toml";
 
 bool IsFile(const fs::path& path) {
   std::error_code error;
@@ -19,6 +26,15 @@ bool IsFile(const fs::path& path) {
 bool IsFolder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
+}
+
+/// True if the file, all links followed, lies below the folder.
+bool IsBelow(const fs::path& path, const fs::path& folder) {
+  std::error_code error;
+  const fs::path inside = fs::canonical(path, error);
+  if (error) return false;
+  const fs::path above = fs::canonical(folder, error);
+  return !error && std::mismatch(above.begin(), above.end(), inside.begin(), inside.end()).first == above.end();
 }
 
 bool EqualIgnoringCase(std::string_view a, std::string_view b) {
@@ -38,8 +54,9 @@ std::vector<fs::path> Entries(const fs::path& folder) {
 
 Diagnostic NotFound(std::string_view argument, const DataFolders& data) {
   Diagnostic problem;
-  problem.message = "there is no scenario '" + std::string(argument) + "': neither a folder with " + kSandboxScript +
-                    ", nor a Lua file, nor a scenario that comes with the program";
+  problem.message = "there is no scenario '" + std::string(argument) + "': neither a folder with " + kScenarioFile +
+                    " or " + kSandboxScript +
+                    ", nor a scenario, Lua or rules file, nor a scenario that comes with the program";
   const std::vector<std::string> names = ListScenarios(data);
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   if (const std::string_view near = Suggest(argument, candidates); !near.empty()) {
@@ -55,12 +72,13 @@ Diagnostic NotFound(std::string_view argument, const DataFolders& data) {
 
 fs::path FindInFolders(std::string_view name, const std::vector<fs::path>& folders) {
   const fs::path wanted(name);
-  if (wanted.is_absolute()) return IsFile(wanted) ? wanted : fs::path{};
+  if (wanted.is_absolute() || std::find(wanted.begin(), wanted.end(), "..") != wanted.end()) return {};
   for (const fs::path& folder : folders) {
-    if (IsFile(folder / wanted)) return folder / wanted;
+    if (IsFile(folder / wanted)) return IsBelow(folder / wanted, folder) ? folder / wanted : fs::path{};
     const fs::path parent = (folder / wanted).parent_path();
     for (const fs::path& entry : Entries(parent)) {
-      if (EqualIgnoringCase(entry.filename().string(), wanted.filename().string()) && IsFile(entry)) return entry;
+      if (EqualIgnoringCase(entry.filename().string(), wanted.filename().string()) && IsFile(entry))
+        return IsBelow(entry, folder) ? entry : fs::path{};
     }
   }
   return {};
@@ -69,49 +87,84 @@ fs::path FindInFolders(std::string_view name, const std::vector<fs::path>& folde
 std::vector<std::string> ListScenarios(const DataFolders& data) {
   std::vector<std::string> names;
   for (const fs::path& entry : Entries(data.scenarios)) {
-    if (IsFile(entry / kSandboxScript)) names.push_back(entry.filename().string());
+    if (IsFile(entry / kScenarioFile) || IsFile(entry / kSandboxScript)) names.push_back(entry.filename().string());
   }
   return names;
 }
 
+std::string DescribeScenario(const std::string& name, const DataFolders& data) {
+  const fs::path folder = data.scenarios / name;
+  if (IsFile(folder / kScenarioFile)) {
+    Result<ScenarioFile> file = ReadScenarioFile(folder / kScenarioFile);
+    return file ? file->description : "(faulty: " + file.error().message + ")";
+  }
+  std::ifstream script(folder / kSandboxScript);
+  for (std::string line; std::getline(script, line) && line.starts_with("--");) {
+    if (line.find("SPDX") == std::string::npos) return line.substr(std::min(line.size(), line.find_first_not_of("- ")));
+  }
+  return {};
+}
+
+namespace {
+
+/// The file that an argument means; empty if none.
+fs::path FindMain(const fs::path& given, const DataFolders& data) {
+  for (const fs::path& place : {given, data.scenarios / given}) {
+    if (given.is_absolute() && place != given) break;
+    if (IsFile(place)) return place;
+    for (const char* main : {kScenarioFile, kSandboxScript}) {
+      if (IsFile(place / main)) return place / main;
+    }
+    // A name may come without its ending: "scout" for scout.soar.
+    for (const char* ending : {".toml", ".soar"}) {
+      if (fs::path file = place; IsFile(file += ending)) return file;
+    }
+    // A folder of one's own hides a scenario of that name only if it is one.
+    if (IsFolder(given) && given.has_parent_path()) break;
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data, const std::vector<fs::path>& extra) {
   Scenario scenario;
   const fs::path given(argument);
-  const fs::path builtin = data.scenarios / given;
-  if (argument.empty()) {
-    return NotFound(argument, data);
-  } else if (IsFile(given)) {
-    scenario.script = given;
-  } else if (IsFile(given / kSandboxScript)) {
-    scenario.script = given / kSandboxScript;
-  } else if (IsFolder(given) && given.has_parent_path()) {
+  if (argument.empty()) return NotFound(argument, data);
+  const fs::path main = FindMain(given, data);
+  if (main.empty() && IsFolder(given) && given.has_parent_path()) {
     Diagnostic problem;
     problem.file = given.string();
-    problem.message = std::string("this folder holds no ") + kSandboxScript + ", the script that sets up a world";
-    problem.hint = "name the folder of a scenario or its Lua file; --path adds folders for scripts and rules";
+    problem.message = std::string("this folder holds neither ") + kScenarioFile + " nor " + kSandboxScript;
+    problem.hint = "name the folder of a scenario or its file; --path adds folders for scripts and rules";
     return problem;
-  } else if (given.is_relative() && IsFile(builtin / kSandboxScript)) {
-    scenario.script = builtin / kSandboxScript;
-  } else if (given.is_relative() && IsFile(builtin)) {
-    scenario.script = builtin;
-  } else {
-    return NotFound(argument, data);
   }
+  if (main.empty()) return NotFound(argument, data);
 
-  const fs::path own = scenario.script.has_parent_path() ? scenario.script.parent_path() : fs::path(".");
+  const fs::path own = main.has_parent_path() ? main.parent_path() : fs::path(".");
   std::error_code error;
   const fs::path canonical = fs::canonical(own, error);
   scenario.name = (error ? own : canonical).filename().string();
-  if (scenario.script.filename() != kSandboxScript) scenario.name += "/" + scenario.script.stem().string();
+  if (main.filename() != kSandboxScript && main.filename() != kScenarioFile)
+    scenario.name += "/" + main.stem().string();
   scenario.script_folders = {own};
   scenario.script_folders.insert(scenario.script_folders.end(), extra.begin(), extra.end());
   scenario.rule_folders = scenario.script_folders;
+  scenario.script = main;
+  if (main.extension() == ".toml") {
+    scenario.definition = main;
+    scenario.script = data.media / kPlainWorld;
+  } else if (main.extension() == ".soar") {
+    scenario.rules = main;
+    scenario.definition = data.media / kRulesWorld;
+    scenario.script = data.media / kPlainWorld;
+  }
   // What a scenario does not have itself comes from the Lua library, and agents and rules from the thesis' world.
   scenario.script_folders.push_back(data.media / "scripts");
   const fs::path fallback = data.scenarios / "thesis";
   if (!fs::equivalent(own, fallback, error)) {
     scenario.script_folders.push_back(fallback);
-    scenario.rule_folders.push_back(fallback);
+    scenario.fallback_rule_folders.push_back(fallback);
   }
   return scenario;
 }

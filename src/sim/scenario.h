@@ -23,17 +23,25 @@ struct Scenario {
   std::filesystem::path script;
   std::vector<std::filesystem::path> script_folders;
   std::vector<std::filesystem::path> rule_folders;
+  /// Where the thesis' own rules are, for its kinds of agents where nobody names rules.
+  std::vector<std::filesystem::path> fallback_rule_folders;
+  std::filesystem::path definition;  ///< A scenario file (TOML) that fills the world besides; empty: none.
+  std::filesystem::path rules;       ///< Rules that take the place of "RULES" in the definition; empty: none.
 };
 
-/// Finds a scenario: a folder that holds Sandbox.lua, a Lua file, or the name of a scenario that comes with the
-/// program. `extra` folders are searched after the scenario's own. Errors say what was looked for and name near-misses.
+/// Finds a scenario: a folder that holds scenario.toml or Sandbox.lua, a scenario file (.toml), a Lua file, a file of
+/// rules (.soar: one agent in a world of its own), or the name of a scenario that comes with the program. `extra`
+/// folders are searched after the scenario's own. Errors say what was looked for and name near-misses.
 Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data,
                               const std::vector<std::filesystem::path>& extra = {});
 
 /// The scenarios that come with the program, by name.
 std::vector<std::string> ListScenarios(const DataFolders& data);
+/// One line about such a scenario: its file's description, or the first comment of its script.
+std::string DescribeScenario(const std::string& name, const DataFolders& data);
 
-/// The file `name` in the first folder that has it, spelt like this or with other capitals. Empty if none has.
+/// The file `name` in the first folder that has it, spelt like this or with other capitals. Empty if none has, and for
+/// names that lead out of the folders: absolute ones, those with "..", and links to places outside.
 std::filesystem::path FindInFolders(std::string_view name, const std::vector<std::filesystem::path>& folders);
 
 }  // namespace soarbox::sim

@@ -2,13 +2,39 @@
 #include "sim/simulation.h"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <utility>
 
+#include "script/lua_machine.h"
 #include "script/script_host.h"
+#include "sim/apply_input.h"
+#include "sim/arena.h"
+#include "sim/input_door.h"
 #include "sim/minds.h"
+#include "sim/scenario_build.h"
+#include "sim/scenario_file.h"
+#include "world/state_hash.h"
 #include "world/world.h"
 
 namespace soarbox::sim {
+namespace {
+
+/// Adds up the time between its laps.
+class Stopwatch {
+ public:
+  void Lap(double& seconds) {
+    const Clock::time_point now = Clock::now();
+    seconds += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace
 
 struct Simulation::Impl final : script::ScriptListener {
   Impl(const Scenario& given, const SimulationSettings& given_settings)
@@ -16,7 +42,9 @@ struct Simulation::Impl final : script::ScriptListener {
 
   // script::ScriptListener
   void OnPrint(std::string_view script, std::string_view text) override;
-  void OnScriptError(world::EntityId agent, const script::ScriptError& error) override;
+  void OnScriptFailed(world::EntityId agent, const script::ScriptError& error) override;
+  void OnScriptTrouble(const script::ScriptTrouble& trouble) override;
+  void OnErrorCount(const script::ErrorCount& count) override;
   void OnScriptWarning(const Diagnostic& warning) override;
 
   static world::WorldSettings WorldSettingsOf(const SimulationSettings& settings) {
@@ -27,13 +55,19 @@ struct Simulation::Impl final : script::ScriptListener {
     return result;
   }
 
+  /// "a, b and 3 more".
+  std::string NamesOf(const std::vector<world::EntityId>& agents) const;
   void Report(Event event);
   void ReportDiagnostic(const Diagnostic& diagnostic);
   /// Tells when the minds' kernel has gone, and brings the minds back once there is one again.
   void KeepConnected();
+  /// Notes what attached debuggers did since the last tick.
+  void ServeClients();
+  void ApplyInputs();
   void ReportNewAgents();
   void ReportWarningsOfWorld();
-  void ReportCommand(Minds::Mind& mind, const world::Agent& body, const std::string& command);
+  void ReportCommand(Minds::Mind& mind, const world::Agent& body, const SaidCommand& command);
+  void ActByScript(world::EntityId id);
   /// Carries out what the agent's mind decided, or just updates an agent that its script alone drives.
   void Act(world::EntityId id);
 
@@ -42,11 +76,15 @@ struct Simulation::Impl final : script::ScriptListener {
   world::World world;
   // The kernel outlives the minds, which outlive the scripts that ask for them.
   std::unique_ptr<SoarHost> soar;
+  std::unique_ptr<Arena> arena;
   std::unique_ptr<Minds> minds;
   std::unique_ptr<script::ScriptHost> scripts;
-  std::vector<script::InputEvent> input;
-  std::vector<world::EntityId> order;  ///< Scratch: agents to update in this tick.
+  std::unique_ptr<ScenarioEnd> end;  ///< Null without a scenario file.
+  InputDoor door;
+  std::optional<std::uint64_t> flood_told_at;  ///< Tick.
+  std::vector<world::EntityId> order;          ///< Scratch: agents to update in this tick.
   EventList events;
+  TickCosts costs;
   std::size_t agents_reported = 0;
   bool connected = true;
   bool finished = false;
@@ -59,7 +97,7 @@ void Simulation::Impl::OnPrint(std::string_view script, std::string_view text) {
   Report(std::move(event));
 }
 
-void Simulation::Impl::OnScriptError(world::EntityId agent, const script::ScriptError& error) {
+void Simulation::Impl::OnScriptFailed(world::EntityId agent, const script::ScriptError& error) {
   Event event;
   event.diagnostic = error.diagnostic;
   const world::Agent* body = world.FindAgent(agent);
@@ -69,11 +107,57 @@ void Simulation::Impl::OnScriptError(world::EntityId agent, const script::Script
   Report(std::move(event));
 }
 
+void Simulation::Impl::OnScriptTrouble(const script::ScriptTrouble& trouble) {
+  using Kind = script::ScriptTrouble::Kind;
+  Event event;
+  event.kind = EventKind::kDiagnostic;
+  const std::string who = NamesOf(trouble.agents);
+  if (trouble.agents.size() == 1)
+    if (const world::Agent* body = world.FindAgent(trouble.agents.front())) event.agent = body->name();
+  event.diagnostic = trouble.error.diagnostic;
+  event.text = trouble.error.traceback;
+  if (trouble.kind == Kind::kError) {
+    event.diagnostic.message += " (" + trouble.callback + " of " + who + ")";
+  } else if (trouble.kind == Kind::kKeepsFailing) {
+    event.diagnostic.severity = Severity::kWarning;
+    event.diagnostic.message = trouble.callback + " of " + who + " fails time after time; it is called on";
+    event.diagnostic.excerpt.clear();
+    event.diagnostic.hint.clear();
+  } else {
+    event.diagnostic.severity = Severity::kNote;
+    event.diagnostic.message = trouble.callback + " of " + who + " works again";
+  }
+  Report(std::move(event));
+}
+
+void Simulation::Impl::OnErrorCount(const script::ErrorCount& count) {
+  Diagnostic note = count.error;
+  note.severity = Severity::kNote;
+  note.excerpt.clear();
+  note.hint.clear();
+  note.message = "this error came " + std::to_string(count.count) + " times in all, in " + NamesOf(count.agents) +
+                 ": " + count.error.message;
+  ReportDiagnostic(note);
+}
+
+std::string Simulation::Impl::NamesOf(const std::vector<world::EntityId>& agents) const {
+  constexpr std::size_t kMostNamed = 5;
+  std::string names;
+  for (std::size_t i = 0; i < agents.size() && i < kMostNamed; ++i) {
+    const world::Agent* body = world.FindAgent(agents[i]);
+    names += (i == 0 ? "" : ", ") + (body != nullptr ? body->name() : std::string("the sandbox"));
+  }
+  if (agents.size() > kMostNamed) names += " and " + std::to_string(agents.size() - kMostNamed) + " more";
+  return names;
+}
+
 void Simulation::Impl::OnScriptWarning(const Diagnostic& warning) {
   ReportDiagnostic(warning);
 }
 
 void Simulation::Impl::Report(Event event) {
+  // Nothing is told of an agent before it has joined.
+  if (event.kind != EventKind::kAgentCreated && !event.agent.empty()) ReportNewAgents();
   event.tick = world.tick();
   event.time_s = world.time_s();
   events.push_back(std::move(event));
@@ -104,6 +188,27 @@ void Simulation::Impl::KeepConnected() {
   Report(std::move(event));
 }
 
+void Simulation::Impl::ServeClients() {
+  soar->ServeClients();
+  for (CommandInput& command : soar->TakeHeard()) door.Note(std::move(command));
+}
+
+void Simulation::Impl::ApplyInputs() {
+  const InputTargets targets{world,
+                             *scripts,
+                             *soar,
+                             [this](const std::string& agent, std::string text) {
+                               Event event;
+                               event.kind = EventKind::kLog;
+                               event.agent = agent;
+                               event.text = std::move(text);
+                               Report(std::move(event));
+                             },
+                             [this](const Diagnostic& warning) { ReportDiagnostic(warning); },
+                             [this](world::EntityId agent, const std::string& order) { arena->Order(agent, order); }};
+  for (const Input& input : door.taken().subspan(door.noted())) ApplyInput(input.value, targets);
+}
+
 void Simulation::Impl::ReportNewAgents() {
   const std::span<const world::EntityId> ids = world.AgentIds();
   for (; agents_reported < ids.size(); ++agents_reported) {
@@ -120,16 +225,38 @@ void Simulation::Impl::ReportWarningsOfWorld() {
   for (const Diagnostic& warning : world.TakeWarnings()) ReportDiagnostic(warning);
 }
 
-void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body, const std::string& command) {
-  if (command == mind.last_command && !settings.every_command) return;
-  mind.last_command = command;
+void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body, const SaidCommand& command) {
+  if (mind.is_scripted && command.name == mind.last_command && !settings.every_command) return;
+  mind.last_command = command.name;
   Event event;
   event.kind = EventKind::kCommand;
   event.agent = body.name();
-  event.text = command;
+  event.text = command.name;
+  event.parameters = Describe(command.parameters);
+  event.has_perceived = mind.settings.has_distance;
   event.perceived = mind.distance_squared_m2;
   event.position = body.Position();
   Report(std::move(event));
+}
+
+void Simulation::Impl::ActByScript(world::EntityId id) {
+  world::Agent& body = *world.FindAgent(id);
+  Minds::Mind* mind = minds->Find(id);
+  // One update per command, as the thesis has it; none in a gap.
+  const std::vector<SaidCommand> commands(mind->soar.commands().begin(), mind->soar.commands().end());
+  for (const SaidCommand& command : commands) {
+    body.SetLastCommand(command.name);
+    ReportCommand(*mind, body, command);
+    const bool succeeded = scripts->UpdateAgent(id, command.name, ToTable(command.parameters));
+    mind = minds->Find(id);  // The script may have made agents with minds.
+    Outcome outcome;
+    outcome.tag = command.tag;
+    if (!succeeded) {
+      outcome.status = Outcome::Status::kError;
+      outcome.reason = "script-failed";
+    }
+    mind->soar.Answer(outcome);
+  }
 }
 
 void Simulation::Impl::Act(world::EntityId id) {
@@ -137,14 +264,15 @@ void Simulation::Impl::Act(world::EntityId id) {
   if (Minds::Mind* mind = minds->Find(id)) {
     // Nobody steers a body whose mind has gone with its kernel: it stops where it is, and falls if it was in the air.
     if (!connected || mind->lost) body.SetVelocity({0, std::min(body.Velocity().y, 0.0f), 0});
-    // One update per command, as the thesis has it; none in a gap.
-    for (std::size_t i = 0; mind->decided && i < mind->soar.commands().size(); ++i) {
-      const std::string& command = mind->soar.commands()[i];
-      body.SetLastCommand(command);
-      ReportCommand(*mind, body, command);
-      scripts->UpdateAgent(id, command);
-      mind = minds->Find(id);  // The script may have made agents with minds.
-      mind->soar.Answer(i, !body.Failed());
+    if (mind->decided && mind->is_scripted) {
+      ActByScript(id);
+    } else if (Actor* actor = arena->Find(id); mind->decided && actor != nullptr) {
+      for (const std::uint64_t tag : mind->soar.withdrawn()) actor->Cancel(tag);
+      for (const SaidCommand& command : mind->soar.commands()) {
+        body.SetLastCommand(command.name);
+        ReportCommand(*mind, body, command);
+        actor->Begin(command);
+      }
     }
   } else {
     scripts->UpdateAgent(id);
@@ -159,14 +287,24 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   auto impl = std::make_unique<Impl>(scenario, settings);
   SoarSettings soar = settings.soar;
   soar.seed = settings.seed;
+  soar.folders = scenario.rule_folders;
   Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(soar);
   if (!host) return host.error();
   impl->soar = std::move(*host);
-  impl->minds = std::make_unique<Minds>(impl->world, impl->scenario, *impl->soar,
-                                        [self = impl.get()](Event event) { self->Report(std::move(event)); });
+  const auto report = [self = impl.get()](Event event) { self->Report(std::move(event)); };
+  impl->arena = std::make_unique<Arena>(impl->world, report);
+  impl->minds = std::make_unique<Minds>(impl->world, impl->scenario, *impl->soar, *impl->arena, report);
+  impl->minds->SetDetail(settings.mind_detail);
+  std::optional<ScenarioFile> definition;
+  if (!scenario.definition.empty()) {
+    Result<ScenarioFile> read = ReadScenarioFile(scenario.definition);
+    if (!read) return read.error();
+    definition = std::move(*read);
+  }
   script::ScriptHostSettings scripts;
   scripts.script_folders = scenario.script_folders;
   impl->scripts = std::make_unique<script::ScriptHost>(impl->world, scripts, impl->minds.get(), *impl);
+  impl->minds->SetSenseScript([self = impl.get()](world::EntityId agent) { return self->scripts->SenseAgent(agent); });
   if (!impl->scripts->LoadSandbox(scenario.script.filename().string())) {
     for (const Event& event : impl->events) {
       if (event.kind == EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError)
@@ -178,36 +316,65 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
     return problem;
   }
   impl->scripts->Initialize();
+  if (definition) {
+    ScenarioBuild build{impl->world, *impl->arena, *impl->minds, scenario};
+    if (const Result<void> built = BuildScenario(*definition, build); !built) return built.error();
+    impl->end = std::make_unique<ScenarioEnd>(*definition, impl->world, *impl->arena);
+  }
   impl->ReportNewAgents();
+  impl->scripts->TellTroubles();
   impl->ReportWarningsOfWorld();
   return std::unique_ptr<Simulation>(new Simulation(std::move(impl)));
 }
 
 void Simulation::Tick() {
   Impl& s = *impl_;
-  s.soar->ServeClients();
+  Stopwatch watch;
+  s.ServeClients();
   s.KeepConnected();
 
   // Events.
   s.scripts->BeginTick(s.world.BeginTick());
-  for (const script::InputEvent& event : std::exchange(s.input, {})) s.scripts->HandleInput(event);
+  s.door.BeginTick(s.world.tick());
+  s.ApplyInputs();
   s.scripts->DeliverEvents();
+  watch.Lap(s.costs.events_s);
   // Sense and decide.
   s.minds->Decide();
+  watch.Lap(s.costs.decide_s);
   // Act.
   s.order.assign(s.world.AgentIds().begin(), s.world.AgentIds().end());
   for (const world::EntityId id : s.order) s.Act(id);
+  s.arena->Step();
+  s.minds->Answer();
+  watch.Lap(s.costs.act_s);
   // Move.
   s.world.Step();
+  watch.Lap(s.costs.move_s);
+  s.arena->HearCollisions();
   s.scripts->HandleCollisions();
   s.scripts->UpdateSandbox();
 
   s.ReportNewAgents();
+  s.scripts->TellTroubles();
   s.ReportWarningsOfWorld();
+  if (s.end) {
+    if (const std::string reached = s.end->Check(); !reached.empty()) {
+      Event event;
+      event.kind = EventKind::kEnded;
+      event.text = reached;
+      s.Report(std::move(event));
+    }
+  }
+  watch.Lap(s.costs.rest_s);
+}
+
+bool Simulation::HasEnded() const {
+  return impl_->end != nullptr && impl_->end->IsOver();
 }
 
 void Simulation::Idle() {
-  impl_->soar->ServeClients();
+  impl_->ServeClients();
   impl_->KeepConnected();
 }
 
@@ -217,8 +384,8 @@ std::uint64_t Simulation::tick() const {
 double Simulation::time_s() const {
   return impl_->world.time_s();
 }
-world::World& Simulation::world() {
-  return impl_->world;
+const TickCosts& Simulation::costs() const {
+  return impl_->costs;
 }
 const world::World& Simulation::world() const {
   return impl_->world;
@@ -227,34 +394,76 @@ world::SceneSnapshot Simulation::Snapshot() const {
   return impl_->world.Snapshot();
 }
 std::uint64_t Simulation::StateHash() const {
-  return impl_->world.Hash();
+  world::StateHash hash;
+  if (impl_->arena->actors().empty()) return impl_->world.Hash();
+  hash.Add(impl_->world.Hash());
+  impl_->arena->AddTo(hash);
+  return hash.value();
 }
 std::size_t Simulation::soar_agents() const {
   return impl_->minds->size();
+}
+MindReport Simulation::Mind(std::size_t index) const {
+  const Minds::Mind& mind = impl_->minds->all()[index];
+  const MindLog& log = mind.soar.log();
+  return {impl_->world.FindAgent(mind.agent)->name(), log.percepts(), log.decisions(), log.details(), log.commands()};
+}
+bool Simulation::HasMind(std::string_view agent) const {
+  return std::ranges::any_of(impl_->minds->all(), [&](const Minds::Mind& mind) {
+    return impl_->world.FindAgent(mind.agent)->name() == agent;
+  });
 }
 EventList Simulation::TakeEvents() {
   return std::exchange(impl_->events, {});
 }
 
-void Simulation::Key(std::string_view key, bool pressed) {
-  impl_->input.push_back(script::KeyEvent(std::string(key), pressed));
+void Simulation::EndScripts() {
+  script::LuaMachine::InterruptAll();
 }
 
-void Simulation::MouseButton(std::string_view button, bool pressed) {
-  script::InputEvent event;
-  event.source = script::InputEvent::Source::kMouse;
-  event.button = button;
-  event.pressed = pressed;
-  impl_->input.push_back(std::move(event));
+void Simulation::Submit(Input input) {
+  if (impl_->door.Submit(std::move(input))) return;
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.message =
+      "more than " + std::to_string(InputDoor::kMostPerTick) + " inputs for one tick: the rest is left out";
+  if (impl_->flood_told_at != tick()) impl_->ReportDiagnostic(warning);
+  impl_->flood_told_at = tick();
 }
 
-void Simulation::ReportTimes(double frame_us, double tick_us) {
-  const double between_ticks_us = static_cast<double>(impl_->world.settings().step_s) * 1e6;
-  impl_->scripts->SetProfileTimes({frame_us, tick_us, between_ticks_us});
+std::span<const Input> Simulation::LastInputs() const {
+  return impl_->door.taken();
+}
+
+std::size_t Simulation::waiting_inputs() const {
+  return impl_->door.waiting();
+}
+
+std::vector<WatchedFile> Simulation::Files() {
+  std::vector<WatchedFile> files;
+  const std::vector<std::filesystem::path>& folders = impl_->scenario.script_folders;
+  files.push_back({"", impl_->scenario.script, false});
+  for (const world::EntityId id : impl_->world.AgentIds()) {
+    const world::Agent& agent = *impl_->world.FindAgent(id);
+    if (agent.script().ends_with(".lua")) {
+      if (const auto file = FindInFolders(agent.script(), folders); !file.empty())
+        files.push_back({agent.name(), file, false});
+    }
+    if (const Minds::Mind* mind = impl_->minds->Find(id)) files.push_back({agent.name(), mind->rules, true});
+  }
+  return files;
+}
+
+std::vector<std::string> Simulation::Why(std::string_view agent) {
+  return impl_->minds->Why(agent);
 }
 
 void Simulation::Finish() {
-  if (!std::exchange(impl_->finished, true)) impl_->scripts->Cleanup();
+  if (std::exchange(impl_->finished, true)) return;
+  impl_->minds->TellCounts();
+  impl_->scripts->Cleanup();
+  impl_->scripts->TellTroubles();
+  impl_->scripts->TellCounts();
 }
 
 }  // namespace soarbox::sim

@@ -3,10 +3,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "diagnostics/result.h"
 #include "sim/event.h"
+#include "sim/input.h"
+#include "sim/live_edits.h"
+#include "sim/mind_log.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "world/scene_snapshot.h"
@@ -17,17 +23,35 @@ class World;
 
 namespace soarbox::sim {
 
+/// What one Soar mind did in a tick (see MindLog for the words).
+struct MindReport {
+  std::string agent;
+  std::span<const std::string> percepts, decisions, details, commands;
+};
+
 struct SimulationSettings {
   std::uint64_t seed = 1;      ///< Of the world, the scripts and the minds.
   int screen_width_px = 1280;  ///< What scripts are told; the window follows it.
   int screen_height_px = 720;
-  bool every_command = false;  ///< Report each command of each tick, not only news.
-  SoarSettings soar;           ///< Its seed is taken from `seed`.
+  bool every_command = false;                  ///< Report each command of each tick, not only news.
+  SoarSettings soar;                           ///< Its seed is taken from `seed`.
+  MindDetail mind_detail = MindDetail::kNone;  ///< How much Mind() tells.
+};
+
+/// What the parts of all ticks so far have taken, in seconds of real time. For benchmarks and panels; nothing in a run
+/// depends on it.
+struct TickCosts {
+  double events_s = 0;  ///< Debuggers, inputs, custom events.
+  double decide_s = 0;  ///< Minds perceive and decide.
+  double act_s = 0;     ///< Commands and scripts of agents.
+  double move_s = 0;    ///< Physics.
+  double rest_s = 0;    ///< Collisions, the sandbox's script, reports.
 };
 
 /// A scenario in motion: the world, its scripts and its minds, advanced tick by tick.
 ///
-/// The same scenario, settings and inputs give the same run, bit for bit. Used by one thread at a time.
+/// All that reaches it from outside comes in by one door, Submit, as values with a tick; whoever watches sees the world
+/// as const. The same scenario, settings and inputs give the same run, bit for bit. Used by one thread at a time.
 class Simulation {
  public:
   /// Builds the world and runs the scenario's set-up. Fails only if there is nothing to run at all (the sandbox script
@@ -42,25 +66,44 @@ class Simulation {
   /// Lets debuggers that are attached have their say; called while the world is paused. Tick does so by itself.
   void Idle();
 
+  /// The scenario's end is reached (its file says when); ticks may go on.
+  bool HasEnded() const;
   std::uint64_t tick() const;
   double time_s() const;
-  world::World& world();
   const world::World& world() const;
   world::SceneSnapshot Snapshot() const;
-  /// Hash of all that decides the world's future (World::Hash).
+  /// Hash of all that decides the world's future (World::Hash, and what the bodies are about).
   std::uint64_t StateHash() const;
   std::size_t soar_agents() const;
+  /// What the mind of this number, in creation order, did in the last tick. Valid until the next.
+  MindReport Mind(std::size_t index) const;
+  /// Whether there is an agent of this name with a Soar mind.
+  bool HasMind(std::string_view agent) const;
+
+  const TickCosts& costs() const;
 
   /// What happened since the last call.
   EventList TakeEvents();
 
-  // Input, delivered to the scripts at the next tick. Key and button names are the sandbox's: "f1_key", "left_button".
-  void Key(std::string_view key, bool pressed);
-  void MouseButton(std::string_view button, bool pressed);
+  /// Takes an input from outside; it takes effect at the beginning of its tick, before anything else happens, in the
+  /// order of the calls. Inputs for ticks that are over (0: now) take effect in the next. What it cannot do (no such
+  /// agent) is told as an event then.
+  void Submit(Input input);
+  void Submit(InputValue value) { Submit(Input{0, std::move(value)}); }
+  /// What came in for the last tick, in the order in which it took effect, what debuggers that are attached said to the
+  /// minds included. Submitting the same to another simulation of the same scenario and seed gives the same run. Valid
+  /// until the next tick.
+  std::span<const Input> LastInputs() const;
+  /// Inputs that wait for later ticks.
+  std::size_t waiting_inputs() const;
 
-  /// What scripts are told that a frame and a tick cost, in microseconds. A window reports it for the scripts'
-  /// performance panel; without it they see the nominal times, so that headless runs stay the same.
-  void ReportTimes(double frame_us, double tick_us);
+  /// The files that its minds and scripts were made from.
+  std::vector<WatchedFile> Files();
+  /// Why an agent does what it does now, as a tree of lines; empty if there is no such agent with a mind.
+  std::vector<std::string> Why(std::string_view agent);
+  /// Ends the scripts of all simulations as soon as they can be: the process is to end. May be called from a signal's
+  /// handler.
+  static void EndScripts();
 
   /// Runs the scripts' clean-up once; no tick may follow.
   void Finish();

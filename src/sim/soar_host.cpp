@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/soar_host.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <limits>
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "sml_Client.h"
 
@@ -30,6 +32,31 @@ void SetAnswerLimit(Kernel& kernel, int milliseconds) {
   if constexpr (requires { kernel.SetAnswerLimit(milliseconds); }) kernel.SetAnswerLimit(milliseconds);
 }
 
+/// Our own kernel tells what debuggers say, and lets them speak between two ticks only: what they do is then part of
+/// what came in from outside.
+template <typename Kernel>
+void Overhear(Kernel& kernel, std::vector<CommandInput>& heard) {
+  if constexpr (requires { kernel.HoldIncomingCommands(true); }) {
+    kernel.OverhearCommands([&heard](char const* agent, char const* line) { heard.push_back({agent, line}); });
+    kernel.HoldIncomingCommands(true);
+  }
+}
+
+template <typename Kernel>
+void Hold(Kernel& kernel, bool on) {
+  if constexpr (requires { kernel.HoldIncomingCommands(on); }) kernel.HoldIncomingCommands(on);
+}
+
+/// Rule files are a stranger's: our own kernel keeps their commands within the scenario's folders.
+template <typename Kernel>
+void PutUpFence(Kernel& kernel, const std::vector<std::filesystem::path>& folders) {
+  if constexpr (requires { kernel.FenceFiles(std::vector<std::string>()); }) {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& folder : folders) names.push_back(folder.string());
+    if (!names.empty()) kernel.FenceFiles(std::move(names));
+  }
+}
+
 /// Never null; asks for HadError().
 std::unique_ptr<::sml::Kernel> Connect(const SoarSettings& settings) {
   std::unique_ptr<::sml::Kernel> kernel(
@@ -38,8 +65,8 @@ std::unique_ptr<::sml::Kernel> Connect(const SoarSettings& settings) {
   return kernel;
 }
 
-void RemoveAgents(::sml::Kernel& kernel, const std::set<std::string>& names) {
-  for (const std::string& name : names) {
+void RemoveAgents(::sml::Kernel& kernel, const std::map<std::string, std::size_t>& agents) {
+  for (const auto& [name, thread] : agents) {
     if (::sml::Agent* agent = kernel.GetAgent(name.c_str())) kernel.DestroyAgent(agent);
   }
 }
@@ -97,15 +124,33 @@ Result<std::unique_ptr<SoarHost>> SoarHost::Create(const SoarSettings& settings)
 }
 
 SoarHost::SoarHost(std::unique_ptr<::sml::Kernel> kernel, const SoarSettings& settings)
-    : kernel_(std::move(kernel)), settings_(settings) {}
+    : kernel_(std::move(kernel)), settings_(settings) {
+  Overhear(*kernel_, heard_);
+  PutUpFence(*kernel_, settings_.folders);
+  if (!IsRemote() && settings_.port == 0) MakeFurtherKernels();
+}
+
+void SoarHost::MakeFurtherKernels() {
+  constexpr int kMostThreads = 64;
+  const int wanted = settings_.threads != 0 ? settings_.threads : static_cast<int>(std::thread::hardware_concurrency());
+  for (int thread = 1; thread < std::min(wanted, kMostThreads); ++thread) {
+    std::unique_ptr<::sml::Kernel> kernel(
+        ::sml::Kernel::CreateKernelInCurrentThread(true, static_cast<int>(::sml::Kernel::kSuppressListener)));
+    if (kernel->HadError()) return;
+    PutUpFence(*kernel, settings_.folders);
+    further_.push_back(std::move(kernel));
+  }
+}
 
 SoarHost::~SoarHost() {
   // A kernel elsewhere goes on after this run; the next one may want the same names.
   if (IsRemote() && IsConnected()) RemoveAgents(*kernel_, agents_);
   kernel_->Shutdown();
+  for (const auto& kernel : further_) kernel->Shutdown();
 }
 
-Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const std::filesystem::path& rules) {
+Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const std::filesystem::path& rules,
+                                               const char* first) {
   const std::string file = rules.string();
   if (!std::ifstream(rules)) {
     Diagnostic problem =
@@ -118,21 +163,30 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
                    "another run may be using that kernel; give this one a kernel of its own");
   }
   Loaded loaded;
-  loaded.agent = kernel_->CreateAgent(name.c_str());
-  if (loaded.agent == nullptr) return Problem("the kernel refuses an agent named " + name + ": " + ErrorText(*kernel_));
-  agents_.insert(name);
+  loaded.thread = agents_made_ % threads();
+  ::sml::Kernel& kernel = KernelOf(loaded.thread);
+  loaded.agent = agents_.contains(name) ? nullptr : kernel.CreateAgent(name.c_str());
+  if (loaded.agent == nullptr) return Problem("the kernel refuses an agent named " + name + ": " + ErrorText(kernel));
+  agents_[name] = loaded.thread;
   loaded.agent->ExecuteCommandLine("watch 0");
   // Each agent draws from a stream of its own, given by the run's seed and its place in the order of creation.
   const std::uint64_t seed = (settings_.seed * 1000003u + ++agents_made_) & std::numeric_limits<std::int32_t>::max();
   loaded.agent->ExecuteCommandLine(("srand " + std::to_string(seed)).c_str());
 
+  if (*first != '\0') loaded.agent->ExecuteCommandLine(first);
+
   std::error_code ignored;
   const std::filesystem::path absolute = std::filesystem::absolute(rules, ignored);
   PrintCollector printed(*loaded.agent);
+  // Files that it sources are looked for beside it.
+  const std::string folder = absolute.parent_path().string();
+  loaded.agent->ExecuteCommandLine(("pushd \"" + folder + "\"").c_str());
   const bool ok = loaded.agent->LoadProductions(absolute.string().c_str(), false);
+  const std::string reason = ok ? std::string() : ErrorText(*loaded.agent);
+  loaded.agent->ExecuteCommandLine("popd");
   loaded.problems = ParseDiagnostics(printed.text(), file);
   if (!ok) {
-    std::vector<Diagnostic> more = ParseDiagnostics(ErrorText(*loaded.agent), file);
+    std::vector<Diagnostic> more = ParseDiagnostics(reason, file);
     if (loaded.problems.empty()) loaded.problems = std::move(more);
   }
   for (Diagnostic& problem : loaded.problems) {
@@ -143,8 +197,30 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
 }
 
 void SoarHost::ServeClients() {
+  Hold(*kernel_, false);
   while (kernel_->CheckForIncomingCommands()) {
   }
+  Hold(*kernel_, true);
+}
+
+std::vector<CommandInput> SoarHost::TakeHeard() {
+  return std::exchange(heard_, {});
+}
+
+Result<std::string> SoarHost::Execute(const std::string& agent, const std::string& line) {
+  const auto found = agents_.find(agent);
+  if (found == agents_.end()) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, thread] : agents_) names.push_back(name);
+    const std::string_view near = Suggest(agent, names);
+    return Problem("there is no Soar agent '" + agent + "' for the command '" + line + "'",
+                   near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
+  }
+  ::sml::Kernel& kernel = KernelOf(found->second);
+  const char* text = kernel.ExecuteCommandLine(line.c_str(), agent.c_str());
+  std::string answer = text == nullptr ? "" : text;
+  if (kernel.GetLastCommandLineResult()) return answer;
+  return Problem("the command '" + line + "' failed for " + agent + ": " + answer);
 }
 
 bool SoarHost::IsConnected() const {

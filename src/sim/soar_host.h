@@ -3,14 +3,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
 #include "diagnostics/result.h"
+#include "sim/input.h"
 
 namespace sml {
 class Agent;
@@ -26,11 +27,19 @@ struct SoarSettings {
   int remote_port = 12121;
   int remote_limit_ms =
       2000;  ///< A kernel elsewhere that is silent for so long while it is asked something counts as gone.
+  /// What rule files may read, below these; empty: anything. They write nothing then.
+  std::vector<std::filesystem::path> folders;
+  /// How many threads the minds decide on; 0: one per core. With a port or a kernel elsewhere it is one.
+  int threads = 0;
   std::uint64_t seed = 1;  ///< Seeds each agent's random choices.
 };
 
-/// One Soar kernel for all Soar minds of a run, reached through the public client API only: our own kernel, an official
-/// one that is linked in its place, or one in another process.
+/// One Soar kernel for all Soar minds of a run, so that debuggers find them all at one port, reached through the public
+/// client API only: our own kernel, an official one that is linked in its place, or one in another process.
+///
+/// A run that no debugger can attach to has a kernel for each thread instead, with the agents dealt out to them:
+/// kernels of one process share nothing. What an agent does depends on its rules, its percepts and its seed alone, not
+/// on which kernel it lives in.
 ///
 /// Owned by the simulation; used on its thread.
 class SoarHost {
@@ -44,19 +53,30 @@ class SoarHost {
   /// What came of loading an agent's rules. An agent with faulty rules lives with those that loaded.
   struct Loaded {
     sml::Agent* agent = nullptr;
+    std::size_t thread = 0;  ///< On which it decides: agents of different threads share nothing.
     std::vector<Diagnostic> problems;
   };
   /// Makes an agent and loads its rules. Fails if the file cannot be read or the kernel refuses the agent.
-  Result<Loaded> CreateAgent(const std::string& name, const std::filesystem::path& rules);
+  /// `first`: a command that it gets before its rules.
+  Result<Loaded> CreateAgent(const std::string& name, const std::filesystem::path& rules, const char* first = "");
 
-  /// Answers debuggers that are attached. Called between ticks, also while the world is paused.
+  /// Answers debuggers that are attached. Called between ticks, also while the world is paused; at other times they
+  /// wait.
   void ServeClients();
+  /// What they said to the agents, in order, since the last call. Debuggers of a kernel elsewhere are not heard.
+  std::vector<CommandInput> TakeHeard();
+  /// Carries out a command line for an agent; returns what it printed. Fails if there is no such agent or the command
+  /// fails.
+  Result<std::string> Execute(const std::string& agent, const std::string& line);
 
   /// False once a remote kernel has gone away.
   bool IsConnected() const;
   /// Looks for a kernel at the address of the one that has gone: once a second of real time, on another thread. True
   /// once one answers; it is then the host's, and all agents have to be made again.
   bool Reconnect();
+
+  /// How many threads the minds decide on.
+  std::size_t threads() const { return 1 + further_.size(); }
 
   const SoarSettings& settings() const { return settings_; }
 
@@ -66,10 +86,15 @@ class SoarHost {
   SoarHost(std::unique_ptr<sml::Kernel> kernel, const SoarSettings& settings);
   bool IsRemote() const { return !settings_.remote_host.empty(); }
 
+  sml::Kernel& KernelOf(std::size_t thread) { return thread == 0 ? *kernel_ : *further_[thread - 1]; }
+  void MakeFurtherKernels();
+
   std::unique_ptr<sml::Kernel> kernel_;
+  std::vector<std::unique_ptr<sml::Kernel>> further_;  ///< One for each thread but the first.
   SoarSettings settings_;
   std::uint64_t agents_made_ = 0;
-  std::set<std::string> agents_;      ///< Names of those made, so that a remote kernel is left without them.
+  std::map<std::string, std::size_t> agents_;  ///< Names of those made, and their threads.
+  std::vector<CommandInput> heard_;
   std::shared_ptr<Attempt> attempt_;  ///< To reach a kernel again; null while connected.
 };
 

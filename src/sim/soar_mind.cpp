@@ -4,32 +4,160 @@
 #include "sml_Client.h"
 
 namespace soarbox::sim {
+namespace {
 
-SoarMind::SoarMind(sml::Agent& agent)
-    : agent_(&agent), distance_(agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0)) {}
+constexpr std::size_t kMostWritten = 64 * 1024;
+constexpr int kDeepestParameter = 4;
 
-void SoarMind::Decide(float distance_squared_m2) {
-  agent_->Update(distance_, distance_squared_m2);
-  answer_ = agent_->RunSelfTilOutput();
-  // Strings are assigned in place, so that a tick allocates nothing once the longest word has been seen.
-  std::size_t count = 0;
-  handles_.clear();
-  for (int i = 0; i < agent_->GetNumberCommands(); ++i) {
-    sml::Identifier* command = agent_->GetCommand(i);
-    if (command == nullptr) continue;
-    if (commands_.size() == count) commands_.emplace_back();
-    commands_[count++] = command->GetCommandName();
-    handles_.push_back(command);
-  }
-  commands_.resize(count);
+void OnPrint(sml::smlPrintEventId, void* text, sml::Agent*, char const* message) {
+  auto& written = *static_cast<std::string*>(text);
+  if (written.size() < kMostWritten) written += message;
 }
 
-void SoarMind::Answer(std::size_t index, bool succeeded) {
-  if (succeeded) {
-    handles_[index]->AddStatusComplete();
-  } else {
-    handles_[index]->AddStatusError();
+/// What stands below an identifier of the output link.
+PerceptList ReadBelow(const sml::Identifier& parent, int depth = 0) {
+  PerceptList list;
+  for (int i = 0; i < parent.GetNumberChildren(); ++i) {
+    sml::WMElement* child = const_cast<sml::Identifier&>(parent).GetChild(i);
+    if (child == nullptr) continue;
+    Percept& read = list.emplace_back();
+    read.attribute = child->GetAttribute();
+    if (sml::Identifier* object = child->ConvertToIdentifier()) {
+      read.value = depth < kDeepestParameter ? ReadBelow(*object, depth + 1) : PerceptList{};
+    } else if (sml::IntElement* integer = child->ConvertToIntElement()) {
+      read.value = static_cast<std::int64_t>(integer->GetValue());
+    } else if (sml::FloatElement* number = child->ConvertToFloatElement()) {
+      read.value = number->GetValue();
+    } else {
+      read.value = std::string(child->GetValueAsString());
+    }
   }
+  return list;
+}
+
+}  // namespace
+
+SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
+    : agent_(&agent), own_body_(agent), surroundings_(agent), rows_(agent), written_(std::make_unique<std::string>()) {
+  agent.SetBlinkIfNoChange(settings.blinks);
+  if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
+  agent.RegisterForPrintEvent(sml::smlEVENT_PRINT, &OnPrint, written_.get());
+  is_logged_ = settings.detail != MindDetail::kNone;
+  if (!is_logged_) return;
+  log_.Listen(agent, settings.detail);
+  for (InputMirror* mirror : {&own_body_, &surroundings_, &rows_}) mirror->SetNotes(&log_.percepts());
+}
+
+void SoarMind::SetDistance(float distance_squared_m2) {
+  if (distance_ == nullptr) return;
+  const auto value = static_cast<double>(distance_squared_m2);
+  if (is_logged_ && value != distance_->GetValue())
+    log_.percepts().push_back("distance " + DescribeValue({"distance", 0, value}));
+  agent_->Update(distance_, value);
+}
+
+void SoarMind::Decide() {
+  answer_ = agent_->RunSelfTilOutput();
+  ReadOutput();
+}
+
+void SoarMind::ReadOutput() {
+  commands_.clear();
+  withdrawn_.clear();
+  for (auto& [tag, standing] : standing_) standing.seen = false;
+  if (sml::Identifier* link = agent_->GetOutputLink()) {
+    for (int i = 0; i < link->GetNumberChildren(); ++i) {
+      sml::WMElement* child = link->GetChild(i);
+      if (child == nullptr || child->GetTimeTag() <= 0) continue;
+      const auto tag = static_cast<std::uint64_t>(child->GetTimeTag());
+      const auto [at, is_new] = standing_.try_emplace(tag);
+      at->second.seen = true;
+      at->second.word = child->ConvertToIdentifier();
+      if (!is_new) continue;
+      SaidCommand& said = commands_.emplace_back();
+      said.tag = tag;
+      said.name = child->GetAttribute();
+      said.is_object = at->second.word != nullptr;
+      if (said.is_object) said.parameters = ReadBelow(*at->second.word);
+      if (is_logged_) NoteSaid(said);
+    }
+  }
+  for (auto at = standing_.begin(); at != standing_.end();) {
+    if (at->second.seen) {
+      ++at;
+      continue;
+    }
+    withdrawn_.push_back(at->first);
+    at = standing_.erase(at);
+  }
+}
+
+void SoarMind::NoteSaid(const SaidCommand& said) {
+  const std::string parameters = Describe(said.parameters);
+  log_.commands().push_back(parameters.empty() ? said.name : said.name + " " + parameters);
+}
+
+void SoarMind::Complete(std::uint64_t tag) {
+  const auto at = standing_.find(tag);
+  if (at != standing_.end() && at->second.word != nullptr) at->second.word->AddStatusComplete();
+}
+
+void SoarMind::NoteOutcome(const std::string& command, const Outcome& outcome) {
+  switch (outcome.status) {
+    case Outcome::Status::kProgress:
+      return;
+    case Outcome::Status::kComplete:
+      log_.commands().push_back(command + ": complete");
+      return;
+    case Outcome::Status::kInterrupted:
+      log_.commands().push_back(command + ": interrupted");
+      return;
+    case Outcome::Status::kError:
+      log_.commands().push_back(command + ": error " + outcome.reason);
+      return;
+  }
+}
+
+void SoarMind::Answer(const Outcome& outcome) {
+  const auto at = standing_.find(outcome.tag);
+  if (at == standing_.end() || at->second.word == nullptr) return;
+  sml::Identifier& word = *at->second.word;
+  if (is_logged_) NoteOutcome(word.GetAttribute(), outcome);
+  switch (outcome.status) {
+    case Outcome::Status::kProgress:
+      if (at->second.progress == nullptr) {
+        at->second.progress = word.CreateFloatWME("progress", static_cast<double>(outcome.progress));
+      } else {
+        agent_->Update(at->second.progress, static_cast<double>(outcome.progress));
+      }
+      break;
+    case Outcome::Status::kComplete:
+      word.AddStatusComplete();
+      break;
+    case Outcome::Status::kInterrupted:
+      word.CreateStringWME("status", "interrupted");
+      break;
+    case Outcome::Status::kError:
+      word.AddStatusError();
+      word.CreateStringWME("reason", outcome.reason.c_str());
+      if (!outcome.parameter.empty()) word.CreateStringWME("parameter", outcome.parameter.c_str());
+      break;
+  }
+}
+
+std::vector<std::string> SoarMind::TakeWritten() {
+  std::vector<std::string> lines;
+  std::string& text = *written_;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = text.find('\n', begin);
+    std::string line = text.substr(begin, end == std::string::npos ? end : end - begin);
+    if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(std::move(line));
+    if (end == std::string::npos) break;
+    begin = end + 1;
+  }
+  text.clear();
+  return lines;
 }
 
 bool SoarMind::Halted() const {

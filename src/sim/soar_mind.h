@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "sim/actor.h"
+#include "sim/command_check.h"
+#include "sim/input_mirror.h"
+#include "sim/mind_log.h"
 
 namespace sml {
 class Agent;
@@ -14,24 +22,42 @@ class Identifier;
 
 namespace soarbox::sim {
 
-/// The mind of one agent as a Soar program: perceives one number, answers with command words.
+struct MindSettings {
+  bool has_distance = true;  ///< Perceives the thesis' ^distance.
+  bool blinks = true;        ///< ^distance counts as new in each tick.
+  bool waits = false;        ///< With nothing to do it waits for the world instead of making states below states;
+                             ///< a file of rules may say otherwise (soar wait-snc off).
+  MindDetail detail = MindDetail::kNone;  ///< How much of what it does is noted.
+};
+
+/// The mind of one agent as a Soar program: what it perceives stands on its input link, each identifier directly on
+/// its output link is a command.
 ///
-/// The vocabulary is the thesis': `^io.input-link.distance` holds the squared distance in m^2 from the agent's centre
-/// to its target (or its leader's centre), and each attribute that the rules put on the output link is a command,
-/// marked
-/// `^status complete` or `^status error` once the body has done with it.
-///
-/// Owned by the simulation; the kernel behind it must outlive it.
+/// A command is handed out once, however long it stays; the world answers below it. Owned by the simulation; the
+/// kernel behind it must outlive it.
 class SoarMind {
  public:
-  explicit SoarMind(sml::Agent& agent);
+  SoarMind(sml::Agent& agent, const MindSettings& settings);
 
-  /// Perceives and decides until there is output or the decision budget is used up (max-nil-output-cycles). The new
-  /// commands are in commands(); none means a gap in the rules.
-  void Decide(float distance_squared_m2);
-  std::span<const std::string> commands() const { return commands_; }
-  /// Tells the program how its command number `index` went.
-  void Answer(std::size_t index, bool succeeded);
+  // Percepts: written at once, seen by the rules in the next Decide.
+  void SetDistance(float distance_squared_m2);
+  void ShowOwnBody(const PerceptList& percepts) { own_body_.Show(percepts); }
+  void ShowSurroundings(const PerceptList& percepts) { surroundings_.Show(percepts); }
+  void ShowRows(const PerceptList& percepts) { rows_.Show(percepts); }
+
+  /// Decides until there is output or the decision budget is used up (max-nil-output-cycles). What is new on the output
+  /// link is in commands(), what went is in withdrawn().
+  void Decide();
+  std::span<const SaidCommand> commands() const { return commands_; }
+  std::span<const std::uint64_t> withdrawn() const { return withdrawn_; }
+  /// Commands that stand on the output link now, answered or not.
+  std::size_t standing() const { return standing_.size(); }
+  /// Tells the program how a command went. Nothing happens if it has been taken back.
+  void Answer(const Outcome& outcome);
+  void Complete(std::uint64_t tag);
+
+  /// What rules have written since the last call, in whole lines.
+  std::vector<std::string> TakeWritten();
 
   /// True once the program has halted; it then does nothing more until it is restarted.
   bool Halted() const;
@@ -39,13 +65,32 @@ class SoarMind {
   std::string_view Breakdown() const;
   /// Starts the program anew: working memory is cleared, the rules stay.
   void Restart();
+  sml::Agent& agent() { return *agent_; }
+  /// What it did in this tick; empty unless it was asked for (MindSettings::detail).
+  MindLog& log() { return log_; }
+  const MindLog& log() const { return log_; }
+  bool is_logged() const { return is_logged_; }
 
  private:
+  struct Standing {
+    sml::Identifier* word = nullptr;  ///< Valid until the next Decide; null if the command is no identifier.
+    sml::FloatElement* progress = nullptr;
+    bool seen = false;  ///< Scratch: met in the present reading of the output link.
+  };
+  void ReadOutput();
+  void NoteSaid(const SaidCommand& said);
+  void NoteOutcome(const std::string& command, const Outcome& outcome);
+
   sml::Agent* agent_;
-  sml::FloatElement* distance_;
+  sml::FloatElement* distance_ = nullptr;
+  InputMirror own_body_, surroundings_, rows_;
   std::string answer_;  ///< The kernel's to the last run.
-  std::vector<std::string> commands_;
-  std::vector<sml::Identifier*> handles_;  ///< Beside commands_; valid until the next Decide.
+  std::vector<SaidCommand> commands_;
+  std::vector<std::uint64_t> withdrawn_;
+  std::map<std::uint64_t, Standing> standing_;
+  MindLog log_;
+  bool is_logged_ = false;
+  std::unique_ptr<std::string> written_;  ///< Where the kernel's print events go; its address is known to the kernel.
 };
 
 }  // namespace soarbox::sim

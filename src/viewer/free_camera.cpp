@@ -73,7 +73,7 @@ void FreeCamera::Follow(Vec3 target) {
     distance_ = std::clamp(world::Distance(target, pose_.position), 4.0f, 12.0f);
     // From the ground up, a body is not to be seen; begin a little above it.
     if (forward().y > -0.15f) {
-      const Vec3 flat = world::Normalized({forward().x, 0, forward().z});
+      const Vec3 flat = world::Normalized(Vec3{forward().x, 0, forward().z});
       const float yaw = std::atan2(-flat.x, -flat.z);
       pose_.orientation = Unit(About({0, 1, 0}, yaw) * About({1, 0, 0}, -0.35f));
     }

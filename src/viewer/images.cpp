@@ -99,4 +99,22 @@ Image CrateImage() {
   });
 }
 
+Image LeafImage() {
+  return Paint(256, [](float u, float v) {
+    const float leaf = Noise2(u * 40, v * 40, 83, 40), mass = Fractal2(u * 6, v * 6, 4, 89, 6);
+    const float light = 0.45f + 0.45f * mass + 0.5f * (leaf - 0.5f);
+    const float hue = Noise2(u * 20, v * 20, 97, 20);
+    return std::array<float, 3>{light * (0.62f + 0.30f * hue), light * 0.95f, light * (0.52f + 0.10f * hue)};
+  });
+}
+
+Image StoneImage() {
+  return Paint(256, [](float u, float v) {
+    const float mass = Fractal2(u * 5, v * 5, 6, 103, 5), vein = std::abs(Fractal2(u * 6, v * 6, 4, 107, 6) - 0.5f);
+    const float value = 0.52f + 0.40f * mass - (vein < 0.02f ? 0.12f : 0.0f);
+    const float lichen = Fractal2(u * 9, v * 9, 4, 109, 9) > 0.62f ? 0.10f : 0.0f;
+    return std::array<float, 3>{value - 0.2f * lichen, value + 0.25f * lichen, value * 0.96f - 0.8f * lichen};
+  });
+}
+
 }  // namespace soarbox::viewer

@@ -28,6 +28,11 @@ Image BrickImage();
 /// Brushed planks in pale grey, to be tinted.
 Image CrateImage();
 
+/// Leaves of several greens, seen as a mass.
+Image LeafImage();
+/// Weathered stone with veins and lichen.
+Image StoneImage();
+
 /// Six faces (+x, -x, +y, -y, +z, -z in the order and orientation of cube maps): clouds above, water below the horizon.
 struct SkyStyle {
   std::array<float, 3> zenith{0.20f, 0.42f, 0.74f};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "world/math.h"
+#include "world/rotation.h"
 
 namespace soarbox::viewer {
 
@@ -11,10 +12,6 @@ namespace soarbox::viewer {
 /// any body moves in a tick was put there, and is drawn there at once.
 
 inline constexpr float kJump_m = 4;
-
-inline bool IsFinite(world::Vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 inline world::Vec3 BetweenPositions(world::Vec3 from, world::Vec3 to, float blend) {
   if (world::LengthSquared(to - from) > kJump_m * kJump_m) return to;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "viewer/cloth_image.h"
+
 namespace soarbox::viewer {
 namespace {
 
@@ -44,6 +46,12 @@ const char* PaintTexture(Look::Paint paint) {
       return "Soarbox/BrickPicture";
     case Look::Paint::kCrate:
       return "Soarbox/CratePicture";
+    case Look::Paint::kCloth:
+      return "Soarbox/ClothPicture";
+    case Look::Paint::kLeaves:
+      return "Soarbox/LeafPicture";
+    case Look::Paint::kStone:
+      return "Soarbox/StonePicture";
     case Look::Paint::kMissing:
       return "Soarbox/Checker";
     case Look::Paint::kPlain:
@@ -91,6 +99,9 @@ Materials::Materials(const Shaders& shaders) : shaders_(shaders) {
   MakeTexture("Soarbox/ConcretePicture", ConcreteImage());
   MakeTexture("Soarbox/BrickPicture", BrickImage());
   MakeTexture("Soarbox/CratePicture", CrateImage());
+  MakeTexture("Soarbox/ClothPicture", ClothImage());
+  MakeTexture("Soarbox/LeafPicture", LeafImage());
+  MakeTexture("Soarbox/StonePicture", StoneImage());
 }
 
 Materials::Found Materials::Make(const std::string& name, const Look& look) {
@@ -141,6 +152,18 @@ const Materials::Found& Materials::AgentBody(std::string_view kind, bool alive, 
   return materials_.emplace(name, Make(name, look)).first->second;
 }
 
+const Materials::Found& Materials::Soldier(const std::string& team) {
+  const std::string name = "soldier/" + team;
+  const auto known = materials_.find(name);
+  if (known != materials_.end()) return known->second;
+  Look look;
+  look.paint = Look::Paint::kCloth;
+  look.base = {1, 1, 1, 1};
+  look.trim = TeamColor(team);
+  look.gloss = 0.02f;
+  return materials_.emplace(name, Make(name, look)).first->second;
+}
+
 void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
   auto& textures = Ogre::TextureManager::getSingleton();
   Ogre::TexturePtr texture = textures.getByName(kSkyTexture, kGroup);
@@ -167,9 +190,10 @@ Ogre::MaterialPtr Materials::SkyMaterial() {
   return material;
 }
 
-Ogre::MaterialPtr Materials::LineMaterial(float width_px) {
+Ogre::MaterialPtr Materials::LineMaterial(float width_px, bool on_top) {
   Ogre::MaterialPtr material;
-  Ogre::Pass& pass = NewPass("Soarbox/Lines/" + std::to_string(width_px), material);
+  Ogre::Pass& pass = NewPass("Soarbox/Lines/" + std::to_string(width_px) + (on_top ? "/on top" : ""), material);
+  pass.setDepthCheckEnabled(!on_top);
   shaders_.Use(pass, "line.vert", "line.frag", {});
   pass.getVertexProgramParameters()->setNamedConstant("width_px", Ogre::Vector4(width_px, 0, 0, 0));
   pass.getFragmentProgramParameters()->setNamedConstant("width_px", Ogre::Vector4(width_px, 0, 0, 0));

@@ -28,13 +28,16 @@ class Materials {
   /// The body of an agent: its kind's colour, dull if it failed, grey if it died.
   const Found& AgentBody(std::string_view kind, bool alive, bool failed);
 
+  /// What soldiers wear; the team's colour on helmet, arms and pack. An empty team has none.
+  const Found& Soldier(const std::string& team);
+
   /// Replaces the picture of the sky, which surfaces mirror too. Faces of other sizes are scaled.
   static constexpr int kSkyFaceSize = 640;
   void SetSkyPicture(const std::array<Image, 6>& faces);
   Ogre::MaterialPtr SkyMaterial();
 
-  /// Lines that lie on top of surfaces, `width_px` wide.
-  Ogre::MaterialPtr LineMaterial(float width_px);
+  /// Lines that lie on top of surfaces, `width_px` wide; seen through everything if `on_top`.
+  Ogre::MaterialPtr LineMaterial(float width_px, bool on_top = false);
 
   /// Translucent triangles, seen from both sides.
   Ogre::MaterialPtr FillMaterial();

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "viewer/modular_meshes.h"
+#include "viewer/scenery_meshes.h"
 #include "viewer/shape_meshes.h"
 
 namespace soarbox::viewer {
@@ -37,6 +38,7 @@ MeshData Build(const DrawableSnapshot& d, bool agent_body, bool& is_stand_in) {
       break;
   }
   if (auto modular = ModularMesh(d.mesh)) return *modular;
+  if (auto scenery = SceneryMeshFor(d.mesh)) return *scenery;
   is_stand_in = true;
   MeshData box = BoxMesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
   box.material = "Soarbox/Missing";

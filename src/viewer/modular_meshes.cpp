@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "viewer/shape_meshes.h"
+#include "world/modular_meshes.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -98,7 +99,7 @@ MeshData Crate(Vec3 min, Vec3 max) {
   return mesh;
 }
 
-MeshData Build(const ModularPiece& piece) {
+MeshData Build(const world::ModularMesh& piece) {
   const std::string_view name = piece.name;
   const Vec3 min = piece.min, max = piece.max;
   if (Has(name, "block")) return Crate(min, max);
@@ -117,54 +118,14 @@ MeshData Build(const ModularPiece& piece) {
 
 }  // namespace
 
-const std::vector<ModularPiece>& ModularPieces() {
-  static const std::vector<ModularPiece> pieces{
-      {"modular_block", {-0.41f, -0.32f, -0.40f}, {0.39f, 0.32f, 0.40f}},
-      {"modular_brick_door", {-1.28f, -0.77f, -0.16f}, {1.28f, 1.79f, 0.16f}},
-      {"modular_brick_double_window", {-1.28f, -1.29f, -0.16f}, {1.28f, 1.27f, 0.16f}},
-      {"modular_brick_small_double_window", {-1.29f, -1.27f, -0.16f}, {1.27f, 1.29f, 0.16f}},
-      {"modular_brick_small_window_1", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0.16f}},
-      {"modular_brick_small_window_2", {-0.64f, -1.27f, -0.16f}, {0.64f, 1.29f, 0.16f}},
-      {"modular_brick_window_1", {-1.29f, -1.28f, -0.16f}, {1.27f, 1.28f, 0.16f}},
-      {"modular_brick_window_2", {-0.65f, -1.26f, -0.16f}, {0.63f, 1.30f, 0.16f}},
-      {"modular_concrete_door", {-1.28f, -1.29f, -0.16f}, {1.28f, 1.27f, 0.16f}},
-      {"modular_concrete_double_window", {-1.29f, -1.28f, -0.16f}, {1.27f, 1.28f, 0.16f}},
-      {"modular_concrete_small_double_window", {-1.28f, -1.27f, -0.16f}, {1.28f, 1.29f, 0.16f}},
-      {"modular_concrete_small_window_1", {-1.28f, -1.30f, -0.16f}, {1.28f, 1.26f, 0.16f}},
-      {"modular_concrete_small_window_2", {-0.63f, -1.29f, -0.16f}, {0.65f, 1.27f, 0.16f}},
-      {"modular_concrete_window_1", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0.16f}},
-      {"modular_concrete_window_2", {-0.64f, -1.27f, -0.16f}, {0.64f, 1.29f, 0.16f}},
-      {"modular_cooling", {-0.44f, -0.39f, 0}, {0.44f, 0.41f, 0.40f}},
-      {"modular_hangar_door", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0}},
-      {"modular_pillar_brick_1", {-0.32f, -1.28f, -0.32f}, {0.32f, 1.28f, 0.32f}},
-      {"modular_pillar_brick_2", {-0.31f, -0.97f, -0.32f}, {0.33f, 0.95f, 0.32f}},
-      {"modular_pillar_brick_3", {-0.31f, -0.64f, -0.32f}, {0.33f, 0.64f, 0.32f}},
-      {"modular_pillar_concrete_1", {-0.31f, -1.29f, -0.32f}, {0.33f, 1.27f, 0.32f}},
-      {"modular_pillar_concrete_2", {-0.32f, -0.96f, -0.32f}, {0.32f, 0.96f, 0.32f}},
-      {"modular_pillar_concrete_3", {-0.32f, -0.63f, -0.32f}, {0.32f, 0.65f, 0.32f}},
-      {"modular_roof", {-1.61f, -0.16f, -1.59f}, {1.56f, 0.16f, 1.58f}},
-      {"modular_wall_brick_1", {-1.28f, -1.28f, -0.16f}, {1.28f, 1.28f, 0.16f}},
-      {"modular_wall_brick_2", {-0.64f, -1.27f, -0.16f}, {0.64f, 1.29f, 0.16f}},
-      {"modular_wall_brick_3", {-0.63f, -0.66f, -0.16f}, {0.65f, 0.62f, 0.16f}},
-      {"modular_wall_brick_4", {-1.29f, -0.31f, -0.16f}, {1.27f, 0.33f, 0.16f}},
-      {"modular_wall_brick_5", {-0.64f, -0.31f, -0.16f}, {0.64f, 0.33f, 0.16f}},
-      {"modular_wall_concrete_1", {-1.28f, -1.27f, -0.16f}, {1.28f, 1.29f, 0.16f}},
-      {"modular_wall_concrete_2", {-0.63f, -1.28f, -0.16f}, {0.65f, 1.28f, 0.16f}},
-      {"modular_wall_concrete_3", {-0.63f, -0.63f, -0.16f}, {0.65f, 0.65f, 0.16f}},
-      {"modular_wall_concrete_4", {-1.28f, -0.30f, -0.16f}, {1.28f, 0.34f, 0.16f}},
-      {"modular_wall_concrete_5", {-0.63f, -0.31f, -0.16f}, {0.65f, 0.33f, 0.16f}},
-  };
-  return pieces;
-}
-
 std::optional<MeshData> ModularMesh(std::string_view resource_name) {
   constexpr std::string_view kFolder = "models/nobiax_modular/", kSuffix = ".mesh";
   if (!resource_name.starts_with(kFolder) || !resource_name.ends_with(kSuffix)) return std::nullopt;
   resource_name.remove_prefix(kFolder.size());
   resource_name.remove_suffix(kSuffix.size());
-  const auto& pieces = ModularPieces();
+  const auto& pieces = world::kModularMeshes;
   const auto found =
-      std::find_if(pieces.begin(), pieces.end(), [&](const ModularPiece& p) { return p.name == resource_name; });
+      std::find_if(pieces.begin(), pieces.end(), [&](const world::ModularMesh& p) { return p.name == resource_name; });
   if (found == pieces.end()) return std::nullopt;
   MeshData mesh = Build(*found);
   const bool metal = Has(found->name, "cooling") || Has(found->name, "hangar");

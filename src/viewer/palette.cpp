@@ -57,6 +57,8 @@ const std::vector<NamedLook>& Looks() {
       {"Soarbox/Concrete", {{0.80f, 0.79f, 0.76f, 1}, {0.10f, 0.13f, 0.16f, 1}, 0.1f, 0, Paint::kConcrete, 0.39f}},
       {"Soarbox/Crate", {{0.90f, 0.66f, 0.38f, 1}, {0.20f, 0.19f, 0.18f, 1}, 0.14f, 0, Paint::kCrate, 1.25f}},
       {"Soarbox/Metal", {{0.62f, 0.66f, 0.70f, 1}, {0.15f, 0.16f, 0.17f, 1}, 0.38f, 0, Paint::kConcrete, 0.5f}},
+      {"Soarbox/Leaves", {{0.62f, 0.74f, 0.42f, 1}, {0.31f, 0.24f, 0.17f, 1}, 0.02f, 0, Paint::kLeaves, 1}},
+      {"Soarbox/Stone", {{0.78f, 0.77f, 0.74f, 1}, kDark, 0.05f, 0, Paint::kStone, 0.5f}},
       {"Soarbox/Missing", {{1, 1, 1, 1}, kDark, 0.1f, 0.35f, Paint::kMissing, 1}},
   };
   return looks;
@@ -85,6 +87,16 @@ world::Color AgentColor(std::string_view kind) {
   std::uint32_t hash = 2166136261u;
   for (const char c : kind) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
   return kOthers[hash % std::size(kOthers)];
+}
+
+world::Color TeamColor(std::string_view team) {
+  if (team.empty()) return {0.33f, 0.33f, 0.27f, 1};
+  const auto has = [team](std::string_view part) { return team.find(part) != std::string_view::npos; };
+  if (team == "team1" || has("blue")) return {0.10f, 0.36f, 0.86f, 1};
+  if (team == "team2" || has("red")) return {0.88f, 0.17f, 0.11f, 1};
+  if (has("green")) return {0.16f, 0.66f, 0.24f, 1};
+  if (has("yellow")) return {0.92f, 0.76f, 0.14f, 1};
+  return AgentColor(team);
 }
 
 bool IsAgentColorMaterial(std::string_view material) {

@@ -10,6 +10,7 @@
 #include "viewer/materials.h"
 #include "viewer/mesh_library.h"
 #include "viewer/ogre_headers.h"
+#include "viewer/skinned_body.h"
 
 namespace soarbox::viewer {
 
@@ -17,10 +18,15 @@ namespace soarbox::viewer {
 class SceneView {
  public:
   using OnWarning = std::function<void(const Diagnostic&)>;
-  SceneView(Ogre::SceneManager& scene, Materials& materials, OnWarning on_warning);
+  /// reach: bodies are drawn in detail so many times further away; below 1 on slow renderers.
+  SceneView(Ogre::SceneManager& scene, Materials& materials, float reach, OnWarning on_warning);
 
   /// Creates, changes, moves and removes entities. With `previous`, bodies stand between the two by `blend`, 0..1.
-  void Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend);
+  /// Bodies further from `eye` are drawn in less detail.
+  void Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend, world::Vec3 eye);
+
+  /// The bones that scripts want to see, of the bodies as they stood at the last Update.
+  const std::vector<world::LineSnapshot>& skeleton_lines() const { return skeleton_lines_; }
 
   /// Warns once per name that something is missing and what is shown instead.
   void WarnOnce(const std::string& kind, const std::string& name, const std::string& instead);
@@ -32,18 +38,30 @@ class SceneView {
     std::string mesh_name;
     std::string material_name;
     std::uint64_t seen = 0;
+    std::unique_ptr<SkinnedBody> body;  ///< Of meshes with a skeleton.
+    BodyDetail detail = BodyDetail::kFine;
+    world::BodyLook look = world::BodyLook::kSoldier;
   };
   void Place(Thing& thing, const world::DrawableSnapshot& drawable, const world::DrawableSnapshot* before, float blend);
   void Dress(Thing& thing, const world::DrawableSnapshot& drawable, const world::AgentSnapshot* agent, bool agent_body);
+  /// Dresses and moves what has a skeleton.
+  void ShowBody(Thing& thing, const world::BodyMesh& mesh, const world::DrawableSnapshot& drawable,
+                const world::DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent, world::Vec3 eye);
+  void Wear(Thing& thing, const Ogre::MeshPtr& mesh, bool casts_shadows);
+  void AddSkeletonLines(const world::Skeleton& skeleton, const world::BonePose& model,
+                        const std::vector<world::BonePose>& bones);
   void Destroy(Thing& thing);
 
   Ogre::SceneManager& scene_;
   Materials& materials_;
+  float reach_;
   MeshLibrary meshes_;
+  BodyLibrary bodies_;
   OnWarning on_warning_;
   std::unordered_map<std::uint32_t, Thing> things_;
   std::unordered_map<std::uint32_t, const world::AgentSnapshot*> agents_;
   std::unordered_map<std::uint32_t, const world::DrawableSnapshot*> before_;
+  std::vector<world::LineSnapshot> skeleton_lines_;
   std::set<std::string> warned_;
   std::uint64_t update_count_ = 0;
 };

@@ -62,7 +62,7 @@ struct Viewer::Impl {
   std::optional<LightRig> lights;
   std::optional<SkyView> sky;
   std::optional<SceneView> things;
-  std::unique_ptr<LineBatch> lines;
+  std::unique_ptr<LineBatch> lines, skeleton_lines;
   std::unique_ptr<FillBatch> fills;
   std::optional<PanelHost> panels;
   std::optional<InputReader> input;
@@ -93,6 +93,7 @@ struct Viewer::Impl {
   ~Impl() {
     // Ogre's scene must not hold what we own when the engine takes it down.
     if (lines) lines->detachFromParent();
+    if (skeleton_lines) skeleton_lines->detachFromParent();
     if (fills) fills->detachFromParent();
   }
 };
@@ -106,10 +107,12 @@ Result<void> Viewer::Impl::Build() {
   materials.emplace(*shaders);
   lights.emplace(scene_manager, *shaders, materials->ShadowCaster(), engine->low_detail());
   sky.emplace(scene_manager, *materials);
-  things.emplace(scene_manager, *materials, options.on_diagnostic);
+  things.emplace(scene_manager, *materials, engine->low_detail() ? 0.45f : 1.0f, options.on_diagnostic);
   lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px));
+  skeleton_lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px, true));
   fills = std::make_unique<FillBatch>(materials->FillMaterial());
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(lines.get());
+  scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(skeleton_lines.get());
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(fills.get());
   panels.emplace(*materials);
   input.emplace(engine->window());
@@ -133,7 +136,7 @@ void Viewer::Impl::ReportFailure(const std::string& what) {
 }
 
 void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend) {
-  things->Update(newest, previous, blend);
+  things->Update(newest, previous, blend, camera.pose().position);
   lights->Update(newest);
   lights->SetSkyRotation(newest.sky_rotation_deg);
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water stand in for it");
@@ -214,6 +217,7 @@ bool Viewer::Impl::Frame() {
   }
   const auto* agent = Selected();
   lines->Update(scene.lines, agent != nullptr ? RingAround(*agent) : std::vector<world::LineSnapshot>{});
+  skeleton_lines->Update(things->skeleton_lines(), {});
   PlaceCamera();
   DrawPanels(seconds);
   engine->Draw();

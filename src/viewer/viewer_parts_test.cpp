@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "viewer/body_mesh.h"
 #include "viewer/free_camera.h"
 #include "viewer/images.h"
 #include "viewer/interpolate.h"
@@ -12,7 +13,11 @@
 #include "viewer/modular_meshes.h"
 #include "viewer/palette.h"
 #include "viewer/picking.h"
+#include "viewer/scenery_meshes.h"
 #include "viewer/shape_meshes.h"
+#include "world/body_meshes.h"
+#include "world/modular_meshes.h"
+#include "world/scenery_meshes.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -68,8 +73,8 @@ TEST(ShapeMeshes, SizesThatMakeNoSenseGiveHarmlessMeshes) {
 }
 
 TEST(ModularMeshes, AllThirtyFourPiecesFillTheirBounds) {
-  ASSERT_EQ(ModularPieces().size(), 34u);
-  for (const ModularPiece& piece : ModularPieces()) {
+  ASSERT_EQ(world::kModularMeshes.size(), 34u);
+  for (const world::ModularMesh& piece : world::kModularMeshes) {
     const auto mesh = ModularMesh("models/nobiax_modular/" + std::string(piece.name) + ".mesh");
     ASSERT_TRUE(mesh.has_value()) << piece.name;
     ExpectOutwardTriangles(*mesh);
@@ -77,6 +82,56 @@ TEST(ModularMeshes, AllThirtyFourPiecesFillTheirBounds) {
     EXPECT_LT(world::Distance(bounds.min, piece.min), 0.001f) << piece.name;
     EXPECT_LT(world::Distance(bounds.max, piece.max), 0.001f) << piece.name;
   }
+}
+
+TEST(BodyMeshes, SoldiersAndRiflesAreWholeAtEveryDetailAndAsTallAsPeople) {
+  for (const world::BodyMesh& body : world::kBodyMeshes) {
+    std::size_t finer = 100'000;
+    for (const BodyDetail detail : {BodyDetail::kFine, BodyDetail::kMiddle, BodyDetail::kCoarse}) {
+      const SkinMesh mesh = MakeBodyMesh(body.look, detail);
+      ASSERT_EQ(mesh.skin.size(), mesh.mesh.vertices.size());
+      EXPECT_LT(mesh.mesh.vertices.size(), finer);
+      finer = mesh.mesh.vertices.size();
+      for (const MeshVertex& v : mesh.mesh.vertices) {
+        ASSERT_TRUE(IsFinite(v.position) && IsFinite(v.normal)) << body.name;
+        ASSERT_NEAR(world::Length(v.normal), 1, 0.01f) << body.name;
+      }
+      for (const SkinVertex& s : mesh.skin) {
+        ASSERT_LT(s.bone, body.rig().skeleton.count());
+        ASSERT_LT(s.other, body.rig().skeleton.count());
+      }
+      if (body.look == world::BodyLook::kRifle) continue;
+      const Bounds bounds = BoundsOf(mesh.mesh);
+      EXPECT_NEAR(bounds.max.y, 1.766f, 0.03f);
+      EXPECT_NEAR(bounds.min.y, 0, 0.01f);
+      EXPECT_LT(finer, 14'000u);
+    }
+  }
+}
+
+TEST(BodyMeshes, TheBindPoseLeavesVerticesWhereTheyAre) {
+  const SkinMesh mesh = MakeSoldierMesh(BodyDetail::kMiddle, false);
+  const world::Skeleton& skeleton = world::SoldierRig().skeleton;
+  std::vector<world::BonePose> bones;
+  for (int i = 0; i < skeleton.count(); ++i) bones.push_back(skeleton.BindInModel(i));
+  std::vector<float> out(6 * mesh.mesh.vertices.size());
+  MoveSkin(mesh, skeleton, bones, out.data());
+  for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
+    const world::Vec3 moved{out[6 * i], out[6 * i + 1], out[6 * i + 2]};
+    ASSERT_LT(world::Distance(moved, mesh.mesh.vertices[i].position), 1e-4f);
+  }
+}
+
+TEST(SceneryMeshes, StandOnTheGroundAndKeepTheirSize) {
+  for (const world::SceneryMesh& piece : world::kSceneryMeshes) {
+    const auto mesh = SceneryMeshFor(piece.name);
+    ASSERT_TRUE(mesh.has_value()) << piece.name;
+    for (const MeshVertex& v : mesh->vertices) ASSERT_TRUE(IsFinite(v.position) && IsFinite(v.normal)) << piece.name;
+    const Bounds bounds = BoundsOf(*mesh);
+    EXPECT_GT(bounds.min.y, -0.1f) << piece.name;
+    EXPECT_NEAR(bounds.max.y, piece.bounds.max.y, 0.2f * piece.bounds.max.y) << piece.name;
+  }
+  EXPECT_FALSE(SceneryMeshFor("models/soarbox/palm.mesh").has_value());
 }
 
 TEST(ModularMeshes, UnknownNamesAreNotFound) {

@@ -20,6 +20,7 @@ class DebugDraw {
   void Square(Vec3 center, float side_m, Vec3 color, bool filled = false);
   void Clear();
 
+  std::size_t size() const { return lines_.size() + triangles_.size(); }
   const std::vector<LineSnapshot>& lines() const { return lines_; }
   const std::vector<TriangleSnapshot>& triangles() const { return triangles_; }
 

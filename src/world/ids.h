@@ -16,6 +16,9 @@ enum class NodeId : std::uint32_t { kNone = 0, kRoot = 1 };
 /// A user-interface component. Numbers are never given twice.
 enum class UiId : std::uint32_t { kNone = 0 };
 
+/// One movement of one body. Numbers are never given twice.
+enum class AnimationId : std::uint32_t { kNone = 0 };
+
 inline constexpr std::uint32_t Number(EntityId id) {
   return static_cast<std::uint32_t>(id);
 }
@@ -23,6 +26,9 @@ inline constexpr std::uint32_t Number(NodeId id) {
   return static_cast<std::uint32_t>(id);
 }
 inline constexpr std::uint32_t Number(UiId id) {
+  return static_cast<std::uint32_t>(id);
+}
+inline constexpr std::uint32_t Number(AnimationId id) {
   return static_cast<std::uint32_t>(id);
 }
 

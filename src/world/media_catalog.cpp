@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "world/body_meshes.h"
 #include "world/modular_meshes.h"
+#include "world/scenery_meshes.h"
 
 namespace soarbox::world {
 namespace {
@@ -70,6 +72,8 @@ MediaCatalog::MediaCatalog() {
   for (const ModularMesh& mesh : kModularMeshes) {
     AddMesh("models/nobiax_modular/" + std::string(mesh.name) + ".mesh", {mesh.min, mesh.max});
   }
+  for (const BodyMesh& mesh : kBodyMeshes) AddMesh(std::string(mesh.name), mesh.bounds);
+  for (const SceneryMesh& mesh : kSceneryMeshes) AddMesh(std::string(mesh.name), mesh.bounds);
   for (const char* name : kMaterials) AddMaterial(name);
   for (const char* name : kSkies) AddSky(name);
   for (const char* name : kParticles) AddParticle(name);

@@ -36,6 +36,25 @@ float Within(float value, float limit) {
   return IsFinite(value) ? std::clamp(value, -limit, limit) : 0.0f;
 }
 
+/// Two things that touch cost time, and a heap of n things has n * n of them: beyond this many, further ones pass
+/// through each other.
+constexpr int kMostPairs = 60'000;
+
+struct PairLimit final : btOverlapFilterCallback {
+  explicit PairLimit(btOverlappingPairCache& given) : pairs(given) {}
+
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
+    const bool wanted = (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
+                        (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
+    if (!wanted || pairs.getNumOverlappingPairs() < kMostPairs) return wanted;
+    reached = true;
+    return false;
+  }
+
+  btOverlappingPairCache& pairs;
+  mutable bool reached = false;
+};
+
 }  // namespace
 
 struct PhysicsWorld::Body {
@@ -63,6 +82,7 @@ struct PhysicsWorld::Impl {
     info.m_numIterations = std::clamp(settings.solver_iterations, 1, 1000);
     info.m_splitImpulse = true;
     info.m_erp2 = kPenetrationRecovery;
+    broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&pair_limit);
     world.setForceUpdateAllAabbs(false);
   }
 
@@ -89,6 +109,7 @@ struct PhysicsWorld::Impl {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher;
   btDbvtBroadphase broadphase;
+  PairLimit pair_limit{*broadphase.getOverlappingPairCache()};
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world;
   Vec3 gravity;
@@ -102,6 +123,10 @@ struct PhysicsWorld::Impl {
 };
 
 PhysicsWorld::PhysicsWorld(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+
+bool PhysicsWorld::IsCrowded() const {
+  return impl_->pair_limit.reached;
+}
 
 PhysicsWorld::~PhysicsWorld() {
   for (const auto& body : impl_->bodies) {

@@ -46,6 +46,8 @@ struct BodyDef {
 class PhysicsWorld {
  public:
   explicit PhysicsWorld(const WorldSettings& settings);
+  /// So many bodies have overlapped at once that further ones passed through each other.
+  bool IsCrowded() const;
   ~PhysicsWorld();
 
   BodyId Add(const BodyDef& def);

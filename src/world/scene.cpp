@@ -43,6 +43,8 @@ NodeId Scene::Add(NodeId parent, Node node) {
     }
   }
   node.parent = parent;
+  if (node.animator) animated_.push_back(id);
+  if (node.content == NodeContent::kLight) ++lights_;
   nodes_.emplace_hint(nodes_.end(), id, std::move(node));
   return id;
 }
@@ -68,6 +70,8 @@ void Scene::RemoveTree(NodeId node) {
     waiting.pop_back();
     const auto found = nodes_.find(next);
     waiting.insert(waiting.end(), found->second.children.begin(), found->second.children.end());
+    if (found->second.animator) ForgetAnimations(next);
+    if (found->second.content == NodeContent::kLight) --lights_;
     nodes_.erase(found);
   }
 }
@@ -111,10 +115,24 @@ void Scene::PlaceWorldNode(NodeId node, Vec3 position, Quat orientation) {
   }
 }
 
-WorldTransform Scene::Transform(NodeId node) const {
+WorldTransform Scene::Transform(NodeId node, const BodyOf* body_of) const {
   WorldTransform result;
-  for (const Node* at = Find(node); at; at = Find(at->parent)) {
-    const WorldTransform local{at->position, at->orientation, at->scale};
+  const Node* above = nullptr;
+  for (const Node* at = Find(node); at; at = above) {
+    above = Find(at->parent);
+    WorldTransform local{at->position, at->orientation, at->scale};
+    if (body_of && at->belongs_to_entity && at->owner != EntityId::kSandbox) {
+      if (const std::optional<BonePose> body = (*body_of)(at->owner, at->owner_is_agent)) {
+        local.position = body->position;
+        local.orientation = body->orientation;
+      }
+    }
+    if (at->bone >= 0 && above && above->animator) {
+      const BonePose hung =
+          above->animator->Bones()[static_cast<std::size_t>(at->bone)] * BonePose{local.position, local.orientation};
+      local.position = hung.position;
+      local.orientation = hung.orientation;
+    }
     result.position = local.Apply(result.position);
     result.orientation = local.orientation * result.orientation;
     result.scale = {result.scale.x * local.scale.x, result.scale.y * local.scale.y, result.scale.z * local.scale.z};

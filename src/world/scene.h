@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "world/animation/bone_pose.h"
 #include "world/ids.h"
 #include "world/math.h"
 #include "world/media_catalog.h"
@@ -15,6 +19,8 @@
 namespace soarbox::world {
 
 struct WorldTransform;
+class Animator;
+class StateHash;
 
 /// The scene tree: what there is to see and where. The sandbox is the root; each agent and each object has a node of
 /// its own under the root, and scripts hang more under any node.
@@ -53,6 +59,8 @@ class Scene {
   /// Destroys the node and all below it. The root and the nodes of agents and objects cannot be removed this way.
   bool Remove(NodeId node);
   bool Contains(NodeId node) const;
+  std::size_t node_count() const { return nodes_.size(); }
+  std::size_t light_count() const { return lights_; }
 
   // Transforms, relative to the parent.
   Vec3 Position(NodeId node) const;
@@ -87,14 +95,40 @@ class Scene {
   /// In the node's space; turns emission on.
   bool SetParticleDirection(NodeId node, Vec3 direction);
 
+  // Bodies with a skeleton (scene_animation.cpp).
+  /// Null if the node's own mesh has none. Valid until the node is removed.
+  Animator* AnimatorOf(NodeId node);
+  const Animator* AnimatorOf(NodeId node) const;
+  /// The name by which others know one movement of a node: the same for the same movement.
+  AnimationId AnimationOf(NodeId node, std::size_t clip);
+  struct FoundAnimation {
+    Animator* animator = nullptr;  ///< Null if the node was removed, or there never was such a movement.
+    std::size_t clip = 0;
+  };
+  FoundAnimation FindAnimation(AnimationId animation);
+  /// Hangs a node on a bone of a mesh: it moves with the bone from now on, its place and turn are relative to it. False
+  /// if the mesh has no such bone, if the node belongs to an agent, an object or the sandbox, or if the mesh hangs
+  /// below the node.
+  bool AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 position, Quat orientation);
+  /// Where a bone is in the world: of the node's own skeleton, else of meshes that hang on its bones.
+  std::optional<BonePose> BoneInWorld(NodeId node, std::string_view bone) const;
+  /// The names of the bones that BoneInWorld finds.
+  std::vector<std::string_view> BonesBelow(NodeId node) const;
+  /// All nodes with a skeleton, in creation order.
+  std::span<const NodeId> animated() const { return animated_; }
+  /// What its movements and attachments are.
+  void AddAnimationTo(StateHash& hash) const;
+
   // The whole.
   void SetAmbient(Vec3 color);
   Vec3 ambient() const { return ambient_; }
   /// An unknown sky gives a plain one, and a warning. Replaces any earlier sky.
   void SetSky(std::string_view name, Vec3 rotation_deg);
 
-  /// Adds drawables, lights and particles, and ambient light and sky.
-  void FillSnapshot(SceneSnapshot& snapshot) const;
+  /// Adds drawables, lights and particles, and ambient light and sky. Nodes of agents and objects stand where
+  /// `body_of` has them, so that what is drawn does not trail behind the bodies by a tick.
+  using BodyOf = std::function<std::optional<BonePose>(EntityId owner, bool is_agent)>;
+  void FillSnapshot(SceneSnapshot& snapshot, const BodyOf& body_of) const;
 
  private:
   friend class Agent;
@@ -107,7 +141,10 @@ class Scene {
   const Node* Find(NodeId node) const;
   void RemoveTree(NodeId node);
   void RemoveOwned(NodeId node);
-  WorldTransform Transform(NodeId node) const;
+  void ForgetAnimations(NodeId node);
+  /// What hangs on the bones of a body, the first on top.
+  void AddCarried(const Node& body, std::vector<NodeId>& carried) const;
+  WorldTransform Transform(NodeId node, const BodyOf* body_of = nullptr) const;
   // Give a node its drawable; also for the nodes of objects, which wear theirs themselves.
   void ShapeBox(Node& node, float width_m, float height_m, float length_m, float u_tile, float v_tile);
   void ShapeCapsule(Node& node, float height_m, float radius_m);
@@ -117,6 +154,14 @@ class Scene {
 
   MediaCatalog& catalog_;
   std::map<NodeId, Node> nodes_;
+  std::vector<NodeId> animated_;
+  struct AnimationName {
+    NodeId node;
+    std::uint32_t clip;
+  };
+  std::vector<AnimationName> animation_names_;  ///< By AnimationId - 1.
+  std::map<std::pair<NodeId, std::uint32_t>, AnimationId> animation_ids_;
+  std::size_t lights_ = 0;  ///< Nodes that are lights.
   std::uint32_t next_ = 1;
   Vec3 ambient_;
   std::string sky_;

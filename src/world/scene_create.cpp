@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 
+#include "world/body_meshes.h"
 #include "world/rotation.h"
 #include "world/scene.h"
 #include "world/scene_node.h"
@@ -80,6 +81,7 @@ void Scene::ShapeMesh(Node& node, std::string_view mesh) {
   if (catalog_.HasMesh(mesh)) {
     node.drawable.shape = ShapeKind::kMesh;
     node.drawable.mesh = mesh;
+    if (const BodyMesh* body = FindBodyMesh(mesh)) node.animator = std::make_unique<Animator>(body->rig());
     return;
   }
   node.drawable.shape = ShapeKind::kBox;

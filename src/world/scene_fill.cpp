@@ -32,7 +32,7 @@ void AddRing(const WorldTransform& transform, float radius_m, Color color, std::
 
 }  // namespace
 
-void Scene::FillSnapshot(SceneSnapshot& snapshot) const {
+void Scene::FillSnapshot(SceneSnapshot& snapshot, const BodyOf& body_of) const {
   snapshot.ambient = ambient_;
   snapshot.sky = sky_;
   snapshot.sky_rotation_deg = sky_rotation_deg_;
@@ -40,7 +40,7 @@ void Scene::FillSnapshot(SceneSnapshot& snapshot) const {
 
   for (const auto& [id, node] : nodes_) {
     if (node.content == NodeContent::kNone) continue;
-    const WorldTransform transform = Transform(id);
+    const WorldTransform transform = Transform(id, &body_of);
     switch (node.content) {
       case NodeContent::kNone:
         break;
@@ -53,6 +53,10 @@ void Scene::FillSnapshot(SceneSnapshot& snapshot) const {
         drawable.orientation = transform.orientation * node.offset_turn;
         drawable.scale = transform.scale;
         drawable.visible = node.visible;
+        if (node.animator) {
+          drawable.bones = node.animator->Bones();
+          drawable.shows_skeleton = node.animator->shows_skeleton();
+        }
         break;
       }
       case NodeContent::kRing:

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "world/animation/animator.h"
 #include "world/scene.h"
 
 // For the scene*.cpp files only.
@@ -22,14 +24,16 @@ struct Scene::Node {
   bool owner_is_agent = false;
   bool belongs_to_entity = false;  ///< The node of an agent, an object or the sandbox; scripts cannot remove it.
   bool visible = true;
+  int bone = -1;  ///< Of the parent's skeleton, which this node hangs on; -1: on the parent itself.
 
   NodeContent content = NodeContent::kNone;
   // kDrawable and kRing; shape, mesh, material, size and texture only.
   DrawableSnapshot drawable;
   bool is_line = false;
-  Vec3 offset;        ///< Of the drawable's centre, in the node's space.
-  Quat offset_turn;   ///< Of the drawable, in the node's space.
-  MeshBounds bounds;  ///< Around the drawable, in its own space.
+  Vec3 offset;                         ///< Of the drawable's centre, in the node's space.
+  Quat offset_turn;                    ///< Of the drawable, in the node's space.
+  MeshBounds bounds;                   ///< Around the drawable, in its own space.
+  std::unique_ptr<Animator> animator;  ///< Of meshes with a skeleton.
   // kLight; position and direction in the node's space.
   LightSnapshot light;
   // kParticle; position and direction in the node's space.

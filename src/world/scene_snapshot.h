@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "world/animation/bone_pose.h"
 #include "world/math.h"
 
 namespace soarbox::world {
@@ -42,6 +43,8 @@ struct DrawableSnapshot {
   Quat orientation;
   Vec3 scale{1, 1, 1};
   bool visible = true;
+  std::vector<BonePose> bones;  ///< Of meshes with a skeleton: where its bones are in the mesh, by index.
+  bool shows_skeleton = false;  ///< Its bones are to be drawn on top.
 };
 
 enum class LightKind : std::uint8_t { kDirectional, kPoint };
@@ -95,6 +98,7 @@ struct AgentSnapshot {
   float height_m = 2.0f;
   float health = 100;
   bool alive = true;
+  std::string team;
   std::string last_command;  ///< What its mind last said; empty for agents without one.
   bool failed = false;       ///< Its script stopped on an error.
 };

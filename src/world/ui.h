@@ -37,6 +37,7 @@ class Ui {
   UiPoint Position(UiId id) const;
   /// The parent's screen position; (0, 0) at the top level.
   UiPoint OffsetPosition(UiId id) const;
+  std::size_t size() const { return components_.size(); }
   UiPoint ScreenPosition(UiId id) const;
   UiPoint Dimensions(UiId id) const;
   /// x = left, y = top.

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/limits.h"
 #include "world/rotation.h"
+#include "world/scene_node.h"
 #include "world/world_impl.h"
 
 namespace soarbox::world {
@@ -33,6 +35,22 @@ void World::Impl::DeleteObject(EntityId id) {
   scene.RemoveOwned(found->second->node_);
   objects.erase(found);
   object_ids.erase(std::lower_bound(object_ids.begin(), object_ids.end(), id));
+}
+
+void World::Impl::WalkBodies() {
+  for (const NodeId id : scene.animated()) {
+    Animator* animator = scene.AnimatorOf(id);
+    if (!animator->has_locomotion()) continue;
+    const Scene::Node& node = *scene.Find(id);
+    const Agent* agent = node.owner_is_agent ? agents.Find(node.owner) : nullptr;
+    if (!agent) continue;
+    const Vec3 velocity = agent->Velocity(), forward = agent->Forward();
+    animator->Walk({.forward_mps = Dot(velocity, forward),
+                    .left_mps = Dot(velocity, agent->Left()),
+                    .heading_rad = std::atan2(forward.x, forward.z),
+                    .alive = agent->Health() > 0},
+                   settings.step_s);
+  }
 }
 
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
@@ -75,6 +93,7 @@ void World::Step() {
   for (const auto& [id, object] : impl_->objects) object->MoveNode();
   impl_->physics.Step(impl_->settings.step_s);
   impl_->agents.ReadBodies();
+  impl_->WalkBodies();
   impl_->physics_lines.clear();
   if (impl_->draw_physics) impl_->physics.AddDebugLines(impl_->physics_lines);
 }
@@ -149,6 +168,9 @@ Ui& World::ui() {
 Camera& World::camera() {
   return impl_->camera;
 }
+const Camera& World::camera() const {
+  return impl_->camera;
+}
 DebugDraw& World::debug() {
   return impl_->debug;
 }
@@ -175,8 +197,19 @@ bool World::draw_physics() const {
   return impl_->draw_physics;
 }
 
+bool World::IsCrowded() const {
+  return impl_->physics.IsCrowded();
+}
+
 std::vector<Diagnostic> World::TakeWarnings() {
-  return impl_->catalog.TakeWarnings();
+  std::vector<Diagnostic> warnings = impl_->catalog.TakeWarnings();
+  if (impl_->physics.IsCrowded() && !std::exchange(impl_->told_crowded, true)) {
+    Diagnostic warning;
+    warning.severity = Severity::kWarning;
+    warning.message = "too many bodies overlap at one place: from here on, some pass through others";
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
 }
 
 }  // namespace soarbox::world

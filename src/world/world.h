@@ -9,12 +9,15 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
+#include "diagnostics/result.h"
 #include "world/agent.h"
 #include "world/camera.h"
 #include "world/collision.h"
 #include "world/debug_draw.h"
 #include "world/ids.h"
+#include "world/influence_map.h"
 #include "world/media_catalog.h"
+#include "world/navigation.h"
 #include "world/object.h"
 #include "world/random.h"
 #include "world/scene.h"
@@ -97,11 +100,23 @@ class World {
   /// The first body on the segment, agents and fixed bodies included; a body around its start is not hit.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
 
+  // Navigation.
+  /// Starts to build a mesh over all fixed objects of now that have looks; planes are left out. See Navigation::Create.
+  Result<bool> CreateNavigationMesh(std::string_view name, const NavigationConfig& config);
+  /// Roughly how many cells such a mesh takes: what it costs.
+  double NavigationCells(const NavigationConfig& config) const;
+  Navigation& navigation();
+  /// Takes the place of the map before it.
+  Result<void> CreateInfluenceMap(std::string_view navigation_mesh, const InfluenceConfig& config);
+  /// Null until there is one.
+  InfluenceMap* influence();
+
   // Parts.
   Scene& scene();
   const Scene& scene() const;
   Ui& ui();
   Camera& camera();
+  const Camera& camera() const;
   DebugDraw& debug();
   MediaCatalog& catalog();
 
@@ -114,6 +129,8 @@ class World {
   void SetDrawPhysics(bool draw);
   bool draw_physics() const;
 
+  /// So many bodies overlap at one place that further ones pass through each other.
+  bool IsCrowded() const;
   /// Warnings since the last call (unknown meshes, materials, ...), each once per name.
   std::vector<Diagnostic> TakeWarnings();
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "world/agent_store.h"
@@ -19,6 +20,9 @@ struct World::Impl {
   EntityId NextEntity() { return EntityId{next_entity++}; }
   Object& AddObject(EntityId id, NodeId node, ObjectKind kind, BodyDef def);
   void DeleteObject(EntityId id);
+  NavigationGeometry FixedGeometry() const;
+  /// Bodies that walk by themselves take over how their agents move.
+  void WalkBodies();
 
   WorldSettings settings;
   RandomStream random;
@@ -33,9 +37,12 @@ struct World::Impl {
   std::vector<EntityId> object_ids;  ///< The keys of objects.
   std::vector<EntityId> to_remove;   ///< In the order of the requests, each once.
   std::vector<LineSnapshot> physics_lines;
+  Navigation navigation;
+  std::optional<InfluenceMap> influence;
   std::uint64_t tick = 0;
   std::uint32_t next_entity = 1;
   bool draw_physics = false;
+  bool told_crowded = false;
 };
 
 }  // namespace soarbox::world

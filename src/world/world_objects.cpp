@@ -44,6 +44,7 @@ EntityId World::CreateObject(std::string_view mesh) {
   const NodeId node = impl_->scene.CreateEmpty(NodeId::kRoot, id, false);
   Scene::Node& looks = *impl_->scene.Find(node);
   impl_->scene.ShapeMesh(looks, mesh);
+  if (looks.animator) impl_->scene.animated_.push_back(node);
   BodyDef def;
   def.shape = BodyShape::kMesh;
   def.bounds = looks.bounds;

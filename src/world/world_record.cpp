@@ -44,6 +44,9 @@ std::uint64_t World::Hash() const {
     hash.Add(object->AngularVelocity());
     hash.Add(object->Mass());
   }
+  hash.Add(impl_->navigation.Hash());
+  if (impl_->influence) hash.Add(impl_->influence->Hash());
+  impl_->scene.AddAnimationTo(hash);
   return hash.value();
 }
 
@@ -51,13 +54,21 @@ SceneSnapshot World::Snapshot() const {
   SceneSnapshot snapshot;
   snapshot.tick = impl_->tick;
   snapshot.time_s = time_s();
-  impl_->scene.FillSnapshot(snapshot);
+  impl_->scene.FillSnapshot(snapshot, [this](EntityId owner, bool is_agent) -> std::optional<BonePose> {
+    if (const Agent* agent = is_agent ? FindAgent(owner) : nullptr)
+      return BonePose{agent->Position(), agent->Orientation()};
+    if (const Object* object = is_agent ? nullptr : FindObject(owner))
+      return BonePose{object->Position(), object->Orientation()};
+    return std::nullopt;
+  });
   impl_->ui.FillSnapshot(snapshot);
 
   const auto& lines = impl_->debug.lines();
   snapshot.lines.insert(snapshot.lines.end(), lines.begin(), lines.end());
   snapshot.lines.insert(snapshot.lines.end(), impl_->physics_lines.begin(), impl_->physics_lines.end());
   snapshot.triangles = impl_->debug.triangles();
+  impl_->navigation.FillSnapshot(snapshot);
+  if (impl_->influence) impl_->influence->FillSnapshot(snapshot);
   snapshot.camera = impl_->camera.state();
   snapshot.camera_moves = impl_->camera.moves();
 
@@ -76,6 +87,7 @@ SceneSnapshot World::Snapshot() const {
     seen.height_m = agent.Height();
     seen.health = agent.Health();
     seen.alive = agent.Health() > 0;
+    seen.team = agent.Team();
     seen.last_command = agent.LastCommand();
     seen.failed = agent.Failed();
   }

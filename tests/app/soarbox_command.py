@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 COMMAND = os.environ["SOARBOX"]
-SHARED = pathlib.Path(os.environ.get("SOARBOX_SHARED_DIR", "/nonexistent"))
+THESIS = pathlib.Path(__file__).resolve().parent.parent / "thesis"
 
 # An agent's script: it walks along the x axis.
 WALKER = """

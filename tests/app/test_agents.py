@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from soarbox_command import SHARED, Run, run_json
+from soarbox_command import THESIS, Run, run_json
 
 TICK = 1 / 30
 # The rules' thresholds, in squared metres.
@@ -106,10 +106,9 @@ class Groups(unittest.TestCase):
         self.assertEqual(run.of("end")[0]["soar_agents"], 6)
 
 
-@unittest.skipUnless((SHARED / "thesis" / "scripts").is_dir(), "the thesis' own files are not at hand")
-class TheThesisOwnFiles(unittest.TestCase):
-    def test_run_unmodified(self):
-        run = run_json(SHARED / "thesis" / "scripts", "--path", SHARED / "thesis" / "agents", "--seconds", 60, "--every-command")
+class TheThesisOwnAgents(unittest.TestCase):
+    def test_run_unmodified_with_scripts_in_its_dialect(self):
+        run = run_json(THESIS / "scripts", "--path", THESIS / "agents", "--seconds", 60, "--every-command")
         self.assertEqual(run.code, 0, run.err)
         self.assertEqual(run.diagnostics(), [])
         self.assertEqual((run.of("end")[0]["agents"], run.of("end")[0]["soar_agents"]), (6, 5))

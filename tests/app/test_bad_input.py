@@ -51,6 +51,11 @@ class CommandLine(unittest.TestCase):
         self.assertIn("headless", run.err)
         self.assertIn("soarbox: scenario thesis, seed 1, headless", run.out)
 
+    def test_a_headless_run_takes_no_picture_and_says_so(self):
+        run = Run("run", "thesis", "--headless", "--screenshot", "x.png")
+        self.assertEqual(run.code, 2)
+        self.assertIn("a headless run draws nothing", run.err)
+
     def test_a_picture_needs_a_display(self):
         run = Run("run", "thesis", "--screenshot", "x.png")
         self.assertEqual(run.code, 3)
@@ -86,15 +91,34 @@ class Scripts(ScenarioCase):
         self.check_world_goes_on(run)
         self.assertTrue(any(d.get("file", "").endswith("Bad.lua") and d.get("line") == 2 for d in run.diagnostics()), run.out)
 
-    def test_run_time_error_stops_that_agent_only(self):
-        self.scenario('Sandbox.CreateAgent(sandbox, "Bad.lua");')
-        self.write("Bad.lua", "local ticks = 0\nfunction Agent_Update(agent)\n  ticks = ticks + 1\n  if ticks == 10 then\n    error_here.x = 1\n  end\nend\n")
+    def test_run_time_error_costs_one_call(self):
+        self.scenario('for i = 1, 3 do Sandbox.CreateAgent(sandbox, "Bad.lua"); end')
+        self.write("Bad.lua", "local ticks = 0\nfunction Agent_Update(agent)\n  ticks = ticks + 1\n  if ticks == 10 then\n    error_here.x = 1\n  end\n"
+                              "  if ticks == 11 then print('on') end\nend\n")
         run = self.run_()
         self.check_world_goes_on(run)
-        failed = run.of("failed")
-        self.assertEqual(len(failed), 1, run.out)
-        self.assertEqual(failed[0]["diagnostic"]["line"], 5)
-        self.assertIn("error_here", failed[0]["diagnostic"]["message"])
+        self.assertEqual(run.of("failed"), [])
+        told = run.of("diagnostic")
+        self.assertEqual(len(told), 1, run.out)
+        self.assertEqual(told[0]["diagnostic"]["line"], 5)
+        self.assertIn("error_here", told[0]["diagnostic"]["message"])
+        self.assertIn("(Agent_Update of Bad-1, Bad-2, Bad-3)", told[0]["diagnostic"]["message"])
+        self.assertEqual(len(run.of("log")), 3, "all three go on")
+
+    def test_a_callback_that_fails_each_tick_is_told_so_once_and_when_it_works_again(self):
+        self.scenario('Sandbox.CreateAgent(sandbox, "Bad.lua");')
+        self.write("Bad.lua", "local ticks = 0\nfunction Agent_Update(agent)\n  ticks = ticks + 1\n  if ticks < 40 then error('no') end\nend\n")
+        run = self.run_()
+        self.check_world_goes_on(run)
+        told = [(event["tick"], event["diagnostic"]["severity"]) for event in run.of("diagnostic")]
+        self.assertEqual(told, [(1, "error"), (3, "warning"), (40, "note"), (90, "note")], run.out)
+
+    def test_nothing_is_told_of_an_agent_before_it_joins(self):
+        self.scenario('Sandbox.CreateAgent(sandbox, "Bad.lua");')
+        self.write("Bad.lua", "this is no Lua")
+        run = self.run_()
+        told = [event["event"] for event in run.events if event.get("agent") == "Bad-1"]
+        self.assertEqual(told, ["agent", "failed"])
 
     def test_endless_loop_stops_that_agent_only(self):
         self.scenario('Sandbox.CreateAgent(sandbox, "Bad.lua");')

@@ -23,6 +23,10 @@ class Determinism(unittest.TestCase):
         other = run(4)
         self.assertNotEqual(self.first.of("end")[0]["state"], other.of("end")[0]["state"])
 
+    def test_the_number_of_threads_changes_nothing(self):
+        for threads in (1, 2, 4):
+            self.assertEqual(self.first.out, run(3, "--threads", threads).out)
+
     def test_the_speed_asked_for_changes_nothing(self):
         self.assertEqual(self.first.out, run(3, "--speed", 1000).out)
 

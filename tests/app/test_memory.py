@@ -18,7 +18,8 @@ end
 """
 MODEST = """
 sp {say
-   (state <s> ^superstate nil ^io.output-link <out>)
+   (state <s> ^superstate nil ^io <io>)
+   (<io> ^input-link.distance <d> ^output-link <out>)
 -->
    (<out> ^walk <w>)
 }

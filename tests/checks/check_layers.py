@@ -5,7 +5,7 @@
 usage: check_layers.py SOURCE_DIR
 
 Every module may include itself and the modules listed for it; libraries that belong to one module only
-(Ogre, ImGui, SDL: viewer; Bullet: world; Lua: script) may be included nowhere else. Exit status 1 names each offence.
+(Ogre, ImGui, SDL: viewer; Bullet, Recast and Detour: world; Lua: script) may be included nowhere else. Exit status 1 names each offence.
 """
 import pathlib
 import re
@@ -28,6 +28,7 @@ ALLOWED = {
 ONLY_IN = {
     re.compile(r"^(Ogre|OGRE/|imgui|SDL)"): {"viewer"},
     re.compile(r"^(bt[A-Z]|bullet/|Bullet|LinearMath/)"): {"world"},
+    re.compile(r"^(Recast|Detour)"): {"world"},
     re.compile(r"^(lua|lauxlib|lualib)"): {"script"},
     re.compile(r"^(asio|pugixml)"): {"sml"},
 }

@@ -4,10 +4,49 @@
 
 #include <cstdio>
 
+#include "misc.h"
+#include "portability.h"
 #include "sml_Client.h"
+#include "sml_Names.h"
+#include "sml_Utils.h"
+#include "soarversion.h"
+#include "thread_Event.h"
+#include "thread_Lock.h"
+#include "thread_Thread.h"
+
+namespace {
+
+/// What clients take from the small headers, in a thread of its own: 0 if all of it works.
+class Helpers : public soar_thread::Thread {
+ public:
+  void Run() override {
+    soar_thread::Mutex mutex;
+    const soar_thread::Lock lock(&mutex);
+    std::string text;
+    char buffer[TO_C_STRING_BUFSIZE];
+    int number = 0;
+    long counter = 0;
+    ok = to_string(2.5, text) == "2.5" && from_string(number, "12 and more") && number == 12 &&
+         std::string(to_c_string(-7, buffer)) == "-7" && atomic_inc(&counter) == 1 &&
+         std::string(sml::sml_Names::kCommand_CreateAgent) == "create_agent" &&
+         std::string(VERSION_STRING()) == sml::sml_Names::kSoarVersionValue;
+    done.TriggerEvent();
+  }
+  bool ok = false;
+  soar_thread::Event done;
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
+  Helpers helpers;
+  helpers.Start();
+  if (!helpers.done.WaitForEvent(10, 0) || !helpers.ok) {
+    std::fprintf(stderr, "the helpers do not work\n");
+    return 1;
+  }
+  helpers.Stop(true);
   sml::Kernel* kernel = sml::Kernel::CreateKernelInNewThread(sml::Kernel::kSuppressListener);
   if (kernel->HadError()) {
     std::fprintf(stderr, "%s\n", kernel->GetLastErrorDescription());

@@ -62,6 +62,41 @@ TEST(Remote, AProgramSeesTheSameInProcessAndOverASocket) {
   EXPECT_FALSE(remote->HadError());
 }
 
+TEST(Remote, CommandsOfAClientAreOverheardAndWaitWhileTheyAreHeld) {
+  using namespace std::chrono_literals;
+  const std::unique_ptr<Kernel> server(Kernel::CreateKernelInCurrentThread(false, Kernel::kUseAnyPort));
+  Agent* agent = server->CreateAgent("a");
+  std::vector<std::string> heard;
+  server->OverhearCommands(
+      [&](char const* name, char const* line) { heard.push_back(std::string(name) + ": " + line); });
+  const auto serve_until = [&](auto& done) {
+    while (done.wait_for(1ms) != std::future_status::ready) server->CheckForIncomingCommands();
+  };
+  const int port = server->GetListenerPort();
+  auto connecting = std::async(std::launch::async, [port] {
+    return std::unique_ptr<Kernel>(Kernel::CreateRemoteConnection(true, "127.0.0.1", port));
+  });
+  serve_until(connecting);
+  const std::unique_ptr<Kernel> client = connecting.get();
+  ASSERT_FALSE(client->HadError());
+
+  for (const bool held : {true, false}) {
+    heard.clear();
+    server->HoldIncomingCommands(held);
+    auto asking =
+        std::async(std::launch::async, [&] { return std::string(client->ExecuteCommandLine("print s1", "a")); });
+    for (int i = 0; i < (held ? 20 : 5000) && heard.empty(); ++i) {
+      agent->RunSelf(5);
+      std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_EQ(heard.empty(), held);
+    serve_until(asking);
+    EXPECT_EQ(heard, std::vector<std::string>{"a: print s1"});
+  }
+  server->ExecuteCommandLine("print s1", "a");
+  EXPECT_EQ(heard.size(), 1u) << "the program's own lines are not overheard";
+}
+
 TEST(Remote, NobodyAtThePortIsAnErrorThatNamesIt) {
   const std::unique_ptr<Kernel> gone(Kernel::CreateKernelInNewThread(Kernel::kUseAnyPort));
   const int port = gone->GetListenerPort();

@@ -46,4 +46,5 @@ inline constexpr const char* kCounterRules =
     "sp {start (state <s> ^superstate nil -^count) --> (<s> ^operator <o> +) (<o> ^name start)}\n"
     "sp {start*apply (state <s> ^operator.name start) --> (<s> ^count 0)}\n"
     "sp {count (state <s> ^count <c>) --> (<s> ^operator <o> + =) (<o> ^name count ^from <c>)}\n"
-    "sp {count*apply (state <s> ^operator <o> ^count <c>) (<o> ^name count ^from <c>) --> (<s> ^count <c> - (+ <c> 1))}\n";
+    "sp {count*apply (state <s> ^operator <o> ^count <c>) (<o> ^name count ^from <c>) --> (<s> ^count <c> - (+ <c> "
+    "1))}\n";

@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Runs one of the thesis' agents and compares the transcript, letter by letter, with what Soar 9.6.3 printed.
 
-usage: check_case.py TRACE_CASE THESIS_DIR NAME
+usage: check_case.py TRACE_CASE NAME
 
-TRACE_CASE is the transcript driver, THESIS_DIR the folder with agents/NAME.soar; NAME.cmd and NAME.out stand beside
-this script. Exit status 1: they differ (the difference is printed).
+TRACE_CASE is the transcript driver; agents/NAME.soar, NAME.cmd and NAME.out stand beside this script. Exit status 1: they differ (the difference is printed).
 """
 import difflib
 import pathlib
@@ -18,12 +17,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def main(arguments):
-    if len(arguments) != 3:
+    if len(arguments) != 2:
         print(__doc__)
         return 2
-    driver, thesis, name = pathlib.Path(arguments[0]).resolve(), pathlib.Path(arguments[1]), arguments[2]
+    driver, name = pathlib.Path(arguments[0]).resolve(), arguments[1]
     with tempfile.TemporaryDirectory() as folder:
-        shutil.copy(thesis / "agents" / f"{name}.soar", pathlib.Path(folder) / "agent.soar")
+        shutil.copy(HERE / "agents" / f"{name}.soar", pathlib.Path(folder) / "agent.soar")
         shutil.copy(HERE / f"{name}.cmd", pathlib.Path(folder) / "case.cmd")
         done = subprocess.run([driver, "case.cmd"], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     if done.returncode != 0:

@@ -130,14 +130,14 @@ TEST(ManyThreads, OurAgentsRunAsTheyDoAlone) {
 }
 
 TEST(ManyThreads, TheGoldenCasesRunAsTheyDoAlone) {
-  const std::vector<AgentScript> scripts = GoldenScripts(SOARBOX_SHARED_DIR "/golden/core");
-  if (scripts.empty()) GTEST_SKIP() << "the golden cases are not at hand";
+  const std::vector<AgentScript> scripts = GoldenScripts(SOARBOX_SOURCE_DIR "/tests/golden/core");
+  ASSERT_FALSE(scripts.empty());
   ExpectTheSameHoweverTheyRun(scripts, 3);
 }
 
 TEST(ManyThreads, TheBenchmarkAgentsRunAsTheyDoAlone) {
-  const std::vector<AgentScript> scripts = BenchmarkScripts(SOARBOX_SHARED_DIR "/bench/agents", 100 / kSlowness);
-  if (scripts.empty()) GTEST_SKIP() << "the benchmark agents are not at hand";
+  const std::vector<AgentScript> scripts = BenchmarkScripts(SOARBOX_SOURCE_DIR "/bench/agents", 100 / kSlowness);
+  ASSERT_FALSE(scripts.empty());
   ExpectTheSameHoweverTheyRun(scripts, 1);
 }
 

@@ -6,7 +6,7 @@
 namespace soarbox::kernel {
 namespace {
 
-TEST(RandomStream, SeedOneGivesTheChainThatSoarGives) {
+TEST(RandomStream, SeedOneGivesTheSequenceThatSoarGives) {
   RandomStream stream(1);
   EXPECT_NEAR(stream.Real(), 0.417022, 5e-7);
   EXPECT_NEAR(stream.Real(10), 9.971848, 5e-7);

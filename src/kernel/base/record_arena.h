@@ -14,7 +14,7 @@ namespace soarbox::kernel {
 
 /// The records of one kind that an agent owns. Records never move, so a RecordId is a pointer and references stay good
 /// while others are made. Records that were given back are used again, the last one first: the steady state does not
-/// allocate. `kNextFree` is a member that chains free records: whatever it means otherwise, it is overwritten in Give.
+/// allocate. `kNextFree` is a member that links free records: whatever it means otherwise, it is overwritten in Give.
 template <typename Record, RecordId<Record> Record::*kNextFree>
 class RecordArena {
   static_assert(std::is_trivially_destructible_v<Record>);
@@ -45,7 +45,7 @@ class RecordArena {
     free_ = {};
     for (std::size_t n = slabs_.size(); n-- > 0;) {
       std::fill_n(slabs_[n].records.get(), slabs_[n].size, Record{});
-      Chain(slabs_[n]);
+      LinkFree(slabs_[n]);
     }
   }
   std::size_t MemoryBytes() const {
@@ -63,14 +63,14 @@ class RecordArena {
   };
 
   /// Makes all records of a slab free ones; they have their default contents.
-  void Chain(const Slab& slab) {
+  void LinkFree(const Slab& slab) {
     for (std::size_t n = slab.size; n-- > 0;) Give(RecordId<Record>{&slab.records[n]});
   }
   [[gnu::noinline, gnu::cold]] void Grow() {
     std::size_t size = kFirst;
     if (!slabs_.empty()) size = std::min(slabs_.back().size * (slabs_.size() > 1 ? 2 : 1), kLargest);
     slabs_.push_back({std::make_unique<Record[]>(size), size});
-    Chain(slabs_.back());
+    LinkFree(slabs_.back());
   }
 
   RecordId<Record> free_;

@@ -387,6 +387,28 @@ SymbolTable::PinScope::~PinScope() {
   table_.pinning_ = before_;
 }
 
+bool SymbolTable::IsLive(Symbol symbol) const {
+  const ConstantPools &own = contents_->own, &base = contents_->base->pools;
+  const auto in = [&](const auto& mine, const auto& shared) {
+    if (symbol.index() < mine.first_index()) return symbol.index() < shared.end_index();
+    return symbol.index() < mine.end_index() && mine[symbol.index()].marks.Live();
+  };
+  switch (symbol.tag()) {
+    case Symbol::Tag::kString:
+      return in(own.strings, base.strings);
+    case Symbol::Tag::kVariable:
+      return in(own.variables, base.variables);
+    case Symbol::Tag::kLargeInteger:
+      return in(own.large_integers, base.large_integers);
+    case Symbol::Tag::kFloat:
+      return in(own.floats, base.floats);
+    case Symbol::Tag::kIdentifier:
+      return symbol.index() < identifiers_.size() && identifiers_[symbol.index()].letter != 0;
+    default:
+      return static_cast<bool>(symbol);
+  }
+}
+
 void SymbolTable::BeginMark() {
   const ConstantPools& own = contents_->own;
   sweepable_from_.fill(0xFFFFFFFFu);

@@ -47,6 +47,9 @@ class SymbolTable {
   Symbol FindString(std::string_view text) const;
   Symbol FindVariable(std::string_view name) const;
 
+  /// False for what has been freed, or never was: a handle that must not be used. For checks.
+  bool IsLive(Symbol symbol) const;
+
   /// Contents. The kind must fit. A text is valid until its symbol is swept or this table freezes or adopts a base.
   std::string_view Text(Symbol string_or_variable) const;
   std::int64_t IntegerValue(Symbol symbol) const {

@@ -291,6 +291,25 @@ TEST_F(AgentTest, AGoalStackLimitEndsTheRunButNotTheAgent) {
   EXPECT_EQ(agent.goals().depth(), 5u);
 }
 
+TEST_F(AgentTest, AHaltBelowTheGoalDepthIsTakenForTheLimit) {
+  Load("stop (state <s> ^superstate.superstate.superstate <x> ^impasse no-change) --> (halt)");
+  agent.mutable_settings().max_goal_depth = 3;
+  EXPECT_EQ(agent.Run(RunUnit::kForever).reason, StopReason::kLimit);
+  EXPECT_FALSE(agent.halted());
+}
+
+TEST_F(AgentTest, ARuleKeepsItsNumberAsLongAsItsFactsLive) {
+  Load("propose (state <s> ^superstate nil -^made) --> (<s> ^operator <o> +) (<o> ^name make)");
+  Load("make (state <s> ^operator.name make) --> (<s> ^made yes)");
+  agent.Run(RunUnit::kDecision, 2);
+  const ProductionId make = agent.FindProduction("make");
+  agent.Excise(make);
+  agent.Run(RunUnit::kDecision, 1);
+  Load("other (state <s> ^made yes) --> (<s> ^other yes)");
+  EXPECT_NE(agent.FindProduction("other"), make);
+  EXPECT_EQ(agent.production(make).name, "make");
+}
+
 TEST_F(AgentTest, ExcisingAMatchedRuleTakesBackWhatItSupports) {
   Load("mood (state <s> ^superstate nil) --> (<s> ^mood calm)");
   agent.Run(RunUnit::kDecision, 1);

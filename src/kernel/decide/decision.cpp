@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
@@ -107,7 +108,9 @@ void Decision::Decide() {
   const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(engine_.goals.depth());
   changed_from_ = 0;
   for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
-    engine_.memory.mutable_slot(engine_.goals.at(level).operator_slot).changed = false;
+    Slot& slot = engine_.memory.mutable_slot(engine_.goals.at(level).operator_slot);
+    const bool is_open = std::exchange(slot.changed, false) && slot.wmes == WmeId::kNone;
+    if (!is_open && level < engine_.goals.depth()) continue;  // Decided, and nothing new is known.
     if (DecideGoal(level)) break;
   }
   changed_from_ = 0;

@@ -139,8 +139,8 @@ void Elaboration::PreferencePhase(bool apply) {
 void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_level) {
   MatchSet& matches = engine_.rete.matches();
   put_back_.clear();
-  bool fired = false;
   const bool o_support = firing_ == FiringType::kPe;
+  const bool has_any = matches.HasAssertions(level, o_support);
   while (matches.HasAssertions(level, o_support)) {
     const PendingMatch match = matches.TakeAssertion(level, o_support);
     const Production& rule = *engine_.rete.production(match.production);
@@ -165,11 +165,10 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
       }
       continue;
     }
-    fired = true;
     engine_.firing.Fire(match, rule);
   }
   matches.PutBack(put_back_);
-  if (fired) change_level = level;
+  if (has_any) change_level = level;  // Also if all of them wait.
 }
 
 void Elaboration::AssertNew() {
@@ -201,8 +200,17 @@ void Elaboration::AssertNew() {
     for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone; p = next) {
       next = memory.preference(p).next_of_instantiation;
       const Preference& preference = memory.preference(p);
-      const bool never = preference.is_spent || is_o_reject(preference);
-      if (never || !engine_.preferences.Assert(p)) engine_.preferences.FreeIfUnused(p);
+      bool never = preference.is_spent || is_o_reject(preference);
+      if (engine_.instantiations[id].match == MatchId::kNone && !preference.o_supported) {
+        never = true;  // A justification that does not hold.
+        engine_.preferences.LeaveClones(p);
+      }
+      if (never || !engine_.preferences.Assert(p)) {
+#ifdef SOARBOX_CHECK_INVARIANTS
+        if (!never) engine_.CheckSupported(preference);
+#endif
+        engine_.preferences.FreeIfUnused(p);
+      }
     }
     engine_.instantiations[id].held = false;
     engine_.preferences.FreeIfUnused(id);

@@ -122,6 +122,7 @@ void Engine::Sweep() {
   });
   for (GoalLevel level = 1; level <= goals.depth(); ++level) mark(goals.at(level).id);
   instantiations.ForEach([&](const Instantiation& instantiation) { mark(instantiation.goal); });
+  justifier.ForEachLiteral(mark);
   input.Mark(mark);
   output.Mark(mark);
   const std::size_t identifiers_before = memory.identifier_count(), constants_before = symbols.UnpinnedCount();
@@ -174,13 +175,37 @@ void Engine::Initialize(bool announce) {
   counters.wm_size_maximum = memory.wme_count();
 }
 
-void Engine::CheckAfterPhase() const {
 #ifdef SOARBOX_CHECK_INVARIANTS
-  const std::string violation = FindViolation(*this);
-  if (violation.empty()) return;
-  std::fprintf(stderr, "soarbox: agent %s: invariant violated: %s\n", name.c_str(), violation.c_str());
+namespace {
+
+[[noreturn]] void Fail(const Engine& engine, const std::string& violation) {
+  std::fprintf(stderr, "soarbox: agent %s: invariant violated: %s\n", engine.name.c_str(), violation.c_str());
   std::abort();
-#endif
 }
+
+}  // namespace
+
+void Engine::CheckAfterPhase() const {
+  std::string violation = FindViolation(*this);
+  if (violation.empty()) violation = FindDanglingHandle(*this);
+  if (!violation.empty()) Fail(*this, violation);
+}
+
+void Engine::CheckSupported(const Preference& left_out) const {
+  const SlotId slot = memory.FindSlot(left_out.id, left_out.attribute);
+  if (slot != SlotId::kNone && left_out.level == 1) {
+    for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone;
+         p = memory.preference(p).next_in_slot) {
+      const Preference& kept = memory.preference(p);
+      if (kept.value == left_out.value && kept.o_supported && kept.level == 1 && kept.in_slot) return;
+    }
+  }
+  Fail(*this, "nothing supports what was left out of " + ToString(symbols, left_out.id) + " ^" +
+                  ToString(symbols, left_out.attribute));
+}
+#else
+void Engine::CheckAfterPhase() const {}
+void Engine::CheckSupported(const Preference&) const {}
+#endif
 
 }  // namespace soarbox::kernel

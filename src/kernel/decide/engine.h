@@ -134,6 +134,8 @@ struct Engine {
   void Initialize(bool announce);
   /// Checks, in builds with SOARBOX_CHECK_INVARIANTS, that the parts agree; aborts with the reason if not.
   void CheckAfterPhase() const;
+  /// In such builds: aborts unless a preference that was left out is one that the top state has already.
+  void CheckSupported(const Preference& left_out) const;
 };
 
 }  // namespace soarbox::kernel

@@ -81,6 +81,7 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   WmeId* const copy = wmes_.data();
   for (std::size_t n = 0; n < wmes.size(); ++n) copy[n] = wmes[n];
   engine_.rete.matches().MarkFired(match.match, id);
+  engine_.rete.matches().HoldRule(match.production);
   if (match.level > 1) TraceConditions(id, {copy, wmes.size()});
 
   ++engine_.counters.firings;
@@ -199,13 +200,16 @@ Symbol Firing::EvaluateRare(const RhsValue& value) {
   }
   // Arguments stand on a stack, so that calls may nest without allocating.
   const std::size_t base = argument_stack_.size();
+  bool all_known = true;
   for (const RhsValue& argument : value.arguments()) {
     const Symbol symbol = Evaluate(argument);
-    if (!symbol) {
-      argument_stack_.resize(base);
-      return {};
-    }
     argument_stack_.push_back(symbol);
+    all_known = all_known && symbol;
+  }
+  // Arguments behind one without a value are evaluated all the same: what they print is printed.
+  if (!all_known) {
+    argument_stack_.resize(base);
+    return {};
   }
   const std::span<const Symbol> arguments(argument_stack_.data() + base, argument_stack_.size() - base);
   const Symbol result = kernel::Evaluate(engine_.context, value.function_index(), arguments);

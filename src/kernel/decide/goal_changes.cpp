@@ -155,7 +155,20 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   for (const Candidate& candidate : candidates) {
     if (!candidate.is_numeric) add(words::kNonNumeric, candidate.value);
   }
-  add(words::kNonNumericCount, non_numeric_count);
+  if (non_numeric > 0) add(words::kNonNumericCount, non_numeric_count);
+}
+
+WmeId GoalChanges::ProposalOfItem(WmeId item) const {
+  const WorkingMemory& memory = engine_.memory;
+  const Wme& wme = memory.wme(item);
+  if (wme.attribute != words::kItem && wme.attribute != words::kNonNumeric) return WmeId::kNone;
+  const GoalLevel level = memory.goal_levels()[wme.id.index()];
+  if (level < 2 || memory.record(item).kind != WmeKind::kArchitecture) return WmeId::kNone;
+  const SlotId slot = engine_.goals.at(static_cast<GoalLevel>(level - 1)).operator_slot;
+  for (WmeId p = memory.slot(slot).acceptable_wmes; p != WmeId::kNone; p = memory.record(p).next) {
+    if (memory.wme(p).value == wme.value) return p;
+  }
+  return WmeId::kNone;
 }
 
 // Removing states -----------------------------------------------------------------------------------------------------

@@ -28,6 +28,8 @@ class GoalChanges {
   void MakeSubstate(ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);
   /// Brings the items of the substate below `level` up to date: elements that stay keep their time tags.
   void UpdateItems(GoalLevel level, std::span<const Candidate> candidates);
+  /// Of an element that shows an item of an impasse: that of the proposal in the superstate. kNone for others.
+  WmeId ProposalOfItem(WmeId item) const;
   /// Removes the goal of this level and all below, the lowest first.
   [[gnu::noinline]] void RemoveFrom(GoalLevel level, GoalRemoval reason);
   /// Removes what an identifier that no goal reaches owns.

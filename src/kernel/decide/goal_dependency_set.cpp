@@ -9,56 +9,62 @@ namespace soarbox::kernel {
 
 void GoalDependencySets::NoteNewFact(WmeId wme) {
   const WorkingMemory& memory = engine_.memory;
-  const SlotId slot = memory.record(wme).slot;
-  if (memory.slot(slot).substate_facts == 0) return;
   // A result belongs to the state above: it rests on its justification.
   const PreferenceId maker = memory.record(wme).preference;
   if (maker == PreferenceId::kNone) return;
-  if (!memory.preference(maker).o_supported || memory.preference(maker).level < 2) return;
-  const Symbol value = memory.wme(wme).value;
-  ++collection_;
-  for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
-    const Preference& preference = memory.preference(p);
-    if (!preference.o_supported || preference.value != value || preference.level < 2) continue;
-    const GoalLevel level = preference.level;
-    // As in Soar 9.6.3 only the first such fact counts: what later ones rest on is never added.
-    if (level > engine_.goals.depth() || engine_.goals.at(level).has_gds) continue;
-    engine_.goals.at(level).has_gds = true;
-    Queue(preference.instantiation);
-    while (!queue_.empty()) {
-      const InstantiationId next = queue_.back();
-      queue_.pop_back();
-      Collect(next, level);
+  const GoalLevel level = memory.preference(maker).level;
+  if (!memory.preference(maker).o_supported || level < 2 || level > engine_.goals.depth()) return;
+  // As in Soar 9.6.3 only the first such fact counts: what later ones rest on is never added. With it counts what else
+  // the state's rules made in its slot before, whatever the value.
+  if (engine_.goals.at(level).has_gds) return;
+  engine_.goals.at(level).has_gds = true;
+  for (PreferenceId p = maker; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    if (memory.preference(p).level == level) Queue(memory.preference(p).instantiation);
+  }
+  // Generation by generation, what was queued last first.
+  while (!queue_.empty()) {
+    exploring_.swap(queue_);
+    while (!exploring_.empty()) {
+      const InstantiationId next = exploring_.back();
+      exploring_.pop_back();
+      Collect(next);
     }
   }
 }
 
 void GoalDependencySets::Queue(InstantiationId id) {
   Instantiation& instantiation = engine_.instantiations[id];
-  if (instantiation.gds_visit == collection_) return;
-  instantiation.gds_visit = collection_;
+  if (instantiation.in_gds) return;
+  instantiation.in_gds = true;
   queue_.push_back(id);
 }
 
-void GoalDependencySets::Collect(InstantiationId id, GoalLevel level) {
+void GoalDependencySets::Collect(InstantiationId id) {
   const WorkingMemory& memory = engine_.memory;
+  const GoalLevel level = engine_.instantiations[id].level;
+  if (level > engine_.goals.depth() || !engine_.goals.at(level).has_gds) return;
   for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
     const WmeRecord& record = memory.record(trace.wme);
     if (record.removing || !memory.wme(trace.wme).live) continue;
-    const PreferenceId preference = record.preference;
-    const bool given = preference == PreferenceId::kNone;  // By the architecture, by input, or by a memory.
-    if (given || memory.level(memory.wme(trace.wme).id) < level) {
+    PreferenceId maker = record.preference;
+    if (maker == PreferenceId::kNone && trace.level >= level) {
+      const WmeId proposal = engine_.goal_changes.ProposalOfItem(trace.wme);
+      AddMember(proposal != WmeId::kNone ? proposal : trace.wme, level);
+      continue;
+    }
+    if (maker == PreferenceId::kNone || trace.level < level) {
       AddMember(trace.wme, level);
       continue;
     }
     // A fact of this goal that is not held by o-support passes its own dependencies on.
-    const SlotId slot = record.slot;
-    for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone;
+    const PreferenceId local = engine_.firing.CloneAtLevel(maker, level);
+    if (local != PreferenceId::kNone) maker = local;
+    if (memory.preference(maker).o_supported) continue;
+    const Symbol value = memory.wme(trace.wme).value;
+    for (PreferenceId p = memory.slot(record.slot).acceptable; p != PreferenceId::kNone;
          p = memory.preference(p).next_in_slot) {
       const Preference& supporter = memory.preference(p);
-      if (supporter.value == memory.wme(trace.wme).value && supporter.level == level && !supporter.o_supported) {
-        Queue(supporter.instantiation);
-      }
+      if (supporter.value == value && supporter.level <= level) Queue(supporter.instantiation);
     }
   }
 }

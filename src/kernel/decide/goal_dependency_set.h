@@ -30,13 +30,12 @@ class GoalDependencySets {
   void GoalRemoved(GoalLevel level);
 
  private:
-  [[gnu::noinline]] void Collect(InstantiationId instantiation, GoalLevel level);
+  [[gnu::noinline]] void Collect(InstantiationId instantiation);
   void AddMember(WmeId wme, GoalLevel level);
   void Queue(InstantiationId instantiation);
 
   Engine& engine_;
-  std::vector<InstantiationId> queue_;
-  std::uint32_t collection_ = 0;
+  std::vector<InstantiationId> queue_, exploring_;
 };
 
 }  // namespace soarbox::kernel

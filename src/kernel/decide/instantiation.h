@@ -34,7 +34,7 @@ struct Instantiation {
   std::uint32_t justification = 0xFFFFFFFFu;  ///< Index of the literal rule that keeps a result, or none.
   std::uint32_t first_trace = 0;              ///< In the trace arena.
   std::uint16_t trace_count = 0;
-  std::uint32_t gds_visit = 0;  ///< The last collection for a dependency set that queued it.
+  bool in_gds = false;  ///< What it rests on has been taken into a goal's dependency set: once and for all.
   InstantiationId next_free;
   PreferenceId preferences = PreferenceId::kNone;  ///< Newest first: the last action comes first.
 };

@@ -12,4 +12,9 @@ struct Engine;
 /// or an empty text. Walks everything: for tests and builds with SOARBOX_CHECK_INVARIANTS.
 std::string FindViolation(const Engine& engine);
 
+/// Checks every handle that a record holds: symbols of elements, preferences, slots, rules and the literals of
+/// justifications; makers of elements; instantiations of preferences; rules and matches of instantiations; and that
+/// each count of references is the number of those that refer. The same use.
+std::string FindDanglingHandle(const Engine& engine);
+
 }  // namespace soarbox::kernel

@@ -42,7 +42,7 @@ bool PreferenceChanges::Assert(PreferenceId id) {
   const SlotId slot = memory.FindOrMakeSlot(preference.id, preference.attribute, is_operator);
   if (preference.o_supported && preference.type == PreferenceType::kAcceptable && preference.level == 1 &&
       !is_operator && !engine_.settings.keep_all_top_o_preferences) {
-    if (memory.HasFact(slot, preference.value)) {
+    if (memory.HasTopFact(slot, preference.value)) {
       engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceIgnored(engine_.agent, id); });
       return false;
     }
@@ -76,11 +76,12 @@ void PreferenceChanges::Retract(PreferenceId id) {
   if (preference.value_link != LinkId::kNone) engine_.links.Remove(preference.value_link);
   if (preference.referent_link != LinkId::kNone) engine_.links.Remove(preference.referent_link);
   preference.value_link = preference.referent_link = LinkId::kNone;
-  if (preference.on_goal_list) UnlinkFromGoal(id);
   memory.RemoveFromSlot(id);
   Slot& record = memory.mutable_slot(slot);
   if (!record.is_operator) {
     MarkOrdinary(slot, record);
+    // Of a goal that has gone.
+    if (record.acceptable_wmes != WmeId::kNone) NoteAcceptablesChanged(slot);
   } else {
     MarkChanged(slot);
     if (preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire) {
@@ -167,13 +168,27 @@ void PreferenceChanges::DropReference(PreferenceId id) {
 }
 
 void PreferenceChanges::FreeIfUnused(PreferenceId id) {
-  if (engine_.memory.preference(id).references != 0) return;
-  if (draining_) {
-    unused_.push_back(id);
-    return;
+  const Preference& preference = engine_.memory.preference(id);
+  if (preference.references != 0) return;
+  if (draining_ || preference.next_clone != PreferenceId::kNone || preference.previous_clone != PreferenceId::kNone) {
+    NoteUnused(id);
+  } else {
+    Free(id);
   }
-  Free(id);
   if (!unused_.empty()) Drain();
+}
+
+/// The preferences of one result at several levels go together: as long as one of them is in use, learning may ask for
+/// the others.
+void PreferenceChanges::NoteUnused(PreferenceId id) {
+  const WorkingMemory& memory = engine_.memory;
+  PreferenceId first = id;
+  while (memory.preference(first).previous_clone != PreferenceId::kNone)
+    first = memory.preference(first).previous_clone;
+  for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_clone) {
+    if (memory.preference(p).references != 0) return;
+  }
+  for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_clone) unused_.push_back(p);
 }
 
 void PreferenceChanges::FreeIfUnused(InstantiationId id) {
@@ -184,12 +199,12 @@ void PreferenceChanges::FreeIfUnused(InstantiationId id) {
 void PreferenceChanges::Free(PreferenceId id) {
   const InstantiationId instantiation = engine_.memory.preference(id).instantiation;
   if (engine_.memory.preference(id).on_goal_list) UnlinkFromGoal(id);
-  UnlinkFromChains(id);
+  UnlinkFromLists(id);
   engine_.memory.FreePreference(id);
   FreeInstantiation(instantiation);
 }
 
-/// Freeing a preference may free its instantiation, whose conditions let go of other preferences: a chain as long as
+/// Freeing a preference may free its instantiation, whose conditions let go of other preferences: a sequence as long as
 /// the reasoning in a substate was, so it is worked off here and not by recursion.
 void PreferenceChanges::Drain() {
   if (unused_.empty() || draining_) return;
@@ -202,7 +217,7 @@ void PreferenceChanges::Drain() {
   draining_ = false;
 }
 
-void PreferenceChanges::UnlinkFromChains(PreferenceId id) {
+void PreferenceChanges::UnlinkFromLists(PreferenceId id) {
   WorkingMemory& memory = engine_.memory;
   Preference& preference = memory.mutable_preference(id);
   if (preference.previous_of_instantiation != PreferenceId::kNone) {
@@ -215,12 +230,19 @@ void PreferenceChanges::UnlinkFromChains(PreferenceId id) {
     memory.mutable_preference(preference.next_of_instantiation).previous_of_instantiation =
         preference.previous_of_instantiation;
   }
+  LeaveClones(id);
+}
+
+void PreferenceChanges::LeaveClones(PreferenceId id) {
+  WorkingMemory& memory = engine_.memory;
+  Preference& preference = memory.mutable_preference(id);
   if (preference.previous_clone != PreferenceId::kNone) {
     memory.mutable_preference(preference.previous_clone).next_clone = preference.next_clone;
   }
   if (preference.next_clone != PreferenceId::kNone) {
     memory.mutable_preference(preference.next_clone).previous_clone = preference.previous_clone;
   }
+  preference.previous_clone = preference.next_clone = PreferenceId::kNone;
 }
 
 void PreferenceChanges::FreeInstantiation(InstantiationId id) {
@@ -233,8 +255,9 @@ void PreferenceChanges::FreeInstantiation(InstantiationId id) {
   for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
     engine_.changes.DropReference(trace.wme);
     if (trace.preference == PreferenceId::kNone) continue;
-    if (--engine_.memory.mutable_preference(trace.preference).references == 0) unused_.push_back(trace.preference);
+    if (--engine_.memory.mutable_preference(trace.preference).references == 0) NoteUnused(trace.preference);
   }
+  if (instantiation.production != ProductionId::kNone) engine_.rete.matches().LetGoOfRule(instantiation.production);
   engine_.instantiations.Free(id);
 }
 
@@ -247,11 +270,16 @@ void PreferenceChanges::LinkToGoal(InstantiationId id) {
 }
 
 void PreferenceChanges::LeaveGoal(PreferenceId id) {
-  if (engine_.memory.preference(id).in_slot) {
-    Retract(id);
-  } else {
-    UnlinkFromGoal(id);
-  }
+  UnlinkFromGoal(id);
+  // What hangs on the result at another level no longer keeps this one, nor this one the others.
+  const Preference& preference = engine_.memory.preference(id);
+  const PreferenceId other =
+      preference.next_clone != PreferenceId::kNone ? preference.next_clone : preference.previous_clone;
+  AddReference(id);
+  LeaveClones(id);
+  if (other != PreferenceId::kNone) FreeIfUnused(other);
+  Retract(id);
+  DropReference(id);
 }
 
 void PreferenceChanges::LinkToGoal(PreferenceId id) {

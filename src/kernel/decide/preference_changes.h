@@ -35,6 +35,8 @@ class PreferenceChanges {
   void Retract(PreferenceId preference);
   /// How many retracted preferences wait for their slots to be decided.
   std::size_t retired() const { return retired_.size(); }
+  /// Those, the longest waiting first.
+  const std::vector<PreferenceId>& retired_preferences() const { return retired_; }
   /// Lets go of the `count` that have waited longest.
   void ReleaseRetired(std::size_t count);
   /// Removes the selected operator of a goal's slot, and the hold of its element on its preference.
@@ -43,6 +45,8 @@ class PreferenceChanges {
   void ApplyOReject(PreferenceId reject);
   /// Marks the clones of a reject as spent.
   void SpendClones(PreferenceId reject);
+  /// Takes the preference from among those of the same result at other levels.
+  void LeaveClones(PreferenceId preference);
   /// Puts the preferences of a new instantiation of a substate on its goal's list: they go when the goal goes.
   void LinkToGoal(InstantiationId instantiation);
   /// The goal is going: takes the preference out of its slot and off the goal's list.
@@ -75,9 +79,10 @@ class PreferenceChanges {
   }
   void LinkToGoal(PreferenceId preference);
   void UnlinkFromGoal(PreferenceId preference);
-  void UnlinkFromChains(PreferenceId preference);
+  void UnlinkFromLists(PreferenceId preference);
   void FreeInstantiation(InstantiationId instantiation);
   void NoteAcceptablesChanged(SlotId slot);
+  void NoteUnused(PreferenceId preference);
   void Free(PreferenceId preference);
   void Drain();
 

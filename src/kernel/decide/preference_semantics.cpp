@@ -134,10 +134,11 @@ bool PreferenceSemantics::AllIndifferent(std::span<const SlotPreference> prefere
 
 void PreferenceSemantics::AddNumbers(std::span<const SlotPreference> preferences) {
   for (const SlotPreference& p : preferences) {
-    if (p.type != PreferenceType::kNumericIndifferent) continue;
+    const bool is_number = p.type == PreferenceType::kNumericIndifferent;
+    if (!is_number && p.type != PreferenceType::kBinaryIndifferent) continue;
     const std::uint32_t at = Find(p.value);
     if (at == kNowhere) continue;
-    candidates_[at].is_numeric = true;
+    candidates_[at].is_numeric |= is_number;
     candidates_[at].number_sum += p.number;
     ++candidates_[at].number_count;
   }

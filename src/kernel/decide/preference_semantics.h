@@ -25,10 +25,10 @@ struct SlotPreference {
 struct Candidate {
   Symbol value;
   PreferenceId preference =
-      PreferenceId::kNone;  ///< The first acceptable (or require) preference for it, in list order.
-  bool is_numeric = false;  ///< Has a numeric-indifferent preference (the others are listed as ^non-numeric).
-  double number_sum = 0;    ///< Of its numeric-indifferent preferences.
-  std::uint32_t number_count = 0;
+      PreferenceId::kNone;         ///< The first acceptable (or require) preference for it, in list order.
+  bool is_numeric = false;         ///< Has a numeric-indifferent preference (the others are listed as ^non-numeric).
+  double number_sum = 0;           ///< Of its numeric-indifferent preferences.
+  std::uint32_t number_count = 0;  ///< And of its binary indifferent ones: in an average each of them counts as 0.
 };
 
 /// The procedure that decides an operator slot (Soar manual 2.4; kernel_features section 11).

@@ -77,7 +77,7 @@ TEST_F(PreferenceSemanticsTest, TwoRequiredOrARequiredProhibitedOneFailTheConstr
   EXPECT_EQ(Decide(), Is(ImpasseType::kConstraintFailure, {2, 1}));
 }
 
-TEST_F(PreferenceSemanticsTest, BetterAndWorseChainsLeaveTheTop) {
+TEST_F(PreferenceSemanticsTest, BetterAndWorseInARowLeaveTheTop) {
   Propose({1, 2, 3});
   Add(kBetter, 1, 2);
   Add(kWorse, 3, 2);
@@ -131,6 +131,17 @@ TEST_F(PreferenceSemanticsTest, NumbersAreCollectedPerCandidate) {
   EXPECT_FALSE(outcome.candidates[0].is_numeric);
   EXPECT_EQ(outcome.candidates[1].number_sum, 6);
   EXPECT_EQ(outcome.candidates[1].number_count, 2u);
+}
+
+TEST_F(PreferenceSemanticsTest, ABinaryIndifferentPreferenceCountsAsANumberThatAddsNothing) {
+  Propose({1, 2});
+  AddNumber(1, 3);
+  AddNumber(2, 1);
+  Add(kBinaryIndifferent, 1, 2);
+  const auto outcome = semantics_.Decide(list_);
+  EXPECT_EQ(outcome.candidates[1].number_sum, 3);
+  EXPECT_EQ(outcome.candidates[1].number_count, 2u);
+  EXPECT_EQ(outcome.candidates[0].number_count, 1u);
 }
 
 TEST_F(PreferenceSemanticsTest, AForcedProposalWinsAtOnceAndAnUnproposedOneIsIgnored) {

@@ -37,7 +37,7 @@ void RuleContext::RequestHalt() {
   engine_.run.Halt();
 }
 void RuleContext::RequestInterrupt() {
-  engine_.run.RequestStop({});
+  engine_.run.InterruptByAction();
 }
 
 void RuleContext::WaitMilliseconds(std::int64_t milliseconds) {

@@ -137,6 +137,7 @@ void RunControl::TellInterrupts() {
     const std::uint32_t count = ++engine_.interrupts[id];
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnRuleInterrupt(engine_.agent, id, count); });
     rule_interrupt_ = running_;
+    action_interrupt_ = false;
   }
 }
 
@@ -151,6 +152,11 @@ void RunControl::WatchGoal(Symbol goal) {
 }
 
 bool RunControl::Stop() {
+  if (halt_requested_ && engine_.goals.depth() >= static_cast<std::size_t>(engine_.settings.max_goal_depth)) {
+    // As in Soar 9.6.3 the depth is taken for the reason then, and the agent may go on.
+    halt_requested_ = false;
+    goal_stack_limit_ = true;
+  }
   if (halt_requested_) {
     halt_requested_ = false;
     halted_ = true;
@@ -166,7 +172,10 @@ bool RunControl::Stop() {
   if (rule_interrupt_ && (!in_middle_ || by_elaboration_)) {
     rule_interrupt_ = false;
     ended_ = true;
-    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, ":interrupt"); });
+    const std::string_view reason = !action_interrupt_ ? ":interrupt"
+                                    : by_phase_        ? "(interrupt), by phases"
+                                                       : "(interrupt)";
+    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, reason); });
     return true;
   }
   if (stop_.load(std::memory_order_relaxed)) {
@@ -191,7 +200,7 @@ RunControl::Start RunControl::Begin() {
     ShareRules(engine_);
   }
   running_ = true;
-  ended_ = limit_reached_ = rule_interrupt_ = by_elaboration_ = false;
+  ended_ = limit_reached_ = rule_interrupt_ = by_elaboration_ = by_phase_ = false;
   return {engine_.counters.decision_cycles, engine_.counters.elaborations, engine_.counters.firings};
 }
 
@@ -229,6 +238,7 @@ RunResult RunControl::Step(RunUnit unit) {
     return refused;
   }
   const Start start = Begin();
+  by_phase_ = unit == RunUnit::kPhase || unit == RunUnit::kForever;
   switch (unit) {
     case RunUnit::kElaboration:
       by_elaboration_ = true;

@@ -39,6 +39,8 @@ class RunControl {
 
   /// (halt): the current elaboration finishes, then the run ends.
   void Halt() { halt_requested_ = true; }
+  /// (interrupt): a run that is under way ends with its phase, or with its elaboration if it goes by these.
+  void InterruptByAction() { rule_interrupt_ = action_interrupt_ = running_; }
   /// Says which rules with interrupts match anew; a run that is under way ends with its phase.
   void TellInterrupts();
   /// The goal stack is at its limit: the run ends as if halted, but may go on.
@@ -85,8 +87,10 @@ class RunControl {
   bool broken_ = false;
   bool halted_ = false;
   bool halt_requested_ = false;
-  bool rule_interrupt_ = false;  ///< Asked for by a rule's match.
-  bool by_elaboration_ = false;  ///< This run ends after one elaboration.
+  bool rule_interrupt_ = false;    ///< Asked for by a rule's match or its (interrupt).
+  bool action_interrupt_ = false;  ///< The last one that asked was an action.
+  bool by_elaboration_ = false;    ///< This run ends after one elaboration.
+  bool by_phase_ = false;          ///< This run stops between phases, or at no place of its own.
   bool goal_stack_limit_ = false;
   bool limit_reached_ = false;   ///< By the goal stack, in this run.
   bool ended_ = false;           ///< This run was interrupted.

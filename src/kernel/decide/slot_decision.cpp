@@ -190,7 +190,8 @@ void SlotDecision::UpdateAcceptables() {
   while (!changed.empty()) {
     const SlotId slot = changed.back();
     changed.pop_back();
-    if (engine_.memory.slot(slot).live && engine_.memory.slot(slot).is_operator) UpdateAcceptables(slot);
+    const Slot& record = engine_.memory.slot(slot);
+    if (record.live && (record.is_operator || record.acceptable_wmes != WmeId::kNone)) UpdateAcceptables(slot);
   }
 }
 

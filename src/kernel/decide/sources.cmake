@@ -7,6 +7,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/goal_changes.cpp
   decide/goal_dependency_set.cpp
   decide/goal_stack.cpp
+  decide/handle_check.cpp
   decide/instantiation_table.cpp
   decide/invariants.cpp
   decide/preference_changes.cpp

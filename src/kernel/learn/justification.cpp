@@ -2,6 +2,8 @@
 #include "kernel/learn/justification.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "kernel/base/words.h"
@@ -32,6 +34,10 @@ void Justifier::Consider(InstantiationId id) {
     ++trace_number_;
     results_.clear();
     if (!CollectResults(current)) return;
+    if (!duplicates_.empty() && HasTooManyDuplicates(current)) {
+      engine_.Warn(WarningKind::kMaxDuplicates, engine_.DescribeInstantiation(current).name);
+      return;
+    }
     Backtrace(current);
     current = Build(current);
     if (current == InstantiationId::kNone) return;
@@ -44,55 +50,72 @@ bool Justifier::CollectResults(InstantiationId id) {
   const WorkingMemory& memory = engine_.memory;
   for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
        p = memory.preference(p).next_of_instantiation) {
-    if (memory.level(memory.preference(p).id) < level_) AddResult(p, id);
+    if (memory.level(memory.preference(p).id) >= level_) continue;
+    parts_.push_back({p, Symbol()});
+    // Depth first, with a stack of our own: structures may be as long as memory is.
+    while (!parts_.empty()) {
+      const Part part = parts_.back();
+      parts_.pop_back();
+      if (part.preference != PreferenceId::kNone) {
+        AddResult(part.preference);
+      } else {
+        AddPartsOf(part.object, id);
+      }
+    }
   }
   return !results_.empty();
 }
 
-void Justifier::AddResult(PreferenceId preference, InstantiationId base) {
+void Justifier::AddResult(PreferenceId preference) {
   if (engine_.memory.preference(preference).level != level_) {
     preference = engine_.firing.CloneAtLevel(preference, level_);
     if (preference == PreferenceId::kNone) return;
   }
   std::uint32_t& seen = engine_.memory.mutable_preference(preference).seen;
   if (std::exchange(seen, trace_number_) == trace_number_) return;
-  const Preference content = engine_.memory.preference(preference);
+  const Preference& content = engine_.memory.preference(preference);
   // A result that says the same as another one adds nothing.
-  const bool said = std::ranges::any_of(results_, [&](PreferenceId other) {
-    const Preference& result = engine_.memory.preference(other);
-    return result.id == content.id && result.attribute == content.attribute && result.value == content.value &&
-           result.type == content.type && result.referent == content.referent;
-  });
-  if (said) return;
+  const Record::Result says = ResultOf(preference);
+  if (std::ranges::any_of(results_, [&](PreferenceId other) { return ResultOf(other) == says; })) return;
   results_.push_back(preference);
-  AddResultsBelow(content.value, base);
-  AddResultsBelow(content.referent, base);
+  parts_.push_back({PreferenceId::kNone, content.referent});
+  parts_.push_back({PreferenceId::kNone, content.value});
 }
 
-/// An object of the substate that becomes part of a result brings all it consists of.
-void Justifier::AddResultsBelow(Symbol id, InstantiationId base) {
+/// An object of the substate that becomes part of a result brings all it consists of: a state, too, which then hangs on
+/// nothing but what it is made of.
+void Justifier::AddPartsOf(Symbol id, InstantiationId base) {
   const WorkingMemory& memory = engine_.memory;
-  if (!id.IsIdentifier() || memory.level(id) < level_ || memory.identifier(id).is_goal) return;
+  if (!id.IsIdentifier() || memory.level(id) < level_) return;
   if (!Mark(seen_identifiers_, id.index(), trace_number_)) return;
   const IdentifierRecord& record = memory.identifier(id);
+  const std::size_t first_part = parts_.size();
   for (WmeId wme = record.input_wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
-    AddResultsBelow(memory.wme(wme).value, base);
+    parts_.push_back({PreferenceId::kNone, memory.wme(wme).value});
   }
   for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
+    const std::size_t first_preference = parts_.size();
     for (const PreferenceId first : {memory.slot(slot).acceptable, memory.slot(slot).others}) {
       for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
-        AddResult(p, base);
+        parts_.push_back({p, Symbol()});
       }
     }
+    // Newest first, whatever their level and type.
+    std::sort(parts_.begin() + static_cast<std::ptrdiff_t>(first_preference), parts_.end(),
+              [&](const Part& a, const Part& b) {
+                return memory.preference(a.preference).stamp > memory.preference(b.preference).stamp;
+              });
     for (WmeId wme = memory.slot(slot).wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
-      if (memory.record(wme).preference == PreferenceId::kNone) AddResultsBelow(memory.wme(wme).value, base);
+      if (memory.record(wme).preference != PreferenceId::kNone) continue;
+      parts_.push_back({PreferenceId::kNone, memory.wme(wme).value});
     }
   }
   // What the same firing says of it is not in its slots yet.
   for (PreferenceId p = engine_.instantiations[base].preferences; p != PreferenceId::kNone;
        p = memory.preference(p).next_of_instantiation) {
-    if (memory.preference(p).id == id) AddResult(p, base);
+    if (memory.preference(p).id == id) parts_.push_back({p, Symbol()});
   }
+  std::reverse(parts_.begin() + static_cast<std::ptrdiff_t>(first_part), parts_.end());
 }
 
 // What they rest on ---------------------------------------------------------------------------------------------------
@@ -144,15 +167,9 @@ inline void Justifier::AddGround(WmeId ground) {
 
 /// An item of an impasse rests on the proposal in the superstate.
 void Justifier::VisitItem(WmeId item) {
-  const WorkingMemory& memory = engine_.memory;
-  const Wme& wme = memory.wme(item);
-  if (wme.attribute != words::kItem || level_ < 2 || wme.id != engine_.goals.at(level_).id) return;
-  const SlotId slot = engine_.goals.at(static_cast<GoalLevel>(level_ - 1)).operator_slot;
-  for (WmeId p = memory.slot(slot).acceptable_wmes; p != WmeId::kNone; p = memory.record(p).next) {
-    if (memory.wme(p).value != wme.value) continue;
-    if (Mark(seen_wmes_, Index(p), trace_number_)) AddGround(p);
-    return;
-  }
+  if (level_ < 2 || engine_.memory.wme(item).id != engine_.goals.at(level_).id) return;
+  const WmeId proposal = engine_.goal_changes.ProposalOfItem(item);
+  if (proposal != WmeId::kNone && Mark(seen_wmes_, Index(proposal), trace_number_)) AddGround(proposal);
 }
 
 inline void Justifier::VisitCondition(const ConditionTrace& trace) {
@@ -180,6 +197,41 @@ inline void Justifier::VisitCondition(const ConditionTrace& trace) {
     if (decided) queue_.push_back({memory.preference(local).instantiation, WmeId::kNone});
   }
 }
+
+#ifdef SOARBOX_CHECK_INVARIANTS
+/// Aborts if something that the results reach is not one of them: it would lose its support with the substate.
+void Justifier::CheckResults() const {
+  const WorkingMemory& memory = engine_.memory;
+  std::vector<Symbol> reached;
+  const auto reach = [&](Symbol id) {
+    if (id.IsIdentifier() && memory.level(id) >= level_ && std::ranges::find(reached, id) == reached.end()) {
+      reached.push_back(id);
+    }
+  };
+  for (const PreferenceId result : results_) {
+    reach(memory.preference(result).value);
+    reach(memory.preference(result).referent);
+  }
+  for (std::size_t n = 0; n < reached.size(); ++n) {
+    for (SlotId slot = memory.identifier(reached[n]).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
+      for (const PreferenceId first : {memory.slot(slot).acceptable, memory.slot(slot).others}) {
+        for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+          const PreferenceId local = engine_.firing.CloneAtLevel(p, level_);
+          if (local == PreferenceId::kNone) continue;
+          reach(memory.preference(p).value);
+          reach(memory.preference(p).referent);
+          if (memory.preference(local).seen == trace_number_) continue;
+          std::fprintf(stderr, "soarbox: a result lacks a part: (%s ^%s %s)\n",
+                       ToString(engine_.symbols, memory.preference(p).id).c_str(),
+                       ToString(engine_.symbols, memory.preference(p).attribute).c_str(),
+                       ToString(engine_.symbols, memory.preference(p).value).c_str());
+          std::abort();
+        }
+      }
+    }
+  }
+}
+#endif
 
 // Negated conditions --------------------------------------------------------------------------------------------------
 
@@ -283,19 +335,49 @@ void Justifier::CollectNegations(InstantiationId id) {
 
 // The justification ---------------------------------------------------------------------------------------------------
 
-bool Justifier::IsOSupported(GoalLevel goal_level) const {
+/// Whether the actions of the rule that fired last propose an operator to a state. As in Soar 9.6.3 that is not asked
+/// of a rule whose last condition is a negated one.
+bool Justifier::Proposes(InstantiationId base) const {
   const WorkingMemory& memory = engine_.memory;
-  const Symbol goal = engine_.goals.at(goal_level).id;
-  const auto selected = std::find_if(operator_grounds_.begin(), operator_grounds_.end(),
-                                     [&](WmeId ground) { return memory.wme(ground).id == goal; });
-  if (selected == operator_grounds_.end()) return false;
-  const Symbol op = memory.wme(*selected).value;
-  // A proposal is not held by o-support, whatever else the rule says, and nor is what elaborates the operator.
-  return std::none_of(results_.begin(), results_.end(), [&](PreferenceId id) {
-    const Preference& result = memory.preference(id);
-    return result.id == op || (result.type == PreferenceType::kAcceptable && result.attribute == words::kOperator &&
-                               memory.identifier(result.id).is_goal);
+  const Instantiation& instantiation = engine_.instantiations[base];
+  if (instantiation.justification != 0xFFFFFFFFu) {
+    const Record& record = records_[instantiation.justification];
+    return instantiation.match != MatchId::kNone && record.negations == nullptr &&
+           std::ranges::any_of(record.results, [&](const Record::Result& result) {
+             return result.type == PreferenceType::kAcceptable && result.attribute == words::kOperator &&
+                    memory.identifier(result.id).is_goal;
+           });
+  }
+  if (instantiation.production == ProductionId::kNone) return false;
+  const Production& rule = *engine_.rete.production(instantiation.production);
+  if (rule.conditions.empty() || rule.conditions.back().kind != ConditionKind::kPositive) return false;
+  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(base);
+  return std::ranges::any_of(rule.actions, [&](const Action& action) {
+    if (action.is_function_call || action.preference != PreferenceType::kAcceptable ||
+        action.attribute.kind != RhsValueKind::kConstant || action.attribute.symbol() != words::kOperator ||
+        action.id.kind != RhsValueKind::kBound) {
+      return false;
+    }
+    const BindingSite site = action.id.site();
+    return memory.identifier(FieldOf(memory.wme(traces[site.positive_condition].wme), site.field)).is_goal;
   });
+}
+
+bool Justifier::IsOSupported(InstantiationId base, InstantiationId made, GoalLevel goal_level) {
+  const WorkingMemory& memory = engine_.memory;
+  if (operator_grounds_.empty() || Proposes(base)) return false;
+  const Symbol goal = engine_.goals.at(goal_level).id;
+  bool elaborates = false, applies = false;
+  for (const WmeId ground : operator_grounds_) {
+    if (memory.wme(ground).id != goal) continue;
+    for (const PreferenceId result : results_) {
+      (memory.preference(result).id == memory.wme(ground).value ? elaborates : applies) = true;
+    }
+  }
+  if (!elaborates || !applies) return applies;
+  engine_.Print("\nWARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " +
+                std::string(engine_.ProductionName(made)));
+  return false;
 }
 
 std::uint32_t Justifier::NewRecord() {
@@ -303,8 +385,6 @@ std::uint32_t Justifier::NewRecord() {
   if (!free_records_.empty()) {
     index = free_records_.back();
     free_records_.pop_back();
-    records_[index].grounds.clear();
-    records_[index].negations.reset();
   } else {
     index = static_cast<std::uint32_t>(records_.size());
     records_.emplace_back();
@@ -320,6 +400,107 @@ std::uint32_t Justifier::NewRecord() {
   return index;
 }
 
+// Duplicates ----------------------------------------------------------------------------------------------------------
+
+std::uint32_t Justifier::DigestOfResults() const {
+  const WorkingMemory& memory = engine_.memory;
+  std::uint32_t digest = static_cast<std::uint32_t>(negations_.size());
+  const auto mix = [&](Symbol symbol) {
+    digest = (digest ^ symbol.bits()) * 0x85EBCA6Bu;
+    digest ^= digest >> 15;
+  };
+  for (const WmeId ground : grounds_) {
+    mix(memory.wme(ground).id);
+    mix(memory.wme(ground).attribute);
+    mix(memory.wme(ground).value);
+  }
+  for (const PreferenceId result : results_) {
+    mix(memory.preference(result).id);
+    mix(memory.preference(result).attribute);
+    mix(memory.preference(result).value);
+  }
+  return digest;
+}
+
+Justifier::Record::Result Justifier::ResultOf(PreferenceId id) const {
+  const Preference& p = engine_.memory.preference(id);
+  return {p.id, p.attribute, p.value, p.referent, p.type};
+}
+
+bool Justifier::SaysTheSame(const Record& record) const {
+  const WorkingMemory& memory = engine_.memory;
+  const auto same_element = [&](WmeId a, WmeId b) {
+    const Wme &x = memory.wme(a), &y = memory.wme(b);
+    return x.id == y.id && x.attribute == y.attribute && x.value == y.value && x.acceptable == y.acceptable;
+  };
+  if (!std::ranges::equal(record.grounds, grounds_, same_element)) return false;
+  const std::size_t negated = record.negations == nullptr ? 0 : record.negations->conditions.size();
+  if (negated != negations_.size()) return false;
+  if (negated > 0) {
+    RuleDraft mine;
+    std::vector<ConditionDraft> copies = negations_;
+    for (ConditionDraft& negation : copies) mine.conditions.Add(&negation);
+    if (!std::ranges::equal(record.negations->conditions, Production::Make(mine)->conditions)) return false;
+  }
+  return std::ranges::equal(record.results, results_, [&](const Record::Result& known, PreferenceId result) {
+    return known == ResultOf(result);
+  });
+}
+
+bool Justifier::IsDuplicate(std::uint32_t digest) const {
+  if (alike_.empty()) return false;
+  for (std::uint32_t index = alike_[digest & (alike_.size() - 1)]; index != 0xFFFFFFFFu;
+       index = records_[index].next_alike) {
+    if (records_[index].digest == digest && SaysTheSame(records_[index])) return true;
+  }
+  return false;
+}
+
+void Justifier::NoteAlike(std::uint32_t index) {
+  const auto insert = [&](std::uint32_t record) {
+    std::uint32_t& head = alike_[records_[record].digest & (alike_.size() - 1)];
+    records_[record].next_alike = head;
+    head = record;
+  };
+  if (++alike_count_ > alike_.size()) {
+    std::vector<std::uint32_t> old(std::max<std::size_t>(16, 2 * alike_.size()), 0xFFFFFFFFu);
+    old.swap(alike_);
+    for (std::uint32_t record : old) {
+      while (record != 0xFFFFFFFFu) insert(std::exchange(record, records_[record].next_alike));
+    }
+  }
+  insert(index);
+}
+
+void Justifier::ForgetAlike(std::uint32_t index) {
+  std::uint32_t* place = &alike_[records_[index].digest & (alike_.size() - 1)];
+  while (*place != index) place = &records_[*place].next_alike;
+  *place = records_[index].next_alike;
+  --alike_count_;
+}
+
+bool Justifier::HasTooManyDuplicates(InstantiationId base) const {
+  const ProductionId rule = engine_.instantiations[base].production;
+  if (rule == ProductionId::kNone || duplicates_cycle_ != engine_.counters.decision_cycles) return false;
+  return std::ranges::any_of(duplicates_,
+                             [&](const Duplicates& d) { return d.production == rule && d.count >= kMostDuplicates; });
+}
+
+void Justifier::CountDuplicate(InstantiationId base) {
+  const ProductionId rule = engine_.instantiations[base].production;
+  if (rule == ProductionId::kNone) return;
+  if (duplicates_cycle_ != engine_.counters.decision_cycles) duplicates_.clear();
+  duplicates_cycle_ = engine_.counters.decision_cycles;
+  for (Duplicates& known : duplicates_) {
+    if (known.production != rule) continue;
+    ++known.count;
+    return;
+  }
+  duplicates_.push_back({rule, 1});
+}
+
+// The justification ---------------------------------------------------------------------------------------------------
+
 InstantiationId Justifier::Build(InstantiationId base) {
   WorkingMemory& memory = engine_.memory;
   GoalLevel goal_level = lowest_ground_;
@@ -329,6 +510,14 @@ InstantiationId Justifier::Build(InstantiationId base) {
       return InstantiationId::kNone;
     }
     goal_level = static_cast<GoalLevel>(level_ - 1);
+  }
+  const std::uint32_t digest = DigestOfResults();
+  if (IsDuplicate(digest)) {
+    next_number_ += 2;
+    CountDuplicate(base);
+    // What nothing holds yet goes with the justification that is not made: these firings leave no preferences.
+    for (const PreferenceId result : results_) engine_.preferences.FreeIfUnused(result);
+    return InstantiationId::kNone;
   }
   const std::uint32_t index = NewRecord();
   const InstantiationId id = engine_.instantiations.Make();
@@ -340,16 +529,24 @@ InstantiationId Justifier::Build(InstantiationId base) {
   Record& record = records_[index];
   record.instantiation = id;
   record.grounds = grounds_;
+  for (const WmeId ground : grounds_) engine_.changes.AddReference(ground);
   if (!negations_.empty()) {
     RuleDraft kept;
     for (ConditionDraft& negation : negations_) kept.conditions.Add(&negation);
     record.negations = Production::Make(kept);
   }
+  record.results.clear();
+  for (const PreferenceId result : results_) record.results.push_back(ResultOf(result));
+  record.digest = digest;
+  NoteAlike(index);
+#ifdef SOARBOX_CHECK_INVARIANTS
+  CheckResults();
+#endif
   ++engine_.counters.justifications;
   if (goal_level > 1) engine_.firing.TraceConditions(id, grounds_);
 
   // Clones of the results, one level up. The list is newest first, so the last result is made first.
-  const bool o_support = IsOSupported(goal_level);
+  const bool o_support = IsOSupported(base, id, goal_level);
   for (std::size_t n = results_.size(); n-- > 0;) {
     const PreferenceId result = results_[n];
     const Preference& original = memory.preference(result);
@@ -373,8 +570,8 @@ InstantiationId Justifier::Build(InstantiationId base) {
   return id;
 }
 
-/// What tells when the justification no longer holds: the watched elements, or the literal rule if negated conditions
-/// matter.
+/// What tells when the justification no longer holds: the elements of a fixed match, or the literal rule if negated
+/// conditions matter. None if it does not hold even now: then only what is o-supported will be asserted.
 MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level) {
   Record& record = records_[index];
   if (record.negations != nullptr) {
@@ -384,17 +581,24 @@ MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel go
     const Rete::Added added = engine_.rete.AddProduction(AsRule(index, false), engine_.goal_view(), options);
     if (added.result == Rete::AddResult::kAdded) {
       record.production = added.production;
-      if (added.refracted != MatchId::kNone) return added.refracted;
+      return added.refracted;
     }
   }
-  return engine_.rete.Watch(record.grounds, engine_.instantiations[id].goal, goal_level, id);
+  const auto has_left = [&](WmeId ground) { return !engine_.memory.record(ground).in_match; };
+  if (std::ranges::any_of(record.grounds, has_left)) return MatchId::kNone;
+  return engine_.rete.AddFixedMatch(record.grounds, engine_.instantiations[id].goal, goal_level, id);
 }
 
 void Justifier::InstantiationFreed(InstantiationId id) {
   const std::uint32_t index = engine_.instantiations[id].justification;
   if (index == 0xFFFFFFFFu) return;
   if (records_[index].production != ProductionId::kNone) engine_.ExciseLater(records_[index].production);
-  records_[index].live = false;
+  Record& record = records_[index];
+  if (!record.excised) ForgetAlike(index);
+  for (const WmeId ground : record.grounds) engine_.changes.DropReference(ground);
+  record.grounds.clear();
+  record.negations.reset();
+  record.live = false;
   free_records_.push_back(index);
 }
 
@@ -402,12 +606,13 @@ bool Justifier::Excise(std::string_view name) {
   for (const std::uint32_t index : Live()) {
     if (Name(index) != name) continue;
     Record& record = records_[index];
+    ForgetAlike(index);
     record.excised = true;
     const ProductionId production = std::exchange(record.production, ProductionId::kNone);
     if (production != ProductionId::kNone) {
       engine_.rete.ExciseProduction(production);
     } else {
-      engine_.rete.RetractWatched(engine_.instantiations[record.instantiation].match);
+      engine_.rete.RetractFixedMatch(engine_.instantiations[record.instantiation].match);
     }
     return true;
   }
@@ -465,19 +670,13 @@ ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
       rule.conditions.Add(arena.New(ToDraft(negation, arena)));
     }
   }
-  std::vector<PreferenceId> results;
-  for (PreferenceId p = engine_.instantiations[record.instantiation].preferences; p != PreferenceId::kNone;
-       p = memory.preference(p).next_of_instantiation) {
-    results.push_back(p);
-  }
-  for (auto result = results.rbegin(); result != results.rend(); ++result) {
-    const Preference& preference = memory.preference(*result);
+  for (auto result = record.results.rbegin(); result != record.results.rend(); ++result) {
     ActionDraft* const action = arena.New<ActionDraft>();
-    action->preference = preference.type;
-    action->id = Constant(preference.id);
-    action->attribute = Constant(preference.attribute);
-    action->value = Constant(preference.value);
-    action->referent = Constant(preference.referent);
+    action->preference = result->type;
+    action->id = Constant(result->id);
+    action->attribute = Constant(result->attribute);
+    action->value = Constant(result->value);
+    action->referent = Constant(result->referent);
     rule.actions.Add(action);
   }
   return Production::Make(rule);
@@ -494,6 +693,9 @@ void Justifier::Clear() {
   free_records_.clear();
   names_.clear();
   next_number_ = 1;
+  alike_.clear();
+  alike_count_ = 0;
+  duplicates_.clear();
   dont_learn_.clear();
   force_learn_.clear();
   seen_identifiers_.clear();

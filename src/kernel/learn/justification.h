@@ -11,6 +11,7 @@
 #include "kernel/decide/instantiation.h"
 #include "kernel/memory/preference.h"
 #include "kernel/rules/draft.h"
+#include "kernel/rules/rule_symbols.h"
 
 namespace soarbox::kernel {
 
@@ -21,8 +22,8 @@ struct Engine;
 /// substate goes, and lets go of it when one of those elements goes.
 ///
 /// The elements are found by following each condition of the rule that fired back to the preference that made its
-/// element, down to elements of higher states. Nothing like a rule is built: the matcher only watches the elements
-/// (Rete::Watch), or, if negated conditions matter, matches the literal conditions.
+/// element, down to elements of higher states. Nothing like a rule is built: the matcher only keeps a fixed match of
+/// the elements (Rete::AddFixedMatch), or, if negated conditions matter, matches the literal conditions.
 class Justifier {
  public:
   explicit Justifier(Engine& engine) : engine_(engine) {}
@@ -42,8 +43,16 @@ class Justifier {
     std::uint32_t number = 0;  ///< justify<number>
     InstantiationId instantiation = InstantiationId::kNone;
     ProductionId production = ProductionId::kNone;  ///< If it stands in the network.
-    std::vector<WmeId> grounds;
-    ProductionPtr negations;  ///< A rule of the negated conditions; none if there are none.
+    std::vector<WmeId> grounds;                     ///< Held: they can be shown as long as the record lives.
+    struct Result {
+      Symbol id, attribute, value, referent;
+      PreferenceType type = PreferenceType::kAcceptable;
+      friend bool operator==(const Result&, const Result&) = default;
+    };
+    std::vector<Result> results;
+    std::uint32_t digest = 0;                ///< Of what it says.
+    std::uint32_t next_alike = 0xFFFFFFFFu;  ///< The next record of its bucket.
+    ProductionPtr negations;                 ///< A rule of the negated conditions; none if there are none.
   };
   const Record& record(std::uint32_t index) const { return records_[index]; }
   /// "justify1"; valid until the next justification is made.
@@ -52,13 +61,27 @@ class Justifier {
   std::vector<std::uint32_t> Live() const;
   /// Takes one out of the match, so that its results are retracted; false if there is none of this name.
   bool Excise(std::string_view name);
+  /// Calls mark(symbol) for the literals of negated conditions and results, which nothing else may hold. (The grounds
+  /// are held.)
+  template <typename Mark>
+  void ForEachLiteral(Mark&& mark) const {
+    for (const Record& record : records_) {
+      if (!record.live) continue;
+      for (const Record::Result& result : record.results) {
+        for (const Symbol symbol : {result.id, result.attribute, result.value, result.referent}) mark(symbol);
+      }
+      if (record.negations == nullptr) continue;
+      for (const Condition& negation : record.negations->conditions) ForEachSymbol(negation, mark);
+    }
+  }
   /// The justification as a rule: literal conditions and actions; `shown`: with the word `state` where it belongs.
   ProductionPtr AsRule(std::uint32_t index, bool shown) const;
 
  private:
   bool CollectResults(InstantiationId id);
-  void AddResult(PreferenceId preference, InstantiationId base);
-  void AddResultsBelow(Symbol id, InstantiationId base);
+  void AddResult(PreferenceId preference);
+  void AddPartsOf(Symbol id, InstantiationId base);
+  void CheckResults() const;
   void Backtrace(InstantiationId id);
   void VisitInstantiation(InstantiationId id);
   void VisitQueued();
@@ -67,10 +90,21 @@ class Justifier {
   void CollectNegations(InstantiationId id);
   /// Makes the justification of the results that `base` made; kNone if they rest on nothing above.
   InstantiationId Build(InstantiationId base);
+  std::uint32_t DigestOfResults() const;
+  /// A live justification that says the same: equal grounds, negations and results, in the same order.
+  bool IsDuplicate(std::uint32_t digest) const;
+  Record::Result ResultOf(PreferenceId result) const;
+  bool SaysTheSame(const Record& record) const;
+  void NoteAlike(std::uint32_t index);
+  void ForgetAlike(std::uint32_t index);
+  /// True if `base`'s rule made so many duplicates in this decision that it may make no more justifications in it.
+  bool HasTooManyDuplicates(InstantiationId base) const;
+  void CountDuplicate(InstantiationId base);
   /// Notes an element of a higher state that the results rest on.
   void AddGround(WmeId wme);
   /// The same for all results of a justification.
-  bool IsOSupported(GoalLevel goal_level) const;
+  bool IsOSupported(InstantiationId base, InstantiationId made, GoalLevel goal_level);
+  bool Proposes(InstantiationId base) const;
   MatchId MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level);
   std::uint32_t NewRecord();
   ConditionDraft Instantiate(const Condition& condition, InstantiationId id);
@@ -84,10 +118,25 @@ class Justifier {
   std::vector<std::uint32_t> free_records_;
   std::vector<Symbol> dont_learn_, force_learn_;
   std::uint32_t next_number_ = 1;
+  std::vector<std::uint32_t> alike_;  ///< Heads of buckets, by digest; a power of two, or none.
+  std::uint32_t alike_count_ = 0;
+  static constexpr std::uint32_t kMostDuplicates = 3;
+  struct Duplicates {
+    ProductionId production = ProductionId::kNone;
+    std::uint32_t count = 0;
+  };
+  std::vector<Duplicates> duplicates_;  ///< In the decision cycle at hand.
+  std::uint64_t duplicates_cycle_ = 0;
   // Scratch of one backtrace.
   GoalLevel level_ = 0;
   std::uint32_t trace_number_ = 0;
   std::vector<PreferenceId> results_;
+  /// Still to be added to the results: a preference, or else all that is said of an object.
+  struct Part {
+    PreferenceId preference = PreferenceId::kNone;
+    Symbol object;
+  };
+  std::vector<Part> parts_;
   std::vector<WmeId> grounds_;
   GoalLevel lowest_ground_ = 0;          ///< Of the states that grounds hang on; 0 if none hangs on a state.
   std::vector<WmeId> operator_grounds_;  ///< Those that are a state's selected operator.

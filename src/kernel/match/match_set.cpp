@@ -231,6 +231,7 @@ void MatchSet::Drop(MatchId match) {
 }
 
 void MatchSet::GoalRemoved(GoalLevel level) {
+  ++goals_removed_;
   if (level == 0 || level >= levels_.size()) {
     return;
   }

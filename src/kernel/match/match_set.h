@@ -76,6 +76,8 @@ class MatchSet {
   /// and silent.
   void Release(MatchId match);
 
+  /// How many calls of GoalRemoved there were.
+  std::uint32_t goals_removed() const { return goals_removed_; }
   /// The goal of this level is going away: its retractions move to the no-goal list, its assertions too (they vanish
   /// when the goal's elements leave the match; they never fire).
   void GoalRemoved(GoalLevel level);
@@ -129,13 +131,24 @@ class MatchSet {
   /// when one of its own elements left (then no equal match can appear); `last_timetag` is the largest given so far.
   /// Returns false if the record is free now.
   bool TokenGone(MatchId match, bool can_return, std::uint64_t last_timetag);
-  /// Frees the record of a match that was watched.
+  /// Frees the record of a fixed match.
   void Drop(MatchId match);
   std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
   std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
-  /// Records in use that belong to a rule; its number is used again when this is 0.
+  /// An instantiation names the rule, though its match may be released: the rule keeps its number until it lets go.
+  void HoldRule(ProductionId production) { ++rules_[Index(production)].live; }
+  void LetGoOfRule(ProductionId production) { --rules_[Index(production)].live; }
+  /// What belongs to a rule: records in use, and holds. Its number is used again when this is 0.
   std::uint32_t LiveCount(std::uint32_t production) const { return rules_[production].live; }
   void Clear();
+  /// Calls visit(match) for each record in use. For checks.
+  template <typename Visit>
+  void ForEachMatch(Visit&& visit) const {
+    for (std::uint32_t match = 0; match < records_.size(); ++match) {
+      if (records_[match].state != MatchState::kFree) visit(static_cast<MatchId>(match));
+    }
+  }
+  std::uint32_t rule_limit() const { return static_cast<std::uint32_t>(rules_.size()); }
 
   static constexpr std::uint32_t kNil = 0xFFFFFFFFu;
 
@@ -164,7 +177,7 @@ class MatchSet {
   static_assert(sizeof(Record) == 64, "matches are addressed by a shift");
   struct RuleCounts {
     std::uint32_t returnable = 0;  ///< Retractions in the hash table.
-    std::uint32_t live = 0;        ///< Records in use.
+    std::uint32_t live = 0;        ///< Records in use, and holds.
     bool interrupts = false;
   };
   struct Level {
@@ -196,6 +209,7 @@ class MatchSet {
   std::vector<RuleCounts> rules_;
   std::vector<std::uint32_t> interrupting_;  ///< Rules, for TakeInterrupting.
   std::uint64_t next_stamp_ = 0;
+  std::uint32_t goals_removed_ = 0;
 };
 
 }  // namespace soarbox::kernel

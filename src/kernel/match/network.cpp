@@ -339,9 +339,9 @@ void Network::SetPartner(std::uint32_t conjunctive, std::uint32_t partner) {
   nodes_[partner].counterpart = conjunctive;
 }
 
-void Network::SetChains(std::uint32_t conjunctive, std::uint32_t anchors, std::uint32_t chains) {
+void Network::SetPaths(std::uint32_t conjunctive, std::uint32_t anchors, std::uint32_t paths) {
   nodes_[conjunctive].ancestor = anchors;
-  nodes_[chains].counterpart = conjunctive;
+  nodes_[paths].counterpart = conjunctive;
 }
 
 // Rules ---------------------------------------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ enum class NodeKind : std::uint8_t {
   kConjunctive,
   kPartner,
   kAnchors,  ///< Memory above a shared conjunction (rete_shared.cpp): the identifiers that it begins with.
-  kChains,   ///< Memory below it: the chains of elements that it matches. Its only child is the partner.
+  kPaths,    ///< Memory below it: the paths of elements that it matches. Its only child is the partner.
   kProduction,
 };
 
@@ -67,7 +67,7 @@ struct NodeTest {
   Field referent_field = Field::kId;
   std::uint16_t levels = 0;    ///< 0: the element itself; n: the element of the (n-1)th token up from the left one.
   std::uint16_t count = 0;     ///< kDisjunction: how many constants, from `referent` on in Network::disjuncts.
-                               ///< Of a shared conjunction: steps up from its chain to the element.
+                               ///< Of a shared conjunction: steps up from its path to the element.
   std::uint32_t referent = 0;  ///< Symbol bits, or an index.
 
   friend bool operator==(const NodeTest&, const NodeTest&) = default;
@@ -118,7 +118,7 @@ struct Node : NodeShape {
   std::uint32_t only_memory = kNil;  ///< The child if there is just one and it is a memory: the common case.
   ValueFilter filter;                ///< kJoin.
 
-  /// Between a conjunctive node and its partner. kChains: the conjunctive node.
+  /// Between a conjunctive node and its partner. kPaths: the conjunctive node.
   std::uint32_t partner() const { return counterpart; }
   /// Of a conjunctive node: is its conjunction a shared one?
   bool IsShared() const { return kind == NodeKind::kConjunctive && key != KeyKind::kNone; }
@@ -261,7 +261,7 @@ class [[gnu::visibility("hidden")]] Network {
   void MoveBehind(std::uint32_t node, std::uint32_t sibling);
   void SetPartner(std::uint32_t conjunctive, std::uint32_t partner);
   /// Of a shared conjunction.
-  void SetChains(std::uint32_t conjunctive, std::uint32_t anchors, std::uint32_t chains);
+  void SetPaths(std::uint32_t conjunctive, std::uint32_t anchors, std::uint32_t paths);
 
   void AddRule(std::uint32_t number, std::shared_ptr<const RuleInfo> rule);
   void RemoveRule(std::uint32_t number);

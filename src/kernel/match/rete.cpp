@@ -65,17 +65,17 @@ void Rete::Abandon() {
   state_->Abandon();
 }
 
-MatchId Rete::Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation) {
-  return state_->Watch(wmes, goal, level, instantiation);
+MatchId Rete::AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation) {
+  return state_->AddFixedMatch(wmes, goal, level, instantiation);
 }
 
-void Rete::RetractWatched(MatchId match) {
+void Rete::RetractFixedMatch(MatchId match) {
   if (match == MatchId::kNone || matches_.StateOf(match) != MatchState::kFired) return;
-  state_->RemoveWatch(matches_.TokenOf(match));
+  state_->RetractFixedMatch(matches_.TokenOf(match));
 }
 
-void Rete::Unwatch(MatchId match) {
-  state_->EndWatch(matches_.TokenOf(match));
+void Rete::RemoveFixedMatch(MatchId match) {
+  state_->FreeFixedMatch(matches_.TokenOf(match));
   matches_.Drop(match);
 }
 

@@ -90,11 +90,11 @@ class Rete {
   /// A match without a rule in the network, fired from the start: it becomes a retraction as soon as one of the
   /// elements leaves the match. This is all that a justification without negated conditions needs.
   /// `production` of such a match is ProductionId::kNone.
-  MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
+  MatchId AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
   /// Ends it as if one of its elements left.
-  void RetractWatched(MatchId match);
+  void RetractFixedMatch(MatchId match);
   /// Ends it without a retraction.
-  void Unwatch(MatchId match);
+  void RemoveFixedMatch(MatchId match);
 
   /// How many partial matches there may be at the same time: what needs more throws std::bad_alloc, as if memory had
   /// run out. (Partial matches that a memory keeps apart are counted for themselves, memory by memory.)

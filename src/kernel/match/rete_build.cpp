@@ -60,10 +60,9 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   if (elements.size() < positives) {
     elements.resize(positives);
   }
-  if (number >= last_o_support.size()) {
-    last_o_support.resize(number + 1u, 0);
+  if (number < shared_operators.size()) {
+    shared_operators[number] = SharedOperator();
   }
-  last_o_support[number] = 0;
   NodeAdded(made);
   if (!options.refracted.empty()) {
     refracting_node = made;
@@ -105,15 +104,15 @@ void ReteState::NodeAdded(std::uint32_t index) {
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kNegative) {
     marks[index].Set(NodeMarks::kNegative);
-  } else if (node.kind != NodeKind::kMemory && node.kind != NodeKind::kAnchors && node.kind != NodeKind::kChains) {
+  } else if (node.kind != NodeKind::kMemory && node.kind != NodeKind::kAnchors && node.kind != NodeKind::kPaths) {
     marks[index].Set(NodeMarks::kOther);
   }
-  if (node.kind == NodeKind::kAnchors || marks[node.parent].Is(NodeMarks::kInChain)) {
-    marks[index].Set(NodeMarks::kInChain);
+  if (node.kind == NodeKind::kAnchors || marks[node.parent].Is(NodeMarks::kInPath)) {
+    marks[index].Set(NodeMarks::kInPath);
   }
   if (node.kind == NodeKind::kJoin) {
-    if (marks[index].Is(NodeMarks::kInChain)) {
-      alphas[node.alpha].sparse |= AlphaState::kInChains;
+    if (marks[index].Is(NodeMarks::kInPath)) {
+      alphas[node.alpha].sparse |= AlphaState::kInPaths;
     }
     const bool has_tokens = nodes[node.parent].count != 0;
     if (!has_tokens || alphas[node.alpha].count != 0) {
@@ -180,7 +179,11 @@ void ReteState::RemoveUnused(std::uint32_t index) {
       next = network->node(partner).parent;  // Leads up to this node's own parent.
       RemoveNode(partner);
     }
+    const bool was_join = node.kind == NodeKind::kJoin;
     RemoveNode(index);
+    if (was_join) {
+      builder->JoinRemoved(next);
+    }
     index = next;
   }
 }

@@ -72,13 +72,13 @@ NodeShape ReteBuilder::ShapeOf(NodeKind kind, std::uint32_t depth, const Binding
 /// its first condition is what it hangs on.
 [[gnu::noinline, gnu::cold]] bool ReteBuilder::Defer(TestOp op, Field field, std::uint32_t depth,
                                                      const Binding& binding) {
-  if (chain_.Holds(binding.depth)) {
+  if (path_.Holds(binding.depth)) {
     return false;
   }
-  const auto levels = static_cast<std::uint16_t>(chain_.first - binding.depth);
-  if (!chain_.anchored) {
-    chain_.anchored = true;
-    chain_.anchor = ShapeOf(NodeKind::kAnchors, depth, binding);
+  const auto levels = static_cast<std::uint16_t>(path_.first - binding.depth);
+  if (!path_.anchored) {
+    path_.anchored = true;
+    path_.anchor = ShapeOf(NodeKind::kAnchors, depth, binding);
     return true;
   }
   NodeTest test;
@@ -87,8 +87,8 @@ NodeShape ReteBuilder::ShapeOf(NodeKind kind, std::uint32_t depth, const Binding
   test.against_binding = true;
   test.levels = levels;
   test.referent_field = binding.field;
-  test.count = static_cast<std::uint16_t>(chain_.last - depth);
-  chain_.tests.push_back(test);
+  test.count = static_cast<std::uint16_t>(path_.last - depth);
+  path_.tests.push_back(test);
   return true;
 }
 
@@ -107,7 +107,7 @@ NodeShape ReteBuilder::ShapeOf(NodeKind kind, std::uint32_t depth, const Binding
     const Binding before = binding;
     trail_.push_back({symbol.index(), before});
     binding = {depth, field};
-    if (before.depth == kNil || (chain_.IsBuilt() && Defer(TestOp::kEqual, field, depth, before))) {
+    if (before.depth == kNil || (path_.IsBuilt() && Defer(TestOp::kEqual, field, depth, before))) {
       return;
     }
     node_test.against_binding = true;
@@ -142,7 +142,7 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
     const Binding& binding = BindingOf(test.referent());
     if (binding.depth == kNil) {
       node_test.op = TestOp::kNever;  // Rules are checked before they come here; this cannot be satisfied.
-    } else if (chain_.IsBuilt() && Defer(node_test.op, field, depth, binding)) {
+    } else if (path_.IsBuilt() && Defer(node_test.op, field, depth, binding)) {
       return;
     } else {
       node_test.against_binding = true;
@@ -308,7 +308,34 @@ std::uint32_t ReteBuilder::FindOrMake(std::uint32_t parent, NodeKind kind, const
 
 std::uint32_t ReteBuilder::BuildPositive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   TakeApart(condition, depth);
-  return FindOrMake(FindOrMakeMemory(emitter), NodeKind::kJoin, condition);
+  const std::uint32_t memory = FindOrMakeMemory(emitter);
+  const std::uint32_t first = state_.network->node(memory).first_child;
+  const std::uint32_t join = FindOrMake(memory, NodeKind::kJoin, condition);
+  if (state_.network->node(memory).first_child != first) {
+    MoveIfJoinsAre(2, memory);
+  }
+  return join;
+}
+
+/// In Soar a memory with one join is one node with it. It becomes a node of its own with the second join, and one node
+/// with the last: the new one is then its parent's newest child.
+void ReteBuilder::MoveIfJoinsAre(std::uint32_t count, std::uint32_t memory) {
+  Network& network = *state_.network;
+  const std::uint32_t twin = TwinOf(memory);
+  std::uint32_t joins = 0;
+  for (const std::uint32_t parent : {memory, twin}) {
+    for (std::uint32_t child = parent == kNil ? kNil : network.node(parent).first_child;
+         child != kNil && joins <= count; child = network.node(child).next_sibling) {
+      ++joins;
+    }
+  }
+  if (joins != count) {
+    return;
+  }
+  network.MoveToHead(memory);
+  if (twin != kNil) {
+    network.MoveBehind(twin, memory);
+  }
 }
 
 std::uint32_t ReteBuilder::BuildNegative(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
@@ -361,12 +388,12 @@ std::uint32_t ReteBuilder::MakeConjunctive(const NodePlan& conjunctive, std::uin
   }
   const std::uint32_t made = network.AddNode(partner, hash);
   network.SetPartner(node, made);
-  if (network.node(bottom).kind == NodeKind::kChains) {
-    network.SetChains(node, top, bottom);
+  if (network.node(bottom).kind == NodeKind::kPaths) {
+    network.SetPaths(node, top, bottom);
   }
   state_.NodeAdded(node);
   state_.NodeAdded(made);
-  state_.new_chains.clear();  // Those there were before will be found by the owners, which come now.
+  state_.new_paths.clear();  // Those there were before will be found by the owners, which come now.
   state_.Prime(made);
   state_.Prime(node);
   return node;

@@ -24,6 +24,8 @@ class ReteBuilder {
 
   /// The node that emits the rule's complete matches.
   std::uint32_t Build(std::span<const Condition> conditions);
+  /// A join of this memory has gone.
+  void JoinRemoved(std::uint32_t memory) { MoveIfJoinsAre(1, memory); }
 
  private:
   struct Binding {
@@ -55,6 +57,7 @@ class ReteBuilder {
                                  std::span<const NodeTest> tests = {});
   std::uint32_t TwinOf(std::uint32_t index) const;
   std::uint32_t FindOrMakeMemory(std::uint32_t parent);
+  void MoveIfJoinsAre(std::uint32_t count, std::uint32_t memory);
   std::uint32_t FindOrMake(std::uint32_t parent, NodeKind kind, const Condition& condition);
   std::uint32_t Make(const NodePlan& plan, std::uint32_t hash);
   std::uint32_t NearestAncestor(std::uint32_t node, std::uint32_t alpha) const;
@@ -75,7 +78,7 @@ class ReteBuilder {
   ReteState& state_;
   /// A shared conjunction that is being built. Its own conditions are tested where they stand; what compares them with
   /// earlier bindings, once they have all been met.
-  struct Chain {
+  struct Path {
     std::uint32_t first = kNil;  ///< Depth of its first condition; kNil: none is being built.
     std::uint32_t last = 0;
     bool anchored = false;  ///< The identifier of the first condition has been seen.
@@ -87,7 +90,7 @@ class ReteBuilder {
   bool Defer(TestOp op, Field field, std::uint32_t depth, const Binding& binding);
 
   Tests tests_;
-  Chain chain_;
+  Path path_;
   std::vector<Symbol> inside_;     ///< Scratch: variables of a conjunction.
   std::vector<Binding> bindings_;  ///< By variable.
   std::vector<Rebinding> trail_;   ///< What was bound, in order, and what it was before.

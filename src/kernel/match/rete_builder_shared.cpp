@@ -34,7 +34,6 @@ bool ComparesWith(const Test& test, Is is) {
 /// Whether what the test says of an element is the same as long as the element is there.
 bool IsLasting(const Test& test) {
   switch (test.kind) {
-    case TestKind::kState:
     case TestKind::kSameLti:
     case TestKind::kNotSameLti:
     case TestKind::kIsLti:
@@ -49,9 +48,9 @@ bool IsLasting(const Test& test) {
 
 }  // namespace
 
-/// A conjunction can be shared if it is a chain: two or more positive conditions, the first of an identifier bound
+/// A conjunction can be shared if it is a path: two or more positive conditions, the first of an identifier bound
 /// outside, each other of an identifier bound inside. It is worth it if several tokens may have that identifier and
-/// something compares what they have with the chain. What comes behind such a comparison must be of the same object:
+/// something compares what they have with the path. What comes behind such a comparison must be of the same object:
 /// otherwise it might be much that the comparison would have kept away.
 ///
 /// Not while several tokens wait for it already: the order in which they would have met its elements is not known. And
@@ -59,7 +58,7 @@ bool IsLasting(const Test& test) {
 /// in which order their matches appear.
 bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::span<const Condition> conditions = condition.conditions();
-  if (!state_.share_conjunctions || chain_.IsBuilt() || conditions.size() < 2) {
+  if (!state_.share_conjunctions || path_.IsBuilt() || conditions.size() < 2) {
     return false;
   }
   std::vector<Symbol>& inside = inside_;
@@ -113,17 +112,17 @@ std::uint32_t ReteBuilder::BuildShared(const Condition& condition, std::uint32_t
   const std::span<const Condition> conditions = condition.conditions();
   const auto length = static_cast<std::uint32_t>(conditions.size());
   const std::size_t trail = trail_.size();
-  chain_.first = depth;
-  chain_.last = depth + length - 1;
-  chain_.anchored = false;
-  chain_.anchor = NodeShape();
-  chain_.tests.clear();
+  path_.first = depth;
+  path_.last = depth + length - 1;
+  path_.anchored = false;
+  path_.anchor = NodeShape();
+  path_.tests.clear();
   std::uint32_t bottom = emitter;
   for (std::uint32_t n = 0; n < length; ++n) {
     TakeApart(conditions[n], depth + n);
     std::uint32_t memory;
     if (n == 0) {
-      memory = FindOrMakeShaped(emitter, NodeKind::kAnchors, chain_.anchor);
+      memory = FindOrMakeShaped(emitter, NodeKind::kAnchors, path_.anchor);
       tests_.key = NodeShape();
       tests_.key.key = KeyKind::kId;
     } else {
@@ -132,27 +131,27 @@ std::uint32_t ReteBuilder::BuildShared(const Condition& condition, std::uint32_t
     bottom = FindOrMake(memory, NodeKind::kJoin, conditions[n]);
   }
   Unbind(trail);
-  chain_.first = kNil;
+  path_.first = kNil;
 
   NodePlan owner;
   owner.parent = emitter;
-  owner.shape = chain_.anchor;
+  owner.shape = path_.anchor;
   owner.shape.kind = NodeKind::kConjunctive;
-  NodeShape chains;
-  chains.key = KeyKind::kId;
-  chains.key_id_field = Field::kId;
-  chains.key_id_levels = static_cast<std::uint16_t>(length - 1);
-  // Owners and chains meet by the identifier, and by the first other binding that must be equal.
-  const auto equal = std::ranges::find_if(chain_.tests, [](const NodeTest& test) { return test.op == TestOp::kEqual; });
-  if (equal != chain_.tests.end()) {
-    chains.key = owner.shape.key = KeyKind::kIdValue;
+  NodeShape paths;
+  paths.key = KeyKind::kId;
+  paths.key_id_field = Field::kId;
+  paths.key_id_levels = static_cast<std::uint16_t>(length - 1);
+  // Owners and paths meet by the identifier, and by the first other binding that must be equal.
+  const auto equal = std::ranges::find_if(path_.tests, [](const NodeTest& test) { return test.op == TestOp::kEqual; });
+  if (equal != path_.tests.end()) {
+    paths.key = owner.shape.key = KeyKind::kIdValue;
     owner.shape.key_value_levels = static_cast<std::uint16_t>(equal->levels - 1u);
     owner.shape.key_value_field = equal->referent_field;
-    chains.key_value_levels = equal->count;
-    chains.key_value_field = equal->field;
+    paths.key_value_levels = equal->count;
+    paths.key_value_field = equal->field;
   }
-  bottom = FindOrMakeShaped(bottom, NodeKind::kChains, chains, chain_.tests);
-  owner.tests = chain_.tests;
+  bottom = FindOrMakeShaped(bottom, NodeKind::kPaths, paths, path_.tests);
+  owner.tests = path_.tests;
   owner.digest = bottom;
   return MakeConjunctive(owner, bottom, length);
 }

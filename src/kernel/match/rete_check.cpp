@@ -130,7 +130,7 @@ class Checker {
     s_.ForEachToken(index, [&](std::uint32_t token) {
       ++count;
       Expect((s_.tokens[token].node & Token::kNodeMask) == index, "token of another node", token);
-      if (node.kind == NodeKind::kMemory || node.kind == NodeKind::kNegative || node.kind == NodeKind::kChains) {
+      if (node.kind == NodeKind::kMemory || node.kind == NodeKind::kNegative || node.kind == NodeKind::kPaths) {
         Expect(s_.tokens[token].key == s_.KeyOfToken(node, token), "wrong key", token);
       }
     });
@@ -139,8 +139,8 @@ class Checker {
       CheckSparse(index);
     } else {
       Expect(count == state.count, "wrong count of a memory", index);
-      Expect(node.kind != NodeKind::kMemory || state.judgement == kNil || s_.CanBeSparse(index),
-             "judgement on a memory that cannot be sparse", index);
+      Expect(node.kind != NodeKind::kMemory || state.score == kNil || s_.CanBeSparse(index),
+             "score on a memory that cannot be sparse", index);
     }
     count = state.count;
     Expect(s_.Emissions(node.parent).size() == count, "memory differs from what reaches it", index);
@@ -154,7 +154,7 @@ class Checker {
           return;
         }
         Expect(s_.tokens[token].first_child != kNil, "blocked by nothing", token);
-        for (std::uint32_t r = s_.tokens[token].first_child; r != kNil; r = s_.tokens[r].next_in_chain) {
+        for (std::uint32_t r = s_.tokens[token].first_child; r != kNil; r = s_.tokens[r].next_in_bucket) {
           Expect(s_.tokens[r].node == node.partner() && s_.tokens[r].key == token, "wrong result", r);
           ++results_;
         }
@@ -167,19 +167,19 @@ class Checker {
   /// How many results the tokens of a conjunctive node have together.
   std::size_t ResultsWanted(std::uint32_t index) {
     const std::uint32_t bottom = network_.node(network_.node(index).partner()).parent;
-    if (network_.node(bottom).kind != NodeKind::kChains) {
+    if (network_.node(bottom).kind != NodeKind::kPaths) {
       return s_.Emissions(bottom).size();
     }
     std::size_t wanted = 0;
     s_.ForEachToken(index, [&](std::uint32_t owner) {
       std::uint32_t found = 0;
-      s_.ForEachToken(bottom, [&](std::uint32_t chain) {
-        if (s_.AnchorOf(chain) == s_.tokens[owner].pairs && s_.Pairs(owner, chain)) {
+      s_.ForEachToken(bottom, [&](std::uint32_t path) {
+        if (s_.AnchorOf(path) == s_.tokens[owner].pairs && s_.Pairs(owner, path)) {
           ++found;
         }
       });
       for (std::uint32_t r = s_.tokens[owner].first_child;
-           r != kNil && (s_.tokens[owner].node & Token::kBlockedBit) != 0; r = s_.tokens[r].next_in_chain) {
+           r != kNil && (s_.tokens[owner].node & Token::kBlockedBit) != 0; r = s_.tokens[r].next_in_bucket) {
         --found;
       }
       Expect(found == 0, "wrong results of a token", owner);

@@ -25,7 +25,7 @@ inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t parent
   return levels == 0 ? wme : ElementAt(tokens, parent, levels - 1);
 }
 
-/// Takes a record for a new token. Everything but its chain and its key is set.
+/// Takes a record for a new token. Everything but its bucket and its key is set.
 [[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
                                                       std::uint32_t wme, std::uint64_t serial) {
   std::uint32_t index = state.free_tokens;
@@ -98,7 +98,7 @@ struct KeyParts {
   return parts;
 }
 
-/// Puts a token at the head of its chain and lets the table grow with the number of tokens, which is in `counter`.
+/// Puts a token at the head of its bucket and lets the table grow with the number of tokens, which is in `counter`.
 [[gnu::always_inline]] inline void InsertWithKey(ReteState& state, NodeState& memory, std::uint32_t node,
                                                  std::uint32_t index, std::uint32_t key, bool keyed,
                                                  std::uint32_t& counter) {
@@ -116,13 +116,13 @@ struct KeyParts {
   const std::uint32_t next = *head;
   *head = index;
   all[index].key = key;
-  all[index].previous_in_chain = kNil;
-  all[index].next_in_chain = next;
+  all[index].previous_in_bucket = kNil;
+  all[index].next_in_bucket = next;
   if (next != kNil) {
-    all[next].previous_in_chain = index;
+    all[next].previous_in_bucket = index;
   }
   if (grow) [[unlikely]] {
-    state.GrowChains(node);
+    state.GrowBuckets(node);
   }
 }
 
@@ -140,10 +140,10 @@ struct KeyParts {
   memory.head = index;
   ++memory.count;
   all[index].key = key;
-  all[index].previous_in_chain = kNil;
-  all[index].next_in_chain = next;
+  all[index].previous_in_bucket = kNil;
+  all[index].next_in_bucket = next;
   if (next != kNil) {
-    all[next].previous_in_chain = index;
+    all[next].previous_in_bucket = index;
   }
 }
 
@@ -324,14 +324,14 @@ inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token
   return HasKey(state, node, state.tokens[token].parent, state.tokens[token].wme, wme);
 }
 
-/// The first token of the chain in which tokens with this key stand (among others).
-[[gnu::always_inline]] inline std::uint32_t ChainHead(const ReteState& state, std::uint32_t node, std::uint32_t bits,
-                                                      std::uint32_t key) {
+/// The first token of the bucket in which tokens with this key stand (among others).
+[[gnu::always_inline]] inline std::uint32_t BucketHead(const ReteState& state, std::uint32_t node, std::uint32_t bits,
+                                                       std::uint32_t key) {
   const std::uint32_t head = state.nodes[node].head;
   return bits == 0 ? head : state.tables[head + ReteState::Hash(key, bits)];
 }
-inline std::uint32_t ChainHead(const ReteState& state, std::uint32_t node, std::uint32_t key) {
-  return ChainHead(state, node, state.marks[node].bits(), key);
+inline std::uint32_t BucketHead(const ReteState& state, std::uint32_t node, std::uint32_t key) {
+  return BucketHead(state, node, state.marks[node].bits(), key);
 }
 
 inline std::uint32_t ConjunctiveKey(std::uint32_t parent, std::uint32_t wme) {

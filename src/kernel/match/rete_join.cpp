@@ -469,7 +469,7 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
   const bool with_value = node.key == KeyKind::kIdValue;
   const bool id_moves = node.key != KeyKind::kNone && node.key_id_levels == 0;
   const bool value_moves = node.key_value_levels == 0;
-  const bool judged = memory.judgement != kNil;
+  const bool scored = memory.score != kNil;
   KeyParts key;
   if (more) {
     key = KeyOfPair(*this, node, parent, wme);
@@ -490,8 +490,8 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
     if (found != kNil) {
       JoinFrom(join, joined, token, key, found);
     }
-    if (judged) {
-      Judge(memory.judgement, index, token);
+    if (scored) {
+      AddToScore(memory.score, index, token);
     }
   }
 }
@@ -549,12 +549,12 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   InsertWithKey(*this, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
   JoinAll(state, token, key);
-  if (state.judgement != kNil) {
-    Judge(state.judgement, index, token);
+  if (state.score != kNil) {
+    AddToScore(state.score, index, token);
   }
 }
 
-/// Makes a token for an identifier that a shared conjunction begins with, and all its chains.
+/// Makes a token for an identifier that a shared conjunction begins with, and all its paths.
 std::uint32_t ReteState::MakeAnchor(std::uint32_t anchors, std::uint32_t id) {
   const std::uint32_t token = MakeToken(*this, anchors, kNil, kNil);
   InsertWithKey(*this, anchors, token, id, true);
@@ -570,7 +570,7 @@ template <typename Visit>
                                                std::uint32_t key, const Wme& element, Visit&& visit) {
   while (token != kNil) {
     const Token& left = state.tokens[token];
-    const std::uint32_t next = left.next_in_chain;
+    const std::uint32_t next = left.next_in_bucket;
     if (left.key == key && HasKey(state, node, left.parent, left.wme, element) &&
         PassesAll(state, *state.network, node, left.parent, left.wme, element)) {
       visit(token);
@@ -604,7 +604,7 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   const std::uint32_t key = KeyOfElement(node, element);
   const SparseState& memory = SparseOf(node.parent);
   gathered.clear();
-  ForEachLeft(*this, node, ChainHead(*this, node.parent, key), key, element,
+  ForEachLeft(*this, node, BucketHead(*this, node.parent, key), key, element,
               [this](std::uint32_t token) { gathered.push_back(token); });
   if (memory.logged != 0 || memory.indexed != 0) {
     GatherParked(join, wme, key);
@@ -613,7 +613,7 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
     SortByAge(gathered);
   }
   EmitGathered(join, wme);
-  if (!new_chains.empty()) [[unlikely]] {
+  if (!new_paths.empty()) [[unlikely]] {
     BlockOwners(node.parent);
   }
 }
@@ -628,16 +628,16 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   }
   const std::uint32_t key = KeyOfElement(node, element);
   const Records<const Token> all = std::as_const(tokens).records();
-  std::uint32_t token = ChainHead(*this, node.parent, memory.bits(), key);
+  std::uint32_t token = BucketHead(*this, node.parent, memory.bits(), key);
   while (token != kNil && all[token].key != key) {
-    token = all[token].next_in_chain;
+    token = all[token].next_in_bucket;
   }
   if (token != kNil) {
     RightMatch(index, wme, token, key);
   }
 }
 
-/// The element joins with those tokens of a chain, from `token` on, that have its key and pass the tests.
+/// The element joins with those tokens of a bucket, from `token` on, that have its key and pass the tests.
 void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t token, std::uint32_t key) {
   const Node& node = network->node(index);
   const Wme& element = wmes[wme];
@@ -658,11 +658,11 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
       }
     });
   }
-  std::uint32_t& judgement = nodes[node.parent].judgement;
-  if (judgement != kNil) {
-    SpeakAgainst(judgement, 2 + 2 * late);
+  std::uint32_t& score = nodes[node.parent].score;
+  if (score != kNil) {
+    LowerScore(score, 2 + 2 * late);
   }
-  if (!new_chains.empty()) [[unlikely]] {
+  if (!new_paths.empty()) [[unlikely]] {
     BlockOwners(node.parent);
   }
 }
@@ -671,7 +671,7 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
 void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32_t wme) {
   const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
-  ForEachLeft(*this, node, ChainHead(*this, index, key), key, element,
+  ForEachLeft(*this, node, BucketHead(*this, index, key), key, element,
               [this, wme](std::uint32_t left) { Block(left, wme); });
 }
 
@@ -757,7 +757,7 @@ void ReteState::AddWme(std::uint32_t wme) {
     }
   }
   if (!becoming_sparse.empty() || !becoming_plain.empty()) {
-    MakeJudgedSparse();
+    MakeScoredSparse();
   }
 }
 

@@ -94,7 +94,7 @@ void ReteState::AddItem(std::uint32_t alpha, std::uint32_t wme) {
   InsertItem(*this, alpha, wme);
 }
 
-// Both walk from the oldest item, so that each chain is newest first again.
+// Both walk from the oldest item, so that each bucket is newest first again.
 void ReteState::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
   AlphaState& memory = alphas[alpha];
   while (memory.count > 1u << bits) {
@@ -151,8 +151,8 @@ std::uint32_t ReteState::KeyOfToken(const Node& memory, std::uint32_t token) con
   return KeyOfPair(*this, memory, tokens[token].parent, tokens[token].wme).key;
 }
 
-// Each chain is split in place, oldest token first, so that tokens with equal keys stay newest first.
-void ReteState::GrowChains(std::uint32_t node) {
+// Each bucket is split in place, oldest token first, so that tokens with equal keys stay newest first.
+void ReteState::GrowBuckets(std::uint32_t node) {
   NodeState& state = nodes[node];
   const std::uint32_t old_bits = marks[node].bits();
   const std::uint32_t old_head = state.head;
@@ -160,17 +160,17 @@ void ReteState::GrowChains(std::uint32_t node) {
   const std::uint32_t table = tables.Allocate(bits);
   for (std::uint32_t n = 0; n < 1u << old_bits; ++n) {
     std::uint32_t index = old_bits == 0 ? old_head : tables[old_head + n];
-    while (index != kNil && tokens[index].next_in_chain != kNil) {
-      index = tokens[index].next_in_chain;
+    while (index != kNil && tokens[index].next_in_bucket != kNil) {
+      index = tokens[index].next_in_bucket;
     }
     while (index != kNil) {
       Token& token = tokens[index];
-      const std::uint32_t previous = token.previous_in_chain;
+      const std::uint32_t previous = token.previous_in_bucket;
       std::uint32_t& head = tables[table + Hash(token.key, bits)];
-      token.previous_in_chain = kNil;
-      token.next_in_chain = head;
+      token.previous_in_bucket = kNil;
+      token.next_in_bucket = head;
       if (head != kNil) {
-        tokens[head].previous_in_chain = index;
+        tokens[head].previous_in_bucket = index;
       }
       head = index;
       index = previous;
@@ -225,8 +225,8 @@ void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme)
     case NodeKind::kPartner:
       LeftPartner(node, token, wme);
       break;
-    case NodeKind::kChains:
-      LeftChain(node, token, wme);
+    case NodeKind::kPaths:
+      LeftPath(node, token, wme);
       break;
     case NodeKind::kAnchors:  // Its tokens come from the conjunctive node.
     case NodeKind::kFree:
@@ -258,7 +258,7 @@ void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std
 
 void ReteState::LeftConjunctive(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
   const std::uint32_t key = ConjunctiveKey(parent, wme);
-  for (std::uint32_t token = ChainHead(*this, node_index, key); token != kNil; token = tokens[token].next_in_chain) {
+  for (std::uint32_t token = BucketHead(*this, node_index, key); token != kNil; token = tokens[token].next_in_bucket) {
     if (tokens[token].parent == parent && tokens[token].wme == wme) {
       return;  // Its conjunction matched first and blocks it.
     }
@@ -277,9 +277,9 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   const std::uint32_t owner_parent = tokens[top].parent;
   const std::uint32_t owner_wme = tokens[top].wme;
   const std::uint32_t key = ConjunctiveKey(owner_parent, owner_wme);
-  std::uint32_t owner = ChainHead(*this, node.partner(), key);
+  std::uint32_t owner = BucketHead(*this, node.partner(), key);
   while (owner != kNil && (tokens[owner].parent != owner_parent || tokens[owner].wme != owner_wme)) {
-    owner = tokens[owner].next_in_chain;
+    owner = tokens[owner].next_in_bucket;
   }
   if (owner == kNil) {
     owner = NewToken(node.partner() | Token::kBlockedBit, owner_parent, owner_wme);
@@ -300,12 +300,86 @@ void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint3
   const std::uint32_t result = NewToken(partner, parent, wme);
   const std::uint32_t head = tokens[owner].first_child;
   tokens[result].key = owner;
-  tokens[result].previous_in_chain = kNil;
-  tokens[result].next_in_chain = head;
+  tokens[result].previous_in_bucket = kNil;
+  tokens[result].next_in_bucket = head;
   if (head != kNil) {
-    tokens[head].previous_in_chain = result;
+    tokens[head].previous_in_bucket = result;
   }
   tokens[owner].first_child = result;
+}
+
+inline void ReteState::LowestGoal(const RuleInfo& rule, std::span<const WmeId> matched, Symbol& goal,
+                                  GoalLevel& level) const {
+  const Wme* const table = wmes.data();
+  for (const std::uint16_t condition : rule.id_conditions) {
+    const Symbol id = table[Index(matched[condition])].id;
+    const GoalLevel found = GoalLevelOf(id);
+    if (found > level) {
+      level = found;
+      goal = id;
+    }
+  }
+}
+
+/// Whether a new match is o-supported. As in Soar 9.6.3 all matches that the rule has have a say, the newest first: the
+/// new one's actions are held against the operator that each of them tests. What elaborates the operator of one match
+/// and changes something else in that or a newer one is called mixed, and i-supported until a still older match
+/// objects.
+bool ReteState::SupportByMatches(std::uint32_t node, const RuleInfo& rule, const MatchSet::Arrival& arrival) {
+  if (arrival.production >= shared_operators.size()) {
+    shared_operators.resize(arrival.production + 1u);
+  }
+  if (rule.Proposes(arrival.elements, wmes, goals.level_of_goal)) {
+    shared_operators[arrival.production] = SharedOperator();
+    return false;
+  }
+  const auto tell = [&] {
+    if (on_mixed_support) {
+      on_mixed_support(static_cast<ProductionId>(arrival.production));
+    }
+  };
+  const RuleInfo::OperatorUse own = rule.UseOfOperator(arrival.elements, arrival.goal, arrival.elements, wmes);
+  SharedOperator& shared = shared_operators[arrival.production];
+  const std::uint32_t goals_removed = matches.goals_removed();
+  const NodeState& state = nodes[node];
+  const bool has_a_say = own.elaborates || own.applies;
+  if (state.count == 0) {
+    shared = {own.selected, goals_removed, !has_a_say};
+  }
+  // Rules with many matches stay linear: what none of them objects to is not asked of each.
+  if (!has_a_say && shared.none_has_a_say && shared.goals_removed == goals_removed) {
+    return false;
+  }
+  if (own.selected && shared.selected == own.selected && shared.goals_removed == goals_removed) {
+    if (!own.elaborates || !own.applies) {
+      return own.applies;
+    }
+    for (std::uint32_t other = 0; other <= state.count; ++other) tell();
+    return false;
+  }
+  bool applies = false;
+  const auto consider = [&](const RuleInfo::OperatorUse& use) {
+    applies |= use.applies;
+    if (applies && use.elaborates) {
+      applies = false;
+      tell();
+    }
+  };
+  consider(own);
+  bool alike = true;
+  bool none_has_a_say = !has_a_say;
+  for (std::uint32_t token = state.head; token != kNil; token = tokens[token].next_in_bucket) {
+    const std::span<const WmeId> tested = matches.Wmes(static_cast<MatchId>(tokens[token].key));
+    Symbol goal;
+    GoalLevel level = 0;
+    LowestGoal(rule, tested, goal, level);
+    const RuleInfo::OperatorUse use = rule.UseOfOperator(tested, goal, arrival.elements, wmes);
+    consider(use);
+    alike &= use.selected == own.selected;
+    none_has_a_say &= !use.elaborates && !use.applies;
+  }
+  shared = {alike ? own.selected : Symbol(), goals_removed, none_has_a_say};
+  return applies;
 }
 
 void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
@@ -332,28 +406,14 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
   if (matches.MayReturn(production) && node_index != refracting_node) {
     match = matches.Revive(arrival, wmes);
   }
-  if (match == MatchId::kNone) {
-    const Wme* const table = wmes.data();
-    for (const std::uint16_t condition : rule.id_conditions) {
-      const Symbol id = table[Index(first[condition])].id;
-      const GoalLevel level = GoalLevelOf(id);
-      if (level > arrival.level) {
-        arrival.level = level;
-        arrival.goal = id;
-      }
+  if (match != MatchId::kNone) {
+    if (production < shared_operators.size()) {
+      shared_operators[production] = SharedOperator();
     }
-    if (rule.support == RuleInfo::Support::kByMatch) {
-      const RuleInfo::MatchSupport support = rule.SupportOf(arrival.elements, wmes, goals.level_of_goal, arrival.goal);
-      if (support != RuleInfo::MatchSupport::kAsBefore) {
-        last_o_support[production] = support == RuleInfo::MatchSupport::kO;
-      }
-      arrival.o_support = last_o_support[production] != 0;
-      if (support == RuleInfo::MatchSupport::kMixed && on_mixed_support) {
-        on_mixed_support(static_cast<ProductionId>(production));
-      }
-    } else {
-      arrival.o_support = rule.support == RuleInfo::Support::kO;
-    }
+  } else {
+    LowestGoal(rule, arrival.elements, arrival.goal, arrival.level);
+    arrival.o_support = rule.support == RuleInfo::Support::kByMatch ? SupportByMatches(node_index, rule, arrival)
+                                                                    : rule.support == RuleInfo::Support::kO;
     if (node_index == refracting_node && refracted_match == MatchId::kNone &&
         std::ranges::equal(refracted, arrival.elements)) {
       match = refracted_match = matches.AddFired(arrival, refracting_instantiation);
@@ -364,21 +424,22 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
   InsertInList(*this, nodes[node_index], token, Index(match));
 }
 
-MatchId ReteState::Watch(std::span<const WmeId> watched, Symbol goal, GoalLevel level, InstantiationId instantiation) {
+MatchId ReteState::AddFixedMatch(std::span<const WmeId> elements, Symbol goal, GoalLevel level,
+                                 InstantiationId instantiation) {
   MatchSet::Arrival arrival;
   arrival.production = kNil;
-  arrival.elements = watched;
+  arrival.elements = elements;
   arrival.goal = goal;
   arrival.level = level;
   std::uint32_t first = kNil;
-  for (const WmeId wme : watched) {
-    const std::uint32_t token = NewToken(Token::kWatchNode, kNil, Index(wme));
-    tokens[token].next_in_chain = first;
+  for (const WmeId wme : elements) {
+    const std::uint32_t token = NewToken(Token::kFixedMatchNode, kNil, Index(wme));
+    tokens[token].next_in_bucket = first;
     first = token;
   }
   arrival.token = first;
   const MatchId match = matches.AddFired(arrival, instantiation);
-  for (std::uint32_t token = first; token != kNil; token = tokens[token].next_in_chain) {
+  for (std::uint32_t token = first; token != kNil; token = tokens[token].next_in_bucket) {
     tokens[token].key = Index(match);
   }
   return match;

@@ -38,13 +38,13 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
         const std::uint32_t wme = items[item].wme;
         const std::uint32_t key = KeyOfElement(node, wmes[wme]);
         const std::size_t first = emissions.size();
-        for (std::uint32_t token = ChainHead(*this, node.parent, key); token != kNil;
-             token = tokens[token].next_in_chain) {
+        for (std::uint32_t token = BucketHead(*this, node.parent, key); token != kNil;
+             token = tokens[token].next_in_bucket) {
           if (tokens[token].key == key && HasKey(*this, node, token, wmes[wme]) && Passes(node, token, wmes[wme])) {
             emissions.emplace_back(token, wme);
           }
         }
-        if (marks[node.parent].Is(NodeMarks::kSparse)) {  // Its chains may be out of order.
+        if (marks[node.parent].Is(NodeMarks::kSparse)) {  // Its buckets may be out of order.
           std::sort(
               emissions.begin() + static_cast<std::ptrdiff_t>(first), emissions.end(),
               [this](const Emission& a, const Emission& b) { return tokens[a.first].serial > tokens[b.first].serial; });
@@ -71,7 +71,7 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
     case NodeKind::kMemory:
     case NodeKind::kPartner:
     case NodeKind::kAnchors:
-    case NodeKind::kChains:
+    case NodeKind::kPaths:
     case NodeKind::kProduction:
       break;
   }
@@ -142,7 +142,7 @@ Place PlaceOf(const Network& network, const RuleInfo& rule, std::span<const std:
     }
     emitter = network.node(network.node(place.node).partner()).parent;
     conjunctive = kNil;
-    if (network.node(emitter).kind == NodeKind::kChains) {
+    if (network.node(emitter).kind == NodeKind::kPaths) {
       emitter = network.node(emitter).parent;
       conjunctive = place.node;
     }
@@ -242,7 +242,7 @@ std::size_t Rete::CountTokens(ProductionId production, bool complete) const {
   for (std::uint32_t node = network.node(rule->node).parent; node != kNil;) {
     const Node& n = network.node(node);
     if (n.kind == NodeKind::kMemory || n.kind == NodeKind::kNegative || n.kind == NodeKind::kConjunctive ||
-        n.kind == NodeKind::kAnchors || n.kind == NodeKind::kChains) {
+        n.kind == NodeKind::kAnchors || n.kind == NodeKind::kPaths) {
       count += state_->nodes[node].count;
     }
     // The conjunction hangs below what comes before it, so that its nodes lead on upwards.

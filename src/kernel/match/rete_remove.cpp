@@ -10,10 +10,10 @@ namespace soarbox::kernel {
   const Records<AlphaItem> all = items.records();
   AlphaItem& item = all[index];
   AlphaState& memory = alphas[item.alpha];
-  if ((memory.sparse & AlphaState::kInChains) != 0) {
-    chain_element = true;
+  if ((memory.sparse & AlphaState::kInPaths) != 0) {
+    path_element = true;
   }
-  if ((memory.sparse & ~AlphaState::kInChains) != 0) {
+  if ((memory.sparse & ~AlphaState::kInPaths) != 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
       if (marks[node].Is(NodeMarks::kFeedsSparse)) {
         ForgetPairs(node, item.wme);
@@ -54,8 +54,8 @@ namespace soarbox::kernel {
 
 void ReteState::RemoveTokenOfElement(std::uint32_t token) {
   const std::uint32_t node = tokens[token].node;
-  if (node == Token::kWatchNode) {
-    RemoveWatch(token);
+  if (node == Token::kFixedMatchNode) {
+    RetractFixedMatch(token);
   } else if ((node & Token::kResultBit) != 0) {
     RemoveResult(token);
   } else {
@@ -77,7 +77,7 @@ void ReteState::RemoveWme(std::uint32_t wme) {
   if (link.unsorted) {
     SortTokensOf(wme);
   }
-  if (chain_element) [[unlikely]] {
+  if (path_element) [[unlikely]] {
     RemoveTokensInOrder(wme);
   }
   // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
@@ -117,16 +117,16 @@ inline void UnlinkFromParent(ReteState& state, const Token& token) {
   }
 }
 
-/// Takes a token off its chain. Counting is the caller's part.
-[[gnu::always_inline]] inline void UnlinkFromChain(ReteState& state, Records<Token> all, std::uint32_t node,
-                                                   const Token& token) {
-  const std::uint32_t next = token.next_in_chain;
-  const std::uint32_t previous = token.previous_in_chain;
+/// Takes a token off its bucket. Counting is the caller's part.
+[[gnu::always_inline]] inline void UnlinkFromBucket(ReteState& state, Records<Token> all, std::uint32_t node,
+                                                    const Token& token) {
+  const std::uint32_t next = token.next_in_bucket;
+  const std::uint32_t previous = token.previous_in_bucket;
   if (next != kNil) {
-    all[next].previous_in_chain = previous;
+    all[next].previous_in_bucket = previous;
   }
   if (previous != kNil) {
-    all[previous].next_in_chain = next;
+    all[previous].next_in_bucket = next;
   } else {
     std::uint32_t& head = state.nodes[node].head;
     const std::uint32_t bits = state.marks[node].bits();
@@ -154,7 +154,7 @@ void ReteState::FreeToken(std::uint32_t index) {
 /// Frees all results of a blocked conjunctive token.
 void ReteState::FreeResults(std::uint32_t owner) {
   for (std::uint32_t result = tokens[owner].first_child; result != kNil;) {
-    const std::uint32_t next = tokens[result].next_in_chain;
+    const std::uint32_t next = tokens[result].next_in_bucket;
     UnlinkToken(result);
     FreeToken(result);
     result = next;
@@ -162,8 +162,8 @@ void ReteState::FreeResults(std::uint32_t owner) {
   tokens[owner].first_child = kNil;
 }
 
-void ReteState::RemoveFromChain(std::uint32_t node, std::uint32_t index) {
-  UnlinkFromChain(*this, tokens.records(), node, tokens[index]);
+void ReteState::RemoveFromBucket(std::uint32_t node, std::uint32_t index) {
+  UnlinkFromBucket(*this, tokens.records(), node, tokens[index]);
   --nodes[node].count;
 }
 
@@ -206,7 +206,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
     if ((leaf.node & Token::kResultBit) == 0) {
       const std::uint32_t node = leaf.node & Token::kNodeMask;
       if (!marks[node].Is(NodeMarks::kUncommonEnd)) {
-        UnlinkFromChain(*this, all, node, leaf);
+        UnlinkFromBucket(*this, all, node, leaf);
         if (--nodes[node].count == 0) {
           MemoryEmptied(node);
         }
@@ -219,7 +219,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         token = parent;
         continue;
       } else {
-        UnlinkFromChain(*this, all, node, leaf);
+        UnlinkFromBucket(*this, all, node, leaf);
         if (marks[node].Is(NodeMarks::kAboveSparse)) {
           if (leaf.pairs != 0) {
             ForgetPairsOf(SparseBelow(node), leaf.pairs);
@@ -266,7 +266,7 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       if ((node_bits & Token::kBlockedBit) != 0) {
         FreeResults(index);
       }
-      RemoveFromChain(node, index);
+      RemoveFromBucket(node, index);
       FreeToken(index);
       if (network->node(node).IsShared()) {
         const std::uint32_t anchor = std::exchange(tokens[index].pairs, 0);
@@ -277,12 +277,12 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       break;
     case NodeKind::kPartner: {
       const std::uint32_t owner = tokens[index].key;
-      const std::uint32_t next = tokens[index].next_in_chain;
-      const std::uint32_t previous = tokens[index].previous_in_chain;
+      const std::uint32_t next = tokens[index].next_in_bucket;
+      const std::uint32_t previous = tokens[index].previous_in_bucket;
       if (next != kNil) {
-        tokens[next].previous_in_chain = previous;
+        tokens[next].previous_in_bucket = previous;
       }
-      (previous != kNil ? tokens[previous].next_in_chain : tokens[owner].first_child) = next;
+      (previous != kNil ? tokens[previous].next_in_bucket : tokens[owner].first_child) = next;
       FreeToken(index);
       if (tokens[owner].first_child == kNil) {
         tokens[owner].node &= ~Token::kBlockedBit;
@@ -291,7 +291,7 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       break;
     }
     case NodeKind::kProduction: {
-      RemoveFromChain(node, index);
+      RemoveFromBucket(node, index);
       const MatchId match = static_cast<MatchId>(tokens[index].key);
       FreeToken(index);
       bool can_return = true;
@@ -306,7 +306,7 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
     case NodeKind::kMemory:
     case NodeKind::kNegative:
     case NodeKind::kAnchors:
-    case NodeKind::kChains:
+    case NodeKind::kPaths:
     case NodeKind::kFree:
     case NodeKind::kRoot:
     case NodeKind::kJoin:
@@ -314,20 +314,20 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
   }
 }
 
-// A watched match --------------------------------------------------------------------------------------------------
+// Fixed matches -------------------------------------------------------------------------------------------------------
 
-void ReteState::EndWatch(std::uint32_t first) {
+void ReteState::FreeFixedMatch(std::uint32_t first) {
   for (std::uint32_t token = first; token != kNil;) {
-    const std::uint32_t next = tokens[token].next_in_chain;
+    const std::uint32_t next = tokens[token].next_in_bucket;
     UnlinkToken(token);
     FreeToken(token);
     token = next;
   }
 }
 
-void ReteState::RemoveWatch(std::uint32_t token) {
+void ReteState::RetractFixedMatch(std::uint32_t token) {
   const MatchId match = static_cast<MatchId>(tokens[token].key);
-  EndWatch(matches.TokenOf(match));
+  FreeFixedMatch(matches.TokenOf(match));
   matches.TokenGone(match, false, last_timetag);
 }
 
@@ -360,7 +360,7 @@ void ReteState::Clear() {
       continue;
     }
     const std::uint32_t node = network->rule(production)->node;
-    for (std::uint32_t token = nodes[node].head; token != kNil; token = tokens[token].next_in_chain) {
+    for (std::uint32_t token = nodes[node].head; token != kNil; token = tokens[token].next_in_bucket) {
       MatchSet::Arrival arrival;
       arrival.production = production;
       arrival.token = token;

@@ -4,35 +4,35 @@
 
 #include "kernel/match/rete_inline.h"
 
-/// Shared conjunctions: most conjunctive negations look from one object along a chain of elements for something that
+/// Shared conjunctions: most conjunctive negations look from one object along a path of elements for something that
 /// beats or excludes what has been matched (no other task of the class ranks higher, no slot of the zone is free).
 /// Matched below each token they make as many partial matches as there are tokens times elements. Where the conditions
-/// form a chain that begins at one identifier, they are matched once per identifier instead: its *anchor*. The tokens
-/// that wait for the conjunction, its *owners*, meet complete chains by the anchor and what else must be equal; the
+/// form a path that begins at one identifier, they are matched once per identifier instead: its *anchor*. The tokens
+/// that wait for the conjunction, its *owners*, meet complete paths by the anchor and what else must be equal; the
 /// other comparisons of the two are made there, and only what blocks an owner becomes a record.
 ///
 /// An anchor lives while it has owners, and comparisons with owners come last (rete_builder_shared.cpp). So there are
-/// about as many chains per identifier as there would otherwise be partial matches per token.
+/// about as many paths per identifier as there would otherwise be partial matches per token.
 ///
 /// Nothing that can be observed depends on it: owners are blocked and opened in the order in which the partial matches
-/// (owner, chain) would have been made and removed. That order follows from serial numbers: such a match is made when
-/// the later one of the two arrives; when that is the chain, and an element completed it, the owners are met in the
-/// reverse of the order in which they met what was there of the chain before.
+/// (owner, path) would have been made and removed. That order follows from serial numbers: such a match is made when
+/// the later one of the two arrives; when that is the path, and an element completed it, the owners are met in the
+/// reverse of the order in which they met what was there of the path before.
 namespace soarbox::kernel {
 
 // Meeting -------------------------------------------------------------------------------------------------------------
 
-/// Whether a chain that has an owner's key blocks it.
-bool ReteState::Pairs(std::uint32_t owner, std::uint32_t chain) const {
+/// Whether a path that has an owner's key blocks it.
+bool ReteState::Pairs(std::uint32_t owner, std::uint32_t path) const {
   const Network& net = *network;
   const Token& left = tokens[owner];
-  const Token& right = tokens[chain];
+  const Token& right = tokens[path];
   const Node& node = net.node(left.node & Token::kNodeMask);
-  const Node& chains = net.node(right.node & Token::kNodeMask);
+  const Node& paths = net.node(right.node & Token::kNodeMask);
   const Records<const Token> all = tokens.records();
   if (node.key == KeyKind::kIdValue &&
       FieldOf(wmes.data()[ElementAt(all, left.parent, left.wme, node.key_id_levels)], node.key_id_field) !=
-          FieldOf(wmes.data()[ElementAt(all, right.parent, right.wme, chains.key_id_levels)], Field::kId)) {
+          FieldOf(wmes.data()[ElementAt(all, right.parent, right.wme, paths.key_id_levels)], Field::kId)) {
     return false;
   }
   for (const NodeTest& test : net.tests(node)) {
@@ -44,12 +44,12 @@ bool ReteState::Pairs(std::uint32_t owner, std::uint32_t chain) const {
   return true;
 }
 
-/// Whether an element is part of a chain.
-bool ReteState::Holds(std::uint32_t chain, std::uint32_t wme) const {
-  while (tokens[chain].parent != kNil && tokens[chain].wme != wme) {
-    chain = tokens[chain].parent;
+/// Whether an element is part of a path.
+bool ReteState::Holds(std::uint32_t path, std::uint32_t wme) const {
+  while (tokens[path].parent != kNil && tokens[path].wme != wme) {
+    path = tokens[path].parent;
   }
-  return tokens[chain].parent != kNil;
+  return tokens[path].parent != kNil;
 }
 
 std::uint32_t ReteState::AnchorOf(std::uint32_t token) const {
@@ -62,15 +62,15 @@ std::uint32_t ReteState::AnchorOf(std::uint32_t token) const {
 void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t anchors = node.ancestor;
-  const std::uint32_t chains = network->node(node.partner()).parent;
+  const std::uint32_t paths = network->node(node.partner()).parent;
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  std::uint32_t anchor = ChainHead(*this, anchors, key.id);
+  std::uint32_t anchor = BucketHead(*this, anchors, key.id);
   while (anchor != kNil && tokens[anchor].key != key.id) {
-    anchor = tokens[anchor].next_in_chain;
+    anchor = tokens[anchor].next_in_bucket;
   }
   if (anchor == kNil) {
     anchor = MakeAnchor(anchors, key.id);
-    new_chains.clear();  // There is nobody else that they might block.
+    new_paths.clear();  // There is nobody else that they might block.
     tokens[anchor].previous_sibling = 0;
   }
   ++tokens[anchor].previous_sibling;
@@ -82,9 +82,9 @@ void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint3
   last_owner = owner;
   tokens[owner].pairs = anchor;
   InsertWithKey(*this, index, owner, key.key, true);
-  for (std::uint32_t chain = ChainHead(*this, chains, key.key); chain != kNil; chain = tokens[chain].next_in_chain) {
-    if (tokens[chain].key == key.key && Pairs(owner, chain) && (removing == kNil || !Holds(chain, removing))) {
-      BlockOwner(owner, chain, kNil);
+  for (std::uint32_t path = BucketHead(*this, paths, key.key); path != kNil; path = tokens[path].next_in_bucket) {
+    if (tokens[path].key == key.key && Pairs(owner, path) && (removing == kNil || !Holds(path, removing))) {
+      BlockOwner(owner, path, kNil);
     }
   }
   if ((tokens[owner].node & Token::kBlockedBit) == 0) {
@@ -99,23 +99,23 @@ void ReteState::OwnerGone(std::uint32_t anchor) {
   }
 }
 
-void ReteState::LeftChain(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
-  const std::uint32_t chain = NewToken(index, parent, wme);
-  InsertWithKey(*this, index, chain, KeyOfToken(network->node(index), chain), true);
-  new_chains.push_back(chain);
+void ReteState::LeftPath(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
+  const std::uint32_t path = NewToken(index, parent, wme);
+  InsertWithKey(*this, index, path, KeyOfToken(network->node(index), path), true);
+  new_paths.push_back(path);
 }
 
 // Order ---------------------------------------------------------------------------------------------------------------
 
-/// Whether a token of a chain was made when its element came, not when what is above it was made.
+/// Whether a token of a path was made when its element came, not when what is above it was made.
 bool ReteState::CameWithElement(const Token& token) const {
   const Token& above = tokens[token.parent];
   const std::uint64_t arrival = token.wme == removing ? arrival_of_removing : links[token.wme].serial;
   return above.parent == kNil || arrival > above.serial;  // Below the anchor it must have been: the owners were there.
 }
 
-OwnerAndChain ReteState::Meeting(std::uint32_t owner, std::uint32_t prefix) const {
-  OwnerAndChain meeting;
+OwnerAndPath ReteState::Meeting(std::uint32_t owner, std::uint32_t prefix) const {
+  OwnerAndPath meeting;
   meeting.owner = owner;
   meeting.prefix = prefix;
   meeting.node = tokens[owner].node & Token::kNodeMask;
@@ -124,14 +124,14 @@ OwnerAndChain ReteState::Meeting(std::uint32_t owner, std::uint32_t prefix) cons
 }
 
 /// Whether the partial match of a's owner and prefix would have been made after that of b's.
-bool ReteState::CameLater(const OwnerAndChain& a, const OwnerAndChain& b) const {
+bool ReteState::CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const {
   if (a.serial == b.serial && a.prefix == b.prefix) {
     return a.place > b.place;
   }
-  OwnerAndChain x = a;
-  OwnerAndChain y = b;
+  OwnerAndPath x = a;
+  OwnerAndPath y = b;
   for (;;) {
-    for (OwnerAndChain* meeting : {&x, &y}) {
+    for (OwnerAndPath* meeting : {&x, &y}) {
       while (tokens[meeting->prefix].parent != kNil && !CameWithElement(tokens[meeting->prefix])) {
         meeting->prefix = tokens[meeting->prefix].parent;
       }
@@ -157,72 +157,73 @@ bool ReteState::CameLater(const OwnerAndChain& a, const OwnerAndChain& b) const 
 
 // Blocking ------------------------------------------------------------------------------------------------------------
 
-/// An element has completed chains: blocks their owners. `above`: the memory that it joined with.
+/// An element has completed paths: blocks their owners. `above`: the memory that it joined with.
 void ReteState::BlockOwners(std::uint32_t above) {
   pairings.clear();
-  for (const std::uint32_t chain : new_chains) {
-    const std::uint32_t conjunctive = network->node(tokens[chain].node & Token::kNodeMask).partner();
-    std::uint32_t prefix = chain;
+  for (const std::uint32_t path : new_paths) {
+    const std::uint32_t conjunctive = network->node(tokens[path].node & Token::kNodeMask).partner();
+    std::uint32_t prefix = path;
     while ((tokens[prefix].node & Token::kNodeMask) != above) {
       prefix = tokens[prefix].parent;
     }
-    const std::uint32_t key = tokens[chain].key;
-    for (std::uint32_t owner = ChainHead(*this, conjunctive, key); owner != kNil; owner = tokens[owner].next_in_chain) {
-      if (tokens[owner].key != key || !Pairs(owner, chain)) {
+    const std::uint32_t key = tokens[path].key;
+    for (std::uint32_t owner = BucketHead(*this, conjunctive, key); owner != kNil;
+         owner = tokens[owner].next_in_bucket) {
+      if (tokens[owner].key != key || !Pairs(owner, path)) {
         continue;
       }
       if ((tokens[owner].node & Token::kBlockedBit) != 0) {
-        BlockOwner(owner, chain, kNil);  // Once more: nobody notices when.
+        BlockOwner(owner, path, kNil);  // Once more: nobody notices when.
         continue;
       }
-      OwnerAndChain meeting = Meeting(owner, prefix);
-      meeting.chain = chain;
+      OwnerAndPath meeting = Meeting(owner, prefix);
+      meeting.path = path;
       meeting.place = static_cast<std::uint32_t>(pairings.size());
       pairings.push_back(meeting);
     }
   }
-  new_chains.clear();
+  new_paths.clear();
   if (pairings.size() > 1) {
-    // What would have been joined first is what came last; its chains come in the order in which they were made.
-    std::ranges::sort(pairings, [this](const OwnerAndChain& a, const OwnerAndChain& b) {
+    // What would have been joined first is what came last; its paths come in the order in which they were made.
+    std::ranges::sort(pairings, [this](const OwnerAndPath& a, const OwnerAndPath& b) {
       return a.serial == b.serial ? a.place < b.place : CameLater(a, b);
     });
   }
-  for (const OwnerAndChain& pairing : pairings) {
-    BlockOwner(pairing.owner, pairing.chain, kNil);
+  for (const OwnerAndPath& pairing : pairings) {
+    BlockOwner(pairing.owner, pairing.path, kNil);
   }
 }
 
 // Opening -------------------------------------------------------------------------------------------------------------
 
 /// Whether a token belongs to a shared conjunction's own conditions.
-bool ReteState::IsInChain(const Token& token) const {
-  return token.node != Token::kWatchNode && (token.node & Token::kResultBit) == 0 &&
-         marks[token.node & Token::kNodeMask].Is(NodeMarks::kInChain);
+bool ReteState::IsInPath(const Token& token) const {
+  return token.node != Token::kFixedMatchNode && (token.node & Token::kResultBit) == 0 &&
+         marks[token.node & Token::kNodeMask].Is(NodeMarks::kInPath);
 }
 
-/// Whether a chain without the element blocks an owner.
+/// Whether a path without the element blocks an owner.
 bool ReteState::StaysBlocked(std::uint32_t owner, std::uint32_t wme) const {
   std::uint32_t result = tokens[owner].first_child;
   while (result != kNil && Holds(tokens[result].parent, wme)) {
-    result = tokens[result].next_in_chain;
+    result = tokens[result].next_in_bucket;
   }
   return result != kNil;
 }
 
-/// Finds the owners that nothing will block when the chains with an element have gone: those that are opened first
-/// come last. The element's tokens in chains move behind its other ones.
+/// Finds the owners that nothing will block when the paths with an element have gone: those that are opened first
+/// come last. The element's tokens in paths move behind its other ones.
 void ReteState::FindOpenings(std::uint32_t wme) {
   pairings.clear();
-  new_chains.clear();
+  new_paths.clear();
   std::uint32_t last = kNil;
   for (std::uint32_t token = links[wme].first_token; token != kNil; token = tokens[token].next_of_wme) {
-    if (IsInChain(tokens[token])) {
-      new_chains.push_back(token);
+    if (IsInPath(tokens[token])) {
+      new_paths.push_back(token);
     }
     last = token;
   }
-  for (const std::uint32_t top : new_chains) {
+  for (const std::uint32_t top : new_paths) {
     if (top != last) {
       Token& moved = tokens[top];
       tokens[moved.next_of_wme].previous_of_wme = moved.previous_of_wme;
@@ -237,15 +238,15 @@ void ReteState::FindOpenings(std::uint32_t wme) {
     for (std::uint32_t token = top;;) {
       std::uint32_t next = kNil;
       if (token == top || tokens[token].wme != wme) {
-        if (network->node(tokens[token].node & Token::kNodeMask).kind == NodeKind::kChains) {
+        if (network->node(tokens[token].node & Token::kNodeMask).kind == NodeKind::kPaths) {
           for (std::uint32_t result = tokens[token].first_child; result != kNil; result = tokens[result].next_sibling) {
             const std::uint32_t owner = tokens[result].key;
             if (StaysBlocked(owner, wme)) {
               continue;
             }
-            OwnerAndChain meeting = Meeting(owner, top);
+            OwnerAndPath meeting = Meeting(owner, top);
             meeting.due = std::max(meeting.serial, tokens[top].serial);
-            meeting.place = ~static_cast<std::uint32_t>(pairings.size());  // The newest chain goes first.
+            meeting.place = ~static_cast<std::uint32_t>(pairings.size());  // The newest path goes first.
             pairings.push_back(meeting);
           }
         } else {
@@ -265,12 +266,12 @@ void ReteState::FindOpenings(std::uint32_t wme) {
     }
   }
 
-  new_chains.clear();
+  new_paths.clear();
   openings.clear();
-  std::ranges::sort(pairings, {}, &OwnerAndChain::owner);
-  // An owner that several chains blocked is opened when the last of them goes.
+  std::ranges::sort(pairings, {}, &OwnerAndPath::owner);
+  // An owner that several paths blocked is opened when the last of them goes.
   for (std::size_t first = 0, end; first < pairings.size(); first = end) {
-    OwnerAndChain opening = pairings[first];
+    OwnerAndPath opening = pairings[first];
     for (end = first + 1; end < pairings.size() && pairings[end].owner == opening.owner; ++end) {
       if (CameLater(opening, pairings[end])) {
         opening = pairings[end];
@@ -278,11 +279,11 @@ void ReteState::FindOpenings(std::uint32_t wme) {
     }
     openings.push_back(opening);
   }
-  std::ranges::sort(openings, [this](const OwnerAndChain& a, const OwnerAndChain& b) { return CameLater(b, a); });
+  std::ranges::sort(openings, [this](const OwnerAndPath& a, const OwnerAndPath& b) { return CameLater(b, a); });
 }
 
-/// The last chain that blocked an owner is going.
-void ReteState::OpenOwner(const OwnerAndChain& opening) {
+/// The last path that blocked an owner is going.
+void ReteState::OpenOwner(const OwnerAndPath& opening) {
   const std::uint32_t owner = opening.owner;
   if (tokens[owner].node != (opening.node | Token::kBlockedBit) || tokens[owner].serial != opening.serial) {
     return;  // It went itself meanwhile.
@@ -292,14 +293,14 @@ void ReteState::OpenOwner(const OwnerAndChain& opening) {
   Emit(opening.node, owner, kNil);
 }
 
-/// Removes the tokens of an element that may be part of chains.
+/// Removes the tokens of an element that may be part of paths.
 void ReteState::RemoveTokensInOrder(std::uint32_t wme) {
-  chain_element = false;
+  path_element = false;
   FindOpenings(wme);
   while (!openings.empty()) {
-    const OwnerAndChain& opening = openings.back();
+    const OwnerAndPath& opening = openings.back();
     const std::uint32_t token = links[wme].first_token;
-    if (token != kNil && tokens[token].serial > opening.due && !IsInChain(tokens[token])) {
+    if (token != kNil && tokens[token].serial > opening.due && !IsInPath(tokens[token])) {
       RemoveTokenOfElement(token);
       continue;
     }

@@ -12,7 +12,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Random rules with conjunctive negations that are chains, in two Retes: one shares the conjunctions, one does not.
+/// Random rules with conjunctive negations that are paths, in two Retes: one shares the conjunctions, one does not.
 /// Both must report the same matches in the same order, whatever comes and goes.
 class TwoWays {
  public:
@@ -99,18 +99,18 @@ class TwoWays {
       if (n > 1 && (Below(3) == 0 || (last && !negated))) {
         negated = true;
         std::vector<Reach> inside = reached;
-        std::vector<Plan> chain;
+        std::vector<Plan> path;
         Reach from = reached[Below(static_cast<int>(reached.size()))];
         while (from.kind == 'r') from = reached[Below(static_cast<int>(reached.size()))];
         if (Below(2) == 0 && reached[1].kind == 'b') from = reached[1];
         const int length = Below(6) == 0 ? 1 : 2 + Below(3);
         for (int k = 0; k < length && from.kind != 'r'; ++k) {
           const std::size_t before = inside.size();
-          chain.push_back(NextStep(inside, from, 100 * (n + 1) + k, true));
+          path.push_back(NextStep(inside, from, 100 * (n + 1) + k, true));
           if (inside.size() > before && inside.back().kind != 'r' && Below(5) != 0) from = inside.back();
         }
-        if (chain.size() == 1) chain[0].negative = true;
-        plan.push_back(chain);
+        if (path.size() == 1) path[0].negative = true;
+        plan.push_back(path);
         continue;
       }
       Reach from = n == 0          ? reached[0]

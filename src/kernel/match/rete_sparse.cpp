@@ -134,14 +134,14 @@ void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_
   }
   const std::size_t before = gathered.size();
   std::uint32_t previous = kNil;
-  const std::uint32_t chain = memory.table + Hash(key, memory.bits);
-  for (std::uint32_t index = tables[chain]; index != kNil;) {
+  const std::uint32_t bucket = memory.table + Hash(key, memory.bits);
+  for (std::uint32_t index = tables[bucket]; index != kNil;) {
     const ParkedPair& pair = parked[index];
     const std::uint32_t next = pair.next;
     const bool stale = pair.key == key && IsStale(pair);
     if (pair.key == key && (stale || (HasKey(*this, node, pair.parent, pair.wme, element) &&
                                       PassesAll(*this, net, node, pair.parent, pair.wme, element)))) {
-      (previous != kNil ? parked[previous].next : tables[chain]) = next;
+      (previous != kNil ? parked[previous].next : tables[bucket]) = next;
       if (!stale) {
         gathered.push_back(Unpark(node.parent, pair));
       }
@@ -157,7 +157,7 @@ void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_
     SortByAge(gathered);
     // Tokens that are made late anyway are dear.
     memory.late += static_cast<std::uint32_t>(gathered.size() - before);
-    if (memory.late > ripe[memory.tries] >> kTryBits && memory.late > memory.saved / 2) {
+    if (memory.late > threshold[memory.tries] >> kTryBits && memory.late > memory.saved / 2) {
       becoming_plain.push_back(memory.node);
       memory.late = 0;
     }
@@ -176,7 +176,7 @@ std::uint32_t ReteState::Unpark(std::uint32_t node, const ParkedPair& pair) {
   if (made.next_of_wme != kNil && tokens[made.next_of_wme].serial > pair.serial) {
     links[pair.wme].unsorted = true;
   }
-  if (made.next_in_chain != kNil && tokens[made.next_in_chain].serial > pair.serial) {
+  if (made.next_in_bucket != kNil && tokens[made.next_in_bucket].serial > pair.serial) {
     memory.unsorted = true;
   }
   return token;
@@ -236,14 +236,14 @@ void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
   const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
   std::uint32_t pairs = 0;
-  for (std::uint32_t token = ChainHead(*this, node.parent, key); token != kNil;) {
+  for (std::uint32_t token = BucketHead(*this, node.parent, key); token != kNil;) {
     Token& left = tokens[token];
     if (left.key == key && HasKey(*this, node, left.parent, left.wme, element) &&
         PassesAll(*this, net, node, left.parent, left.wme, element)) {
       --left.pairs;
       ++pairs;
     }
-    token = left.next_in_chain;
+    token = left.next_in_bucket;
   }
   if (pairs != 0) {
     ForgetPairsOf(node.only_memory, pairs);
@@ -283,7 +283,7 @@ void ReteState::MakeSparse(std::uint32_t index) {
   NodeState& state = nodes[index];
   sparse[place]->node = index;
   sparse[place]->tokens = state.count;
-  sparse[place]->tries = static_cast<std::uint8_t>(state.judgement & kTryMask);
+  sparse[place]->tries = static_cast<std::uint8_t>(state.score & kTryMask);
   state.place = place;
   marks[index].Set(NodeMarks::kSparse);
   const std::uint32_t join = network->node(index).parent;
@@ -293,10 +293,10 @@ void ReteState::MakeSparse(std::uint32_t index) {
   ForEachToken(index, [this](std::uint32_t token) { ++tokens[tokens[token].parent].pairs; });
 }
 
-void ReteState::MakeJudgedSparse() {
+void ReteState::MakeScoredSparse() {
   for (const std::uint32_t node : becoming_sparse) {
     if (node < nodes.size() && network->node(node).kind == NodeKind::kMemory && !marks[node].Is(NodeMarks::kSparse) &&
-        nodes[node].judgement != kNil) {
+        nodes[node].score != kNil) {
       MakeSparse(node);
     }
   }
@@ -315,14 +315,14 @@ void ReteState::MakePlainForNow(std::uint32_t index) {
   }
   const std::uint32_t tries = std::min(SparseOf(index).tries + 1u, kTryMask);
   MakePlain(index);
-  nodes[index].judgement = tries;
+  nodes[index].score = tries;
 }
 
-/// Makes tokens of all parked pairs, puts all chains in order and lets the memory be as any other from now on.
+/// Makes tokens of all parked pairs, puts all buckets in order and lets the memory be as any other from now on.
 void ReteState::MakePlain(std::uint32_t index) {
   if (!marks[index].Is(NodeMarks::kSparse)) {
     if (network->node(index).kind == NodeKind::kMemory) {
-      nodes[index].judgement = kNil;
+      nodes[index].score = kNil;
     }
     return;
   }
@@ -343,7 +343,7 @@ void ReteState::MakePlain(std::uint32_t index) {
   tables.Free(memory.table, memory.bits);
   const std::uint32_t bits = marks[index].bits();
   for (std::uint32_t n = 0; memory.unsorted && n < 1u << bits; ++n) {
-    SortChain(bits == 0 ? state.head : tables[state.head + n]);
+    SortBucket(bits == 0 ? state.head : tables[state.head + n]);
   }
   ForEachToken(index, [this](std::uint32_t token) { tokens[tokens[token].parent].pairs = 0; });
   const std::uint32_t join = network->node(index).parent;
@@ -353,12 +353,12 @@ void ReteState::MakePlain(std::uint32_t index) {
   marks[index].Unset(NodeMarks::kSparse);
   memory = SparseState();
   free_sparse.push_back(state.place);
-  state.judgement = kNil;
+  state.score = kNil;
 }
 
-void ReteState::SortChain(std::uint32_t& head) {
+void ReteState::SortBucket(std::uint32_t& head) {
   sorting.clear();
-  for (std::uint32_t token = head; token != kNil; token = tokens[token].next_in_chain) {
+  for (std::uint32_t token = head; token != kNil; token = tokens[token].next_in_bucket) {
     sorting.push_back(token);
   }
   SortByAge(sorting);
@@ -366,8 +366,8 @@ void ReteState::SortChain(std::uint32_t& head) {
   std::uint32_t previous = kNil;
   for (const std::uint32_t token : sorting) {
     *link = token;
-    tokens[token].previous_in_chain = previous;
-    link = &tokens[token].next_in_chain;
+    tokens[token].previous_in_bucket = previous;
+    link = &tokens[token].next_in_bucket;
     previous = token;
   }
   *link = kNil;
@@ -399,7 +399,7 @@ void ReteState::ChildAdded(std::uint32_t child) {
     }
   }
   if (kind == NodeKind::kMemory && CanBeSparse(parent)) {
-    nodes[parent].judgement = 0;
+    nodes[parent].score = 0;
   }
 }
 

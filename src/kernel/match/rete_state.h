@@ -23,16 +23,16 @@ namespace soarbox::kernel {
 /// A partial match at a node, or a blocking result. Tokens of a parent form a list, newest first; so do the tokens that
 /// hold an element. Kinds, by node:
 ///
-/// * memory, negative, conjunctive: stands in the chain of its node's memory (`chain`, by `key`).
-/// * result of a negative node (kResultBit set): child of the negative token that it blocks; no chain. A blocked token
-///   has results as children, an open one has tokens of later nodes: never both.
-/// * partner: a result inside a conjunction; child of the token above it, and in the chain of results of the
-///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that chain.
+/// * memory, negative, conjunctive: stands in a bucket of its node's memory (by `key`).
+/// * result of a negative node (kResultBit set): child of the negative token that it blocks; in no bucket. A blocked
+///   token has results as children, an open one has tokens of later nodes: never both.
+/// * partner: a result inside a conjunction; child of the token above it, and in the list of results of the
+///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that list.
 /// * shared conjunctive: stands in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
-///   the chain that blocks it and has no element.
+///   the path that blocks it and has no element.
 /// * anchor: has no parent and no element; `key` is the identifier, `previous_sibling` counts its owners.
 /// * production: `key` is the match.
-/// * kWatchNode: `parent` is kNil, `key` the match, `chain` links the match's other watch tokens.
+/// * kFixedMatchNode: `parent` is kNil, `key` the match, `next_in_bucket` links the match's other tokens.
 ///
 /// Tokens that a parked pair was made into late stand at the wrong place of their lists: then kUnsortedBit of the
 /// parent and WmeLinks::unsorted tell that the list is to be sorted by serial number before its order matters.
@@ -43,7 +43,7 @@ struct Token {
   std::uint32_t first_child;
   std::uint32_t next_sibling, previous_sibling;
   std::uint32_t next_of_wme, previous_of_wme;
-  std::uint32_t next_in_chain, previous_in_chain;
+  std::uint32_t next_in_bucket, previous_in_bucket;
   std::uint32_t key;
   std::uint32_t pairs;      ///< Memory above a sparse one: pairs of this token that the sparse memory holds, else 0.
   std::uint64_t serial;     ///< Running number: when it (or the parked pair that it was) reached its node.
@@ -53,7 +53,7 @@ struct Token {
   static constexpr std::uint32_t kBlockedBit = 0x40000000u;
   static constexpr std::uint32_t kUnsortedBit = 0x20000000u;
   static constexpr std::uint32_t kNodeMask = 0x1FFFFFFFu;
-  static constexpr std::uint32_t kWatchNode = 0x1FFFFFFFu;
+  static constexpr std::uint32_t kFixedMatchNode = 0x1FFFFFFFu;
 };
 static_assert(sizeof(Token) == Rete::kTokenBytes);
 
@@ -64,14 +64,14 @@ struct ParkedPair {
   std::uint32_t wme;
   std::uint64_t serial;
   std::uint32_t key;   ///< As of a token.
-  std::uint32_t next;  ///< In its chain, or in the free list.
+  std::uint32_t next;  ///< In its bucket, or in the free list.
 };
 
 /// An element in an alpha memory.
 struct AlphaItem {
   std::uint32_t wme;
   std::uint32_t alpha;
-  std::uint32_t id, value;                           ///< Symbol bits of the element, for chains.
+  std::uint32_t id, value;                           ///< Symbol bits of the element, for its buckets.
   std::uint32_t next, previous;                      ///< All items of the memory, newest first.
   std::uint32_t next_in_bucket, previous_in_bucket;  ///< Index by identifier, if the memory has one.
   std::uint32_t next_in_pair;                        ///< Index by identifier and value, if it has one.
@@ -84,9 +84,9 @@ struct AlphaState {
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
   std::uint8_t id_bits = 0, pair_bits = 0;  ///< 0: no table; the items are searched one by one.
-  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories; kInChains.
+  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories; kInPaths.
 
-  static constexpr std::uint32_t kInChains = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
+  static constexpr std::uint32_t kInPaths = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
@@ -97,7 +97,7 @@ static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift
 /// list exactly while it has tokens.
 struct NodeState {
   union {
-    std::uint32_t head = kNil;  ///< Tokens: the chain if NodeMarks::bits() is 0, else a table of chains.
+    std::uint32_t head = kNil;  ///< Tokens: the bucket if NodeMarks::bits() is 0, else a table of buckets.
     std::uint32_t next_left;    ///< Join: in its memory's list.
   };
   union {
@@ -110,8 +110,8 @@ struct NodeState {
   };
   union {
     std::uint32_t previous_right = kNil;
-    std::uint32_t judgement;  ///< Memory that is not sparse: see ReteState::Judge.
-    std::uint32_t place;      ///< Sparse memory: in ReteState::sparse.
+    std::uint32_t score;  ///< Memory that is not sparse: see ReteState::AddToScore.
+    std::uint32_t place;  ///< Sparse memory: in ReteState::sparse.
   };
 };
 static_assert(sizeof(NodeState) == 16, "nodes are addressed by a shift");
@@ -128,7 +128,7 @@ class NodeMarks {
   static constexpr std::uint16_t kNegative = 0x800;  ///< Is a negative node.
   static constexpr std::uint16_t kOther = 0x1000;    ///< Is neither a negative node nor a memory.
   static constexpr std::uint16_t kUncommonEnd = kSparse | kAboveSparse | kOther;
-  static constexpr std::uint16_t kInChain = 0x8000;  ///< Is part of a shared conjunction.
+  static constexpr std::uint16_t kInPath = 0x8000;  ///< Is part of a shared conjunction.
   // See NodeState on unlinking.
   static constexpr std::uint16_t kLeftLinked = 0x2000;   ///< Join.
   static constexpr std::uint16_t kRightLinked = 0x4000;  ///< Join, negative.
@@ -155,9 +155,9 @@ struct SparseState {
   std::uint32_t logged = 0;
   std::uint32_t log_limit = 0;  ///< Stale pairs are dropped, or the log grows, when it is as long as this.
   std::uint32_t indexed = 0;    ///< Pairs in the table.
-  std::uint32_t table = kNil;   ///< Of chains.
+  std::uint32_t table = kNil;   ///< Of buckets.
   std::uint8_t bits = 0;        ///< 0: no table.
-  bool unsorted = false;        ///< Chains of tokens may be out of order.
+  bool unsorted = false;        ///< Buckets of tokens may be out of order.
   std::uint8_t tries = 0;       ///< How often the memory was plain again after it had been sparse.
   std::uint32_t saved = 0;      ///< Pairs that went without ever being tokens.
   std::uint32_t late = 0;       ///< Pairs that became tokens later.
@@ -173,11 +173,11 @@ struct WmeLinks {
 };
 static_assert(sizeof(WmeLinks) == 32, "elements are addressed by a shift");
 
-/// A token that a chain blocks, and a token on the chain's way down.
-struct OwnerAndChain {
+/// A token that a path blocks, and a token on the path's way down.
+struct OwnerAndPath {
   std::uint32_t owner = kNil;
   std::uint32_t prefix = kNil;
-  std::uint32_t chain = kNil;
+  std::uint32_t path = kNil;
   std::uint32_t place = 0;    ///< Breaks ties.
   std::uint32_t node = kNil;  ///< The owner's.
   std::uint64_t serial = 0;   ///< The owner's.
@@ -209,7 +209,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<std::uint32_t> free_sparse;
   std::vector<std::uint32_t> becoming_sparse;  ///< Memories that are to change when the element is in.
   std::vector<std::uint32_t> becoming_plain;
-  std::array<std::uint32_t, 8> ripe;             ///< By number of tries: the judgement that makes a memory sparse.
+  std::array<std::uint32_t, 8> threshold;        ///< By number of tries: the score that makes a memory sparse.
   std::vector<std::uint32_t> gathered, sorting;  ///< Scratch: tokens that an element joins with; a list to be sorted.
   RecordArray<AlphaItem> items;
   std::uint32_t free_items = kNil;
@@ -222,23 +222,29 @@ struct [[gnu::visibility("hidden")]] ReteState {
   TablePool tables;
   std::uint64_t last_timetag = 0;
   std::uint32_t most_partial_matches = 0xFFFFFFFFu;
-  bool log_at_limit = false;           ///< A sparse memory met this limit.
-  std::uint32_t removing = kNil;       ///< The element that RemoveWme works on.
-  std::vector<WmeId> elements;         ///< Scratch for a new match.
-  std::vector<char> last_o_support;    ///< By rule: whether its last match that tested an operator is o-supported.
-  std::vector<std::uint32_t> excised;  ///< Rules excised whose last match may not be released yet.
-  std::vector<ProductionPtr> retired;  ///< By number: excised rules, until the number is used again.
+  bool log_at_limit = false;      ///< A sparse memory met this limit.
+  std::uint32_t removing = kNil;  ///< The element that RemoveWme works on.
+  std::vector<WmeId> elements;    ///< Scratch for a new match.
+  /// Of a rule whose support depends on its matches: the operator that all of them test, while goals do not change.
+  struct SharedOperator {
+    Symbol selected;  ///< None: they differ, or it is not known.
+    std::uint32_t goals_removed = 0;
+    bool none_has_a_say = false;  ///< None of the matches tests an operator of its goal.
+  };
+  std::vector<SharedOperator> shared_operators;  ///< By rule, as far as one has matched.
+  std::vector<std::uint32_t> excised;            ///< Rules excised whose last match may not be released yet.
+  std::vector<ProductionPtr> retired;            ///< By number: excised rules, until the number is used again.
   bool excising = false;
   std::vector<std::uint32_t> free_rules;       ///< Free rule numbers, last freed last.
   std::unique_ptr<class ReteBuilder> builder;  ///< Keeps its scratch memory from rule to rule.
   // Shared conjunctions (rete_shared.cpp).
-  bool share_conjunctions = true;                 ///< See Rete::ShareConjunctions.
-  bool shares_conjunctions = false;               ///< There are some, or have been.
-  std::uint32_t last_owner = kNil;                ///< That was made.
-  std::vector<std::uint32_t> new_chains;          ///< Chains whose owners are still to be blocked.
-  std::vector<OwnerAndChain> pairings, openings;  ///< Scratch.
-  bool chain_element = false;                     ///< The element that RemoveWme works on may be part of a chain.
-  std::uint64_t arrival_of_removing = 0;          ///< WmeLinks::serial of it before it left.
+  bool share_conjunctions = true;                ///< See Rete::ShareConjunctions.
+  bool shares_conjunctions = false;              ///< There are some, or have been.
+  std::uint32_t last_owner = kNil;               ///< That was made.
+  std::vector<std::uint32_t> new_paths;          ///< Paths whose owners are still to be blocked.
+  std::vector<OwnerAndPath> pairings, openings;  ///< Scratch.
+  bool path_element = false;                     ///< The element that RemoveWme works on may be part of a path.
+  std::uint64_t arrival_of_removing = 0;         ///< WmeLinks::serial of it before it left.
   // While a new rule is matched for the first time:
   std::uint32_t refracting_node = kNil;
   std::span<const WmeId> refracted;
@@ -256,10 +262,12 @@ struct [[gnu::visibility("hidden")]] ReteState {
   [[gnu::noinline]] void LeftNegative(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   [[gnu::noinline]] void LeftConjunctive(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   [[gnu::noinline]] void LeftPartner(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
+  bool SupportByMatches(std::uint32_t node, const RuleInfo& rule, const MatchSet::Arrival& arrival);
+  void LowestGoal(const RuleInfo& rule, std::span<const WmeId> matched, Symbol& goal, GoalLevel& level) const;
   void LeftProduction(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
   void Block(std::uint32_t token, std::uint32_t wme);
   void BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint32_t wme);
-  MatchId Watch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
+  MatchId AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
   bool PassesTest(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
   bool PassesOne(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
   bool Passes(const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) const;
@@ -268,7 +276,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   }
   std::uint32_t KeyOfToken(const Node& memory, std::uint32_t token) const;
   std::uint32_t NewToken(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
-  void GrowChains(std::uint32_t node);
+  void GrowBuckets(std::uint32_t node);
   void BuildIdTable(std::uint32_t alpha, std::uint8_t bits);
   void BuildPairTable(std::uint32_t alpha, std::uint8_t bits);
 
@@ -286,12 +294,12 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void RemoveSubtree(std::uint32_t token);
   void MemoryEmptied(std::uint32_t node);
   void RemoveRareLeaf(std::uint32_t token);
-  void RemoveFromChain(std::uint32_t node, std::uint32_t token);
+  void RemoveFromBucket(std::uint32_t node, std::uint32_t token);
   void UnlinkToken(std::uint32_t token);
   void FreeToken(std::uint32_t token);
   void FreeResults(std::uint32_t owner);
-  void RemoveWatch(std::uint32_t token);
-  void EndWatch(std::uint32_t first);
+  void RetractFixedMatch(std::uint32_t token);
+  void FreeFixedMatch(std::uint32_t first);
   void Clear();
   void Abandon();
 
@@ -342,7 +350,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void SortByAge(std::vector<std::uint32_t> & list) const;
   void SortChildren(std::uint32_t token);
   void SortTokensOf(std::uint32_t wme);
-  void SortChain(std::uint32_t & head);
+  void SortBucket(std::uint32_t & head);
   SparseState& SparseOf(std::uint32_t node) {
     return *sparse[nodes[node].place];
   }
@@ -350,51 +358,51 @@ struct [[gnu::visibility("hidden")]] ReteState {
     return *sparse[nodes[node].place];
   }
   bool CanBeSparse(std::uint32_t node) const;
-  // The judgement on a memory that may become sparse: the number of its tries in the lowest bits, above them a score.
+  // The score of a memory that may become sparse: the number of its tries in the lowest bits, above them its points.
   // On others it is kNil.
   static constexpr std::uint32_t kTryBits = 3;
   static constexpr std::uint32_t kTryMask = (1u << kTryBits) - 1;
   /// See Rete::ParkAfter. Each try makes a memory sixteen times as patient.
   void ParkAfter(std::uint32_t matches) {
     for (std::uint32_t tries = 0; tries <= kTryMask; ++tries) {
-      const std::uint64_t score = std::min(std::uint64_t{matches} << (4 * tries), (std::uint64_t{1} << 29) - 2);
-      ripe[tries] = static_cast<std::uint32_t>(score) << kTryBits | tries;
+      const std::uint64_t points = std::min(std::uint64_t{matches} << (4 * tries), (std::uint64_t{1} << 29) - 2);
+      threshold[tries] = static_cast<std::uint32_t>(points) << kTryBits | tries;
     }
   }
   /// A pair has become a token of a memory that may become sparse, and did or did not join.
-  void Judge(std::uint32_t & judgement, std::uint32_t node, std::uint32_t token) {
+  void AddToScore(std::uint32_t & score, std::uint32_t node, std::uint32_t token) {
     if (tokens[token].first_child != kNil) {
-      SpeakAgainst(judgement, 3);
+      LowerScore(score, 3);
     } else {
-      judgement += 1u << kTryBits;
-      if (judgement == ripe[judgement & kTryMask]) {
+      score += 1u << kTryBits;
+      if (score == threshold[score & kTryMask]) {
         becoming_sparse.push_back(node);
       }
     }
   }
-  static void SpeakAgainst(std::uint32_t & judgement, std::uint32_t weight) {
-    judgement -= std::min(judgement & ~kTryMask, weight << kTryBits);
+  static void LowerScore(std::uint32_t & score, std::uint32_t weight) {
+    score -= std::min(score & ~kTryMask, weight << kTryBits);
   }
   // rete_shared.cpp
   void LeftShared(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
-  void LeftChain(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
+  void LeftPath(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
   void OwnerGone(std::uint32_t anchor);
-  bool Pairs(std::uint32_t owner, std::uint32_t chain) const;
+  bool Pairs(std::uint32_t owner, std::uint32_t path) const;
   void BlockOwners(std::uint32_t above);
   std::uint32_t AnchorOf(std::uint32_t token) const;
   bool CameWithElement(const Token& token) const;
-  OwnerAndChain Meeting(std::uint32_t owner, std::uint32_t prefix) const;
-  bool CameLater(const OwnerAndChain& a, const OwnerAndChain& b) const;
+  OwnerAndPath Meeting(std::uint32_t owner, std::uint32_t prefix) const;
+  bool CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const;
   void RemoveTokensInOrder(std::uint32_t wme);
-  bool IsInChain(const Token& token) const;
+  bool IsInPath(const Token& token) const;
   void FindOpenings(std::uint32_t wme);
-  void OpenOwner(const OwnerAndChain& opening);
+  void OpenOwner(const OwnerAndPath& opening);
   std::vector<std::uint32_t> OwnersOf(std::uint32_t conjunctive, std::uint32_t join, std::uint32_t parent,
                                       std::uint32_t wme) const;
   bool Holds(std::uint32_t token, std::uint32_t wme) const;
   bool StaysBlocked(std::uint32_t owner, std::uint32_t wme) const;
 
-  void MakeJudgedSparse();
+  void MakeScoredSparse();
   void MakeSparse(std::uint32_t node);
   void MakePlain(std::uint32_t node);
   void MakePlainForNow(std::uint32_t node);
@@ -425,7 +433,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
     for (std::uint32_t n = 0; n < 1u << bits; ++n) {
       std::uint32_t token = bits == 0 ? head : tables[head + n];
       while (token != kNil) {
-        const std::uint32_t next = tokens[token].next_in_chain;
+        const std::uint32_t next = tokens[token].next_in_bucket;
         visit(token);
         token = next;
       }

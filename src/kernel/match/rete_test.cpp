@@ -131,7 +131,7 @@ TEST_F(ReteTest, AnOperatorOfAHigherGoalGivesISupport) {
   EXPECT_FALSE(rete.matches().HasAssertions(2, kO));
 }
 
-TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedPerMatchAndGetsISupport) {
+TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedAndGetsISupport) {
   const ProductionPtr rule =
       Rule("mixed", {OnState("operator", "<o>")}, {Make({0, Field::kId}, "done"), Make({0, Field::kValue}, "done")});
   int reports = 0;
@@ -140,7 +140,19 @@ TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedPerMatchAndGetsISupport
   Add("S1", "operator", "O1");
   Add("S1", "operator", "O2");
   EXPECT_EQ(reports, 2);
-  EXPECT_EQ(rete.matches().Pending(MatchSet::List::kIAssertions).size(), 2u);
+  // The second match is mixed with its own operator, but only applies that of the older match.
+  EXPECT_EQ(rete.matches().Pending(MatchSet::List::kIAssertions).size(), 1u);
+  EXPECT_EQ(rete.matches().Pending(MatchSet::List::kOAssertions).size(), 1u);
+}
+
+TEST_F(ReteTest, AnElaborationOfOneOperatorAppliesThatOfAnOlderMatch) {
+  const ProductionPtr rule = Rule("note", {OnState("operator", "<o>")}, {Make({0, Field::kValue}, "noted")});
+  AddRule(rule);
+  Add("S1", "operator", "O1");
+  EXPECT_TRUE(rete.matches().HasAssertions(1, kI));
+  Add("S2", "operator", "O2");
+  EXPECT_FALSE(rete.matches().HasAssertions(2, kI));
+  EXPECT_TRUE(rete.matches().HasAssertions(2, kO));
 }
 
 TEST_F(ReteTest, ExcisingARetractsWhatFiredAndForgetsWhatIsPending) {
@@ -176,13 +188,13 @@ TEST_F(ReteTest, ANewRulesRefractedMatchIsSilentUntilItGoes) {
   EXPECT_EQ(rete.matches().InstantiationOf(rete.matches().TakeRetraction(1)), options.instantiation);
 }
 
-TEST_F(ReteTest, AWatchedMatchRetractsWhenOneOfItsElementsGoes) {
+TEST_F(ReteTest, AFixedMatchRetractsWhenOneOfItsElementsGoes) {
   const WmeId a = Add("S1", "x", "1");
   const WmeId b = Add("S1", "x", "2");
-  const MatchId match = rete.Watch(std::vector<WmeId>{a, b}, Word("S1"), 1, SomeInstantiation(0));
-  const MatchId other = rete.Watch(std::vector<WmeId>{b}, Word("S1"), 1, SomeInstantiation(1));
+  const MatchId match = rete.AddFixedMatch(std::vector<WmeId>{a, b}, Word("S1"), 1, SomeInstantiation(0));
+  const MatchId other = rete.AddFixedMatch(std::vector<WmeId>{b}, Word("S1"), 1, SomeInstantiation(1));
   EXPECT_FALSE(rete.matches().HasRetractions(1));
-  rete.Unwatch(other);
+  rete.RemoveFixedMatch(other);
   Remove(b);
   EXPECT_EQ(rete.matches().TakeRetraction(1), match);
   EXPECT_FALSE(rete.matches().HasRetractions(1));

@@ -41,7 +41,10 @@ bool SameValue(const RhsValue& a, const RhsValue& b) {
     case RhsValueKind::kFunction:
       break;
   }
-  return a.function_index() == b.function_index() && std::ranges::equal(a.arguments(), b.arguments(), SameValue);
+  // As in Soar, a call that leaves arguments out at the end counts as the same.
+  const std::size_t both = std::min(a.arguments().size(), b.arguments().size());
+  return a.function_index() == b.function_index() &&
+         std::ranges::equal(a.arguments().first(both), b.arguments().first(both), SameValue);
 }
 
 void MixInto(std::uint32_t& hash, std::uint32_t value) {
@@ -63,9 +66,6 @@ void MixValue(std::uint32_t& hash, const RhsValue& value) {
       break;
     case RhsValueKind::kFunction:
       MixInto(hash, value.function_index());
-      for (const RhsValue& argument : value.arguments()) {
-        MixValue(hash, argument);
-      }
       break;
   }
 }
@@ -129,49 +129,63 @@ RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
   }
 }
 
-RuleInfo::MatchSupport RuleInfo::SupportOf(std::span<const WmeId> elements, const WmeTable& wmes,
-                                           std::span<const GoalLevel> level_of_goal, Symbol goal) const {
+bool RuleInfo::Proposes(std::span<const WmeId> elements, const WmeTable& wmes,
+                        std::span<const GoalLevel> level_of_goal) const {
   for (const BindingSite& site : proposal_ids) {
     const Symbol id = SymbolAt(site, elements, wmes);
     if (id.IsIdentifier() && id.index() < level_of_goal.size() && level_of_goal[id.index()] != 0) {
-      return MatchSupport::kI;
+      return true;
     }
   }
-  bool elaborates = false;
-  bool applies = false;
-  bool tests_operator = false;
+  return false;
+}
+
+RuleInfo::OperatorUse RuleInfo::UseOfOperator(std::span<const WmeId> tested, Symbol goal, std::span<const WmeId> actor,
+                                              const WmeTable& wmes) const {
+  OperatorUse use;
+  bool several = false;
   for (const std::uint16_t condition : operator_conditions) {
-    const Wme& wme = wmes[Index(elements[condition])];
+    const Wme& wme = wmes[Index(tested[condition])];
     if (wme.id != goal || wme.attribute != words::kOperator || wme.acceptable) {
       continue;
     }
-    tests_operator = true;
-    applies |= has_other_action_ids;
+    several |= use.selected && use.selected != wme.value;
+    use.selected = wme.value;
+    use.applies |= has_other_action_ids;
     for (const BindingSite& site : action_ids) {
-      (SymbolAt(site, elements, wmes) == wme.value ? elaborates : applies) = true;
+      (SymbolAt(site, actor, wmes) == wme.value ? use.elaborates : use.applies) = true;
     }
   }
-  if (elaborates && applies) {
-    return MatchSupport::kMixed;
+  if (several) {
+    use.selected = Symbol();
   }
-  if (!tests_operator) {
-    return MatchSupport::kAsBefore;
-  }
-  return applies ? MatchSupport::kO : MatchSupport::kI;
+  return use;
 }
 
 bool SameActions(const Production& a, const Production& b, bool ignore_rl_value) {
-  const bool skip_referent = ignore_rl_value && a.is_rl && b.is_rl;
-  return std::ranges::equal(a.actions, b.actions, [&](const Action& x, const Action& y) {
+  const auto is_number = [](const RhsValue& value) {
+    return value.kind == RhsValueKind::kConstant && value.symbol().IsNumber();
+  };
+  const std::size_t both = std::min(a.actions.size(), b.actions.size());
+  for (std::size_t n = 0; n < both; ++n) {
+    const Action& x = a.actions[n];
+    const Action& y = b.actions[n];
     if (x.is_function_call != y.is_function_call) {
       return false;
     }
     if (x.is_function_call) {
       return SameValue(x.value, y.value);
     }
-    return x.preference == y.preference && SameValue(x.id, y.id) && SameValue(x.attribute, y.attribute) &&
-           SameValue(x.value, y.value) && (!x.HasReferent() || skip_referent || SameValue(x.referent, y.referent));
-  });
+    if (x.preference != y.preference || !SameValue(x.id, y.id) || !SameValue(x.attribute, y.attribute) ||
+        !SameValue(x.value, y.value)) {
+      return false;
+    }
+    const bool skip_referent = ignore_rl_value && a.is_rl && b.is_rl && is_number(x.referent) && is_number(y.referent);
+    if (x.HasReferent() && !skip_referent && !SameValue(x.referent, y.referent)) {
+      return false;
+    }
+  }
+  return a.actions.size() == b.actions.size();
 }
 
 std::uint32_t ActionsDigest(const Production& production) {
@@ -179,12 +193,13 @@ std::uint32_t ActionsDigest(const Production& production) {
   for (const Action& action : production.actions) {
     MixInto(hash, action.is_function_call ? 99u : static_cast<std::uint32_t>(action.preference));
     MixValue(hash, action.value);
-    if (!action.is_function_call) {
-      MixValue(hash, action.id);
-      MixValue(hash, action.attribute);
-      if (action.HasReferent() && !production.is_rl) {
-        MixValue(hash, action.referent);
-      }
+    if (action.is_function_call) {
+      break;
+    }
+    MixValue(hash, action.id);
+    MixValue(hash, action.attribute);
+    if (action.HasReferent() && !production.is_rl) {
+      MixValue(hash, action.referent);
     }
   }
   return hash;

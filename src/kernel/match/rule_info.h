@@ -19,8 +19,6 @@ namespace soarbox::kernel {
 /// only that operator. Most rules are decided here; the rest looks at the goals of each match.
 struct RuleInfo {
   enum class Support : std::uint8_t { kI, kO, kByMatch };
-  /// kAsBefore: the match tests no selected operator of its goal, and gets the support of the rule's last match.
-  enum class MatchSupport : std::uint8_t { kI, kO, kMixed, kAsBefore };
 
   ProductionPtr rule;
   std::uint32_t node = 0xFFFFFFFFu;  ///< Its production node.
@@ -36,16 +34,27 @@ struct RuleInfo {
   RuleInfo(const RuleInfo&) = delete;
   RuleInfo& operator=(const RuleInfo&) = delete;
 
-  /// The support of a match; only for Support::kByMatch. `elements` as in MatchSet.
-  MatchSupport SupportOf(std::span<const WmeId> elements, const WmeTable& wmes,
-                         std::span<const GoalLevel> level_of_goal, Symbol goal) const;
+  // Only for Support::kByMatch; `elements` as in MatchSet.
+
+  /// True if the actions propose an operator to a goal: such a match is i-supported.
+  bool Proposes(std::span<const WmeId> elements, const WmeTable& wmes, std::span<const GoalLevel> level_of_goal) const;
+  /// What the actions of a match do to the operators that a match of the rule (it or another one) tests.
+  struct OperatorUse {
+    bool elaborates = false;  ///< An action changes the operator.
+    bool applies = false;     ///< An action changes something else.
+    Symbol selected;          ///< The operator that is tested; none if there is none, or more than one.
+  };
+  /// `goal`: the lowest one of `tested`; `actor`: the elements of the match that acts.
+  OperatorUse UseOfOperator(std::span<const WmeId> tested, Symbol goal, std::span<const WmeId> actor,
+                            const WmeTable& wmes) const;
 
  private:
   std::unique_ptr<std::uint16_t[]> lists_;  ///< The lists, one behind the other.
 };
 
-/// True if the actions do the same: variables count by where they are bound, not by name. With `ignore_rl_value` the
-/// number of two RL rules' preferences may differ.
+/// True if the actions do the same, as far as Soar looks: variables count by where they are bound, not by name; what
+/// follows the first action that is a call does not count, nor do arguments that only one of two calls has. With
+/// `ignore_rl_value` the number of two RL rules' preferences may differ.
 bool SameActions(const Production& a, const Production& b, bool ignore_rl_value);
 /// Equal for rules with the same actions (the number of RL rules does not count).
 std::uint32_t ActionsDigest(const Production& production);

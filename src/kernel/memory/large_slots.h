@@ -22,19 +22,20 @@ struct Slot;
 struct LargeSlot {
   struct Value {
     std::uint32_t acceptable = 0;             ///< Acceptable preferences for it.
-    std::uint32_t facts = 0;                  ///< Of these the o-supported ones.
+    std::uint32_t top_facts = 0;              ///< Of these the o-supported ones of the top state's level.
     PreferenceId only = PreferenceId::kNone;  ///< If there is one; kNone also if it is not known which one is left.
     WmeId wme = WmeId::kNone;                 ///< The element.
 
     bool IsGone() const { return acceptable == 0 && wme == WmeId::kNone; }
     friend bool operator==(const Value& a, const Value& b) {
-      return a.acceptable == b.acceptable && a.facts == b.facts && a.wme == b.wme;
+      return a.acceptable == b.acceptable && a.top_facts == b.top_facts && a.wme == b.wme;
     }
   };
   std::unordered_map<std::uint32_t, Value> values;  ///< By Symbol::bits().
   std::vector<Symbol> changed;  ///< Values whose acceptable preferences changed since the slot was decided.
   bool all_changed = true;      ///< There are or were preferences of other types, or it has not been decided yet.
 
+  static bool IsTopFact(const Preference& preference) { return preference.o_supported && preference.level == 1; }
   void Insert(PreferenceId id) {
     if (id.record->type != PreferenceType::kAcceptable) {
       all_changed = true;
@@ -42,7 +43,7 @@ struct LargeSlot {
     }
     Value& value = values[id.record->value.bits()];
     value.only = ++value.acceptable == 1 ? id : PreferenceId::kNone;
-    value.facts += id.record->o_supported;
+    value.top_facts += IsTopFact(*id.record);
     changed.push_back(id.record->value);
   }
   void Remove(PreferenceId id) {
@@ -52,7 +53,7 @@ struct LargeSlot {
     }
     const auto at = values.find(id.record->value.bits());
     at->second.only = PreferenceId::kNone;
-    at->second.facts -= id.record->o_supported;
+    at->second.top_facts -= IsTopFact(*id.record);
     --at->second.acceptable;
     changed.push_back(id.record->value);
     if (at->second.IsGone()) values.erase(at);

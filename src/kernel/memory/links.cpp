@@ -123,6 +123,14 @@ LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
   }
 }
 
+Symbol LinkGraph::TopOf(Symbol id) const {
+  for (;;) {
+    const IdentifierRecord& record = memory_.identifier(id);
+    if (record.is_goal || record.parent_link == LinkId::kNone) return id;
+    id = record.parent_link.record->from;
+  }
+}
+
 // Settling ------------------------------------------------------------------------------------------------------------
 
 void LinkGraph::Settle(std::vector<Symbol>& garbage) {
@@ -230,12 +238,24 @@ void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
   // there.
   if (suspended_.size() < memory_.identifier_limit()) suspended_.resize(memory_.identifier_limit(), 0);
   subtree_.clear();
-  subtree_.push_back(id);
-  suspended_[id.index()] = 1;
+  const auto suspend = [&](Symbol member) {
+    subtree_.push_back(member);
+    suspended_[member.index()] = 1;
+  };
+  suspend(id);
   for (std::size_t next = 0; next < subtree_.size(); ++next) {
-    for (LinkId child = At(subtree_[next]).first_child; child != LinkId::kNone; child = child.record->next_child) {
-      subtree_.push_back(child.record->to);
-      suspended_[child.record->to.index()] = 1;
+    const IdentifierRecord& member = At(subtree_[next]);
+    for (LinkId child = member.first_child; child != LinkId::kNone; child = child.record->next_child) {
+      suspend(child.record->to);
+    }
+    if (uncertain_.empty()) continue;
+    // What hangs on another one that waits for its turn must wait with it.
+    for (LinkId link = member.first_link; link != LinkId::kNone; link = link.record->next_in) {
+      const Symbol top = TopOf(link.record->from);
+      if (!memory_.identifier(top).is_goal && suspended_[top.index()] == 0 &&
+          std::find(uncertain_.begin(), uncertain_.end(), top) != uncertain_.end()) {
+        suspend(top);
+      }
     }
   }
   const auto lower = [](const Candidate& a, const Candidate& b) { return a.level > b.level; };

@@ -81,6 +81,8 @@ class LinkGraph {
   void DropParent(Symbol id);
   /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
   Ancestry Trace(Symbol from, Symbol stop) const;
+  /// Where following parents ends.
+  Symbol TopOf(Symbol id) const;
   void Work(std::vector<Symbol>& garbage);
   void Promote(Symbol id);
   void Reattach(Symbol id, std::vector<Symbol>& garbage);

@@ -12,7 +12,7 @@ namespace soarbox::kernel {
 /// A preference that an instantiation made. It lives while it stands in its slot or while a condition of a substate's
 /// instantiation names it as its creator (learning follows these).
 ///
-/// kNone ends the chains.
+/// kNone ends the lists.
 struct Preference {
   Symbol id, attribute, value;
   Symbol referent;  ///< Of binary and numeric preferences, else none.
@@ -34,7 +34,7 @@ struct Preference {
   PreferenceId next_of_instantiation = PreferenceId::kNone, previous_of_instantiation = PreferenceId::kNone;
   /// The same result at other levels: each justification on the way up makes one.
   PreferenceId next_clone = PreferenceId::kNone, previous_clone = PreferenceId::kNone;
-  /// All preferences that matches of one goal made: they go when the goal goes.
+  /// All preferences that matches of one goal made, and that live: they go when the goal goes.
   PreferenceId next_of_goal = PreferenceId::kNone, previous_of_goal = PreferenceId::kNone;
 };
 

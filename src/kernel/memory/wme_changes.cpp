@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/memory/wme_changes.h"
 
+#include <string>
+
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
 
@@ -13,6 +15,13 @@ WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, S
   // Elements with a preference are linked through it.
   if (preference == PreferenceId::kNone && value.IsIdentifier()) record.link = engine_.links.Add(id, value);
   Record(wme, kind, id, value);
+  return wme;
+}
+
+WmeId WmeChanges::AddInput(Symbol id, Symbol attribute, Symbol value, bool acceptable) {
+  const WmeId wme = engine_.memory.Make(WmeKind::kInput, id, attribute, value, acceptable, SlotId::kNone);
+  if (value.IsIdentifier()) engine_.memory.mutable_record(wme).link = engine_.links.Add(id, value);
+  Record(wme, WmeKind::kInput, id, value);
   return wme;
 }
 
@@ -58,6 +67,13 @@ void WmeChanges::Flush() {
   const GoalView goals = engine_.goal_view();
   engine_.counters.wme_additions += flushing_added_.size();
   engine_.counters.wme_removals += flushing_removed_.size();
+  if (tell && !flushing_added_.empty() && !engine_.memory.wme(flushing_added_.back()).live) {
+    const Wme& wme = engine_.memory.wme(flushing_added_.back());
+    const auto text = [&](Symbol symbol) { return ToString(engine_.symbols, symbol); };
+    engine_.Warn(WarningKind::kAddedAndRemoved, "(" + std::to_string(wme.timetag) + ": " + text(wme.id) + " ^" +
+                                                    text(wme.attribute) + " " + text(wme.value) +
+                                                    (wme.acceptable ? " +)" : ")"));
+  }
   for (std::size_t n = flushing_added_.size(); n-- > 0;) {
     const WmeId wme = flushing_added_[n];
     // An element that came and went within the phase never enters the match.

@@ -23,6 +23,8 @@ class WmeChanges {
 
   WmeId Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, SlotId slot = SlotId::kNone,
             PreferenceId preference = PreferenceId::kNone);
+  /// An element from outside, which may pass for that of an acceptable preference.
+  WmeId AddInput(Symbol id, Symbol attribute, Symbol value, bool acceptable);
   /// The element of an acceptable preference.
   WmeId AddAcceptable(SlotId slot, Symbol value, PreferenceId preference);
   void Remove(WmeId wme);

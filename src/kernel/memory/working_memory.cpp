@@ -300,12 +300,13 @@ void WorkingMemory::RemoveFromSlot(PreferenceId id) {
 
 // Large slots ---------------------------------------------------------------------------------------------------------
 
-bool WorkingMemory::HasFact(SlotId slot, Symbol value) {
+bool WorkingMemory::HasTopFact(SlotId slot, Symbol value) {
   if (const LargeSlot* const large = Large(slot)) {
     const LargeSlot::Value* const known = large->Find(value);
-    return known != nullptr && known->facts != 0;
+    return known != nullptr && known->top_facts != 0;
   }
   for (PreferenceId p = slot.record->acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) {
+    if (p.record->level > 1) break;  // Those of the top state stand in front.
     if (p.record->o_supported && p.record->value == value) return true;
   }
   return false;

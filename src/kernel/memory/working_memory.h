@@ -174,8 +174,9 @@ class WorkingMemory {
     Slot& slot = *id.record;
     return slot.is_large || slot.acceptable_count > kManyPreferences ? &LargeOf(slot) : nullptr;
   }
-  /// Whether the slot has an o-supported acceptable preference for a value.
-  bool HasFact(SlotId slot, Symbol value);
+  /// Whether the slot has an o-supported acceptable preference of the top state's level for a value. (One that a
+  /// substate's rule made is no reason to leave such a fact out: it goes with the substate.)
+  bool HasTopFact(SlotId slot, Symbol value);
   /// True if what is known of large slots is what there is.
   bool LargeSlotsAreRight() const;
   /// Returns a preference that nothing refers to.

@@ -2,12 +2,14 @@
 #include "kernel/rules/parser.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "kernel/base/words.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/finish_rule.h"
 #include "kernel/rules/rule_reader.h"
+#include "kernel/rules/syntax_help.h"
 
 namespace soarbox::kernel {
 
@@ -56,7 +58,7 @@ void RuleReader::Complain() {
 }
 
 void RuleReader::Say(std::string text, bool is_warning) {
-  out_.messages.push_back({std::move(text), false, is_warning});
+  (out_.name.empty() ? out_.messages : out_.late_messages).push_back({std::move(text), false, is_warning});
 }
 
 void RuleReader::Report(Severity severity, const RuleToken& token, std::string message, std::string hint) {
@@ -78,12 +80,24 @@ void RuleReader::Report(Severity severity, const RuleToken& token, std::string m
   out_.diagnostics.push_back(std::move(diagnostic));
 }
 
+/// Soar's text goes to the transcript; the diagnostic says in which rule what is missing, and what is still open there.
 bool RuleReader::Fail(std::string_view message, std::string_view hint) {
   Say(std::string(message) + "\n");
-  std::string found = token_.kind == TokenKind::kEnd
-                          ? "the end of the rule"
-                          : "'" + std::string(body_.substr(token_.offset, token_.length)) + "'";
-  Report(Severity::kError, token_, std::string(message) + ", found " + found, std::string(hint));
+  std::string text = out_.name.empty() ? std::string() : "rule " + out_.name + ": ";
+  text += DescribeSyntaxError(message);
+  const bool at_end = token_.kind == TokenKind::kEnd;
+  text += at_end ? std::string(", but the rule ends here")
+                 : ", found '" + std::string(body_.substr(token_.offset, token_.length)) + "'";
+  std::string advice(hint);
+  if (const std::optional<std::size_t> open = FindOpenBracket(body_, token_.offset)) {
+    const TextPlace at = PlaceFinder(body_).Find(*open);
+    const int line = place_.line + at.line - 1, column = at.line == 1 ? place_.column + at.column - 1 : at.column;
+    const std::string bracket(1, body_[*open]);
+    if (!advice.empty()) advice += "; ";
+    advice += "the " + bracket + " of line " + std::to_string(line) + ", column " + std::to_string(column) +
+              (at_end ? " is never closed" : " is still open here");
+  }
+  Report(Severity::kError, token_, std::move(text), std::move(advice));
   return false;
 }
 
@@ -162,9 +176,9 @@ bool RuleReader::ReadRule(RuleDraft& rule) {
         Is(TokenKind::kIdentifier) ? "a name of this form reads as an identifier; use at least two letters" : "");
   }
   rule.name = token_.text;
-  out_.name = rule.name;
   symbols_.String(rule.name);
-  Advance();
+  Advance();  // Complaints about what follows the name still come before the older rule goes.
+  out_.name = rule.name;
   if (!ReadFlags(rule)) {
     return false;
   }
@@ -187,24 +201,14 @@ ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, Sy
   rule.file = place.file;
   rule.line = place.line;
   rule.column = place.column;
-  const auto ignore = [&](std::vector<RuleMessage>& messages) {
-    if (!out.name.empty()) {
-      messages.push_back(
-          {"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
-    }
-  };
   VariableIndex variables;
   RuleReader reader(body, place, symbols, variables, arena, out);
-  if (!reader.ReadRule(rule)) {
-    ignore(out.messages);
-    return out;
+  if (reader.ReadRule(rule) && FinishRule(rule, variables, place, symbols, expected, arena, out)) {
+    out.production = Production::Make(rule);
+  } else if (!out.name.empty()) {
+    out.late_messages.push_back(
+        {"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
   }
-  out.syntax_ok = true;
-  if (!FinishRule(rule, variables, place, symbols, expected, arena, out)) {
-    ignore(out.late_messages);
-    return out;
-  }
-  out.production = Production::Make(rule);
   return out;
 }
 

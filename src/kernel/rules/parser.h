@@ -29,11 +29,9 @@ struct RuleMessage {
 struct ParseOutcome {
   ProductionPtr production;  ///< None if the rule was refused.
   std::string name;          ///< Empty if not even the name could be read.
-  std::vector<RuleMessage> messages;
-  /// True once the text is read without an error of syntax. An older rule of this name is then excised (and `#`
-  /// printed), even if this one is refused in the end; `late_messages` come after that.
-  bool syntax_ok = false;
-  std::vector<RuleMessage> late_messages;
+  /// As soon as the name is read, an older rule of this name is excised (and `#` printed), even if this one is refused
+  /// in the end; `late_messages` come after that.
+  std::vector<RuleMessage> messages, late_messages;
   std::vector<Diagnostic> diagnostics;  ///< Our own: errors with their place and a hint, and traps found.
 };
 

@@ -98,10 +98,13 @@ TEST_F(ParserTest, RulesThatHangOnNothingAreRefusedOrWarnedOf) {
             "      Unbound relational test in negative condition of rule \n(Ignoring production ab)\n\n");
 }
 
-TEST_F(ParserTest, AnOlderRuleIsToGoOnceTheTextIsReadEvenIfTheNewOneIsRefused) {
-  EXPECT_FALSE(Parse("ab (state <s> ^a").syntax_ok);
+TEST_F(ParserTest, AnOlderRuleIsToGoOnceTheNameIsReadEvenIfTheNewOneIsRefused) {
+  const ParseOutcome broken = Parse("ab (state <s> ^a");
+  EXPECT_EQ(broken.name, "ab");
+  EXPECT_TRUE(broken.messages.empty());
+  EXPECT_FALSE(broken.late_messages.empty());
+  EXPECT_EQ(Parse("ab 99999999999999999999 (state <s> ^a b) --> (write x)").messages.size(), 1u);
   const ParseOutcome outcome = Parse("ab (state <s> ^a b) --> (<x> ^c d)");
-  EXPECT_TRUE(outcome.syntax_ok);
   EXPECT_EQ(outcome.production, nullptr);
   EXPECT_TRUE(outcome.messages.empty());
   EXPECT_EQ(outcome.late_messages.size(), 2u);
@@ -114,8 +117,26 @@ TEST_F(ParserTest, DiagnosticsNameThePlaceTheTokenAndWhatToDo) {
   EXPECT_EQ(diagnostic.file, "scout.soar");
   EXPECT_EQ(diagnostic.line, 11);
   EXPECT_EQ(diagnostic.column, 16);
-  EXPECT_EQ(diagnostic.message, "Illegal value for RHS value, found '<<'");
+  EXPECT_EQ(diagnostic.message,
+            "rule ab: expected a value: a constant, a variable, or a function call in parentheses, found '<<'");
+  EXPECT_EQ(diagnostic.hint, "the ( of line 11, column 8 is still open here");
   EXPECT_EQ(diagnostic.excerpt, "   --> (<s> ^c << d >>)");
+}
+
+TEST_F(ParserTest, ARuleThatEndsTooEarlySaysWhichBracketIsOpen) {
+  const auto complaint = [&](std::string_view body) {
+    const ParseOutcome outcome = Parse(body);
+    return outcome.diagnostics.empty() ? std::string()
+                                       : outcome.diagnostics[0].message + "\n" + outcome.diagnostics[0].hint;
+  };
+  EXPECT_EQ(complaint("ab (state <s> ^a b)\n   -->\n   (<s> ^c |)| ^d\n"),
+            "rule ab: expected a value: a constant, a variable, or a function call in parentheses, but the rule ends "
+            "here\nthe ( of line 12, column 4 is never closed");
+  EXPECT_EQ(complaint("ab (state <s> ^a b)\n  -{(<s> ^c d) --> (<s> ^e f)"),
+            "rule ab: expected } to end the conditions that -{ began, found '-->'\nthe { of line 11, column 4 is still "
+            "open here");
+  EXPECT_EQ(complaint("ab (state <s> ^a b)"),
+            "rule ab: expected another condition, or --> before the actions, but the rule ends here\n");
 }
 
 TEST_F(ParserTest, TrapsAreToldOfBesideSoarsOwnTexts) {
@@ -139,7 +160,7 @@ TEST_F(ParserTest, BracketsWithoutEndAreRefusedNotFollowed) {
   std::string calls = "ab (state <s> ^a b) --> (<s> ^c ";
   for (int i = 0; i < 100000; ++i) calls += "(+ ";
   EXPECT_THAT(Messages(calls), HasSubstr("nested too deeply"));
-  EXPECT_EQ(Parse("ab (state <s> ^a b) --> ()").production, nullptr);
+  EXPECT_EQ(Parse("ab (state <s> ^a b) --> (").production, nullptr);
 }
 
 TEST_F(ParserTest, ConditionsAreOrderedAndPrintedAsSoarDoes) {

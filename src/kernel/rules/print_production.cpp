@@ -52,7 +52,6 @@ class ObjectPrinter {
   /// `first_in_line`: the list goes on in the line that is open.
   void Conditions(std::span<const Condition> conditions, std::size_t indent, bool first_in_line) {
     std::vector<bool> printed(conditions.size(), false);
-    std::vector<Symbol> bound_as_value;
     for (std::size_t i = 0; i < conditions.size(); ++i) {
       if (printed[i]) {
         continue;
@@ -72,7 +71,7 @@ class ObjectPrinter {
       }
       out_ += '(';
       const Symbol id = EqualitySymbol(condition.id);
-      AppendId(condition, std::ranges::find(bound_as_value, id) == bound_as_value.end());
+      AppendId(condition);
       for (std::size_t j = i; j < conditions.size(); ++j) {
         if (printed[j] || (j != i && !SameObject(conditions[j], id))) {
           continue;
@@ -84,11 +83,6 @@ class ObjectPrinter {
         }
       }
       out_ += ')';
-      for (std::size_t j = 0; j < conditions.size(); ++j) {
-        if (printed[j] && conditions[j].kind == ConditionKind::kPositive) {
-          bound_as_value.push_back(EqualitySymbol(conditions[j].value));
-        }
-      }
     }
   }
 
@@ -159,12 +153,12 @@ class ObjectPrinter {
     return text;
   }
 
-  void AppendId(const Condition& condition, bool with_goal_test) {
+  void AppendId(const Condition& condition) {
     std::vector<const Test*> rest;
     for (const Test& part : condition.id.parts()) {
       if (!IsGoalTest(part)) {
         rest.push_back(&part);
-      } else if (with_goal_test) {
+      } else {
         out_ += part.kind == TestKind::kState ? "state " : "impasse ";
       }
     }
@@ -286,7 +280,7 @@ void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue
   }
   const std::string_view function = BuiltinFunctions()[value.function_index()].name;
   out += '(';
-  const bool sign = function.size() == 1 && std::string_view("+-*/").find(function[0]) != std::string_view::npos;
+  const bool sign = function.size() == 1 && std::string_view("+-*").find(function[0]) != std::string_view::npos;
   if (sign || ReadsAsPlainString(function)) {
     out += function;
   } else {
@@ -348,7 +342,7 @@ void AppendCondition(std::string& out, const SymbolTable& symbols, const Conditi
   }
   ObjectPrinter printer(out, symbols, true);
   out += '(';
-  printer.AppendId(condition, true);
+  printer.AppendId(condition);
   out += printer.AttributeText(condition) + ")";
 }
 

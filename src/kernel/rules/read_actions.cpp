@@ -26,7 +26,7 @@ bool RuleReader::ReadActions(Actions& out) {
       return Fail("Expected ( to begin RHS action");
     }
     Advance();
-    if (Is(TokenKind::kVariable)) {
+    if (Is(TokenKind::kVariable) || Is(TokenKind::kIdentifier)) {
       if (!ReadMakeActions(out)) {
         return false;
       }
@@ -43,7 +43,15 @@ bool RuleReader::ReadActions(Actions& out) {
 }
 
 bool RuleReader::ReadMakeActions(Actions& out) {
-  const ValueDraft first_id = Plain(ConstantOrVariable());
+  Term object;
+  if (Is(TokenKind::kIdentifier)) {  // Stands for nothing that a rule knows: refused in the end, as written.
+    object.symbol = symbols_.Variable(body_.substr(token_.offset, token_.length));
+    object.variable = variables_.Add(object.symbol);
+    Advance();
+  } else {
+    object = ConstantOrVariable();
+  }
+  const ValueDraft first_id = Plain(object);
   if (Is(TokenKind::kRightParen)) {
     Report(Severity::kError, token_, "the action makes nothing", "write ^attribute value after the variable");
     return false;
@@ -120,10 +128,8 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   switch (name.kind) {
     case TokenKind::kEnd:
     case TokenKind::kLeftParen:
-    case TokenKind::kRightParen:
     case TokenKind::kLeftBrace:
     case TokenKind::kRightBrace:
-    case TokenKind::kUpArrow:
     case TokenKind::kUnclosed:
       return Fail("Expected function name", "write the name of a function after the bracket: (write ...)");
     default:
@@ -174,7 +180,7 @@ void RuleReader::InsertExec(const RuleToken& name) {
   }
   edited_.insert(name.offset + inserted_, "exec ");
   inserted_ += 5;
-  const std::string text(name.text);
+  const std::string text(Is(TokenKind::kString) ? name.text : body_.substr(name.offset, name.length));
   Say("Adding exec to RHS function: " + text + "\n" + edited_ + "\n");
   Report(Severity::kNote, name,
          "there is no built-in function " + text + ": the client's function of that name is called", "");
@@ -183,8 +189,6 @@ void RuleReader::InsertExec(const RuleToken& name) {
 bool RuleReader::ReadPreferenceType(PreferenceType& type) {
   switch (token_.kind) {
     case TokenKind::kComma:
-      type = PreferenceType::kAcceptable;
-      break;
     case TokenKind::kPlus:
       type = PreferenceType::kAcceptable;
       break;

@@ -150,17 +150,46 @@ bool RuleReader::ReadPositiveCondition(Conditions& out, int depth) {
   if (!Is(TokenKind::kLeftParen)) {
     return Fail("Expected ( to begin condition element");
   }
-  Term id;
-  return ReadObject(out, true, 's', id, depth);
+  TestDraft id;
+  Conditions read;
+  if (!ReadObject(read, 's', id, depth)) {
+    return false;
+  }
+  FillIn(read, id);
+  out.Append(read);
+  return true;
 }
 
-bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, Term& object, int depth) {
+/// Conditions get but the variable of the object that they stand for; the whole test of it goes to one positive
+/// condition. If there is none, all have it.
+void RuleReader::FillIn(const Conditions& conditions, const TestDraft& id) {
+  if (id.kind == TestKind::kEqual) {
+    return;
+  }
+  const Symbol variable = EqualitySymbol(id);
+  for (ConditionDraft& condition : conditions) {
+    if (condition.kind == ConditionKind::kPositive && condition.id.referent == variable) {
+      condition.id = Copy(id, arena_);
+      return;
+    }
+  }
+  for (ConditionDraft& condition : conditions) {
+    if (condition.kind == ConditionKind::kConjunctiveNegation) {
+      FillIn(condition.conditions, id);
+    } else if (condition.id.referent == variable) {
+      condition.id = Copy(id, arena_);
+    }
+  }
+}
+
+/// Reads (<object> ^attribute value ...); `object` is then what is tested of it, and the conditions name its variable.
+bool RuleReader::ReadObject(Conditions& out, char id_letter, TestDraft& object, int depth) {
   if (depth > kMaxDepth) {
     return Fail("Conditions are nested too deeply");
   }
   Advance();  // (
   TestDraft goal;
-  if (may_be_goal && Is(TokenKind::kString) && (token_.text == "state" || token_.text == "impasse")) {
+  if (Is(TokenKind::kString) && (token_.text == "state" || token_.text == "impasse")) {
     goal.kind = token_.text == "state" ? TestKind::kState : TestKind::kImpasse;
     Advance();
   }
@@ -173,7 +202,7 @@ bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, T
     }
   }
   AddEquality(id, id_letter);
-  object = {EqualitySymbol(id), EqualityVariable(id)};
+  const TestDraft variable = Equal({EqualitySymbol(id), EqualityVariable(id)});
   if (is_goal) {
     TestDraft both = MakeTest(TestKind::kConjunction);
     both.parts.Add(arena_.New(goal));
@@ -184,6 +213,7 @@ bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, T
     }
     id = both;
   }
+  object = id;
 
   if (Is(TokenKind::kRightParen)) {
     if (is_goal) {
@@ -192,11 +222,11 @@ bool RuleReader::ReadObject(Conditions& out, bool may_be_goal, char id_letter, T
           "\"^type state\" or \"^superstate nil\"?");
     }
     ConditionDraft* const any = arena_.New<ConditionDraft>();
-    any->id = id;
+    any->id = variable;
     AddEquality(any->attribute, 'a');
     AddEquality(any->value, 'v');
     out.Add(any);
-  } else if (!ReadAttributes(id, out, depth)) {
+  } else if (!ReadAttributes(variable, out, depth)) {
     return false;
   }
   Advance();  // )
@@ -267,14 +297,16 @@ bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int d
   while (!Is(TokenKind::kUpArrow) && !Is(TokenKind::kMinus) && !Is(TokenKind::kRightParen)) {
     ConditionDraft* const condition = arena_.New<ConditionDraft>();
     condition->id = Copy(id, arena_);
-    condition->attribute = Copy(attribute, arena_);
+    if (has_value) {  // The whole test of the attribute stands in the first condition.
+      condition->attribute = Equal({EqualitySymbol(attribute), EqualityVariable(attribute)});
+    } else {
+      condition->attribute = Copy(attribute, arena_);
+    }
     Conditions inner;
     if (Is(TokenKind::kLeftParen)) {
-      Term object;
-      if (!ReadObject(inner, false, letter, object, depth + 1)) {
+      if (!ReadObject(inner, letter, condition->value, depth + 1)) {
         return false;
       }
-      condition->value = Equal(object);
     } else {
       if (!ReadTest(condition->value)) {
         return false;

@@ -25,6 +25,8 @@ struct SavedTest {
 struct GoalTest {
   std::uint32_t variable = kNoVariable;
   TestKind kind = TestKind::kState;
+  bool of_id = false;     ///< Written of the identifier of a condition.
+  bool of_value = false;  ///< Written of the object that is the value of one: ^superstate (state <ss> ...).
   bool placed = false;
   GoalTest* next = nullptr;
 };
@@ -90,16 +92,27 @@ bool IsGoalTest(const TestDraft& test) {
   return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
 }
 
-void RemoveGoalTests(TestDraft& test, Arena& arena) {
-  DraftList<TestDraft> kept;
-  for (TestDraft* part = Parts(test, arena).first; part != nullptr;) {
+/// The equality behind all other tests.
+void PutEqualityLast(TestDraft& test) {
+  DraftList<TestDraft> kept, equality;
+  for (TestDraft* part = test.parts.first; part != nullptr;) {
     TestDraft* const next = part->next;
-    if (!IsGoalTest(*part)) {
-      kept.Add(part);
-    }
+    (part->kind == TestKind::kEqual ? equality : kept).Add(part);
     part = next;
   }
-  test = Joined(kept);
+  kept.Append(equality);
+  test.parts = kept;
+}
+
+/// Keeps of a disjunction what another one has as well.
+void KeepCommon(TestDraft& test, const TestDraft& other, Arena& arena) {
+  Symbol* const common = arena.NewArray<Symbol>(test.disjunct_count);
+  Symbol* const end = std::copy_if(test.disjuncts, test.disjuncts + test.disjunct_count, common, [&](Symbol symbol) {
+    const Symbol* const last = other.disjuncts + other.disjunct_count;
+    return std::find(other.disjuncts, last, symbol) != last;
+  });
+  test.disjuncts = common;
+  test.disjunct_count = static_cast<std::uint32_t>(end - common);
 }
 
 /// Orders one list of conditions: those of a rule, or those inside a conjunctive negation. `Set` is a set of variables.
@@ -108,15 +121,13 @@ class ListReorderer {
  public:
   /// `bound` has kNoVariable as well: constants are known.
   ListReorderer(std::string_view rule_name, const SymbolTable& symbols, const VariableIndex& variables,
-                const ExpectedValues& expected, Arena& arena, const Set& bound, const Set& known_goals,
-                ReorderOutcome& out)
+                const ExpectedValues& expected, Arena& arena, const Set& bound, ReorderOutcome& out)
       : rule_name_(rule_name),
         symbols_(symbols),
         variables_(variables),
         expected_(expected),
         arena_(arena),
         bound_(bound),
-        known_goals_(known_goals),
         out_(out),
         roots_(variables, arena),
         positive_values_(variables, arena),
@@ -124,10 +135,14 @@ class ListReorderer {
         fresh_(variables, arena),
         ahead_(variables, arena) {}
 
-  /// `needs_goal`: the list must hang on something; for the top level of a rule.
-  void Reorder(DraftList<ConditionDraft>& conditions, bool needs_goal) {
+  /// `is_top`: these are the conditions of a rule, which must hang on something.
+  void Reorder(DraftList<ConditionDraft>& conditions, bool is_top) {
     Strip(conditions);
-    if (!FindRoots() && needs_goal) {
+    const bool has_roots = FindRoots();
+    if (is_top) {
+      DropGoalTests();
+    }
+    if (!has_roots && is_top) {
       Warn("Error: production " + std::string(rule_name_) +
            " has no positive conditions that reference a goal state.\n"
            "Did you forget to add \"^type state\" or \"^superstate nil\"?\n");
@@ -143,9 +158,15 @@ class ListReorderer {
         waiting_[at] = waiting_[at + 1];
       }
       Place(*chosen);
+      if (roots_wait_ && bound_.Covers(roots_)) {
+        roots_wait_ = false;
+        roots_came_ = true;
+      }
       conditions.Add(chosen);
     }
-    TidyGoalTests(conditions);
+    if (!goal_tests_.empty()) {
+      PlaceGoalTests(conditions);
+    }
   }
 
  private:
@@ -181,9 +202,9 @@ class ListReorderer {
       *next++ = &waiting;
       waiting.positive = condition.kind == ConditionKind::kPositive;
       if (waiting.positive) {
-        StripField(condition.id);
-        StripField(condition.attribute);
-        StripField(condition.value);
+        StripField(condition.id, true);
+        StripField(condition.attribute, false);
+        StripField(condition.value, false);
       }
       waiting.fields[0] = EqualityVariable(condition.id);
       waiting.fields[1] = EqualityVariable(condition.attribute);
@@ -207,7 +228,7 @@ class ListReorderer {
     return std::min(expected_.Of(EqualitySymbol(attribute)), (kInfinite - 1) / kUnboundCost);
   }
 
-  void StripField(TestDraft& test) {
+  void StripField(TestDraft& test, bool is_id) {
     if (test.kind == TestKind::kEqual) {
       return;
     }
@@ -219,7 +240,7 @@ class ListReorderer {
       if (part->kind == TestKind::kEqual) {
         equality.Add(part);
       } else if (IsGoalTest(*part)) {
-        SaveGoalTest(variable, part->kind);
+        SaveGoalTest(variable, part->kind, is_id);
       } else if (IsStrippable(part->kind)) {
         SaveTest(field, variable, *part);
       } else {
@@ -231,26 +252,31 @@ class ListReorderer {
     test = Joined(kept);
   }
 
-  void SaveGoalTest(std::uint32_t variable, TestKind kind) {
-    for (const GoalTest& known : goal_tests_) {
-      if (known.variable == variable && known.kind == kind) {
-        return;
-      }
+  void SaveGoalTest(std::uint32_t variable, TestKind kind, bool of_id) {
+    GoalTest* test = goal_tests_.first;
+    while (test != nullptr && (test->variable != variable || test->kind != kind)) {
+      test = test->next;
     }
-    GoalTest test;
-    test.variable = variable;
-    test.kind = kind;
-    test.placed = variable != kNoVariable && known_goals_.Has(variable);
-    goal_tests_.Add(arena_.New(test));
+    if (test == nullptr) {
+      test = arena_.New<GoalTest>();
+      test->variable = variable;
+      test->kind = kind;
+      goal_tests_.Add(test);
+    }
+    (of_id ? test->of_id : test->of_value) = true;
   }
 
-  /// A test that is written on several conditions with the same identifier is kept once.
-  void SaveTest(Symbol field, std::uint32_t variable, const TestDraft& test) {
-    for (const SavedTest& known : saved_) {
-      if (known.field == field && known.test == test) {
-        return;
+  /// What is linked to a root need not be tested to be a state.
+  void DropGoalTests() {
+    for (GoalTest& test : goal_tests_) {
+      if (test.kind == TestKind::kState && !test.of_value && test.variable != kNoVariable &&
+          !roots_.Has(test.variable)) {
+        test.placed = true;
       }
     }
+  }
+
+  void SaveTest(Symbol field, std::uint32_t variable, const TestDraft& test) {
     SavedTest saved;
     saved.field = field;
     saved.field_variable = variable;
@@ -261,14 +287,14 @@ class ListReorderer {
 
   bool IsGoalVariable(std::uint32_t variable) const {
     for (const GoalTest& test : goal_tests_) {
-      if (test.variable == variable) {
+      if (test.variable == variable && test.of_id) {
         return true;
       }
     }
     return false;
   }
 
-  /// Roots are the identifiers that no condition has as its value; without any, the goals.
+  /// Roots are the identifiers that no condition has as its value; without any, the first state.
   bool FindRoots() {
     bool any = false;
     for (std::size_t n = 0; n < count_; ++n) {
@@ -282,15 +308,14 @@ class ListReorderer {
         NoteUnconnected(variables_.variable(id));
       }
     }
-    if (any) {
-      return true;
-    }
     for (const GoalTest& test : goal_tests_) {
-      if (test.variable != kNoVariable) {
+      if (!any && test.variable != kNoVariable && test.kind == TestKind::kState && test.of_id) {
         roots_.Add(test.variable);
+        bound_.Add(test.variable);  // As in Soar: what is negated of it may come first.
         any = true;
       }
     }
+    roots_wait_ = any;
     return any;
   }
 
@@ -331,15 +356,18 @@ class ListReorderer {
     }
   }
 
+  /// Until every root is bound, roots count as bound, in any field, and nobody asks how many values are expected.
+  bool IsKnown(std::uint32_t variable) const { return bound_.Has(variable) || (roots_wait_ && roots_.Has(variable)); }
+
   std::int64_t Cost(const Waiting& waiting) const {
     if (!waiting.positive) {
       return bound_.Covers(waiting.needs) ? 1 : kInfinite;
     }
-    if (!bound_.Has(waiting.fields[0]) && !roots_.Has(waiting.fields[0])) {
+    if (!IsKnown(waiting.fields[0])) {
       return kInfinite;
     }
-    return (bound_.Has(waiting.fields[1]) ? waiting.expected : kUnboundCost) *
-           (bound_.Has(waiting.fields[2]) ? 1 : kUnboundCost);
+    const std::int64_t values = roots_wait_ ? 1 : waiting.expected;
+    return (IsKnown(waiting.fields[1]) ? values : kUnboundCost) * (IsKnown(waiting.fields[2]) ? 1 : kUnboundCost);
   }
 
   /// The cheapest cost among the others once `taken` has been chosen.
@@ -387,7 +415,7 @@ class ListReorderer {
     std::size_t tied = 0;  // How many of tied_ count; last in the text first.
     for (std::size_t at = count_; at-- > 0;) {
       Waiting& waiting = *waiting_[at];
-      if (waiting.needs.Meets(fresh_)) {
+      if (roots_came_ || waiting.needs.Meets(fresh_)) {
         waiting.cost = Cost(waiting);
       }
       const std::int64_t cost = waiting.cost;
@@ -400,13 +428,13 @@ class ListReorderer {
       }
     }
     fresh_.Clear();
+    roots_came_ = false;
     if (cheapest >= kInfinite) {
       if (!warned_) {
         Warn("Warning:  in production " + std::string(rule_name_) +
              ",\n     The LHS conditions are not all connected.\n");
         warned_ = true;
       }
-      return tied_[0];
     }
     std::size_t incumbent = tied_[0];
     std::int64_t best = 0;
@@ -446,15 +474,9 @@ class ListReorderer {
         CheckNegated(condition);
         return;
       case ConditionKind::kConjunctiveNegation: {
-        Set inner_bound(variables_, arena_), inner_goals(variables_, arena_);
+        Set inner_bound(variables_, arena_);
         inner_bound.Assign(bound_);
-        inner_goals.Assign(known_goals_);
-        for (const GoalTest& goal : goal_tests_) {
-          if (goal.variable != kNoVariable && bound_.Has(goal.variable)) {
-            inner_goals.Add(goal.variable);
-          }
-        }
-        ListReorderer inner(rule_name_, symbols_, variables_, expected_, arena_, inner_bound, inner_goals, out_);
+        ListReorderer inner(rule_name_, symbols_, variables_, expected_, arena_, inner_bound, out_);
         inner.Reorder(condition.conditions, false);
         return;
       }
@@ -472,23 +494,25 @@ class ListReorderer {
     }
   }
 
-  /// Puts the saved tests back that can be decided now that this field is bound.
+  /// Puts the saved tests back that can be decided now that this field is bound, equal ones once; of disjunctions
+  /// becomes the one of what they have in common.
   void PutBack(TestDraft& test) {
     const Symbol symbol = EqualitySymbol(test);
-    DraftList<TestDraft> placed;
+    std::vector<TestDraft*>& placed = placed_;
+    placed.clear();
     for (SavedTest& saved : saved_) {
       if (saved.placed) {
         continue;
       }
       const Symbol referent = saved.test.referent;
       if (saved.field == symbol && bound_.Has(saved.test.variable)) {
-        placed.Add(arena_.New(saved.test));
+        placed.push_back(arena_.New(saved.test));
       } else if (referent == symbol && referent.IsVariable() && bound_.Has(saved.field_variable)) {
         TestDraft turned = saved.test;
         turned.kind = TurnedRound(turned.kind);
         turned.referent = saved.field;
         turned.variable = saved.field_variable;
-        placed.Add(arena_.New(turned));
+        placed.push_back(arena_.New(turned));
       } else {
         continue;
       }
@@ -498,14 +522,34 @@ class ListReorderer {
     if (placed.empty()) {
       return;
     }
-    placed.Append(Parts(test, arena_));
-    test = Joined(placed);
+    DraftList<TestDraft> parts = Parts(test, arena_);
+    for (std::size_t at = placed.size(); at-- > 0;) {
+      TestDraft& part = *placed[at];
+      TestDraft* known = parts.first;
+      while (known != nullptr && !(*known == part) &&
+             (known->kind != TestKind::kDisjunction || part.kind != TestKind::kDisjunction)) {
+        known = known->next;
+      }
+      if (known == nullptr) {
+        DraftList<TestDraft> front;
+        front.Add(&part);
+        front.Append(parts);
+        parts = front;
+      } else if (part.kind == TestKind::kDisjunction) {
+        KeepCommon(*known, part, arena_);
+      }
+    }
+    test = Joined(parts);
   }
 
-  void CheckNegated(const ConditionDraft& condition) {
+  void CheckNegated(ConditionDraft& condition) {
     Set local(variables_, arena_);
-    for (const TestDraft* test : {&condition.id, &condition.attribute, &condition.value}) {
-      AddVariable(local, EqualityVariable(*test));
+    for (TestDraft* test : {&condition.id, &condition.attribute, &condition.value}) {
+      const std::uint32_t variable = EqualityVariable(*test);
+      if (test->kind == TestKind::kConjunction && !bound_.Has(variable) && !local.Has(variable)) {
+        PutEqualityLast(*test);
+      }
+      AddVariable(local, variable);
       CheckReferents(*test, local);
     }
   }
@@ -526,21 +570,11 @@ class ListReorderer {
     out_.ok = false;
   }
 
-  /// Each goal test once: on the first positive condition with its variable as identifier. A negated condition keeps
-  /// one only for a variable that no positive condition has tested.
-  void TidyGoalTests(const DraftList<ConditionDraft>& conditions) {
+  /// Each goal test once: on the first positive condition with its variable as identifier.
+  void PlaceGoalTests(const DraftList<ConditionDraft>& conditions) {
     for (ConditionDraft& condition : conditions) {
       if (condition.kind == ConditionKind::kPositive) {
         PlaceGoalTests(condition.id);
-      } else if (condition.kind == ConditionKind::kNegative) {
-        const std::uint32_t id = EqualityVariable(condition.id);
-        bool known = id != kNoVariable && known_goals_.Has(id);
-        for (const GoalTest& goal : goal_tests_) {
-          known = known || (goal.placed && goal.variable == id);
-        }
-        if (known) {
-          RemoveGoalTests(condition.id, arena_);
-        }
       }
     }
   }
@@ -565,14 +599,16 @@ class ListReorderer {
   const ExpectedValues& expected_;
   Arena& arena_;
   Set bound_;
-  Set known_goals_;  ///< Variables that conditions around this list test to be goals.
   ReorderOutcome& out_;
   Set roots_, positive_values_, positive_variables_;
+  bool roots_wait_ = false;          ///< Some root is not bound yet.
+  bool roots_came_ = false;          ///< The last root has been bound since the costs were computed.
   Set fresh_;                        ///< Variables bound since the costs were computed.
   Set ahead_;                        ///< Scratch of LookAhead: variables bound for a moment.
   std::vector<Symbol> unconnected_;  ///< Roots of this list that are no goals.
   DraftList<SavedTest> saved_;
-  std::size_t unplaced_ = 0;  ///< Saved tests not put back yet.
+  std::size_t unplaced_ = 0;        ///< Saved tests not put back yet.
+  std::vector<TestDraft*> placed_;  ///< Scratch of PutBack.
   DraftList<GoalTest> goal_tests_;
   Waiting** waiting_ = nullptr;  ///< Conditions that are not placed yet, in text order.
   std::size_t count_ = 0;
@@ -585,8 +621,7 @@ void Reorder(RuleDraft& rule, const VariableIndex& variables, const ExpectedValu
              const SymbolTable& symbols, Arena& arena, ReorderOutcome& out) {
   Set bound(variables, arena);
   bound.Add(kNoVariable);
-  const Set goals(variables, arena);
-  ListReorderer<Set>(rule.name, symbols, variables, expected, arena, bound, goals, out).Reorder(rule.conditions, true);
+  ListReorderer<Set>(rule.name, symbols, variables, expected, arena, bound, out).Reorder(rule.conditions, true);
 }
 
 }  // namespace

@@ -76,7 +76,8 @@ class RuleReader {
   bool ReadConditions(Conditions& out, int depth);
   bool ReadCondition(Conditions& out, int depth);
   bool ReadPositiveCondition(Conditions& out, int depth);
-  bool ReadObject(Conditions& out, bool may_be_goal, char id_letter, Term& id, int depth);
+  bool ReadObject(Conditions& out, char id_letter, TestDraft& id, int depth);
+  void FillIn(const Conditions& conditions, const TestDraft& id);
   bool ReadIdTest(TestDraft& id);
   bool ReadAttributes(const TestDraft& id, Conditions& out, int depth);
   bool ReadAttribute(const TestDraft& id, Conditions& out, int depth);

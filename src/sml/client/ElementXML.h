@@ -11,8 +11,8 @@ struct Element;
 
 namespace soarxml {
 
-/// A read-only view of an element of a message: a tag, attributes, and either text or child elements. Copies share
-/// the message, which lives as long as one of them.
+/// An element of a message: a tag, attributes, and either text or child elements. Copies share the message, which lives
+/// as long as one of them; what one of them changes, the others do not see.
 class EXPORT ElementXML {
  public:
   ElementXML();
@@ -20,6 +20,17 @@ class EXPORT ElementXML {
   ElementXML(ElementXML const&);
   ElementXML& operator=(ElementXML const&);
   ~ElementXML();
+
+  /// Reads a document; NULL if it is none, and GetLastParseErrorDescription() says why. The caller deletes the element.
+  static ElementXML* ParseXMLFromString(char const* pString);
+  /// Of this thread's last ParseXMLFromString; empty if it succeeded.
+  static char const* GetLastParseErrorDescription();
+
+  bool SetTagName(char const* tagName);
+  /// Adds an attribute, or replaces the value of one. The text is copied, whatever the last two arguments say.
+  bool AddAttribute(char const* attributeName, char const* attributeValue, bool copyName = true, bool copyValue = true);
+  /// Replaces the text; the characters are copied.
+  bool SetCharacterData(char const* characterData, bool copyData = true);
 
   char const* GetTagName() const;
   bool IsTag(char const* pTag) const;
@@ -48,6 +59,9 @@ class EXPORT ElementXML {
   std::shared_ptr<const soarbox::wire::Element> const& element() const { return element_; }
 
  private:
+  /// A copy of the element that only this view has, to be changed.
+  std::shared_ptr<soarbox::wire::Element> Own() const;
+
   std::shared_ptr<const soarbox::wire::Element> element_;
 };
 

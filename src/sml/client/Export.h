@@ -11,3 +11,10 @@
 #else
 #define EXPORT __attribute__((visibility("default")))
 #endif
+
+/// Marks the function by which a library that a kernel loads offers itself.
+#if defined(_WIN32)
+#define RHS_EXPORT __declspec(dllexport)
+#else
+#define RHS_EXPORT __attribute__((visibility("default")))
+#endif

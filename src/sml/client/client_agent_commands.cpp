@@ -35,7 +35,7 @@ bool Agent::LoadProductions(char const* pFilename, bool echoResults) {
   if (!link) return false;
   const std::string line = "source {" + std::string(Unwrapped(pFilename)) + "}";
   KernelData& kernel = data_->kernel_data();
-  LineAnswer answer = kernel.link->Execute(GetAgentName(), link, {line, echoResults, !kernel.filtering, false});
+  LineAnswer answer = kernel.link->Execute(GetAgentName(), link, {line, echoResults, !kernel.filtering, false, true});
   kernel.last_line_ok = answer.ok;
   if (answer.ok) {
     ClearError();

@@ -10,7 +10,7 @@ namespace sml {
 
 namespace {
 
-/// What a husk has for children.
+/// What a dead object has for children.
 std::list<WMElement*> no_children;
 
 }  // namespace

@@ -124,6 +124,15 @@ bool Kernel::IsAutoCommitEnabled() {
 void Kernel::SetAnswerLimit(int milliseconds) {
   if (data_->link) data_->link->SetAnswerLimit(milliseconds);
 }
+void Kernel::OverhearCommands(std::function<void(char const* pAgentName, char const* pCommandLine)> listener) {
+  if (data_->link) data_->link->OverhearCommands(std::move(listener));
+}
+void Kernel::FenceFiles(std::vector<std::string> folders) {
+  if (data_->link) data_->link->FenceFiles(std::move(folders));
+}
+void Kernel::HoldIncomingCommands(bool state) {
+  if (data_->link) data_->link->HoldIncoming(state);
+}
 bool Kernel::IsConnectionClosed() {
   return !data_->link || data_->shut_down || data_->link->closed();
 }
@@ -325,6 +334,8 @@ char const* RunAll(Kernel& kernel, KernelData& data, const RunSpec& spec) {
 }  // namespace
 
 char const* Kernel::RunAllAgents(int numberSteps, smlRunStepSize stepSize, smlRunStepSize interleaveStepSize) {
+  // An optimized kernel does not refuse steps that are smaller than what agents take in turn: these count then.
+  if (data_->direct && stepSize == sml_ELABORATION) stepSize = interleaveStepSize;
   return RunAll(*this, *data_, {false, false, numberSteps, stepSize, true, interleaveStepSize});
 }
 

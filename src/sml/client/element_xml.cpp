@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "sml/client/ElementXML.h"
 #include "sml/wire/element.h"
+#include "sml/wire/xml_reader.h"
 #include "sml/wire/xml_writer.h"
 
 namespace soarxml {
@@ -29,6 +32,65 @@ ElementXML::ElementXML(std::shared_ptr<const Element> element) : element_(std::m
 ElementXML::ElementXML(ElementXML const&) = default;
 ElementXML& ElementXML::operator=(ElementXML const&) = default;
 ElementXML::~ElementXML() = default;
+
+// Reading and changing ------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string& LastParseError() {
+  thread_local std::string error;
+  return error;
+}
+
+}  // namespace
+
+ElementXML* ElementXML::ParseXMLFromString(char const* pString) {
+  auto read = soarbox::wire::ReadXml(pString ? pString : "");
+  LastParseError() = read ? std::string() : read.error().message;
+  if (!read) return nullptr;
+  return new ElementXML(std::make_shared<const Element>(*std::move(read)));
+}
+
+char const* ElementXML::GetLastParseErrorDescription() {
+  return LastParseError().c_str();
+}
+
+std::shared_ptr<Element> ElementXML::Own() const {
+  return element_ ? std::make_shared<Element>(*element_) : std::make_shared<Element>();
+}
+
+bool ElementXML::SetTagName(char const* tagName) {
+  if (!tagName || *tagName == '\0') return false;
+  const std::shared_ptr<Element> own = Own();
+  own->tag = tagName;
+  element_ = own;
+  return true;
+}
+
+bool ElementXML::AddAttribute(char const* attributeName, char const* attributeValue, bool, bool) {
+  if (!attributeName || *attributeName == '\0' || !attributeValue) return false;
+  const std::shared_ptr<Element> own = Own();
+  std::string value = attributeValue;
+  for (auto& [name, old] : own->attributes) {
+    if (name != attributeName) continue;
+    old = std::move(value);
+    element_ = own;
+    return true;
+  }
+  own->Set(attributeName, std::move(value));
+  element_ = own;
+  return true;
+}
+
+bool ElementXML::SetCharacterData(char const* characterData, bool) {
+  if (!characterData) return false;
+  const std::shared_ptr<Element> own = Own();
+  own->text = characterData;
+  element_ = own;
+  return true;
+}
+
+// Looking -------------------------------------------------------------------------------------------------------------
 
 char const* ElementXML::GetTagName() const {
   return element_ ? element_->tag.c_str() : "";

@@ -69,6 +69,7 @@ struct LineRequest {
   bool echo = false;
   bool no_filter = false;
   bool structured = false;
+  bool fenced = false;  ///< Loads a file for which the fence holds, if there is one.
 };
 
 /// A link's own name for an element of the input.
@@ -123,6 +124,13 @@ class KernelLink {
   virtual void Shutdown() = 0;
   /// How long a kernel elsewhere may be silent while it is asked something; 0: the default.
   virtual void SetAnswerLimit(int milliseconds) { static_cast<void>(milliseconds); }
+
+  /// Hears of each command line of a remote client before it is carried out; kernels elsewhere tell nothing.
+  virtual void OverhearCommands(std::function<void(char const*, char const*)> listener) { static_cast<void>(listener); }
+  /// Remote clients wait until CheckForIncoming.
+  virtual void HoldIncoming(bool on) { static_cast<void>(on); }
+
+  virtual void FenceFiles(std::vector<std::string> folders) { static_cast<void>(folders); }
 
   virtual int ListenerPort() = 0;
   virtual long long InitialTimeTag() = 0;

@@ -87,6 +87,17 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     host_.SetPort(0);
   }
 
+  void OverhearCommands(std::function<void(char const*, char const*)> listener) override {
+    const std::lock_guard lock(host_.mutex());
+    host_.Overhear(std::move(listener));
+  }
+  void HoldIncoming(bool on) override { host_.HoldPump(on); }
+
+  void FenceFiles(std::vector<std::string> folders) override {
+    const std::lock_guard lock(host_.mutex());
+    host_.SetFence({folders.begin(), folders.end()});
+  }
+
   int ListenerPort() override { return host_.Port(); }
   long long InitialTimeTag() override { return host_.AssignTimeTags(*this); }
   std::string Version() override { return std::string(soarbox::wire::kSmlVersion); }
@@ -126,7 +137,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     if (!hosted && agent && *agent) hosted = host_.Find(agent);
     if (!hosted && agent && *agent) return Unknown(agent, request.structured);
     const soarbox::cli::CommandResult result =
-        host_.Execute(hosted, request.line, {request.echo, !request.no_filter, this});
+        host_.Execute(hosted, request.line, {request.echo, !request.no_filter, this, request.fenced});
     return Answer(result, request.structured);
   }
 

@@ -3,6 +3,7 @@
 
 #include "ElementXML.h"
 #include "Export.h"
+#include "sml_Names.h"
 
 namespace sml {
 

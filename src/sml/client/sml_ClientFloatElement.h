@@ -22,7 +22,7 @@ class EXPORT FloatElement : public WMElement {
 
  private:
   friend class WorkingMemory;
-  friend class HuskPool<FloatElement>;
+  friend class ObjectPool<FloatElement>;
   FloatElement() : WMElement(Kind::kFloat) {}
 
   double value_ = 0.0;

@@ -49,7 +49,7 @@ class EXPORT IdentifierSymbol {
  private:
   friend class Identifier;
   friend class WorkingMemory;
-  friend class HuskPool<IdentifierSymbol>;
+  friend class ObjectPool<IdentifierSymbol>;
   IdentifierSymbol() = default;
   std::string const& Name();
 
@@ -115,7 +115,7 @@ class EXPORT Identifier : public WMElement {
  private:
   friend class WorkingMemory;
   friend class IdentifierSymbol;
-  friend class HuskPool<Identifier>;
+  friend class ObjectPool<Identifier>;
   Identifier() : WMElement(Kind::kIdentifier) {}
 
   IdentifierSymbol* symbol_ = nullptr;

@@ -22,7 +22,7 @@ class EXPORT IntElement : public WMElement {
 
  private:
   friend class WorkingMemory;
-  friend class HuskPool<IntElement>;
+  friend class ObjectPool<IntElement>;
   IntElement() : WMElement(Kind::kInt) {}
 
   long long value_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -71,6 +72,16 @@ class EXPORT Kernel : public ClientErrors {
   /// 0, the default: calls fail after a minute, and runs and command lines may take as long as they like. Not part of
   /// the interface of Soar 9.6.3.
   void SetAnswerLimit(int milliseconds);
+
+  /// Calls the listener for each command line that a remote client asks a kernel in this process for, before it is
+  /// carried out. Not part of the interface of Soar 9.6.3.
+  void OverhearCommands(std::function<void(char const* pAgentName, char const* pCommandLine)> listener);
+  /// From now on the commands in files that LoadProductions loads, and those that rules carry out, may read below these
+  /// folders only, and write and start nothing; for a kernel in this process. Not part of the interface of Soar 9.6.3.
+  void FenceFiles(std::vector<std::string> folders);
+  /// While on, what remote clients ask a kernel in this process for waits until CheckForIncomingCommands, during runs
+  /// too. Not part of the interface of Soar 9.6.3.
+  void HoldIncomingCommands(bool state);
 
   /// Ends the kernel and its agents (a remote one: leaves it). Afterwards only delete is of use.
   void Shutdown();

@@ -22,7 +22,7 @@ class EXPORT StringElement : public WMElement {
 
  private:
   friend class WorkingMemory;
-  friend class HuskPool<StringElement>;
+  friend class ObjectPool<StringElement>;
   StringElement() : WMElement(Kind::kString) {}
 
   std::string value_;

@@ -16,12 +16,12 @@ class FloatElement;
 class StringElement;
 class WorkingMemory;
 template <typename T>
-class HuskPool;
+class ObjectPool;
 
 /// An element of working memory as a client sees it: input that it made, or output that its agent made.
 ///
 /// Objects belong to their agent. One that was destroyed, or removed from the output link, is kept for a while as a
-/// husk: calls on it and with it fail with an error of the agent, they do not crash.
+/// dead object: calls on it and with it fail with an error of the agent, they do not crash.
 class EXPORT WMElement {
  public:
   virtual ~WMElement();
@@ -79,7 +79,7 @@ class EXPORT WMElement {
   unsigned int input_ = 0;  ///< Its handle on the way to the kernel.
   Kind kind_;
   bool just_added_ = false;
-  bool live_ = false;                        ///< False for husks.
+  bool live_ = false;                        ///< False for dead objects.
   bool output_ = false;                      ///< Made by the agent.
   std::list<WMElement*>::iterator place_{};  ///< In the parent's list of children.
 };

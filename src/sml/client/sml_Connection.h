@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include "ElementXML.h"
 #include "sml_Events.h"
 #include "sml_Names.h"
 

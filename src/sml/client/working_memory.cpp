@@ -10,6 +10,15 @@ namespace sml {
 
 using soarbox::server::InputWme;
 
+namespace {
+
+/// An optimized kernel takes input at once, whatever was said of commits.
+bool CommitsAtOnce(const KernelData& data) {
+  return data.auto_commit || data.direct;
+}
+
+}  // namespace
+
 WorkingMemory::~WorkingMemory() = default;
 
 bool WorkingMemory::Owns(const WMElement* wme) const {
@@ -105,7 +114,7 @@ void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& 
   symbols_.GiveBack(symbol);
 }
 
-/// Makes husks of an element and of everything below it that nothing else shares.
+/// Makes dead objects of an element and of everything below it that nothing else shares.
 void WorkingMemory::Release(WMElement* wme) {
   const std::size_t base = work_.size();
   const auto release = [&](WMElement* element) {
@@ -265,7 +274,7 @@ InputWme WorkingMemory::Describe(WMElement* wme) {
 }
 
 void WorkingMemory::SendNew(WMElement* wme) {
-  if (!data_.kernel_data().auto_commit) {
+  if (!CommitsAtOnce(data_.kernel_data())) {
     pending_.changes_.push_back({false, wme->time_tag_, wme, kNoInputHandle});
     return;
   }
@@ -274,7 +283,7 @@ void WorkingMemory::SendNew(WMElement* wme) {
 }
 
 void WorkingMemory::SendUpdated(WMElement* wme, long long old_tag) {
-  if (data_.kernel_data().auto_commit) {
+  if (CommitsAtOnce(data_.kernel_data())) {
     wme->input_ = data_.link->UpdateInput(wme->input_, old_tag, Describe(wme));
     data_.link->FlushInput();
     return;
@@ -339,7 +348,7 @@ bool WorkingMemory::Destroy(WMElement* wme) {
   }
   if (!data_.Usable()) return false;
   if (!Cancel(wme->time_tag_)) {
-    if (data_.kernel_data().auto_commit) {
+    if (CommitsAtOnce(data_.kernel_data())) {
       data_.link->RemoveInput(wme->input_, wme->time_tag_);
       data_.link->FlushInput();
     } else {

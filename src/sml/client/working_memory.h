@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sml/client/husk_pool.h"
 #include "sml/client/link.h"
+#include "sml/client/object_pool.h"
 #include "sml/client/sml_ClientIdentifier.h"
 #include "sml/client/sml_DeltaList.h"
 #include "sml/client/sml_OutputDeltaList.h"
@@ -121,11 +121,11 @@ class WorkingMemory {
   std::vector<Orphan> orphans_;
   std::vector<Orphan> waiting_orphans_;  ///< Those that EndOutput looks at again.
 
-  HuskPool<StringElement> strings_;
-  HuskPool<IntElement> ints_;
-  HuskPool<FloatElement> floats_;
-  HuskPool<Identifier> identifiers_;
-  HuskPool<IdentifierSymbol> symbols_;
+  ObjectPool<StringElement> strings_;
+  ObjectPool<IntElement> ints_;
+  ObjectPool<FloatElement> floats_;
+  ObjectPool<Identifier> identifiers_;
+  ObjectPool<IdentifierSymbol> symbols_;
   std::list<WMElement*> spare_nodes_;  ///< Nodes for lists of children.
   soarbox::server::TagMap<WMElement*> output_by_tag_;
   soarbox::server::TagMap<IdentifierSymbol*> symbols_by_key_;

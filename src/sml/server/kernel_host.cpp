@@ -52,8 +52,11 @@ void KernelHost::InstallFunctions(HostedAgent& hosted) {
         return agent.mutable_symbols().String("Error: Nobody was registered to implement rhs function " +
                                               std::string(name));
       });
-  hosted.agent().SetCommandRunner(
-      [this, &hosted](kernel::Agent&, std::string_view line) { return Execute(&hosted, line, {}).text; });
+  hosted.agent().SetCommandRunner([this, &hosted](kernel::Agent&, std::string_view line) {
+    LineOptions options;
+    options.fenced = true;
+    return Execute(&hosted, line, options).text;
+  });
 }
 
 void KernelHost::DestroyAgent(HostedAgent& hosted) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/fence.h"
 #include "cli/host.h"
 #include "cli/interpreter.h"
 #include "cli/result.h"
@@ -65,7 +66,14 @@ class KernelHost : public cli::Host {
     bool echo = false;
     bool filter = true;
     const Connection* from = nullptr;
+    bool fenced = false;  ///< The line loads a file of a stranger.
   };
+  /// From now on the commands of files that are loaded fenced, and those that rules carry out, reach these folders
+  /// only.
+  void SetFence(std::vector<std::filesystem::path> folders) {
+    fence_ = std::make_unique<cli::Fence>(std::move(folders));
+  }
+
   /// `hosted` may be null: the line goes to the agent that was addressed last.
   cli::CommandResult Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options);
   cli::Interpreter& interpreter() { return interpreter_; }
@@ -124,7 +132,13 @@ class KernelHost : public cli::Host {
   void SetPump(std::function<void()> pump) { pump_ = std::move(pump); }
   /// There is work for the pump. From any thread.
   void RequestPump() { pump_requested_.store(true, std::memory_order_release); }
-  bool PumpRequested() const { return pump_requested_.load(std::memory_order_acquire); }
+  bool PumpRequested() const {
+    return pump_requested_.load(std::memory_order_acquire) && !held_.load(std::memory_order_relaxed);
+  }
+  /// While on, runs leave what remote clients asked for until somebody serves them between runs.
+  void HoldPump(bool on) { held_.store(on, std::memory_order_relaxed); }
+  /// Hears of each command line of a remote client, with the agent's name, before it is carried out.
+  void Overhear(std::function<void(char const*, char const*)> listener) { overhear_ = std::move(listener); }
   void Pump() {
     if (PumpRequested()) ServePump();
   }
@@ -169,6 +183,9 @@ class KernelHost : public cli::Host {
   int port_ = 0;
   std::function<void()> pump_;
   std::atomic<bool> pump_requested_{false};
+  std::atomic<bool> held_{false};
+  std::unique_ptr<const cli::Fence> fence_;  ///< Null: none.
+  std::function<void(char const*, char const*)> overhear_;
   std::atomic<std::uint64_t> stop_requests_{0};
 };
 

@@ -53,6 +53,7 @@ cli::CommandResult KernelHost::Execute(HostedAgent* hosted, std::string_view lin
   const Stay stay(*this);
   HostedAgent& addressed = *Addressed(hosted);
   std::string text(line);
+  if (overhear_ && options.from && !options.from->embedded()) overhear_(addressed.name().c_str(), text.c_str());
   if (options.filter && HasFilters()) {
     if (auto ended = PassFilters(addressed, text)) return *std::move(ended);
   }
@@ -63,6 +64,8 @@ cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::strin
                                                  const LineOptions& options) {
   const bool echoes = (options.echo || hosted.session().output().echo_commands) && hosted.Listens(smlEVENT_ECHO);
   if (echoes) hosted.FireEcho(options.from, std::string(line));
+  // A user's own line ends the fence that a file around it may have put up, a stranger's puts it up.
+  const cli::Interpreter::Fenced fenced(interpreter_, options.fenced ? fence_.get() : nullptr);
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
   if (hosted.doomed) return result;
   // Memory may run out outside of a run too.

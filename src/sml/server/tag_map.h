@@ -36,7 +36,7 @@ class TagMap {
     if (hole == kNowhere) return std::nullopt;
     const Value value = slots_[hole].second;
     --size_;
-    // Moves later entries of the chain back, so that no lookup meets a hole before its entry.
+    // Moves later entries of the run back, so that no lookup meets a hole before its entry.
     for (std::size_t i = Next(hole); slots_[i].first != 0; i = Next(i)) {
       const std::size_t home = Home(slots_[i].first);
       const bool stays = hole <= i ? (hole < home && home <= i) : (hole < home || home <= i);

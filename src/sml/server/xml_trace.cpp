@@ -252,7 +252,7 @@ void XmlTracer::OnWarning(const kernel::Agent&, kernel::WarningKind, std::string
 }
 
 void XmlTracer::OnInterrupt(const kernel::Agent&, std::string_view reason) {
-  AddText("message", reason.empty() ? "Interrupt received." : reason);
+  AddText("message", reason.empty() || reason.starts_with("(interrupt)") ? "Interrupt received." : reason);
 }
 
 void XmlTracer::OnHalt(const kernel::Agent&) {

@@ -420,6 +420,7 @@ namespace {
 
 template <typename Protocol>
 struct AcceptorOf final : Acceptor::Contents, std::enable_shared_from_this<AcceptorOf<Protocol>> {
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved.
   AcceptorOf(IoThread& thread, const ChannelLimits& channel_limits, std::function<void(std::unique_ptr<Channel>)> call)
       : acceptor(thread.contents().context) {
     context = &thread.contents().context;

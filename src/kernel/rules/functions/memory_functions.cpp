@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -28,27 +29,26 @@ bool ChildrenOf(FunctionContext& context, Arguments arguments, const char* funct
   return true;
 }
 
+/// What Soar's sum and product take a value for: they know 32-bit integers only, and of a float they see the lower half
+/// of its bits, which is 0 for most that people write. The set functions work on floats.
+std::uint32_t AsSoarCounts(const SymbolTable& symbols, Symbol value) {
+  if (value.IsInteger()) return static_cast<std::uint32_t>(symbols.IntegerValue(value));
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(symbols.NumberValue(value)));
+}
+
 Symbol Folded(FunctionContext& context, Arguments arguments, const char* function, bool multiply) {
   std::vector<Child> children;
   if (!ChildrenOf(context, arguments, function, children)) {
     return {};
   }
   SymbolTable& symbols = context.symbols();
-  std::uint64_t integer = multiply ? 1 : 0;
-  double real = multiply ? 1 : 0;
-  bool all_integers = true;
+  std::uint32_t folded = multiply ? 1 : 0;
   for (const Child& child : children) {
-    if (child.value.IsInteger()) {
-      const auto value = static_cast<std::uint64_t>(symbols.IntegerValue(child.value));
-      integer = multiply ? integer * value : integer + value;
-    }
-    if (child.value.IsNumber()) {
-      const double value = symbols.NumberValue(child.value);
-      real = multiply ? real * value : real + value;
-      all_integers = all_integers && child.value.IsInteger();
-    }
+    if (!child.value.IsNumber()) continue;
+    const std::uint32_t value = AsSoarCounts(symbols, child.value);
+    folded = multiply ? folded * value : folded + value;
   }
-  return all_integers ? symbols.Integer(static_cast<std::int64_t>(integer)) : symbols.Float(real);
+  return symbols.Integer(static_cast<std::int32_t>(folded));
 }
 
 /// What the set functions work on: the values at the end of a path of one to three attributes from an identifier.

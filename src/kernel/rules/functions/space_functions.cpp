@@ -74,6 +74,17 @@ bool NumberOf(const FunctionContext& context, const SymbolTable& symbols, Symbol
   return false;
 }
 
+/// The value of an identifier's ^id; none: the identifier itself.
+Symbol IdOf(const FunctionContext& context, const SymbolTable& symbols, Symbol identifier) {
+  const Symbol name = symbols.FindString("id");
+  std::vector<FunctionContext::Child> children;
+  context.AllChildren(identifier, children);
+  for (const FunctionContext::Child& child : children) {
+    if (name && child.attribute == name) return child.value;
+  }
+  return identifier;
+}
+
 }  // namespace
 
 // Headings go from whole positions to whole positions; ranges do not.
@@ -159,7 +170,7 @@ Symbol ClosestIntercept(FunctionContext& context, Arguments arguments) {
     const double distance = off_x * off_x + off_y * off_y;
     if (distance < best_distance) {
       best_distance = distance;
-      best = point.value;
+      best = IdOf(context, symbols, point.value);
     }
   }
   return best;

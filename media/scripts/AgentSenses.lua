@@ -1,0 +1,116 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- Eyes and ears of an agent. What it notices goes to its blackboard: visibleAgents, deadEnemies and deadFriendlies by the
+-- number of the agent ({agent, seenAt, lastSeen}), bulletShots and bulletImpacts as lists ({position, time}). Sightings are
+-- told to the team.
+require "AgentCommunications";
+
+local kHalfViewCosine = math.cos(math.rad(45));
+local kEyeAhead = 0.5;
+local kTellAgainMillis = 500;
+local kSoundMillis = 1000;
+local kHead = "b_Head1";
+
+local Events = AgentCommunications.EventType;
+
+local function Remember(name)
+    return function(userData, type, message)
+        local sight = { agent = message.agent, seenAt = message.seenAt, lastSeen = message.lastSeen };
+        if (not sight.agent) then
+            return;
+        end
+        local id = sight.agent:GetId();
+        userData.blackboard:Get(name)[id] = sight;
+        if (name ~= "visibleAgents") then
+            userData.blackboard:Get("visibleAgents")[id] = nil;
+        end
+    end;
+end
+
+local function Hear(name)
+    return function(userData, type, message)
+        local now = Sandbox.GetTimeInMillis(userData.agent:GetSandbox());
+        table.insert(userData.blackboard:Get(name), { position = message.position, time = now });
+    end;
+end
+
+-- userData has agent and blackboard, and soldier: the mesh whose head sees. Without one the middle of the agent does.
+function AgentSenses_InitializeSenses(userData)
+    local listeners = {
+        [Events.EnemySighted] = { "visibleAgents", Remember },
+        [Events.DeadEnemySighted] = { "deadEnemies", Remember },
+        [Events.DeadFriendlySighted] = { "deadFriendlies", Remember },
+        [Events.BulletShot] = { "bulletShots", Hear },
+        [Events.BulletImpact] = { "bulletImpacts", Hear }
+    };
+    for type, listener in pairs(listeners) do
+        userData.blackboard:Set(listener[1], {});
+        AgentCommunications_AddEventCallback(userData, type, listener[2](listener[1]));
+    end
+end
+
+-- Where the agent looks from, and where to.
+local function Eyes(userData)
+    if (not userData.soldier) then
+        return userData.agent:GetPosition(), userData.agent:GetForward();
+    end
+    local rotation = Animation.GetBoneRotation(userData.soldier, kHead);
+    return Animation.GetBonePosition(userData.soldier, kHead), Vector.Rotate(Vector.new(0, 0, -1), rotation);
+end
+
+-- True if the other agent is within the view and nothing stands between.
+function AgentSenses_CanSeeAgent(userData, other)
+    local eye, forward = Eyes(userData);
+    local toward = Vector.Normalize(other:GetPosition() - eye);
+    if (Vector.DotProduct(forward, toward) < kHalfViewCosine) then
+        return false;
+    end
+    local from = eye + forward * kEyeAhead;
+    local hit = Sandbox.RayCastToObject(userData.agent:GetSandbox(), from, other:GetPosition());
+    return not hit.result or (Agent.IsAgent(hit.object) and hit.object == other);
+end
+
+-- What a sighting is called, and where it is kept; nil for friends that are alive.
+local function Kind(agent, other)
+    if (other:GetTeam() == agent:GetTeam()) then
+        if (other:GetHealth() > 0) then
+            return nil, "visibleAgents";
+        end
+        return Events.DeadFriendlySighted, "deadFriendlies";
+    end
+    if (other:GetHealth() > 0) then
+        return Events.EnemySighted, "visibleAgents";
+    end
+    return Events.DeadEnemySighted, "deadEnemies";
+end
+
+local function Notice(userData, other, now)
+    local event, name = Kind(userData.agent, other);
+    local known = userData.blackboard:Get(name);
+    local before = known[other:GetId()];
+    local sight = { agent = other, seenAt = other:GetPosition(), lastSeen = now };
+    if (event and (not before or now - before.lastSeen > kTellAgainMillis)) then
+        AgentCommunications_SendTeamMessage(userData.agent:GetSandbox(), userData.agent, event, {
+            agent = other, seenAt = sight.seenAt, lastSeen = now });
+    end
+    known[other:GetId()] = sight;
+end
+
+local function Forget(sounds, now)
+    for index = #sounds, 1, -1 do
+        if (now - sounds[index].time > kSoundMillis) then
+            table.remove(sounds, index);
+        end
+    end
+end
+
+-- Once for each step of the agent.
+function AgentSenses_UpdateSenses(sandbox, userData, deltaTimeInMillis)
+    local now = Sandbox.GetTimeInMillis(sandbox);
+    Forget(userData.blackboard:Get("bulletShots"), now);
+    Forget(userData.blackboard:Get("bulletImpacts"), now);
+    for _, other in ipairs(Sandbox.GetAgents(sandbox)) do
+        if (other ~= userData.agent and AgentSenses_CanSeeAgent(userData, other)) then
+            Notice(userData, other, now);
+        end
+    end
+end

@@ -1,0 +1,13 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- A cross-fade of an animation state machine, in seconds: it may start this long before the end of the old animation,
+-- takes this long, and starts the new animation here.
+
+AnimationTransition = {};
+
+function AnimationTransition.new(blendOutWindow, duration, blendInWindow)
+    return {
+        blendOutWindow_ = blendOutWindow or 0,
+        duration_ = duration or 0.2,
+        blendInWindow_ = blendInWindow or 0
+    };
+end

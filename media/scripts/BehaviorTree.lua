@@ -1,0 +1,83 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- Walks down from its root to an action: a selector takes its first child that works, a sequence goes on as long as its
+-- children work, a condition works if its evaluator says so, an action always works. The action runs to its end; then the
+-- sequence that it stands in goes on, or the tree is walked again from the root.
+require "Action";
+require "BehaviorTreeNode";
+
+BehaviorTree = {};
+BehaviorTree.__index = BehaviorTree;
+
+function BehaviorTree.new(userData)
+    return setmetatable({ userData_ = userData }, BehaviorTree);
+end
+
+function BehaviorTree:SetNode(node)
+    self.root_ = node;
+end
+
+function BehaviorTree:GetCurrentNode()
+    return self.current_;
+end
+
+function BehaviorTree:GetCurrentActionName()
+    return self.current_ and self.current_:GetAction():GetName() or nil;
+end
+
+local Walk;
+
+-- Goes through the children from `first` on. Returns the action's node to run, if any, and whether the node works.
+local function WalkChildren(tree, node, first)
+    local is_selector = node.type_ == BehaviorTreeNode.Type.SELECTOR;
+    for index = first, #node.children_ do
+        local action, works = Walk(tree, node.children_[index]);
+        if (action or works == is_selector) then
+            return action, works;
+        end
+    end
+    return nil, not is_selector;
+end
+
+Walk = function(tree, node)
+    if (node.type_ == BehaviorTreeNode.Type.ACTION) then
+        return node, true;
+    elseif (node.type_ == BehaviorTreeNode.Type.CONDITION) then
+        return nil, not not node.evaluator_(tree.userData_);
+    end
+    return WalkChildren(tree, node, 1);
+end
+
+-- What comes after an action that has ended: the next action of the sequences that it stands in, if they go on.
+local function Next(tree, node)
+    while (node.parent_) do
+        if (node.parent_.type_ == BehaviorTreeNode.Type.SEQUENCE) then
+            local action, works = WalkChildren(tree, node.parent_, node.index_ + 1);
+            if (action or not works) then
+                return action;
+            end
+        end
+        node = node.parent_;
+    end
+end
+
+-- One step: a decision and the start of its action, or a step of the action, or its clean-up.
+function BehaviorTree:Update(deltaTimeInMillis)
+    if (not self.root_) then
+        return;
+    end
+    local current = self.current_;
+    if (not current) then
+        self.current_ = Walk(self, self.root_);
+        if (self.current_) then
+            self.current_:GetAction():Initialize();
+        end
+    elseif (current:GetAction():IsTerminated()) then
+        current:GetAction():CleanUp();
+        self.current_ = Next(self, current);
+        if (self.current_) then
+            self.current_:GetAction():Initialize();
+        end
+    else
+        current:GetAction():Update(deltaTimeInMillis);
+    end
+end

@@ -1,0 +1,8 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- A state of a state machine: a name and what is done in it.
+
+FiniteState = {};
+
+function FiniteState.new(name, action)
+    return { name_ = name, action_ = action };
+end

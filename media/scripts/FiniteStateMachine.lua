@@ -1,0 +1,78 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- Runs the action of its state to the end, then takes the first transition out of the state that is open; if none is, the
+-- action starts again.
+require "Action";
+require "FiniteState";
+require "FiniteStateTransition";
+
+FiniteStateMachine = {};
+FiniteStateMachine.__index = FiniteStateMachine;
+
+function FiniteStateMachine.new(userData)
+    return setmetatable({ userData_ = userData, states_ = {}, transitions_ = {} }, FiniteStateMachine);
+end
+
+function FiniteStateMachine:AddState(name, action)
+    self.states_[name] = FiniteState.new(name, action);
+    self.transitions_[name] = {};
+end
+
+-- evaluator(userData) says whether the transition is open. Transitions are tried in the order in which they were added;
+-- both states are to be there.
+function FiniteStateMachine:AddTransition(fromStateName, toStateName, evaluator)
+    if (not self:ContainsState(fromStateName) or not self:ContainsState(toStateName)) then
+        return false;
+    end
+    table.insert(self.transitions_[fromStateName], FiniteStateTransition.new(toStateName, evaluator));
+    return true;
+end
+
+function FiniteStateMachine:ContainsState(name)
+    return self.states_[name] ~= nil;
+end
+
+function FiniteStateMachine:ContainsTransition(fromStateName, toStateName)
+    for _, transition in ipairs(self.transitions_[fromStateName] or {}) do
+        if (transition.toStateName_ == toStateName) then
+            return true;
+        end
+    end
+    return false;
+end
+
+function FiniteStateMachine:GetCurrentStateName()
+    return self.state_ and self.state_.name_ or nil;
+end
+
+-- Enters a state at once; an action that is under way is dropped without being cleaned up.
+function FiniteStateMachine:SetState(name)
+    assert(self:ContainsState(name), "the state machine has no state '" .. tostring(name) .. "'");
+    self.state_ = self.states_[name];
+    if (self.state_.action_) then
+        self.state_.action_:Initialize();
+    end
+end
+
+local function OpenTransition(machine)
+    for _, transition in ipairs(machine.transitions_[machine.state_.name_]) do
+        if (transition.evaluator_(machine.userData_)) then
+            return transition;
+        end
+    end
+end
+
+function FiniteStateMachine:Update(deltaTimeInMillis)
+    if (not self.state_) then
+        return;
+    end
+    local action = self.state_.action_;
+    if (action and not action:IsTerminated()) then
+        action:Update(deltaTimeInMillis);
+        return;
+    end
+    if (action) then
+        action:CleanUp();
+    end
+    local transition = OpenTransition(self);
+    self:SetState(transition and transition.toStateName_ or self.state_.name_);
+end

@@ -1,0 +1,49 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- Soldiers to look at: gives agents a body with a rifle that walks, runs, turns and falls by itself.
+
+SoldierBody = {
+    Mesh = "models/soarbox/soldier.mesh",
+    DarkMesh = "models/soarbox/soldier_dark.mesh",
+    Rifle = "models/soarbox/rifle.mesh",
+};
+
+-- Hangs a rifle into a soldier's right hand and returns it.
+function SoldierBody_GiveRifle(parent, soldier)
+    local rifle = Core.CreateMesh(parent, SoldierBody.Rifle);
+    Animation.AttachToBone(
+        soldier, "b_RightHand", rifle, Vector.new(0.04, 0.05, -0.01), Vector.new(98, 97, 0));
+    return rifle;
+end
+
+-- Gives the agent the looks of a soldier who moves as the agent moves; helmet and arms show its team's colour.
+-- style: "ready" (the rifle across the chest), "aim" or "crouch"; dark: the darker uniform.
+function SoldierBody_Create(agent, style, dark)
+    local soldier = Core.CreateMesh(agent, dark and SoldierBody.DarkMesh or SoldierBody.Mesh);
+    Core.SetPosition(soldier, Vector.new(0, -agent:GetHeight() / 2, 0));
+    local rifle = SoldierBody_GiveRifle(agent, soldier);
+    Animation.SetLocomotion(soldier, true, style or "ready");
+    return soldier, rifle;
+end
+
+-- Plays one movement over whatever the body does: from its start, once. Call SoldierBody_Step in each update.
+function SoldierBody_Play(soldier, name)
+    local animation = Animation.GetAnimation(soldier, name);
+    Animation.SetLooping(animation, false);
+    Animation.Reset(animation);
+    Animation.SetWeight(animation, 0);
+    Animation.SetEnabled(animation, true);
+    return animation;
+end
+
+-- Advances what SoldierBody_Play started, fading it in and out; returns false once it is over.
+function SoldierBody_Step(animation, deltaTimeInMillis)
+    local kFade = 0.12;
+    Animation.StepAnimation(animation, deltaTimeInMillis);
+    local time, length = Animation.GetTime(animation), Animation.GetLength(animation);
+    if (time >= length) then
+        Animation.SetEnabled(animation, false);
+        return false;
+    end
+    Animation.SetWeight(animation, math.min(1, time / kFade, (length - time) / kFade));
+    return true;
+end

@@ -1,0 +1,122 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- One mind of a soldier in three forms: a decision tree, a state machine and a behavior tree. All die, flee, reload, shoot,
+-- pursue, move, look for somewhere to go, and idle, in this order of importance.
+require "Action";
+require "BehaviorTree";
+require "DecisionTree";
+require "FiniteStateMachine";
+require "SoldierActions";
+require "SoldierEvaluators";
+
+local function Actions(userData)
+    local function Make(name, initialize, update, cleanUp)
+        return Action.new(name, initialize, update, cleanUp, userData);
+    end
+    return {
+        die = Make("die", SoldierActions_DieInitialize, SoldierActions_Die),
+        flee = Make("flee", SoldierActions_FleeInitialize, SoldierActions_Flee, SoldierActions_FleeCleanUp),
+        idle = Make("idle", SoldierActions_IdleInitialize, SoldierActions_Idle),
+        move = Make("move", SoldierActions_MoveToInitialize, SoldierActions_MoveTo),
+        pursue = Make("pursue", SoldierActions_PursueInitialize, SoldierActions_Pursue, SoldierActions_PursueCleanUp),
+        randomMove = Make("randomMove", SoldierActions_RandomMoveInitialize, SoldierActions_RandomMove),
+        reload = Make("reload", SoldierActions_ReloadInitialize, SoldierActions_Reload),
+        shoot = Make("shoot", SoldierActions_ShootInitialize, SoldierActions_Shoot)
+    };
+end
+
+local function Branch(evaluator, yes, no)
+    local branch = DecisionBranch.new(evaluator);
+    branch:AddChild(yes);
+    branch:AddChild(no);
+    return branch;
+end
+
+function SoldierLogic_DecisionTree(userData)
+    local actions = Actions(userData);
+    local wander = Branch(SoldierEvaluators_Random, actions.randomMove, actions.idle);
+    local walk = Branch(SoldierEvaluators_HasMovePosition, actions.move, wander);
+    local attack = Branch(SoldierEvaluators_CanShootAgent, actions.shoot, actions.pursue);
+    local fight = Branch(SoldierEvaluators_HasAmmo, attack, actions.reload);
+    local peace = Branch(SoldierEvaluators_HasEnemy, fight, walk);
+    local retreat = Branch(SoldierEvaluators_HasMovePosition, actions.move, actions.flee);
+    local live = Branch(SoldierEvaluators_HasCriticalHealth, retreat, peace);
+    local tree = DecisionTree.new(userData);
+    tree:SetBranch(Branch(SoldierEvaluators_IsAlive, live, actions.die));
+    return tree;
+end
+
+local function Both(first, second)
+    return function(userData)
+        return first(userData) and second(userData);
+    end;
+end
+
+-- In the order in which they are tried, from every state but death.
+local kWays = {
+    { "die", SoldierEvaluators_IsNotAlive },
+    { "flee", SoldierEvaluators_HasCriticalHealth },
+    { "reload", Both(SoldierEvaluators_HasEnemy, SoldierEvaluators_HasNoAmmo) },
+    { "shoot", SoldierEvaluators_CanShootAgent },
+    { "pursue", SoldierEvaluators_HasEnemy },
+    { "move", SoldierEvaluators_HasMovePosition },
+    { "randomMove", SoldierEvaluators_Random },
+    { "idle", SoldierEvaluators_True }
+};
+
+function SoldierLogic_FiniteStateMachine(userData)
+    local machine = FiniteStateMachine.new(userData);
+    for name, action in pairs(Actions(userData)) do
+        machine:AddState(name, action);
+    end
+    for _, from in ipairs(kWays) do
+        for _, to in ipairs(kWays) do
+            if (from[1] ~= "die") then
+                machine:AddTransition(from[1], to[1], to[2]);
+            end
+        end
+    end
+    machine:SetState("idle");
+    return machine;
+end
+
+local function ActionNode(action)
+    local node = BehaviorTreeNode.new(action:GetName(), BehaviorTreeNode.Type.ACTION);
+    node:SetAction(action);
+    return node;
+end
+
+-- A child that works only if the evaluator says so.
+local function If(name, evaluator, child)
+    local sequence = BehaviorTreeNode.new(name, BehaviorTreeNode.Type.SEQUENCE);
+    local condition = BehaviorTreeNode.new(name .. "?", BehaviorTreeNode.Type.CONDITION);
+    condition:SetEvaluator(evaluator);
+    sequence:AddChild(condition);
+    sequence:AddChild(child);
+    return sequence;
+end
+
+local function FirstOf(name, children)
+    local selector = BehaviorTreeNode.new(name, BehaviorTreeNode.Type.SELECTOR);
+    for _, child in ipairs(children) do
+        selector:AddChild(child);
+    end
+    return selector;
+end
+
+function SoldierLogic_BehaviorTree(userData)
+    local actions = Actions(userData);
+    local tree = BehaviorTree.new(userData);
+    tree:SetNode(FirstOf("soldier", {
+        If("dead", SoldierEvaluators_IsNotAlive, ActionNode(actions.die)),
+        If("hurt", SoldierEvaluators_HasCriticalHealth, ActionNode(actions.flee)),
+        If("fight", SoldierEvaluators_HasEnemy, FirstOf("attack", {
+            If("empty", SoldierEvaluators_HasNoAmmo, ActionNode(actions.reload)),
+            If("near", SoldierEvaluators_CanShootAgent, ActionNode(actions.shoot)),
+            ActionNode(actions.pursue)
+        })),
+        If("walk", SoldierEvaluators_HasMovePosition, ActionNode(actions.move)),
+        If("wander", SoldierEvaluators_Random, ActionNode(actions.randomMove)),
+        ActionNode(actions.idle)
+    }));
+    return tree;
+end

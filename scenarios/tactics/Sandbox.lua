@@ -1,0 +1,49 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- Tactics: two teams of soldiers look for each other on the level, fight, flee when they are hurt, and tell their team what
+-- they see. The influence map shows who holds what: team1 blue, team2 red. F3 shows the navigation mesh, F4 hides the map.
+require "LevelWorld";
+require "SoldierTactics";
+
+local kSoldiers = 6;
+local kApart = 20;
+
+local mapIsShown = true;
+
+-- A place that is not near those that are taken; after some tries, any place.
+local function FreePlace(sandbox, taken)
+    local place;
+    for _ = 1, 50 do
+        place = LevelWorld_RandomPlace(sandbox);
+        local isFree = true;
+        for _, other in ipairs(taken) do
+            isFree = isFree and Vector.Distance(place, other) >= kApart;
+        end
+        if (isFree) then
+            break;
+        end
+    end
+    table.insert(taken, place);
+    return place;
+end
+
+function Sandbox_Initialize(sandbox)
+    LevelWorld_Initialize(sandbox, Vector.new(-30, 18, -17), Vector.new(-146, -40, -157), 250);
+    local taken = {};
+    for _ = 1, kSoldiers do
+        LevelWorld_PutAgent(Sandbox.CreateAgent(sandbox, "TacticalSoldier.lua"), FreePlace(sandbox, taken));
+    end
+    SoldierTactics_InitializeTactics(sandbox);
+end
+
+function Sandbox_Update(sandbox, deltaTimeInMillis)
+    GUI_UpdateUI(sandbox);
+    SoldierTactics_UpdateTactics(sandbox, deltaTimeInMillis);
+end
+
+function Sandbox_HandleEvent(sandbox, event)
+    LevelWorld_HandleEvent(sandbox, event);
+    if (event.pressed and event.key == "f4_key") then
+        mapIsShown = not mapIsShown;
+        Sandbox.SetDrawInfluenceMap(sandbox, mapIsShown);
+    end
+end

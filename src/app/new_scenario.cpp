@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/new_scenario.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+
+#include "app/exit_codes.h"
+#include "app/starter_files.h"
+#include "diagnostics/diagnostic.h"
+
+namespace soarbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+int Refuse(std::string file, std::string message, std::string hint) {
+  Diagnostic problem;
+  problem.file = std::move(file);
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  std::cerr << Format(problem);
+  return kCannotStart;
+}
+
+bool IsGoodName(const std::string& name) {
+  return !name.empty() && name.size() <= 60 && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
+         std::all_of(name.begin(), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
+}
+
+/// The text with the scenario's name in place of NAME.
+std::string WithName(std::string_view text, const std::string& name) {
+  std::string filled(text);
+  for (std::size_t at = 0; (at = filled.find("NAME", at)) != std::string::npos; at += name.size())
+    filled.replace(at, 4, name);
+  return filled;
+}
+
+}  // namespace
+
+int NewScenario(const NewOptions& options) {
+  const fs::path folder(options.name);
+  const std::string name = folder.filename().string();
+  if (!IsGoodName(name))
+    return Refuse({}, "'" + name + "' is no name for a scenario",
+                  "use letters, digits, - and _, and begin with a letter");
+  std::error_code error;
+  if (fs::exists(folder, error)) return Refuse(folder.string(), "this is there already", "choose another name");
+  fs::create_directories(folder, error);
+  if (error) return Refuse(folder.string(), "this folder cannot be made: " + error.message(), "check the path");
+
+  std::vector<StarterFile> files;
+  if (options.lua) {
+    files = LuaStarter();
+  } else if (options.team) {
+    files = TeamStarter();
+  } else {
+    files = SoarStarter();
+  }
+  for (const StarterFile& file : files) {
+    const fs::path path = folder / WithName(file.name, name);
+    std::ofstream out(path, std::ios::binary);
+    out << WithName(file.text, name);
+    if (!out) return Refuse(path.string(), "this file cannot be written", "check that the folder may be written to");
+    std::cout << path.string() << ": " << file.meaning << '\n';
+  }
+  std::cout << "\nrun it:   soarbox run " << folder.string() << "\ncheck it: soarbox check " << folder.string()
+            << "\ntest it:  sh " << (folder / "test.sh").string() << '\n';
+  return kOk;
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+#include "app/run_options.h"
+#include "app/run_session.h"
+#include "record/header.h"
+#include "sim/scenario.h"
+#include "sim/simulation.h"
+
+namespace soarbox::app {
+
+/// A run is recorded if the user asks for it; one in a window always, unless told otherwise.
+bool WantsRecording(const RunOptions& options);
+
+/// Starts recording a run that has made no tick yet: into the file named, or into the usual one, which is bounded. If
+/// it cannot be written that is told. Returns a remark on where it goes, or nothing if there is no recording.
+std::string RecordRun(RunSession& session, const RunOptions& options, const sim::Scenario& scenario,
+                      const sim::SimulationSettings& settings, record::Level level);
+
+}  // namespace soarbox::app

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/recording_commands.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "app/data_folders.h"
+#include "app/exit_codes.h"
+#include "app/replay_window.h"
+#include "app/run_session.h"
+#include "record/compare.h"
+#include "record/export.h"
+#include "record/rerun.h"
+
+namespace soarbox::app {
+namespace {
+
+int CannotStart(const Diagnostic& problem) {
+  std::cerr << Format(problem);
+  return kCannotStart;
+}
+
+/// Opens a recording; what a kill left behind is told as a note.
+Result<std::unique_ptr<record::Reader>> Open(const std::filesystem::path& file) {
+  Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(file);
+  if (reader && !(*reader)->ending().empty()) {
+    Diagnostic note;
+    note.severity = Severity::kWarning;
+    note.file = file.string();
+    note.message = (*reader)->ending();
+    note.hint = fmt::format("the recording is used up to tick {}", (*reader)->last_tick());
+    std::cerr << Format(note);
+  }
+  return reader;
+}
+
+std::uint64_t TickAt(const record::Reader& reader, double time_s) {
+  return static_cast<std::uint64_t>(std::llround(std::max(time_s, 0.0) / reader.header().step_s));
+}
+
+record::TickRange RangeOf(const record::Reader& reader, const RecordingOptions& options) {
+  record::TickRange range;
+  if (options.from_s) range.first = TickAt(reader, *options.from_s);
+  if (options.to_s) range.last = TickAt(reader, *options.to_s);
+  return range;
+}
+
+void Tell(const std::vector<Diagnostic>& warnings) {
+  for (const Diagnostic& warning : warnings) std::cerr << Format(warning);
+}
+
+/// Shows on a terminal how far a long re-simulation has come; ends it on Ctrl-C.
+record::Progress ShownProgress(std::uint64_t last_tick) {
+  using Clock = std::chrono::steady_clock;
+  return [last_tick, next = Clock::now() + std::chrono::seconds(2)](std::uint64_t tick) mutable {
+    if (isatty(STDERR_FILENO) != 0 && Clock::now() >= next) {
+      next = Clock::now() + std::chrono::milliseconds(500);
+      std::fputs(fmt::format("\r\033[Ktick {} of {}{}", tick, last_tick, tick + 1 >= last_tick ? "\n" : "").c_str(),
+                 stderr);
+    }
+    return !WasInterrupted();
+  };
+}
+
+std::string Of(const record::Difference& difference) {
+  return (difference.agent.empty() ? std::string() : difference.agent + "'s ") + difference.element;
+}
+
+}  // namespace
+
+int Replay(const RecordingOptions& options) {
+  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+  if (!reader) return CannotStart(reader.error());
+  CatchInterrupts();
+  if (!options.headless && !options.json && CanShowReplay()) {
+    const Result<sim::DataFolders> data = FindDataFolders();
+    if (!data) return CannotStart(data.error());
+    return ShowReplay(**reader, RangeOf(**reader, options), *data);
+  }
+  const record::TickRange range = RangeOf(**reader, options);
+  const Result<void> printed =
+      options.json ? record::ExportJson(**reader, range, std::cout) : record::PrintTicks(**reader, range, std::cout);
+  return printed ? static_cast<int>(kOk) : CannotStart(printed.error());
+}
+
+int Verify(const RecordingOptions& options) {
+  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+  if (!reader) return CannotStart(reader.error());
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return CannotStart(data.error());
+  CatchInterrupts();
+  const Result<record::Verdict> verdict = record::Verify(**reader, *data, ShownProgress((*reader)->last_tick()));
+  if (!verdict) return CannotStart(verdict.error());
+  Tell(verdict->warnings);
+  if (verdict->interrupted) {
+    std::cout << fmt::format("interrupted; equal up to tick {}\n", verdict->last_tick);
+    return kCannotStart;
+  }
+  if (!verdict->difference) {
+    std::cout << fmt::format("equal: ticks {} to {}, {:.3f} s\n", verdict->first_tick, verdict->last_tick,
+                             static_cast<double>(verdict->last_tick) * (*reader)->header().step_s);
+    return kOk;
+  }
+  const record::Difference& difference = *verdict->difference;
+  std::cout << fmt::format("tick {} ({:.3f} s) differs: {}\n  recorded: {}\n  now:      {}\n", difference.tick,
+                           static_cast<double>(difference.tick) * (*reader)->header().step_s, Of(difference),
+                           difference.recorded, difference.now);
+  return kProblems;
+}
+
+int Export(const RecordingOptions& options) {
+  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+  if (!reader) return CannotStart(reader.error());
+  std::ofstream file;
+  if (!options.output.empty()) {
+    file.open(options.output, std::ios::binary);
+    if (!file) {
+      Diagnostic problem;
+      problem.file = options.output.string();
+      problem.message = "this file cannot be written";
+      problem.hint = "check the folder and its permissions";
+      return CannotStart(problem);
+    }
+  }
+  std::ostream& out = options.output.empty() ? std::cout : file;
+  const record::TickRange range = RangeOf(**reader, options);
+  const Result<void> written =
+      options.json ? record::ExportJson(**reader, range, out) : record::ExportCsv(**reader, range, out);
+  if (!written) return CannotStart(written.error());
+  out.flush();
+  if (out) return kOk;
+  Diagnostic problem;
+  problem.file = options.output.string();
+  problem.message = "writing failed; is the disk full?";
+  return CannotStart(problem);
+}
+
+int Compare(const RecordingOptions& options) {
+  Result<std::unique_ptr<record::Reader>> a = Open(options.file);
+  if (!a) return CannotStart(a.error());
+  Result<std::unique_ptr<record::Reader>> b = Open(options.other);
+  if (!b) return CannotStart(b.error());
+  const Result<record::Comparison> comparison = record::Compare(**a, **b);
+  if (!comparison) return CannotStart(comparison.error());
+  const double step_s = (*a)->header().step_s;
+  if (!comparison->difference) {
+    std::cout << fmt::format("equal: ticks {} to {}\n", comparison->first_tick, comparison->last_tick);
+    return kOk;
+  }
+  const auto tell = [&](const char* what, const record::Difference& difference) {
+    std::cout << fmt::format("{}: tick {} ({:.3f} s), {}\n  A: {}\n  B: {}\n", what, difference.tick,
+                             static_cast<double>(difference.tick) * step_s, Of(difference), difference.recorded,
+                             difference.now);
+  };
+  tell("first difference", *comparison->difference);
+  if (comparison->decision) {
+    tell("first other decision", *comparison->decision);
+    if (comparison->percepts.empty()) {
+      std::cout << "  it perceived the same in both: its rules or its memory differ\n";
+    } else {
+      std::cout << "  it perceived otherwise (A, B):\n";
+      for (const std::string& line : comparison->percepts) std::cout << "    " << line << '\n';
+    }
+  }
+  std::cout << "\n   time s   mean m    most m  agent             health A  health B  alive A  alive B\n";
+  for (const record::Comparison::Moment& m : comparison->course) {
+    std::cout << fmt::format("{:9.1f} {:8.3f} {:9.3f}  {:<16} {:9.1f} {:9.1f} {:8} {:8}\n", m.time_s, m.mean_distance_m,
+                             m.greatest_distance_m, m.farthest.empty() ? "-" : m.farthest, m.health_a, m.health_b,
+                             m.alive_a, m.alive_b);
+  }
+  return kProblems;
+}
+
+int Resume(const RecordingOptions& options) {
+  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+  if (!reader) return CannotStart(reader.error());
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return CannotStart(data.error());
+  std::string rules;
+  for (const std::filesystem::path& file : options.rules) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) {
+      Diagnostic problem;
+      problem.file = file.string();
+      problem.message = "these rules cannot be read";
+      problem.hint = "check the name";
+      return CannotStart(problem);
+    }
+    rules.append(std::istreambuf_iterator<char>(in), {}).append("\n");
+  }
+  CatchInterrupts();
+  const std::uint64_t at = TickAt(**reader, options.at_s);
+  Result<record::Rerun> rerun = record::GoTo(**reader, at, *data, ShownProgress(at));
+  if (!rerun) return CannotStart(rerun.error());
+  Tell(rerun->warnings);
+  sim::Simulation& simulation = *rerun->simulation;
+  std::cout << fmt::format("tick {} reached, its state is the recorded one: {:016x}\n", at, simulation.StateHash());
+  for (const std::string& agent : options.agents) {
+    if (simulation.HasMind(agent)) continue;
+    Diagnostic problem;
+    problem.message = "there is no agent '" + agent + "' with a Soar mind at that time";
+    return CannotStart(problem);
+  }
+  if (!rules.empty()) {
+    for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+      const std::string agent = simulation.Mind(i).agent;
+      const bool wanted = options.agents.empty() ||
+                          std::find(options.agents.begin(), options.agents.end(), agent) != options.agents.end();
+      if (wanted) simulation.Submit(sim::CommandInput{agent, rules});
+    }
+  }
+  // The new future is recorded from the beginning of the run, so that it can be replayed, verified and compared.
+  RunOptions run;
+  run.scenario = (*reader)->header().scenario;
+  run.json = options.json;
+  const double left_s =
+      options.seconds.value_or(static_cast<double>((*reader)->last_tick() - at) * (*reader)->header().step_s);
+  run.seconds = simulation.time_s() + left_s;
+  std::unique_ptr<record::Recorder> recorder;
+  if (!options.output.empty()) {
+    record::Header header = (*reader)->header();
+    header.build = record::BuildId();
+    Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(options.output, header);
+    if (!writer) return CannotStart(writer.error());
+    if ((*reader)->first_tick() > 0) {
+      Result<std::vector<record::TickInputs>> inputs = (*reader)->Inputs();
+      if (!inputs) return CannotStart(inputs.error());
+      std::erase_if(*inputs, [&](const record::TickInputs& entry) { return entry.tick >= (*reader)->first_tick(); });
+      if (const Result<void> added = (*writer)->AddEarlierInputs(*inputs); !added) return CannotStart(added.error());
+    }
+    recorder = std::make_unique<record::Recorder>(std::move(*writer), header.level);
+    for (std::uint64_t tick = (*reader)->first_tick(); tick <= at; ++tick) {
+      const Result<const record::TickRecord*> record = (*reader)->At(tick);
+      if (!record) return CannotStart(record.error());
+      if (const Result<void> added = recorder->Take(**record); !added) return CannotStart(added.error());
+    }
+  }
+  std::unique_ptr<EventPrinter> printer =
+      options.json ? EventPrinter::MakeJson(std::cout) : EventPrinter::MakeText(std::cout, std::cerr);
+  printer->Begin({run.scenario, (*reader)->header().seed, true});
+  RunSession session(std::move(rerun->simulation), std::move(printer), run);
+  session.Record(std::move(recorder), false);
+  while (!session.IsOver()) session.Tick();
+  return session.Finish();
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soarbox::app {
+
+/// What the commands that work on recordings were asked for. Which fields count is in docs/command.md.
+struct RecordingOptions {
+  std::filesystem::path file;
+  std::filesystem::path other;         ///< compare: the second recording.
+  std::optional<double> from_s, to_s;  ///< Simulated seconds; none: as far as the recording goes.
+  bool headless = false;               ///< replay: print, do not open a window.
+  bool json = false;
+  bool csv = false;
+  std::filesystem::path output;              ///< export, resume: where to; empty: standard output, or no recording.
+  double at_s = 0;                           ///< resume.
+  std::optional<double> seconds;             ///< resume: how long to go on; none: as long as the recording did.
+  std::vector<std::filesystem::path> rules;  ///< resume: files of rules that replace those of the same names.
+  std::vector<std::string> agents;           ///< resume: whose rules; empty: those of all agents with a Soar mind.
+};
+
+// Each carries out `soarbox replay`, `verify`, ...; returns an ExitCode.
+int Replay(const RecordingOptions& options);
+int Verify(const RecordingOptions& options);
+int Export(const RecordingOptions& options);
+int Compare(const RecordingOptions& options);
+int Resume(const RecordingOptions& options);
+
+}  // namespace soarbox::app

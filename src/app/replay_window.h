@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "record/export.h"
+#include "record/reader.h"
+#include "sim/scenario.h"
+
+namespace soarbox::app {
+
+/// Whether this build has a window and there is a display to open it on.
+bool CanShowReplay();
+
+/// Shows a recording in the window, forwards and backwards; returns an ExitCode once the window was closed.
+int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data);
+
+}  // namespace soarbox::app

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <unordered_map>
+
+#include "kernel/decide/engine.h"
+#include "kernel/decide/invariants.h"
+#include "kernel/rules/rule_symbols.h"
+
+namespace soarbox::kernel {
+namespace {
+
+/// One pass over everything that an agent keeps. The first thing found wrong stays.
+class HandleCheck {
+ public:
+  explicit HandleCheck(const Engine& engine) : engine_(engine), memory_(engine.memory) {}
+
+  std::string Run() {
+    CheckSlots();
+    CheckPreferences();
+    CheckInstantiations();
+    CheckJustifications();
+    CheckElements();
+    CheckMatches();
+    CheckRules();
+    return violation_;
+  }
+
+ private:
+  void Require(bool right, const std::string& what) {
+    if (!right && violation_.empty()) violation_ = what;
+  }
+  void RequireLive(Symbol symbol, const char* holder) {
+    if (!symbol || violation_.size() > 0) return;
+    Require(engine_.symbols.IsLive(symbol), std::string(holder) + " holds a symbol that is gone");
+    if (symbol.IsIdentifier()) {
+      Require(memory_.identifier(symbol).live, std::string(holder) + " holds an identifier that is gone");
+    }
+  }
+  void RequireLive(PreferenceId preference, const char* holder) {
+    Require(preference.record->live, std::string(holder) + " holds a preference that is gone");
+  }
+  std::string TextOf(Symbol id, Symbol attribute, Symbol value) const {
+    return "(" + ToString(engine_.symbols, id) + " ^" + ToString(engine_.symbols, attribute) + " " +
+           ToString(engine_.symbols, value) + ")";
+  }
+
+  void CheckSlots() {
+    memory_.ForEachSlot([&](SlotId id) {
+      const Slot& slot = memory_.slot(id);
+      RequireLive(slot.id, "a slot");
+      RequireLive(slot.attribute, "a slot");
+      std::uint32_t substate_facts = 0;
+      for (const PreferenceId first : {slot.acceptable, slot.others}) {
+        GoalLevel level = 0;
+        for (PreferenceId p = first; p != PreferenceId::kNone; p = memory_.preference(p).next_in_slot) {
+          const Preference& preference = memory_.preference(p);
+          Require(preference.slot == id && preference.id == slot.id && preference.attribute == slot.attribute,
+                  "a slot holds a preference of another one");
+          Require(preference.level >= level, "a slot's preferences are out of order");
+          level = preference.level;
+          const bool is_fact = preference.type == PreferenceType::kAcceptable && preference.o_supported;
+          substate_facts += is_fact && preference.level > 1 ? 1 : 0;
+          ++references_[p.record];
+        }
+      }
+      Require(substate_facts == slot.substate_facts, "a slot miscounts the facts of substates");
+    });
+    for (const PreferenceId retired : engine_.preferences.retired_preferences()) {
+      RequireLive(retired, "the list of retracted preferences");
+      ++references_[retired.record];
+    }
+    for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) {
+      for (WmeId wme = memory_.slot(engine_.goals.at(level).operator_slot).wmes; wme != WmeId::kNone;
+           wme = memory_.record(wme).next) {
+        ++references_[memory_.record(wme).preference.record];
+      }
+    }
+  }
+
+  void CheckPreferences() {
+    memory_.ForEachPreference([&](const Preference& preference) {
+      for (const Symbol symbol : {preference.id, preference.attribute, preference.value, preference.referent}) {
+        RequireLive(symbol, "a preference");
+      }
+      Require(preference.instantiation != InstantiationId::kNone && preference.instantiation.record->live,
+              "the instantiation of a preference is gone");
+      if (!violation_.empty()) return;
+      Require(preference.instantiation.record->level == preference.level,
+              "a preference has another level than its maker");
+      bool listed = false;
+      for (PreferenceId p = preference.instantiation.record->preferences; p != PreferenceId::kNone;
+           p = memory_.preference(p).next_of_instantiation) {
+        listed |= p.record == &preference;
+      }
+      Require(listed, "an instantiation does not know its preference");
+      if (preference.next_clone != PreferenceId::kNone) {
+        RequireLive(preference.next_clone, "a preference");
+        Require(preference.next_clone.record->previous_clone.record == &preference, "clones do not know each other");
+      }
+    });
+  }
+
+  void CheckInstantiations() {
+    engine_.instantiations.ForEach([&](const Instantiation& instantiation) {
+      const InstantiationId id{const_cast<Instantiation*>(&instantiation)};
+      RequireLive(instantiation.goal, "an instantiation");
+      if (instantiation.production != ProductionId::kNone) {
+        ++rules_[Index(instantiation.production)];
+        Require(engine_.rete.production(instantiation.production) != nullptr, "the rule of an instantiation is gone");
+      }
+      if (instantiation.match != MatchId::kNone) {
+        Require(engine_.rete.matches().InstantiationOf(instantiation.match) == id,
+                "the match of " + std::string(engine_.ProductionName(id)) + " belongs to another instantiation");
+      }
+      for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
+        ++elements_[Index(trace.wme)];
+        if (trace.preference == PreferenceId::kNone) continue;
+        RequireLive(trace.preference, "a condition");
+        ++references_[trace.preference.record];
+        const Preference& maker = memory_.preference(trace.preference);
+        const Wme& wme = memory_.wme(trace.wme);
+        Require(maker.id == wme.id && maker.attribute == wme.attribute && maker.value == wme.value,
+                "a condition takes another preference for its element's maker");
+      }
+    });
+    memory_.ForEachPreference([&](const Preference& preference) {
+      const auto found = references_.find(&preference);
+      const std::uint32_t count = found == references_.end() ? 0 : found->second;
+      Require(preference.references == count,
+              "the preference for " + TextOf(preference.id, preference.attribute, preference.value) + " counts " +
+                  std::to_string(preference.references) + " references and has " + std::to_string(count));
+    });
+  }
+
+  void CheckJustifications() {
+    for (const std::uint32_t index : engine_.justifier.Live()) {
+      const Justifier::Record& record = engine_.justifier.record(index);
+      Require(record.instantiation != InstantiationId::kNone && record.instantiation.record->live &&
+                  record.instantiation.record->justification == index,
+              "a justification has lost its instantiation");
+      if (record.production != ProductionId::kNone) {
+        Require(engine_.rete.production(record.production) != nullptr, "the rule of a justification is gone");
+      }
+      for (const WmeId ground : record.grounds) ++elements_[Index(ground)];
+    }
+    engine_.justifier.ForEachLiteral([&](Symbol symbol) { RequireLive(symbol, "a justification"); });
+  }
+
+  void CheckElements() {
+    for (std::uint32_t index = 0; index < memory_.wmes().size() && violation_.empty(); ++index) {
+      const WmeId id = static_cast<WmeId>(index);
+      const Wme& wme = memory_.wme(id);
+      const WmeRecord& record = memory_.record(id);
+      const auto counted = elements_.find(index);
+      const std::uint32_t count = counted == elements_.end() ? 0 : counted->second;
+      if (record.references < count) {
+        Require(false, "an element counts " + std::to_string(record.references) + " references and has " +
+                           std::to_string(count));
+      }
+      if (!wme.live && record.references == 0) continue;
+      for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) RequireLive(symbol, "an element");
+      if (!wme.live || record.preference == PreferenceId::kNone || !violation_.empty()) continue;
+      if (record.slot != SlotId::kNone && record.slot.record->changed) continue;  // Decided later.
+      RequireLive(record.preference, "an element");
+      const Preference& maker = memory_.preference(record.preference);
+      Require(maker.id == wme.id && maker.attribute == wme.attribute && maker.value == wme.value,
+              "the maker of " + TextOf(wme.id, wme.attribute, wme.value) + " says something else");
+    }
+  }
+
+  void CheckMatches() {
+    const MatchSet& matches = engine_.rete.matches();
+    matches.ForEachMatch([&](MatchId match) {
+      const std::uint32_t rule = matches.ProductionOf(match);
+      if (rule != MatchSet::kNil) ++rules_[rule];
+      const InstantiationId instantiation = matches.InstantiationOf(match);
+      if (matches.StateOf(match) != MatchState::kFired || instantiation == InstantiationId::kNone) return;
+      Require(instantiation.record->live && instantiation.record->match == match,
+              "a match belongs to an instantiation that is gone");
+    });
+    for (std::uint32_t rule = 0; rule < matches.rule_limit(); ++rule) {
+      const auto found = rules_.find(rule);
+      Require(matches.LiveCount(rule) == (found == rules_.end() ? 0 : found->second),
+              "a rule miscounts its matches and instantiations");
+    }
+  }
+
+  void CheckRules() {
+    for (const ProductionId rule : engine_.rules.loading_order()) {
+      const ProductionPtr& production = engine_.rete.production(rule);
+      Require(production != nullptr, "a rule in the list of rules is gone");
+      if (production == nullptr) return;
+      ForEachSymbol(*production, [&](Symbol symbol) {
+        Require(engine_.symbols.IsLive(symbol), "a rule holds a symbol that is gone");
+      });
+    }
+  }
+
+  const Engine& engine_;
+  const WorkingMemory& memory_;
+  std::string violation_;
+  std::unordered_map<const Preference*, std::uint32_t> references_;
+  std::unordered_map<std::uint32_t, std::uint32_t> elements_, rules_;
+};
+
+}  // namespace
+
+std::string FindDanglingHandle(const Engine& engine) {
+  return HandleCheck(engine).Run();
+}
+
+}  // namespace soarbox::kernel

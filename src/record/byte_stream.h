@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace soarbox::record {
+
+/// Appends values to a text of bytes: little-endian, whole numbers in seven-bit groups, lowest first.
+class ByteWriter {
+ public:
+  explicit ByteWriter(std::string& out) : out_(out) {}
+
+  void Byte(std::uint8_t value) { out_.push_back(static_cast<char>(value)); }
+  void Number(std::uint64_t value) {
+    for (; value >= 0x80; value >>= 7) Byte(static_cast<std::uint8_t>(value | 0x80));
+    Byte(static_cast<std::uint8_t>(value));
+  }
+  void Fixed32(std::uint32_t value) { Fixed(value, 4); }
+  void Fixed64(std::uint64_t value) { Fixed(value, 8); }
+  void Float(float value) { Fixed32(std::bit_cast<std::uint32_t>(value)); }
+  void Double(double value) { Fixed64(std::bit_cast<std::uint64_t>(value)); }
+  void Text(std::string_view text) {
+    Number(text.size());
+    out_.append(text);
+  }
+
+ private:
+  void Fixed(std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) Byte(static_cast<std::uint8_t>(value >> (8 * i)));
+  }
+
+  std::string& out_;
+};
+
+/// Reads what ByteWriter wrote. Input may be anything: once something does not fit, failed() is true for good and every
+/// further value is zero or empty.
+class ByteReader {
+ public:
+  explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+
+  bool failed() const { return failed_; }
+  bool AtEnd() const { return bytes_.empty(); }
+  std::size_t left() const { return bytes_.size(); }
+  void Fail() {
+    failed_ = true;
+    bytes_ = {};
+  }
+
+  std::uint8_t Byte() {
+    if (bytes_.empty()) {
+      Fail();
+      return 0;
+    }
+    const auto value = static_cast<std::uint8_t>(bytes_.front());
+    bytes_.remove_prefix(1);
+    return value;
+  }
+  std::uint64_t Number() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 64; shift += 7) {
+      const std::uint8_t byte = Byte();
+      value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+      if ((byte & 0x80) == 0) return value;
+    }
+    Fail();
+    return 0;
+  }
+  /// A count of things that take at least `least_bytes` each: fails if so many cannot follow, so that a damaged count
+  /// never asks for more memory than the input justifies.
+  std::size_t Count(std::size_t least_bytes = 1) {
+    const std::uint64_t count = Number();
+    if (count <= bytes_.size() / least_bytes) return static_cast<std::size_t>(count);
+    Fail();
+    return 0;
+  }
+  std::uint32_t Fixed32() { return static_cast<std::uint32_t>(Fixed(4)); }
+  std::uint64_t Fixed64() { return Fixed(8); }
+  float Float() { return std::bit_cast<float>(Fixed32()); }
+  double Double() { return std::bit_cast<double>(Fixed64()); }
+  std::string_view Text() {
+    const std::size_t size = Count();
+    const std::string_view text = bytes_.substr(0, size);
+    bytes_.remove_prefix(size);
+    return text;
+  }
+
+ private:
+  std::uint64_t Fixed(std::size_t bytes) {
+    if (bytes_.size() < bytes) {
+      Fail();
+      return 0;
+    }
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < bytes; ++i)
+      value |= static_cast<std::uint64_t>(static_cast<std::uint8_t>(bytes_[i])) << (8 * i);
+    bytes_.remove_prefix(bytes);
+    return value;
+  }
+
+  std::string_view bytes_;
+  bool failed_ = false;
+};
+
+}  // namespace soarbox::record

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/reader.h"
+#include "record/rerun.h"
+
+namespace soarbox::record {
+
+/// How two recordings part.
+struct Comparison {
+  std::uint64_t first_tick = 0, last_tick = 0;  ///< Ticks that both hold.
+  std::optional<Difference> difference;         ///< The first difference in what there was to see or think.
+  std::optional<Difference> decision;           ///< The first decision or command that differs: `recorded` is of A.
+  std::vector<std::string> percepts;            ///< What that agent perceived otherwise at that tick: "path: A, B".
+
+  /// How far apart the two futures are at a time.
+  struct Moment {
+    double time_s = 0;
+    double mean_distance_m = 0, greatest_distance_m = 0;  ///< Between each agent in A and itself in B.
+    std::string farthest;                                 ///< The agent of the greatest distance.
+    double health_a = 0, health_b = 0;                    ///< The sum over all agents.
+    std::size_t alive_a = 0, alive_b = 0;
+  };
+  std::vector<Moment> course;  ///< Once per simulated second.
+};
+
+/// Compares two recordings tick by tick. Fails if they share no tick or one is damaged.
+Result<Comparison> Compare(Reader& a, Reader& b);
+
+}  // namespace soarbox::record

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <ostream>
+
+#include "record/reader.h"
+
+namespace soarbox::record {
+
+/// Which ticks of a recording are meant; what is not in the recording is left out.
+struct TickRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = ~std::uint64_t{0};
+};
+
+/// A table with a row for each agent and tick, in the form that spreadsheets and data frames read at once: a line of
+/// names, then tick, time_s, agent, position, velocity, speed, heading, health, command, decision, and a column for
+/// each percept that any agent has in the range, with the value that it knows at that tick (empty: none).
+Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out);
+
+/// The same and all else that the recording tells, as a JSON object per line: one for the recording, then one per tick.
+Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out);
+
+/// What happened, to be read: inputs, events, percepts, decisions and commands, tick by tick.
+Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out);
+
+}  // namespace soarbox::record

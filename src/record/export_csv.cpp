@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "record/export.h"
+#include "record/percept_text.h"
+
+namespace soarbox::record {
+namespace {
+
+/// A cell of the table: quoted if it holds what separates cells (RFC 4180).
+std::string Cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+const MindRecord* MindOf(const TickRecord& record, const std::string& agent) {
+  const auto at = std::find_if(record.minds.begin(), record.minds.end(),
+                               [&](const MindRecord& mind) { return mind.agent == agent; });
+  return at == record.minds.end() ? nullptr : &*at;
+}
+
+/// Calls `see(record)` for each tick of the range that the recording holds.
+template <typename See>
+Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
+  const std::uint64_t last = std::min(range.last, recording.last_tick());
+  for (std::uint64_t tick = std::max(range.first, recording.first_tick()); tick <= last; ++tick) {
+    const Result<const TickRecord*> record = recording.At(tick);
+    if (!record) return record.error();
+    see(**record);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
+  // Which percepts there are: a first pass. What was perceived before the range is known in it.
+  std::set<std::string> names;
+  std::map<std::string, PerceptValues> perceived;
+  const TickRange before_too{recording.first_tick(), range.last};
+  Result<void> read = ForEachTick(recording, before_too, [&](const TickRecord& record) {
+    for (const MindRecord& mind : record.minds) {
+      PerceptValues& values = perceived[mind.agent];
+      ApplyPercepts(mind, values);
+      if (record.tick < range.first) continue;
+      for (const auto& [path, value] : values) names.insert(path);
+    }
+  });
+  if (!read) return read;
+
+  out << "tick,time_s,agent,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,speed_mps,heading_deg,health,command,decision";
+  for (const std::string& name : names) out << ',' << Cell(name);
+  out << '\n';
+  perceived.clear();
+  return ForEachTick(recording, before_too, [&](const TickRecord& record) {
+    for (const MindRecord& mind : record.minds) ApplyPercepts(mind, perceived[mind.agent]);
+    if (record.tick < range.first) return;
+    for (const world::AgentSnapshot& agent : record.scene.agents) {
+      const double heading = std::atan2(agent.forward.x, agent.forward.z) * 180 / std::numbers::pi;
+      const MindRecord* mind = MindOf(record, agent.name);
+      const std::string decision = mind != nullptr && !mind->decisions.empty() ? mind->decisions.back() : "";
+      out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", record.tick, record.scene.time_s,
+                         Cell(agent.name), agent.position.x, agent.position.y, agent.position.z, agent.velocity.x,
+                         agent.velocity.y, agent.velocity.z, world::Length(agent.velocity), static_cast<float>(heading),
+                         agent.health, Cell(agent.last_command),
+                         Cell(decision.substr(std::min(decision.find_first_not_of(' '), decision.size()))));
+      const PerceptValues& values = perceived[agent.name];
+      for (const std::string& name : names) {
+        const auto at = values.find(name);
+        out << ',' << (at == values.end() ? std::string() : Cell(at->second));
+      }
+      out << '\n';
+    }
+  });
+}
+
+}  // namespace soarbox::record

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/format.h"
+
+#include <zstd.h>
+
+#include <memory>
+
+#include "record/byte_stream.h"
+#include "world/state_hash.h"
+
+namespace soarbox::record {
+namespace {
+
+constexpr int kCompressionLevel = 3;
+
+std::uint64_t CheckOf(const BlockFrame& frame) {
+  world::StateHash hash;
+  hash.Add(static_cast<std::uint64_t>(frame.version) << 16 | static_cast<std::uint64_t>(frame.kind));
+  hash.Add(static_cast<std::uint64_t>(frame.compressed_bytes) << 32 | frame.plain_bytes);
+  hash.Add(static_cast<std::uint64_t>(frame.ticks));
+  hash.Add(frame.first_tick);
+  return hash.value();
+}
+
+}  // namespace
+
+std::string EncodeBlock(BlockFrame frame, std::string_view payload) {
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+  std::string compressed(ZSTD_compressBound(payload.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress2(context.get(), compressed.data(), compressed.size(), payload.data(), payload.size());
+  // Into a buffer of this size nothing but a lack of memory can fail; an empty block is then refused by every reader.
+  compressed.resize(ZSTD_isError(size) != 0 ? 0 : size);
+  frame.compressed_bytes = static_cast<std::uint32_t>(compressed.size());
+  frame.plain_bytes = static_cast<std::uint32_t>(payload.size());
+  std::string block;
+  block.reserve(kFrameBytes + compressed.size());
+  ByteWriter out(block);
+  out.Fixed32(static_cast<std::uint32_t>(frame.version) | static_cast<std::uint32_t>(frame.kind) << 16);
+  for (const std::uint32_t number : {frame.compressed_bytes, frame.plain_bytes, frame.ticks}) out.Fixed32(number);
+  out.Fixed64(frame.first_tick);
+  out.Fixed64(CheckOf(frame));
+  return block += compressed;
+}
+
+bool DecodeFrame(std::string_view bytes, BlockFrame& frame) {
+  ByteReader in(bytes.substr(0, kFrameBytes));
+  const std::uint32_t names = in.Fixed32();
+  frame.version = static_cast<std::uint16_t>(names);
+  frame.kind = static_cast<BlockKind>(names >> 16);
+  for (std::uint32_t* number : {&frame.compressed_bytes, &frame.plain_bytes, &frame.ticks}) *number = in.Fixed32();
+  frame.first_tick = in.Fixed64();
+  frame.check = in.Fixed64();
+  return !in.failed() && frame.check == CheckOf(frame) && frame.compressed_bytes <= kMostCompressedBytes &&
+         frame.plain_bytes <= kMostPlainBytes && frame.ticks <= kMostTicksPerBlock;
+}
+
+bool DecodePayload(const BlockFrame& frame, std::string_view compressed, std::string& payload) {
+  // The size stands in zstd's frame too; both must say the same, so that a forged one cannot ask for more.
+  if (ZSTD_getFrameContentSize(compressed.data(), compressed.size()) != frame.plain_bytes) return false;
+  payload.resize(frame.plain_bytes);
+  const std::size_t size = ZSTD_decompress(payload.data(), payload.size(), compressed.data(), compressed.size());
+  return ZSTD_isError(size) == 0 && size == payload.size();
+}
+
+}  // namespace soarbox::record

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/header.h"
+
+#include <elf.h>
+#include <link.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "record/byte_stream.h"
+#include "world/state_hash.h"
+
+namespace soarbox::record {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::array<std::string_view, 3> kLevels = {"world", "decisions", "all"};
+
+/// The linker's note that identifies the program (ld --build-id), in hexadecimal; empty if it has none.
+std::string LinkersId() {
+  std::string id;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* found) {
+        for (int i = 0; i < info->dlpi_phnum; ++i) {
+          const ElfW(Phdr)& segment = info->dlpi_phdr[i];
+          if (segment.p_type != PT_NOTE) continue;
+          const char* at = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
+          const char* const end = at + segment.p_memsz;
+          while (at + sizeof(ElfW(Nhdr)) <= end) {
+            ElfW(Nhdr) note;
+            std::memcpy(&note, at, sizeof note);
+            const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
+            const char* const name = at + sizeof note;
+            const char* const content = name + padded(note.n_namesz);
+            if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0) {
+              for (std::size_t b = 0; b < note.n_descsz; ++b) {
+                constexpr char kDigits[] = "0123456789abcdef";
+                const auto byte = static_cast<unsigned char>(content[b]);
+                static_cast<std::string*>(found)->append({kDigits[byte >> 4], kDigits[byte & 15]});
+              }
+              return 1;
+            }
+            at = content + padded(note.n_descsz);
+          }
+        }
+        return 1;  // The first object is the program itself.
+      },
+      &id);
+  return id;
+}
+
+}  // namespace
+
+std::string EncodeHeader(const Header& header) {
+  std::string bytes;
+  ByteWriter out(bytes);
+  for (const std::string* text : {&header.build, &header.scenario, &header.folder}) out.Text(*text);
+  out.Number(header.extra_folders.size());
+  for (const std::string& folder : header.extra_folders) out.Text(folder);
+  out.Fixed64(header.scenario_digest);
+  out.Number(header.seed);
+  out.Number(header.screen_width_px);
+  out.Number(header.screen_height_px);
+  out.Double(header.step_s);
+  out.Byte(static_cast<std::uint8_t>(header.level));
+  out.Byte(header.own_kernel ? 1 : 0);
+  return bytes;
+}
+
+Result<Header> DecodeHeader(std::string_view bytes) {
+  Header header;
+  ByteReader in(bytes);
+  for (std::string* text : {&header.build, &header.scenario, &header.folder}) *text = in.Text();
+  header.extra_folders.resize(in.Count());
+  for (std::string& folder : header.extra_folders) folder = in.Text();
+  header.scenario_digest = in.Fixed64();
+  header.seed = in.Number();
+  const std::uint64_t width = in.Number();
+  const std::uint64_t height = in.Number();
+  header.step_s = in.Double();
+  const std::uint8_t level = in.Byte();
+  header.own_kernel = in.Byte() != 0;
+  const bool sensible = width > 0 && width <= 65535 && height > 0 && height <= 65535 && header.step_s > 0 &&
+                        header.step_s <= 10 && level < kLevels.size();
+  if (in.failed() || !sensible) {
+    Diagnostic problem;
+    problem.message = "the recording's header is damaged";
+    return problem;
+  }
+  header.screen_width_px = static_cast<std::uint32_t>(width);
+  header.screen_height_px = static_cast<std::uint32_t>(height);
+  header.level = static_cast<Level>(level);
+  return header;
+}
+
+std::string BuildId() {
+  static const std::string id = std::string(SOARBOX_VERSION) + " " + LinkersId();
+  return id;
+}
+
+std::uint64_t DigestOf(const sim::Scenario& scenario) {
+  constexpr std::array<std::string_view, 5> kEndings = {".lua", ".soar", ".toml", ".txt", ".json"};
+  constexpr std::size_t kMostFiles = 2000;
+  constexpr std::size_t kMostLookedAt = 50'000;  // The folder may be somebody's home.
+  const fs::path folder = scenario.script.parent_path();
+  std::vector<fs::path> files;
+  std::error_code error;
+  std::size_t looked_at = 0;
+  for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && it != end && ++looked_at <= kMostLookedAt; it.increment(error)) {
+    std::error_code ignored;
+    const std::string ending = it->path().extension().string();
+    if (it->is_regular_file(ignored) && std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end())
+      files.push_back(it->path());
+  }
+  std::sort(files.begin(), files.end());
+  files.resize(std::min(files.size(), kMostFiles));
+  for (const fs::path& file : {scenario.definition, scenario.rules})
+    if (!file.empty()) files.push_back(file);
+  world::StateHash hash;
+  for (const fs::path& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    hash.Add(std::string_view(file.lexically_relative(folder).generic_string()));
+    hash.Add(std::string_view(content));
+  }
+  return hash.value();
+}
+
+std::string_view NameOf(Level level) {
+  return kLevels[static_cast<std::size_t>(level)];
+}
+
+Result<Level> LevelNamed(std::string_view name) {
+  const auto at = std::find(kLevels.begin(), kLevels.end(), name);
+  if (at != kLevels.end()) return static_cast<Level>(at - kLevels.begin());
+  Diagnostic problem;
+  problem.message = "'" + std::string(name) + "' is no level of recording";
+  problem.hint = "there are world, decisions and all";
+  return problem;
+}
+
+}  // namespace soarbox::record

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "record/byte_stream.h"
+#include "record/tick_codec.h"
+
+namespace soarbox::record {
+namespace fs = std::filesystem;
+
+Diagnostic Reader::Damaged(std::uint64_t at, const std::string& what) const {
+  Diagnostic problem;
+  problem.file = path_.string();
+  problem.message = what + " (at byte " + std::to_string(at) + ")";
+  problem.hint = "the other parts of the recording can still be used";
+  return problem;
+}
+
+Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
+  std::unique_ptr<Reader> reader(new Reader(file));
+  Diagnostic problem;
+  problem.file = file.string();
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {
+    problem.message = error || !fs::exists(file, error) ? "there is no such file" : "this is no file";
+    problem.hint = "name a recording, as `soarbox run --record FILE` makes them";
+    return problem;
+  }
+  reader->bytes_ = fs::file_size(file, error);
+  if (!reader->in_ || error) {
+    problem.message = std::string("this file cannot be read: ") + std::strerror(errno);
+    return problem;
+  }
+  std::string magic(kMagic.size(), '\0');
+  reader->in_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+  if (!reader->in_ || magic != kMagic) {
+    problem.message = "this is no recording of Soarbox";
+    problem.hint = "`soarbox run --record FILE` makes one";
+    return problem;
+  }
+  if (const Result<void> read = reader->ReadFrames(); !read) return read.error();
+  return reader;
+}
+
+Result<void> Reader::ReadFrames() {
+  std::uint64_t at = kMagic.size();
+  bool has_header = false;
+  while (at < bytes_) {
+    std::string bytes(kFrameBytes, '\0');
+    in_.clear();
+    in_.seekg(static_cast<std::streamoff>(at));
+    in_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    Block block;
+    if (!in_ || !DecodeFrame(bytes, block.frame)) {
+      ending_ = "after " + std::to_string(at) + " bytes something follows that is no complete block";
+      break;
+    }
+    if (block.frame.version != kVersion) {
+      Diagnostic problem;
+      problem.file = path_.string();
+      problem.message = "this recording has format " + std::to_string(block.frame.version) +
+                        ", and this program reads " + std::to_string(kVersion);
+      problem.hint = "use the version of Soarbox that made it";
+      return problem;
+    }
+    block.payload_at = at + kFrameBytes;
+    at = block.payload_at + block.frame.compressed_bytes;
+    if (at > bytes_) {
+      ending_ = "the last block is not complete";
+      break;
+    }
+    switch (block.frame.kind) {
+      case BlockKind::kHeader: {
+        if (has_header) return Damaged(block.payload_at, "a second header stands in the recording");
+        if (const Result<void> loaded = LoadPayload(block); !loaded) return loaded;
+        Result<Header> header = DecodeHeader(payload_);
+        if (!header) return Damaged(block.payload_at, header.error().message);
+        header_ = std::move(*header);
+        has_header = true;
+        break;
+      }
+      case BlockKind::kInputs:
+        inputs_.push_back(block);
+        break;
+      case BlockKind::kTicks:
+        if (block.frame.ticks == 0 || (!blocks_.empty() && block.frame.first_tick <= last_tick()))
+          return Damaged(block.payload_at, "the blocks of the recording are out of order");
+        blocks_.push_back(block);
+        break;
+      default:
+        break;  // A kind that a later minor change added.
+    }
+  }
+  Diagnostic problem;
+  problem.file = path_.string();
+  problem.hint = "the program that made it ended before it had recorded anything";
+  if (!has_header) {
+    problem.message = "the recording has no header";
+    return problem;
+  }
+  if (blocks_.empty()) {
+    problem.message = "the recording holds no ticks";
+    return problem;
+  }
+  return {};
+}
+
+Result<void> Reader::LoadPayload(const Block& block) {
+  std::string compressed(block.frame.compressed_bytes, '\0');
+  in_.clear();
+  in_.seekg(static_cast<std::streamoff>(block.payload_at));
+  in_.read(compressed.data(), static_cast<std::streamsize>(compressed.size()));
+  if (!in_ || !DecodePayload(block.frame, compressed, payload_))
+    return Damaged(block.payload_at, "this block is damaged");
+  return {};
+}
+
+Result<const TickRecord*> Reader::At(std::uint64_t tick) {
+  const auto after =
+      std::upper_bound(blocks_.begin(), blocks_.end(), tick,
+                       [](std::uint64_t wanted, const Block& block) { return wanted < block.frame.first_tick; });
+  if (after == blocks_.begin() || tick >= (after - 1)->frame.first_tick + (after - 1)->frame.ticks) {
+    Diagnostic problem;
+    problem.file = path_.string();
+    problem.message = "tick " + std::to_string(tick) + " is not in the recording";
+    problem.hint = "it holds ticks " + std::to_string(first_tick()) + " to " + std::to_string(last_tick());
+    return problem;
+  }
+  const Block& block = *(after - 1);
+  const auto index = static_cast<std::size_t>(after - 1 - blocks_.begin());
+  const bool goes_on = loaded_ == index && tick >= next_tick_;
+  if (loaded_ == index && tick + 1 == next_tick_ && read_ > 0) return &record_;
+  if (!goes_on) {
+    loaded_ = static_cast<std::size_t>(-1);
+    if (const Result<void> loaded = LoadPayload(block); !loaded) return loaded.error();
+    record_ = {};
+    read_ = 0;
+    next_tick_ = block.frame.first_tick;
+  }
+  while (next_tick_ <= tick) {
+    loaded_ = static_cast<std::size_t>(-1);  // Until the record is known to be whole.
+    ByteReader in(std::string_view(payload_).substr(read_));
+    ReadTick(in, record_);
+    if (in.failed() || record_.tick != next_tick_) return Damaged(block.payload_at, "this block is damaged");
+    read_ = payload_.size() - in.left();
+    ++next_tick_;
+  }
+  loaded_ = index;
+  return &record_;
+}
+
+Result<std::vector<TickInputs>> Reader::Inputs() {
+  std::vector<TickInputs> all;
+  for (const Block& block : inputs_) {
+    loaded_ = static_cast<std::size_t>(-1);
+    if (const Result<void> loaded = LoadPayload(block); !loaded) return loaded.error();
+    ByteReader in(payload_);
+    while (!in.AtEnd() && !in.failed()) {
+      TickInputs entry;
+      ReadInputs(in, entry.tick, entry.inputs);
+      // The block speaks of ticks that still have frames, too: those tell it themselves.
+      if (!in.failed() && entry.tick < first_tick()) all.push_back(std::move(entry));
+    }
+    if (in.failed()) return Damaged(block.payload_at, "this block is damaged");
+  }
+  for (std::uint64_t tick = first_tick(); tick <= last_tick(); ++tick) {
+    const Result<const TickRecord*> record = At(tick);
+    if (!record) return record.error();
+    if (!record.value()->inputs.empty()) all.push_back({tick, record.value()->inputs});
+  }
+  return all;
+}
+
+}  // namespace soarbox::record

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/scene_codec.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "record/scene_fields.h"
+
+namespace soarbox::record {
+namespace {
+
+using world::Color;
+using world::Quat;
+using world::Vec3;
+
+template <typename T>
+concept HasFields = requires(const T& value) {
+  FieldsOf(value);
+};
+
+void Put(ByteWriter& out, float value) {
+  out.Float(value);
+}
+void Put(ByteWriter& out, double value) {
+  out.Double(value);
+}
+void Put(ByteWriter& out, const std::string& value) {
+  out.Text(value);
+}
+void Put(ByteWriter& out, const Vec3& value) {
+  for (const float part : {value.x, value.y, value.z}) out.Float(part);
+}
+void Put(ByteWriter& out, const Quat& value) {
+  for (const float part : {value.w, value.x, value.y, value.z}) out.Float(part);
+}
+void Put(ByteWriter& out, const Color& value) {
+  for (const float part : {value.r, value.g, value.b, value.a}) out.Float(part);
+}
+template <typename T>
+requires std::is_integral_v<T> || std::is_enum_v<T>
+void Put(ByteWriter& out, T value) {
+  // Negative numbers are few (layers of panels) and take ten bytes.
+  out.Number(static_cast<std::uint64_t>(value));
+}
+template <typename T, std::size_t N>
+void Put(ByteWriter& out, const T (&values)[N]) {
+  for (const T& value : values) Put(out, value);
+}
+template <typename T, std::size_t N>
+void Put(ByteWriter& out, const std::array<T, N>& values) {
+  for (const T& value : values) Put(out, value);
+}
+void Put(ByteWriter& out, const std::vector<world::BonePose>& bones);
+template <HasFields T>
+void Put(ByteWriter& out, const T& value) {
+  std::apply([&](auto... members) { (Put(out, value.*members), ...); }, FieldsOf(value));
+}
+
+void Put(ByteWriter& out, const std::vector<world::BonePose>& bones) {
+  out.Number(bones.size());
+  for (const world::BonePose& bone : bones) Put(out, bone);
+}
+
+void Get(ByteReader& in, float& value) {
+  value = in.Float();
+}
+void Get(ByteReader& in, double& value) {
+  value = in.Double();
+}
+void Get(ByteReader& in, std::string& value) {
+  value = in.Text();
+}
+void Get(ByteReader& in, Vec3& value) {
+  for (float* part : {&value.x, &value.y, &value.z}) *part = in.Float();
+}
+void Get(ByteReader& in, Quat& value) {
+  for (float* part : {&value.w, &value.x, &value.y, &value.z}) *part = in.Float();
+}
+void Get(ByteReader& in, Color& value) {
+  for (float* part : {&value.r, &value.g, &value.b, &value.a}) *part = in.Float();
+}
+
+/// How many values an enumeration of the scene has: readers index tables with them.
+constexpr std::uint64_t ValuesOf(world::ShapeKind) {
+  return static_cast<std::uint64_t>(world::ShapeKind::kSphere) + 1;
+}
+constexpr std::uint64_t ValuesOf(world::LightKind) {
+  return static_cast<std::uint64_t>(world::LightKind::kPoint) + 1;
+}
+constexpr std::uint64_t ValuesOf(world::UiFont) {
+  return static_cast<std::uint64_t>(world::UiFont::kLargeMono) + 1;
+}
+
+template <typename T>
+requires std::is_integral_v<T> || std::is_enum_v<T>
+void Get(ByteReader& in, T& value) {
+  const std::uint64_t number = in.Number();
+  if constexpr (std::is_enum_v<T>) {
+    if (number >= ValuesOf(T{})) return in.Fail();
+  }
+  if constexpr (std::is_same_v<T, bool>) {
+    value = number != 0;
+  } else {
+    value = static_cast<T>(number);
+  }
+}
+template <typename T, std::size_t N>
+void Get(ByteReader& in, T (&values)[N]) {
+  for (T& value : values) Get(in, value);
+}
+template <typename T, std::size_t N>
+void Get(ByteReader& in, std::array<T, N>& values) {
+  for (T& value : values) Get(in, value);
+}
+void Get(ByteReader& in, std::vector<world::BonePose>& bones);
+template <HasFields T>
+void Get(ByteReader& in, T& value) {
+  std::apply([&](auto... members) { (Get(in, value.*members), ...); }, FieldsOf(value));
+}
+
+void Get(ByteReader& in, std::vector<world::BonePose>& bones) {
+  bones.resize(in.Count(28));
+  for (world::BonePose& bone : bones) Get(in, bone);
+}
+
+template <typename T>
+bool Same(const T& a, const T& b);
+
+/// Bit for bit, so that -0 and NaN replay as they were.
+bool Same(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+bool Same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+template <typename T>
+bool Same(const T& a, const T& b) {
+  if constexpr (HasFields<T>) {
+    return std::apply([&](auto... members) { return (Same(a.*members, b.*members) && ...); }, FieldsOf(a));
+  } else if constexpr (std::is_same_v<T, Vec3> || std::is_same_v<T, Quat> || std::is_same_v<T, Color>) {
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
+  } else if constexpr (std::is_array_v<T> || std::is_same_v<T, std::vector<world::BonePose>>) {
+    return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b),
+                      [](const auto& x, const auto& y) { return Same(x, y); });
+  } else {
+    return a == b;
+  }
+}
+
+/// One bit per member that differs.
+template <HasFields T>
+std::uint64_t Differences(const T& before, const T& now) {
+  std::uint64_t mask = 0;
+  std::uint64_t bit = 1;
+  const auto compare = [&](auto member) {
+    if (!Same(before.*member, now.*member)) mask |= bit;
+    bit <<= 1;
+  };
+  std::apply([&](auto... members) { (compare(members), ...); }, FieldsOf(now));
+  return mask;
+}
+
+template <HasFields T>
+void PutMembers(ByteWriter& out, std::uint64_t mask, const T& now) {
+  out.Number(mask);
+  const auto put = [&](auto member) {
+    if ((mask & 1) != 0) Put(out, now.*member);
+    mask >>= 1;
+  };
+  std::apply([&](auto... members) { (put(members), ...); }, FieldsOf(now));
+}
+
+template <HasFields T>
+void GetMembers(ByteReader& in, T& value) {
+  std::uint64_t mask = in.Number();
+  const auto get = [&](auto member) {
+    if ((mask & 1) != 0) Get(in, value.*member);
+    mask >>= 1;
+  };
+  std::apply([&](auto... members) { (get(members), ...); }, FieldsOf(value));
+  if (mask != 0) in.Fail();
+}
+
+// A list is a sequence of steps along the earlier list: so many stay as they are, then one changes, goes, or comes.
+enum class Step : std::uint8_t { kEnd, kChanged, kGone, kNew };
+
+template <HasFields T>
+void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
+  std::size_t unchanged = 0;
+  const auto step = [&](Step kind) {
+    out.Number(std::exchange(unchanged, 0));
+    out.Byte(static_cast<std::uint8_t>(kind));
+  };
+  std::size_t old = 0;
+  for (const T& value : now) {
+    // Ids ascend in both lists; what is in front of this id has gone.
+    for (; old < before.size() && before[old].id < value.id; ++old) step(Step::kGone);
+    if (old == before.size() || before[old].id != value.id) {
+      step(Step::kNew);
+      out.Number(value.id);
+      PutMembers(out, Differences(T{}, value), value);
+      continue;
+    }
+    const std::uint64_t mask = Differences(before[old++], value);
+    if (mask == 0) {
+      ++unchanged;
+      continue;
+    }
+    step(Step::kChanged);
+    PutMembers(out, mask, value);
+  }
+  for (; old < before.size(); ++old) step(Step::kGone);
+  step(Step::kEnd);
+}
+
+template <HasFields T>
+void ReadList(ByteReader& in, std::vector<T>& list) {
+  std::vector<T> before = std::exchange(list, {});
+  list.reserve(before.size());
+  std::size_t old = 0;
+  while (!in.failed()) {
+    const std::uint64_t unchanged = in.Number();
+    const auto step = static_cast<Step>(in.Byte());
+    const std::size_t needed = step == Step::kChanged || step == Step::kGone ? 1 : 0;
+    if (in.failed() || before.size() - old < needed || unchanged > before.size() - old - needed) return in.Fail();
+    for (std::uint64_t i = 0; i < unchanged; ++i) list.push_back(std::move(before[old++]));
+    switch (step) {
+      case Step::kEnd:
+        if (old != before.size()) in.Fail();
+        return;
+      case Step::kChanged:
+        list.push_back(std::move(before[old++]));
+        GetMembers(in, list.back());
+        break;
+      case Step::kGone:
+        ++old;
+        break;
+      case Step::kNew:
+        list.emplace_back();
+        Get(in, list.back().id);
+        GetMembers(in, list.back());
+        break;
+      default:
+        return in.Fail();
+    }
+  }
+}
+
+/// Lists of things without ids, which last for one tick.
+template <HasFields T>
+void WritePlain(ByteWriter& out, const std::vector<T>& now) {
+  out.Number(now.size());
+  for (const T& value : now) Put(out, value);
+}
+
+template <HasFields T>
+void ReadPlain(ByteReader& in, std::vector<T>& list) {
+  list.resize(in.Count(sizeof(T)));
+  for (T& value : list) Get(in, value);
+}
+
+}  // namespace
+
+void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now) {
+  PutMembers(out, Differences(before, now), now);
+  WriteList(out, before.drawables, now.drawables);
+  WriteList(out, before.lights, now.lights);
+  WriteList(out, before.agents, now.agents);
+  WriteList(out, before.ui, now.ui);
+  WriteList(out, before.particles, now.particles);
+  WritePlain(out, now.lines);
+  WritePlain(out, now.triangles);
+}
+
+void ReadScene(ByteReader& in, world::SceneSnapshot& scene) {
+  GetMembers(in, scene);
+  ReadList(in, scene.drawables);
+  ReadList(in, scene.lights);
+  ReadList(in, scene.agents);
+  ReadList(in, scene.ui);
+  ReadList(in, scene.particles);
+  ReadPlain(in, scene.lines);
+  ReadPlain(in, scene.triangles);
+}
+
+}  // namespace soarbox::record

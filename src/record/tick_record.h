@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/event.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::record {
+
+/// How much of a run is kept.
+enum class Level : std::uint8_t {
+  kWorld,      ///< What there is to see, events, inputs and state hashes.
+  kDecisions,  ///< Also percepts, commands, and each decision's operators and impasses.
+  kAll,        ///< Also which rules fired and which elements came and went.
+};
+
+/// What one mind did in a tick.
+struct MindRecord {
+  std::string agent;                   ///< Its body's name.
+  std::vector<std::string> percepts;   ///< What changed on the input link: "+ path value", "- path".
+  std::vector<std::string> decisions;  ///< Operators selected and impasses met, as the trace words them.
+  std::vector<std::string> details;    ///< Level::kAll: firings, retractions, elements.
+  std::vector<std::string> commands;   ///< What it said, with parameters and status.
+  friend bool operator==(const MindRecord&, const MindRecord&) = default;
+};
+
+/// Everything that is known of one tick: what came in, what there was to see afterwards, what happened, and a hash of
+/// the state. Tick 0 is the world as the scenario's set-up left it.
+struct TickRecord {
+  std::uint64_t tick = 0;
+  std::uint64_t state_hash = 0;
+  std::vector<std::string> inputs;  ///< What entered before the tick, in order, as sim writes it.
+  world::SceneSnapshot scene;       ///< Its tick and time are those of the record.
+  sim::EventList events;
+  std::vector<MindRecord> minds;  ///< Those that did something.
+};
+
+/// What entered before a tick.
+struct TickInputs {
+  std::uint64_t tick = 0;
+  std::vector<std::string> inputs;
+};
+
+}  // namespace soarbox::record

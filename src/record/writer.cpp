@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/writer.h"
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "record/byte_stream.h"
+#include "record/tick_codec.h"
+
+namespace soarbox::record {
+namespace fs = std::filesystem;
+namespace {
+
+Diagnostic Problem(const fs::path& path, std::string message, std::string hint) {
+  Diagnostic problem;
+  problem.file = path.string();
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+}  // namespace
+
+Writer::Writer(File file, fs::path path, const Header& header, const WriterSettings& settings)
+    : file_(std::move(file)), path_(std::move(path)), settings_(settings) {
+  BlockFrame frame;
+  frame.kind = BlockKind::kHeader;
+  header_block_ = std::string(kMagic) + EncodeBlock(frame, EncodeHeader(header));
+}
+
+Writer::~Writer() {
+  (void)Flush();  // Nobody is left to be told.
+}
+
+Result<std::unique_ptr<Writer>> Writer::Create(const fs::path& path, const Header& header,
+                                               const WriterSettings& settings) {
+  File file(std::fopen(path.c_str(), "wb"));
+  if (file == nullptr) {
+    return Problem(path, std::string("this recording cannot be written: ") + std::strerror(errno),
+                   "check the folder and its permissions");
+  }
+  std::unique_ptr<Writer> writer(new Writer(std::move(file), path, header, settings));
+  if (const Result<void> written = writer->Write(writer->header_block_); !written) return written.error();
+  return writer;
+}
+
+Result<void> Writer::Failed(const char* doing) {
+  failure_ = Problem(path_, std::string("the recording ends here: ") + doing + ": " + std::strerror(errno),
+                     "what was recorded until now can be used; free some room on the disk and record anew");
+  failure_->severity = Severity::kWarning;
+  return *failure_;
+}
+
+Result<void> Writer::Write(const std::string& bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size() || std::fflush(file_.get()) != 0)
+    return Failed("writing failed");
+  bytes_ += bytes.size();
+  return {};
+}
+
+Result<void> Writer::Add(const TickRecord& tick) {
+  if (failure_) return *failure_;
+  if (frame_.ticks == 0) {
+    frame_.first_tick = tick.tick;
+    before_ = {};
+  }
+  ByteWriter out(payload_);
+  WriteTick(out, before_, tick);
+  before_ = tick.scene;
+  if (settings_.limit_bytes > 0 && !tick.inputs.empty()) {
+    ByteWriter inputs(inputs_);
+    WriteInputs(inputs, tick.tick, tick.inputs);
+  }
+  // A block that grows large (long debug drawings) ends early.
+  constexpr std::size_t kLargeBlock = 16u << 20;
+  if (++frame_.ticks >= settings_.ticks_per_block || payload_.size() >= kLargeBlock) return Flush();
+  return {};
+}
+
+Result<void> Writer::AddEarlierInputs(const std::vector<TickInputs>& earlier) {
+  ByteWriter out(inputs_);
+  for (const TickInputs& entry : earlier) WriteInputs(out, entry.tick, entry.inputs);
+  BlockFrame frame;
+  frame.kind = BlockKind::kInputs;
+  return Write(EncodeBlock(frame, inputs_));
+}
+
+Result<void> Writer::Flush() {
+  if (failure_) return *failure_;
+  if (frame_.ticks == 0) return {};
+  const std::string block = EncodeBlock(std::exchange(frame_, {}), payload_);
+  payload_.clear();
+  blocks_.push_back({bytes_, block.size()});
+  if (const Result<void> written = Write(block); !written) return written;
+  if (settings_.limit_bytes > 0 && bytes_ > settings_.limit_bytes && blocks_.size() > 2) return DropOlderHalf();
+  return {};
+}
+
+/// Writes a new file with what stays and puts it in the place of the old one, so that at each moment one of them is
+/// whole. All inputs stay: with them the run can be simulated again from its beginning.
+Result<void> Writer::DropOlderHalf() {
+  const fs::path next = path_.string() + ".next";
+  File old = std::exchange(file_, File(std::fopen(next.c_str(), "w+b")));
+  const File from(std::fopen(path_.c_str(), "rb"));
+  if (file_ == nullptr || from == nullptr) {
+    file_ = std::move(old);
+    return Failed("a bounded recording drops its beginning");
+  }
+  bytes_ = 0;
+  BlockFrame frame;
+  frame.kind = BlockKind::kInputs;
+  if (const Result<void> head = Write(header_block_ + EncodeBlock(frame, inputs_)); !head) return head;
+  std::uint64_t dropped = 0;
+  const std::uint64_t to_drop = settings_.limit_bytes / 2;
+  while (blocks_.size() > 1 && dropped < to_drop) {
+    dropped += blocks_.front().bytes;
+    blocks_.pop_front();
+  }
+  std::string bytes;
+  for (Block& block : blocks_) {
+    bytes.resize(block.bytes);
+    if (std::fseek(from.get(), static_cast<long>(block.begin), SEEK_SET) != 0 ||
+        std::fread(bytes.data(), 1, bytes.size(), from.get()) != bytes.size())
+      return Failed("a bounded recording drops its beginning");
+    block.begin = bytes_;
+    if (const Result<void> written = Write(bytes); !written) return written;
+  }
+  std::error_code error;
+  fs::rename(next, path_, error);
+  if (error) {
+    errno = error.value();
+    return Failed("a bounded recording drops its beginning");
+  }
+  return {};
+}
+
+}  // namespace soarbox::record

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "record/format.h"
+#include "record/header.h"
+#include "record/tick_record.h"
+
+namespace soarbox::record {
+
+struct WriterSettings {
+  std::uint32_t ticks_per_block = 30;  ///< So many ticks are lost at most when the program is killed.
+  std::uint64_t limit_bytes = 0;       ///< 0: none. At the limit the older half of the frames goes; all inputs stay.
+};
+
+/// Writes a recording, block by block. A block that has been written is never changed, so a reader may follow, and a
+/// program that is killed leaves all complete blocks.
+///
+/// One thread at a time. Destroyed, it writes what there is.
+class Writer {
+ public:
+  /// Makes the file anew. Fails if it cannot be made or written; the error names it.
+  static Result<std::unique_ptr<Writer>> Create(const std::filesystem::path& file, const Header& header,
+                                                const WriterSettings& settings = {});
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// Adds the next tick. Fails when the disk is full or the like: the recording then ends with the last complete block
+  /// and takes nothing more; each further call answers the same.
+  Result<void> Add(const TickRecord& tick);
+  /// For a recording that does not begin with tick 0: what entered before its first tick. Call before the first Add.
+  Result<void> AddEarlierInputs(const std::vector<TickInputs>& earlier);
+  /// Writes the ticks that wait for their block to fill.
+  Result<void> Flush();
+
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  using File = std::unique_ptr<std::FILE, CloseFile>;
+  struct Block {
+    std::uint64_t begin = 0;
+    std::uint64_t bytes = 0;
+  };
+
+  Writer(File file, std::filesystem::path path, const Header& header, const WriterSettings& settings);
+  Result<void> Write(const std::string& bytes);
+  Result<void> DropOlderHalf();
+  Result<void> Failed(const char* doing);
+
+  File file_;
+  std::filesystem::path path_;
+  std::string header_block_;
+  WriterSettings settings_;
+  std::uint64_t bytes_ = 0;
+  std::optional<Diagnostic> failure_;
+
+  std::string payload_;  ///< Of the block under way.
+  BlockFrame frame_;
+  world::SceneSnapshot before_;  ///< The last scene in payload_.
+  std::deque<Block> blocks_;     ///< Of ticks, on disk.
+  std::string inputs_;           ///< Of all ticks so far that had some, for the block of inputs.
+};
+
+}  // namespace soarbox::record

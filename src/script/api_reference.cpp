@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/api_reference.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "script/api_table.h"
+
+namespace soarbox::script {
+namespace {
+
+constexpr const char* kIntroduction =
+    R"(# The Lua API
+
+Scripts of a scenario see these tables of functions. A sandbox's script defines any of `Sandbox_Initialize(sandbox)`,
+`Sandbox_Update(sandbox, milliseconds)`, `Sandbox_HandleEvent(sandbox, event)` and `Sandbox_Cleanup(sandbox)`; an agent's
+script `Agent_Initialize(agent)`, `Agent_Update(agent, milliseconds)`, `Agent_HandleEvent(agent, event)` and
+`Agent_Cleanup(agent)`. Lengths are in metres, angles in degrees, masses in kilograms, forces in newtons; y is up, and an
+agent that is not turned looks along z.
+
+A wrong argument is an error that names the first one that is wrong. Three things only make a call do nothing, with a
+warning: a wrong number of arguments to some functions, a first argument that is not the sandbox, and an object or scene
+node of a kind that the function is not for. A name that is nearly one of a table's functions is an error that says which.
+
+[The Lua library](library.md) is made of these functions and saves much of the work.
+
+In the examples `sandbox` is the sandbox, `agent` and `other` are agents that stand, `object` is a box of 1 m, `node`,
+`light` and `effect` are a node, a lamp and a particle effect, `ui` and `panel` are a panel on the screen and one in the
+world, `mesh` is a soldier and `animation` one of its animations. What a line prints stands behind `-->`.
+
+Types: `Thing` is an agent, an object, a scene node or the sandbox; `Scene` the same but agents; `Placed` an object or a
+scene node; `Node` a scene node; `value` is anything. Arguments with a default may be left out at the end.
+)";
+
+std::string FileOf(std::string_view group) {
+  std::string file(group);
+  std::ranges::transform(file, file.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return file + ".md";
+}
+
+/// "Agent.SetPath(agent, points [, cyclic])".
+std::string Call(const ApiFunction& function) {
+  std::string text(function.name);
+  text += "(";
+  std::string closing;
+  bool first = true;
+  for (const ApiArgument& argument : ParseArguments(function.arguments)) {
+    if (argument.optional) {
+      text += first ? "[" : " [, ";
+      closing += "]";
+    } else if (!first) {
+      text += ", ";
+    }
+    text += argument.name;
+    first = false;
+  }
+  return text + closing + ")";
+}
+
+std::string Anchor(std::string_view heading) {
+  std::string anchor;
+  for (const unsigned char c : heading) {
+    if (std::isalnum(c)) anchor += static_cast<char>(std::tolower(c));
+  }
+  return anchor;
+}
+
+std::string WithoutBrackets(std::string_view results) {
+  std::string text;
+  for (const char c : results) {
+    if (c == '[') {
+      text += "(";
+    } else {
+      text += c == ']' ? ')' : c;
+    }
+  }
+  return text;
+}
+
+std::string Section(const ApiFunction& function) {
+  std::string text = "\n## " + std::string(function.name) + "\n\n```\n" + Call(function) + "\n```\n\n" +
+                     std::string(function.text) + "\n\n";
+  const auto arguments = ParseArguments(function.arguments);
+  if (!arguments.empty()) {
+    text += "| argument | type | unit | default |\n| --- | --- | --- | --- |\n";
+    for (const ApiArgument& argument : arguments) {
+      text += "| `" + std::string(argument.name) + "` | " + std::string(argument.type_name) + " | " +
+              std::string(argument.unit) + " | " + (argument.optional ? std::string(argument.default_value) : "") +
+              " |\n";
+    }
+    text += "\n";
+  }
+  text += "Returns " + (function.results.empty() ? "nothing" : WithoutBrackets(function.results)) + ".\n\n```lua\n" +
+          std::string(function.example) + "\n```\n";
+  return text;
+}
+
+std::vector<ApiFunction> Sorted(const ApiGroup& group) {
+  std::vector<ApiFunction> functions(group.functions.begin(), group.functions.end());
+  std::ranges::sort(functions, {}, &ApiFunction::name);
+  return functions;
+}
+
+}  // namespace
+
+std::vector<ReferencePage> ApiReference() {
+  std::vector<ReferencePage> pages;
+  std::string contents = kIntroduction;
+  for (const ApiGroup& group : ApiGroups()) {
+    const std::string file = FileOf(group.name), name(group.name), about(group.text);
+    std::string text = "# " + name + "\n\n" + about + "\n";
+    contents += "\n## [" + name + "](" + file + ")\n\n" + about + "\n\n";
+    for (const ApiFunction& function : Sorted(group)) {
+      text += Section(function);
+      contents += "* [`" + Call(function) + "`](" + file + "#" + Anchor(function.name) + ")\n";
+    }
+    pages.push_back({file, text});
+  }
+  pages.push_back({"README.md", contents});
+  return pages;
+}
+
+}  // namespace soarbox::script

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/api_table.h"
+
+#include <cassert>
+#include <map>
+
+#include "diagnostics/diagnostic.h"
+
+namespace soarbox::script {
+namespace {
+
+constexpr std::pair<std::string_view, ApiType> kTypes[] = {
+    {"Sandbox", ApiType::kSandbox},     {"Agent", ApiType::kAgent},     {"Object", ApiType::kObject},
+    {"Node", ApiType::kNode},           {"Placed", ApiType::kPlaced},   {"Scene", ApiType::kScene},
+    {"Thing", ApiType::kThing},         {"UI", ApiType::kUi},           {"Vector", ApiType::kVector},
+    {"number", ApiType::kNumber},       {"string", ApiType::kString},   {"table", ApiType::kTable},
+    {"function", ApiType::kFunction},   {"boolean", ApiType::kBoolean}, {"value", ApiType::kValue},
+    {"Animation", ApiType::kAnimation},
+};
+
+std::vector<ApiFunction> Joined(std::span<const ApiFunction> first, std::span<const ApiFunction> second) {
+  std::vector<ApiFunction> all(first.begin(), first.end());
+  all.insert(all.end(), second.begin(), second.end());
+  return all;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+/// "name: Type [unit] = default".
+ApiArgument ParseArgument(std::string_view text) {
+  ApiArgument argument;
+  const std::size_t colon = text.find(':');
+  assert(colon != std::string_view::npos);
+  argument.name = Trimmed(text.substr(0, colon));
+  std::string_view rest = text.substr(colon + 1);
+  if (const std::size_t equals = rest.find(" = "); equals != std::string_view::npos) {
+    argument.optional = true;
+    argument.default_value = Trimmed(rest.substr(equals + 3));
+    rest = rest.substr(0, equals);
+  }
+  if (const std::size_t bracket = rest.find('['); bracket != std::string_view::npos) {
+    argument.unit = rest.substr(bracket + 1, rest.find(']') - bracket - 1);
+    rest = rest.substr(0, bracket);
+  }
+  argument.type_name = Trimmed(rest);
+  bool known = false;
+  for (const auto& [name, type] : kTypes) {
+    if (name != argument.type_name) continue;
+    argument.type = type;
+    known = true;
+  }
+  assert(known);
+  (void)known;
+  return argument;
+}
+
+}  // namespace
+
+std::span<const ApiGroup> ApiGroups() {
+  static const std::vector<ApiFunction> kAgent = Joined(AgentApi(), AgentSteeringApi());
+  static const std::vector<ApiFunction> kSandbox = Joined(SandboxApi(), SandboxPlacesApi());
+  static const ApiGroup kGroups[] = {
+      {"Agent",
+       "Agents: what they are and have, and the forces that steer them. Each function is a method too: "
+       "`agent:GetPosition()` is `Agent.GetPosition(agent)`.",
+       kAgent},
+      {"Animation", "Meshes that move: their animations and bones. Scripts step animations themselves.",
+       AnimationApi()},
+      {"Core",
+       "The scene (what is to be seen), the bodies of objects, and lines that are drawn for one step. Colours are "
+       "vectors "
+       "of red, green and blue, 0 to 1.",
+       CoreApi()},
+      {"Sandbox", "The world: objects, agents, events, camera, time, panels, navigation meshes and the influence map.",
+       kSandbox},
+      {"UI", "Panels of text on the screen or in the world. Only the sandbox's own scripts have this table.", UiApi()},
+      {"Vector",
+       "Points, directions, colours and rotations. Vectors add, subtract, multiply and divide by components, with a "
+       "vector "
+       "or a number on the right; `v.x`, `v.y` and `v.z` are read and set. A variable refers to a vector: a function "
+       "that "
+       "changes one changes it for its caller too.",
+       VectorApi()},
+  };
+  return kGroups;
+}
+
+const ApiFunction* FindApiFunction(std::string_view name) {
+  static const auto kByName = [] {
+    std::map<std::string_view, const ApiFunction*> by_name;
+    for (const ApiGroup& group : ApiGroups()) {
+      for (const ApiFunction& function : group.functions) by_name[function.name] = &function;
+    }
+    return by_name;
+  }();
+  const auto found = kByName.find(name);
+  return found == kByName.end() ? nullptr : found->second;
+}
+
+std::vector<ApiArgument> ParseArguments(std::string_view arguments) {
+  std::vector<ApiArgument> parsed;
+  while (!arguments.empty()) {
+    const std::size_t comma = arguments.find(',');
+    parsed.push_back(ParseArgument(arguments.substr(0, comma)));
+    arguments = comma == std::string_view::npos ? std::string_view() : arguments.substr(comma + 1);
+  }
+  return parsed;
+}
+
+std::string_view SuggestApiName(std::string_view table, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const ApiGroup& group : ApiGroups()) {
+    if (group.name != table) continue;
+    for (const ApiFunction& function : group.functions) names.push_back(function.name.substr(table.size() + 1));
+  }
+  return Suggest(name, names);
+}
+
+}  // namespace soarbox::script

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::script {
+
+/// One function of the sandbox's API as its users know it. The checks of arguments, the suggestions for misspelt names
+/// and the pages of docs/lua/ all read this table; a test holds it against what is registered.
+struct ApiFunction {
+  std::string_view name;       ///< "Agent.SetPosition".
+  std::string_view arguments;  ///< "agent: Agent, position: Vector [m], seconds: number [s] = 0.1"; see ParseArguments.
+  std::string_view results;    ///< "Vector [m]", "number, table"; empty: none.
+  std::string_view text;       ///< What it does: whole sentences.
+  std::string_view example;    ///< Lua; a comment "--> text" ends a line that prints just that.
+  bool own = false;            ///< Beyond the 192 functions of the first sandbox.
+};
+
+/// What an argument has to be. The sandbox, objects, nodes, things and meshes that are wrong make a call do nothing,
+/// with a warning; everything else that is wrong is a Lua error.
+enum class ApiType : std::uint8_t {
+  kSandbox,
+  kAgent,
+  kObject,
+  kNode,    ///< A scene node of Core.Create*.
+  kPlaced,  ///< An object or a scene node.
+  kScene,   ///< An object, a scene node or the sandbox.
+  kThing,   ///< The same or an agent.
+  kUi,
+  kAnimation,
+  kVector,
+  kNumber,
+  kString,
+  kTable,
+  kFunction,
+  kBoolean,  ///< Anything: Lua's truth.
+  kValue,    ///< Anything: the function decides.
+};
+
+struct ApiArgument {
+  std::string_view name;
+  std::string_view type_name;
+  ApiType type = ApiType::kValue;
+  std::string_view unit;           ///< Without brackets; empty: none.
+  std::string_view default_value;  ///< Only if optional.
+  bool optional = false;
+};
+
+/// All functions of all tables, by group.
+struct ApiGroup {
+  std::string_view name;  ///< Of the table: "Agent".
+  std::string_view text;  ///< What the group is for.
+  std::span<const ApiFunction> functions;
+};
+std::span<const ApiGroup> ApiGroups();
+
+/// The function of that whole name; null if there is none.
+const ApiFunction* FindApiFunction(std::string_view name);
+/// Splits the text of a function's arguments; an unknown type is a programmer's error.
+std::vector<ApiArgument> ParseArguments(std::string_view arguments);
+/// The name in that table which a misspelt one most likely means; empty if none is near.
+std::string_view SuggestApiName(std::string_view table, std::string_view name);
+
+// The parts of the table.
+std::span<const ApiFunction> AgentApi();
+std::span<const ApiFunction> AgentSteeringApi();
+std::span<const ApiFunction> AnimationApi();
+std::span<const ApiFunction> CoreApi();
+std::span<const ApiFunction> SandboxApi();
+std::span<const ApiFunction> SandboxPlacesApi();
+std::span<const ApiFunction> UiApi();
+std::span<const ApiFunction> VectorApi();
+
+}  // namespace soarbox::script

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/api_table.h"
+
+namespace soarbox::script {
+namespace {
+
+constexpr ApiFunction kFunctions[] = {
+    {"Core.ApplyAngularImpulse", "object: Object, impulse: Vector [N m s]", "",
+     "Changes the object's angular velocity at once.", R"(Core.ApplyAngularImpulse(object, Vector.new(0, 10, 0)))"},
+    {"Core.ApplyForce", "object: Object, force: Vector [N]", "",
+     "Pushes at the centre of mass during the next step. Forces of one step add up.",
+     R"(Core.ApplyForce(object, Vector.new(0, 0, 100)))"},
+    {"Core.ApplyImpulse", "object: Object, force: Vector [N]", "",
+     "Pushes for one step, as ApplyForce does: the speed changes by force / mass / 30.",
+     R"(-- 15000 N on a block of 15 kg give it 33 m/s.
+Core.SetMass(object, 15)
+Core.ApplyImpulse(object, Vector.new(0, 0, 15000)))"},
+    {"Core.CacheResource", "name: string", "",
+     "Checks that a mesh, material, sky or particle effect of this name exists.",
+     R"(Core.CacheResource("models/nobiax_modular/modular_block.mesh"))"},
+    {"Core.CreateBox",
+     "parent: Thing, width: number [m], height: number [m], length: number [m], u_tiles: number = 1, v_tiles: number = "
+     "1",
+     "Node", "A box around the node's origin: width along x, height along y, length along z. It has no body.",
+     R"(local box = Core.CreateBox(agent, 0.5, 1, 0.5)
+Core.SetMaterial(box, "Red"))"},
+    {"Core.CreateCapsule", "parent: Thing, height: number [m], radius: number [m]", "Node",
+     "An upright capsule around the node's origin; the height includes the caps.",
+     R"(Core.CreateCapsule(agent, agent:GetHeight(), agent:GetRadius()))"},
+    {"Core.CreateCircle", "parent: Thing, radius: number [m]", "Node",
+     "A thin horizontal ring around the node's origin.",
+     R"(local ring = Core.CreateCircle(agent, 1)
+Core.SetPosition(ring, Vector.new(0, -0.7, 0)))"},
+    {"Core.CreateCylinder", "parent: Thing, height: number [m], radius: number [m]", "Node",
+     "An upright cylinder whose base is at the node's origin.", R"(Core.CreateCylinder(sandbox, 3, 0.2))"},
+    {"Core.CreateDirectionalLight", "parent: Thing, direction: Vector", "Node",
+     "Light from afar that goes in this direction and casts shadows: a sun.",
+     R"(local sun = Core.CreateDirectionalLight(sandbox, Vector.new(1, -1, 1))
+Core.SetLightDiffuse(sun, Vector.new(1.8, 1.4, 0.9)))"},
+    {"Core.CreateLine", "parent: Thing, from: Vector [m], to: Vector [m]", "Node",
+     "A thin line between two points of the parent's space, which stays until it is removed.",
+     R"(local line = Core.CreateLine(sandbox, Vector.new(), Vector.new(0, 5, 0)))"},
+    {"Core.CreateMesh", "parent: Thing, mesh: string", "Node",
+     "A mesh of the media library. An unknown name gives a box of 1 m and a warning.",
+     R"(Core.CreateMesh(agent, "models/nobiax_modular/modular_block.mesh"))"},
+    {"Core.CreateParticle", "parent: Thing, effect: string", "Node", "Starts a particle effect at the node's origin.",
+     R"(local smoke = Core.CreateParticle(sandbox, "BulletImpact")
+Core.SetPosition(smoke, Vector.new(0, 1, 0)))"},
+    {"Core.CreatePlane", "parent: Thing, length: number [m], width: number [m]", "Node",
+     "A horizontal square that faces up, textured every 2 m. It has no body.", R"(Core.CreatePlane(sandbox, 10, 10))"},
+    {"Core.CreatePointLight", "parent: Thing, position: Vector [m]", "Node", "A lamp that shines 30 m far.",
+     R"(local lamp = Core.CreatePointLight(sandbox, Vector.new(0, 3, 0))
+Core.SetLightRange(lamp, 10))"},
+    {"Core.DrawCircle", "center: Vector [m], radius: number [m], color: Vector", "",
+     "Draws a horizontal circle for one step.", R"(Core.DrawCircle(agent:GetTarget(), 1, Vector.new(1, 0, 0)))"},
+    {"Core.DrawLine", "from: Vector [m], to: Vector [m], color: Vector", "", "Draws a line for one step.",
+     R"(Core.DrawLine(agent:GetPosition(), agent:GetTarget(), Vector.new(0, 1, 0)))"},
+    {"Core.DrawSphere", "center: Vector [m], radius: number [m], color: Vector, filled: boolean = false", "",
+     "Draws a wire sphere for one step, translucent inside if it is to be filled.",
+     R"(Core.DrawSphere(agent:GetPosition(), 1, Vector.new(0, 0, 1), true))"},
+    {"Core.DrawSquare", "center: Vector [m], side: number [m], color: Vector, filled: boolean = false", "",
+     "Draws a horizontal square for one step.", R"(Core.DrawSquare(Vector.new(), 100, Vector.new(1, 0, 0)))"},
+    {"Core.GetMass", "object: Object", "number [kg]", "The mass of an object; 0 if it is fixed.",
+     R"(print(Core.GetMass(object))  --> 1)"},
+    {"Core.GetPosition", "thing: value", "Vector [m]",
+     "Where an object's or agent's centre is in the world, or a node in its parent's space.",
+     R"(print(Core.GetPosition(object).x)  --> 5)"},
+    {"Core.GetRadius", "thing: value", "number [m]", "Half the diagonal of the box around an object, agent or node.",
+     R"(print(Core.GetRadius(object) > 0.8)  --> true)"},
+    {"Core.GetRotation", "object: Object", "Vector [deg]",
+     "Pitch, yaw and roll of an object, each read off one of its axes: in general not what SetRotation was given.",
+     R"(Core.SetRotation(object, Vector.new(0, 30, 0))
+print(string.format("%.0f", Core.GetRotation(object).y))  --> 30)"},
+    {"Core.IsVisible", "node: Scene", "boolean", "Whether what is attached to a node is to be seen.",
+     R"(print(Core.IsVisible(node))  --> true)", true},
+    {"Core.IsVisisble", "node: Scene", "boolean", "IsVisible, as the first sandbox spells it.",
+     R"(print(Core.IsVisisble(node))  --> true)"},
+    {"Core.Remove", "node: Node", "",
+     "Takes a node out of the scene, with what is attached. Objects go by "
+     "Sandbox.RemoveObject.",
+     R"(Core.Remove(node))"},
+    {"Core.ResetParticle", "effect: Thing", "", "Plays a particle effect from its start.",
+     R"(Core.ResetParticle(effect))"},
+    {"Core.SetAxis", "thing: Placed, x: Vector, y: Vector, z: Vector", "",
+     "Turns an object or a node so that its axes are these three: perpendicular, of length 1, right-handed.",
+     R"(Core.SetAxis(object, Vector.new(0, 0, -1), Vector.new(0, 1, 0), Vector.new(1, 0, 0)))"},
+    {"Core.SetGravity", "object: Object, acceleration: Vector [m/s^2]", "", "Gives one object a gravity of its own.",
+     R"(Core.SetGravity(object, Vector.new(0, -1.6, 0)))"},
+    {"Core.SetLightDiffuse", "light: Scene, color: Vector", "", "The colour of a light; above 1 is brighter.",
+     R"(Core.SetLightDiffuse(light, Vector.new(1, 0.8, 0.6)))"},
+    {"Core.SetLightRange", "light: Scene, range: number [m]", "", "How far a lamp shines.",
+     R"(Core.SetLightRange(light, 12))"},
+    {"Core.SetLightSpecular", "light: Scene, color: Vector", "", "The colour of a light's highlights.",
+     R"(Core.SetLightSpecular(light, Vector.new(1)))"},
+    {"Core.SetLineStartEnd", "line: Thing, from: Vector [m], to: Vector [m]", "",
+     "Moves the ends of a line of CreateLine.",
+     R"(local line = Core.CreateLine(sandbox, Vector.new(), Vector.new(1))
+Core.SetLineStartEnd(line, Vector.new(), agent:GetPosition()))"},
+    {"Core.SetMass", "object: Object, mass: number [kg]", "",
+     "Changes an object's mass. 0 fixes it: nothing moves it but SetPosition, and it is walked on.",
+     R"(Core.SetMass(object, 0)
+print(Core.GetMass(object))  --> 0)"},
+    {"Core.SetMaterial", "node: Scene, material: string", "",
+     "Clothes what is attached to a node. An unknown name gives White and a warning.",
+     R"(Core.SetMaterial(node, "Ground2"))"},
+    {"Core.SetParticleDirection", "effect: Node, direction: Vector", "", "Where a particle effect blows.",
+     R"(Core.SetParticleDirection(effect, Vector.new(0, 1, 0)))"},
+    {"Core.SetPosition", "thing: Placed, position: Vector [m]", "",
+     "Puts an object somewhere in the world at once, or a node somewhere in its parent's space.",
+     R"(Core.SetPosition(object, Vector.new(0, 4, 0))
+print(Core.GetPosition(object).y)  --> 4)"},
+    {"Core.SetRotation", "thing: Placed, rotation: Vector [deg]", "",
+     "Turns an object or a node: about z first, then y, then x.", R"(Core.SetRotation(node, Vector.new(0, 45, 0)))"},
+    {"Core.SetVisible", "node: Scene, visible: boolean", "", "Shows or hides a node and all below it.",
+     R"(Core.SetVisible(node, false)
+print(Core.IsVisible(node))  --> false)",
+     true},
+    {"Core.SetVisisble", "node: Scene, visible: boolean", "", "SetVisible, as the first sandbox spells it.",
+     R"(Core.SetVisisble(node, true))"},
+};
+
+}  // namespace
+
+std::span<const ApiFunction> CoreApi() {
+  return kFunctions;
+}
+
+}  // namespace soarbox::script

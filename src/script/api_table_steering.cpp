@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/api_table.h"
+
+// Agent: forces that steer. They are directions to weigh and add, not newtons to apply as they are.
+
+namespace soarbox::script {
+namespace {
+
+constexpr ApiFunction kFunctions[] = {
+    {"Agent.ForceToAlign", "agent: Agent, distance: number [m], angle: number [deg], agents: table", "Vector",
+     "Turns towards where the neighbours face on average: the agents of the list within the distance and within the "
+     "angle "
+     "on either side of the front (180 is all around). Of length 1, or zero without neighbours.",
+     R"(local force = agent:ForceToAlign(10, 180, Sandbox.GetAgents(sandbox)))"},
+    {"Agent.ForceToAvoidAgents", "agent: Agent, time: number [s] = 0.1", "Vector",
+     "Steers sideways from the living agent that it would meet first within this time.",
+     R"(local force = agent:ForceToAvoidAgents(1.5) * 3)"},
+    {"Agent.ForceToAvoidObjects", "agent: Agent, time: number [s] = 0.1", "Vector",
+     "Steers sideways from the movable objects ahead within this time; fixed ones are the navigation mesh's matter.",
+     R"(local force = agent:ForceToAvoidObjects(1.5) * 3)"},
+    {"Agent.ForceToCombine", "agent: Agent, distance: number [m], angle: number [deg], agents: table", "Vector",
+     "Pulls to the middle of the neighbours; see ForceToAlign for who they are.",
+     R"(local force = agent:ForceToCombine(100, 180, {other})
+print(Vector.Length(force) > 0.99)  --> true)"},
+    {"Agent.ForceToEvade", "agent: Agent, other: Agent, time: number [s] = 1", "Vector",
+     "Flees from where the other agent will be, at most this time ahead.", R"(local force = agent:ForceToEvade(other))",
+     true},
+    {"Agent.ForceToFleePosition", "agent: Agent, position: Vector [m]", "Vector", "Pushes straight away from a place.",
+     R"(print(agent:ForceToFleePosition(Vector.new(3, 0.8, 0)).x)  --> -3)"},
+    {"Agent.ForceToFollowPath", "agent: Agent, time: number [s] = 0.1, unused: value = nil", "Vector",
+     "Steers back to the path, or ahead along it, where the agent would leave it or go backwards within this time.",
+     R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})
+local force = agent:ForceToFollowPath(0.5) + agent:ForceToTargetSpeed(3))"},
+    {"Agent.ForceToPosition", "agent: Agent, position: Vector [m]", "Vector", "Pulls straight to a place.",
+     R"(print(agent:ForceToPosition(Vector.new(3, 0.8, 0)).x)  --> 3)"},
+    {"Agent.ForceToPursue", "agent: Agent, other: Agent, time: number [s] = 1", "Vector",
+     "Seeks where the other agent will be, at most this time ahead.", R"(local force = agent:ForceToPursue(other))",
+     true},
+    {"Agent.ForceToSeparate", "agent: Agent, distance: number [m], angle: number [deg], agents: table", "Vector",
+     "Pushes away from the neighbours, the nearer the stronger; see ForceToAlign for who they are.",
+     R"(local force = agent:ForceToSeparate(2, 180, Sandbox.GetAgents(sandbox)))"},
+    {"Agent.ForceToStayOnPath", "agent: Agent, time: number [s] = 0.1, unused: value = nil", "Vector",
+     "Steers back to the path where the agent would leave it within this time.",
+     R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})
+local force = agent:ForceToStayOnPath(0.5))"},
+    {"Agent.ForceToTargetSpeed", "agent: Agent, speed: number [m/s]", "Vector",
+     "Pushes forward or backward until the agent has this speed, at most as strong as its greatest force.",
+     R"(print(agent:ForceToTargetSpeed(3).z)  --> 3)"},
+    {"Agent.ForceToWander", "agent: Agent, delta: number [ms]", "Vector",
+     "A direction that drifts at random: 33, the time of a step, makes it jump from side to side.",
+     R"(local force = agent:ForceToWander(33))"},
+};
+
+}  // namespace
+
+std::span<const ApiFunction> AgentSteeringApi() {
+  return kFunctions;
+}
+
+}  // namespace soarbox::script

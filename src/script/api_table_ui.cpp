@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/api_table.h"
+
+namespace soarbox::script {
+namespace {
+
+constexpr ApiFunction kFunctions[] = {
+    {"UI.CreateChild", "ui: UI", "UI", "A panel of the same layer whose place is told from the parent's.",
+     R"(local child = UI.CreateChild(ui)
+UI.SetPosition(child, 10, 10))"},
+    {"UI.GetDimensions", "ui: UI", "table [px]", "The size: {x, y} by name.",
+     R"(print(UI.GetDimensions(ui).x)  --> 100)"},
+    {"UI.GetFont", "ui: UI", "string", "The font of the plain text.", R"(print(UI.GetFont(ui))  --> small)"},
+    {"UI.GetMarkupText", "ui: UI", "string", "The text with markup.",
+     R"(UI.SetMarkupText(ui, "%1red")
+print(UI.GetMarkupText(ui))  --> %1red)"},
+    {"UI.GetOffsetPosition", "ui: UI", "table [px]", "Where the parent is on the screen; {0, 0} without one.",
+     R"(print(UI.GetOffsetPosition(ui).x)  --> 0)"},
+    {"UI.GetPosition", "ui: UI", "table [px]", "The place in the parent, or on the screen: {x, y} by name.",
+     R"(print(UI.GetPosition(ui).x)  --> 0)"},
+    {"UI.GetScreenPosition", "ui: UI", "table [px]", "The place on the screen: {x, y} by name.",
+     R"(UI.SetPosition(ui, 30, 40)
+local child = UI.CreateChild(ui)
+UI.SetPosition(child, 5, 5)
+print(UI.GetScreenPosition(child).y)  --> 45)"},
+    {"UI.GetText", "ui: UI", "string", "The plain text.", R"(print(#UI.GetText(ui))  --> 0)"},
+    {"UI.GetTextMargin", "ui: UI", "table [px]", "The margin: {x = left, y = top}.",
+     R"(UI.SetTextMargin(ui, 5, 10)
+print(UI.GetTextMargin(ui).x)  --> 10)"},
+    {"UI.IsVisible", "ui: UI", "boolean", "Whether the panel is shown; its parent does not count.",
+     R"(print(UI.IsVisible(ui))  --> true)"},
+    {"UI.SetBackgroundColor", "ui: UI, red: number, green: number, blue: number, alpha: number = 1", "",
+     "Colours the background; 0 to 1 per channel.", R"(UI.SetBackgroundColor(ui, 0, 0, 0.5, 0.8))"},
+    {"UI.SetDimensions", "ui: UI, width: number [px], height: number [px]", "", "Changes the size.",
+     R"(UI.SetDimensions(ui, 300, 120))"},
+    {"UI.SetFont", "ui: UI, font: string", "",
+     "The font of the plain text: small, small_mono, medium, medium_mono, large or large_mono.",
+     R"(UI.SetFont(ui, "medium_mono"))"},
+    {"UI.SetFontColor", "ui: UI, red: number, green: number, blue: number, alpha: number = 1", "",
+     "Colours the plain text; white at first.", R"(UI.SetFontColor(ui, 1, 1, 0))"},
+    {"UI.SetGradientColor",
+     "ui: UI, direction: string, red1: number, green1: number, blue1: number, alpha1: number, red2: number, green2: "
+     "number, "
+     "blue2: number, alpha2: number",
+     "", "Colours the background from one colour to another: north_south, west_east or diagonal.",
+     R"(UI.SetGradientColor(ui, "north_south", 0, 0, 0, 0.75, 0, 0, 0, 0.35))"},
+    {"UI.SetMarkupText", "ui: UI, text: string", "",
+     "Shows a text with markup: %0 to %9 change the colour, %@9%, %@14%, %@24% the font (91, 141 and 241 are of fixed "
+     "width), %M toggles fixed width, %% is a percent sign.",
+     R"(UI.SetMarkupText(ui, "%@141%speed %1" .. 7 .. "%0 m/s"))"},
+    {"UI.SetPosition", "ui: UI, x: number [px], y: number [px]", "",
+     "Moves the panel, from its parent's or the screen's top left.",
+     R"(UI.SetPosition(ui, 20, Sandbox.GetScreenHeight(sandbox) - 120))"},
+    {"UI.SetText", "ui: UI, text: string", "", "Shows a plain text.", R"(UI.SetText(ui, "round 1"))"},
+    {"UI.SetTextMargin", "ui: UI, top: number [px], left: number [px]", "",
+     "Keeps the text off the edges; the top comes first.", R"(UI.SetTextMargin(ui, 10, 10))"},
+    {"UI.SetVisible", "ui: UI, visible: boolean", "", "Shows or hides the panel, not its children.",
+     R"(UI.SetVisible(ui, not UI.IsVisible(ui))
+print(UI.IsVisible(ui))  --> false)"},
+    {"UI.SetWorldPosition", "ui: UI, position: Vector [m]", "", "Moves a panel of CreateUIComponent3d; others stay.",
+     R"(UI.SetWorldPosition(panel, Vector.new(0, 3, 0)))"},
+    {"UI.SetWorldRotation", "ui: UI, rotation: Vector [deg]", "", "Turns a panel of CreateUIComponent3d; others stay.",
+     R"(UI.SetWorldRotation(panel, Sandbox.GetCameraOrientation(sandbox)))"},
+};
+
+}  // namespace
+
+std::span<const ApiFunction> UiApi() {
+  return kFunctions;
+}
+
+}  // namespace soarbox::script

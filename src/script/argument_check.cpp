@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/argument_check.h"
+
+#include <lua.hpp>
+#include <map>
+#include <mutex>
+
+#include "script/bind_arguments.h"
+#include "script/binding.h"
+
+namespace soarbox::script {
+namespace {
+
+bool IsKind(const Handle* handle, std::initializer_list<ValueKind> kinds) {
+  for (const ValueKind kind : kinds) {
+    if (handle && handle->kind == kind) return true;
+  }
+  return false;
+}
+
+/// What a lenient argument should be, for the warning; null if it is right or not lenient.
+const char* WantedInstead(const ApiArgument& argument, const Handle* handle) {
+  using enum ValueKind;
+  switch (argument.type) {
+    case ApiType::kSandbox:
+      return IsKind(handle, {kSandbox}) ? nullptr : "the sandbox";
+    case ApiType::kObject:
+      return IsKind(handle, {kObject}) ? nullptr : "a sandbox object";
+    case ApiType::kNode:
+      // Objects are told what to use instead by Core.Remove.
+      return IsKind(handle, {kNode, kObject}) ? nullptr : "a scene node";
+    case ApiType::kPlaced:
+      return IsKind(handle, {kNode, kObject}) ? nullptr : "a scene node";
+    case ApiType::kScene:
+      return IsKind(handle, {kNode, kObject, kSandbox, kAgent}) ? nullptr : "a scene node, an object or the sandbox";
+    case ApiType::kThing:
+      return IsKind(handle, {kNode, kObject, kSandbox, kAgent}) ? nullptr : "a thing with a scene node";
+    default:
+      return nullptr;
+  }
+}
+
+/// What a strict argument should be; null if it is right or not strict.
+const char* ExpectedInstead(lua_State* state, int index, ApiType type) {
+  switch (type) {
+    case ApiType::kAgent:
+      return IsKind(ToHandle(state, index), {ValueKind::kAgent}) ? nullptr : NameOf(ValueKind::kAgent);
+    case ApiType::kUi:
+      return IsKind(ToHandle(state, index), {ValueKind::kUi}) ? nullptr : NameOf(ValueKind::kUi);
+    case ApiType::kAnimation:
+      return IsKind(ToHandle(state, index), {ValueKind::kAnimation}) ? nullptr : NameOf(ValueKind::kAnimation);
+    case ApiType::kVector:
+      return ToVector(state, index) ? nullptr : NameOf(ValueKind::kVector);
+    case ApiType::kNumber:
+      return lua_isnumber(state, index) ? nullptr : "number";
+    case ApiType::kString:
+      return lua_isstring(state, index) ? nullptr : "string";
+    case ApiType::kTable:
+      return lua_istable(state, index) ? nullptr : "table";
+    case ApiType::kFunction:
+      return lua_isfunction(state, index) ? nullptr : "function";
+    default:
+      return nullptr;
+  }
+}
+
+/// Raises for the first handle before `end` whose thing is gone: that is what is wrong first then.
+void CheckAlive(lua_State* state, int end) {
+  for (int index = 1; index < end; ++index) {
+    const Handle* handle = ToHandle(state, index);
+    if (!handle) continue;
+    if (handle->kind == ValueKind::kObject) ObjectArgument(state, index);
+    if (handle->kind == ValueKind::kNode) NodeArgument(state, index, true);
+    if (handle->kind == ValueKind::kUi) UiArgument(state, index);
+  }
+}
+
+/// Upvalue: the table's name. (table, key)
+int ReadUnknownName(lua_State* state) {
+  if (lua_type(state, 2) == LUA_TSTRING) {
+    std::size_t length = 0, table_length = 0;
+    const char* name = lua_tolstring(state, 2, &length);
+    const char* table = lua_tolstring(state, lua_upvalueindex(1), &table_length);
+    RaiseIfNear(state, {table, table_length}, {name, length});
+  }
+  return 0;
+}
+
+}  // namespace
+
+const std::vector<ApiArgument>& ArgumentsOf(const ApiFunction& function) {
+  // Worlds of several threads share the table.
+  static std::mutex mutex;
+  static std::map<const ApiFunction*, std::vector<ApiArgument>> parsed;
+  const std::lock_guard lock(mutex);
+  auto [place, is_new] = parsed.try_emplace(&function);
+  if (is_new) place->second = ParseArguments(function.arguments);
+  return place->second;
+}
+
+bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments) {
+  const int count = std::min(lua_gettop(state), static_cast<int>(arguments.size()));
+  for (int index = 1; index <= count; ++index) {
+    const ApiArgument& argument = arguments[static_cast<std::size_t>(index) - 1];
+    if (argument.optional && lua_isnil(state, index)) continue;
+    if (const char* wanted = WantedInstead(argument, ToHandle(state, index))) {
+      CheckAlive(state, index);
+      WarnIgnored(state,
+                  lua_pushfstring(state, "argument %d is not %s but %s", index, wanted, NameOfValue(state, index)));
+      return false;
+    }
+    if (const char* expected = ExpectedInstead(state, index, argument.type)) {
+      CheckAlive(state, index);
+      ArgumentError(state, index, lua_pushfstring(state, "%s expected, got %s", expected, NameOfValue(state, index)));
+    }
+  }
+  return true;
+}
+
+int ArgumentError(lua_State* state, int index, const char* text) {
+  const char* name = lua_tostring(state, lua_upvalueindex(2));
+  if (!name) return luaL_argerror(state, index, text);
+  lua_Debug frame;
+  const bool is_method = lua_getstack(state, 0, &frame) == 1 && lua_getinfo(state, "n", &frame) != 0 &&
+                         frame.namewhat && std::string_view(frame.namewhat) == "method";
+  // The agent before the colon is no argument to who writes a method's call.
+  if (is_method && index == 1) return luaL_error(state, "bad self of '%s' (%s)", name, text);
+  return luaL_error(state, "bad argument #%d to '%s' (%s)", is_method ? index - 1 : index, name, text);
+}
+
+void RaiseIfNear(lua_State* state, std::string_view table, std::string_view name) {
+  const std::string_view meant = SuggestApiName(table, name);
+  if (meant.empty()) return;
+  lua_pushlstring(state, table.data(), table.size());
+  lua_pushlstring(state, name.data(), name.size());
+  lua_pushlstring(state, meant.data(), meant.size());
+  luaL_error(state, "%s has no function '%s': did you mean '%s'?", lua_tostring(state, -3), lua_tostring(state, -2),
+             lua_tostring(state, -1));
+}
+
+void GuardNames(lua_State* state, const char* table) {
+  lua_createtable(state, 0, 1);
+  lua_pushstring(state, table);
+  lua_pushcclosure(state, ReadUnknownName, 1);
+  lua_setfield(state, -2, "__index");
+  lua_setmetatable(state, -2);
+}
+
+}  // namespace soarbox::script

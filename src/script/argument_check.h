@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "script/api_table.h"
+
+struct lua_State;
+
+namespace soarbox::script {
+
+/// The arguments of one function, as ParseArguments reads them from the table; made once for each function.
+const std::vector<ApiArgument>& ArgumentsOf(const ApiFunction& function);
+
+/// Looks at the arguments on the stack from the first to the last. The first that is wrong is a Lua error; or, if it is
+/// one of those that only make a call do nothing, a warning, and the answer is false.
+bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments);
+
+/// As luaL_argerror, but the function's name is right also where Lua does not know it (called by pcall, for example).
+/// For the functions of the API, whose second upvalue is their name.
+int ArgumentError(lua_State* state, int index, const char* text);
+
+/// Makes reading a name that a table of the API does not have an error if it is near one that it has; else nil as ever.
+/// The table is on top of the stack and stays there.
+void GuardNames(lua_State* state, const char* table);
+
+/// Raises the error for such a name; returns if none is near.
+void RaiseIfNear(lua_State* state, std::string_view table, std::string_view name);
+
+}  // namespace soarbox::script

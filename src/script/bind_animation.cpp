@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <lua.hpp>
+#include <string>
+
+#include "diagnostics/diagnostic.h"
+#include "script/argument_check.h"
+#include "script/bind_api.h"
+#include "script/bind_arguments.h"
+#include "script/binding.h"
+#include "world/animation/animator.h"
+
+// Animation: the movements of a body with a skeleton, and how they are played (spec 5.5).
+
+namespace soarbox::script {
+namespace {
+
+using world::Animator;
+using world::NodeId;
+
+/// A movement that is still there; raises otherwise.
+world::Scene::FoundAnimation AnimationArgument(lua_State* state) {
+  const world::AnimationId id{CheckHandle(state, 1, ValueKind::kAnimation)};
+  const auto found = ContextOf(state).world.scene().FindAnimation(id);
+  if (!found.animator) ArgumentError(state, 1, "the mesh of this animation was removed");
+  return found;
+}
+
+const world::AnimationState& StateArgument(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  return found.animator->state(found.clip);
+}
+
+const world::Clip& ClipArgument(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  return found.animator->rig().clips[found.clip];
+}
+
+/// A finite number; false after a warning.
+bool FiniteArgument(lua_State* state, float& number) {
+  number = CheckFloat(state, 2);
+  const bool finite = world::IsFinite(number);
+  WarnUnless(state, finite);
+  return finite;
+}
+
+int GetAnimation(lua_State* state) {
+  const std::string_view name = TextArgument(state, 2);
+  const NodeId body = BodyArgument(state, 1);
+  if (body == NodeId::kNone) return 0;
+  world::Scene& scene = ContextOf(state).world.scene();
+  const world::Rig& rig = scene.AnimatorOf(body)->rig();
+  const int clip = rig.FindClip(name);
+  if (clip < 0) {
+    const std::string_view meant = Suggest(name, rig.ClipNames());
+    lua_pushfstring(state, "there is no animation \"%s\" here", lua_tostring(state, 2));
+    if (!meant.empty()) {
+      lua_pushliteral(state, "; did you mean \"");
+      lua_pushlstring(state, meant.data(), meant.size());
+      lua_pushliteral(state, "\"?");
+      lua_concat(state, 4);
+    }
+    return ArgumentError(state, 2, lua_tostring(state, -1));
+  }
+  PushHandle(state, {ValueKind::kAnimation, Number(scene.AnimationOf(body, static_cast<std::size_t>(clip)))});
+  return 1;
+}
+
+int GetLength(lua_State* state) {
+  lua_pushnumber(state, ClipArgument(state).length_s());
+  return 1;
+}
+
+int GetName(lua_State* state) {
+  const std::string& name = ClipArgument(state).name();
+  lua_pushlstring(state, name.data(), name.size());
+  return 1;
+}
+
+int GetTime(lua_State* state) {
+  lua_pushnumber(state, StateArgument(state).time_s);
+  return 1;
+}
+
+int SetTime(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  float time_s = 0;
+  if (FiniteArgument(state, time_s)) found.animator->SetTime(found.clip, time_s);
+  return 0;
+}
+
+int GetNormalizedTime(lua_State* state) {
+  lua_pushnumber(state, StateArgument(state).time_s / ClipArgument(state).length_s());
+  return 1;
+}
+
+int SetNormalizedTime(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  float share = 0;
+  if (FiniteArgument(state, share))
+    found.animator->SetTime(found.clip, std::clamp(share, 0.0f, 1.0f) * ClipArgument(state).length_s());
+  return 0;
+}
+
+int GetWeight(lua_State* state) {
+  lua_pushnumber(state, StateArgument(state).weight);
+  return 1;
+}
+
+int SetWeight(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  float weight = 0;
+  if (FiniteArgument(state, weight)) found.animator->SetWeight(found.clip, weight);
+  return 0;
+}
+
+int IsEnabled(lua_State* state) {
+  lua_pushboolean(state, StateArgument(state).enabled);
+  return 1;
+}
+
+int SetEnabled(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  found.animator->SetEnabled(found.clip, TruthArgument(state, 2));
+  return 0;
+}
+
+int IsLooping(lua_State* state) {
+  lua_pushboolean(state, StateArgument(state).looping);
+  return 1;
+}
+
+int SetLooping(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  found.animator->SetLooping(found.clip, TruthArgument(state, 2));
+  return 0;
+}
+
+int Reset(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  found.animator->SetTime(found.clip, 0);
+  return 0;
+}
+
+int StepAnimation(lua_State* state) {
+  const auto found = AnimationArgument(state);
+  float millis = 0;
+  if (FiniteArgument(state, millis)) found.animator->Step(found.clip, millis / 1000);
+  return 0;
+}
+
+constexpr Binding kBindings[] = {
+    {"GetAnimation", GetAnimation, 2, 2, WrongCount::kError},
+    {"GetLength", GetLength, 1, 1, WrongCount::kIgnored},
+    {"GetName", GetName, 1, 1, WrongCount::kIgnored},
+    {"GetNormalizedTime", GetNormalizedTime, 1, 1, WrongCount::kIgnored},
+    {"GetTime", GetTime, 1, 1, WrongCount::kIgnored},
+    {"GetWeight", GetWeight, 1, 1, WrongCount::kIgnored},
+    {"IsEnabled", IsEnabled, 1, 1, WrongCount::kIgnored},
+    {"IsLooping", IsLooping, 1, 1, WrongCount::kIgnored},
+    {"Reset", Reset, 1, 1, WrongCount::kIgnored},
+    {"SetEnabled", SetEnabled, 2, 2, WrongCount::kIgnored},
+    {"SetLooping", SetLooping, 2, 2, WrongCount::kIgnored},
+    {"SetNormalizedTime", SetNormalizedTime, 2, 2, WrongCount::kIgnored},
+    {"SetTime", SetTime, 2, 2, WrongCount::kIgnored},
+    {"SetWeight", SetWeight, 2, 2, WrongCount::kIgnored},
+    {"StepAnimation", StepAnimation, 2, 2, WrongCount::kIgnored},
+};
+
+}  // namespace
+
+void BindAnimation(lua_State* state) {
+  RegisterTable(state, "Animation", kBindings);
+}
+
+}  // namespace soarbox::script

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/lua_guarded.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <lua.hpp>
+
+#include "script/lua_machine.h"
+#include "script/nested_call.h"
+
+namespace soarbox::script {
+
+NestedCall::NestedCall(lua_State* state) : machine_(LuaMachine::Of(state)) {
+  constexpr int kMostNested = 150;
+  if (machine_.nested_calls_ >= kMostNested)
+    luaL_error(state, "too many calls of built-in functions within each other");
+  ++machine_.nested_calls_;
+}
+
+namespace {
+
+/// Bytes or table slots that one instruction's time moves.
+constexpr std::uint64_t kMovedPerInstruction = 32;
+
+/// Takes the price of work off the budget before it is done; an error if the budget does not reach.
+void ChargeFor(lua_State* state, double work) {
+  if (work <= 0) return;
+  const std::uint64_t price = work < 1e18 ? static_cast<std::uint64_t>(work) : std::uint64_t{1} << 60;
+  LuaMachine::Of(state).ChargeOrRaise(state, price);
+}
+
+/// Calls the built-in function (upvalue 1) with all arguments and returns all that it returns.
+int CallBuiltIn(lua_State* state) {
+  lua_pushvalue(state, lua_upvalueindex(1));
+  lua_insert(state, 1);
+  lua_call(state, lua_gettop(state) - 1, LUA_MULTRET);
+  return lua_gettop(state);
+}
+
+int CallNested(lua_State* state) {
+  const NestedCall nested(state);
+  return CallBuiltIn(state);
+}
+
+int Sort(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const auto count = static_cast<std::uint64_t>(lua_objlen(state, 1));
+  ChargeFor(state, static_cast<double>(count) * std::bit_width(count));
+  return CallNested(state);
+}
+
+int Insert(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const int size = static_cast<int>(lua_objlen(state, 1));
+  if (lua_gettop(state) == 2) {
+    lua_rawseti(state, 1, size + 1);
+    return 0;
+  }
+  if (lua_gettop(state) != 3) return luaL_error(state, "wrong number of arguments to 'insert'");
+  ChargeFor(state, (size - luaL_checknumber(state, 2)) / kMovedPerInstruction);
+  return CallBuiltIn(state);
+}
+
+int Remove(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const auto size = static_cast<double>(lua_objlen(state, 1));
+  ChargeFor(state, (size - luaL_optnumber(state, 2, size)) / kMovedPerInstruction);
+  return CallBuiltIn(state);
+}
+
+/// For functions that look at a whole table.
+int WalkTable(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  ChargeFor(state, static_cast<double>(lua_objlen(state, 1)) / 4);
+  return CallNested(state);
+}
+
+int Repeat(lua_State* state) {
+  std::size_t length = 0;
+  luaL_checklstring(state, 1, &length);
+  const lua_Number count = luaL_checknumber(state, 2);
+  // A text of nothing is nothing however often: the built-in function would count that far.
+  if (length == 0 && lua_gettop(state) < 3) {
+    lua_pushliteral(state, "");
+    return 1;
+  }
+  // What the memory does not allow costs no more than what it does: it fails at once.
+  const double most = static_cast<double>(LuaMachine::Of(state).memory().limit_bytes());
+  ChargeFor(state, std::min(static_cast<double>(length + 1) * count, most) / kMovedPerInstruction);
+  return CallBuiltIn(state);
+}
+
+/// For functions that look at a whole text.
+int WalkText(lua_State* state) {
+  std::size_t length = 0;
+  luaL_checklstring(state, 1, &length);
+  ChargeFor(state, static_cast<double>(length) / kMovedPerInstruction);
+  return CallBuiltIn(state);
+}
+
+/// coroutine.wrap: what it returns is guarded too.
+int Wrap(lua_State* state) {
+  lua_pushvalue(state, lua_upvalueindex(1));
+  lua_insert(state, 1);
+  lua_call(state, lua_gettop(state) - 1, 1);
+  lua_pushcclosure(state, CallNested, 1);
+  return 1;
+}
+
+struct Guard {
+  const char* table;
+  const char* name;
+  lua_CFunction function;
+};
+
+constexpr Guard kGuards[] = {
+    {"table", "sort", Sort},        {"table", "insert", Insert},         {"table", "remove", Remove},
+    {"table", "concat", WalkTable}, {"table", "maxn", WalkTable},        {"table", "foreachi", WalkTable},
+    {"string", "rep", Repeat},      {"string", "reverse", WalkText},     {"string", "upper", WalkText},
+    {"string", "lower", WalkText},  {"coroutine", "resume", CallNested}, {"coroutine", "wrap", Wrap},
+};
+
+}  // namespace
+
+void InstallGuards(lua_State* state) {
+  for (const Guard& guard : kGuards) {
+    lua_getglobal(state, guard.table);
+    lua_getfield(state, -1, guard.name);
+    if (lua_isfunction(state, -1)) {
+      lua_pushcclosure(state, guard.function, 1);
+      lua_setfield(state, -2, guard.name);
+      lua_pop(state, 1);
+    } else {
+      lua_pop(state, 2);
+    }
+  }
+}
+
+}  // namespace soarbox::script

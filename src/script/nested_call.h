@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "script/lua_machine.h"
+
+namespace soarbox::script {
+
+/// One lives in each built-in function while it may call a script's function. Such calls within each other use up the
+/// process' own stack, so only so many may; one more is a Lua error. Lua's errors run destructors.
+class NestedCall {
+ public:
+  explicit NestedCall(lua_State* state);
+  ~NestedCall() { --machine_.nested_calls_; }
+  NestedCall(const NestedCall&) = delete;
+  NestedCall& operator=(const NestedCall&) = delete;
+
+ private:
+  LuaMachine& machine_;
+};
+
+}  // namespace soarbox::script

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace soarbox::script {
+
+/// What all scripts of a world may use together. All of it is counted, none of it timed, so that a limit is reached at
+/// the same place in every run.
+struct WorldLimits {
+  std::uint64_t setup_instructions = 2'000'000'000;  ///< Until the first tick.
+  std::uint64_t tick_instructions = 100'000'000;     ///< In each tick.
+  std::size_t memory_bytes = std::size_t{3} << 30;   ///< Of all machines.
+  std::size_t objects = 5'000;
+  std::size_t nodes = 100'000;  ///< Of the scene, those of agents and objects included.
+  std::size_t lights = 256;
+  std::size_t panels = 2'000;
+  std::size_t shapes_per_tick = 100'000;  ///< Of debug drawing.
+  std::size_t waiting_events = 10'000;
+  std::size_t event_bytes = std::size_t{64} << 20;  ///< Of all waiting events.
+  std::size_t callbacks = 20'000;
+  std::size_t print_bytes = std::size_t{1} << 20;  ///< At once; so many more may be printed in each tick:
+  std::size_t print_bytes_per_tick = std::size_t{16} << 10;
+};
+
+/// What is left of it. Whoever asks for much when little is left is refused first: a call may use a tenth of the
+/// instructions that are left, and a machine may grow by an eighth of the memory, so that scripts which ask for more
+/// than their share stop long before the others go short.
+class WorldBudget {
+ public:
+  explicit WorldBudget(const WorldLimits& limits = {})
+      : limits_(limits), instructions_left_(limits.setup_instructions), print_left_(limits.print_bytes) {}
+
+  const WorldLimits& limits() const { return limits_; }
+
+  void BeginTick() {
+    instructions_left_ = limits_.tick_instructions;
+    print_left_ = std::min(limits_.print_bytes, print_left_ + limits_.print_bytes_per_tick);
+  }
+
+  /// How many instructions the next call may use.
+  std::uint64_t InstructionsForCall() const { return instructions_left_ / 10; }
+  void UseInstructions(std::uint64_t count) { instructions_left_ -= std::min(count, instructions_left_); }
+  std::uint64_t instructions_left() const { return instructions_left_; }
+
+  /// Takes memory for a machine that has `has_bytes`; false: refused.
+  bool TakeMemory(std::size_t bytes, std::size_t has_bytes) {
+    const std::size_t left = limits_.memory_bytes - used_bytes_;
+    if (bytes > left || (has_bytes >= kSmallMachine && has_bytes + bytes > left / 8)) return false;
+    used_bytes_ += bytes;
+    return true;
+  }
+  void GiveMemoryBack(std::size_t bytes) { used_bytes_ -= bytes; }
+  std::size_t used_bytes() const { return used_bytes_; }
+
+  /// Takes room for a printed text; false: there is none, and the text is left out.
+  bool TakePrint(std::size_t bytes) {
+    if (bytes > print_left_) return false;
+    print_left_ -= bytes;
+    return true;
+  }
+
+ private:
+  /// Up to here a machine may grow whatever the others have: it holds the library and a script.
+  static constexpr std::size_t kSmallMachine = std::size_t{1} << 20;
+
+  WorldLimits limits_;
+  std::uint64_t instructions_left_;
+  std::size_t print_left_;
+  std::size_t used_bytes_ = 0;
+};
+
+}  // namespace soarbox::script

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/actor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/arena.h"
+#include "sim/conduct.h"
+#include "sim/directions.h"
+#include "world/animation/animator.h"
+#include "world/state_hash.h"
+
+namespace soarbox::sim {
+namespace {
+
+constexpr std::size_t kMostRunning = 32;
+constexpr std::size_t kMostHappenings = 16;
+constexpr float kTurnRate_deg_per_s = 360;
+
+float SpeedFactor(const std::string& stance) {
+  return stance == "standing" ? 1.0f : stance == "crouching" ? 0.5f : 0.2f;
+}
+
+}  // namespace
+
+double Running::Number(std::string_view name, double otherwise) const {
+  const Percept* given = Get(name);
+  return given != nullptr ? given->Number().value_or(otherwise) : otherwise;
+}
+
+std::string Running::Word(std::string_view name) const {
+  const Percept* given = Get(name);
+  return given != nullptr && !given->IsObject() ? DescribeValue(*given) : std::string();
+}
+
+Actor::Actor(Arena& arena, world::World& world, world::EntityId id, BodyKind kind, bool is_scripted)
+    : arena_(arena),
+      world_(world),
+      id_(id),
+      body_(world.FindAgent(id)),
+      kind_(std::move(kind)),
+      walk_mps_(kind_.walk_mps),
+      is_scripted_(is_scripted) {
+  if (kind_.armed) weapon_.emplace(kind_.weapon);
+}
+
+const world::MessageBoard& Actor::board() const {
+  return arena_.board();
+}
+
+void Actor::SetLooks(world::NodeId looks) {
+  looks_ = looks;
+  SetStance(stance_);
+}
+
+void Actor::SetStance(std::string_view stance) {
+  stance_ = stance;
+  if (world::Animator* animator = world_.scene().AnimatorOf(looks_)) {
+    animator->SetLocomotion(true,
+                            stance_ == "standing" ? world::LocomotionStyle::kReady : world::LocomotionStyle::kCrouch);
+  }
+}
+
+float Actor::speed_mps() const {
+  return std::min(walk_mps_, body_->MaxSpeed()) * SpeedFactor(stance_);
+}
+float Actor::TopSpeed() const {
+  return body_->MaxSpeed() * SpeedFactor(stance_);
+}
+float Actor::Steadiness() const {
+  return (stance_ == "standing" ? 1.0f : stance_ == "crouching" ? 0.6f : 0.4f) + 0.3f * body_->Speed();
+}
+
+void Actor::End(const Running& command, Outcome::Status status, std::string_view reason, std::string text) {
+  Outcome outcome;
+  outcome.status = status;
+  outcome.tag = command.said.tag;
+  outcome.command = command.said.name;
+  outcome.reason = reason;
+  if (const ReasonRow* row = FindReason(reason); row != nullptr && text.empty()) text = row->meaning;
+  outcome.text = std::move(text);
+  outcomes_.push_back(std::move(outcome));
+}
+
+void Actor::Begin(const SaidCommand& command) {
+  Running started;
+  started.said = command;
+  started.row = FindCommand(command.name);
+  if (!IsAlive()) return End(started, Outcome::Status::kError, "dead");
+  if (CommandFault fault = CheckCommand(command); !fault.ok()) {
+    End(started, Outcome::Status::kError, fault.reason, fault.text);
+    outcomes_.back().parameter = fault.parameter;
+    return;
+  }
+  const BodyPart part = started.row->part;
+  if (part != BodyPart::kNone && part != BodyPart::kVoice && part != BodyPart::kPosture) {
+    for (const Running& other : running_)
+      if (other.row->part == part) End(other, Outcome::Status::kInterrupted, {});
+    std::erase_if(running_, [&](const Running& other) { return other.row->part == part; });
+  }
+  if (running_.size() >= kMostRunning) {
+    End(running_.front(), Outcome::Status::kInterrupted, {});
+    running_.erase(running_.begin());
+  }
+  if (part == BodyPart::kLegs) {
+    way_.status = command.name == "stop" ? "none" : "moving";
+    way_.command = command.name;
+    way_.remaining_m.reset();
+  }
+  running_.push_back(std::move(started));
+}
+
+void Actor::Cancel(std::uint64_t tag) {
+  const auto at = std::find_if(running_.begin(), running_.end(), [&](const Running& r) { return r.said.tag == tag; });
+  if (at == running_.end()) return;
+  if (at->row->part == BodyPart::kLegs) way_ = Way{};
+  running_.erase(at);
+}
+
+std::vector<Outcome> Actor::TakeOutcomes() {
+  return std::exchange(outcomes_, {});
+}
+
+void Actor::Step() {
+  if (is_scripted_) return;
+  if (!IsAlive()) return Die();
+  if (weapon_) weapon_->Update(world_.tick());
+  wanted_.reset();
+  look_.reset();
+  for (std::size_t i = 0; i < running_.size();) {
+    Running& command = running_[i];
+    const StepResult result = FindConduct(command.said.name)(*this, command);
+    ++command.ticks;
+    if (result.state == StepResult::State::kGoing) {
+      const int tenths = static_cast<int>(std::clamp(result.progress, 0.0f, 1.0f) * 10);
+      if (tenths != std::exchange(command.told_tenths, tenths) && (tenths > 0 || command.ticks > 1)) {
+        End(command, Outcome::Status::kProgress, {});
+        outcomes_.back().progress = static_cast<float>(tenths) / 10;
+      }
+      ++i;
+      continue;
+    }
+    const bool done = result.state == StepResult::State::kDone;
+    if (command.row->part == BodyPart::kLegs && command.said.name != "stop") {
+      way_.status = done ? "arrived" : "blocked";
+      way_.remaining_m.reset();
+    }
+    End(command, done ? Outcome::Status::kComplete : Outcome::Status::kError, result.reason);
+    running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  MoveBody();
+}
+
+/// Legs and neck: the velocity that the commands want, as far as the body's force goes, and a turn towards it.
+void Actor::MoveBody() {
+  const float step_s = world_.settings().step_s;
+  world::Vec3 wanted = Flat(wanted_.value_or(world::Vec3{}));
+  if (const float speed = world::Length(wanted); speed > body_->MaxSpeed())
+    wanted = wanted * (body_->MaxSpeed() / speed);
+  const bool wants_rest = wanted == world::Vec3{} && world::Length(Flat(body_->Velocity())) < 0.02f;
+  if (body_->HasBody() && body_->Mass() > 0 && !wants_rest) {
+    world::Vec3 force = (wanted - Flat(body_->Velocity())) * (body_->Mass() / step_s);
+    if (const float newtons = world::Length(force); newtons > body_->MaxForce())
+      force = force * (body_->MaxForce() / newtons);
+    body_->ApplyForce(force);
+  }
+  // A body that nobody tells where to look looks where it goes.
+  world::Vec3 ahead = look_.value_or(world::Length(wanted) > 0.3f ? wanted : world::Vec3{});
+  ahead.y = 0;
+  if (ahead == world::Vec3{}) return;
+  const float turn = WrapDegrees(HeadingOf(ahead) - HeadingOf(body_->Forward()));
+  const float most = kTurnRate_deg_per_s * step_s;
+  body_->SetForward(AlongHeading(HeadingOf(body_->Forward()) + std::clamp(turn, -most, most)));
+}
+
+void Actor::Die() {
+  if (std::exchange(dead_, true)) return;
+  for (const Running& command : running_) End(command, Outcome::Status::kError, "dead");
+  running_.clear();
+  way_ = Way{};
+  body_->SetLastCommand("dead");
+  // Nobody stumbles over the dead, and no shot stops in them.
+  body_->RemovePhysics();
+  body_->SetSpeed(0);
+}
+
+void Actor::Notice(Happening happening) {
+  happening.number = ++happened_;
+  happening.tick = world_.tick();
+  happenings_.push_back(std::move(happening));
+  if (happenings_.size() > kMostHappenings) happenings_.pop_front();
+}
+
+std::optional<Actor::Sighting> Actor::Find(world::EntityId agent, std::string_view& reason) const {
+  const world::Agent* other = world_.FindAgent(agent);
+  if (other == nullptr) {
+    reason = "no-such-agent";
+    return std::nullopt;
+  }
+  const auto known = contacts_.find(agent);
+  // Friends carry a radio: each knows where the others are.
+  const bool is_friend = other->Team() == body_->Team();
+  if (is_friend || agent == id_ || (known != contacts_.end() && known->second.visible)) {
+    return Sighting{other->Position(), other->Velocity(), other->Forward(), true, other->Health() > 0};
+  }
+  if (known == contacts_.end()) {
+    reason = "never-noticed";
+    return std::nullopt;
+  }
+  const Contact& contact = known->second;
+  const double age_s =
+      static_cast<double>(world_.tick() - contact.noticed_tick) * static_cast<double>(world_.settings().step_s);
+  if (age_s > static_cast<double>(kind_.senses.memory_s)) {
+    reason = "lost";
+    return std::nullopt;
+  }
+  return Sighting{contact.position, contact.velocity, contact.forward, false, contact.alive};
+}
+
+std::optional<Actor::Place> Actor::FindPlace(const Running& command, std::string_view& reason) const {
+  if (const Percept* x = command.Get("x"), *z = command.Get("z"); x != nullptr && z != nullptr) {
+    return Place{{static_cast<float>(*x->Number()), body_->Position().y, static_cast<float>(*z->Number())}};
+  }
+  if (command.Get("waypoint") != nullptr) {
+    if (const Waypoint* found = arena_.places().FindWaypoint(command.Word("waypoint"))) return Place{found->position};
+    reason = "no-such-waypoint";
+    return std::nullopt;
+  }
+  if (command.Get("region") != nullptr) {
+    if (const Region* found = arena_.places().FindRegion(command.Word("region"))) return Place{found->center};
+    reason = "no-such-region";
+    return std::nullopt;
+  }
+  if (command.Get("object") != nullptr) {
+    const world::EntityId id = arena_.FindObjectNamed(command.Word("object"));
+    if (const world::Object* object = world_.FindObject(id)) return Place{object->Position(), id, object->Radius()};
+    reason = "no-such-object";
+    return std::nullopt;
+  }
+  if (command.Get("agent") != nullptr) {
+    const world::EntityId id = arena_.FindAgentNamed(command.Word("agent"));
+    const std::optional<Sighting> seen = Find(id, reason);
+    if (!seen) return std::nullopt;
+    return Place{seen->position, id, world_.FindAgent(id)->Radius()};
+  }
+  reason = "no-place";
+  return std::nullopt;
+}
+
+void Actor::AddTo(world::StateHash& hash) const {
+  hash.Add(std::uint64_t{running_.size()});
+  for (const Running& command : running_) {
+    hash.Add(std::string_view(command.said.name));
+    hash.Add(command.ticks);
+  }
+  hash.Add(std::string_view(stance_));
+  hash.Add(walk_mps_);
+  if (weapon_) weapon_->AddTo(hash);
+  for (const auto& [id, contact] : contacts_) {
+    hash.Add(static_cast<std::uint64_t>(Number(id)));
+    hash.Add(contact.position);
+    hash.Add(contact.noticed_tick);
+  }
+}
+
+}  // namespace soarbox::sim

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/body_kind.h"
+#include "sim/command_check.h"
+#include "sim/places.h"
+#include "world/message_board.h"
+#include "world/weapon.h"
+#include "world/world.h"
+
+namespace soarbox::sim {
+
+class Arena;
+
+/// What an actor knows of another agent.
+struct Contact {
+  world::EntityId agent = world::kNoEntity;
+  enum class Source : std::uint8_t { kSight, kHearing, kMemory } source = Source::kSight;
+  bool visible = false;
+  std::uint64_t noticed_tick = 0;
+  world::Vec3 position;  ///< With the noise of the senses.
+  world::Vec3 velocity;
+  world::Vec3 forward{0, 0, 1};
+  bool alive = true;
+};
+
+/// Something that happened to an actor.
+struct Happening {
+  std::uint32_t number = 0;
+  std::uint64_t tick = 0;
+  std::string type;  ///< As in the table of percepts: "hit", "collision", "shot-heard".
+  std::string by;
+  float bearing_deg = 0;
+  float damage = 0;
+};
+
+/// How a command went, for the mind that said it.
+struct Outcome {
+  enum class Status : std::uint8_t { kProgress, kComplete, kError, kInterrupted } status = Status::kComplete;
+  std::uint64_t tag = 0;
+  std::string command;
+  std::string reason, parameter;
+  std::string text;  ///< What is wrong, for people; empty if nothing is.
+  float progress = 0;
+};
+
+/// A command that a body is carrying out.
+struct Running {
+  SaidCommand said;
+  const CommandRow* row = nullptr;
+  std::uint64_t ticks = 0;  ///< Steps done so far; 0 in the first.
+  // What the conducts keep between steps.
+  float start_m = 0, best_m = 0;
+  std::uint64_t best_tick = 0, mark_tick = 0;
+  int index = 0, count = 0;
+  float turn_deg = 0;
+  std::optional<world::Vec3> goal = std::nullopt;
+  std::vector<world::Vec3> path = {};  ///< Corners still to pass, with the goal that they lead to.
+  world::Vec3 path_goal;
+  std::uint64_t path_tick = 0;
+  int told_tenths = -1;  ///< Progress reported last.
+
+  const Percept* Get(std::string_view name) const { return FindPercept(said.parameters, name); }
+  double Number(std::string_view name, double otherwise) const;
+  std::string Word(std::string_view name) const;
+};
+
+/// What one step of a command came to.
+struct StepResult {
+  enum class State : std::uint8_t { kGoing, kDone, kFailed } state = State::kDone;
+  std::string_view reason = {};
+  float progress = 0;
+
+  static StepResult Going(float progress = 0) { return {State::kGoing, {}, progress}; }
+  static StepResult Done() { return {State::kDone, {}, 1}; }
+  static StepResult Failed(std::string_view reason) { return {State::kFailed, reason, 0}; }
+};
+
+/// The body of an agent that needs no script: it carries out the commands of the vocabulary.
+///
+/// Made by the Arena, which owns it; the physical agent is the world's. Deterministic: draws from the agent's own
+/// random stream only.
+class Actor {
+ public:
+  Actor(Arena& arena, world::World& world, world::EntityId id, BodyKind kind, bool is_scripted);
+
+  world::EntityId id() const { return id_; }
+  world::Agent& body() { return *body_; }
+  const world::Agent& body() const { return *body_; }
+  const BodyKind& kind() const { return kind_; }
+  Arena& arena() { return arena_; }
+  const Arena& arena() const { return arena_; }
+  const world::MessageBoard& board() const;
+  world::World& world() { return world_; }
+  const world::World& world() const { return world_; }
+  bool IsAlive() const { return body_->Health() > 0; }
+
+  // Commands.
+  /// Takes a command that a mind has said; a fault in it is an outcome. Others that hold the same part are interrupted.
+  void Begin(const SaidCommand& command);
+  /// The rules have taken the command back: it is given up without an outcome.
+  void Cancel(std::uint64_t tag);
+  /// One tick: weapons, commands, legs.
+  void Step();
+  std::vector<Outcome> TakeOutcomes();
+  const std::vector<Running>& running() const { return running_; }
+  bool IsBusy() const { return !running_.empty(); }
+
+  // For the conducts.
+  /// Ground velocity wanted in this step; the legs see to it. Nobody wants any: it stands.
+  void Walk(world::Vec3 velocity) { wanted_ = velocity; }
+  void Look(world::Vec3 direction) { look_ = direction; }
+  float speed_mps() const;  ///< Of walking, with the stance taken into account.
+  float TopSpeed() const;
+  void SetWalkSpeed(float mps) { walk_mps_ = mps; }
+  const std::string& stance() const { return stance_; }
+  void SetStance(std::string_view stance);
+  /// The node of its mesh, which shows how it holds itself.
+  void SetLooks(world::NodeId looks);
+  float Steadiness() const;
+  std::optional<world::Weapon>& weapon() { return weapon_; }
+  const std::optional<world::Weapon>& weapon() const { return weapon_; }
+  world::EntityId target() const { return target_; }
+  void SetTarget(world::EntityId target) { target_ = target; }
+  std::vector<std::string>& carried() { return carried_; }
+  const std::vector<std::string>& carried() const { return carried_; }
+  /// Where it supposes an agent to be: friends and agents in view as they are, others as last noticed. Nothing, with a
+  /// reason, for agents that it never noticed or has forgotten.
+  struct Sighting {
+    world::Vec3 position, velocity;
+    world::Vec3 forward{0, 0, 1};
+    bool certain = false;  ///< In view, or a friend.
+    bool alive = true;
+  };
+  std::optional<Sighting> Find(world::EntityId agent, std::string_view& reason) const;
+  /// The place that the command's parameters name.
+  struct Place {
+    world::Vec3 position;
+    world::EntityId entity = world::kNoEntity;
+    float radius_m = 0;  ///< Of the thing that stands there.
+  };
+  std::optional<Place> FindPlace(const Running& command, std::string_view& reason) const;
+
+  // Knowledge; the senses keep it.
+  std::map<world::EntityId, Contact>& contacts() { return contacts_; }
+  const std::map<world::EntityId, Contact>& contacts() const { return contacts_; }
+  std::deque<Happening>& happenings() { return happenings_; }
+  const std::deque<Happening>& happenings() const { return happenings_; }
+  void Notice(Happening happening);
+  std::optional<world::Message>& order() { return order_; }
+  const std::optional<world::Message>& order() const { return order_; }
+
+  // How moving goes.
+  struct Way {
+    std::string status = "none";
+    std::string command;
+    std::optional<float> remaining_m;
+  };
+  Way& way() { return way_; }
+  const Way& way() const { return way_; }
+
+  void AddTo(world::StateHash& hash) const;
+
+ private:
+  void End(const Running& command, Outcome::Status status, std::string_view reason, std::string text = {});
+  void Die();
+  void MoveBody();
+
+  Arena& arena_;
+  world::World& world_;
+  world::EntityId id_;
+  world::Agent* body_;
+  BodyKind kind_;
+  std::optional<world::Weapon> weapon_;
+  std::vector<Running> running_;
+  std::vector<Outcome> outcomes_;
+  std::map<world::EntityId, Contact> contacts_;
+  std::deque<Happening> happenings_;
+  std::uint32_t happened_ = 0;
+  std::optional<world::Message> order_;
+  Way way_;
+  std::optional<world::Vec3> wanted_, look_;
+  world::NodeId looks_ = world::NodeId::kNone;
+  float walk_mps_;
+  std::string stance_ = "standing";
+  world::EntityId target_ = world::kNoEntity;
+  std::vector<std::string> carried_;
+  bool is_scripted_;  ///< A script moves the body; this one only perceives.
+  bool dead_ = false;
+};
+
+}  // namespace soarbox::sim

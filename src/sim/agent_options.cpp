@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/agent_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/vocabulary.h"
+
+namespace soarbox::sim {
+namespace {
+
+using Value = std::variant<bool, double, std::string>;
+
+struct NumberProperty {
+  std::string_view name;
+  float& (*get)(BodyKind&);
+  double min, max;
+};
+
+constexpr NumberProperty kNumbers[] = {
+    {"height", [](BodyKind& b) -> float& { return b.height_m; }, 0.2, 10},
+    {"radius", [](BodyKind& b) -> float& { return b.radius_m; }, 0.05, 5},
+    {"mass", [](BodyKind& b) -> float& { return b.mass_kg; }, 1, 10000},
+    {"speed", [](BodyKind& b) -> float& { return b.max_speed_mps; }, 0, 50},
+    {"walk", [](BodyKind& b) -> float& { return b.walk_mps; }, 0, 50},
+    {"force", [](BodyKind& b) -> float& { return b.max_force_n; }, 0, 1e6},
+    {"health", [](BodyKind& b) -> float& { return b.health; }, 1, 1000},
+    {"senses.sight", [](BodyKind& b) -> float& { return b.senses.sight_m; }, 0, 1000},
+    {"senses.view", [](BodyKind& b) -> float& { return b.senses.view_deg; }, 0, 360},
+    {"senses.hearing", [](BodyKind& b) -> float& { return b.senses.hearing_m; }, 0, 1000},
+    {"senses.memory", [](BodyKind& b) -> float& { return b.senses.memory_s; }, 0, 3600},
+    {"senses.noise", [](BodyKind& b) -> float& { return b.senses.noise_m; }, 0, 100},
+    {"senses.rate", [](BodyKind& b) -> float& { return b.senses.rate_hz; }, 0.1, 30},
+    {"weapon.range", [](BodyKind& b) -> float& { return b.weapon.range_m; }, 1, 1000},
+    {"weapon.damage", [](BodyKind& b) -> float& { return b.weapon.damage; }, 0, 1000},
+    {"weapon.spread", [](BodyKind& b) -> float& { return b.weapon.spread_deg; }, 0, 45},
+    {"weapon.interval", [](BodyKind& b) -> float& { return b.weapon.interval_s; }, 0.03, 60},
+    {"weapon.reload", [](BodyKind& b) -> float& { return b.weapon.reload_s; }, 0, 60},
+};
+constexpr std::string_view kOthers[] = {
+    "body",           "team",       "leader",     "name",
+    "position.x",     "position.y", "position.z", "position.1",
+    "position.2",     "position.3", "heading",    "senses.only",
+    "material",       "looks",      "armed",      "weapon.magazine",
+    "weapon.reserve",
+};
+
+Diagnostic Bad(std::string message, std::string hint = {}) {
+  Diagnostic problem;
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+Diagnostic UnknownOption(const std::string& name) {
+  std::vector<std::string_view> names(std::begin(kOthers), std::end(kOthers));
+  for (const NumberProperty& number : kNumbers) names.push_back(number.name);
+  const std::string_view near = Suggest(name, names);
+  return Bad("no agent has an option '" + name + "'",
+             near.empty() ? "docs/scenarios.md lists the options" : "did you mean '" + std::string(near) + "'?");
+}
+
+Diagnostic WrongType(const std::string& name, std::string_view wanted) {
+  return Bad("the option '" + name + "' takes " + std::string(wanted));
+}
+
+std::string Short(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Result<bool> SetBodyProperty(BodyKind& body, const std::string& name, const Value& value) {
+  for (const NumberProperty& property : kNumbers) {
+    if (property.name != name) continue;
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr) return WrongType(name, "a number");
+    if (!(*number >= property.min && *number <= property.max)) {
+      return Bad("the option '" + name + "' is " + Short(*number) + ": it takes " + Short(property.min) + " to " +
+                 Short(property.max));
+    }
+    property.get(body) = static_cast<float>(*number);
+    if (name == "speed") body.walk_mps = std::min(body.walk_mps, body.max_speed_mps);
+    return true;
+  }
+  if (name == "weapon.magazine" || name == "weapon.reserve") {
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr || !(*number >= 0 && *number <= 10000)) return WrongType(name, "a number from 0 to 10000");
+    (name == "weapon.magazine" ? body.weapon.magazine : body.weapon.reserve) = static_cast<int>(*number);
+    return true;
+  }
+  if (name == "armed") {
+    const bool* truth = std::get_if<bool>(&value);
+    if (truth == nullptr) return WrongType(name, "true or false");
+    body.armed = *truth;
+    return true;
+  }
+  if (name == "looks") {
+    const std::string* text = std::get_if<std::string>(&value);
+    if (text == nullptr || (*text != "person" && *text != "capsule"))
+      return WrongType(name, "\"person\" or \"capsule\"");
+    body.looks = *text;
+    return true;
+  }
+  if (name == "material") {
+    const std::string* text = std::get_if<std::string>(&value);
+    if (text == nullptr) return WrongType(name, "a name");
+    body.material = *text;
+    return true;
+  }
+  if (name.starts_with("senses.only.")) {
+    const std::string* text = std::get_if<std::string>(&value);
+    if (text == nullptr) return WrongType("senses.only", "a list of names of senses");
+    if (FindSense(*text) == nullptr) {
+      std::vector<std::string_view> names;
+      for (const SenseRow& row : Senses()) names.push_back(row.name);
+      const std::string_view near = Suggest(*text, names);
+      return Bad("there is no sense '" + *text + "'",
+                 near.empty() ? "docs/percepts.md lists the senses" : "did you mean '" + std::string(near) + "'?");
+    }
+    body.senses.only.insert(*text);
+    return true;
+  }
+  return false;
+}
+
+Result<AgentOptions> ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds) {
+  AgentOptions read;
+  read.body = kinds.front();
+  if (const auto given = options.find("body"); given != options.end()) {
+    const std::string* name = std::get_if<std::string>(&given->second);
+    if (name == nullptr) return WrongType("body", "the name of a body");
+    const auto at = std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind& kind) { return kind.name == *name; });
+    if (at == kinds.end()) {
+      std::vector<std::string_view> names;
+      std::string all = "there are:";
+      for (const BodyKind& kind : kinds) {
+        names.push_back(kind.name);
+        all += " " + kind.name;
+      }
+      const std::string_view near = Suggest(*name, names);
+      return Bad("there is no body '" + *name + "'", near.empty() ? all : "did you mean '" + std::string(near) + "'?");
+    }
+    read.body = *at;
+  }
+  std::optional<double> x, z;
+  for (const auto& [name, value] : options) {
+    const double* number = std::get_if<double>(&value);
+    const std::string* text = std::get_if<std::string>(&value);
+    if (name.starts_with("senses.")) read.has_senses = true;
+    if (name == "body" || name == "name") {
+      if (text == nullptr) return WrongType(name, "a name");
+    } else if (name == "team" || name == "leader") {
+      if (text == nullptr) return WrongType(name, "a name");
+      (name == "team" ? read.team : read.leader) = *text;
+    } else if (name.starts_with("position.") && name.size() == 10 &&
+               std::string_view("xyz123").find(name[9]) != std::string_view::npos) {
+      if (number == nullptr || !std::isfinite(*number)) return WrongType("position", "numbers: [x, z]");
+      // [x, z], [x, y, z] or a vector; height follows from the ground.
+      const bool has_three = options.contains("position.3");
+      if (name[9] == 'x' || name[9] == '1') x = *number;
+      if (name[9] == 'z' || name[9] == '3' || (name[9] == '2' && !has_three)) z = *number;
+    } else if (name == "heading") {
+      if (number == nullptr || !std::isfinite(*number)) return WrongType(name, "degrees");
+      read.heading_deg = static_cast<float>(*number);
+    } else {
+      const Result<bool> set = SetBodyProperty(read.body, name, value);
+      if (!set) return set.error();
+      if (!set.value()) return UnknownOption(name);
+    }
+  }
+  if (x.has_value() != z.has_value()) return WrongType("position", "two numbers: [x, z]");
+  if (x) read.position = world::Vec3{static_cast<float>(*x), 0, static_cast<float>(*z)};
+  return read;
+}
+
+}  // namespace soarbox::sim

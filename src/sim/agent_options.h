@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "sim/body_kind.h"
+#include "world/math.h"
+
+namespace soarbox::sim {
+
+/// Options as scripts and scenario files write them, nested ones with dotted names: "position.x", "senses.sight".
+using Options = std::map<std::string, std::variant<bool, double, std::string>>;
+
+/// What an author may say about an agent where it is made.
+struct AgentOptions {
+  BodyKind body;
+  bool has_senses = false;  ///< Some option was about senses.
+  std::string team;         ///< Empty: the sandbox's default.
+  std::string leader;       ///< Name of an agent that is there already.
+  std::optional<world::Vec3> position;
+  std::optional<float> heading_deg;
+  std::optional<double> rounds;
+};
+
+/// Reads the options against the kinds of bodies. An option that nothing knows is an error with a suggestion.
+Result<AgentOptions> ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds);
+/// Sets one property of a body by its option's name ("speed", "senses.sight", "weapon.range"). False if there is no
+/// such property; an error if the value is of the wrong type or out of range.
+Result<bool> SetBodyProperty(BodyKind& body, const std::string& name,
+                             const std::variant<bool, double, std::string>& value);
+
+}  // namespace soarbox::sim

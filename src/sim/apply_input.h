@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "diagnostics/diagnostic.h"
+#include "sim/input.h"
+#include "world/ids.h"
+
+namespace soarbox::world {
+class World;
+}
+namespace soarbox::script {
+class ScriptHost;
+}
+
+namespace soarbox::sim {
+
+class SoarHost;
+
+/// What an input can reach.
+struct InputTargets {
+  world::World& world;
+  script::ScriptHost& scripts;
+  SoarHost& soar;
+  std::function<void(const std::string& agent, std::string text)> say;
+  std::function<void(Diagnostic)> warn;
+  std::function<void(world::EntityId agent, const std::string& order)> order;
+};
+
+/// Lets an input take effect. What it cannot do is told.
+void ApplyInput(const InputValue& value, const InputTargets& targets);
+
+}  // namespace soarbox::sim

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/actor.h"
+#include "sim/event.h"
+#include "sim/places.h"
+#include "world/message_board.h"
+
+namespace soarbox::sim {
+
+/// What the actors of a world share: places, messages, noises, and the actors themselves.
+///
+/// One tick: the minds read the senses (senses.h), commands begin, then Step() lets every actor act in creation order;
+/// after the world's own step, HearCollisions(). Owned by the simulation.
+class Arena {
+ public:
+  using Report = std::function<void(Event)>;
+
+  Arena(world::World& world, Report report);
+
+  /// Gives an agent of the world a body of this kind, with its looks. An agent whose body is a script only gets the
+  /// senses of the kind: it carries out no commands.
+  Actor& Add(world::EntityId agent, const BodyKind& kind, bool is_scripted = false);
+  /// Null for agents that were not added.
+  Actor* Find(world::EntityId agent);
+  std::span<const std::unique_ptr<Actor>> actors() const { return actors_; }
+  /// Any agent of the world, by name; kNoEntity if there is none.
+  world::EntityId FindAgentNamed(std::string_view name) const;
+  /// A thing by its name; kNoEntity if there is none.
+  world::EntityId FindObjectNamed(std::string_view name) const;
+  /// Its name in the scenario, or its kind and number.
+  std::string NameOfObject(world::EntityId object) const;
+
+  /// Makes a navigation mesh of what stands there now; commands to move then go by it.
+  void BuildWays();
+  /// The corners of the way, without its start; empty if there is no mesh or no way.
+  std::vector<world::Vec3> FindWay(world::Vec3 from, world::Vec3 to);
+
+  void Step();
+  /// Collisions of the world's last step, as happenings of those who took part.
+  void HearCollisions();
+  void OnShot(const world::Shot& shot);
+  /// An order of the user: "advance waypoint gate" is ^action advance ^waypoint gate.
+  void Order(world::EntityId agent, const std::string& order);
+  void Tell(world::EntityId agent, std::string_view news, std::string text);
+
+  /// The slab that carries the ways; no thing that anybody would speak of.
+  world::EntityId ground() const { return ground_; }
+  Places& places() { return places_; }
+  const Places& places() const { return places_; }
+  world::MessageBoard& board() { return board_; }
+  const world::MessageBoard& board() const { return board_; }
+  world::World& world() { return world_; }
+  const world::World& world() const { return world_; }
+
+  void AddTo(world::StateHash& hash) const;
+
+ private:
+  void GiveLooks(Actor& actor);
+
+  world::World& world_;
+  Report report_;
+  Places places_;
+  world::MessageBoard board_;
+  std::vector<std::unique_ptr<Actor>> actors_;  ///< In creation order, thus in ascending id.
+  world::EntityId ground_ = world::kNoEntity;
+  bool has_ways_ = false;
+  std::set<std::pair<world::EntityId, world::EntityId>> touching_;
+};
+
+}  // namespace soarbox::sim

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/weapon.h"
+
+namespace soarbox::sim {
+
+/// How well an agent perceives, and what. Authors set these where they make the agent.
+struct SenseSettings {
+  float sight_m = 40;    ///< How far it sees.
+  float view_deg = 200;  ///< Field of view, all of it; 360 sees behind.
+  float hearing_m = 15;  ///< How far it hears somebody who runs; half of that who walks. Shots carry farther.
+  float memory_s = 15;   ///< How long it remembers an agent that is no longer noticed.
+  float noise_m = 0;     ///< Standard deviation of perceived positions of others, from the agent's own stream.
+  float rate_hz = 10;    ///< How often senses are read. Its own body is read in each tick.
+  std::set<std::string> only = {};  ///< Names of senses; empty: all.
+
+  bool Has(std::string_view sense) const { return only.empty() || only.contains(std::string(sense)); }
+};
+
+/// What an agent of the vocabulary is made of. Kinds are data: scenario files add their own.
+struct BodyKind {
+  std::string name;
+  std::string meaning;  ///< For `soarbox list` and the reference.
+  float height_m = 1.7f;
+  float radius_m = 0.35f;
+  float mass_kg = 80;
+  float max_speed_mps = 5;
+  float walk_mps = 3;  ///< Until set-speed says otherwise.
+  float max_force_n = 1200;
+  float health = 100;
+  bool armed = false;
+  world::WeaponSettings weapon;
+  std::string looks = "person";      ///< Or "capsule".
+  std::string material = "Ground2";  ///< Of a capsule.
+  SenseSettings senses;
+};
+
+/// The kinds that come with the program; the first one is what an author gets who names none.
+std::span<const BodyKind> BodyKinds();
+
+/// An agent kind of the sandbox's Create functions, by the word that scripts' requests carry.
+struct AgentKind {
+  std::string_view name;
+  std::string_view rules;       ///< Its own rules if none are named; empty: they must be.
+  bool follows_leader = false;  ///< ^distance is measured to its leader; without one it perceives nothing.
+  bool blinks = true;           ///< ^distance counts as new in each tick, as in the thesis.
+  bool waits = false;           ///< Its mind waits where nothing is proposed.
+};
+/// Null for a kind without a mind.
+const AgentKind* FindAgentKind(std::string_view name);
+
+}  // namespace soarbox::sim

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "sim/arena.h"
+#include "sim/conduct.h"
+#include "sim/directions.h"
+
+namespace soarbox::sim {
+namespace {
+
+using world::Vec3;
+
+constexpr float kBlockedAfter_s = 4;
+constexpr float kProgress_m = 0.25f;
+constexpr float kFarEnough_m = 20;
+constexpr float kRayHeight_m = 0.4f;
+
+float StepOf(const Actor& actor) {
+  return actor.world().settings().step_s;
+}
+
+/// Whether a body of this width can go so far in that direction.
+bool IsFree(const Actor& actor, Vec3 direction, float ahead_m, world::EntityId through) {
+  const world::Agent& body = actor.body();
+  Vec3 foot = body.Position();
+  foot.y += kRayHeight_m - body.Height() / 2;
+  const Vec3 side{direction.z, 0, -direction.x};
+  const float reach_m = ahead_m + body.Radius();
+  for (const float offset : {0.0f, 1.0f, -1.0f}) {
+    const Vec3 from = foot + side * (offset * body.Radius() * 1.1f);
+    const auto hit = actor.world().RayCast(from, from + direction * reach_m);
+    if (hit && hit->entity != through && hit->entity != body.id()) return false;
+  }
+  return true;
+}
+
+/// Where to head for now on the way to the goal: the next corner of the navigation mesh's way, or the goal itself.
+Vec3 NextCorner(Actor& actor, Running& command, Vec3 goal) {
+  constexpr float kPassed_m = 0.5f;
+  constexpr float kSameGoal_m = 1;
+  constexpr float kAgain_s = 3;
+  const Vec3 here = actor.body().Position();
+  const std::uint64_t tick = actor.world().tick();
+  const bool is_old = static_cast<float>(tick - command.path_tick) * StepOf(actor) > kAgain_s;
+  if (command.path_tick == 0 || is_old || FlatDistance(command.path_goal, goal) > kSameGoal_m) {
+    command.path = actor.arena().FindWay(here, goal);
+    command.path_goal = goal;
+    command.path_tick = tick;
+  }
+  while (!command.path.empty() && FlatDistance(here, command.path.front()) < kPassed_m)
+    command.path.erase(command.path.begin());
+  // The last corner is the goal; the goal itself may have moved since.
+  return command.path.size() > 1 ? command.path.front() : goal;
+}
+
+StepResult MoveTo(Actor& actor, Running& command) {
+  std::string_view reason;
+  const auto place = actor.FindPlace(command, reason);
+  if (!place) return StepResult::Failed(reason);
+  WalkOrder order;
+  order.goal = place->position;
+  order.within_m = static_cast<float>(command.Number("within", 0.75)) + place->radius_m;
+  if (place->radius_m > 0) order.within_m += actor.body().Radius();
+  order.speed_mps = actor.speed_mps();
+  order.through = place->entity;
+  return WalkTo(actor, command, order);
+}
+
+StepResult Arrive(Actor& actor, Running& command) {
+  std::string_view reason;
+  const auto place = actor.FindPlace(command, reason);
+  if (!place) return StepResult::Failed(reason);
+  WalkOrder order;
+  order.goal = place->position;
+  order.within_m = static_cast<float>(command.Number("within", 0.3)) + place->radius_m;
+  if (place->radius_m > 0) order.within_m += actor.body().Radius();
+  order.speed_mps = actor.TopSpeed();
+  order.through = place->entity;
+  return WalkTo(actor, command, order);
+}
+
+StepResult Seek(Actor& actor, Running& command) {
+  std::string_view reason;
+  const auto place = actor.FindPlace(command, reason);
+  if (!place) return StepResult::Failed(reason);
+  WalkOrder order;
+  order.goal = place->position;
+  order.within_m = static_cast<float>(command.Number("within", 1)) + place->radius_m;
+  order.speed_mps = actor.TopSpeed();
+  order.slow_down = order.stands = false;
+  order.through = place->entity;
+  return WalkTo(actor, command, order);
+}
+
+StepResult Flee(Actor& actor, Running& command) {
+  std::string_view reason;
+  auto place = actor.FindPlace(command, reason);
+  if (!place && command.goal && (reason == "lost" || reason == "never-noticed")) place = Actor::Place{*command.goal};
+  if (!place) return StepResult::Failed(reason);
+  command.goal = place->position;
+  const float until_m = static_cast<float>(command.Number("until", kFarEnough_m));
+  const float now_m = FlatDistance(actor.body().Position(), place->position);
+  actor.way().remaining_m = std::max(0.0f, until_m - now_m);
+  if (now_m >= until_m) return StepResult::Done();
+  Vec3 away = world::Normalized(Flat(actor.body().Position() - place->position));
+  if (away == Vec3{}) away = actor.body().Forward();
+  actor.Walk(FreeDirection(actor, away, 3, world::kNoEntity, command.turn_deg) * actor.TopSpeed());
+  return StepResult::Going(now_m / until_m);
+}
+
+StepResult Wander(Actor& actor, Running& command) {
+  const double seconds = command.Number("seconds", 0);
+  const double passed = static_cast<double>(command.ticks) * static_cast<double>(StepOf(actor));
+  if (seconds > 0 && passed >= seconds) return StepResult::Done();
+  // A heading that drifts, drawn from the agent's own stream.
+  if (command.ticks == 0) command.best_m = HeadingOf(actor.body().Forward());
+  command.best_m = WrapDegrees(command.best_m + (actor.body().random().Unit() - 0.5f) * 12);
+  const Vec3 wanted = AlongHeading(command.best_m);
+  const Vec3 free = FreeDirection(actor, wanted, 3, world::kNoEntity, command.turn_deg);
+  if (std::abs(WrapDegrees(HeadingOf(free) - command.best_m)) > 1) command.best_m = HeadingOf(free);
+  actor.Walk(free * actor.speed_mps());
+  return StepResult::Going(seconds > 0 ? static_cast<float>(passed / seconds) : 0);
+}
+
+StepResult Patrol(Actor& actor, Running& command) {
+  const auto& waypoints = actor.arena().places().waypoints;
+  if (waypoints.empty()) return StepResult::Failed("no-waypoints");
+  const int count = static_cast<int>(waypoints.size());
+  if (command.ticks == 0) {
+    const Vec3 here = actor.body().Position();
+    const auto nearest =
+        std::min_element(waypoints.begin(), waypoints.end(), [&](const Waypoint& a, const Waypoint& b) {
+          return FlatDistance(a.position, here) < FlatDistance(b.position, here);
+        });
+    const double from = command.Number("from", 0);
+    command.index = from >= 1 ? (static_cast<int>(from) - 1) % count : static_cast<int>(nearest - waypoints.begin());
+    command.count = 0;
+  }
+  WalkOrder order;
+  order.goal = waypoints[static_cast<std::size_t>(command.index)].position;
+  order.within_m = 1;
+  order.speed_mps = actor.speed_mps();
+  order.slow_down = order.stands = false;
+  const StepResult leg = WalkTo(actor, command, order);
+  if (leg.state == StepResult::State::kFailed) return leg;
+  const double rounds = command.Number("rounds", 0);
+  if (leg.state == StepResult::State::kDone) {
+    command.index = (command.index + 1) % count;
+    command.best_tick = 0;  // The next leg is measured anew.
+    ++command.count;
+    if (rounds > 0 && command.count >= static_cast<int>(rounds) * count) return StepResult::Done();
+  }
+  return StepResult::Going(rounds > 0 ? static_cast<float>(command.count / (rounds * count)) : 0);
+}
+
+StepResult Stop(Actor&, Running&) {
+  return StepResult::Done();
+}
+
+constexpr Conduct kConducts[] = {
+    {"move-to", MoveTo}, {"arrive", Arrive}, {"seek", Seek}, {"flee", Flee},
+    {"wander", Wander},  {"patrol", Patrol}, {"stop", Stop},
+};
+
+}  // namespace
+
+std::span<const Conduct> MovingConducts() {
+  return kConducts;
+}
+
+Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::EntityId through, float& turn_deg) {
+  if (IsFree(actor, wanted, ahead_m, through)) {
+    turn_deg = 0;
+    return wanted;
+  }
+  const float heading = HeadingOf(wanted);
+  const float side = turn_deg < 0 ? -1.0f : 1.0f;
+  for (const float reach_m : {ahead_m, std::min(ahead_m, 0.8f)}) {
+    // Once it goes round one side it keeps to it as long as that side is open at all.
+    for (const float sign : {side, -side}) {
+      for (float turn = 15; turn <= 135; turn += 15) {
+        const Vec3 tried = AlongHeading(heading + sign * turn);
+        if (!IsFree(actor, tried, reach_m, through)) continue;
+        const bool decided = turn_deg != 0;
+        if (!decided && sign == side) {
+          // Nothing chosen yet: the smaller turn of both sides.
+          for (float other = 15; other < turn; other += 15) {
+            const Vec3 mirrored = AlongHeading(heading - sign * other);
+            if (!IsFree(actor, mirrored, reach_m, through)) continue;
+            turn_deg = -sign * other;
+            return mirrored;
+          }
+        }
+        turn_deg = sign * turn;
+        return tried;
+      }
+    }
+  }
+  return wanted;
+}
+
+StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order) {
+  const Vec3 here = actor.body().Position();
+  const float left_m = FlatDistance(here, order.goal);
+  const std::uint64_t tick = actor.world().tick();
+  actor.way().remaining_m = std::max(0.0f, left_m - order.within_m);
+  if (command.best_tick == 0) {
+    command.start_m = std::max(left_m, 0.01f);
+    command.best_m = left_m;
+    command.best_tick = command.mark_tick = tick;
+  }
+  if (left_m < command.best_m - kProgress_m) {
+    command.best_m = left_m;
+    command.mark_tick = tick;
+  }
+  const float speed = world::Length(Flat(actor.body().Velocity()));
+  if (left_m <= order.within_m) {
+    if (!order.stands || speed < 0.3f) return StepResult::Done();
+    return StepResult::Going(1 - left_m / command.start_m);
+  }
+  // Going round something long is progress too: only who hardly moves is blocked, or who has circled for long.
+  const float stuck_s = static_cast<float>(tick - command.mark_tick) * StepOf(actor);
+  if ((stuck_s > kBlockedAfter_s && speed < 0.3f) || stuck_s > 6 * kBlockedAfter_s)
+    return StepResult::Failed("blocked");
+
+  const Vec3 next = NextCorner(actor, command, order.goal);
+  const Vec3 wanted = world::Normalized(Flat(next - here));
+  const float ahead_m = std::min(FlatDistance(here, next), 1.2f + 0.5f * order.speed_mps);
+  float pace = order.speed_mps;
+  if (order.slow_down) pace = std::min(pace, std::max(0.4f, 1.6f * (left_m - order.within_m * 0.5f)));
+  actor.Walk(FreeDirection(actor, wanted, ahead_m, order.through, command.turn_deg) * pace);
+  return StepResult::Going(1 - left_m / command.start_m);
+}
+
+ConductStep FindConduct(std::string_view command) {
+  for (const auto& family : {MovingConducts(), FollowingConducts(), FightingConducts(), OtherConducts()})
+    for (const Conduct& conduct : family)
+      if (conduct.command == command) return conduct.step;
+  return nullptr;
+}
+
+}  // namespace soarbox::sim

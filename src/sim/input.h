@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "world/math.h"
+
+namespace soarbox::sim {
+
+/// A key went down or up. Names are the sandbox's: "f1_key", "space_key".
+struct KeyInput {
+  std::string key;
+  bool pressed = false;
+  friend bool operator==(const KeyInput&, const KeyInput&) = default;
+};
+
+/// A button of the mouse went down or up ("left_button") at this place, in pixels from the window's top left.
+struct ButtonInput {
+  std::string button;
+  bool pressed = false;
+  float x_px = 0, y_px = 0;
+  friend bool operator==(const ButtonInput&, const ButtonInput&) = default;
+};
+
+/// The pointer moved to this place, by so much.
+struct PointerInput {
+  float x_px = 0, y_px = 0;
+  float dx_px = 0, dy_px = 0;
+  friend bool operator==(const PointerInput&, const PointerInput&) = default;
+};
+
+/// The wheel turned by so many notches, positive away from the user.
+struct WheelInput {
+  float notches = 0;
+  float x_px = 0, y_px = 0;
+  friend bool operator==(const WheelInput&, const WheelInput&) = default;
+};
+
+/// The window has this size.
+struct ScreenInput {
+  int width_px = 1, height_px = 1;
+  friend bool operator==(const ScreenInput&, const ScreenInput&) = default;
+};
+
+/// The user's free look has moved the camera here; scripts ask for it.
+struct CameraInput {
+  world::Vec3 position;
+  world::Quat orientation;
+  friend bool operator==(const CameraInput&, const CameraInput&) = default;
+};
+
+/// A line of the Soar command language for an agent's mind: from a debugger, or an edit of its rules (`sp {...}`,
+/// `excise`).
+struct CommandInput {
+  std::string agent;
+  std::string line;
+  friend bool operator==(const CommandInput&, const CommandInput&) = default;
+};
+
+/// Lua text that runs in the machine of an agent, or of the sandbox if `agent` is empty. Functions that it defines take
+/// the place of those of the same name: the way to edit a script while it runs.
+struct ScriptInput {
+  std::string agent;
+  std::string text;
+  friend bool operator==(const ScriptInput&, const ScriptInput&) = default;
+};
+
+/// The user orders an agent to do something. Scripts hear of it as a custom event of the type "Order" with the fields
+/// `agent` (a handle) and `order` (the text).
+struct OrderInput {
+  std::string agent;
+  std::string order;
+  friend bool operator==(const OrderInput&, const OrderInput&) = default;
+};
+
+using InputValue = std::variant<KeyInput, ButtonInput, PointerInput, WheelInput, ScreenInput, CameraInput, CommandInput,
+                                ScriptInput, OrderInput>;
+
+/// Something that reaches a simulation from outside, at the beginning of a tick. The first tick is 1.
+struct Input {
+  std::uint64_t tick = 0;
+  InputValue value;
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+using InputList = std::vector<Input>;
+
+}  // namespace soarbox::sim

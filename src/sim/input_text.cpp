@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/input_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "sim/input_names.h"
+
+namespace soarbox::sim {
+namespace {
+
+constexpr const char* kForms =
+    "there are: key NAME down|up|press, button NAME down|up|click X Y, pointer X Y, wheel NOTCHES, screen WIDTH "
+    "HEIGHT, "
+    "camera X Y Z, command AGENT TEXT, script AGENT TEXT, order AGENT TEXT";
+
+/// The words of one line, taken one after the other; the first thing that is wrong stays.
+class LineReader {
+ public:
+  LineReader(std::string_view line, std::string& problem, std::string& hint)
+      : line_(line), problem_(problem), hint_(hint) {
+    Skip();
+  }
+
+  bool AtEnd() const { return rest_at_ >= line_.size() || line_[rest_at_] == '#'; }
+  bool ok() const { return problem_.empty(); }
+  int column() const { return static_cast<int>(word_at_) + 1; }
+  void Fail(std::string problem, std::string hint = {}) {
+    if (!ok()) return;
+    problem_ = std::move(problem);
+    hint_ = std::move(hint);
+  }
+
+  /// A word or a quoted text; `what` is told when there is none.
+  std::string Word(const char* what) {
+    if (!ok()) return {};
+    word_at_ = rest_at_;
+    if (AtEnd()) {
+      Fail(std::string("the line ends where ") + what + " should stand");
+      return {};
+    }
+    if (line_[rest_at_] == '"') return Quoted();
+    const std::size_t end = std::min(line_.find_first_of(" \t", rest_at_), line_.size());
+    std::string word(line_.substr(rest_at_, end - rest_at_));
+    rest_at_ = end;
+    Skip();
+    return word;
+  }
+
+  /// A quoted text, or the rest of the line.
+  std::string Text(const char* what) {
+    if (!ok()) return {};
+    word_at_ = rest_at_;
+    if (rest_at_ >= line_.size() || line_[rest_at_] == '"') return Word(what);
+    std::string text(line_.substr(rest_at_));
+    text.erase(text.find_last_not_of(" \t") + 1);
+    rest_at_ = line_.size();
+    return text;
+  }
+
+  template <class Number>
+  Number Value(const char* what) {
+    const std::string word = Word(what);
+    Number value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool is_number = error == std::errc{} && end == word.data() + word.size() && !word.empty();
+    if (ok() && (!is_number || !std::isfinite(static_cast<double>(value))))
+      Fail("'" + word + "' is not " + what + (is_number ? ": it must be finite" : ""));
+    return value;
+  }
+
+  std::string Name(const char* what, const std::vector<std::string>& names) {
+    const std::string word = Word(what);
+    if (ok() && !std::binary_search(names.begin(), names.end(), word)) {
+      const std::string_view near = Suggest(word, {names.begin(), names.end()});
+      Fail("'" + word + "' is not " + what, near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
+    }
+    return word;
+  }
+
+  void End() {
+    if (!ok()) return;
+    word_at_ = rest_at_;
+    if (!AtEnd()) Fail("the line goes on after its end: '" + std::string(line_.substr(rest_at_)) + "'");
+  }
+
+ private:
+  void Skip() {
+    while (rest_at_ < line_.size() && (line_[rest_at_] == ' ' || line_[rest_at_] == '\t')) ++rest_at_;
+  }
+
+  std::string Quoted() {
+    std::string text;
+    for (++rest_at_; rest_at_ < line_.size() && line_[rest_at_] != '"'; ++rest_at_) {
+      char c = line_[rest_at_];
+      if (c == '\\' && rest_at_ + 1 < line_.size()) {
+        c = line_[++rest_at_];
+        if (c == 'n') c = '\n';
+        if (c == 't') c = '\t';
+        if (c == 'r') c = '\r';
+      }
+      text += c;
+    }
+    if (rest_at_ >= line_.size()) {
+      Fail("a quote is not closed");
+      return {};
+    }
+    ++rest_at_;
+    Skip();
+    return text;
+  }
+
+  std::string_view line_;
+  std::size_t rest_at_ = 0;
+  std::size_t word_at_ = 0;
+  std::string& problem_;
+  std::string& hint_;
+};
+
+struct Place {
+  float x = 0, y = 0;
+};
+
+/// Down, up, or the word for both.
+std::string ReadHow(LineReader& line, const std::string& both) {
+  const std::string how = line.Word("'down' or 'up'");
+  if (line.ok() && how != "down" && how != "up" && how != both) line.Fail("'" + how + "' is not down, up or " + both);
+  return how;
+}
+
+template <class KeyOrButton>
+void AddPresses(KeyOrButton input, std::string_view how, std::vector<InputValue>& values) {
+  for (const bool pressed : {true, false}) {
+    if (how == (pressed ? "up" : "down")) continue;
+    input.pressed = pressed;
+    values.push_back(input);
+  }
+}
+
+/// What the line says; several inputs for "press" and "click". Empty if it is wrong.
+std::vector<InputValue> ReadLine(LineReader& line, Place& pointer) {
+  const std::string kind = line.Word("what comes in");
+  std::vector<InputValue> values;
+  if (kind == "key") {
+    KeyInput input{line.Name("a key", KeyNames())};
+    const std::string how = ReadHow(line, "press");
+    AddPresses(input, how, values);
+  } else if (kind == "button") {
+    ButtonInput input{line.Name("a button", ButtonNames())};
+    const std::string how = ReadHow(line, "click");
+    input.x_px = pointer.x = line.Value<float>("a number of pixels");
+    input.y_px = pointer.y = line.Value<float>("a number of pixels");
+    AddPresses(input, how, values);
+  } else if (kind == "pointer") {
+    PointerInput input;
+    input.x_px = line.Value<float>("a number of pixels");
+    input.y_px = line.Value<float>("a number of pixels");
+    input.dx_px = input.x_px - pointer.x;
+    input.dy_px = input.y_px - pointer.y;
+    if (line.ok() && !line.AtEnd()) {
+      input.dx_px = line.Value<float>("a number of pixels");
+      input.dy_px = line.Value<float>("a number of pixels");
+    }
+    pointer = {input.x_px, input.y_px};
+    values.push_back(input);
+  } else if (kind == "wheel") {
+    WheelInput input{line.Value<float>("a number of notches"), pointer.x, pointer.y};
+    if (line.ok() && !line.AtEnd()) {
+      input.x_px = line.Value<float>("a number of pixels");
+      input.y_px = line.Value<float>("a number of pixels");
+    }
+    values.push_back(input);
+  } else if (kind == "screen") {
+    ScreenInput input;
+    input.width_px = line.Value<int>("a number of pixels");
+    input.height_px = line.Value<int>("a number of pixels");
+    if (line.ok() && (input.width_px < 1 || input.height_px < 1)) line.Fail("a window has a pixel at least");
+    values.push_back(input);
+  } else if (kind == "camera") {
+    CameraInput input;
+    for (float* at : {&input.position.x, &input.position.y, &input.position.z}) *at = line.Value<float>("a coordinate");
+    if (line.ok() && !line.AtEnd()) {
+      world::Quat& turn = input.orientation;
+      for (float* at : {&turn.w, &turn.x, &turn.y, &turn.z}) *at = line.Value<float>("a part of a quaternion");
+    }
+    values.push_back(input);
+  } else if (kind == "command") {
+    CommandInput input{line.Word("an agent"), {}};
+    input.line = line.Text("a command");
+    values.push_back(std::move(input));
+  } else if (kind == "script") {
+    ScriptInput input{line.Word("an agent, or sandbox"), {}};
+    if (input.agent == "sandbox") input.agent.clear();
+    input.text = line.Text("Lua text");
+    values.push_back(std::move(input));
+  } else if (kind == "order") {
+    OrderInput input{line.Word("an agent"), {}};
+    input.order = line.Text("an order");
+    values.push_back(std::move(input));
+  } else if (line.ok()) {
+    line.Fail("'" + kind + "' is nothing that comes in from outside", kForms);
+  }
+  line.End();
+  if (!line.ok()) values.clear();
+  return values;
+}
+
+std::string Quote(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (c == '\n' || c == '\t' || c == '\r') {
+      quoted += c == '\n' ? "\\n" : c == '\t' ? "\\t" : "\\r";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+/// The shortest text that reads as the same number.
+std::string Number(float value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+struct Writer {
+  std::string operator()(const KeyInput& in) const { return "key " + in.key + (in.pressed ? " down" : " up"); }
+  std::string operator()(const ButtonInput& in) const {
+    return "button " + in.button + (in.pressed ? " down " : " up ") + Number(in.x_px) + " " + Number(in.y_px);
+  }
+  std::string operator()(const PointerInput& in) const {
+    return "pointer " + Number(in.x_px) + " " + Number(in.y_px) + " " + Number(in.dx_px) + " " + Number(in.dy_px);
+  }
+  std::string operator()(const WheelInput& in) const {
+    return "wheel " + Number(in.notches) + " " + Number(in.x_px) + " " + Number(in.y_px);
+  }
+  std::string operator()(const ScreenInput& in) const {
+    return "screen " + std::to_string(in.width_px) + " " + std::to_string(in.height_px);
+  }
+  std::string operator()(const CameraInput& in) const {
+    std::string text = "camera";
+    for (const float part : {in.position.x, in.position.y, in.position.z, in.orientation.w, in.orientation.x,
+                             in.orientation.y, in.orientation.z})
+      text += " " + Number(part);
+    return text;
+  }
+  std::string operator()(const CommandInput& in) const { return "command " + Quote(in.agent) + " " + Quote(in.line); }
+  std::string operator()(const ScriptInput& in) const {
+    return "script " + (in.agent.empty() ? "sandbox" : Quote(in.agent)) + " " + Quote(in.text);
+  }
+  std::string operator()(const OrderInput& in) const { return "order " + Quote(in.agent) + " " + Quote(in.order); }
+};
+
+}  // namespace
+
+InputText ReadInputs(std::string_view text, const std::string& file) {
+  InputText read;
+  Place pointer;
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    ++number;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    std::string problem, hint;
+    LineReader reader(line, problem, hint);
+    if (reader.AtEnd()) continue;
+    const auto tick = reader.Value<std::uint64_t>("a tick: a whole number from 1");
+    if (reader.ok() && tick == 0) reader.Fail("ticks begin at 1");
+    const std::vector<InputValue> values = ReadLine(reader, pointer);
+    for (const InputValue& value : values) read.inputs.push_back({tick, value});
+    if (reader.ok()) continue;
+    Diagnostic diagnostic;
+    diagnostic.file = file;
+    diagnostic.line = number;
+    diagnostic.column = reader.column();
+    diagnostic.message = problem;
+    diagnostic.hint = hint;
+    diagnostic.excerpt = std::string(line);
+    read.problems.push_back(std::move(diagnostic));
+  }
+  std::stable_sort(read.inputs.begin(), read.inputs.end(),
+                   [](const Input& a, const Input& b) { return a.tick < b.tick; });
+  return read;
+}
+
+std::string WriteInput(const Input& input) {
+  return std::to_string(input.tick) + " " + std::visit(Writer{}, input.value);
+}
+
+}  // namespace soarbox::sim

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+#include "sim/input.h"
+
+namespace soarbox::sim {
+
+/// What a text says comes in from outside, and what is wrong with its lines.
+struct InputText {
+  InputList inputs;  ///< In ascending tick, those of one tick as they stand in the text.
+  std::vector<Diagnostic> problems;
+};
+
+/// Reads inputs as text, one a line; `#` begins a comment. Lines that are wrong are told, the others read.
+///
+///   TICK key NAME down|up|press          press: down and up in one tick
+///   TICK button NAME down|up|click X Y
+///   TICK pointer X Y [DX DY]             without DX DY: as far as from the place before it in the text
+///   TICK wheel NOTCHES [X Y]
+///   TICK screen WIDTH HEIGHT
+///   TICK camera X Y Z [QW QX QY QZ]
+///   TICK command AGENT TEXT              a line for the agent's Soar mind
+///   TICK script AGENT|sandbox TEXT       Lua for the agent's machine
+///   TICK order AGENT TEXT
+///
+/// Names and texts with blanks stand between quotes, in which \n, \t, \" and \\ mean what they do in C; a text that
+/// does not begin with a quote is the rest of its line.
+InputText ReadInputs(std::string_view text, const std::string& file);
+
+/// The line that ReadInputs reads this input from, without a line feed.
+std::string WriteInput(const Input& input);
+
+}  // namespace soarbox::sim

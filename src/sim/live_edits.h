@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::sim {
+
+class Simulation;
+
+/// A file that a running world was made from.
+struct WatchedFile {
+  std::string agent;  ///< Empty: the sandbox's own script.
+  std::filesystem::path file;
+  bool is_rules = false;
+};
+
+/// The rules of a text by name, with comments blanked. Empty, with the name of the rule at fault, if one is not closed.
+struct SplitText {
+  std::map<std::string, std::string> rules;
+  std::string unclosed;
+};
+SplitText SplitRules(std::string_view text);
+
+/// The commands that make one version of a file of rules into another: a changed rule takes the old one's place, a rule
+/// that is gone is excised, and everything in working memory stays.
+std::vector<std::string> EditsBetween(const SplitText& before, const SplitText& after);
+
+/// Lets edits of rules and scripts reach a running world: looks at the files' times between ticks, and hands what
+/// changed to the simulation's one door, so that a record of the inputs replays the edits too. A file that does not
+/// parse changes nothing: the version before it stays. Reads the disk; for the program that runs the simulation.
+class LiveEdits {
+ public:
+  explicit LiveEdits(Simulation& simulation);
+
+  /// Looks at all files; what it did is told in lines.
+  std::vector<std::string> Poll();
+
+ private:
+  struct Version {
+    std::filesystem::file_time_type time;
+    std::string text;
+  };
+  void Watch();
+  bool Edit(const WatchedFile& file, const std::string& before, const std::string& after,
+            std::vector<std::string>& told);
+
+  Simulation& simulation_;
+  std::vector<WatchedFile> files_;
+  std::map<std::filesystem::path, Version> versions_;
+};
+
+}  // namespace soarbox::sim

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::sim {
+
+/// One attribute of a clause of a rule as a kernel prints it, with dots already expanded.
+struct RuleAttribute {
+  std::string id;         ///< The clause's variable, "<s>".
+  std::string attribute;  ///< Without the ^; a variable or a list of tests if it is no constant.
+  std::string value;      ///< All that stands behind it, "<o> +".
+  bool negated = false;
+};
+
+/// What a rule says about itself, as far as reasons and checks need it.
+struct RuleText {
+  std::string name;
+  std::vector<RuleAttribute> conditions, actions;
+
+  /// Constant names of the operators that it proposes; "" among them stands for names that are not constant.
+  std::set<std::string> proposes;
+  /// Names of the operators whose selection it tests; "" for any.
+  std::set<std::string> applies;
+  /// Attributes that it puts directly on the output link.
+  std::set<std::string> says;
+};
+
+/// Reads what `print --all --full` answers. Text that is no rule is skipped.
+std::vector<RuleText> ReadRules(std::string_view text);
+/// A text of rules with its comments blanked, so that places in it stay.
+std::string BlankComments(std::string text);
+/// Reads clauses alone: "(<in> ^agent <a>)".
+std::vector<RuleAttribute> ReadConditions(std::string_view text);
+bool IsConstantAttribute(std::string_view attribute);
+/// Attributes that the architecture and the world themselves make: "superstate", "status", ...
+bool IsArchitectureAttribute(std::string_view attribute);
+
+}  // namespace soarbox::sim

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/scenario_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "sim/directions.h"
+
+namespace soarbox::sim {
+namespace {
+
+world::Quat AboutUp(float degrees) {
+  const float half = degrees * std::numbers::pi_v<float> / 360;
+  return {std::cos(half), 0, std::sin(half), 0};
+}
+
+void BuildThing(const ScenarioFile::Thing& thing, ScenarioBuild& build) {
+  const bool is_column = thing.shape == "column";
+  const world::EntityId id = is_column ? build.world.CreateCapsule(thing.size.y, thing.size.x / 2)
+                                       : build.world.CreateBox(thing.size.x, thing.size.y, thing.size.z);
+  world::Object* object = build.world.FindObject(id);
+  if (object == nullptr) return;
+  world::Vec3 place = thing.position;
+  place.y += thing.size.y / 2;
+  object->SetMass(thing.mass_kg);
+  object->SetPosition(place);
+  object->SetOrientation(AboutUp(thing.heading_deg));
+  build.world.scene().SetMaterial(object->node(), thing.material);
+  if (!thing.name.empty()) build.arena.places().object_names[id] = thing.name;
+  if (thing.is_item) build.arena.places().items[id] = {id, thing.gives, thing.amount};
+}
+
+Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<std::string>& names,
+                        ScenarioBuild& build) {
+  script::AgentCreationRequest request;
+  request.kind = "soar";
+  request.rules = agent.rules;
+  request.options = agent.options;
+  if (request.rules == kGivenRules) request.rules = build.scenario.rules.filename().string();
+  std::string name = agent.name;
+  if (name.empty()) name = request.rules.empty() ? "agent" : std::filesystem::path(request.rules).stem().string();
+  const std::string stem = name;
+  if (agent.count > 1) name += "-" + std::to_string(number + 1);
+  for (int i = 2; !names.insert(name).second; ++i) name = stem + "-" + std::to_string(i);
+  // Those of one entry stand side by side.
+  if (agent.count > 1) {
+    for (const char* x : {"position.x", "position.1"}) {
+      if (const auto at = request.options.find(x); at != request.options.end())
+        if (double* value = std::get_if<double>(&at->second)) *value += 1.5 * number;
+    }
+  }
+  world::AgentDef def;
+  def.name = name;
+  def.kind = "soar";
+  def.script = request.rules;
+  const world::EntityId id = build.world.CreateAgent(def);
+  Diagnostic problem;
+  problem.file = build.scenario.definition.string();
+  problem.line = agent.line;
+  if (id == world::kNoEntity) {
+    problem.message = "the world cannot take another agent";
+    return problem;
+  }
+  if (const Result<void> made = build.minds.MakeMind(id, request); !made) {
+    problem.message = made.error().message;
+    problem.hint = made.error().hint;
+    return problem;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> BuildScenario(const ScenarioFile& file, ScenarioBuild& build) {
+  Places& places = build.arena.places();
+  places.waypoints = file.waypoints;
+  places.regions = file.regions;
+  for (const Waypoint& waypoint : file.waypoints) {
+    const world::NodeId ring = build.world.scene().CreateCircle(world::NodeId::kRoot, 0.75f);
+    build.world.scene().SetPosition(ring, waypoint.position + world::Vec3{0, 0.05f, 0});
+  }
+  for (const Region& region : file.regions) {
+    const float radius = region.half_x_m > 0 ? std::min(region.half_x_m, region.half_z_m) : region.radius_m;
+    const world::NodeId ring = build.world.scene().CreateCircle(world::NodeId::kRoot, radius);
+    build.world.scene().SetPosition(ring, region.center + world::Vec3{0, 0.05f, 0});
+  }
+  for (const ScenarioFile::Thing& thing : file.things) BuildThing(thing, build);
+  if (!file.things.empty()) build.arena.BuildWays();
+  build.minds.body_kinds().insert(build.minds.body_kinds().end(), file.bodies.begin(), file.bodies.end());
+  std::set<std::string> names;
+  for (const ScenarioFile::Agent& agent : file.agents) {
+    for (int i = 0; i < agent.count; ++i) {
+      if (Result<void> made = BuildAgent(agent, i, names, build); !made) return made;
+    }
+  }
+  return {};
+}
+
+ScenarioEnd::ScenarioEnd(const ScenarioFile& file, const world::World& world, const Arena& arena)
+    : waiting_(file.conditions), world_(world), arena_(arena) {}
+
+bool ScenarioEnd::Holds(const ScenarioFile::Condition& condition) const {
+  if (condition.after_s && world_.time_s() < *condition.after_s) return false;
+  if (!condition.team_down.empty()) {
+    for (const world::EntityId id : world_.AgentIds()) {
+      const world::Agent& agent = *world_.FindAgent(id);
+      if (agent.Team() == condition.team_down && agent.Health() > 0) return false;
+    }
+  }
+  if (!condition.dead.empty()) {
+    const world::Agent* agent = world_.FindAgent(arena_.FindAgentNamed(condition.dead));
+    if (agent == nullptr || agent->Health() > 0) return false;
+  }
+  if (!condition.agent.empty()) {
+    const world::Agent* agent = world_.FindAgent(arena_.FindAgentNamed(condition.agent));
+    const Region* region = arena_.places().FindRegion(condition.region);
+    if (agent == nullptr || region == nullptr || !region->Contains(agent->Position())) return false;
+  }
+  return true;
+}
+
+std::string ScenarioEnd::Check() {
+  const auto reached = std::find_if(waiting_.begin(), waiting_.end(), [&](const auto& c) { return Holds(c); });
+  if (reached == waiting_.end()) return {};
+  std::string name = reached->name;
+  over_ |= reached->ends;
+  waiting_.erase(reached);
+  return name;
+}
+
+}  // namespace soarbox::sim

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "sim/arena.h"
+#include "sim/minds.h"
+#include "sim/scenario.h"
+#include "sim/scenario_file.h"
+
+namespace soarbox::sim {
+
+/// What a scenario file is built into.
+struct ScenarioBuild {
+  world::World& world;
+  Arena& arena;
+  Minds& minds;
+  const Scenario& scenario;
+};
+
+/// Puts what the file says into the world, agents last. Fails at the first agent that cannot be made.
+Result<void> BuildScenario(const ScenarioFile& file, ScenarioBuild& build);
+
+/// Watches the ends and goals of a scenario file.
+class ScenarioEnd {
+ public:
+  ScenarioEnd(const ScenarioFile& file, const world::World& world, const Arena& arena);
+
+  /// Called once per tick: the name of a condition that has just been reached, or nothing.
+  std::string Check();
+  bool IsOver() const { return over_; }
+
+ private:
+  bool Holds(const ScenarioFile::Condition& condition) const;
+
+  std::vector<ScenarioFile::Condition> waiting_;
+  const world::World& world_;
+  const Arena& arena_;
+  bool over_ = false;
+};
+
+}  // namespace soarbox::sim

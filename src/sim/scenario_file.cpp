@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/scenario_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace soarbox::sim {
+namespace {
+
+constexpr std::size_t kMostEntries = 10'000;
+constexpr double kFarthest_m = 1e5;
+
+/// Reads tables and keeps what is wrong with them.
+class Reader {
+ public:
+  Reader(std::string file, std::vector<Diagnostic>& problems) : file_(std::move(file)), problems_(problems) {}
+
+  void Problem(const toml::node& at, std::string message, std::string hint = {}) {
+    Diagnostic problem;
+    problem.file = file_;
+    problem.line = static_cast<int>(at.source().begin.line);
+    problem.column = static_cast<int>(at.source().begin.column);
+    problem.message = std::move(message);
+    problem.hint = std::move(hint);
+    problems_.push_back(std::move(problem));
+  }
+
+  /// Complains about keys that are none of these.
+  void CheckKeys(const toml::table& table, std::string_view what, const std::vector<std::string_view>& known) {
+    for (const auto& [key, value] : table) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      std::string hint;
+      if (const std::string_view near = Suggest(key.str(), known); !near.empty()) {
+        hint = "did you mean '" + std::string(near) + "'?";
+      } else {
+        hint = "there are:";
+        for (const std::string_view name : known) hint += " " + std::string(name);
+      }
+      Problem(value, std::string(what) + " has no '" + std::string(key.str()) + "'", hint);
+    }
+  }
+
+  std::string Text(const toml::table& table, std::string_view key, std::string otherwise = {}) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return otherwise;
+    if (const auto text = node->value_exact<std::string>()) return *text;
+    Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
+    return otherwise;
+  }
+
+  std::optional<double> Number(const toml::table& table, std::string_view key, double min, double max) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return std::nullopt;
+    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
+    if (number && std::isfinite(*number) && *number >= min && *number <= max) return number;
+    std::ostringstream range;
+    range << "'" << key << "' takes a number from " << min << " to " << max;
+    Problem(*node, range.str());
+    return std::nullopt;
+  }
+
+  /// [x, z] or [x, y, z]
+  std::optional<world::Vec3> Point(const toml::table& table, std::string_view key, bool wants_three = false) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return std::nullopt;
+    const toml::array* list = node->as_array();
+    const std::size_t size = list ? list->size() : 0;
+    if ((size == 2 && !wants_three) || size == 3) {
+      float part[3] = {};
+      bool good = true;
+      for (std::size_t i = 0; i < size; ++i) {
+        const auto number = list->get(i)->is_number() ? list->get(i)->value<double>() : std::nullopt;
+        good &= number && std::abs(*number) <= kFarthest_m;
+        part[i] = number ? static_cast<float>(*number) : 0;
+      }
+      if (good) return size == 2 ? world::Vec3{part[0], 0, part[1]} : world::Vec3{part[0], part[1], part[2]};
+    }
+    Problem(*node,
+            "'" + std::string(key) + "' takes " + (wants_three ? "[width, height, length]" : "[x, z]") + " in metres");
+    return std::nullopt;
+  }
+
+  /// The tables of [[key]].
+  std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key) {
+    std::vector<const toml::table*> tables;
+    const toml::node* node = root.get(key);
+    if (node == nullptr) return tables;
+    if (const toml::array* list = node->as_array()) {
+      for (const toml::node& entry : *list) {
+        if (entry.as_table() && tables.size() < kMostEntries) tables.push_back(entry.as_table());
+      }
+      if (tables.size() == list->size()) return tables;
+    }
+    Problem(*node, "write [[" + std::string(key) + "]] above each one");
+    return tables;
+  }
+
+  /// Puts what stands in a table under dotted names.
+  void Flatten(const toml::table& table, const std::string& prefix, Options& options) {
+    for (const auto& [key, value] : table) FlattenValue(value, prefix + std::string(key.str()), options);
+  }
+
+ private:
+  void FlattenValue(const toml::node& value, const std::string& name, Options& options) {
+    if (const auto* table = value.as_table()) {
+      Flatten(*table, name + ".", options);
+    } else if (const auto* list = value.as_array()) {
+      int index = 0;
+      for (const toml::node& entry : *list) FlattenValue(entry, name + "." + std::to_string(++index), options);
+    } else if (const auto text = value.value_exact<std::string>()) {
+      options[name] = *text;
+    } else if (value.is_boolean()) {
+      options[name] = *value.value<bool>();
+    } else if (value.is_number()) {
+      options[name] = *value.value<double>();
+    } else {
+      Problem(value, "'" + name + "' takes a text, a number, true or false");
+    }
+  }
+
+  std::string file_;
+  std::vector<Diagnostic>& problems_;
+};
+
+void ReadPlaces(Reader& reader, const toml::table& root, ScenarioFile& read) {
+  std::set<std::string> names;
+  for (const toml::table* table : reader.Tables(root, "waypoint")) {
+    reader.CheckKeys(*table, "a waypoint", {"name", "position"});
+    Waypoint& made = read.waypoints.emplace_back();
+    made.name = reader.Text(*table, "name", "waypoint-" + std::to_string(read.waypoints.size()));
+    const auto position = reader.Point(*table, "position");
+    if (!position && !table->contains("position")) reader.Problem(*table, "this waypoint has no 'position'");
+    made.position = position.value_or(world::Vec3{});
+    if (!names.insert(made.name).second) reader.Problem(*table, "there are two waypoints named '" + made.name + "'");
+  }
+  names.clear();
+  for (const toml::table* table : reader.Tables(root, "region")) {
+    reader.CheckKeys(*table, "a region", {"name", "position", "radius", "size"});
+    Region& made = read.regions.emplace_back();
+    made.name = reader.Text(*table, "name", "region-" + std::to_string(read.regions.size()));
+    made.center = reader.Point(*table, "position").value_or(world::Vec3{});
+    made.radius_m = static_cast<float>(reader.Number(*table, "radius", 0.1, kFarthest_m).value_or(0));
+    if (const auto size = reader.Point(*table, "size")) {
+      made.half_x_m = size->x / 2;
+      made.half_z_m = size->z / 2;
+    } else if (made.radius_m == 0) {
+      reader.Problem(*table, "this region has neither 'radius' nor 'size'");
+    }
+    if (!names.insert(made.name).second) reader.Problem(*table, "there are two regions named '" + made.name + "'");
+  }
+}
+
+void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
+  for (const bool is_item : {false, true}) {
+    for (const toml::table* table : reader.Tables(root, is_item ? "item" : "obstacle")) {
+      if (is_item) {
+        reader.CheckKeys(*table, "an item", {"name", "position", "gives", "amount", "material"});
+      } else {
+        reader.CheckKeys(*table, "an obstacle", {"name", "shape", "position", "size", "heading", "mass", "material"});
+      }
+      ScenarioFile::Thing& made = read.things.emplace_back();
+      made.is_item = is_item;
+      made.name = reader.Text(*table, "name");
+      made.position = reader.Point(*table, "position").value_or(world::Vec3{});
+      made.material = reader.Text(*table, "material", is_item ? "White" : "Ground2");
+      if (is_item) {
+        made.size = {0.4f, 0.4f, 0.4f};
+        made.gives = reader.Text(*table, "gives");
+        if (!made.gives.empty() && made.gives != "ammunition" && made.gives != "health")
+          reader.Problem(*table->get("gives"), "an item gives \"ammunition\" or \"health\"");
+        made.amount = static_cast<float>(reader.Number(*table, "amount", 0, 10000).value_or(0));
+        continue;
+      }
+      made.shape = reader.Text(*table, "shape", "box");
+      if (made.shape != "box" && made.shape != "column")
+        reader.Problem(*table->get("shape"), "an obstacle's shape is \"box\" or \"column\"");
+      made.size = reader.Point(*table, "size", true).value_or(world::Vec3{1, 2, 1});
+      if (made.size.x <= 0 || made.size.y <= 0 || made.size.z <= 0) {
+        reader.Problem(*table, "an obstacle's size is above 0 in all directions");
+        made.size = {1, 1, 1};
+      }
+      made.heading_deg = static_cast<float>(reader.Number(*table, "heading", -360, 360).value_or(0));
+      made.mass_kg = static_cast<float>(reader.Number(*table, "mass", 0, 1e6).value_or(0));
+    }
+  }
+}
+
+void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
+  std::vector<BodyKind> kinds(BodyKinds().begin(), BodyKinds().end());
+  const auto check = [&](const toml::table& at, const Result<bool>& set, const std::string& name) {
+    if (!set) reader.Problem(at, set.error().message, set.error().hint);
+    if (set && !set.value()) reader.Problem(at, "a body has no '" + name + "'", "docs/scenarios.md lists the options");
+  };
+  for (const toml::table* table : reader.Tables(root, "body")) {
+    const std::string base = reader.Text(*table, "like", kinds.front().name);
+    const auto like = std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind& kind) { return kind.name == base; });
+    if (like == kinds.end()) reader.Problem(*table->get("like"), "there is no body '" + base + "'");
+    BodyKind made = like == kinds.end() ? kinds.front() : *like;
+    made.name = reader.Text(*table, "name");
+    made.meaning = reader.Text(*table, "meaning");
+    if (made.name.empty()) reader.Problem(*table, "this body has no 'name'");
+    Options options;
+    reader.Flatten(*table, {}, options);
+    for (const auto& [name, value] : options) {
+      if (name != "name" && name != "like" && name != "meaning")
+        check(*table, SetBodyProperty(made, name, value), name);
+    }
+    kinds.push_back(made);
+    read.bodies.push_back(std::move(made));
+  }
+  std::size_t total = 0;
+  for (const toml::table* table : reader.Tables(root, "agent")) {
+    ScenarioFile::Agent& made = read.agents.emplace_back();
+    made.line = static_cast<int>(table->source().begin.line);
+    made.name = reader.Text(*table, "name");
+    made.rules = reader.Text(*table, "rules");
+    made.count = static_cast<int>(reader.Number(*table, "count", 1, 1000).value_or(1));
+    reader.Flatten(*table, {}, made.options);
+    made.options.erase("rules");
+    made.options.erase("count");
+    if (const Result<AgentOptions> options = ReadAgentOptions(made.options, kinds); !options)
+      reader.Problem(*table, options.error().message, options.error().hint);
+    total += static_cast<std::size_t>(made.count);
+  }
+  if (total > kMostEntries) reader.Problem(root, "these are too many agents");
+}
+
+void ReadConditions(Reader& reader, const toml::table& root, ScenarioFile& read) {
+  for (const bool ends : {true, false}) {
+    for (const toml::table* table : reader.Tables(root, ends ? "end" : "goal")) {
+      reader.CheckKeys(*table, ends ? "an end" : "a goal", {"name", "after", "team_down", "agent", "region", "dead"});
+      ScenarioFile::Condition& made = read.conditions.emplace_back();
+      made.ends = ends;
+      made.after_s = reader.Number(*table, "after", 0, 1e6);
+      made.team_down = reader.Text(*table, "team_down");
+      made.agent = reader.Text(*table, "agent");
+      made.region = reader.Text(*table, "region");
+      made.dead = reader.Text(*table, "dead");
+      made.name = reader.Text(*table, "name", "the end");
+      if (made.agent.empty() != made.region.empty())
+        reader.Problem(*table, "'agent' and 'region' belong together: the agent is in the region");
+      if (!made.after_s && made.team_down.empty() && made.agent.empty() && made.dead.empty())
+        reader.Problem(*table, "nothing says when: write 'after', 'team_down', 'dead', or 'agent' and 'region'");
+      const auto known = [&](const Region& region) { return region.name == made.region; };
+      if (!made.region.empty() && std::none_of(read.regions.begin(), read.regions.end(), known))
+        reader.Problem(*table->get("region"), "there is no region '" + made.region + "'");
+    }
+  }
+}
+
+}  // namespace
+
+ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::path& file,
+                               std::vector<Diagnostic>& problems) {
+  ScenarioFile read;
+  read.file = file;
+  toml::table root;
+  try {
+    root = toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    Diagnostic problem;
+    problem.file = file.string();
+    problem.line = static_cast<int>(error.source().begin.line);
+    problem.column = static_cast<int>(error.source().begin.column);
+    problem.message = error.description();
+    problem.hint = "scenario files are TOML; docs/scenarios.md shows one";
+    problems.push_back(std::move(problem));
+    return read;
+  }
+  Reader reader(file.string(), problems);
+  reader.CheckKeys(root, "a scenario",
+                   {"description", "script", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body",
+                    "agent", "end", "goal"});
+  read.description = reader.Text(root, "description");
+  read.script = reader.Text(root, "script");
+  if (const auto seed = reader.Number(root, "seed", 0, 9e15)) read.seed = static_cast<std::uint64_t>(*seed);
+  read.seconds = reader.Number(root, "seconds", 0, 1e6);
+  ReadPlaces(reader, root, read);
+  ReadThings(reader, root, read);
+  ReadAgents(reader, root, read);
+  ReadConditions(reader, root, read);
+  return read;
+}
+
+Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) {
+    Diagnostic problem;
+    problem.file = file.string();
+    problem.message = "this scenario file cannot be read";
+    return problem;
+  }
+  std::vector<Diagnostic> problems;
+  ScenarioFile read = ParseScenarioFile(text.str(), file, problems);
+  if (!problems.empty()) {
+    problems.front().more = static_cast<int>(problems.size()) - 1;
+    return problems.front();
+  }
+  return read;
+}
+
+}  // namespace soarbox::sim

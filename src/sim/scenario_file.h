@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "sim/agent_options.h"
+#include "sim/places.h"
+
+namespace soarbox::sim {
+
+/// A scenario as its file (TOML) has it: plain data, checked, not yet in any world. docs/scenarios.md describes the
+/// file.
+struct ScenarioFile {
+  struct Thing {
+    std::string name, shape = "box", material, gives;
+    world::Vec3 position;
+    world::Vec3 size{1, 1, 1};
+    float heading_deg = 0;
+    float mass_kg = 0;  ///< 0: fixed.
+    float amount = 0;
+    bool is_item = false;
+  };
+  struct Agent {
+    std::string name, rules;
+    Options options;
+    int count = 1;
+    int line = 0;
+  };
+  /// All that is given must hold; reached once.
+  struct Condition {
+    std::string name;
+    bool ends = true;
+    std::optional<double> after_s;
+    std::string team_down, agent, region, dead;
+  };
+
+  std::filesystem::path file;
+  std::string description;
+  std::string script;  ///< Lua that sets up the world; empty: the plain one.
+  std::optional<std::uint64_t> seed;
+  std::optional<double> seconds;
+  std::vector<Waypoint> waypoints;
+  std::vector<Region> regions;
+  std::vector<Thing> things;
+  std::vector<BodyKind> bodies;  ///< Its own kinds.
+  std::vector<Agent> agents;
+  std::vector<Condition> conditions;
+};
+
+/// Reads a text; everything that is wrong is added to the problems.
+ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::path& file,
+                               std::vector<Diagnostic>& problems);
+/// Reads a file; the first problem if there is any.
+Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file);
+/// Where a scenario that is only rules gets its world from: this word stands in place of an agent's rules.
+inline constexpr std::string_view kGivenRules = "RULES";
+
+}  // namespace soarbox::sim

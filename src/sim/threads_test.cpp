@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Minds decide on several threads; the run is the same on any number of them.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <vector>
+
+#include "sim/simulation.h"
+#include "sim/worker_pool.h"
+
+namespace soarbox::sim {
+namespace {
+
+TEST(WorkerPool, EachRoundCallsEachNumberOnce) {
+  for (const std::size_t threads : {1u, 2u, 5u}) {
+    WorkerPool pool(threads);
+    std::vector<int> calls(threads);
+    for (int round = 0; round < 200; ++round) pool.Run([&](std::size_t number) { ++calls[number]; });
+    EXPECT_EQ(calls, std::vector<int>(threads, 200));
+  }
+}
+
+/// The hash of every tick.
+std::vector<std::uint64_t> Play(const char* name, int threads, std::uint64_t seed, int ticks) {
+  const std::string root = SOARBOX_SOURCE_DIR;
+  const auto scenario = FindScenario(name, {root + "/scenarios", root + "/media"});
+  EXPECT_TRUE(scenario.ok());
+  SimulationSettings settings;
+  settings.seed = seed;
+  settings.soar.threads = threads;
+  auto simulation = Simulation::Create(scenario.value(), settings);
+  EXPECT_TRUE(simulation.ok());
+  std::vector<std::uint64_t> hashes;
+  for (int i = 0; i < ticks; ++i) {
+    (*simulation)->Tick();
+    hashes.push_back((*simulation)->StateHash());
+  }
+  return hashes;
+}
+
+TEST(Threads, TheRunIsTheSameOnAnyNumberOfThem) {
+  for (const char* name : {"crowd/crowd_100.lua", "thesis"}) {
+    const auto one = Play(name, 1, 7, 90);
+    EXPECT_EQ(Play(name, 2, 7, 90), one) << name;
+    EXPECT_EQ(Play(name, 4, 7, 90), one) << name;
+    // The check can fail.
+    EXPECT_NE(Play(name, 2, 8, 90), one) << name;
+  }
+}
+
+}  // namespace
+}  // namespace soarbox::sim

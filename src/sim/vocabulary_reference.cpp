@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "sim/vocabulary.h"
+
+// The pages of docs/ that are made from the tables.
+namespace soarbox::sim {
+namespace {
+
+std::string Row(std::initializer_list<std::string_view> cells) {
+  std::string line = "|";
+  for (const std::string_view cell : cells) {
+    line += ' ';
+    line += cell;
+    line += " |";
+  }
+  return line + "\n";
+}
+
+std::string Code(std::string_view text) {
+  return "`" + std::string(text) + "`";
+}
+
+std::string WordList(std::string_view words) {
+  std::string text;
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    if (!text.empty()) text += ", ";
+    text += Code(words.substr(0, end));
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return text;
+}
+
+void AddParameter(std::string& text, const ParameterRow& row) {
+  const std::string range = DescribeRange(row.unit, row.min, row.max, row.words);
+  std::string what(NameOf(row.type));
+  if (!range.empty()) what += " (" + range + ")";
+  if (row.required) what += ", needed";
+  text += "* " + Code("^" + std::string(row.name)) + ": " + what + ". " + std::string(row.meaning) + ".\n";
+}
+
+}  // namespace
+
+std::string PerceptReference() {
+  std::string text =
+      "# Percepts\n\n"
+      "What a Soar agent perceives: attributes below `^io.input-link`. This page is made from the table in\n"
+      "`src/sim/vocabulary_percepts.h`, which is also what writes the input link. Numbers are rounded to the step that "
+      "the\n"
+      "table gives, and only differences are written: what did not change costs nothing.\n\n"
+      "An agent's senses are chosen where it is made: `senses = { only = [\"self\", \"agents\"], sight = 40 }`; see\n"
+      "[scenarios](scenarios.md). A Lua body adds percepts of its own with `Agent_Sense(agent)`: the table that it "
+      "returns\n"
+      "appears on the input link, nested tables as identifiers.\n\n"
+      "## Senses\n\n| sense | what it tells |\n| --- | --- |\n";
+  for (const SenseRow& sense : Senses()) text += Row({Code(sense.name), sense.meaning});
+  for (const SenseRow& sense : Senses()) {
+    text += "\n## " + std::string(sense.name) + "\n\n| attribute | value | meaning |\n| --- | --- | --- |\n";
+    for (const PerceptRow& row : Percepts()) {
+      if (row.sense != sense.name) continue;
+      std::string value(NameOf(row.type));
+      const std::string range = DescribeRange(row.unit, row.min, row.max, row.words);
+      if (!range.empty()) value += "; " + range;
+      text += Row({Code("^" + std::string(row.path)), value, row.meaning});
+    }
+  }
+  return text;
+}
+
+std::string CommandReference() {
+  std::string text =
+      "# Commands\n\n"
+      "What a Soar agent can do: identifiers directly below `^io.output-link`, with their parameters below them. This "
+      "page is\n"
+      "made from the table in `src/sim/vocabulary_commands.cpp`, which is also what checks the output link.\n\n"
+      "```\nsp {scout*apply*move-to\n   (state <s> ^operator <o> ^io.output-link <out>)\n"
+      "   (<o> ^name move-to ^waypoint <name>)\n-->\n   (<out> ^move-to <command>)\n   (<command> ^waypoint "
+      "<name>)\n}\n```\n\n"
+      "A command is carried out once. The world answers below it:\n\n"
+      "* `^status complete`: it is done;\n"
+      "* `^status error` with `^reason` (below), and `^parameter` if one is at fault;\n"
+      "* `^status interrupted`: another command took the same part of the body;\n"
+      "* `^progress`: while a lasting command goes on, how much of it is done, 0 to 1 in steps of 0.1.\n\n"
+      "A command that the rules take off the output link before it has ended is given up. Commands for different parts "
+      "of\n"
+      "the body go on side by side.\n\n"
+      "A place is named by one of these parameters:\n\n";
+  for (const ParameterRow& row : PlaceParameters()) AddParameter(text, row);
+  text += "\n| command | part | |\n| --- | --- | --- |\n";
+  for (const CommandRow& row : Commands()) text += Row({Code(row.name), NameOf(row.part), row.meaning});
+  for (const CommandRow& row : Commands()) {
+    text += "\n## " + std::string(row.name) + "\n\n" + std::string(row.meaning) +
+            ". Complete when: " + std::string(row.ends) + ".\n";
+    if (row.place != TakesPlace::kNo || !row.parameters.empty()) text += "\n";
+    if (row.place == TakesPlace::kRequired) text += "* a place.\n";
+    if (row.place == TakesPlace::kOptional) text += "* a place, or nothing.\n";
+    for (const ParameterRow& parameter : row.parameters) AddParameter(text, parameter);
+    if (!row.reasons.empty()) text += "\nMay fail with " + WordList(row.reasons) + ".\n";
+  }
+  text += "\n## Reasons\n\n| `^reason` | meaning |\n| --- | --- |\n";
+  for (const ReasonRow& row : Reasons()) text += Row({Code(row.name), row.meaning});
+  return text;
+}
+
+}  // namespace soarbox::sim

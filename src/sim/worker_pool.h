@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace soarbox::sim {
+
+/// A few threads that do one job together, again and again. The thread that owns the pool is one of them.
+class WorkerPool {
+ public:
+  /// `threads`: how many take part, the owner included; at least 1.
+  explicit WorkerPool(std::size_t threads);
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  /// Calls job(0), job(1), ... job(threads - 1), each on a thread of its own, and returns when all have returned. The
+  /// owner's is job(0). A job must not throw.
+  void Run(const std::function<void(std::size_t)>& job);
+
+ private:
+  void Work(std::size_t number);
+
+  std::mutex mutex_;
+  std::condition_variable begun_, ended_;
+  const std::function<void(std::size_t)>* job_ = nullptr;
+  std::uint64_t round_ = 0;
+  std::size_t busy_ = 0;
+  bool stopping_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace soarbox::sim

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/object_printer.h"
+#include "cli/stack_printer.h"
+#include "kernel/agent.h"
+#include "kernel/observer.h"
+#include "sml/client/agent_data.h"
+#include "sml/client/local_agent_link.h"
+#include "soarbox_Observation.h"
+
+namespace soarbox {
+namespace {
+
+using cli::SymbolText;
+using kernel::Event;
+
+/// Passes on what a kernel in this process tells of one agent.
+class LocalObservation final : public Observation, kernel::Observer {
+ public:
+  LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
+      : agent_(agent), listener_(listener) {
+    kernel::EventMask events = Event::kDecision | Event::kRun;
+    if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
+    agent_.AddObserver(*this, events);
+  }
+  ~LocalObservation() override { agent_.RemoveObserver(*this); }
+
+ private:
+  void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
+    const std::string state = SymbolText(agent, goal.goal);
+    if (goal.op) {
+      listener_.OnOperator(static_cast<int>(goal.level), state, SymbolText(agent, goal.op),
+                           cli::OperatorName(agent, goal.op));
+    } else {
+      listener_.OnState(static_cast<int>(goal.level), state, cli::ImpasseName(goal.impasse),
+                        goal.on_operator ? "operator" : "state");
+    }
+  }
+  void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override {
+    if (why == kernel::GoalRemoval::kWithSuperstate) return;
+    listener_.OnStateGone(static_cast<int>(goal.level), SymbolText(agent, goal.goal));
+  }
+  void OnHalt(const kernel::Agent&) override { listener_.OnHalt(); }
+  void OnFiring(const kernel::Agent&, const kernel::FiringInfo& info) override {
+    listener_.OnFiring(info.name, static_cast<int>(info.level), false);
+  }
+  void OnRetracting(const kernel::Agent&, const kernel::FiringInfo& info) override {
+    listener_.OnFiring(info.name, static_cast<int>(info.level), true);
+  }
+  void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) override { Tell(agent, wme, true); }
+  void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override { Tell(agent, wme, false); }
+
+  void Tell(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool added) {
+    listener_.OnElement(added, wme.timetag, SymbolText(agent, wme.id), SymbolText(agent, wme.attribute),
+                        SymbolText(agent, wme.value), wme.acceptable);
+  }
+
+  kernel::Agent& agent_;
+  MindObserver& listener_;
+};
+
+}  // namespace
+
+std::unique_ptr<Observation> ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail) {
+  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
+  if (link == nullptr) return nullptr;
+  return std::make_unique<LocalObservation>(link->hosted().agent(), observer, detail);
+}
+
+}  // namespace soarbox

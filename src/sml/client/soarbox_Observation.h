@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "Export.h"
+
+namespace sml {
+class Agent;
+}
+
+namespace soarbox {
+
+/// Sees what the mind of a client's agent does, in the order in which it happens. What Soarbox's own kernel tells
+/// besides the client API: there is no text to format, no document to read, and what nobody asked for costs nothing.
+///
+/// Called on the thread that runs the agent, in the middle of its cycle: note what is told and return; call nothing of
+/// the client API. Texts are valid during the call only. Levels count from 1, the top state.
+class MindObserver {
+ public:
+  virtual ~MindObserver() = default;
+
+  /// An operator was selected. `name` is its ^name, or empty.
+  virtual void OnOperator(int level, std::string_view state, std::string_view id, std::string_view name) = 0;
+  /// An impasse made a state. `impasse` is "tie", "conflict", "constraint-failure" or "no-change"; `attribute` is
+  /// "operator" or "state". Also told after init-soar for the top state, with "none".
+  virtual void OnState(int level, std::string_view state, std::string_view impasse, std::string_view attribute) = 0;
+  /// A state went, with all below it, because its impasse was resolved or its reasons have gone.
+  virtual void OnStateGone(int level, std::string_view state) = 0;
+  virtual void OnHalt() = 0;
+
+  /// A rule fired (or what it made goes, because it matches no longer) for a state of this level; 0 if it touches none.
+  /// Told in detail only, as are elements.
+  virtual void OnFiring(std::string_view rule, int level, bool retracts) = 0;
+  virtual void OnElement(bool added, std::uint64_t timetag, std::string_view id, std::string_view attribute,
+                         std::string_view value, bool acceptable) = 0;
+};
+
+enum class MindDetail : std::uint8_t { kDecisions, kAll };
+
+/// Ends when it is destroyed, which must happen before the agent or the observer goes.
+class EXPORT Observation {
+ public:
+  virtual ~Observation() = default;
+};
+
+/// Null if the agent's kernel is in another process: then only the client API tells what there is.
+std::unique_ptr<Observation> EXPORT ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail);
+
+}  // namespace soarbox

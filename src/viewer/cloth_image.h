@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "viewer/images.h"
+#include "viewer/skin_mesh.h"
+
+namespace soarbox::viewer {
+
+/// One picture for all that soldiers wear: sixteen cells, one for each cloth.
+Image ClothImage();
+
+struct ClothPlace {
+  float u, v;
+};
+/// Where on the picture a place of the body (in m, in its bind pose) is.
+ClothPlace PlaceOnCloth(Cloth cloth, world::Vec3 at);
+
+/// 0..1
+float GlossOf(Cloth cloth);
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "world/math.h"
+#include "world/rotation.h"
+
+namespace soarbox::world {
+
+/// Where a bone is, relative to its parent or to its model: first turned, then moved.
+struct BonePose {
+  Vec3 position;
+  Quat orientation;
+  Vec3 Apply(Vec3 v) const { return position + Rotate(orientation, v); }
+  friend bool operator==(const BonePose& a, const BonePose& b) = default;
+};
+
+/// The pose b within the pose a.
+inline BonePose operator*(const BonePose& a, const BonePose& b) {
+  return {a.Apply(b.position), a.orientation * b.orientation};
+}
+inline BonePose Inverse(const BonePose& a) {
+  const Quat back = Conjugate(a.orientation);
+  return {Rotate(back, -a.position), back};
+}
+
+/// A turn about a unit axis.
+inline Quat Turn(Vec3 axis, float radians) {
+  const float s = std::sin(radians / 2);
+  return {std::cos(radians / 2), axis.x * s, axis.y * s, axis.z * s};
+}
+
+/// Between two turns the short way round: b at share 1.
+inline Quat Between(Quat a, Quat b, float share) {
+  const float dot = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
+  const float other = dot < 0 ? -share : share, own = 1 - share;
+  return Normalized(
+      {own * a.w + other * b.w, own * a.x + other * b.x, own * a.y + other * b.y, own * a.z + other * b.z});
+}
+inline Vec3 Between(Vec3 a, Vec3 b, float share) {
+  return a + (b - a) * share;
+}
+
+}  // namespace soarbox::world

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "world/animation/bone_pose.h"
+
+namespace soarbox::world {
+
+/// One movement of a skeleton: poses of all its bones at even steps of time. Shared and never changed, as the skeleton
+/// is.
+class Clip {
+ public:
+  struct Settings {
+    std::string name;
+    float length_s = 1;       ///< Above 0.
+    bool is_cycle = false;    ///< Its end joins its start.
+    bool upper_body = false;  ///< Legs may go on walking meanwhile.
+    float speed_mps = 0;      ///< How fast the feet carry the body, for movements that do.
+  };
+
+  /// keys: at least two poses relative to the bones' parents, the first at 0 s, the last at length_s.
+  Clip(Settings settings, std::vector<std::vector<BonePose>> keys);
+
+  const std::string& name() const { return settings_.name; }
+  float length_s() const { return settings_.length_s; }
+  bool is_cycle() const { return settings_.is_cycle; }
+  bool upper_body() const { return settings_.upper_body; }
+  float speed_mps() const { return settings_.speed_mps; }
+  /// The way of one cycle.
+  float stride_m() const { return settings_.speed_mps * settings_.length_s; }
+
+  /// The pose of one bone relative to its parent; the time is clamped to 0..length_s.
+  BonePose At(std::size_t bone, float time_s) const;
+
+ private:
+  Settings settings_;
+  std::vector<std::vector<BonePose>> keys_;
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "world/animation/clip.h"
+#include "world/animation/soldier_pose.h"
+
+namespace soarbox::world {
+
+/// Stances that movements start from and return to.
+SoldierPose StandAiming();
+SoldierPose StandReady();
+SoldierPose CrouchAiming();
+
+/// A clip whose pose at each moment (0..1 of its length) a function says.
+Clip MakeClip(const Clip::Settings& settings, const std::function<SoldierPose(float)>& pose_at);
+
+/// Walking and running, soldier_gaits.cpp.
+void AddGaits(std::vector<Clip>& clips);
+/// Standing, shooting, reloading, falling, soldier_actions.cpp.
+void AddActions(std::vector<Clip>& clips);
+
+}  // namespace soarbox::world

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "world/ids.h"
+
+namespace soarbox::world {
+
+/// One thing that an agent said to others.
+struct Message {
+  using Value = std::variant<std::int64_t, double, std::string>;
+  struct Field {
+    std::string name;
+    Value value;
+  };
+
+  std::uint32_t number = 0;  ///< From 1, in the order of posting.
+  std::uint64_t tick = 0;
+  EntityId from = kNoEntity;
+  EntityId to = kNoEntity;  ///< kNoEntity: all of `team` but the sender.
+  std::string team;
+  std::string about;
+  std::vector<Field> fields;
+};
+
+/// What agents say to each other. Messages are kept for a while and then forgotten.
+class MessageBoard {
+ public:
+  /// Gives the message its number and tick.
+  void Post(Message message, std::uint64_t tick);
+  /// Forgets messages that are older than so many ticks.
+  void Forget(std::uint64_t tick, std::uint64_t age_ticks);
+  const std::deque<Message>& messages() const { return messages_; }
+  static bool IsFor(const Message& message, EntityId agent, std::string_view team);
+
+ private:
+  static constexpr std::size_t kMostMessages = 1000;
+  std::deque<Message> messages_;
+  std::uint32_t posted_ = 0;
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/navigation.h"
+
+#include <algorithm>
+
+#include "world/state_hash.h"
+
+namespace soarbox::world {
+namespace {
+
+constexpr Color kFill{0, 1, 1, 32.0f / 255};
+constexpr Color kEdge{0, 0.5f, 0.5f, 1};
+/// Above the mesh, so that floors do not shine through.
+constexpr Vec3 kLift_m{0, 0.02f, 0};
+
+std::uint64_t HashOf(const NavigationGeometry& geometry, const NavigationConfig& config) {
+  StateHash hash;
+  hash.Add(geometry.Hash());
+  hash.Add(config.walkable_height_m);
+  hash.Add(config.walkable_radius_m);
+  hash.Add(config.climb_height_m);
+  hash.Add(config.slope_deg);
+  hash.Add(config.min_region_cells);
+  hash.Add(config.merge_region_cells);
+  hash.Add(config.cell_size_m);
+  hash.Add(static_cast<std::uint64_t>(config.keeps_points));
+  return hash.value();
+}
+
+std::string Quoted(std::string_view name) {
+  return "\"" + std::string(name) + "\"";
+}
+
+}  // namespace
+
+Navigation::Navigation() = default;
+Navigation::~Navigation() = default;
+
+Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geometry, const NavigationConfig& config) {
+  if (Result<void> checked = NavigationMesh::Check(geometry, config); !checked.ok()) return checked.error();
+  if (entries_.size() >= kMaxMeshes && !entries_.contains(name)) {
+    Diagnostic fault;
+    fault.message = "there are " + std::to_string(kMaxMeshes) + " navigation meshes already";
+    fault.hint = "use a name again: the new mesh takes the place of the old one";
+    return fault;
+  }
+  // One build at a time: many would only slow each other down.
+  for (auto& [other, entry] : entries_) Finish(entry);
+  Vec3 min, max;
+  geometry.Bounds(min, max);
+  const float farthest = std::max({-min.x, -min.y, -min.z, max.x, max.y, max.z});
+  Entry& entry = entries_[std::string(name)];
+  entry = Entry();
+  entry.source_hash = HashOf(geometry, config);
+  auto build = [geometry = std::move(geometry), config] { return NavigationMesh::Build(geometry, config); };
+  // Where no thread is to be had it is built when it is needed.
+  entry.building = std::async(std::launch::async | std::launch::deferred, std::move(build));
+  return farthest > NavigationMesh::kHalfExtent_m;
+}
+
+void Navigation::Finish(Entry& entry) {
+  if (!entry.building.valid()) return;
+  Outcome outcome = entry.building.get();
+  if (outcome.ok()) {
+    entry.mesh = std::move(outcome.value());
+  } else {
+    entry.fault = outcome.error();
+  }
+}
+
+Result<const NavigationMesh*> Navigation::Find(std::string_view name) {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) {
+    Diagnostic fault;
+    fault.message = "there is no navigation mesh " + Quoted(name);
+    const std::string_view meant = Suggest(name, Names());
+    fault.hint = meant.empty() ? "make one with Sandbox.CreateNavigationMesh" : "did you mean " + Quoted(meant) + "?";
+    return fault;
+  }
+  Entry& entry = found->second;
+  Finish(entry);
+  if (entry.mesh) return static_cast<const NavigationMesh*>(entry.mesh.get());
+  Diagnostic fault = entry.fault;
+  fault.message = "the navigation mesh " + Quoted(name) + " could not be made: " + fault.message;
+  return fault;
+}
+
+std::vector<std::string_view> Navigation::Names() const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, entry] : entries_) names.emplace_back(name);
+  return names;
+}
+
+Result<void> Navigation::Show(std::string_view name, bool show) {
+  const Result<const NavigationMesh*> mesh = Find(name);
+  if (!mesh.ok()) return mesh.error();
+  entries_.find(name)->second.shown = show;
+  return {};
+}
+
+void Navigation::FillSnapshot(SceneSnapshot& snapshot) const {
+  for (const auto& [name, entry] : entries_) {
+    if (!entry.shown || !entry.mesh) continue;
+    for (const auto& [a, b, c] : entry.mesh->triangles()) {
+      snapshot.triangles.push_back({a + kLift_m, b + kLift_m, c + kLift_m, kFill});
+      snapshot.lines.push_back({a + kLift_m, b + kLift_m, kEdge});
+      snapshot.lines.push_back({b + kLift_m, c + kLift_m, kEdge});
+      snapshot.lines.push_back({c + kLift_m, a + kLift_m, kEdge});
+    }
+  }
+}
+
+std::uint64_t Navigation::Hash() const {
+  StateHash hash;
+  for (const auto& [name, entry] : entries_) {
+    hash.Add(std::string_view(name));
+    hash.Add(entry.source_hash);
+  }
+  return hash.value();
+}
+
+}  // namespace soarbox::world

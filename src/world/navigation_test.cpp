@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "world/world.h"
+
+namespace soarbox::world {
+namespace {
+
+EntityId AddFixedBox(World& world, Vec3 size, Vec3 position) {
+  const EntityId id = world.CreateBox(size.x, size.y, size.z);
+  world.FindObject(id)->SetMass(0);
+  world.FindObject(id)->SetPosition(position);
+  return id;
+}
+
+float LengthOf(const std::vector<Vec3>& path) {
+  float length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) length += Distance(path[i - 1], path[i]);
+  return length;
+}
+
+/// A floor of 20 by 20 m, its top at y = 0, and a wall across it that leaves a gap of 4 m at one end.
+class NavigationTest : public testing::Test {
+ protected:
+  NavigationTest() {
+    AddFixedBox(world_, {20, 1, 20}, {0, -0.5f, 0});
+    AddFixedBox(world_, {16, 2, 1}, {-2, 1, 0});
+    config_.min_region_cells = 10;
+  }
+  const NavigationMesh& Make(const NavigationConfig& config, std::string_view name = "default") {
+    const Result<bool> made = world_.CreateNavigationMesh(name, config);
+    EXPECT_TRUE(made.ok()) << made.error().message;
+    const Result<const NavigationMesh*> mesh = world_.navigation().Find(name);
+    EXPECT_TRUE(mesh.ok()) << mesh.error().message;
+    return *mesh.value();
+  }
+  World world_;
+  NavigationConfig config_;
+};
+
+TEST_F(NavigationTest, PathsLeadThroughTheGapAndKeepTheRadiusFromTheWall) {
+  const NavigationMesh& mesh = Make(config_);
+  const std::vector<Vec3> path = mesh.FindPath({-8, 0, -5}, {-8, 0, 5});
+  ASSERT_GE(path.size(), 3u);
+  EXPECT_GT(LengthOf(path), 29.0f) << "around the wall, not through it";
+  EXPECT_LT(LengthOf(path), 32.5f);
+  for (const Vec3 point : path) {
+    EXPECT_NEAR(point.y, 0.05f, 0.051f);
+    EXPECT_FALSE(point.x < 6.3f && std::abs(point.z) < 0.75f) << point.x << " " << point.z;
+  }
+  EXPECT_NEAR(path.front().x, -8, 0.01f);
+  EXPECT_NEAR(path.back().z, 5, 0.01f);
+}
+
+TEST_F(NavigationTest, ThereIsNoPathFromOrToPlacesFarFromTheMesh) {
+  const NavigationMesh& mesh = Make(config_);
+  EXPECT_TRUE(mesh.FindPath({0, 0, -5}, {50, 0, 0}).empty());
+  EXPECT_TRUE(mesh.FindPath({0, 20, -5}, {0, 0, 5}).empty());
+  EXPECT_TRUE(mesh.FindPath({std::numeric_limits<float>::quiet_NaN(), 0, 0}, {0, 0, 5}).empty());
+  EXPECT_FALSE(mesh.FindPath({11, 0, -5}, {0, 0, 5}).empty()) << "within 2 m is near enough";
+}
+
+TEST_F(NavigationTest, WiderAgentsDoNotFitThroughTheGap) {
+  config_.walkable_radius_m = 2.5f;
+  EXPECT_TRUE(Make(config_).FindPath({-5, 0, -5}, {-5, 0, 5}).empty());
+}
+
+TEST_F(NavigationTest, StepsAreClimbedUpToTheClimbHeight) {
+  AddFixedBox(world_, {4, 0.3f, 4}, {5, 0.15f, 5});
+  EXPECT_LT(LengthOf(Make(config_).FindPath({0, 0, 5}, {5, 0.3f, 5})), 5.0f) << "an end below is nearer than one above";
+  EXPECT_LT(Make(config_).FindPath({0, 0, 8}, {5, 0.4f, 5}).size(), 2u) << "0.3 m is too high a step";
+  config_.climb_height_m = 0.4f;
+  const std::vector<Vec3> path = Make(config_).FindPath({0, 0, 8}, {5, 0.4f, 5});
+  ASSERT_GE(path.size(), 2u);
+  EXPECT_NEAR(path.back().y, 0.35f, 0.1f);
+}
+
+TEST_F(NavigationTest, RampsAreWalkedUpToTheSlope) {
+  World world;
+  AddFixedBox(world, {20, 1, 20}, {0, -0.5f, 0});
+  const EntityId ramp = AddFixedBox(world, {6, 1, 12}, {0, 0.5f, 0});
+  world.FindObject(ramp)->SetOrientation({0.9659258f, -0.258819f, 0, 0});  // 30 degrees about x.
+  NavigationConfig config;
+  config.climb_height_m = 0.2f;
+  ASSERT_TRUE(world.CreateNavigationMesh("steep", config).ok());
+  EXPECT_GT((*world.navigation().Find("steep"))->max().y, 2.0f);
+  config.slope_deg = 20;
+  ASSERT_TRUE(world.CreateNavigationMesh("flat", config).ok());
+  EXPECT_LT((*world.navigation().Find("flat"))->max().y, 1.0f);
+}
+
+TEST_F(NavigationTest, TheClosestPointIsOnTheMeshOrThePointItself) {
+  const NavigationMesh& mesh = Make(config_);
+  const Vec3 found = mesh.FindClosestPoint({3, 0.8f, 5});
+  EXPECT_NEAR(found.y, 0.05f, 0.051f);
+  EXPECT_FLOAT_EQ(found.x, 3);
+  EXPECT_EQ(mesh.FindClosestPoint({3, 40, 5}), (Vec3{3, 40, 5}));
+  config_.keeps_points = true;
+  EXPECT_EQ(Make(config_).FindClosestPoint({3, 0.8f, 5}), (Vec3{3, 0.8f, 5}));
+}
+
+TEST_F(NavigationTest, RandomPointsLieOnTheMeshAndCoverIt) {
+  const NavigationMesh& mesh = Make(config_);
+  EXPECT_NEAR(mesh.area_m2(), 19.2f * 19.2f - 16.8f * 1.8f, 15.0f);
+  int beyond = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 point = mesh.RandomPoint(world_.random());
+    EXPECT_LT(std::max(std::abs(point.x), std::abs(point.z)), 9.7f);
+    EXPECT_FALSE(point.x < 6.2f && std::abs(point.z) < 0.7f) << point.x << " " << point.z;
+    if (point.z > 0) ++beyond;
+  }
+  EXPECT_NEAR(beyond, 500, 80);
+}
+
+TEST_F(NavigationTest, TheSameWorldGivesTheSameMeshAndPoints) {
+  const auto make = [](std::uint64_t seed, std::vector<Vec3>& points) {
+    WorldSettings settings;
+    settings.seed = seed;
+    World world(settings);
+    AddFixedBox(world, {30, 1, 30}, {0, -0.5f, 0});
+    AddFixedBox(world, {3, 3, 3}, {2, 1, 7});
+    EXPECT_TRUE(world.CreateNavigationMesh("default", {}).ok());
+    const std::uint64_t before = world.Hash();
+    const NavigationMesh& mesh = **world.navigation().Find("default");
+    EXPECT_EQ(world.Hash(), before) << "whether a mesh is ready is no state of the world";
+    for (int i = 0; i < 20; ++i) points.push_back(mesh.RandomPoint(world.random()));
+    for (const Vec3 point : mesh.FindPath({-10, 0, -10}, {10, 0, 12})) points.push_back(point);
+    return world.Hash();
+  };
+  std::vector<Vec3> a, b, c;
+  EXPECT_EQ(make(5, a), make(5, b));
+  EXPECT_EQ(a, b);
+  make(6, c);
+  EXPECT_NE(a, c);
+}
+
+TEST_F(NavigationTest, FaultsAreNamed) {
+  const auto message = [](const auto& result) {
+    return result.ok() ? std::string("no error") : result.error().message;
+  };
+  EXPECT_EQ(message(world_.navigation().Find("nowhere")), "there is no navigation mesh \"nowhere\"");
+  Make(config_, "default");
+  EXPECT_EQ(world_.navigation().Find("defualt").error().hint, "did you mean \"default\"?");
+  EXPECT_EQ(message(world_.navigation().Show("nowhere", true)), "there is no navigation mesh \"nowhere\"");
+
+  NavigationConfig absurd;
+  absurd.walkable_radius_m = -1;
+  EXPECT_EQ(message(world_.CreateNavigationMesh("a", absurd)), "WalkableRadius is -1");
+  absurd = {};
+  absurd.cell_size_m = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(message(world_.CreateNavigationMesh("a", absurd)), "CellSize is nan");
+  absurd = {};
+  absurd.walkable_radius_m = 40;
+  ASSERT_TRUE(world_.CreateNavigationMesh("wide", absurd).ok());
+  EXPECT_EQ(message(world_.navigation().Find("wide")),
+            "the navigation mesh \"wide\" could not be made: nothing in this world is walkable for such an agent");
+
+  World empty;
+  empty.CreatePlane(100, 100);
+  EXPECT_EQ(message(empty.CreateNavigationMesh("a", {})), "there is no fixed object to walk on");
+  World far;
+  AddFixedBox(far, {1, 1, 1}, {5000, 0, 0});
+  ASSERT_TRUE(far.CreateNavigationMesh("a", {}).ok());
+  EXPECT_NE(message(far.navigation().Find("a")), "no error");
+  World giant;
+  for (int i = 0; i < 4; ++i) AddFixedBox(giant, {5000, 1, 5000}, {0, static_cast<float>(i) * 10, 0});
+  EXPECT_EQ(message(giant.CreateNavigationMesh("a", {})),
+            "the fixed objects are too many or too large for one navigation mesh");
+  NavigationConfig coarse;
+  coarse.cell_size_m = 1;
+  coarse.min_region_cells = 2;
+  EXPECT_TRUE(giant.CreateNavigationMesh("a", coarse).value()) << "much of it lies too far out";
+  EXPECT_EQ(message(giant.navigation().Find("a")), "no error");
+  World small;
+  AddFixedBox(small, {5, 1, 5}, {});
+  EXPECT_FALSE(small.CreateNavigationMesh("mesh 0", coarse).value());
+  for (int i = 0; i < 40; ++i) (void)small.CreateNavigationMesh("mesh " + std::to_string(i), coarse);
+  EXPECT_EQ(message(small.CreateNavigationMesh("one more", coarse)), "there are 32 navigation meshes already");
+}
+
+TEST_F(NavigationTest, AMeshThatIsShownIsInTheSnapshot) {
+  Make(config_);
+  EXPECT_TRUE(world_.Snapshot().triangles.empty());
+  ASSERT_TRUE(world_.navigation().Show("default", true).ok());
+  const SceneSnapshot snapshot = world_.Snapshot();
+  EXPECT_EQ(snapshot.lines.size(), 3 * snapshot.triangles.size());
+  ASSERT_FALSE(snapshot.triangles.empty());
+  EXPECT_FLOAT_EQ(snapshot.triangles[0].color.a, 32.0f / 255);
+  ASSERT_TRUE(world_.navigation().Show("default", false).ok());
+  EXPECT_TRUE(world_.Snapshot().triangles.empty());
+}
+
+TEST_F(NavigationTest, AWorldMayGoWhileItsMeshIsBeingBuilt) {
+  auto world = std::make_unique<World>();
+  AddFixedBox(*world, {100, 1, 100}, {0, 0, 0});
+  ASSERT_TRUE(world->CreateNavigationMesh("default", {}).ok());
+}
+
+TEST_F(NavigationTest, CapsulesAndTurnedBoxesAreObstacles) {
+  World world;
+  AddFixedBox(world, {20, 1, 20}, {0, -0.5f, 0});
+  const EntityId pillar = world.CreateCapsule(4, 1.5f);
+  world.FindObject(pillar)->SetMass(0);
+  NavigationConfig config;
+  config.min_region_cells = 10;
+  ASSERT_TRUE(world.CreateNavigationMesh("default", config).ok());
+  const std::vector<Vec3> path = (*world.navigation().Find("default"))->FindPath({-6, 0, 0}, {6, 0, 0});
+  ASSERT_GE(path.size(), 2u);
+  EXPECT_GT(LengthOf(path), 12.4f) << "around the pillar";
+  for (const Vec3 point : path) EXPECT_GT(std::hypot(point.x, point.z), 1.6f);
+}
+
+}  // namespace
+}  // namespace soarbox::world

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "world/scene.h"
+#include "world/scene_node.h"
+#include "world/state_hash.h"
+
+// Bodies with a skeleton: their movements, and what hangs on their bones.
+namespace soarbox::world {
+
+Animator* Scene::AnimatorOf(NodeId node) {
+  Node* found = Find(node);
+  return found ? found->animator.get() : nullptr;
+}
+
+const Animator* Scene::AnimatorOf(NodeId node) const {
+  const Node* found = Find(node);
+  return found ? found->animator.get() : nullptr;
+}
+
+AnimationId Scene::AnimationOf(NodeId node, std::size_t clip) {
+  const Animator* animator = AnimatorOf(node);
+  if (!animator || clip >= animator->rig().clips.size()) return AnimationId::kNone;
+  AnimationId& id = animation_ids_[{node, static_cast<std::uint32_t>(clip)}];
+  if (id == AnimationId::kNone) {
+    animation_names_.push_back({node, static_cast<std::uint32_t>(clip)});
+    id = AnimationId{static_cast<std::uint32_t>(animation_names_.size())};
+  }
+  return id;
+}
+
+Scene::FoundAnimation Scene::FindAnimation(AnimationId animation) {
+  const std::uint32_t number = Number(animation);
+  if (number == 0 || number > animation_names_.size()) return {};
+  const AnimationName& name = animation_names_[number - 1];
+  return {AnimatorOf(name.node), name.clip};
+}
+
+void Scene::ForgetAnimations(NodeId node) {
+  std::erase(animated_, node);
+  const auto first = animation_ids_.lower_bound({node, 0});
+  auto last = first;
+  while (last != animation_ids_.end() && last->first.first == node) ++last;
+  animation_ids_.erase(first, last);
+}
+
+bool Scene::AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 position, Quat orientation) {
+  Node* body = Find(mesh);
+  Node* thing = Find(node);
+  if (!body || !body->animator || !thing || thing->belongs_to_entity) return false;
+  if (bone >= body->animator->rig().skeleton.bones().size() || !IsFinite(position) || !IsFinite(orientation))
+    return false;
+  for (const Node* above = body; above; above = Find(above->parent)) {
+    if (above == thing) return false;
+  }
+  if (Node* old_parent = Find(thing->parent)) std::erase(old_parent->children, node);
+  body->children.push_back(node);
+  thing->parent = mesh;
+  thing->bone = static_cast<int>(bone);
+  thing->position = position;
+  thing->orientation = Normalized(orientation);
+  // What is carried belongs to the carrier, with all that hangs below it.
+  std::vector<NodeId> waiting{node};
+  while (!waiting.empty()) {
+    Node* next = Find(waiting.back());
+    waiting.pop_back();
+    next->owner = body->owner;
+    next->owner_is_agent = body->owner_is_agent;
+    waiting.insert(waiting.end(), next->children.begin(), next->children.end());
+  }
+  return true;
+}
+
+std::optional<BonePose> Scene::BoneInWorld(NodeId node, std::string_view bone) const {
+  // Depth first, without recursion: scripts may hang things on each other as long as they like.
+  std::vector<NodeId> waiting{node};
+  while (!waiting.empty()) {
+    const NodeId next = waiting.back();
+    waiting.pop_back();
+    const Node* found = Find(next);
+    if (!found || !found->animator) continue;
+    const int index = found->animator->rig().skeleton.Find(bone);
+    if (index >= 0) {
+      const WorldTransform transform = Transform(next);
+      const BonePose& pose = found->animator->Bones()[static_cast<std::size_t>(index)];
+      return BonePose{transform.Apply(pose.position), transform.orientation * pose.orientation};
+    }
+    AddCarried(*found, waiting);
+  }
+  return std::nullopt;
+}
+
+void Scene::AddCarried(const Node& body, std::vector<NodeId>& carried) const {
+  for (auto child = body.children.rbegin(); child != body.children.rend(); ++child) {
+    if (Find(*child)->bone >= 0) carried.push_back(*child);
+  }
+}
+
+std::vector<std::string_view> Scene::BonesBelow(NodeId node) const {
+  std::vector<std::string_view> names;
+  std::vector<NodeId> waiting{node};
+  while (!waiting.empty()) {
+    const Node* found = Find(waiting.back());
+    waiting.pop_back();
+    if (!found || !found->animator) continue;
+    const auto more = found->animator->rig().BoneNames();
+    names.insert(names.end(), more.begin(), more.end());
+    AddCarried(*found, waiting);
+  }
+  return names;
+}
+
+void Scene::AddAnimationTo(StateHash& hash) const {
+  for (const NodeId id : animated_) {
+    const Node& node = *Find(id);
+    hash.Add(static_cast<std::uint64_t>(Number(id)));
+    hash.Add(static_cast<std::uint64_t>(Number(node.parent)));
+    hash.Add(static_cast<std::uint64_t>(node.bone + 1));
+    node.animator->AddTo(hash);
+  }
+}
+
+}  // namespace soarbox::world

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+
+#include "world/math.h"
+
+namespace soarbox::world {
+
+/// True if the triangle and the axis-aligned box around `center` have a point in common (separating axes).
+bool TriangleTouchesBox(const std::array<Vec3, 3>& triangle, Vec3 center, Vec3 half);
+
+}  // namespace soarbox::world

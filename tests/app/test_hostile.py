@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""A stranger's scenario may try what it likes: the process lives, the world goes on, and it is told what was refused."""
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from soarbox_command import COMMAND, WALKER, ScenarioCase, run_json
+
+SANDBOX = """
+function Sandbox_Initialize(sandbox)
+    Sandbox.CreatePlane(sandbox, 200, 200);
+    Agent.SetPosition(Sandbox.CreateAgent(sandbox, "Walker.lua"), Vector.new(0, 0.8, -50));
+    %s
+end
+%s
+"""
+HOSTILE_LINES = {
+    "recursive coroutine.wrap": "local function f() return coroutine.wrap(f)() end f()",
+    "recursive coroutine.resume": "local function f() return assert(coroutine.resume(coroutine.create(f))) end f()",
+    "gsub within gsub": "local function f() return (string.gsub('x', 'x', f)) end f()",
+    "gsub through a metamethod": "local t = setmetatable({}, { __index = function(t) return (string.gsub('x', 'x', t)) end }) string.gsub('x', 'x', t)",
+    "sort within sort": "local function f() table.sort({1, 2, 3}, f) return true end f()",
+    "sort through a metamethod": "local m = {} m.__lt = function(a, b) table.sort({setmetatable({}, m), setmetatable({}, m)}) return true end table.sort({setmetatable({}, m), setmetatable({}, m)})",
+    "tostring of tostring": "local t = setmetatable({}, { __tostring = tostring }) tostring(t)",
+    "print of print": "local t t = setmetatable({}, { __tostring = function() print(t) return '' end }) print(t)",
+    "format of format": "local t t = setmetatable({}, { __tostring = function() return string.format('%s', t) end }) tostring(t)",
+    "load within load": "local function f() load(f) return nil end f()",
+    "foreach within foreach": "local function f() table.foreach({1}, f) end f()",
+    "foreachi within foreachi": "local function f() table.foreachi({1}, f) end f()",
+    "pcall of pcall": "local function f() return pcall(f) end print(f())",
+    "xpcall of xpcall": "local function f() return xpcall(f, f) end f()",
+    "errors in handlers": "local function h() error(h) end xpcall(error, h) xpcall(h, h)",
+    "index chain": "local t = {} for i = 1, 100000 do t = setmetatable({}, { __index = t }) end print(t.x)",
+    "call chain": "local t = {} t = setmetatable(t, { __call = function(s) return s() end }) t()",
+    "concat chain": "local t = setmetatable({}, {}) getmetatable(t).__concat = function(a, b) return a .. b end print(t .. t)",
+    "deep source": "local s = ('('):rep(100000) .. '1' .. (')'):rep(100000) assert(loadstring('return ' .. s))",
+    "deep tables in source": "assert(loadstring('return ' .. ('{'):rep(100000) .. ('}'):rep(100000)))",
+    "deep table as an event": "local t = {} for i = 1, 1000000 do t = { t } end Sandbox.AddEvent(sandbox, 'x', { t = t })",
+    "unpack of a million": "print(unpack({}, 1, 1e8))",
+    "byte of a million": "print(#{string.byte(('x'):rep(1e7), 1, -1)})",
+    "rep": "local s = ('x'):rep(1e10)",
+    "rep of nothing": "for i = 1, 1000 do local s = (''):rep(1e15) end",
+    "doubling": "local s = 'x' while true do s = s .. s end",
+    "large format": "print(#string.format(('%99.99f'):rep(200000), 1))",
+    "endless pattern": "string.find(('a'):rep(50), ('a?'):rep(50) .. ('a'):rep(50) .. 'b')",
+    "deep pattern": "string.find(('a'):rep(200000), ('(a*)'):rep(30) .. 'b') string.match(('('):rep(200000), ('%b()'):rep(2000))",
+    "long pattern": "string.find('x', ('['):rep(1000000)) string.find(('x'):rep(1e6), ('x-'):rep(1e5))",
+    "shifting": "local t = {} for i = 1, 1e6 do t[i] = i end for i = 1, 1e9 do table.insert(t, 1, i) table.remove(t, 1) end",
+    "sorting": "local t = {} for i = 1, 1e6 do t[i] = -i end while true do table.sort(t) end",
+    "bad order": "local t = {} for i = 1, 1000 do t[i] = i end table.sort(t, function() return true end)",
+    "joining": "local t = {} for i = 1, 1e6 do t[i] = 'x' end while true do table.concat(t) end",
+    "pairs": "local t = {} for i = 1, 1e6 do t[{}] = i end while true do for k in pairs(t) do break end end",
+    "next": "local t = {} for i = 1, 1e6 do t[{}] = i end while true do next(t) end",
+    "endless loop": "while true do end",
+    "caught endless loop": "while true do pcall(function() while true do end end) end",
+    "endless coroutine": "coroutine.wrap(function() while true do coroutine.yield() end end)() while true do end",
+    "changed metatables": "getmetatable('').__index = nil setmetatable(_G, { __index = function() error('no') end })",
+    "no globals": "for k in pairs(_G) do _G[k] = nil end",
+    "errors that are no text": "error(setmetatable({}, { __tostring = function() error('x') end }))",
+    "nil error": "error(nil)",
+    "no number": "local a = Sandbox.CreateBox(sandbox, 0/0, 1/0, -1/0) Core.SetPosition(a, Vector.new(0/0, 1/0, 1e308)) Core.ApplyImpulse(a, Vector.new(1/0, 0, 0))",
+    "foreign handles": "Core.SetMass(sandbox, 1) Agent.SetMass({}, 1) Core.SetPosition(print, Vector.new())",
+    "endless creation": "while true do Sandbox.CreateBox(sandbox, 1, 1, 1) end",
+    "endless agents": "while true do Sandbox.CreateAgent(sandbox, 'Walker.lua') end",
+    "files": "assert(not io and not os and not debug and not ffi and not dofile and not loadfile) require('../../../etc/passwd')",
+    "absolute script": "Sandbox.CreateAgent(sandbox, '/etc/passwd')",
+    "bytecode": "assert(loadstring(string.char(27) .. 'LJ' .. ('x'):rep(100)))",
+}
+
+
+# Seconds to run them, where one is too long.
+CROWDED = {"endless creation": 0.3, "endless agents": 0.07}
+
+
+class OneLiners(ScenarioCase):
+    def test_none_ends_the_process_or_the_world(self):
+        self.write("Walker.lua", WALKER)
+        for name, line in HOSTILE_LINES.items():
+            with self.subTest(name):
+                self.write("Sandbox.lua", SANDBOX % (line, ""))
+                # Thousands of bodies at one place move slowly: a few steps show that they do.
+                seconds = CROWDED.get(name, 1)
+                run = run_json(self.folder, "--seconds", seconds, "--report", 0.03, limit_s=300, memory_bytes=self.memory())
+                self.assertIn(run.code, (0, 1), run.err[-500:])
+                last = run.of("state")[-1]
+                self.assertGreater(last["time"], seconds * 0.9)
+                if seconds == 1:
+                    self.assertGreater(last["agents"][0]["position"][0], 0.1)
+
+    def memory(self):
+        return None if os.environ.get("SOARBOX_SANITIZE") else 6 << 30
+
+
+class Worlds(ScenarioCase):
+    """What many scripts together, or time after time, may use."""
+
+    def run_(self, setup="", update="", agent=None, seconds=1.0, limit_s=100, **more):
+        self.write("Walker.lua", WALKER)
+        if agent:
+            self.write("Bad.lua", agent)
+        self.write("Sandbox.lua", SANDBOX % (setup, update))
+        start = time.monotonic()
+        run = run_json(self.folder, "--seconds", seconds, "--report", 0.1, limit_s=limit_s, **more)
+        self.took_s = time.monotonic() - start
+        self.assertIn(run.code, (0, 1), run.err[-500:])
+        last = run.of("state")[-1]
+        self.assertGreater(last["time"], seconds * 0.9)
+        self.assertGreater(last["agents"][0]["position"][0], 0.1, "the good agent walks")
+        return run
+
+    def told(self, run, text):
+        found = [d["message"] for d in run.diagnostics() if text in d["message"]]
+        self.assertTrue(found, [d["message"] for d in run.diagnostics()])
+        return found
+
+    def test_memory_bombs_of_a_hundred_agents(self):
+        run = self.run_('for i = 1, 100 do Sandbox.CreateAgent(sandbox, "Bad.lua") end',
+                        agent="local t = {} function Agent_Update() while true do t[#t + 1] = ('x'):rep(1000) .. #t end end",
+                        seconds=0.5, memory_bytes=None if os.environ.get("SOARBOX_SANITIZE") else 6 << 30)
+        self.told(run, "memory")
+
+    def test_two_thousand_boxes_per_tick(self):
+        run = self.run_(update="function Sandbox_Update(s) for i = 1, 2000 do Sandbox.SetPosition = nil local b = Sandbox.CreateBox(s, 1, 1, 1) "
+                               "Core.SetPosition(b, Vector.new(i * 2, 1000, Sandbox.GetTimeInMillis(s))) end end", seconds=0.4)
+        self.told(run, "this world has 5000 objects already")
+
+    def test_events_that_double(self):
+        run = self.run_("Sandbox.AddEventCallback(sandbox, sandbox, function(s, _, kind) Sandbox.AddEvent(s, kind, {}) Sandbox.AddEvent(s, kind, {}) end) "
+                        "Sandbox.AddEvent(sandbox, 'x', {})")
+        self.told(run, "this world has 10000 waiting events already")
+
+    def test_events_with_large_texts(self):
+        run = self.run_(update="local text = ('x'):rep(1e6) function Sandbox_Update(s) for i = 1, 1000 do Sandbox.AddEvent(s, 'x', { text = text }) end end")
+        self.told(run, "waiting events of this world hold")
+
+    def test_a_flood_of_print(self):
+        run = self.run_(update="function Sandbox_Update(s) for i = 1, 1e5 do print(('x'):rep(1000)) end end")
+        self.told(run, "scripts print more than")
+        self.told(run, "lines that scripts printed were left out")
+        self.assertLess(len(run.out), 3 << 20)
+
+    def test_loops_in_the_set_up_of_many_agents(self):
+        run = self.run_('for i = 1, 60 do Sandbox.CreateAgent(sandbox, "Bad.lua") end',
+                        agent="function Agent_Initialize() while true do end end", seconds=0.3)
+        self.told(run, "endless loop")
+
+    def test_a_looping_update_of_the_sandbox_is_given_up(self):
+        run = self.run_(update="function Sandbox_Update(s) while true do end end", seconds=0.3)
+        self.told(run, "given up")
+
+    def test_many_agents_that_each_stay_below_their_limit(self):
+        run = self.run_('for i = 1, 50 do Sandbox.CreateAgent(sandbox, "Bad.lua") end',
+                        agent="function Agent_Update() for i = 1, 6e6 do end for i = 1, 6e6 do end end", seconds=0.3)
+        self.told(run, "given up")
+
+    def test_thousands_of_panels_lights_nodes_and_callbacks(self):
+        run = self.run_(update="""
+            local function Many(f, ...) for i = 1, 5000 do f(...) end end
+            function Sandbox_Update(s)
+                pcall(Many, Sandbox.CreateUIComponent, s, 1)
+                local _, panels = pcall(Many, Sandbox.CreateUIComponent, s, 1)
+                local _, lights = pcall(Many, Core.CreatePointLight, s, Vector.new())
+                local _, shapes = pcall(Many, Core.DrawSphere, Vector.new(), 1, Vector.new())
+                print(panels, lights)
+                local box = Sandbox.CreateBox(s, 1, 1, 1)
+                Many(Sandbox.AddCollisionCallback, s, box, function() end)
+            end""", seconds=0.3)
+        said = " ".join(event["text"] for event in run.of("log"))
+        self.assertIn("this world has 2000 panels already", said)
+        self.assertIn("this world has 256 lights already", said)
+        self.told(run, "this world has 20000 callbacks already")
+
+    def test_long_texts_stay_outside(self):
+        run = self.run_("Agent.SetTeam(Sandbox.GetAgents(sandbox)[1], ('x'):rep(1e6))")
+        self.told(run, "65536 bytes")
+
+    def test_a_limit_is_reached_at_the_same_place_in_every_run(self):
+        def once():
+            return self.run_('for i = 1, 30 do Sandbox.CreateAgent(sandbox, "Bad.lua") end',
+                             agent="count = 0 function Agent_Update(a) for i = 1, 1e9 do count = count + 1 end end\n"
+                                   "function Agent_Cleanup() print(count) end", seconds=0.2).out
+        self.assertEqual(once(), once())
+
+
+class Signals(ScenarioCase):
+    """A run ends at once at any moment, with what it printed."""
+
+    def end(self, sandbox, number, after_s=1.0, most_s=4.0):
+        self.write("Walker.lua", WALKER)
+        self.write("Sandbox.lua", sandbox)
+        with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--seconds", "1e9"], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            time.sleep(after_s)
+            start = time.monotonic()
+            process.send_signal(number)
+            out, err = process.communicate(timeout=60)
+        self.assertLess(time.monotonic() - start, most_s)
+        return process.returncode, out, err
+
+    def test_in_the_middle_of_ticks(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            code, out, _ = self.end(SANDBOX % ("print('begun')", ""), number)
+            self.assertEqual(code, 0)
+            self.assertIn("begun", out)
+            self.assertIn("state ", out.splitlines()[-1])
+
+    def test_in_the_middle_of_a_set_up_that_loops(self):
+        code, out, _ = self.end(SANDBOX % ("print('begun') for i = 1, 1e6 do pcall(Sandbox.CreateAgent, sandbox, 'Bad.lua') end", "") +
+                                "", signal.SIGTERM)
+        self.assertIn(code, (0, 1, 143))
+
+    def test_in_the_middle_of_scripts_that_loop(self):
+        code, out, _ = self.end(SANDBOX % ("print('begun')", "function Sandbox_Update() pcall(function() while true do end end) while true do end end"),
+                                signal.SIGTERM)
+        self.assertIn(code, (0, 1))
+        self.assertIn("begun", out)
+
+
+if __name__ == "__main__":
+    unittest.main()

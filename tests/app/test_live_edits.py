@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Edits of rules and scripts while the world runs."""
+import json
+import os
+import subprocess
+import time
+import unittest
+
+from soarbox_command import COMMAND, ScenarioCase
+from test_soar_authors import WORLD
+
+COUNT = """
+sp {hero*begin (state <s> ^superstate nil -^heard) --> (<s> ^operator <o> +) (<o> ^name begin)}
+sp {hero*began (state <s> ^operator.name begin) --> (<s> ^heard 0)}
+sp {hero*propose (state <s> ^superstate nil ^heard <n> ^io.input-link.time <t>) --> (<s> ^operator <o> + =) (<o> ^name count ^time <t>)}
+sp {hero*count (state <s> ^operator <o> ^heard <n>) (<o> ^name count ^time <t>) --> (<s> ^heard <n> - (+ <n> 1))}
+sp {hero*tell (state <s> ^superstate nil ^heard <n>) --> (write |old | <n> (crlf))}
+"""
+
+
+class LiveEdits(ScenarioCase):
+    def run_and_edit(self, edit):
+        self.write("hero.soar", COUNT)
+        self.write("scenario.toml", WORLD)
+        environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+        run = subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "1", "--seconds", "6", "--watch"],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+        time.sleep(2.5)
+        edit()
+        out, err = run.communicate(timeout=60)
+        events = [json.loads(line) for line in out.splitlines()]
+        return [event["text"] for event in events if event["event"] == "log"], err, events[-1]
+
+    def test_replace_rules_and_keep_working_memory(self):
+        texts, err, _ = self.run_and_edit(lambda: self.write("hero.soar", COUNT.replace("|old |", "|new |")))
+        self.assertIn("was edited", err)
+        old = [int(text.split()[1]) for text in texts if text.startswith("old ")]
+        new = [int(text.split()[1]) for text in texts if text.startswith("new ")]
+        self.assertTrue(old and new, texts)
+        # It goes on counting where it was: nothing was forgotten.
+        self.assertIn(new[0] - old[-1], (0, 1))
+        self.assertFalse(any(text.startswith("old ") for text in texts[texts.index(f"new {new[0]}"):]))
+
+    def test_that_do_not_parse_are_told_and_change_nothing(self):
+        for broken in (COUNT.replace("(crlf))}", "(crlf))"), COUNT.replace("(state <s> ^superstate nil ^heard <n>) -->", "(state <s> ^^heard <n>) -->")):
+            texts, err, end = self.run_and_edit(lambda text=broken: self.write("hero.soar", text))
+            self.assertTrue("error" in err or any("error" in text.lower() for text in texts) or end["problems"] > 0, (err, texts[-3:]))
+            old = [int(text.split()[1]) for text in texts if text.startswith("old ")]
+            self.assertGreater(old[-1], 40, "the old rules go on to the end")
+
+
+if __name__ == "__main__":
+    unittest.main()

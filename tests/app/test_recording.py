@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Recordings: what they hold is what ran, they can be run again, and whatever happens to the file is told."""
+import csv
+import io
+import json
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from soarbox_command import COMMAND, Run
+
+SECONDS = 12
+
+
+class Recorded(unittest.TestCase):
+    """One recorded run of the thesis' world, shared by the tests."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.file = cls.folder / "run.soarrec"
+        cls.live = Run("run", "thesis/mixed.lua", "--headless", "--json", "--report", 1, "--seconds", SECONDS, "--seed", 5,
+                       "--record", cls.file, "--record-level", "all")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def exported(self, file, *arguments):
+        done = Run("export", file, "--json", *arguments)
+        self.assertEqual(done.code, 0, done.err)
+        lines = [json.loads(line) for line in done.out.splitlines()]
+        return lines[0], lines[1:]
+
+    def copy(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content)
+        return path
+
+
+class Replay(Recorded):
+    def test_recording_changes_nothing_and_holds_the_live_run(self):
+        self.assertEqual(self.live.code, 0, self.live.err)
+        bare = Run("run", "thesis/mixed.lua", "--headless", "--json", "--report", 1, "--seconds", SECONDS, "--seed", 5)
+        self.assertEqual(self.live.out, bare.out)
+        head, ticks = self.exported(self.file)
+        self.assertEqual(head["seed"], 5)
+        self.assertEqual([tick["tick"] for tick in ticks], list(range(SECONDS * 30 + 1)))
+        self.assertEqual(ticks[-1]["state"], self.live.of("end")[0]["state"])
+        by_tick = {tick["tick"]: tick for tick in ticks}
+        states = self.live.of("state")
+        self.assertGreater(len(states), 5)
+        for state in states:
+            for agent, recorded in zip(state["agents"], by_tick[state["tick"]]["agents"], strict=True):
+                self.assertEqual(agent["name"], recorded["name"])
+                self.assertEqual(agent["position"], recorded["position"])
+
+    def test_minds_are_told(self):
+        _, ticks = self.exported(self.file)
+        minds = [mind for tick in ticks for mind in tick.get("minds", [])]
+        self.assertTrue(any("O: " in line for mind in minds for line in mind.get("decisions", [])))
+        self.assertTrue(any(line.startswith("distance ") for mind in minds for line in mind.get("percepts", [])))
+        self.assertTrue(any("fire " in line for mind in minds for line in mind.get("details", [])))
+        self.assertTrue(any(mind.get("commands") for mind in minds))
+
+    def test_text_tells_a_range(self):
+        done = Run("replay", self.file, "--headless", "--from", 2, "--to", 2.1)
+        self.assertEqual(done.code, 0, done.err)
+        self.assertEqual([line.split()[3] for line in done.out.splitlines() if " tick " in line], ["60", "61", "62", "63"])
+
+    def test_a_table_for_spreadsheets(self):
+        done = Run("export", self.file, "--csv", "-o", self.folder / "run.csv")
+        self.assertEqual(done.code, 0, done.err)
+        rows = list(csv.DictReader(io.StringIO((self.folder / "run.csv").read_text(encoding="utf-8"))))
+        agents = {row["agent"] for row in rows}
+        self.assertEqual(len(rows), (SECONDS * 30 + 1) * len(agents))
+        self.assertTrue(all(float(row["time_s"]) >= 0 and float(row["x_m"]) == float(row["x_m"]) for row in rows))
+        self.assertIn("distance", rows[0])
+        self.assertTrue(any(row["distance"] for row in rows[len(agents) * 5:]))
+
+
+class Verify(Recorded):
+    def test_the_run_is_equal(self):
+        done = Run("verify", self.file)
+        self.assertEqual(done.code, 0, done.out + done.err)
+        self.assertIn(f"equal: ticks 0 to {SECONDS * 30}", done.out)
+
+    def test_another_seed_is_found(self):
+        other = self.folder / "other.soarrec"
+        Run("run", "thesis/mixed.lua", "--headless", "--seconds", 2, "--seed", 6, "--record", other, "--record-level", "all")
+        done = Run("compare", self.file, other)
+        self.assertEqual(done.code, 1, done.err)
+        self.assertIn("first difference: tick ", done.out)
+
+    def test_a_changed_rule_is_found_and_named(self):
+        world = self.folder / "world"
+        world.mkdir()
+        (world / "scout.soar").write_text(RULES.format(speed=2), encoding="utf-8")
+        file = self.folder / "scout.soarrec"
+        done = Run("run", world / "scout.soar", "--headless", "--seconds", 3, "--record", file)
+        self.assertEqual(done.code, 0, done.err)
+        self.assertEqual(Run("verify", file).code, 0)
+        (world / "scout.soar").write_text(RULES.format(speed=3), encoding="utf-8")
+        done = Run("verify", file)
+        self.assertEqual(done.code, 1, done.out + done.err)
+        self.assertIn("files of the scenario have changed", done.err)
+        self.assertRegex(done.out, r"tick \d+ .* differs: .*command")
+
+
+RULES = """
+sp {{scout*propose*walk
+   (state <s> ^superstate nil ^io.input-link.self)
+-->
+   (<s> ^operator <o> + =)
+   (<o> ^name walk)
+}}
+sp {{scout*apply*walk
+   (state <s> ^operator.name walk ^io.output-link <out>)
+-->
+   (<out> ^set-speed <c>)
+   (<c> ^speed {speed})
+}}
+"""
+
+
+class Damage(Recorded):
+    def test_any_end_of_the_file_is_told_and_the_rest_used(self):
+        content = self.file.read_bytes()
+        random.seed(1)
+        used = 0
+        for _ in range(20):
+            cut = self.copy("cut.soarrec", content[:random.randrange(len(content))])
+            done = Run("export", cut, "--csv")
+            self.assertIn(done.code, (0, 3))
+            if done.code == 3:
+                self.assertIn("error", done.err)
+            else:
+                used += 1
+        self.assertGreater(used, 5)
+
+    def test_what_is_no_recording(self):
+        for name, content in (("empty", b""), ("text", b"sp {a\n}"), ("magic", b"SOARBOX\x1a" + bytes(200))):
+            for command in ("replay", "verify", "export"):
+                done = Run(command, self.copy(name, content))
+                self.assertEqual(done.code, 3, (name, command))
+                self.assertIn("error", done.err)
+        done = Run("verify", self.folder / "absent")
+        self.assertEqual(done.code, 3)
+        self.assertIn("no such file", done.err)
+
+    def test_killed_at_any_moment_the_complete_blocks_are_there(self):
+        if os.environ.get("SOARBOX_SANITIZE"):
+            self.skipTest("too slow with sanitizers")
+        random.seed(2)
+        used = 0
+        for i in range(10):
+            file = self.folder / f"killed{i}.soarrec"
+            process = subprocess.Popen([COMMAND, "run", "thesis/mixed.lua", "--headless", "--seconds", "3600", "--record",
+                                        str(file)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            limit = time.monotonic() + 60
+            while time.monotonic() < limit and not (file.exists() and file.stat().st_size > 4000 * (i + 1)):
+                time.sleep(0.01)
+            time.sleep(random.random() * 0.05)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            done = Run("export", file, "--csv", "--to", 1)
+            self.assertEqual(done.code, 0, done.err)
+            used += len(done.out.splitlines()) > 30
+            if i == 0:
+                self.assertEqual(Run("verify", file).code, 0)
+        self.assertEqual(used, 10)
+
+
+class Resume(Recorded):
+    def test_without_a_change_the_future_is_the_same(self):
+        again = self.folder / "again.soarrec"
+        done = Run("resume", self.file, "--at", 5, "--record", again, "--json")
+        self.assertEqual(done.code, 0, done.err)
+        self.assertEqual(done.of("end")[0]["state"], self.live.of("end")[0]["state"])
+        compared = Run("compare", self.file, again)
+        self.assertEqual(compared.code, 0, compared.out)
+
+    def test_with_a_changed_rule_it_is_told_where_they_part(self):
+        rules = self.folder / "halt.soar"
+        rules.write_text("sp {stop*here (state <s> ^superstate nil) --> (halt)}\n", encoding="utf-8")
+        again = self.folder / "stopped.soarrec"
+        done = Run("resume", self.file, "--at", 5, "--rules", rules, "--record", again, "--seconds", 2)
+        self.assertIn("tick 150 reached", done.out, done.err)
+        compared = Run("compare", self.file, again)
+        self.assertEqual(compared.code, 1, compared.out)
+        self.assertRegex(compared.out, r"first difference: tick 15\d")
+        verified = Run("verify", again)
+        self.assertEqual(verified.code, 0, verified.out + verified.err)
+
+    def test_a_moment_that_is_not_there(self):
+        done = Run("resume", self.file, "--at", 1000)
+        self.assertEqual(done.code, 3)
+        self.assertIn("is not in the recording", done.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""The behaviours of the Soar agents in scenarios/soar_*: what a viewer would see, over several seeds."""
+import collections
+import math
+import pathlib
+import unittest
+
+from soarbox_command import Run, run_json
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+SEEDS = (1, 2, 3)
+RADIUS = 0.35
+
+
+def flat(a, b):
+    return math.hypot(a[0] - b[0], a[2] - b[2])
+
+
+class Behavior(unittest.TestCase):
+    def runs(self, scenario, *arguments):
+        """The run and the tracks of its agents, {name: [(time, position, speed)]}, for each seed."""
+        for seed in SEEDS:
+            run = run_json(scenario, "--seed", seed, "--report", 0.1, *arguments)
+            self.assertEqual(run.code, 0, run.err)
+            tracks = collections.defaultdict(list)
+            for state in run.of("state"):
+                for agent in state["agents"]:
+                    speed = math.hypot(agent["velocity"][0], agent["velocity"][2])
+                    tracks[agent["name"]].append((state["time"], agent["position"], speed))
+            yield run, tracks
+
+    def assert_apart(self, one, other, least):
+        for (time, a, _), (_, b, _) in zip(one, other):
+            self.assertGreater(flat(a, b), least, time)
+
+    def visits(self, track, x, z, within):
+        return any(math.hypot(p[0] - x, p[2] - z) <= within for _, p, _ in track)
+
+
+class Movement(Behavior):
+    def test_seek_reaches_its_goals_at_full_speed(self):
+        for run, tracks in self.runs("soar_seek"):
+            track = tracks["seeker"]
+            self.assertGreaterEqual(len(run.of("command", command="seek")), 5)
+            visited = sum(self.visits(track, x, z, 1.6) for x, z in ((18, 0), (0, -18), (-18, 0)))
+            self.assertGreaterEqual(visited, 2)
+            self.assertGreater(max(speed for _, _, speed in track), 7)
+
+    def test_follow_keeps_close_to_the_leader_without_bumping_into_anybody(self):
+        for _, tracks in self.runs("soar_follow"):
+            names = ["leader", "follower-1", "follower-2", "follower-3"]
+            for name in names[1:]:
+                late = [flat(a[1], b[1]) for a, b in zip(tracks["leader"], tracks[name]) if a[0] > 10]
+                self.assertLess(max(late), 7, name)
+            for i, one in enumerate(names):
+                for other in names[i + 1:]:
+                    self.assert_apart(tracks[one], tracks[other], 2 * RADIUS - 0.1)
+            self.assertGreater(max(flat(p, (0, 0, 0)) for _, p, _ in tracks["leader"]), 12)
+
+    def test_flee_and_evade_keep_the_bear_away_and_rest_when_it_is_far(self):
+        for scenario, name in (("soar_flee", "rabbit"), ("soar_evade", "hare")):
+            for run, tracks in self.runs(scenario):
+                self.assert_apart(tracks["bear"], tracks[name], 5)
+                self.assertGreaterEqual(len(run.of("outcome", agent=name, text="complete")), 2)
+                self.assertTrue(any(speed < 0.1 for time, _, speed in tracks[name] if time > 3), "it rests")
+                self.assertLess(len(run.of("command", agent=name)), 40)
+
+    def test_pursue_catches_the_walker_again_and_again(self):
+        for run, tracks in self.runs("soar_pursue"):
+            self.assertGreaterEqual(len([event for event in run.of("log", agent="hunter")]), 3)
+            self.assertLess(min(flat(a[1], b[1]) for a, b in zip(tracks["walker"], tracks["hunter"])), 3.2)
+
+    def test_wander_covers_ground_and_keeps_out_of_the_crates(self):
+        crates = ((6, 6, 1, 1), (-7, -4, 1.5, 0.5), (2, -8, 0.5, 0.5))
+        ways = []
+        for _, tracks in self.runs("soar_wander"):
+            for name, track in tracks.items():
+                length = sum(flat(a[1], b[1]) for a, b in zip(track, track[1:]))
+                self.assertGreater(length, 60, name)
+                for time, (x, _, z), _ in track:
+                    for cx, cz, hx, hz in crates:
+                        self.assertFalse(abs(x - cx) < hx and abs(z - cz) < hz, (name, time))
+            ways.append(tracks["stroller-1"][-1][1])
+        self.assertGreater(flat(ways[0], ways[1]), 0.1, "another seed, another way")
+
+    def test_path_is_followed_in_its_order(self):
+        for run, _ in self.runs("soar_path"):
+            delivered = [event["text"].removeprefix("delivered at ") for event in run.of("log", agent="postman")]
+            self.assertGreaterEqual(len(delivered), 5)
+            order = ["one", "two", "three", "four"]
+            self.assertEqual(delivered, [order[i % 4] for i in range(len(delivered))])
+
+    def test_obstacles_are_walked_round(self):
+        crates = [(0, 10), (-3, 7), (3, 6), (0, 2), (-5, 1), (5, 0), (-2, -4), (3, -5), (0, -9)]
+        for run, tracks in self.runs("soar_obstacles", "--seconds", 30):
+            self.assertEqual([event["text"] for event in run.of("reached")], ["the porter is through"])
+            for time, (x, _, z), _ in tracks["porter"]:
+                for cx, cz in crates:
+                    self.assertFalse(abs(x - cx) < 1.2 and abs(z - cz) < 0.8, (time, x, z))
+
+    def test_hallway_is_passed_by_both_again_and_again(self):
+        for run, tracks in self.runs("soar_hallway"):
+            for name in ("anna", "bert"):
+                ways = [event["text"] for event in run.of("log", agent=name)]
+                self.assertGreaterEqual(sum(text.endswith("complete") for text in ways), 4, ways)
+                for time, (x, _, z), _ in tracks[name]:
+                    if abs(z) < 8:
+                        self.assertLess(abs(x), 1.6, (name, time))
+            self.assert_apart(tracks["anna"], tracks["bert"], 2 * RADIUS - 0.15)
+
+
+class Skirmish(Behavior):
+    def test_is_fought_with_orders_radio_cover_and_an_end(self):
+        covered = 0
+        for run, tracks in self.runs("soar_skirmish"):
+            said = run.of("news", news="says")
+            for leader in ("blue-leader", "red-leader"):
+                orders = [event for event in said if event["agent"] == leader and "^about order" in event["text"]]
+                self.assertEqual(len(orders), 1)
+                # Nobody moves before the order.
+                team = leader.split("-")[0]
+                for number in (1, 2, 3):
+                    moves = run.of("command", agent=f"{team}-{number}", command="move-to")
+                    self.assertGreaterEqual(moves[0]["time"], orders[0]["time"])
+            self.assertTrue(any("^about enemy" in event["text"] for event in said))
+            self.assertGreater(len(run.of("news", news="shoots")), 20)
+            covered += len(run.of("outcome", command="take-cover", text="complete"))
+            # Who is dead says and does nothing any more.
+            for death in run.of("news", news="dies"):
+                later = [event for event in run.of("command", agent=death["agent"]) if event["time"] > death["time"]]
+                self.assertEqual(later, [])
+            self.assertRegex(run.of("reached")[-1]["text"], "(red|blue) wins")
+            loser = "blue" if run.of("reached")[-1]["text"] == "red wins" else "red"
+            dead = {event["agent"] for event in run.of("news", news="dies")}
+            self.assertLessEqual({f"{loser}-leader", f"{loser}-1", f"{loser}-2", f"{loser}-3"}, dead)
+        self.assertGreaterEqual(covered, 3)
+
+
+class Checked(unittest.TestCase):
+    def test_all_of_them_are_free_of_slips(self):
+        for name in ("seek", "follow", "flee", "evade", "pursue", "wander", "path", "obstacles", "hallway", "skirmish"):
+            run = Run("check", "scenarios/soar_" + name, cwd=REPOSITORY)
+            self.assertEqual((run.code, run.out.splitlines()[-1]), (0, "0 errors, 0 warnings"), run.out)
+
+
+if __name__ == "__main__":
+    unittest.main()

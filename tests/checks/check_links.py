@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-2-Clause
+"""Checks that documents lead somewhere: relative links of Markdown files, and the source files that docs/kernel.md names.
+
+usage: check_links.py PROJECT_DIR
+"""
+import pathlib
+import re
+import sys
+
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+CODE = re.compile(r"`[^`\n]*`")
+FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+SOURCE_FILE = re.compile(r"(?<![\w/.])((?:[a-z_]+/)*[a-z_]+\.(?:h|cpp))\b")
+SOURCE_ROOTS = (".", "src/kernel", "src/kernel/rules", "src/sml")  # What kernel.md's paths are relative to.
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print(__doc__)
+        return 2
+    root = pathlib.Path(arguments[0]).resolve()
+    found = []
+    pages = [page for folder in ("docs", "tests", "bench") for page in sorted((root / folder).rglob("*.md"))]
+    for page in [*sorted(root.glob("*.md")), *pages]:
+        text = page.read_text(encoding="utf-8")
+        for link in LINK.findall(CODE.sub("", FENCE.sub("", text))):
+            target = link.split("#")[0]
+            if target and "://" not in link and not (page.parent / target).exists():
+                found.append(f"{page.relative_to(root)}: there is no {target}")
+    kernel = root / "docs" / "kernel.md"
+    for name in sorted(set(SOURCE_FILE.findall(kernel.read_text(encoding="utf-8")))):
+        if not any((root / place / name).exists() for place in SOURCE_ROOTS):
+            found.append(f"docs/kernel.md: there is no {name}")
+    print("\n".join(found) or "all links lead somewhere")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""The instruction gate lets pass what it should, and can fail. Uses real counts of the drivers in SOARBOX_DRIVERS."""
+import contextlib
+import io
+import os
+import pathlib
+import tempfile
+import unittest
+
+import check_instructions
+
+DRIVERS = pathlib.Path(os.environ["SOARBOX_DRIVERS"])
+PAGE = """# Performance
+
+## The instruction gate
+
+Counted with `GNU 12.2.0`.
+
+| run | length | instructions |
+| --- | ---: | ---: |
+{rows}
+
+## Another section
+
+| text | 10 | 1 |
+"""
+
+
+class TheInstructionGate(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as work:
+            cls.counted = {}
+            for name, length in (("decide-loop", 200), ("io_loop 1 self", 20)):
+                cls.counted[name], error = check_instructions.measure(DRIVERS, pathlib.Path(work), name, length)
+                assert error is None, error
+
+    def check(self, rows, *options, page=PAGE):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "performance.md"
+            path.write_text(page.format(rows=rows), encoding="utf-8")
+            printed = io.StringIO()
+            with contextlib.redirect_stdout(printed):
+                status = check_instructions.main([str(path), str(DRIVERS), *options])
+            return status, printed.getvalue()
+
+    def rows(self, factor):
+        return (f"| decide-loop | 200 | {round(self.counted['decide-loop'] * factor):,} |\n"
+                f"| io_loop 1 self | 20 | {round(self.counted['io_loop 1 self'] * factor):,} |")
+
+    def test_passes_at_the_stated_figure_and_a_little_above(self):
+        self.assertEqual(self.check(self.rows(1))[0], 0)
+        self.assertEqual(self.check(self.rows(1 / 1.015))[0], 0)
+
+    def test_fails_when_three_percent_were_added(self):
+        status, printed = self.check(self.rows(1 / 1.03))
+        self.assertEqual(status, 1, printed)
+        self.assertEqual(printed.count("too many"), 2, printed)
+
+    def test_asks_to_state_fewer(self):
+        status, printed = self.check(self.rows(1.05))
+        self.assertEqual(status, 0, printed)
+        self.assertEqual(printed.count("fewer than stated"), 2, printed)
+
+    def test_requires_nothing_of_another_compiler(self):
+        self.assertEqual(self.check(self.rows(1 / 1.03), "--compiler", "GNU 12.2.0")[0], 1)
+        self.assertEqual(self.check(self.rows(1 / 1.03), "--compiler", "Clang 14.0.6")[0], 0)
+
+    def test_fails_without_figures(self):
+        self.assertEqual(self.check("")[0], 1)
+        self.assertEqual(self.check("", page="# Performance\n")[0], 1)
+
+    def test_fails_for_a_run_that_does_not_exist_or_ends_early(self):
+        status, printed = self.check("| decide-lop | 200 | 20,000 |")
+        self.assertEqual(status, 1)
+        self.assertIn("no run of this name", printed)
+        status, printed = self.check("| planner | 40 | 1 |")
+        self.assertEqual(status, 1, printed)
+
+
+if __name__ == "__main__":
+    unittest.main()

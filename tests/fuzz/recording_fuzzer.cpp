@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Feeds arbitrary bytes to the readers of what stands in a recording's blocks. The first byte says which: a header,
+// inputs, ticks, or a block's frame with its payload. What is read as ticks is written again and must read back alike.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/byte_stream.h"
+#include "record/format.h"
+#include "record/header.h"
+#include "record/percept_text.h"
+#include "record/tick_codec.h"
+
+namespace {
+
+using namespace soarbox;
+using namespace soarbox::record;
+
+std::string Alone(const TickRecord& record) {
+  std::string bytes;
+  ByteWriter out(bytes);
+  WriteTick(out, {}, record);
+  return bytes;
+}
+
+void ReadTicks(std::string_view bytes) {
+  ByteReader in(bytes);
+  TickRecord record;
+  PerceptValues percepts;
+  while (!in.AtEnd()) {
+    ReadTick(in, record);
+    if (in.failed()) return;
+    for (const MindRecord& mind : record.minds) ApplyPercepts(mind, percepts);
+    const std::string bytes_alone = Alone(record);
+    ByteReader again(bytes_alone);
+    TickRecord copy;
+    ReadTick(again, copy);
+    if (again.failed() || Alone(copy) != bytes_alone) std::abort();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  switch (data[0] % 4) {
+    case 0:
+      (void)DecodeHeader(bytes);
+      break;
+    case 1: {
+      ByteReader in(bytes);
+      std::uint64_t tick = 0;
+      std::vector<std::string> inputs;
+      while (!in.AtEnd()) ReadInputs(in, tick, inputs);
+      break;
+    }
+    case 2:
+      ReadTicks(bytes);
+      break;
+    default: {
+      BlockFrame frame;
+      std::string payload;
+      if (!DecodeFrame(bytes, frame)) {
+        // As if the frame were right, but no larger than a fuzzer's memory.
+        frame.plain_bytes = frame.plain_bytes % (1u << 20);
+      }
+      (void)DecodePayload(frame, bytes.substr(std::min(bytes.size(), kFrameBytes)), payload);
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,34 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- For the tests of the Lua library: each is a function whose name begins with Test.
+
+function Check(condition, what)
+    if (not condition) then
+        error(what or "the condition does not hold", 2);
+    end
+end
+
+function CheckEqual(wanted, found)
+    if (wanted ~= found) then
+        error("wanted " .. tostring(wanted) .. ", found " .. tostring(found), 2);
+    end
+end
+
+function CheckNear(wanted, found, tolerance)
+    if (math.abs(wanted - found) > (tolerance or 0.001)) then
+        error("wanted " .. wanted .. ", found " .. found, 2);
+    end
+end
+
+-- Runs the functions of a table; prints each failure, then how many passed.
+function RunTests(tests)
+    local passed = 0;
+    for name, test in pairs(tests) do
+        local ok, message = pcall(test);
+        if (ok) then
+            passed = passed + 1;
+        else
+            print("FAILED " .. name .. ": " .. tostring(message));
+        end
+    end
+    print("passed " .. passed);
+end
