@@ -1,8 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
 -- Knowledge: foragers look for berries. Each has a blackboard whose sources know the next berries: what it sees, what it
 -- remembers, and, least certain, a rumor. Berries that are picked grow again elsewhere.
-require "GUI";
-require "SandboxUtilities";
+require "YardWorld";
 
 local kBushes = 6;
 local bushes = {};
@@ -24,11 +23,7 @@ local function OnEvent(sandbox, _, type, event)
 end
 
 function Sandbox_Initialize(sandbox)
-    GUI_CreateUI(sandbox);
-    Sandbox.SetCameraPosition(sandbox, Vector.new(0, 40, -40));
-    Sandbox.SetCameraOrientation(sandbox, Vector.new(-135, 0, -180));
-    SandboxUtilities_CreateLights(sandbox);
-    Core.SetMaterial(Sandbox.CreatePlane(sandbox, 100, 100), "Ground2");
+    YardWorld_Initialize(sandbox, Vector.new(0, 40, -40));
     for index = 1, kBushes do
         local node = Core.CreateCapsule(sandbox, 0.6, 0.3);
         Core.SetMaterial(node, "Blue");
@@ -47,8 +42,4 @@ function Sandbox_Update(sandbox)
     for _, bush in ipairs(bushes) do
         Sandbox.AddEvent(sandbox, "Bush", { position = bush.position });
     end
-end
-
-function Sandbox_HandleEvent(sandbox, event)
-    GUI_HandleEvent(sandbox, event);
 end

@@ -1,8 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
 -- Perception: two watchers turn about behind walls, thieves walk past. A watcher sees what is within its view and behind no
 -- wall, and tells its team; both watchers then know. Green lines are seen, red ones hidden.
-require "GUI";
-require "SandboxUtilities";
+require "YardWorld";
 
 local function Wall(sandbox, x, z, width, length)
     local wall = Sandbox.CreateBox(sandbox, width, 3, length);
@@ -12,11 +11,7 @@ local function Wall(sandbox, x, z, width, length)
 end
 
 function Sandbox_Initialize(sandbox)
-    GUI_CreateUI(sandbox);
-    Sandbox.SetCameraPosition(sandbox, Vector.new(0, 40, -35));
-    Sandbox.SetCameraOrientation(sandbox, Vector.new(-135, 0, -180));
-    SandboxUtilities_CreateLights(sandbox);
-    Core.SetMaterial(Sandbox.CreatePlane(sandbox, 100, 100), "Ground2");
+    YardWorld_Initialize(sandbox, Vector.new(0, 40, -35));
     Wall(sandbox, 0, 0, 1, 30);
     Wall(sandbox, -10, 10, 8, 1);
     Wall(sandbox, 10, -10, 8, 1);
@@ -28,12 +23,4 @@ function Sandbox_Initialize(sandbox)
         thief:SetPosition(Vector.new(x, 0.8, -18));
         thief:SetTarget(Vector.new(x, 0.8, 18));
     end
-end
-
-function Sandbox_Update(sandbox)
-    GUI_UpdateUI(sandbox);
-end
-
-function Sandbox_HandleEvent(sandbox, event)
-    GUI_HandleEvent(sandbox, event);
 end
