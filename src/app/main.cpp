@@ -136,6 +136,11 @@ void AddRange(CLI::App& command, RecordingOptions& options) {
   command.add_option("--to", options.to_s, "End at this simulated second")->check(CLI::NonNegativeNumber);
 }
 
+void AddThreads(CLI::App& command, RecordingOptions& options) {
+  command.add_option("--threads", options.threads, "How many threads the minds decide on; 0: one per core")
+      ->check(CLI::Range(0, 256));
+}
+
 void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::App* replay = program.add_subcommand("replay", "Show a recording, in the window or as text");
   AddRecordingFile(*replay, options);
@@ -144,6 +149,7 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   replay->add_flag("--json", options.json, "Print it as lines of JSON");
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
   AddRecordingFile(*verify, options);
+  AddThreads(*verify, options);
   CLI::App* export_data = program.add_subcommand("export", "Write a recording as a table or as JSON");
   AddRecordingFile(*export_data, options);
   AddRange(*export_data, options);
@@ -152,6 +158,7 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   export_data->add_option("-o,--output", options.output, "Write to this file");
   CLI::App* resume = program.add_subcommand("resume", "Go back to a moment of a recording and go on live from there");
   AddRecordingFile(*resume, options);
+  AddThreads(*resume, options);
   resume->add_option("--at", options.at_s, "The simulated second")->required()->check(CLI::NonNegativeNumber);
   resume->add_option("--rules", options.rules, "Rules that replace those of the same names (may be repeated)");
   resume->add_option("--agent", options.agents, "Only this agent's rules (may be repeated)");

@@ -42,19 +42,10 @@ std::string RecordRun(RunSession& session, const RunOptions& options, const sim:
   const bool is_usual = options.record.empty();
   const fs::path file = is_usual ? UsualFile() : options.record;
   if (file.empty()) return {};
-  std::error_code error;
-  record::Header header;
-  header.build = record::BuildId();
+  record::Header header =
+      record::HeaderOf(scenario, settings, static_cast<double>(session.simulation().world().settings().step_s), level);
   header.scenario = options.scenario;
-  header.folder = fs::current_path(error).string();
   for (const fs::path& folder : options.extra_folders) header.extra_folders.push_back(folder.string());
-  header.scenario_digest = record::DigestOf(scenario);
-  header.seed = settings.seed;
-  header.screen_width_px = static_cast<std::uint32_t>(settings.screen_width_px);
-  header.screen_height_px = static_cast<std::uint32_t>(settings.screen_height_px);
-  header.step_s = static_cast<double>(session.simulation().world().settings().step_s);
-  header.level = level;
-  header.own_kernel = settings.soar.remote_host.empty();
   record::WriterSettings writing;
   const double limit_mb = options.record_limit_mb.value_or(is_usual ? kUsualLimitMb : 0);
   writing.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);

@@ -16,6 +16,8 @@
 #include "app/run_session.h"
 #include "record/compare.h"
 #include "record/export.h"
+#include "record/reader.h"
+#include "record/recorder.h"
 #include "record/rerun.h"
 
 namespace soarbox::app {
@@ -95,7 +97,8 @@ int Verify(const RecordingOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return CannotStart(data.error());
   CatchInterrupts();
-  const Result<record::Verdict> verdict = record::Verify(**reader, *data, ShownProgress((*reader)->last_tick()));
+  const Result<record::Verdict> verdict =
+      record::Verify(**reader, *data, ShownProgress((*reader)->last_tick()), options.threads);
   if (!verdict) return CannotStart(verdict.error());
   Tell(verdict->warnings);
   if (verdict->interrupted) {
@@ -196,7 +199,7 @@ int Resume(const RecordingOptions& options) {
   }
   CatchInterrupts();
   const std::uint64_t at = TickAt(**reader, options.at_s);
-  Result<record::Rerun> rerun = record::GoTo(**reader, at, *data, ShownProgress(at));
+  Result<record::Rerun> rerun = record::GoTo(**reader, at, *data, ShownProgress(at), options.threads);
   if (!rerun) return CannotStart(rerun.error());
   Tell(rerun->warnings);
   sim::Simulation& simulation = *rerun->simulation;

@@ -18,6 +18,7 @@ struct RecordingOptions {
   bool csv = false;
   std::filesystem::path output;              ///< export, resume: where to; empty: standard output, or no recording.
   double at_s = 0;                           ///< resume.
+  int threads = 0;                           ///< verify, resume: for the minds; 0: one per core.
   std::optional<double> seconds;             ///< resume: how long to go on; none: as long as the recording did.
   std::vector<std::filesystem::path> rules;  ///< resume: files of rules that replace those of the same names.
   std::vector<std::string> agents;           ///< resume: whose rules; empty: those of all agents with a Soar mind.

@@ -4,43 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/percept_text.h"
-
 namespace soarbox::record {
 namespace {
-
-using Perceived = std::map<std::string, PerceptValues>;
-
-const MindRecord* MindOf(const TickRecord& record, const std::string& agent) {
-  const auto at = std::find_if(record.minds.begin(), record.minds.end(),
-                               [&](const MindRecord& mind) { return mind.agent == agent; });
-  return at == record.minds.end() ? nullptr : &*at;
-}
-
-std::string Joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line.substr(line.find_first_not_of(' '));
-  return text.empty() ? "nothing" : text;
-}
-
-/// The first mind, in A's order, that decided or said something else in A than in B.
-std::optional<Difference> DecisionThatDiffers(const TickRecord& a, const TickRecord& b) {
-  static const MindRecord kNothing;
-  const auto compare = [&](const std::string& agent) -> std::optional<Difference> {
-    const MindRecord* in_a = MindOf(a, agent);
-    const MindRecord* in_b = MindOf(b, agent);
-    const MindRecord& x = in_a != nullptr ? *in_a : kNothing;
-    const MindRecord& y = in_b != nullptr ? *in_b : kNothing;
-    if (x.decisions != y.decisions)
-      return Difference{a.tick, agent, "decision", Joined(x.decisions), Joined(y.decisions)};
-    if (x.commands != y.commands) return Difference{a.tick, agent, "command", Joined(x.commands), Joined(y.commands)};
-    return std::nullopt;
-  };
-  for (const TickRecord* record : {&a, &b})
-    for (const MindRecord& mind : record->minds)
-      if (std::optional<Difference> found = compare(mind.agent)) return found;
-  return std::nullopt;
-}
 
 std::vector<std::string> PerceptsThatDiffer(const PerceptValues& a, const PerceptValues& b) {
   std::vector<std::string> lines;
@@ -85,37 +50,47 @@ Comparison::Moment MomentOf(const TickRecord& a, const TickRecord& b) {
 
 }  // namespace
 
-Result<Comparison> Compare(Reader& a, Reader& b) {
-  Comparison result;
-  result.first_tick = std::max(a.first_tick(), b.first_tick());
-  result.last_tick = std::min(a.last_tick(), b.last_tick());
-  if (result.first_tick > result.last_tick) {
+Comparer::Comparer(double step_s)
+    : ticks_per_moment_(static_cast<std::uint64_t>(std::max(1.0, std::round(1 / step_s)))) {}
+
+void Comparer::Share(const std::string& agent, std::span<const std::string> percepts) {
+  ApplyPercepts(percepts, perceived_a_[agent]);
+  ApplyPercepts(percepts, perceived_b_[agent]);
+}
+
+void Comparer::See(const TickRecord& a, const TickRecord& b) {
+  if (!std::exchange(has_begun_, true)) result_.first_tick = a.tick;
+  result_.last_tick = a.tick;
+  if (!result_.decision) {
+    for (const MindRecord& mind : a.minds) ApplyPercepts(mind.percepts, perceived_a_[mind.agent]);
+    for (const MindRecord& mind : b.minds) ApplyPercepts(mind.percepts, perceived_b_[mind.agent]);
+    result_.decision = DecisionThatDiffers(a, b);
+    if (result_.decision)
+      result_.percepts =
+          PerceptsThatDiffer(perceived_a_[result_.decision->agent], perceived_b_[result_.decision->agent]);
+  }
+  if (!result_.difference) result_.difference = FirstDifference(a, b);
+  if ((a.tick - result_.first_tick) % ticks_per_moment_ == 0) result_.course.push_back(MomentOf(a, b));
+}
+
+Result<Comparison> Compare(Timeline& a, Timeline& b) {
+  const std::uint64_t first = std::max(a.first_tick(), b.first_tick());
+  const std::uint64_t last = std::min(a.last_tick(), b.last_tick());
+  if (first > last) {
     Diagnostic problem;
-    problem.file = a.file().string();
-    problem.message = "this recording and " + b.file().string() + " share no tick";
+    problem.file = a.name();
+    problem.message = "this recording and " + b.name() + " share no tick";
     return problem;
   }
-  const double step_s = a.header().step_s;
-  const auto ticks_per_moment = static_cast<std::uint64_t>(std::max(1.0, std::round(1 / step_s)));
-  Perceived perceived_a, perceived_b;
-  for (std::uint64_t tick = result.first_tick; tick <= result.last_tick; ++tick) {
-    const Result<const TickRecord*> read_a = a.At(tick);
-    if (!read_a) return read_a.error();
-    const Result<const TickRecord*> read_b = b.At(tick);
-    if (!read_b) return read_b.error();
-    const TickRecord& in_a = **read_a;
-    const TickRecord& in_b = **read_b;
-    if (!result.decision) {
-      for (const MindRecord& mind : in_a.minds) ApplyPercepts(mind, perceived_a[mind.agent]);
-      for (const MindRecord& mind : in_b.minds) ApplyPercepts(mind, perceived_b[mind.agent]);
-      result.decision = DecisionThatDiffers(in_a, in_b);
-      if (result.decision)
-        result.percepts = PerceptsThatDiffer(perceived_a[result.decision->agent], perceived_b[result.decision->agent]);
-    }
-    if (!result.difference) result.difference = FirstDifference(in_a, in_b);
-    if ((tick - result.first_tick) % ticks_per_moment == 0) result.course.push_back(MomentOf(in_a, in_b));
+  Comparer comparer(a.header().step_s);
+  for (std::uint64_t tick = first; tick <= last; ++tick) {
+    const Result<const TickRecord*> in_a = a.At(tick);
+    if (!in_a) return in_a.error();
+    const Result<const TickRecord*> in_b = b.At(tick);
+    if (!in_b) return in_b.error();
+    comparer.See(**in_a, **in_b);
   }
-  return result;
+  return comparer.result();
 }
 
 }  // namespace soarbox::record

@@ -3,15 +3,17 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "record/reader.h"
-#include "record/rerun.h"
+#include "record/difference.h"
+#include "record/percept_text.h"
+#include "record/timeline.h"
 
 namespace soarbox::record {
 
-/// How two recordings part.
+/// How two futures, A and B, part.
 struct Comparison {
   std::uint64_t first_tick = 0, last_tick = 0;  ///< Ticks that both hold.
   std::optional<Difference> difference;         ///< The first difference in what there was to see or think.
@@ -29,7 +31,27 @@ struct Comparison {
   std::vector<Moment> course;  ///< Once per simulated second.
 };
 
-/// Compares two recordings tick by tick. Fails if they share no tick or one is damaged.
-Result<Comparison> Compare(Reader& a, Reader& b);
+/// Compares two futures while they come, tick by tick.
+class Comparer {
+ public:
+  explicit Comparer(double step_s);
+
+  /// What an agent perceived in a tick that both share: so that it is known what it perceives when they part.
+  void Share(const std::string& agent, std::span<const std::string> percepts);
+  /// The next tick, in both.
+  void See(const TickRecord& a, const TickRecord& b);
+  const Comparison& result() const { return result_; }
+
+ private:
+  using Perceived = std::map<std::string, PerceptValues, std::less<>>;
+
+  std::uint64_t ticks_per_moment_;
+  bool has_begun_ = false;
+  Comparison result_;
+  Perceived perceived_a_, perceived_b_;
+};
+
+/// Compares two recordings. Fails if they share no tick or one is damaged.
+Result<Comparison> Compare(Timeline& a, Timeline& b);
 
 }  // namespace soarbox::record

@@ -23,12 +23,6 @@ std::string Cell(std::string_view text) {
   return quoted + '"';
 }
 
-const MindRecord* MindOf(const TickRecord& record, const std::string& agent) {
-  const auto at = std::find_if(record.minds.begin(), record.minds.end(),
-                               [&](const MindRecord& mind) { return mind.agent == agent; });
-  return at == record.minds.end() ? nullptr : &*at;
-}
-
 /// Calls `see(record)` for each tick of the range that the recording holds.
 template <typename See>
 Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
@@ -51,7 +45,7 @@ Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
   Result<void> read = ForEachTick(recording, before_too, [&](const TickRecord& record) {
     for (const MindRecord& mind : record.minds) {
       PerceptValues& values = perceived[mind.agent];
-      ApplyPercepts(mind, values);
+      ApplyPercepts(mind.percepts, values);
       if (record.tick < range.first) continue;
       for (const auto& [path, value] : values) names.insert(path);
     }
@@ -63,11 +57,11 @@ Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
   out << '\n';
   perceived.clear();
   return ForEachTick(recording, before_too, [&](const TickRecord& record) {
-    for (const MindRecord& mind : record.minds) ApplyPercepts(mind, perceived[mind.agent]);
+    for (const MindRecord& mind : record.minds) ApplyPercepts(mind.percepts, perceived[mind.agent]);
     if (record.tick < range.first) return;
     for (const world::AgentSnapshot& agent : record.scene.agents) {
       const double heading = std::atan2(agent.forward.x, agent.forward.z) * 180 / std::numbers::pi;
-      const MindRecord* mind = MindOf(record, agent.name);
+      const MindRecord* mind = FindMind(record, agent.name);
       const std::string decision = mind != nullptr && !mind->decisions.empty() ? mind->decisions.back() : "";
       out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", record.tick, record.scene.time_s,
                          Cell(agent.name), agent.position.x, agent.position.y, agent.position.z, agent.velocity.x,

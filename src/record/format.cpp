@@ -19,15 +19,26 @@ std::uint64_t CheckOf(const BlockFrame& frame) {
   hash.Add(static_cast<std::uint64_t>(frame.compressed_bytes) << 32 | frame.plain_bytes);
   hash.Add(static_cast<std::uint64_t>(frame.ticks));
   hash.Add(frame.first_tick);
+  hash.Add(frame.payload_check);
   return hash.value();
 }
 
 }  // namespace
 
+std::uint64_t CheckOfPayload(std::string_view compressed) {
+  world::StateHash hash;
+  hash.Add(static_cast<std::uint64_t>(compressed.size()));
+  ByteReader in(compressed);
+  while (in.left() >= 8) hash.Add(in.Fixed64());
+  std::uint64_t rest = 0;
+  while (!in.AtEnd()) rest = rest << 8 | in.Byte();
+  hash.Add(rest);
+  return hash.value();
+}
+
 std::string EncodeBlock(BlockFrame frame, std::string_view payload) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
   std::string compressed(ZSTD_compressBound(payload.size()), '\0');
   const std::size_t size =
       ZSTD_compress2(context.get(), compressed.data(), compressed.size(), payload.data(), payload.size());
@@ -35,12 +46,14 @@ std::string EncodeBlock(BlockFrame frame, std::string_view payload) {
   compressed.resize(ZSTD_isError(size) != 0 ? 0 : size);
   frame.compressed_bytes = static_cast<std::uint32_t>(compressed.size());
   frame.plain_bytes = static_cast<std::uint32_t>(payload.size());
+  frame.payload_check = CheckOfPayload(compressed);
   std::string block;
   block.reserve(kFrameBytes + compressed.size());
   ByteWriter out(block);
   out.Fixed32(static_cast<std::uint32_t>(frame.version) | static_cast<std::uint32_t>(frame.kind) << 16);
   for (const std::uint32_t number : {frame.compressed_bytes, frame.plain_bytes, frame.ticks}) out.Fixed32(number);
   out.Fixed64(frame.first_tick);
+  out.Fixed64(frame.payload_check);
   out.Fixed64(CheckOf(frame));
   return block += compressed;
 }
@@ -52,12 +65,14 @@ bool DecodeFrame(std::string_view bytes, BlockFrame& frame) {
   frame.kind = static_cast<BlockKind>(names >> 16);
   for (std::uint32_t* number : {&frame.compressed_bytes, &frame.plain_bytes, &frame.ticks}) *number = in.Fixed32();
   frame.first_tick = in.Fixed64();
+  frame.payload_check = in.Fixed64();
   frame.check = in.Fixed64();
   return !in.failed() && frame.check == CheckOf(frame) && frame.compressed_bytes <= kMostCompressedBytes &&
-         frame.plain_bytes <= kMostPlainBytes && frame.ticks <= kMostTicksPerBlock;
+         frame.plain_bytes <= kMostPlainBytes && frame.ticks <= kMostTicksPerBlock && frame.first_tick <= kMostTicks;
 }
 
 bool DecodePayload(const BlockFrame& frame, std::string_view compressed, std::string& payload) {
+  if (CheckOfPayload(compressed) != frame.payload_check) return false;
   // The size stands in zstd's frame too; both must say the same, so that a forged one cannot ask for more.
   if (ZSTD_getFrameContentSize(compressed.data(), compressed.size()) != frame.plain_bytes) return false;
   payload.resize(frame.plain_bytes);

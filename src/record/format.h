@@ -8,16 +8,16 @@
 
 namespace soarbox::record {
 
-// A recording on disk (docs/recording.md): eight bytes that name the format, then blocks. A block is a frame of 32
-// bytes and a payload that zstd compressed, with zstd's own checksum. What stands behind the last complete block is not
+// A recording on disk (docs/recording.md): eight bytes that name the format, then blocks. A block is a frame of 40
+// bytes and a payload that zstd compressed. What stands behind the last complete block is not
 // there: a program that was killed leaves a recording that ends a little earlier.
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
-inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::uint16_t kVersion = 2;
 
 enum class BlockKind : std::uint16_t {
   kHeader = 1,  ///< Header; the first block.
-  kInputs = 2,  ///< What entered before ticks whose frames a bounded recording has dropped.
+  kInputs = 2,  ///< What entered before ticks of the block that follows, or that a bounded recording has dropped.
   kTicks = 3,   ///< Consecutive ticks; the first stands alone.
 };
 
@@ -27,21 +27,24 @@ struct BlockFrame {
   BlockKind kind = BlockKind::kTicks;
   std::uint32_t compressed_bytes = 0;
   std::uint32_t plain_bytes = 0;
-  std::uint32_t ticks = 0;  ///< Ticks in the block (kInputs: that it speaks of).
+  std::uint32_t ticks = 0;  ///< Ticks in the block; 0 in others.
   std::uint64_t first_tick = 0;
-  std::uint64_t check = 0;  ///< Of the fields before it, so that chance cannot make a frame.
+  std::uint64_t payload_check = 0;  ///< Of the compressed payload (CheckOfPayload): no bit of it may change.
+  std::uint64_t check = 0;          ///< Of the fields before it, so that chance cannot make a frame.
 };
-inline constexpr std::size_t kFrameBytes = 32;
+inline constexpr std::size_t kFrameBytes = 40;
 
 // No block of ours comes near these; a file that claims more is refused.
 inline constexpr std::uint32_t kMostCompressedBytes = 64u << 20;
 inline constexpr std::uint32_t kMostPlainBytes = 256u << 20;
 inline constexpr std::uint32_t kMostTicksPerBlock = 4096;
+inline constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 53;
 
 /// A frame and its compressed payload. `kind` and ticks are the caller's.
 std::string EncodeBlock(BlockFrame frame, std::string_view payload);
 /// Reads a frame; false if the bytes are none, or ask for more than the limits.
 bool DecodeFrame(std::string_view bytes, BlockFrame& frame);
+std::uint64_t CheckOfPayload(std::string_view compressed);
 /// False if the payload is damaged.
 bool DecodePayload(const BlockFrame& frame, std::string_view compressed, std::string& payload);
 

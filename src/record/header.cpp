@@ -55,6 +55,22 @@ std::string LinkersId() {
 
 }  // namespace
 
+Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& settings, double step_s, Level level) {
+  std::error_code error;
+  Header header;
+  header.build = BuildId();
+  header.scenario = scenario.name;
+  header.folder = fs::current_path(error).string();
+  header.scenario_digest = DigestOf(scenario);
+  header.seed = settings.seed;
+  header.screen_width_px = static_cast<std::uint32_t>(settings.screen_width_px);
+  header.screen_height_px = static_cast<std::uint32_t>(settings.screen_height_px);
+  header.step_s = step_s;
+  header.level = level;
+  header.own_kernel = settings.soar.remote_host.empty();
+  return header;
+}
+
 std::string EncodeHeader(const Header& header) {
   std::string bytes;
   ByteWriter out(bytes);

@@ -10,6 +10,7 @@
 #include "diagnostics/result.h"
 #include "record/tick_record.h"
 #include "sim/scenario.h"
+#include "sim/simulation.h"
 
 namespace soarbox::record {
 
@@ -27,6 +28,10 @@ struct Header {
   Level level = Level::kDecisions;
   bool own_kernel = true;  ///< False: minds lived in a kernel that is not ours, which tells less.
 };
+
+/// The header for a run of this scenario, made with these settings from the present folder. `scenario` and
+/// `extra_folders` are left as the scenario's name says: whoever knows what the user typed puts that in.
+Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& settings, double step_s, Level level);
 
 /// The header's block, without the block's own frame (format.h).
 std::string EncodeHeader(const Header& header);

@@ -3,8 +3,8 @@
 
 namespace soarbox::record {
 
-void ApplyPercepts(const MindRecord& mind, PerceptValues& values) {
-  for (const std::string_view change : mind.percepts) {
+void ApplyPercepts(std::span<const std::string> changes, PerceptValues& values) {
+  for (const std::string_view change : changes) {
     if (!change.starts_with('-')) {
       const std::size_t blank = change.find(' ');
       if (blank != std::string_view::npos)

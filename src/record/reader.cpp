@@ -76,8 +76,9 @@ Result<void> Reader::ReadFrames() {
     switch (block.frame.kind) {
       case BlockKind::kHeader: {
         if (has_header) return Damaged(block.payload_at, "a second header stands in the recording");
-        if (const Result<void> loaded = LoadPayload(block); !loaded) return loaded;
-        Result<Header> header = DecodeHeader(payload_);
+        const Result<std::string> payload = ReadPayload(block);
+        if (!payload) return payload.error();
+        Result<Header> header = DecodeHeader(*payload);
         if (!header) return Damaged(block.payload_at, header.error().message);
         header_ = std::move(*header);
         has_header = true;
@@ -87,7 +88,7 @@ Result<void> Reader::ReadFrames() {
         inputs_.push_back(block);
         break;
       case BlockKind::kTicks:
-        if (block.frame.ticks == 0 || (!blocks_.empty() && block.frame.first_tick <= last_tick()))
+        if (block.frame.ticks == 0 || (!blocks_.empty() && block.frame.first_tick != last_tick() + 1))
           return Damaged(block.payload_at, "the blocks of the recording are out of order");
         blocks_.push_back(block);
         break;
@@ -109,68 +110,48 @@ Result<void> Reader::ReadFrames() {
   return {};
 }
 
-Result<void> Reader::LoadPayload(const Block& block) {
+Result<std::string> Reader::ReadPayload(const Block& block) {
   std::string compressed(block.frame.compressed_bytes, '\0');
+  std::string payload;
   in_.clear();
   in_.seekg(static_cast<std::streamoff>(block.payload_at));
   in_.read(compressed.data(), static_cast<std::streamsize>(compressed.size()));
-  if (!in_ || !DecodePayload(block.frame, compressed, payload_))
+  if (!in_ || !DecodePayload(block.frame, compressed, payload))
     return Damaged(block.payload_at, "this block is damaged");
-  return {};
+  return payload;
 }
 
 Result<const TickRecord*> Reader::At(std::uint64_t tick) {
+  if (!Holds(tick)) return NotThere(*this, tick);
   const auto after =
       std::upper_bound(blocks_.begin(), blocks_.end(), tick,
                        [](std::uint64_t wanted, const Block& block) { return wanted < block.frame.first_tick; });
-  if (after == blocks_.begin() || tick >= (after - 1)->frame.first_tick + (after - 1)->frame.ticks) {
-    Diagnostic problem;
-    problem.file = path_.string();
-    problem.message = "tick " + std::to_string(tick) + " is not in the recording";
-    problem.hint = "it holds ticks " + std::to_string(first_tick()) + " to " + std::to_string(last_tick());
-    return problem;
-  }
   const Block& block = *(after - 1);
-  const auto index = static_cast<std::size_t>(after - 1 - blocks_.begin());
-  const bool goes_on = loaded_ == index && tick >= next_tick_;
-  if (loaded_ == index && tick + 1 == next_tick_ && read_ > 0) return &record_;
-  if (!goes_on) {
-    loaded_ = static_cast<std::size_t>(-1);
-    if (const Result<void> loaded = LoadPayload(block); !loaded) return loaded.error();
-    record_ = {};
-    read_ = 0;
-    next_tick_ = block.frame.first_tick;
+  if (!cursor_.Has(tick)) {
+    cursor_.Unload();
+    Result<std::string> payload = ReadPayload(block);
+    if (!payload) return payload.error();
+    cursor_.Load(block.frame, std::move(*payload));
   }
-  while (next_tick_ <= tick) {
-    loaded_ = static_cast<std::size_t>(-1);  // Until the record is known to be whole.
-    ByteReader in(std::string_view(payload_).substr(read_));
-    ReadTick(in, record_);
-    if (in.failed() || record_.tick != next_tick_) return Damaged(block.payload_at, "this block is damaged");
-    read_ = payload_.size() - in.left();
-    ++next_tick_;
-  }
-  loaded_ = index;
-  return &record_;
+  if (const TickRecord* record = cursor_.At(tick)) return record;
+  return Damaged(block.payload_at, "this block is damaged");
 }
 
 Result<std::vector<TickInputs>> Reader::Inputs() {
   std::vector<TickInputs> all;
   for (const Block& block : inputs_) {
-    loaded_ = static_cast<std::size_t>(-1);
-    if (const Result<void> loaded = LoadPayload(block); !loaded) return loaded.error();
-    ByteReader in(payload_);
+    const Result<std::string> payload = ReadPayload(block);
+    if (!payload) return payload.error();
+    ByteReader in(*payload);
     while (!in.AtEnd() && !in.failed()) {
       TickInputs entry;
       ReadInputs(in, entry.tick, entry.inputs);
-      // The block speaks of ticks that still have frames, too: those tell it themselves.
-      if (!in.failed() && entry.tick < first_tick()) all.push_back(std::move(entry));
+      const bool is_next = all.empty() || entry.tick > all.back().tick;
+      if (!is_next) in.Fail();
+      // They are written before their ticks, which may be missing after a kill.
+      if (!in.failed() && entry.tick <= last_tick()) all.push_back(std::move(entry));
     }
     if (in.failed()) return Damaged(block.payload_at, "this block is damaged");
-  }
-  for (std::uint64_t tick = first_tick(); tick <= last_tick(); ++tick) {
-    const Result<const TickRecord*> record = At(tick);
-    if (!record) return record.error();
-    if (!record.value()->inputs.empty()) all.push_back({tick, record.value()->inputs});
   }
   return all;
 }

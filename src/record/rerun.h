@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "record/reader.h"
+#include "record/difference.h"
+#include "record/timeline.h"
 #include "sim/scenario.h"
 #include "sim/simulation.h"
 
@@ -21,19 +22,17 @@ struct Rerun {
   std::vector<Diagnostic> warnings;  ///< Another build made the recording; the scenario's files have changed.
 };
 
-/// Makes the simulation as it was before its first tick, with the recorded inputs waiting, up to those of `last_tick`.
-/// Fails if the scenario is no longer there or does not load.
-Result<Rerun> Restart(Reader& recording, const sim::DataFolders& data,
-                      std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max());
-
-/// Where a run that was simulated again goes another way than its recording.
-struct Difference {
-  std::uint64_t tick = 0;
-  std::string agent;     ///< The first body that differs; empty if none does.
-  std::string element;   ///< What differs first: "position", "inputs", "the state's hash", ...
-  std::string recorded;  ///< Its value in the recording, and ...
-  std::string now;       ///< ... what it is now.
+struct RerunSettings {
+  std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();  ///< What came in later is left out.
+  int threads = 0;                                                      ///< For the minds; 0: one per core.
 };
+
+/// Makes the simulation of a recording as it was before its first tick, with the recorded inputs waiting. Its scenario
+/// is looked for again, by name. Fails if it is no longer there or does not load.
+Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const RerunSettings& settings = {});
+/// The same for a running world, of this scenario and made with these settings.
+Result<Rerun> Restart(Timeline& recording, const sim::Scenario& scenario, const sim::SimulationSettings& settings,
+                      std::uint64_t last_tick);
 
 /// Told the tick that was reached, for showing progress; false ends the work.
 using Progress = std::function<bool(std::uint64_t tick)>;
@@ -47,14 +46,13 @@ struct Verdict {
   std::vector<Diagnostic> warnings;
 };
 
-/// Runs a recording again and compares each tick: state hash, bodies, events and minds.
-Result<Verdict> Verify(Reader& recording, const sim::DataFolders& data, const Progress& progress = {});
-
-/// The first thing in which two records of one tick differ, bodies first; none if they are equal in all that both hold.
-std::optional<Difference> FirstDifference(const TickRecord& recorded, const TickRecord& now);
+/// Runs a recording again and compares each tick: state hash, bodies and minds.
+Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const Progress& progress = {},
+                       int threads = 0);
 
 /// Runs a recording again up to the end of a tick, with its hash checked there. Fails if the tick is not recorded, or
 /// if the run has come to another state (the message names the tick, the agent and what differs).
-Result<Rerun> GoTo(Reader& recording, std::uint64_t tick, const sim::DataFolders& data, const Progress& progress = {});
+Result<Rerun> GoTo(Timeline& recording, std::uint64_t tick, const sim::DataFolders& data, const Progress& progress = {},
+                   int threads = 0);
 
 }  // namespace soarbox::record

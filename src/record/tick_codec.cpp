@@ -79,6 +79,12 @@ void ReadMind(ByteReader& in, MindRecord& mind) {
 
 }  // namespace
 
+const MindRecord* FindMind(const TickRecord& record, std::string_view agent) {
+  const auto at = std::find_if(record.minds.begin(), record.minds.end(),
+                               [&](const MindRecord& mind) { return mind.agent == agent; });
+  return at == record.minds.end() ? nullptr : &*at;
+}
+
 void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now) {
   out.Number(now.tick);
   out.Fixed64(now.state_hash);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/event.h"
@@ -37,6 +38,9 @@ struct TickRecord {
   sim::EventList events;
   std::vector<MindRecord> minds;  ///< Those that did something.
 };
+
+/// What the mind of this agent did in the tick; null if that is nothing, or it has none.
+const MindRecord* FindMind(const TickRecord& record, std::string_view agent);
 
 /// What entered before a tick.
 struct TickInputs {

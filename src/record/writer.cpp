@@ -25,7 +25,7 @@ Diagnostic Problem(const fs::path& path, std::string message, std::string hint) 
 }  // namespace
 
 Writer::Writer(File file, fs::path path, const Header& header, const WriterSettings& settings)
-    : file_(std::move(file)), path_(std::move(path)), settings_(settings) {
+    : file_(std::move(file)), path_(std::move(path)), settings_(settings), builder_(settings.ticks_per_block) {
   BlockFrame frame;
   frame.kind = BlockKind::kHeader;
   header_block_ = std::string(kMagic) + EncodeBlock(frame, EncodeHeader(header));
@@ -63,38 +63,36 @@ Result<void> Writer::Write(const std::string& bytes) {
 
 Result<void> Writer::Add(const TickRecord& tick) {
   if (failure_) return *failure_;
-  if (frame_.ticks == 0) {
-    frame_.first_tick = tick.tick;
-    before_ = {};
-  }
-  ByteWriter out(payload_);
-  WriteTick(out, before_, tick);
-  before_ = tick.scene;
-  if (settings_.limit_bytes > 0 && !tick.inputs.empty()) {
-    ByteWriter inputs(inputs_);
+  if (!tick.inputs.empty()) {
+    ByteWriter inputs(new_inputs_);
     WriteInputs(inputs, tick.tick, tick.inputs);
   }
-  // A block that grows large (long debug drawings) ends early.
-  constexpr std::size_t kLargeBlock = 16u << 20;
-  if (++frame_.ticks >= settings_.ticks_per_block || payload_.size() >= kLargeBlock) return Flush();
-  return {};
+  return builder_.Add(tick) ? Flush() : Result<void>{};
 }
 
 Result<void> Writer::AddEarlierInputs(const std::vector<TickInputs>& earlier) {
-  ByteWriter out(inputs_);
+  ByteWriter out(new_inputs_);
   for (const TickInputs& entry : earlier) WriteInputs(out, entry.tick, entry.inputs);
+  return WriteInputsSoFar();
+}
+
+Result<void> Writer::WriteInputsSoFar() {
+  if (new_inputs_.empty()) return {};
   BlockFrame frame;
   frame.kind = BlockKind::kInputs;
-  return Write(EncodeBlock(frame, inputs_));
+  const std::string inputs = std::exchange(new_inputs_, {});
+  if (settings_.limit_bytes > 0) all_inputs_ += inputs;
+  return Write(EncodeBlock(frame, inputs));
 }
 
 Result<void> Writer::Flush() {
   if (failure_) return *failure_;
-  if (frame_.ticks == 0) return {};
-  const std::string block = EncodeBlock(std::exchange(frame_, {}), payload_);
-  payload_.clear();
-  blocks_.push_back({bytes_, block.size()});
-  if (const Result<void> written = Write(block); !written) return written;
+  if (builder_.empty()) return {};
+  // The inputs first: ticks that stand in the file have theirs there too.
+  if (const Result<void> written = WriteInputsSoFar(); !written) return written;
+  const EncodedBlock block = builder_.Take();
+  blocks_.push_back({bytes_, block.bytes.size()});
+  if (const Result<void> written = Write(block.bytes); !written) return written;
   if (settings_.limit_bytes > 0 && bytes_ > settings_.limit_bytes && blocks_.size() > 2) return DropOlderHalf();
   return {};
 }
@@ -112,7 +110,7 @@ Result<void> Writer::DropOlderHalf() {
   bytes_ = 0;
   BlockFrame frame;
   frame.kind = BlockKind::kInputs;
-  if (const Result<void> head = Write(header_block_ + EncodeBlock(frame, inputs_)); !head) return head;
+  if (const Result<void> head = Write(header_block_ + EncodeBlock(frame, all_inputs_)); !head) return head;
   std::uint64_t dropped = 0;
   const std::uint64_t to_drop = settings_.limit_bytes / 2;
   while (blocks_.size() > 1 && dropped < to_drop) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
-#include "record/format.h"
+#include "record/block_codec.h"
 #include "record/header.h"
 #include "record/tick_record.h"
 
@@ -57,6 +57,7 @@ class Writer {
 
   Writer(File file, std::filesystem::path path, const Header& header, const WriterSettings& settings);
   Result<void> Write(const std::string& bytes);
+  Result<void> WriteInputsSoFar();
   Result<void> DropOlderHalf();
   Result<void> Failed(const char* doing);
 
@@ -67,11 +68,10 @@ class Writer {
   std::uint64_t bytes_ = 0;
   std::optional<Diagnostic> failure_;
 
-  std::string payload_;  ///< Of the block under way.
-  BlockFrame frame_;
-  world::SceneSnapshot before_;  ///< The last scene in payload_.
-  std::deque<Block> blocks_;     ///< Of ticks, on disk.
-  std::string inputs_;           ///< Of all ticks so far that had some, for the block of inputs.
+  BlockBuilder builder_;
+  std::string new_inputs_;    ///< Of the ticks of the block under way.
+  std::deque<Block> blocks_;  ///< Of ticks, on disk.
+  std::string all_inputs_;    ///< Of a bounded recording, those of all ticks on disk, for when it drops some.
 };
 
 }  // namespace soarbox::record

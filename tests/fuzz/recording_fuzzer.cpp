@@ -33,7 +33,7 @@ void ReadTicks(std::string_view bytes) {
   while (!in.AtEnd()) {
     ReadTick(in, record);
     if (in.failed()) return;
-    for (const MindRecord& mind : record.minds) ApplyPercepts(mind, percepts);
+    for (const MindRecord& mind : record.minds) ApplyPercepts(mind.percepts, percepts);
     const std::string bytes_alone = Alone(record);
     ByteReader again(bytes_alone);
     TickRecord copy;
@@ -68,7 +68,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         // As if the frame were right, but no larger than a fuzzer's memory.
         frame.plain_bytes = frame.plain_bytes % (1u << 20);
       }
-      (void)DecodePayload(frame, bytes.substr(std::min(bytes.size(), kFrameBytes)), payload);
+      const std::string_view compressed = bytes.substr(std::min(bytes.size(), kFrameBytes));
+      frame.payload_check = CheckOfPayload(compressed);
+      (void)DecodePayload(frame, compressed, payload);
     }
   }
   return 0;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/block_codec.h"
+
+#include <utility>
+
+#include "record/byte_stream.h"
+#include "record/tick_codec.h"
+
+namespace soarbox::record {
+
+bool BlockBuilder::Add(const TickRecord& tick) {
+  if (frame_.ticks == 0) {
+    frame_.first_tick = tick.tick;
+    before_ = {};
+  }
+  ByteWriter out(payload_);
+  WriteTick(out, before_, tick);
+  before_ = tick.scene;
+  // A block that grows large (long debug drawings) ends early.
+  constexpr std::size_t kLargeBlock = 16u << 20;
+  return ++frame_.ticks >= ticks_per_block_ || payload_.size() >= kLargeBlock;
+}
+
+EncodedBlock BlockBuilder::Take() {
+  EncodedBlock block;
+  block.frame = std::exchange(frame_, {});
+  block.bytes = EncodeBlock(block.frame, payload_);
+  payload_.clear();
+  return block;
+}
+
+void BlockCursor::Load(const BlockFrame& frame, std::string payload) {
+  frame_ = frame;
+  payload_ = std::move(payload);
+  read_ = 0;
+  next_tick_ = frame.first_tick;
+  record_ = {};
+}
+
+const TickRecord* BlockCursor::At(std::uint64_t tick) {
+  if (tick + 1 == next_tick_ && read_ > 0) return &record_;
+  if (tick < next_tick_) {
+    read_ = 0;
+    next_tick_ = frame_.first_tick;
+    record_ = {};
+  }
+  while (next_tick_ <= tick) {
+    ByteReader in(std::string_view(payload_).substr(read_));
+    ReadTick(in, record_);
+    if (in.failed() || record_.tick != next_tick_) {
+      Unload();
+      return nullptr;
+    }
+    read_ = payload_.size() - in.left();
+    ++next_tick_;
+  }
+  return &record_;
+}
+
+}  // namespace soarbox::record

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "record/format.h"
+#include "record/tick_record.h"
+
+namespace soarbox::record {
+
+/// Consecutive ticks, as they stand in a recording: the frame and the compressed payload behind it.
+struct EncodedBlock {
+  BlockFrame frame;
+  std::string bytes;
+};
+
+/// Puts ticks into blocks, each as what differs from the one before. The first of a block stands alone.
+class BlockBuilder {
+ public:
+  explicit BlockBuilder(std::uint32_t ticks_per_block) : ticks_per_block_(ticks_per_block) {}
+
+  /// Adds the next tick; true if the block is full now, and is to be taken.
+  bool Add(const TickRecord& tick);
+  bool empty() const { return frame_.ticks == 0; }
+  /// The block under way; the next tick begins another.
+  EncodedBlock Take();
+
+ private:
+  std::uint32_t ticks_per_block_;
+  BlockFrame frame_;
+  std::string payload_;
+  world::SceneSnapshot before_;  ///< The last scene in payload_.
+};
+
+/// Reads the ticks of one block, forwards without effort and backwards by beginning anew.
+class BlockCursor {
+ public:
+  /// Takes the payload of another block.
+  void Load(const BlockFrame& frame, std::string payload);
+  void Unload() { frame_.ticks = 0; }
+  bool Has(std::uint64_t tick) const { return tick >= frame_.first_tick && tick < frame_.first_tick + frame_.ticks; }
+  /// Null if the block is damaged. Only for ticks that it has. Valid until the next call.
+  const TickRecord* At(std::uint64_t tick);
+
+ private:
+  BlockFrame frame_;
+  std::string payload_;
+  std::size_t read_ = 0;  ///< Bytes of the payload that record_ is the result of.
+  std::uint64_t next_tick_ = 0;
+  TickRecord record_;
+};
+
+}  // namespace soarbox::record

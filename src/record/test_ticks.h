@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <stdlib.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "record/byte_stream.h"
+#include "record/header.h"
+#include "record/tick_codec.h"
+
+namespace soarbox::record {
+
+/// For tests: a folder that goes with it.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "soarbox-recording-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline Header SomeHeader() {
+  Header header;
+  header.build = BuildId();
+  header.scenario = "thesis";
+  header.folder = "/somewhere";
+  header.extra_folders = {"/a", "/b"};
+  header.scenario_digest = 0x123456789abcdef0;
+  header.seed = 77;
+  header.level = Level::kAll;
+  return header;
+}
+
+/// Ticks of a made-up world in which bodies come, move and go, and things happen now and then.
+inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed = 1) {
+  std::mt19937 random(seed);
+  const auto chance = [&](unsigned one_in) { return random() % one_in == 0; };
+  const auto number = [&] { return static_cast<float>(random() % 1000) / 7.0f; };
+  std::vector<TickRecord> ticks;
+  TickRecord tick;
+  std::uint32_t next_id = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    tick.tick = tick.scene.tick = i;
+    tick.scene.time_s = static_cast<double>(i) / 30;
+    tick.state_hash = (static_cast<std::uint64_t>(random()) << 32) | random();
+    tick.inputs.clear();
+    tick.events.clear();
+    tick.minds.clear();
+    if (i == 0 || chance(9)) {
+      world::DrawableSnapshot& box = tick.scene.drawables.emplace_back();
+      box.id = next_id;
+      box.mesh = "models/box" + std::to_string(next_id) + ".mesh";
+      world::AgentSnapshot& agent = tick.scene.agents.emplace_back();
+      agent.id = next_id++;
+      agent.name = "agent" + std::to_string(agent.id);
+    }
+    if (tick.scene.drawables.size() > 3 && chance(11))
+      tick.scene.drawables.erase(tick.scene.drawables.begin() + static_cast<long>(random() % 3));
+    for (world::DrawableSnapshot& box : tick.scene.drawables)
+      if (chance(2)) box.position = {number(), number(), number()};
+    for (world::AgentSnapshot& agent : tick.scene.agents)
+      if (chance(2)) agent.velocity = {number(), 0, number()};
+    if (chance(5))
+      tick.scene.lines = {{{1, 2, 3}, {4, 5, 6}, {}}};
+    else
+      tick.scene.lines.clear();
+    if (chance(7)) tick.inputs = {"key space_key down", "key space_key up"};
+    if (chance(6)) {
+      sim::Event event;
+      event.kind = sim::EventKind::kCommand;
+      event.tick = i;
+      event.agent = "agent1";
+      event.text = "seek";
+      event.position = {1, 2, 3};
+      tick.events.push_back(event);
+      event.kind = sim::EventKind::kDiagnostic;
+      event.diagnostic.file = "x.soar";
+      event.diagnostic.line = 3;
+      event.diagnostic.message = "something is wrong";
+      tick.events.push_back(event);
+    }
+    if (chance(3)) tick.minds.push_back({"agent1", {"+ distance 3.5"}, {"O: O1 (seek)"}, {"Firing seek"}, {"seek"}});
+    ticks.push_back(tick);
+  }
+  return ticks;
+}
+
+/// All that a record holds, as bytes that stand alone.
+inline std::string Bytes(const TickRecord& tick) {
+  std::string bytes;
+  ByteWriter out(bytes);
+  WriteTick(out, {}, tick);
+  return bytes;
+}
+}  // namespace soarbox::record
