@@ -1,10 +1,13 @@
-# What `cmake --install` puts into a prefix: the command with its scenarios and media, and the client library with its
-# headers, a CMake package (find_package(Soarbox), target Soarbox::sml) and a pkg-config file (soarbox-sml).
+# What `cmake --install` puts into a prefix: the command with its scenarios, media and documents, and the client library
+# with its headers, a CMake package (find_package(Soarbox), target Soarbox::sml) and a pkg-config file (soarbox-sml).
+# SoarboxPackage.cmake makes a Debian package of the same.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS soarbox RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY media scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox)
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox)
+# What a user reads; the specification and the design stay with the source.
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox PATTERN spec EXCLUDE PATTERN design EXCLUDE)
 
 if(TARGET soarbox_sml)
   install(TARGETS soarbox_sml EXPORT SoarboxTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -21,3 +24,4 @@ if(TARGET soarbox_sml)
   configure_file("${CMAKE_CURRENT_SOURCE_DIR}/cmake/soarbox-sml.pc.in" "${PROJECT_BINARY_DIR}/soarbox-sml.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/soarbox-sml.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
+include(SoarboxPackage)

@@ -8,6 +8,16 @@
 
 namespace soarbox::app {
 namespace fs = std::filesystem;
+namespace {
+
+bool IsWithin(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(folder, error);
+  const fs::path relative = file.lexically_relative(real);
+  return !error && !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
 
 Result<sim::DataFolders> FindDataFolders() {
   std::vector<fs::path> places;
@@ -16,8 +26,14 @@ Result<sim::DataFolders> FindDataFolders() {
     places.emplace_back(named);
   } else {
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error) places.push_back(program.parent_path().parent_path() / "share" / "soarbox");
-    places.emplace_back(SOARBOX_SOURCE_DIR);
+    if (error) {
+      // Without /proc the program cannot tell where it lies; this is where its package puts the folders.
+      places.emplace_back("/usr/share/soarbox");
+    } else {
+      places.push_back(program.parent_path().parent_path() / "share" / "soarbox");
+    }
+    // Only a program that was not installed reads the source tree.
+    if (IsWithin(program, SOARBOX_BUILD_DIR)) places.emplace_back(SOARBOX_SOURCE_DIR);
   }
   for (const fs::path& place : places) {
     if (fs::is_directory(place / "media", error) && fs::is_directory(place / "scenarios", error)) {

@@ -12,11 +12,16 @@
 #include "app/recording_commands.h"
 #include "app/run_options.h"
 #include "app/soar_shell.h"
+#include "app/usage_errors.h"
 #include "sim/scenario.h"
 
 namespace {
 
+/// No run lasts longer; its ticks are counted without loss.
+constexpr double kLongest_s = 1e7;
+
 using soarbox::app::KernelServerOptions;
+using soarbox::app::NumberIn;
 using soarbox::app::RecordingOptions;
 using soarbox::app::RunOptions;
 using soarbox::app::SoarShellOptions;
@@ -29,50 +34,51 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "or a name that `soarbox list` shows")
       ->capture_default_str();
   run->add_flag("--headless", options.headless, "No window; 60 simulated seconds unless --seconds says otherwise");
-  run->add_option("--seconds", options.seconds, "End after so many simulated seconds")->check(CLI::NonNegativeNumber);
+  run->add_option("--seconds", options.seconds, "End after so many simulated seconds")->check(NumberIn(0, kLongest_s));
   run->add_option("--seed", options.seed,
-                  "Seed of the world, the scripts and the minds (default: the scenario's own, else 1)");
+                  "Seed of the world, the scripts and the minds (default: the scenario's own, else 1)")
+      ->check(soarbox::app::WholeNumber());
   run->add_option("--speed", options.speed, "Times real time (default: 1 in a window, as fast as possible headless)")
-      ->check(CLI::Range(0.001, 1000.0));
+      ->check(NumberIn(0.001, 1000.0));
   run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
       ->check(CLI::ExistingDirectory);
   run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(NumberIn(0, kLongest_s));
   run->add_option("--width", options.width_px, "Width of the window in pixels")
       ->capture_default_str()
-      ->check(CLI::Range(160, 7680));
+      ->check(NumberIn(160, 7680));
   run->add_option("--height", options.height_px, "Height of the window in pixels")
       ->capture_default_str()
-      ->check(CLI::Range(120, 4320));
+      ->check(NumberIn(120, 4320));
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
   run->add_option("--report", options.report_s, "Print where all agents are, each so many simulated seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(NumberIn(0.001, kLongest_s));
   run->add_option("--threads", options.threads,
                   "Threads that the Soar minds decide on; 0: one per core; the run is the same on any number")
       ->capture_default_str()
-      ->check(CLI::Range(0, 64));
+      ->check(NumberIn(0, 64));
   run->add_option("--input", options.input,
                   "Keys, buttons, pointer and wheel at ticks, from this text file (see docs/command.md)");
   run->add_flag("--watch", options.watch,
                 "Let edits of rules and scripts reach the running world (a window always does)");
   run->add_option("--port", options.port, "Let Soar debuggers attach at this TCP port of this machine; 0: none")
-      ->check(CLI::Range(0, 65535));
+      ->check(NumberIn(0, 65535));
   CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
   run->add_flag("--no-record", options.no_record, "No recording; without this a run in a window is recorded")
       ->excludes(record);
   run->add_option("--record-level", options.record_level, "How much: world, decisions or all")->capture_default_str();
   run->add_option("--record-limit", options.record_limit_mb,
                   "Megabytes; at this size the older half of the frames goes")
-      ->check(CLI::Range(1.0, 1e6));
+      ->check(NumberIn(1.0, 1e6));
   run->add_option("--kernel", options.kernel,
                   "HOST:PORT of a Soar kernel in another process to use instead of our own");
   run->add_option("--kernel-limit", options.kernel_limit_s,
                   "Seconds that this kernel may be silent before it counts as gone")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(NumberIn(0.01, 3600.0));
 }
 
 void AddSoar(CLI::App& program, SoarShellOptions& options) {
@@ -90,8 +96,8 @@ void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app
   CLI::App* reasons = program.add_subcommand("why", "Tell why an agent does what it does at a moment of a run");
   reasons->add_option("scenario", why.scenario, "As for `soarbox run`")->required();
   reasons->add_option("--agent", why.agent, "Its name; the first one with a mind if it is not said");
-  reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(CLI::Range(0.0, 36000.0));
-  reasons->add_option("--seed", why.seed, "As for `soarbox run`");
+  reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
+  reasons->add_option("--seed", why.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
   reasons->add_option("--path", why.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
 }
 
@@ -111,7 +117,7 @@ void AddKernel(CLI::App& program, KernelServerOptions& options) {
   kernel->add_option("agents", options.agents, "One agent per file of rules");
   kernel->add_option("--port", options.port, "TCP port; 0: any free one")
       ->capture_default_str()
-      ->check(CLI::Range(0, 65535));
+      ->check(NumberIn(0, 65535));
 }
 
 int List() {
@@ -132,13 +138,13 @@ void AddRecordingFile(CLI::App& command, RecordingOptions& options) {
 }
 
 void AddRange(CLI::App& command, RecordingOptions& options) {
-  command.add_option("--from", options.from_s, "Begin at this simulated second")->check(CLI::NonNegativeNumber);
-  command.add_option("--to", options.to_s, "End at this simulated second")->check(CLI::NonNegativeNumber);
+  command.add_option("--from", options.from_s, "Begin at this simulated second")->check(NumberIn(0, kLongest_s));
+  command.add_option("--to", options.to_s, "End at this simulated second")->check(NumberIn(0, kLongest_s));
 }
 
 void AddThreads(CLI::App& command, RecordingOptions& options) {
   command.add_option("--threads", options.threads, "How many threads the minds decide on; 0: one per core")
-      ->check(CLI::Range(0, 256));
+      ->check(NumberIn(0, 256));
 }
 
 void AddRecordings(CLI::App& program, RecordingOptions& options) {
@@ -159,11 +165,11 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::App* resume = program.add_subcommand("resume", "Go back to a moment of a recording and go on live from there");
   AddRecordingFile(*resume, options);
   AddThreads(*resume, options);
-  resume->add_option("--at", options.at_s, "The simulated second")->required()->check(CLI::NonNegativeNumber);
+  resume->add_option("--at", options.at_s, "The simulated second")->required()->check(NumberIn(0, kLongest_s));
   resume->add_option("--rules", options.rules, "Rules that replace those of the same names (may be repeated)");
   resume->add_option("--agent", options.agents, "Only this agent's rules (may be repeated)");
   resume->add_option("--seconds", options.seconds, "Go on for so long (default: as long as the recording does)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(NumberIn(0, kLongest_s));
   resume->add_option("--record", options.output, "Record the new future, whole, to this file");
   resume->add_flag("--json", options.json, "Print events as lines of JSON");
   CLI::App* compare = program.add_subcommand("compare", "Tell where two recordings part, and how they go on");
@@ -189,11 +195,24 @@ int Main(int argc, char** argv) {
   soarbox::app::WhyOptions why;
   AddLooks(program, check, why);
   program.add_subcommand("list", "List the scenarios that come with the program");
+  if (const auto problem = soarbox::app::FindSingleDash(program, argc, argv)) {
+    std::cerr << soarbox::Format(*problem);
+    return soarbox::app::kUsage;
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are "errors" of this library too; they print and succeed.
-    return program.exit(error) == 0 ? soarbox::app::kOk : soarbox::app::kUsage;
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      program.exit(error);
+      return soarbox::app::kOk;
+    }
+    if (argc == 1) {
+      std::cerr << program.help();
+    } else {
+      std::cerr << soarbox::Format(soarbox::app::ExplainUsage(program, error));
+    }
+    return soarbox::app::kUsage;
   }
   if (program.got_subcommand("run")) return soarbox::app::Run(run);
   if (program.got_subcommand("soar")) return soarbox::app::RunSoarShell(soar);

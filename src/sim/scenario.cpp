@@ -98,11 +98,17 @@ std::string DescribeScenario(const std::string& name, const DataFolders& data) {
     Result<ScenarioFile> file = ReadScenarioFile(folder / kScenarioFile);
     return file ? file->description : "(faulty: " + file.error().message + ")";
   }
+  // The first sentence of the comment that the script begins with, over as many lines as it takes.
   std::ifstream script(folder / kSandboxScript);
+  std::string about;
   for (std::string line; std::getline(script, line) && line.starts_with("--");) {
-    if (line.find("SPDX") == std::string::npos) return line.substr(std::min(line.size(), line.find_first_not_of("- ")));
+    const std::size_t begin = line.find_first_not_of("- ");
+    if (begin == std::string::npos) break;
+    if (line.find("SPDX") != std::string::npos) continue;
+    about += (about.empty() ? "" : " ") + line.substr(begin);
+    if (const std::size_t end = about.find(". "); end != std::string::npos) return about.substr(0, end + 1);
   }
-  return {};
+  return about;
 }
 
 namespace {

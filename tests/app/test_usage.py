@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""What the command says to command lines that are wrong."""
+import unittest
+
+from soarbox_command import Run, ScenarioCase
+
+SUB_COMMANDS = ("run", "soar", "kernel", "new", "replay", "verify", "export", "resume", "compare", "check", "why", "list")
+
+
+class Usage(ScenarioCase):
+    def refused(self, *arguments):
+        run = Run(*arguments)
+        self.assertEqual((run.code, run.out), (2, ""), arguments)
+        return run.err
+
+    def test_suggests_the_sub_command_that_was_meant(self):
+        self.assertIn("did you mean soarbox run?", self.refused("rnu", "thesis"))
+        self.assertIn("did you mean soarbox list?", self.refused("lst"))
+        self.assertIn("there are: run", self.refused("xyzzy"))
+        self.assertIn("did you mean soarbox --help?", self.refused("help"))
+
+    def test_suggests_run_for_a_scenario_alone(self):
+        self.assertIn("did you mean soarbox run thesis?", self.refused("thesis"))
+        self.assertIn("did you mean soarbox run scout.soar?", self.refused("scout.soar"))
+
+    def test_suggests_the_option_that_was_meant(self):
+        for arguments, meant in ((("run", "--headles"), "--headless"), (("run", "-headless"), "--headless"),
+                                 (("run", "thesis", "--sceonds=3"), "--seconds"), (("check", "--jsn", "x"), "--json"),
+                                 (("why", "x", "--agnet", "y"), "--agent"), (("new", "--tem", "x"), "--team"),
+                                 (("kernel", "--prt", 3), "--port"), (("soar", "--jso"), "--json"),
+                                 (("resume", "x", "--rule", "y"), "--rules"), (("export", "x", "--cvs"), "--csv"),
+                                 (("replay", "x", "--headles"), "--headless"), (("--hepl",), "--help")):
+            self.assertIn(f"did you mean {meant}?", self.refused(*arguments), arguments)
+
+    def test_knows_the_option_of_another_sub_command(self):
+        self.assertIn("soarbox run --headless", self.refused("--headless", "run", "thesis"))
+        self.assertIn("soarbox run has it", self.refused("check", "x", "--screenshot", "y"))
+
+    def test_tells_each_sub_command_that_does_not_know_an_option_or_a_word(self):
+        for command in SUB_COMMANDS:
+            self.assertIn(f"soarbox {command} has no option --zzzzzz", self.refused(command, "--zzzzzz"))
+        self.assertIn("takes no further argument 'other'", self.refused("list", "other"))
+
+    def test_says_what_a_value_may_be(self):
+        for arguments, said in ((("--seconds", "abc"), "--seconds takes a number from 0 to 10000000, not 'abc'"),
+                                (("--seconds", "nan"), "not 'nan'"), (("--width", 5), "a number from 160 to 7680, not '5'"),
+                                (("--seed", -1), "--seed takes a whole number, not '-1'"),
+                                (("--seconds",), "--seconds takes a value, and none is given")):
+            self.assertIn(said, self.refused("run", "thesis", *arguments))
+
+    def test_says_what_is_missing(self):
+        self.assertIn("the argument files is missing", self.refused("check"))
+        self.assertIn("--at is missing", self.refused("resume", "x"))
+
+    def test_without_any_argument_is_told_what_there_is(self):
+        text = self.refused()
+        for command in SUB_COMMANDS:
+            self.assertIn(f"\n  {command} ", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
