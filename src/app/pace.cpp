@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace soarbox::app {
 namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8, 16};
-/// A slow machine slows the world down rather than falling ever further behind.
-constexpr int kMostTicksPerFrame = 64;
-constexpr auto kLongestFrame = std::chrono::milliseconds(100);
+/// What a slow frame lets the world catch up with, and how long the ticks between two frames may take. A slow machine
+/// slows the world down rather than falling ever further behind.
+constexpr auto kLongestFrame = std::chrono::milliseconds(250);
+constexpr auto kLongestTicks = std::chrono::milliseconds(100);
+/// Without a limit of speed the window still draws as often as films do.
+constexpr auto kUnlimitedTicks = std::chrono::milliseconds(40);
 
 double NextFaster(double speed) {
   const double* next = std::upper_bound(std::begin(kSpeeds), std::end(kSpeeds), speed);
@@ -35,13 +39,28 @@ void Pace::Obey(viewer::ViewerCommand command) {
       ++steps_;
       break;
     case viewer::ViewerCommand::kFaster:
-      speed_ = NextFaster(speed_);
+      if (!unlimited_) speed_ = NextFaster(speed_);
       break;
     case viewer::ViewerCommand::kSlower:
-      speed_ = NextSlower(speed_);
+      // From no limit down to the fastest of the limits.
+      speed_ = unlimited_ ? *(std::end(kSpeeds) - 1) : NextSlower(speed_);
+      unlimited_ = false;
+      break;
+    case viewer::ViewerCommand::kNormalSpeed:
+      speed_ = 1;
+      unlimited_ = false;
+      break;
+    case viewer::ViewerCommand::kUnlimited:
+      unlimited_ = !unlimited_;
+      break;
+    case viewer::ViewerCommand::kStepDecision:
+    case viewer::ViewerCommand::kStepPhase:
+      paused_ = true;
       break;
     case viewer::ViewerCommand::kQuit:
       quit_ = true;
+      break;
+    default:
       break;
   }
 }
@@ -51,14 +70,23 @@ int Pace::TicksDue(double step_s) {
   const Clock::duration passed = std::min<Clock::duration>(now - last_, kLongestFrame);
   last_ = now;
   if (paused_) return std::exchange(steps_, 0);
+  if (unlimited_) return std::numeric_limits<int>::max();
   earned_s_ += std::chrono::duration<double>(passed).count() * speed_;
-  const int due = std::min(kMostTicksPerFrame, static_cast<int>(earned_s_ / step_s));
+  const int due = static_cast<int>(earned_s_ / step_s);
   earned_s_ = std::min(earned_s_ - due * step_s, step_s);
   return due;
 }
 
+bool Pace::OutOfTime() const {
+  return Clock::now() - last_ > (unlimited_ ? kUnlimitedTicks : kLongestTicks);
+}
+
+double Pace::speed() const {
+  return unlimited_ ? std::numeric_limits<double>::infinity() : speed_;
+}
+
 double Pace::Blend(double step_s) const {
-  return paused_ ? 1 : std::clamp(earned_s_ / step_s, 0.0, 1.0);
+  return paused_ || unlimited_ ? 1 : std::clamp(earned_s_ / step_s, 0.0, 1.0);
 }
 
 }  // namespace soarbox::app

@@ -8,6 +8,9 @@
 namespace soarbox::app {
 
 /// The user's hold on the flow of time in a window, and the simulated time that the wall clock has earned.
+///
+/// The world does not wait for frames: after a slow one it catches up with up to a quarter of a second, as fast as it
+/// can for a tenth of a second; what it then still lacks is forgotten, so that the window stays in hand.
 class Pace {
  public:
   explicit Pace(double speed) : speed_(speed) {}
@@ -15,19 +18,25 @@ class Pace {
   void Obey(viewer::ViewerCommand command);
   void Pause() { paused_ = true; }
 
-  /// How many ticks of `step_s` are due now.
+  /// How many ticks of `step_s` are due now, if OutOfTime does not come before.
   int TicksDue(double step_s);
+  /// The ticks since TicksDue have taken so long that the next frame is due.
+  bool OutOfTime() const;
+  /// Real time since TicksDue was called last does not count: something else took it (a reset, a dialog).
+  void Skip() { last_ = Clock::now(); }
   /// How far the wall clock has come from the last tick to the next one, 0 to 1.
   double Blend(double step_s) const;
 
   bool paused() const { return paused_; }
-  double speed() const { return speed_; }
+  /// Simulated seconds per second; infinite: as many as can be.
+  double speed() const;
   bool quit() const { return quit_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   double speed_;
+  bool unlimited_ = false;
   bool paused_ = false;
   bool quit_ = false;
   int steps_ = 0;

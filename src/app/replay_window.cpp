@@ -54,14 +54,14 @@ class ReplayHead {
   bool told_ = false;
 };
 
-/// Arrow keys move by a second, with the page keys by ten; comma steps back; home and end go to the ends.
+/// Arrow keys move by a second, with the page keys by ten; comma steps back; with insert and end it goes to the ends.
 void Obey(const viewer::InputEvent& event, ReplayHead& head, Pace& pace, std::int64_t ticks_per_second) {
   if (event.kind != viewer::InputKind::kKey || !event.pressed) return;
   if (event.name == "left_key") head.Move(-ticks_per_second);
   if (event.name == "right_key") head.Move(ticks_per_second);
   if (event.name == "page_up_key") head.Move(-10 * ticks_per_second);
   if (event.name == "page_down_key") head.Move(10 * ticks_per_second);
-  if (event.name == "home_key") head.Go(0);
+  if (event.name == "insert_key") head.Go(0);
   if (event.name == "end_key") head.Go(head.last());
   if (event.name == "comma_key") {
     pace.Pause();
@@ -83,6 +83,7 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
   window.height = static_cast<int>(std::min<std::uint32_t>(recording.header().screen_height_px, 4320));
   window.title = "Soarbox replay: " + recording.file().filename().string();
   window.media_dir = data.media;
+  window.frame_agents = true;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
   Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
   if (!opened) {

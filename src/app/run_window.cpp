@@ -113,12 +113,16 @@ int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& optio
     for (const viewer::ViewerCommand command : viewer.TakeCommands()) pace.Obey(command);
     deliverer.Deliver(viewer, simulation);
     const int due = pace.TicksDue(step_s);
-    for (int i = 0; i < due && !session.IsOver(); ++i) {
+    bool is_cut = false;
+    for (int i = 0; i < due && !is_cut && !session.IsOver(); ++i) {
       const Clock::time_point tick_start = Clock::now();
       session.Tick();
       tick_time.Add(Clock::now() - tick_start);
-      previous = std::exchange(newest, simulation.Snapshot());
+      is_cut = pace.OutOfTime();
+      // Only the last two are drawn.
+      if (i + 2 >= due && !is_cut) previous = std::exchange(newest, simulation.Snapshot());
     }
+    if (is_cut) previous = newest = simulation.Snapshot();
     if (due == 0) session.Idle();
   }
   return session.Finish();
@@ -133,6 +137,7 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   window.title = "Soarbox: " + options.scenario;
   window.media_dir = data.media;
   window.hidden = !options.screenshot.empty();
+  window.frame_agents = true;
   window.vsync = !window.hidden;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
   Result<std::unique_ptr<viewer::Viewer>> viewer = viewer::Viewer::Open(window);

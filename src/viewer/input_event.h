@@ -19,13 +19,4 @@ struct InputEvent {
   int wheel = 0;              ///< Moves: notches, positive away from the user.
 };
 
-/// What the user asks of the run.
-enum class ViewerCommand : std::uint8_t {
-  kTogglePause,  ///< P, Pause
-  kSingleStep,   ///< N, period
-  kFaster,       ///< plus
-  kSlower,       ///< minus
-  kQuit,         ///< Escape, or the window was closed
-};
-
 }  // namespace soarbox::viewer

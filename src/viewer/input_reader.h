@@ -1,43 +1,67 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
-#include "viewer/free_camera.h"
+#include "viewer/camera_rig.h"
 #include "viewer/input_event.h"
 #include "viewer/picking.h"
+#include "viewer/viewer_command.h"
 
 struct SDL_Window;
 union SDL_Event;
 
 namespace soarbox::viewer {
 
+/// A left click on the scene, or the box that a left drag drew there.
+struct Picked {
+  ScreenPoint from, to;  ///< Equal for a click; else two opposite corners.
+  bool is_box = false;
+  bool adds = false;  ///< Shift or Ctrl was held: it adds to the selection, or takes away from it.
+};
+
 /// Everything that the user did since the last frame, sorted by who cares.
 struct FrameInput {
   std::vector<InputEvent> events;       ///< For the scripts.
-  std::vector<ViewerCommand> commands;  ///< For the application.
+  std::vector<ViewerCommand> commands;  ///< For the window and the application.
   CameraInput camera;
-  std::vector<ScreenPoint> clicks;  ///< Left clicks that were no drags.
-  bool toggle_help = false, toggle_labels = false, toggle_follow = false;
+  std::vector<Picked> picked;
+  std::optional<Picked> box;          ///< While it is being drawn.
+  std::optional<ScreenPoint> cursor;  ///< Where the mouse rests on the scene; none while it is over a panel or away.
   bool closed = false;                ///< The window was closed.
   int new_width = 0, new_height = 0;  ///< The window's new size; 0: unchanged.
 };
 
+/// Who gets the input first.
+struct InputClaims {
+  /// Sees each event before the scene; true keeps it from the scene and the scripts. May be empty.
+  std::function<bool(const SDL_Event&)> takes = {};
+  bool mouse = false;  ///< The mouse is over a panel.
+  bool keys = false;   ///< Somebody types into a panel: held keys do not move the camera.
+};
+
 /// Reads SDL's events and knows what is held down.
+///
+/// Left click selects, left drag selects a box, right drag looks or circles, middle drag moves, the wheel zooms.
 class InputReader {
  public:
   explicit InputReader(SDL_Window* window) : window_(window) {}
-  FrameInput Read();
+  FrameInput Read(const InputClaims& claims = {});
 
  private:
   void Handle(const SDL_Event& event, FrameInput& input);
-  void HandleKey(int scancode, bool pressed, FrameInput& input);
+  void HandleKey(int scancode, int modifiers, bool pressed, FrameInput& input);
+  void HandleButton(const SDL_Event& event, FrameInput& input);
+  void ReadHeldKeys(FrameInput& input) const;
   InputEvent MouseEvent(InputKind kind, int x, int y) const;
 
   SDL_Window* window_;
-  bool looking_ = false;
-  bool left_down_ = false;
-  int left_x_ = 0, left_y_ = 0;
+  bool looking_ = false, panning_ = false;
+  bool left_down_ = false, is_box_ = false;
+  ScreenPoint left_at_, cursor_;
+  bool has_cursor_ = false;
 };
 
 }  // namespace soarbox::viewer

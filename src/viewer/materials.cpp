@@ -2,6 +2,7 @@
 #include "viewer/materials.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "viewer/cloth_image.h"
 
@@ -216,6 +217,21 @@ Ogre::MaterialPtr Materials::FillMaterial() {
 void Materials::AdoptPanelMaterial(const Ogre::MaterialPtr& material) {
   shaders_.Use(*material->getTechnique(0)->getPass(0), "panel.vert", "panel.frag", {"paint"});
   material->load();
+}
+
+const Ogre::MaterialPtr& Materials::Ghost(world::Color color) {
+  char name[64];
+  std::snprintf(name, sizeof name, "ghost/%.2f %.2f %.2f %.2f", static_cast<double>(color.r),
+                static_cast<double>(color.g), static_cast<double>(color.b), static_cast<double>(color.a));
+  const auto [found, is_new] = materials_.try_emplace(name);
+  if (!is_new) return found->second.material;
+  found->second.is_opaque = false;
+  Ogre::Pass& pass = NewPass(std::string("Soarbox/Look/") + name, found->second.material);
+  shaders_.Use(pass, "surface.vert", "ghost.frag", {});
+  pass.getFragmentProgramParameters()->setNamedConstant("base_colour", Four(color));
+  pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
+  pass.setDepthWriteEnabled(false);
+  return found->second.material;
 }
 
 Ogre::MaterialPtr Materials::ShadowCaster() {

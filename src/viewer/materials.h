@@ -45,6 +45,9 @@ class Materials {
   /// Draws what ImGui produced with our own shader; call once, after the overlay was first shown.
   void AdoptPanelMaterial(const Ogre::MaterialPtr& material);
 
+  /// A figure that is not there; the colour's alpha says how much it shows.
+  const Ogre::MaterialPtr& Ghost(world::Color color);
+
   /// Renders depth only, for shadow maps.
   Ogre::MaterialPtr ShadowCaster();
 

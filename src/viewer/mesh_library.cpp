@@ -45,7 +45,9 @@ MeshData Build(const DrawableSnapshot& d, bool agent_body, bool& is_stand_in) {
   return box;
 }
 
-Ogre::MeshPtr Upload(const std::string& name, const MeshData& data) {
+}  // namespace
+
+Ogre::MeshPtr UploadMesh(const std::string& name, const MeshData& data) {
   struct GpuVertex {
     float position[3], normal[3], uv[2];
     std::uint8_t paint[4];
@@ -90,8 +92,6 @@ Ogre::MeshPtr Upload(const std::string& name, const MeshData& data) {
   return mesh;
 }
 
-}  // namespace
-
 const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, bool agent_body) {
   const std::string key = Key(drawable, agent_body);
   const auto known = meshes_.find(key);
@@ -99,7 +99,7 @@ const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, boo
   Found found;
   const MeshData data = Build(drawable, agent_body, found.is_stand_in);
   found.material = data.material;
-  found.mesh = Upload("Soarbox/" + key, data);
+  found.mesh = UploadMesh("Soarbox/" + key, data);
   if (agent_body && drawable.shape == ShapeKind::kCapsule) {
     // Crowds: further away, coarser bodies.
     struct Level {
@@ -114,7 +114,7 @@ const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, boo
       usage.manualName = "Soarbox/" + key + kLevels[i].suffix;
       usage.userValue = kLevels[i].from_m;
       usage.value = found.mesh->getLodStrategy()->transformUserValue(usage.userValue);
-      usage.manualMesh = Upload(usage.manualName, AgentMesh(drawable.size.x, drawable.size.y, kLevels[i].detail));
+      usage.manualMesh = UploadMesh(usage.manualName, AgentMesh(drawable.size.x, drawable.size.y, kLevels[i].detail));
       found.mesh->_setLodUsage(static_cast<unsigned short>(i + 1), usage);
     }
   }

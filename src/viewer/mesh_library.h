@@ -5,8 +5,12 @@
 #include <unordered_map>
 
 #include "viewer/ogre_headers.h"
+#include "viewer/shape_meshes.h"
 
 namespace soarbox::viewer {
+
+/// Hands a mesh to the graphics card under this name.
+Ogre::MeshPtr UploadMesh(const std::string& name, const MeshData& data);
 
 /// Meshes by what a drawable asks for, each built and uploaded once and shared by all that look alike.
 class MeshLibrary {

@@ -2,6 +2,7 @@
 #include "viewer/panels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "viewer/palette.h"
@@ -61,20 +62,6 @@ world::Color HealthColor(float share) {
                       : world::Color{0.90f - 1.2f * (share - 0.5f), 0.72f, 0.22f, 1};
 }
 
-std::string LabelText(const world::AgentSnapshot& agent) {
-  const std::string name = agent.name.empty() ? Text("agent %u", agent.id) : agent.name.substr(0, 60);
-  return agent.failed ? name + "  (stopped)" : name;
-}
-
-/// Text with a dark rim, legible on any ground.
-void RimmedText(ImDrawList& out, ImFont* font, ImVec2 at, ImU32 color, const char* text, float alpha) {
-  const ImU32 rim = IM_COL32(8, 12, 18, static_cast<int>(190 * alpha));
-  for (const ImVec2 shift : {ImVec2{-1, 0}, ImVec2{1, 0}, ImVec2{0, -1}, ImVec2{0, 1}}) {
-    out.AddText(font, font->FontSize, {at.x + shift.x, at.y + shift.y}, rim, text);
-  }
-  out.AddText(font, font->FontSize, at, color, text);
-}
-
 }  // namespace
 
 void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene,
@@ -95,7 +82,7 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
   const int minutes = static_cast<int>(scene.time_s / 60);
   bar.Pair("time", Text("%d:%05.2f", minutes, scene.time_s - 60.0 * minutes));
   bar.Pair("tick", std::to_string(scene.tick));
-  bar.Pair("speed", Text("%.4g\xc3\x97", status.speed));
+  bar.Pair("speed", std::isinf(status.speed) ? "unlimited" : Text("%.4g\xc3\x97", status.speed));
   bar.Pair("agents", std::to_string(scene.agents.size()));
   const auto failed =
       std::count_if(scene.agents.begin(), scene.agents.end(), [](const auto& agent) { return agent.failed; });
@@ -111,27 +98,6 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
 }
 
 void DrawKeyHelp(const PanelHost& host) {
-  struct Key {
-    const char* key;
-    const char* meaning;
-  };
-  constexpr Key kKeys[] = {{"W A S D", "move"},
-                           {"Q E", "down, up"},
-                           {"Shift", "move faster"},
-                           {"Right mouse button", "look around"},
-                           {"Mouse wheel", "flying speed"},
-                           {"Left click", "select an agent"},
-                           {"C", "follow the selected agent"},
-                           {nullptr, nullptr},
-                           {"P", "pause, go on"},
-                           {"N", "single step"},
-                           {"+  -", "faster, slower"},
-                           {nullptr, nullptr},
-                           {"L", "names of agents"},
-                           {"H", "this list"},
-                           {"Esc", "quit"},
-                           {nullptr, nullptr},
-                           {"Space, F1 to F7, ...", "as the scenario says"}};
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::Begin("##keys", nullptr,
@@ -140,19 +106,46 @@ void DrawKeyHelp(const PanelHost& host) {
   ImGui::TextUnformatted("Keys");
   ImGui::PopFont();
   ImGui::Separator();
-  if (ImGui::BeginTable("##table", 2, ImGuiTableFlags_SizingFixedFit)) {
-    for (const Key& key : kKeys) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      if (key.key == nullptr) {
-        ImGui::Dummy({1, 3});
-        continue;
+  constexpr struct {
+    const char* title;
+    CommandGroup group;
+  } kGroups[] = {{"Run", CommandGroup::kRun},
+                 {"Camera", CommandGroup::kCamera},
+                 {"Selection", CommandGroup::kSelection},
+                 {"Shown over the scene", CommandGroup::kOverlay}};
+  constexpr const char* kMouse[][2] = {{"Left click, Tab", "select an agent; with Shift, one more"},
+                                       {"Left drag", "select those in a box"},
+                                       {"Right drag", "look around, or circle"},
+                                       {"Middle drag", "move the picture"},
+                                       {"Wheel", "zoom"},
+                                       {"W A S D, Q E", "fly; faster with Shift"}};
+  const auto row = [&](std::string_view key, std::string_view meaning) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(host.bold_font());
+    ImGui::TextUnformatted(key.data(), key.data() + key.size());
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(meaning.data(), meaning.data() + meaning.size());
+  };
+  if (ImGui::BeginTable("##columns", 2, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    for (const auto& [title, group] : kGroups) {
+      if (group == CommandGroup::kSelection) ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", title);
+      if (ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const CommandInfo& info : Commands()) {
+          if (info.group == group) row(info.keys, info.title);
+        }
+        ImGui::EndTable();
       }
-      ImGui::PushFont(host.bold_font());
-      ImGui::TextUnformatted(key.key);
-      ImGui::PopFont();
-      ImGui::TableNextColumn();
-      ImGui::Text("  %s", key.meaning);
+      ImGui::Dummy({1, 4});
+    }
+    ImGui::TextDisabled("Mouse");
+    if (ImGui::BeginTable("Mouse", 2, ImGuiTableFlags_SizingFixedFit)) {
+      for (const auto& [key, meaning] : kMouse) row(key, meaning);
+      ImGui::EndTable();
     }
     ImGui::EndTable();
   }
@@ -199,59 +192,6 @@ void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, boo
   }
   ImGui::TextDisabled(followed ? "C: stop following" : "C: follow");
   ImGui::End();
-}
-
-void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents,
-                     const world::CameraSnapshot& camera, const Projection& projection, std::uint32_t selected) {
-  constexpr std::size_t kMostLabels = 60;
-  constexpr float kFadeFrom_m = 50, kGone_m = 90;
-  struct Label {
-    float distance;
-    const world::AgentSnapshot* agent;
-    std::string text;
-    ImFont* font;
-    ImVec2 corner, end;
-  };
-  std::vector<Label> candidates;
-  for (const auto& agent : agents) {
-    const float distance = world::Distance(agent.position, camera.position);
-    if (!(distance < kGone_m) && agent.id != selected) continue;
-    const auto at = projection.Project(agent.position + world::Vec3{0, agent.height_m / 2 + 0.28f, 0});
-    if (!at || at->x < -100 || at->x > ImGui::GetIO().DisplaySize.x + 100) continue;
-    Label label{agent.id == selected ? 0 : distance, &agent, LabelText(agent), nullptr, {}, {}};
-    label.font = agent.id == selected ? host.bold_font() : host.panel_font();
-    const ImVec2 size = label.font->CalcTextSizeA(label.font->FontSize, FLT_MAX, 0, label.text.c_str());
-    label.corner = {std::round(at->x - size.x / 2), std::round(at->y - size.y)};
-    label.end = {label.corner.x + size.x, label.corner.y + size.y};
-    candidates.push_back(std::move(label));
-  }
-  // Near ones first: a label gives way to nearer ones. Equal distances keep the agents' order.
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Label& a, const Label& b) { return a.distance < b.distance; });
-  std::vector<const Label*> shown;
-  for (const Label& label : candidates) {
-    const bool covered = std::any_of(shown.begin(), shown.end(), [&](const Label* near) {
-      return label.corner.x < near->end.x && near->corner.x < label.end.x && label.corner.y + 3 < near->end.y &&
-             near->corner.y + 3 < label.end.y;
-    });
-    if (!covered) shown.push_back(&label);
-    if (shown.size() == kMostLabels) break;
-  }
-
-  ImDrawList& out = *ImGui::GetBackgroundDrawList();
-  for (const Label* label : shown) {
-    const world::AgentSnapshot& agent = *label->agent;
-    const float alpha = std::clamp((kGone_m - label->distance) / (kGone_m - kFadeFrom_m), 0.0f, 1.0f);
-    const int opacity = static_cast<int>(255 * alpha);
-    const ImU32 color = agent.failed ? IM_COL32(255, 130, 112, opacity) : IM_COL32(255, 255, 255, opacity);
-    RimmedText(out, label->font, label->corner, color, label->text.c_str(), alpha);
-    if (agent.health > 99.5f || !agent.alive) continue;
-    const float middle = (label->corner.x + label->end.x) / 2, half = 20, y = label->end.y + 2;
-    const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
-    out.AddRectFilled({middle - half - 1, y - 1}, {middle + half + 1, y + 5},
-                      IM_COL32(8, 12, 18, static_cast<int>(190 * alpha)));
-    out.AddRectFilled({middle - half, y}, {middle - half + 2 * half * share, y + 4}, Packed(HealthColor(share), alpha));
-  }
 }
 
 }  // namespace soarbox::viewer

@@ -19,8 +19,4 @@ void DrawKeyHelp(const PanelHost& host);
 /// What is known about the selected agent, at the bottom left.
 void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed);
 
-/// The names of agents above their heads. Names give way to those of nearer agents; the selected one is always there.
-void DrawAgentLabels(const PanelHost& host, const std::vector<world::AgentSnapshot>& agents,
-                     const world::CameraSnapshot& camera, const Projection& projection, std::uint32_t selected);
-
 }  // namespace soarbox::viewer

@@ -56,4 +56,16 @@ std::uint32_t Projection::AgentAt(ScreenPoint pixel, const std::vector<world::Ag
   return best;
 }
 
+std::vector<std::uint32_t> Projection::AgentsIn(ScreenPoint from, ScreenPoint to,
+                                                const std::vector<world::AgentSnapshot>& agents) const {
+  const auto [left, right] = std::minmax(from.x, to.x);
+  const auto [top, bottom] = std::minmax(from.y, to.y);
+  std::vector<std::uint32_t> inside;
+  for (const world::AgentSnapshot& agent : agents) {
+    const auto at = Project(agent.position);
+    if (at && at->x >= left && at->x <= right && at->y >= top && at->y <= bottom) inside.push_back(agent.id);
+  }
+  return inside;
+}
+
 }  // namespace soarbox::viewer

@@ -27,6 +27,9 @@ class Projection {
 
   /// The nearest agent under a pixel, with a little tolerance for small, distant ones; 0 if there is none.
   std::uint32_t AgentAt(ScreenPoint pixel, const std::vector<world::AgentSnapshot>& agents) const;
+  /// The agents whose middle is in the box between two corners, in the order given.
+  std::vector<std::uint32_t> AgentsIn(ScreenPoint from, ScreenPoint to,
+                                      const std::vector<world::AgentSnapshot>& agents) const;
 
  private:
   world::Vec3 eye_, forward_, right_, up_;

@@ -68,7 +68,7 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
                              {"sky.frag", Ogre::GPT_FRAGMENT_PROGRAM},    {"line.vert", Ogre::GPT_VERTEX_PROGRAM},
                              {"line.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"panel.vert", Ogre::GPT_VERTEX_PROGRAM},
                              {"panel.frag", Ogre::GPT_FRAGMENT_PROGRAM},  {"fill.vert", Ogre::GPT_VERTEX_PROGRAM},
-                             {"fill.frag", Ogre::GPT_FRAGMENT_PROGRAM}};
+                             {"fill.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"ghost.frag", Ogre::GPT_FRAGMENT_PROGRAM}};
 
   Shaders shaders;
   for (const File& file : kFiles) {

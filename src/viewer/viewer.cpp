@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/viewer.h"
 
+#include <algorithm>
+#include <bitset>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -8,8 +10,10 @@
 
 #include "viewer/engine.h"
 #include "viewer/fill_batch.h"
+#include "viewer/ghost_view.h"
 #include "viewer/input_reader.h"
 #include "viewer/interpolate.h"
+#include "viewer/labels.h"
 #include "viewer/light_rig.h"
 #include "viewer/line_batch.h"
 #include "viewer/panels.h"
@@ -37,17 +41,16 @@ fs::path DefaultMediaDir() {
   return SOARBOX_MEDIA_DIR;
 }
 
-/// A ring on the ground around the selected agent.
-std::vector<world::LineSnapshot> RingAround(const world::AgentSnapshot& agent) {
+/// A ring on the ground around a selected agent; the first one's is bright.
+void AddRing(const world::AgentSnapshot& agent, bool is_first, std::vector<world::LineSnapshot>& out) {
   constexpr int kPieces = 40;
-  std::vector<world::LineSnapshot> ring;
-  const float radius = agent.radius_m * 1.5f, y = agent.position.y - agent.height_m / 2 + 0.06f;
+  const world::Color color = is_first ? world::Color{1.0f, 0.86f, 0.35f, 1} : world::Color{1.0f, 0.92f, 0.70f, 0.75f};
+  const float radius = std::max(agent.radius_m * 1.5f, 0.55f), y = agent.position.y - agent.height_m / 2 + 0.06f;
   const auto point = [&](int i) {
     const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kPieces;
     return world::Vec3{agent.position.x + radius * std::cos(angle), y, agent.position.z + radius * std::sin(angle)};
   };
-  for (int i = 0; i < kPieces; ++i) ring.push_back({point(i), point(i + 1), {1.0f, 0.86f, 0.35f, 1}});
-  return ring;
+  for (int i = 0; i < kPieces; ++i) out.push_back({point(i), point(i + 1), color});
 }
 
 }  // namespace
@@ -67,15 +70,26 @@ struct Viewer::Impl {
   std::optional<PanelHost> panels;
   std::optional<InputReader> input;
 
-  FreeCamera camera;
+  std::optional<GhostView> ghost_view;
+
+  CameraRig camera;
   ParticleLines particles;
   std::optional<std::uint32_t> camera_moves;
   world::SceneSnapshot scene;  ///< Without its drawables; agents stand where they are drawn.
   RunStatus status;
   std::vector<InputEvent> events;
   std::vector<ViewerCommand> commands;
-  std::uint32_t selected = 0;
-  bool show_labels = true, show_help = false, follows = false;
+  world::OverlaySnapshot overlays;
+  bool has_overlays = false;
+  std::vector<Ghost> ghosts;
+  std::vector<std::uint32_t> selection;
+  std::uint32_t hovered = 0;
+  std::optional<ScreenPoint> cursor;
+  std::optional<Picked> box;
+  std::bitset<kViewerCommands> on;
+  std::string notice;
+  float notice_s = 0;  ///< For how long it is still shown.
+  bool has_framed = false;
   bool failed = false;
   Clock::time_point last_frame = Clock::now();
   float frames_per_second = 0;
@@ -87,7 +101,18 @@ struct Viewer::Impl {
   void PlaceCamera();
   void DrawPanels(float seconds);
   void ReportFailure(const std::string& what);
-  const world::AgentSnapshot* Selected() const;
+  void Do(ViewerCommand command);
+  void SelectBeside(int step);
+  void Pick(const Picked& picked);
+  void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
+  void SetCamera(CameraMode mode);
+  bool IsOn(ViewerCommand command) const;
+  void Notice(std::string text) {
+    notice = std::move(text);
+    notice_s = 3.5f;
+  }
+  const world::AgentSnapshot* Find(std::uint32_t agent_id) const;
+  const world::AgentSnapshot* Selected() const { return selection.empty() ? nullptr : Find(selection.front()); }
   Projection View() const { return {camera.pose(), engine->width(), engine->height()}; }
 
   ~Impl() {
@@ -109,6 +134,7 @@ Result<void> Viewer::Impl::Build() {
   sky.emplace(scene_manager, *materials);
   things.emplace(scene_manager, *materials, engine->low_detail() ? 0.45f : 1.0f, options.on_diagnostic);
   lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px));
+  ghost_view.emplace(scene_manager, *materials);
   skeleton_lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px, true));
   fills = std::make_unique<FillBatch>(materials->FillMaterial());
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(lines.get());
@@ -119,11 +145,140 @@ Result<void> Viewer::Impl::Build() {
   return {};
 }
 
-const world::AgentSnapshot* Viewer::Impl::Selected() const {
+const world::AgentSnapshot* Viewer::Impl::Find(std::uint32_t agent_id) const {
   for (const auto& agent : scene.agents) {
-    if (agent.id == selected) return &agent;
+    if (agent.id == agent_id) return &agent;
   }
   return nullptr;
+}
+
+void Viewer::Impl::Frame(const std::vector<std::uint32_t>& agents, bool best_side) {
+  std::vector<const world::AgentSnapshot*> framed;
+  for (const auto& agent : scene.agents) {
+    const bool wanted = agents.empty() || std::find(agents.begin(), agents.end(), agent.id) != agents.end();
+    if (wanted && world::IsFinite(agent.position)) framed.push_back(&agent);
+  }
+  const float aspect = static_cast<float>(engine->width()) / static_cast<float>(engine->height());
+  camera.Frame(framed, aspect, best_side);
+}
+
+void Viewer::Impl::SetCamera(CameraMode mode) {
+  // The key of the mode that follows also ends it.
+  if (mode == CameraMode::kFollow && camera.mode() == mode && Selected() != nullptr && camera.agent() == Selected()->id)
+    mode = CameraMode::kFree;
+  if (!camera.SetMode(mode, Selected())) Notice("Select an agent first: click it, or press Tab");
+}
+
+void Viewer::Impl::SelectBeside(int step) {
+  if (scene.agents.empty()) return;
+  const auto count = static_cast<int>(scene.agents.size());
+  int at = step > 0 ? -1 : 0;
+  for (int i = 0; i < count; ++i) {
+    if (Selected() == &scene.agents[static_cast<std::size_t>(i)]) at = i;
+  }
+  selection = {scene.agents[static_cast<std::size_t>((at + step + count) % count)].id};
+  if (camera.agent() != 0) camera.SetMode(camera.mode(), Selected());
+}
+
+void Viewer::Impl::Pick(const Picked& picked) {
+  std::vector<std::uint32_t> found;
+  if (picked.is_box) {
+    found = View().AgentsIn(picked.from, picked.to, scene.agents);
+  } else if (const std::uint32_t agent = View().AgentAt(picked.from, scene.agents); agent != 0) {
+    found.push_back(agent);
+  }
+  if (!picked.adds) {
+    selection = std::move(found);
+    return;
+  }
+  for (const std::uint32_t agent : found) {
+    const auto there = std::find(selection.begin(), selection.end(), agent);
+    if (there == selection.end()) {
+      selection.push_back(agent);
+    } else if (!picked.is_box) {
+      selection.erase(there);
+    }
+  }
+}
+
+void Viewer::Impl::Do(ViewerCommand command) {
+  if (IsOfRun(command)) {
+    commands.push_back(command);
+    return;
+  }
+  if (IsOverlay(command)) {
+    on.flip(static_cast<std::size_t>(command));
+    const bool is_on = IsOn(command);
+    // Names, trails and what the scripts draw themselves come with every scene.
+    const bool needs_more = command != ViewerCommand::kLabels && command != ViewerCommand::kTrails;
+    const std::string title(InfoOf(command).title);
+    if (is_on && needs_more && !has_overlays) {
+      Notice(title + ": not available here; a recording does not hold it");
+    } else if (is_on && command == ViewerCommand::kBelief && Selected() == nullptr) {
+      Notice("Belief: select an agent to see the world as it believes it to be");
+    } else {
+      Notice(title + (is_on ? " on" : " off"));
+    }
+    return;
+  }
+  switch (command) {
+    case ViewerCommand::kFrameSelection:
+      Frame(selection, false);
+      break;
+    case ViewerCommand::kFrameAll:
+      Frame({}, false);
+      break;
+    case ViewerCommand::kFreeCamera:
+      SetCamera(CameraMode::kFree);
+      break;
+    case ViewerCommand::kOrbitCamera:
+      SetCamera(CameraMode::kOrbit);
+      break;
+    case ViewerCommand::kFollowCamera:
+      SetCamera(CameraMode::kFollow);
+      break;
+    case ViewerCommand::kEyesCamera:
+      SetCamera(CameraMode::kEyes);
+      break;
+    case ViewerCommand::kMapCamera:
+      SetCamera(CameraMode::kMap);
+      break;
+    case ViewerCommand::kSelectNext:
+      SelectBeside(1);
+      break;
+    case ViewerCommand::kSelectPrevious:
+      SelectBeside(-1);
+      break;
+    case ViewerCommand::kSelectNone:
+      selection.clear();
+      break;
+    case ViewerCommand::kHelp:
+      on.flip(static_cast<std::size_t>(command));
+      break;
+    default:
+      break;
+  }
+}
+
+bool Viewer::Impl::IsOn(ViewerCommand command) const {
+  switch (command) {
+    case ViewerCommand::kFreeCamera:
+      return camera.mode() == CameraMode::kFree;
+    case ViewerCommand::kOrbitCamera:
+      return camera.mode() == CameraMode::kOrbit;
+    case ViewerCommand::kFollowCamera:
+      return camera.mode() == CameraMode::kFollow;
+    case ViewerCommand::kEyesCamera:
+      return camera.mode() == CameraMode::kEyes;
+    case ViewerCommand::kMapCamera:
+      return camera.mode() == CameraMode::kMap;
+    case ViewerCommand::kTogglePause:
+      return status.paused;
+    case ViewerCommand::kUnlimited:
+      return std::isinf(status.speed);
+    default:
+      return on[static_cast<std::size_t>(command)];
+  }
 }
 
 void Viewer::Impl::ReportFailure(const std::string& what) {
@@ -161,25 +316,26 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   if (camera_moves != newest.camera_moves) {
     camera_moves = newest.camera_moves;
     camera.MoveTo(newest.camera);
-    follows = false;
+  }
+  if (options.frame_agents && !has_framed && !scene.agents.empty()) {
+    has_framed = true;
+    Frame({}, true);
+    camera.Arrive();
   }
 }
 
 void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   events.insert(events.end(), in.events.begin(), in.events.end());
-  commands.insert(commands.end(), in.commands.begin(), in.commands.end());
-  show_help ^= in.toggle_help;
-  show_labels ^= in.toggle_labels;
-  for (const ScreenPoint click : in.clicks) selected = View().AgentAt(click, scene.agents);
+  for (const Picked& picked : in.picked) Pick(picked);
+  for (const ViewerCommand command : in.commands) Do(command);
   if (in.new_width > 0) engine->Resize(in.new_width, in.new_height);
-  if (in.toggle_follow) follows = !follows && Selected() != nullptr;
-  camera.Update(in.camera, seconds);
-  if (in.camera.forward != 0 || in.camera.left != 0 || in.camera.up != 0) follows = false;
-  const world::AgentSnapshot* agent = follows ? Selected() : nullptr;
-  if (agent != nullptr)
-    camera.Follow(agent->position + world::Vec3{0, 0.3f, 0});
-  else
-    camera.StopFollowing();
+  cursor = in.cursor;
+  box = in.box;
+  camera.Update(in.camera, seconds, camera.agent() != 0 ? Find(camera.agent()) : nullptr,
+                static_cast<float>(engine->height()));
+  if (options.hidden) camera.Arrive();
+  hovered = cursor ? View().AgentAt(*cursor, scene.agents) : 0;
+  notice_s = std::max(0.0f, notice_s - seconds);
 }
 
 void Viewer::Impl::PlaceCamera() {
@@ -193,10 +349,17 @@ void Viewer::Impl::PlaceCamera() {
 void Viewer::Impl::DrawPanels(float seconds) {
   panels->BeginFrame(engine->width(), engine->height(), seconds);
   const Projection view = View();
-  if (show_labels) DrawAgentLabels(*panels, scene.agents, camera.pose(), view, selected);
+  const std::uint32_t inside = camera.mode() == CameraMode::kEyes ? camera.agent() : 0;
+  if (IsOn(ViewerCommand::kLabels))
+    DrawAgentLabels(*panels, {scene.agents, overlays, selection, hovered, inside}, camera.pose(), view);
+  DrawGhostLabels(*panels, ghosts, view);
   DrawScriptUi(scene, view, *panels);
-  if (const auto* agent = Selected()) DrawAgentCard(*panels, *agent, follows);
-  if (show_help) DrawKeyHelp(*panels);
+  if (const auto* agent = Selected()) DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow);
+  if (box) DrawSelectionBox(box->from, box->to);
+  if (const auto* agent = cursor ? Find(hovered) : nullptr; agent != nullptr && agent->id != inside)
+    DrawTooltip(*panels, *agent, overlays, *cursor);
+  if (notice_s > 0 && !options.hidden) DrawNotice(*panels, notice, std::min(1.0f, notice_s / 0.5f));
+  if (IsOn(ViewerCommand::kHelp)) DrawKeyHelp(*panels);
   if (options.show_status_bar) DrawStatusBar(*panels, status, scene, options.hidden ? 0 : frames_per_second);
   panels->EndFrame();
 }
@@ -215,8 +378,12 @@ bool Viewer::Impl::Frame() {
     commands.push_back(ViewerCommand::kQuit);
     return false;
   }
-  const auto* agent = Selected();
-  lines->Update(scene.lines, agent != nullptr ? RingAround(*agent) : std::vector<world::LineSnapshot>{});
+  std::vector<world::LineSnapshot> marks;
+  for (const std::uint32_t id : selection) {
+    if (const auto* agent = Find(id)) AddRing(*agent, id == selection.front(), marks);
+  }
+  lines->Update(scene.lines, marks);
+  ghost_view->Update(ghosts);
   skeleton_lines->Update(things->skeleton_lines(), {});
   PlaceCamera();
   DrawPanels(seconds);
@@ -232,8 +399,10 @@ Result<std::unique_ptr<Viewer>> Viewer::Open(const ViewerOptions& options) {
   if (!engine) return engine.error();
   auto impl = std::make_unique<Impl>();
   impl->options = options;
-  impl->show_labels = options.show_labels;
-  impl->show_help = options.show_help;
+  impl->on[static_cast<std::size_t>(ViewerCommand::kLabels)] = options.show_labels;
+  impl->on[static_cast<std::size_t>(ViewerCommand::kShots)] = true;
+  impl->on[static_cast<std::size_t>(ViewerCommand::kMessages)] = true;
+  impl->on[static_cast<std::size_t>(ViewerCommand::kHelp)] = options.show_help;
   impl->engine = std::move(*engine);
   try {
     if (Result<void> built = impl->Build(); !built) return built.error();
@@ -285,10 +454,35 @@ int Viewer::height() const {
   return impl_->engine->height();
 }
 void Viewer::SelectAgent(std::uint32_t agent_id) {
-  impl_->selected = agent_id;
+  impl_->selection.clear();
+  if (agent_id != 0) impl_->selection.push_back(agent_id);
+}
+void Viewer::SelectAgents(std::vector<std::uint32_t> agent_ids) {
+  impl_->selection = std::move(agent_ids);
 }
 std::uint32_t Viewer::selected_agent() const {
-  return impl_->selected;
+  return impl_->selection.empty() ? 0 : impl_->selection.front();
+}
+const std::vector<std::uint32_t>& Viewer::selection() const {
+  return impl_->selection;
+}
+
+void Viewer::ShowOverlays(const world::OverlaySnapshot& overlays) {
+  impl_->overlays = overlays;
+  impl_->has_overlays = true;
+}
+world::OverlayWants Viewer::overlay_wants() const {
+  return {impl_->IsOn(ViewerCommand::kNavigation), impl_->IsOn(ViewerCommand::kInfluence),
+          impl_->IsOn(ViewerCommand::kPhysics)};
+}
+void Viewer::SetGhosts(std::vector<Ghost> ghosts) {
+  impl_->ghosts = std::move(ghosts);
+}
+void Viewer::Do(ViewerCommand command) {
+  impl_->Do(command);
+}
+bool Viewer::IsOn(ViewerCommand command) const {
+  return impl_->IsOn(command);
 }
 
 Result<void> Viewer::SaveScreenshot(const fs::path& path) {

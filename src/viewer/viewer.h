@@ -9,6 +9,8 @@
 
 #include "diagnostics/result.h"
 #include "viewer/input_event.h"
+#include "viewer/viewer_command.h"
+#include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::viewer {
@@ -29,8 +31,9 @@ struct ViewerOptions {
   bool hidden = false;                   ///< Draws without a visible window (it still needs a display), for pictures.
   Detail detail = Detail::kAuto;
   bool vsync = true;
-  bool show_labels = true;  ///< Names above agents at the start (L toggles).
-  bool show_help = false;   ///< The list of keys at the start (H toggles).
+  bool show_labels = true;    ///< Names above agents at the start (L toggles).
+  bool show_help = false;     ///< The list of keys at the start (H toggles).
+  bool frame_agents = false;  ///< Opens on all agents, wherever the scripts put the camera at first.
   bool show_status_bar = true;
   std::string log_file = {};  ///< The renderer's log; empty: none is written.
   /// Hears of what is missing and had to be replaced, once per name, and of a renderer that fails.
@@ -40,8 +43,18 @@ struct ViewerOptions {
 /// What the status bar says about the run; the application owns the clock.
 struct RunStatus {
   bool paused = false;
-  double speed = 1;     ///< Simulated seconds per second that the user asked for.
+  double speed = 1;     ///< Simulated seconds per second that the user asked for; infinite: as fast as it goes.
   std::string message;  ///< A short remark, "recording to run.rec"; may be empty.
+};
+
+/// A figure that is not there, drawn translucent with its name: where somebody would be in another future.
+struct Ghost {
+  std::string name;
+  world::Vec3 position;  ///< Of the middle of the body, as in AgentSnapshot.
+  world::Vec3 forward{0, 0, 1};
+  world::Color color{0.75f, 0.85f, 1, 1};
+  float opacity = 0.6f;  ///< 0..1
+  float radius_m = 0.35f, height_m = 1.75f;
 };
 
 /// The window: it shows the newest snapshot of a world and reports what the user does.
@@ -69,6 +82,20 @@ class Viewer {
 
   void SetStatus(const RunStatus& status);
 
+  /// What overlays draw besides the scene; stays until the next call. Never called: what needs it is not drawn and
+  /// the keys that switch it say so (a recording does not hold it).
+  void ShowOverlays(const world::OverlaySnapshot& overlays);
+  /// What ShowOverlays should bring along for the overlays that are on.
+  world::OverlayWants overlay_wants() const;
+
+  /// Figures of another future, drawn until the next call; an empty list takes them away.
+  void SetGhosts(std::vector<Ghost> ghosts);
+
+  /// Carries out a command as its key does: at once if it is the window's, else it comes out of TakeCommands.
+  void Do(ViewerCommand command);
+  /// Whether an overlay is on, a camera in use, the list of keys shown; false for other commands.
+  bool IsOn(ViewerCommand command) const;
+
   /// Draws one frame and reads the user's input; false once the window was closed or can no longer be drawn.
   bool RenderFrame();
 
@@ -85,7 +112,11 @@ class Viewer {
 
   /// Selects an agent as a click on it would, or none with id 0.
   void SelectAgent(std::uint32_t agent_id);
+  /// Selects several; the first is the one that panels are about.
+  void SelectAgents(std::vector<std::uint32_t> agent_ids);
+  /// The first of selection(); 0: none.
   std::uint32_t selected_agent() const;
+  const std::vector<std::uint32_t>& selection() const;
 
   /// Draws the current scene once more and writes it as a PNG.
   Result<void> SaveScreenshot(const std::filesystem::path& path);

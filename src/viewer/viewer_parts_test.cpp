@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "viewer/body_mesh.h"
-#include "viewer/free_camera.h"
+#include "viewer/camera_rig.h"
 #include "viewer/images.h"
 #include "viewer/interpolate.h"
 #include "viewer/markup.h"
@@ -224,43 +224,128 @@ TEST(Projection, AClickMeansTheNearestAgentUnderIt) {
   EXPECT_EQ(view.AgentAt({20, 20}, agents), 0u);
 }
 
-TEST(FreeCamera, ReachesItsSpeedAndTwentyTimesThatWithShift) {
+TEST(CameraRig, FliesAtItsSpeedAndTwentyTimesThatWithShift) {
   for (const bool fast : {false, true}) {
-    FreeCamera camera;
+    CameraRig camera;
     camera.MoveTo(CameraAt({0, 1, 0}));
-    for (int i = 0; i < 120; ++i) camera.Update({.forward = 1, .fast = fast}, 1.0f / 60);
+    for (int i = 0; i < 120; ++i) camera.Update({.forward = 1, .fast = fast}, 1.0f / 60, nullptr, 720);
     const float gone = -camera.pose().position.z;
     EXPECT_NEAR(gone, fast ? 190 : 9.5f, fast ? 6 : 0.3f);
-    for (int i = 0; i < 120; ++i) camera.Update({}, 1.0f / 60);
+    for (int i = 0; i < 120; ++i) camera.Update({}, 1.0f / 60, nullptr, 720);
     const Vec3 rest = camera.pose().position;
-    camera.Update({}, 1.0f / 60);
+    camera.Update({}, 1.0f / 60, nullptr, 720);
     EXPECT_EQ(camera.pose().position, rest);
   }
 }
 
-TEST(FreeCamera, TheMouseTurnsItOnlyWhileTheRightButtonIsHeldAndNeverOverTheTop) {
-  FreeCamera camera;
+TEST(CameraRig, TheMouseTurnsItOnlyWhileTheRightButtonIsHeldAndNeverOverTheTop) {
+  CameraRig camera;
   camera.MoveTo(CameraAt({0, 1, 0}));
-  camera.Update({.mouse_dx = 100, .mouse_dy = 50}, 0.016f);
+  camera.Update({.mouse_dx = 100, .mouse_dy = 50}, 0.016f, nullptr, 720);
   EXPECT_EQ(camera.forward(), (Vec3{0, 0, -1}));
-  camera.Update({.looking = true, .mouse_dx = 600}, 0.016f);  // 600 px of 0.15 degrees: a quarter turn to the right.
+  // 600 px of 0.15 degrees: a quarter turn to the right.
+  camera.Update({.looking = true, .mouse_dx = 600}, 0.016f, nullptr, 720);
   EXPECT_NEAR(camera.forward().x, 1, 1e-3);
-  for (int i = 0; i < 100; ++i) camera.Update({.looking = true, .mouse_dy = -40}, 0.016f);
+  for (int i = 0; i < 100; ++i) camera.Update({.looking = true, .mouse_dy = -40}, 0.016f, nullptr, 720);
   EXPECT_GT(camera.forward().y, 0.98f);
   EXPECT_GT(camera.forward().x, 0);
 }
 
-TEST(FreeCamera, FollowsABodyUntilTheUserMovesIt) {
-  FreeCamera camera;
+world::AgentSnapshot AgentAt(std::uint32_t id, Vec3 place) {
+  world::AgentSnapshot agent;
+  agent.id = id;
+  agent.position = place;
+  return agent;
+}
+
+TEST(CameraRig, FollowsAnAgentUntilTheUserMovesIt) {
+  CameraRig camera;
   camera.MoveTo(CameraAt({0, 5, 20}));
-  for (int i = 0; i < 30; ++i) {
-    camera.Update({}, 1.0f / 60);
-    camera.Follow({static_cast<float>(i), 1, 0});
+  EXPECT_FALSE(camera.SetMode(CameraMode::kFollow, nullptr)) << "there is nobody to follow";
+  world::AgentSnapshot agent = AgentAt(7, {0, 1, 0});
+  ASSERT_TRUE(camera.SetMode(CameraMode::kFollow, &agent));
+  EXPECT_EQ(camera.agent(), 7u);
+  Vec3 before = camera.pose().position;
+  for (int i = 0; i < 60; ++i) {
+    agent.position.x = 0.5f * static_cast<float>(i);
+    camera.Update({}, 1.0f / 60, &agent, 720);
+    EXPECT_LT(world::Distance(before, camera.pose().position), 2.5f) << "it jumps";
+    before = camera.pose().position;
   }
-  EXPECT_TRUE(camera.following());
-  EXPECT_NEAR(world::Distance(camera.pose().position, {29, 1, 0}), 12, 0.5);
-  camera.Update({.left = 1}, 1.0f / 60);
-  EXPECT_FALSE(camera.following());
+  EXPECT_NEAR(world::Distance(camera.pose().position, agent.position), 12, 0.5);
+  camera.Update({.left = 1}, 1.0f / 60, &agent, 720);
+  EXPECT_EQ(camera.mode(), CameraMode::kFree);
+  EXPECT_LT(world::Distance(before, camera.pose().position), 1.0f);
+  // An agent that goes takes its view along.
+  camera.SetMode(CameraMode::kEyes, &agent);
+  camera.Update({}, 1.0f / 60, nullptr, 720);
+  EXPECT_EQ(camera.mode(), CameraMode::kFree);
+}
+
+TEST(CameraRig, FramesAllAgentsLargeAndWhole) {
+  for (const float width : {1280.0f, 600.0f}) {
+    CameraRig camera;
+    camera.MoveTo(CameraAt({300, 2, 40}));
+    const std::vector<world::AgentSnapshot> agents{AgentAt(1, {-20, 1, 3}), AgentAt(2, {8, 1, -6}),
+                                                   AgentAt(3, {2, 1, 12})};
+    const std::vector<const world::AgentSnapshot*> all{&agents[0], &agents[1], &agents[2]};
+    camera.Frame(all, width / 720, true);
+    camera.Arrive();
+    const Projection view(camera.pose(), static_cast<int>(width), 720);
+    float left = width, right = 0, top = 720, bottom = 0;
+    for (const auto& agent : agents) {
+      const auto at = view.Project(agent.position);
+      ASSERT_TRUE(at.has_value());
+      left = std::min(left, at->x), right = std::max(right, at->x);
+      top = std::min(top, at->y), bottom = std::max(bottom, at->y);
+    }
+    EXPECT_GT(left, 10);
+    EXPECT_LT(right, width - 10);
+    EXPECT_GT(top, 40);
+    EXPECT_LT(bottom, 700);
+    EXPECT_GT((right - left) / width, 0.6f) << "they could be larger";
+  }
+}
+
+TEST(CameraRig, LooksOutOfEyesAndStraightDownOnTheMap) {
+  CameraRig camera;
+  camera.MoveTo(CameraAt({0, 5, 20}));
+  world::AgentSnapshot agent = AgentAt(3, {4, 1, 0});
+  agent.forward = {1, 0, 0};
+  ASSERT_TRUE(camera.SetMode(CameraMode::kEyes, &agent));
+  for (int i = 0; i < 60; ++i) camera.Update({}, 1.0f / 60, &agent, 720);
+  EXPECT_GT(camera.forward().x, 0.99f);
+  EXPECT_NEAR(camera.pose().position.y, 1.84f, 0.1f);
+  ASSERT_TRUE(camera.SetMode(CameraMode::kMap, &agent));
+  for (int i = 0; i < 60; ++i) camera.Update({}, 1.0f / 60, &agent, 720);
+  EXPECT_LT(camera.forward().y, -0.999f);
+  const Projection view(camera.pose(), 1280, 720);
+  EXPECT_LT(view.Project({4, 0, -5})->y, view.Project({4, 0, 5})->y) << "north is up";
+  EXPECT_LT(view.Project({0, 0, 0})->x, view.Project({5, 0, 0})->x) << "east is to the right";
+  const float before = camera.pose().position.y;
+  camera.Update({.wheel = 3}, 1.0f / 60, &agent, 720);
+  EXPECT_LT(camera.pose().position.y, before * 0.75f);
+}
+
+TEST(CameraRig, TheMiddleButtonDragsWhatIsUnderTheCursorAlong) {
+  CameraRig camera;
+  world::CameraSnapshot down = CameraAt({0, 10, 0});
+  camera.MoveTo(down);
+  ASSERT_TRUE(camera.SetMode(CameraMode::kMap, nullptr));
+  for (int i = 0; i < 60; ++i) camera.Update({}, 1.0f / 60, nullptr, 720);
+  const auto before = Projection(camera.pose(), 1280, 720).Project({0, 0, 0});
+  camera.Update({.panning = true, .mouse_dx = 100, .mouse_dy = -40}, 1.0f / 60, nullptr, 720);
+  const auto after = Projection(camera.pose(), 1280, 720).Project({0, 0, 0});
+  ASSERT_TRUE(before && after);
+  EXPECT_NEAR(after->x - before->x, 100, 1);
+  EXPECT_NEAR(after->y - before->y, -40, 1);
+}
+
+TEST(Picking, ABoxHoldsTheAgentsWhoseMiddleIsInIt) {
+  const Projection view(CameraAt({0, 2, 10}), 800, 600);
+  const std::vector<world::AgentSnapshot> agents{AgentAt(1, {-2, 2, 0}), AgentAt(2, {2, 2, 0}), AgentAt(3, {0, 2, 30})};
+  EXPECT_THAT(view.AgentsIn({800, 600}, {0, 0}, agents), testing::ElementsAre(1, 2));
+  EXPECT_THAT(view.AgentsIn({0, 0}, {400, 600}, agents), testing::ElementsAre(1));
 }
 
 TEST(Interpolate, GoesStraightButNeverThroughATeleport) {

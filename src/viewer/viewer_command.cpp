@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/viewer_command.h"
+
+#include <SDL_scancode.h>
+
+namespace soarbox::viewer {
+namespace {
+
+using C = ViewerCommand;
+using G = CommandGroup;
+
+constexpr CommandInfo kInfos[] = {
+    {C::kTogglePause, G::kRun, "Pause", "P", "Hold the world, or let it go on"},
+    {C::kSingleStep, G::kRun, "Step a tick", "N", "Let the world go on by one tick: all sense, decide, act and move"},
+    {C::kStepDecision, G::kRun, "Step a decision", "Shift+N",
+     "The selected agent alone makes one decision; the world stands still and takes its commands in the next tick"},
+    {C::kStepPhase, G::kRun, "Step a phase", "Ctrl+N",
+     "The selected agent alone does one phase of its decision cycle; the world stands still"},
+    {C::kFaster, G::kRun, "Faster", "+", "The next speed up to 16 times real time"},
+    {C::kSlower, G::kRun, "Slower", "-", "The next speed down to a tenth of real time"},
+    {C::kNormalSpeed, G::kRun, "Normal speed", "Backspace", "Real time"},
+    {C::kUnlimited, G::kRun, "As fast as it goes", "O", "No limit but the machine's; again: the speed before"},
+    {C::kReset, G::kRun, "Reset", "Ctrl+R", "Begin again with the same seed"},
+    {C::kNextSeed, G::kRun, "Restart with the next seed", "Ctrl+Shift+R", "Begin again with the next seed"},
+    {C::kQuit, G::kRun, "Quit", "Esc", "Close the window"},
+    {C::kFrameSelection, G::kCamera, "Frame the selection", "F", "Look at the selected agents from near"},
+    {C::kFrameAll, G::kCamera, "Frame all", "Home", "Look at all agents"},
+    {C::kFreeCamera, G::kCamera, "Free camera", "1", "Fly: W A S D, Q E; right drag looks, the wheel flies ahead"},
+    {C::kOrbitCamera, G::kCamera, "Orbit", "2", "Circle round the selected agent, or the middle of the picture"},
+    {C::kFollowCamera, G::kCamera, "Follow", "3 or C", "Stay with the selected agent"},
+    {C::kEyesCamera, G::kCamera, "Agent's eyes", "4", "See what the selected agent looks at"},
+    {C::kMapCamera, G::kCamera, "Map", "5", "From above, north up; drag to move, the wheel zooms"},
+    {C::kSelectNext, G::kSelection, "Next agent", "Tab", "Select the agent after this one"},
+    {C::kSelectPrevious, G::kSelection, "Previous agent", "Shift+Tab", "Select the agent before this one"},
+    {C::kSelectNone, G::kSelection, "Select none", "Ctrl+D", "Give up the selection"},
+    {C::kLabels, G::kOverlay, "Names and states", "L", "Name, operator, health above each agent"},
+    {C::kTrails, G::kOverlay, "Trails", "T", "Where each agent came from"},
+    {C::kSenses, G::kOverlay, "Sensor cones", "V", "How far and how wide the agents see and hear"},
+    {C::kPaths, G::kOverlay, "Planned paths", "R", "The ways that agents mean to go"},
+    {C::kTargets, G::kOverlay, "Targets", "G", "What agents aim at, go to and follow"},
+    {C::kShots, G::kOverlay, "Shots and hits", "X", "Lines of fire, and a mark where they ended"},
+    {C::kMessages, G::kOverlay, "Messages", "M", "What agents say, as speech bubbles"},
+    {C::kForces, G::kOverlay, "Steering forces", "Y", "Velocity and the force that changes it"},
+    {C::kBelief, G::kOverlay, "Belief", "B", "The others where the selected agent believes them to be"},
+    {C::kNavigation, G::kOverlay, "Navigation mesh", "J", "Where agents can walk"},
+    {C::kInfluence, G::kOverlay, "Influence map", "I", "The scenario's influence map"},
+    {C::kPhysics, G::kOverlay, "Physics shapes", "K", "What bodies really collide with"},
+    {C::kHelp, G::kHelp, "Keys", "H or ?", "The list of keys"},
+};
+
+constexpr bool IsInOrder() {
+  int number = 0;
+  for (const CommandInfo& info : kInfos) {
+    if (static_cast<int>(info.command) != number++) return false;
+  }
+  return number == kViewerCommands;
+}
+static_assert(IsInOrder());
+
+struct Key {
+  int scancode;
+  bool shift, control;
+  ViewerCommand command;
+};
+
+constexpr Key kKeys[] = {
+    {SDL_SCANCODE_P, false, false, C::kTogglePause},    {SDL_SCANCODE_PAUSE, false, false, C::kTogglePause},
+    {SDL_SCANCODE_N, false, false, C::kSingleStep},     {SDL_SCANCODE_PERIOD, false, false, C::kSingleStep},
+    {SDL_SCANCODE_N, true, false, C::kStepDecision},    {SDL_SCANCODE_N, false, true, C::kStepPhase},
+    {SDL_SCANCODE_EQUALS, false, false, C::kFaster},    {SDL_SCANCODE_EQUALS, true, false, C::kFaster},
+    {SDL_SCANCODE_KP_PLUS, false, false, C::kFaster},   {SDL_SCANCODE_MINUS, false, false, C::kSlower},
+    {SDL_SCANCODE_KP_MINUS, false, false, C::kSlower},  {SDL_SCANCODE_BACKSPACE, false, false, C::kNormalSpeed},
+    {SDL_SCANCODE_O, false, false, C::kUnlimited},      {SDL_SCANCODE_R, false, true, C::kReset},
+    {SDL_SCANCODE_R, true, true, C::kNextSeed},         {SDL_SCANCODE_ESCAPE, false, false, C::kQuit},
+    {SDL_SCANCODE_F, false, false, C::kFrameSelection}, {SDL_SCANCODE_HOME, false, false, C::kFrameAll},
+    {SDL_SCANCODE_1, false, false, C::kFreeCamera},     {SDL_SCANCODE_2, false, false, C::kOrbitCamera},
+    {SDL_SCANCODE_3, false, false, C::kFollowCamera},   {SDL_SCANCODE_C, false, false, C::kFollowCamera},
+    {SDL_SCANCODE_4, false, false, C::kEyesCamera},     {SDL_SCANCODE_5, false, false, C::kMapCamera},
+    {SDL_SCANCODE_TAB, false, false, C::kSelectNext},   {SDL_SCANCODE_TAB, true, false, C::kSelectPrevious},
+    {SDL_SCANCODE_D, false, true, C::kSelectNone},      {SDL_SCANCODE_L, false, false, C::kLabels},
+    {SDL_SCANCODE_T, false, false, C::kTrails},         {SDL_SCANCODE_V, false, false, C::kSenses},
+    {SDL_SCANCODE_R, false, false, C::kPaths},          {SDL_SCANCODE_G, false, false, C::kTargets},
+    {SDL_SCANCODE_X, false, false, C::kShots},          {SDL_SCANCODE_M, false, false, C::kMessages},
+    {SDL_SCANCODE_Y, false, false, C::kForces},         {SDL_SCANCODE_B, false, false, C::kBelief},
+    {SDL_SCANCODE_J, false, false, C::kNavigation},     {SDL_SCANCODE_I, false, false, C::kInfluence},
+    {SDL_SCANCODE_K, false, false, C::kPhysics},        {SDL_SCANCODE_H, false, false, C::kHelp},
+    {SDL_SCANCODE_SLASH, true, false, C::kHelp},
+};
+
+}  // namespace
+
+std::span<const CommandInfo> Commands() {
+  return kInfos;
+}
+
+const CommandInfo& InfoOf(ViewerCommand command) {
+  return kInfos[static_cast<std::size_t>(command)];
+}
+
+std::optional<ViewerCommand> CommandOfKey(int scancode, bool shift, bool control) {
+  for (const Key& key : kKeys) {
+    if (key.scancode == scancode && key.shift == shift && key.control == control) return key.command;
+  }
+  return std::nullopt;
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "world/math.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::world {
+
+/// What a viewer wants to know for its overlays; what costs little is always told.
+struct OverlayWants {
+  bool navigation = false, influence = false, physics = false;
+  friend bool operator==(const OverlayWants&, const OverlayWants&) = default;
+};
+
+/// Where an agent believes another one to be.
+struct ContactSnapshot {
+  std::uint32_t agent_id = 0;
+  Vec3 position;
+  Vec3 forward{0, 0, 1};
+  double age_s = 0;      ///< Since it was last noticed.
+  double memory_s = 15;  ///< After so long it is forgotten.
+  bool visible = false;  ///< In view now.
+  bool heard = false;    ///< Known by hearing.
+  bool alive = true;     ///< As far as it knows.
+};
+
+/// What an agent perceives, wants and says: what overlays draw and a scene does not show.
+struct AgentOverlay {
+  std::uint32_t id = 0;
+  std::string operator_name;  ///< Of its mind; the last one chosen. Empty: none, or not told.
+  std::string doing;          ///< The command under way, "move-to"; empty: none.
+  bool has_senses = false;
+  float sight_m = 0, view_deg = 360, hearing_m = 0;
+  Vec3 eyes;
+  std::vector<Vec3> path;       ///< Corners still to pass, in order; empty: none planned.
+  bool path_is_closed = false;  ///< The last corner leads to the first.
+  std::optional<Vec3> goal;     ///< The place that it goes to or aims at.
+  std::uint32_t target_id = 0;  ///< The agent that it has in mind; 0: none.
+  std::uint32_t leader_id = 0;  ///< The agent that it follows; 0: none.
+  Vec3 force_n;                 ///< What steered its body in the last tick.
+  bool has_force = false;
+  std::vector<ContactSnapshot> contacts;
+};
+
+/// A shot of the last moments.
+struct ShotSnapshot {
+  Vec3 from, to;
+  std::uint32_t shooter_id = 0;
+  std::uint32_t hit_agent_id = 0;  ///< 0: no agent.
+  double age_s = 0;
+};
+
+/// Something that an agent said in the last moments.
+struct SpeechSnapshot {
+  std::uint32_t from_id = 0;
+  std::uint32_t to_id = 0;  ///< 0: the whole team.
+  std::string text;         ///< "contact: target red-1, x 3.5"
+  double age_s = 0;
+};
+
+/// Everything that overlays need besides the scene, at the end of one tick. Recordings do not hold it.
+struct OverlaySnapshot {
+  std::uint64_t tick = 0;
+  std::vector<AgentOverlay> agents;  ///< In ascending id.
+  std::vector<ShotSnapshot> shots;
+  std::vector<SpeechSnapshot> speech;
+  // Only what was wanted.
+  std::vector<LineSnapshot> lines;          ///< Edges of navigation meshes, wireframes of bodies.
+  std::vector<TriangleSnapshot> triangles;  ///< Fills of navigation meshes and the influence map.
+};
+
+}  // namespace soarbox::world
