@@ -11,6 +11,7 @@
 
 #include "script/check_syntax.h"
 #include "sim/reasons.h"
+#include "sim/rule_slips.h"
 #include "sim/scenario_file.h"
 #include "sim/soar_host.h"
 #include "sim/vocabulary.h"
@@ -196,51 +197,53 @@ class Checker {
     if (!loaded) return problems.push_back(loaded.error());
     problems.insert(problems.end(), loaded->problems.begin(), loaded->problems.end());
     MindReasons reasons(*loaded->agent);
-    Lint(file, BlankComments(ReadAll(file)), reasons.rules());
+    const bool complete = std::none_of(loaded->problems.begin(), loaded->problems.end(),
+                                       [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
+    Lint(file, BlankComments(ReadAll(file)), reasons.rules(), complete);
   }
 
-  void Lint(const fs::path& file, const std::string& text, const std::vector<RuleText>& rules) {
+  void Lint(const fs::path& file, const std::string& text, const std::vector<RuleText>& rules, bool complete) {
     const Surroundings& around = Around(file.parent_path());
-    std::set<std::string> made = around.made_by_rules, applied;
-    bool applies_any = false;
-    for (const RuleText& rule : rules) {
-      for (const RuleAttribute& action : rule.actions) made.insert(action.attribute);
-      applied.insert(rule.applies.begin(), rule.applies.end());
-      // A rule that applies any operator makes something of it; one that only takes answers away does not.
-      if (rule.applies.contains("") &&
-          std::any_of(rule.actions.begin(), rule.actions.end(), [](const RuleAttribute& action) {
-            return !action.value.ends_with("-") && action.attribute != "operator";
-          }))
-        applies_any = true;
+    FindDuplicates(file, text);
+    const KnownWords known{around.made_by_rules, around.lua_words, complete};
+    for (const auto& slips : {FindSlipsOfForm(rules), FindSlipsOfMeaning(rules, known)}) {
+      for (const Slip& slip : slips) {
+        if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
+        const std::string& word = slip.word.empty() ? slip.rule : slip.word;
+        problems.push_back(Warn(file, text, slip.rule, word, slip.is_attribute, slip.message, slip.hint));
+      }
     }
-    std::set<std::string> told;
-    for (const RuleText& rule : rules) {
-      if (text.find(rule.name) == std::string::npos) continue;  // From a file that this one sources.
-      for (const RuleAttribute& condition : rule.conditions) {
-        const std::string& attribute = condition.attribute;
-        if (!IsConstantAttribute(attribute) || IsArchitectureAttribute(attribute) || IsPerceptAttribute(attribute))
-          continue;
-        if (made.contains(attribute) || around.lua_words.contains(attribute) || !told.insert("^" + attribute).second)
-          continue;
-        problems.push_back(Warn(file, text, rule.name, attribute, true,
-                                "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule writes",
-                                SuggestAttribute(attribute, made)));
+  }
+
+  /// A rule's name that stands twice in a file: the later one takes the place of the earlier.
+  void FindDuplicates(const fs::path& file, const std::string& text) {
+    std::map<std::string, int> lines;
+    int number = 0;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+      ++number;
+      std::istringstream words(line);
+      std::string begin, name;
+      words >> begin;
+      if (begin == "sp" && words >> name && name.starts_with('{')) {
+        if (name == "{") words >> name;
+        while (name.starts_with('{')) name.erase(0, 1);
+      } else if (begin.starts_with("sp{")) {
+        name = begin.substr(3);
       }
-      for (const std::string& command : rule.says) {
-        if (!IsConstantAttribute(command) || FindCommand(command) != nullptr) continue;
-        if (around.lua_words.contains(command) || !told.insert("!" + command).second) continue;
-        const std::string_view near = NearestCommand(command);
-        problems.push_back(
-            Warn(file, text, rule.name, command, true,
-                 "rule " + rule.name + " says ^" + command + ", a command that no body knows",
-                 near.empty() ? "docs/commands.md lists the commands" : "did you mean ^" + std::string(near) + "?"));
-      }
-      for (const std::string& name : rule.proposes) {
-        if (name.empty() || applies_any || applied.contains(name) || !told.insert("o" + name).second) continue;
-        problems.push_back(Warn(file, text, rule.name, name, false,
-                                "rule " + rule.name + " proposes the operator " + name + ", which no rule applies",
-                                "write a rule that tests ^operator.name " + name + " and says or changes something"));
-      }
+      name = name.substr(0, name.find('('));
+      if (name.empty()) continue;
+      const auto [at, is_new] = lines.try_emplace(name, number);
+      if (is_new) continue;
+      Diagnostic warning = Problem(
+          file, "rule " + name + " stands in line " + std::to_string(at->second) + " already: this one takes its place",
+          "give each rule a name of its own");
+      warning.severity = Severity::kWarning;
+      warning.line = number;
+      warning.column = static_cast<int>(line.find(name)) + 1;
+      warning.excerpt = line;
+      warning.excerpt_length = static_cast<int>(name.size());
+      problems.push_back(std::move(warning));
     }
   }
 

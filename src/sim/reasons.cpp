@@ -63,6 +63,7 @@ MatchState ReadMatches(const std::string& text) {
 }  // namespace
 
 std::string SuggestAttribute(std::string_view attribute, const std::set<std::string>& known) {
+  if (attribute.size() < 3) return {};
   const std::vector<std::string> more(known.begin(), known.end());
   const std::string_view near = NearestAttribute(attribute, more);
   return near.empty() ? std::string() : "did you mean ^" + std::string(near) + "?";

@@ -41,10 +41,6 @@ std::vector<std::string> Tokens(std::string_view text) {
   return tokens;
 }
 
-bool IsVariable(std::string_view word) {
-  return word.size() > 2 && word.front() == '<' && word.back() == '>' && word[1] != '<' && word != "<=>";
-}
-
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -55,7 +51,7 @@ std::string Joined(const std::vector<std::string>& words) {
 std::vector<RuleAttribute> ReadSide(const std::vector<std::string>& tokens) {
   std::vector<RuleAttribute> found;
   std::string id;
-  bool in_clause = false, has_id = false, clause_negated = false, attribute_negated = false;
+  bool in_clause = false, has_id = false, on_state = false, clause_negated = false, attribute_negated = false;
   int conjunction = 0, group_negations = 0;
   std::vector<bool> groups;
   std::vector<std::string> value;
@@ -85,7 +81,7 @@ std::vector<RuleAttribute> ReadSide(const std::vector<std::string>& tokens) {
         groups.pop_back();
       } else if (token == "(") {
         in_clause = true;
-        has_id = false;
+        has_id = on_state = false;
         clause_negated = minus;
         id.clear();
       }
@@ -107,15 +103,17 @@ std::vector<RuleAttribute> ReadSide(const std::vector<std::string>& tokens) {
     } else if (token.size() > 1 && token[0] == '^') {
       finish();
       has_attribute = true;
-      current = {id, token.substr(1), {}, clause_negated || attribute_negated || group_negations > 0};
+      current = {id, token.substr(1), {}, clause_negated || attribute_negated || group_negations > 0, on_state};
       attribute_negated = false;
     } else if (token == "^") {
       // ^{ <name> <> io }: no constant.
       finish();
       has_attribute = true;
       attribute_in_braces = true;
-      current = {id, "{}", {}, clause_negated || attribute_negated || group_negations > 0};
+      current = {id, "{}", {}, clause_negated || attribute_negated || group_negations > 0, on_state};
       attribute_negated = false;
+    } else if (!has_id && token == "state") {
+      on_state = true;
     } else if (!has_id && IsVariable(token)) {
       id = token;
       has_id = true;
@@ -184,6 +182,22 @@ void Classify(RuleText& rule) {
 
 }  // namespace
 
+bool IsVariable(std::string_view word) {
+  return word.size() > 2 && word.front() == '<' && word.back() == '>' && word[1] != '<' && word != "<=>";
+}
+
+std::vector<std::string> VariablesIn(std::string_view text) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '-' ||
+                                 text[end] == '_' || text[end] == '*'))
+      ++end;
+    if (end > at + 1 && end < text.size() && text[end] == '>') found.emplace_back(text.substr(at, end + 1 - at));
+  }
+  return found;
+}
+
 bool IsConstantAttribute(std::string_view attribute) {
   return !attribute.empty() && attribute[0] != '<' && attribute[0] != '{' && attribute[0] != '>' && attribute[0] != '=';
 }
@@ -239,7 +253,14 @@ std::vector<RuleText> ReadRules(std::string_view text) {
     const std::size_t arrow = body.find("-->");
     if (arrow == std::string_view::npos) continue;
     rule.conditions = ReadSide(Tokens(body.substr(name_end, arrow - name_end)));
-    rule.actions = ReadSide(Tokens(body.substr(arrow + 3)));
+    const std::vector<std::string> actions = Tokens(body.substr(arrow + 3));
+    rule.actions = ReadSide(actions);
+    rule.acts = !actions.empty();
+    for (std::size_t i = 0; i + 1 < actions.size(); ++i)
+      if (actions[i] == "(" && !IsVariable(actions[i + 1])) rule.calls.insert(actions[i + 1]);
+    // A function that is not built in is printed as the first argument of exec.
+    for (std::size_t i = 0; i + 2 < actions.size(); ++i)
+      if (actions[i] == "(" && actions[i + 1] == "exec") rule.calls.insert("exec " + actions[i + 2]);
     Classify(rule);
     rules.push_back(std::move(rule));
   }

@@ -14,6 +14,7 @@ struct RuleAttribute {
   std::string attribute;  ///< Without the ^; a variable or a list of tests if it is no constant.
   std::string value;      ///< All that stands behind it, "<o> +".
   bool negated = false;
+  bool on_state = false;  ///< The clause begins with the word state.
 };
 
 /// What a rule says about itself, as far as reasons and checks need it.
@@ -27,6 +28,9 @@ struct RuleText {
   std::set<std::string> applies;
   /// Attributes that it puts directly on the output link.
   std::set<std::string> says;
+  /// Names of the functions that its actions call.
+  std::set<std::string> calls;
+  bool acts = false;  ///< It has actions at all.
 };
 
 /// Reads what `print --all --full` answers. Text that is no rule is skipped.
@@ -35,6 +39,10 @@ std::vector<RuleText> ReadRules(std::string_view text);
 std::string BlankComments(std::string text);
 /// Reads clauses alone: "(<in> ^agent <a>)".
 std::vector<RuleAttribute> ReadConditions(std::string_view text);
+/// "<s>"
+bool IsVariable(std::string_view word);
+/// All variables in a text, in order, each as often as it is there.
+std::vector<std::string> VariablesIn(std::string_view text);
 bool IsConstantAttribute(std::string_view attribute);
 /// Attributes that the architecture and the world themselves make: "superstate", "status", ...
 bool IsArchitectureAttribute(std::string_view attribute);

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "sim/clarify_errors.h"
 #include "sml_Client.h"
 
 namespace soarbox::sim {
@@ -189,6 +190,7 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
     std::vector<Diagnostic> more = ParseDiagnostics(reason, file);
     if (loaded.problems.empty()) loaded.problems = std::move(more);
   }
+  ClarifyErrors(loaded.problems);
   for (Diagnostic& problem : loaded.problems) {
     if (problem.file == absolute.string()) problem.file = file;
   }

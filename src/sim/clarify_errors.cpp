@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/clarify_errors.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sim/rule_text.h"
+
+namespace soarbox::sim {
+namespace {
+
+constexpr std::size_t kNowhere = std::string::npos;
+
+struct SourceFile {
+  std::vector<std::string> lines;  ///< As they are.
+  std::vector<std::string> code;   ///< With comments blanked.
+
+  const std::string& Line(int number) const {
+    static const std::string kNone;
+    return number >= 1 && number <= static_cast<int>(lines.size()) ? lines[static_cast<std::size_t>(number) - 1]
+                                                                   : kNone;
+  }
+  const std::string& Code(int number) const {
+    static const std::string kNone;
+    return number >= 1 && number <= static_cast<int>(code.size()) ? code[static_cast<std::size_t>(number) - 1] : kNone;
+  }
+  int count() const { return static_cast<int>(lines.size()); }
+};
+
+std::vector<std::string> SplitLines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+SourceFile ReadSource(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return {SplitLines(text.str()), SplitLines(BlankComments(text.str()))};
+}
+
+std::string Trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin == kNowhere ? std::string() : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// "sp {" and "gp {" at the beginning of a line.
+bool BeginsRule(const std::string& line) {
+  return line.starts_with("sp {") || line.starts_with("sp{") || line.starts_with("gp {") || line.starts_with("gp{");
+}
+
+/// The name behind a rule's first bracket, in its line or the next; empty if there is none.
+std::string NameOfRule(const SourceFile& source, int line) {
+  for (int at = line; at <= line + 1; ++at) {
+    const std::string& text = source.Code(at);
+    const std::size_t begin = text.find_first_not_of(" \t", at == line ? text.find('{') + 1 : 0);
+    if (begin == kNowhere || text[begin] == '(') continue;
+    return text.substr(begin, text.find_first_of(" \t(", begin) - begin);
+  }
+  return {};
+}
+
+/// The line where the rule that holds a line begins; 0 if none does.
+int BeginOfRule(const SourceFile& source, int line) {
+  for (int at = std::min(line, source.count()); at >= 1; --at)
+    if (BeginsRule(source.Code(at))) return at;
+  return 0;
+}
+
+/// The line behind the rule that begins here: where the next one begins, or the end of the file.
+int EndOfRule(const SourceFile& source, int line) {
+  int at = line + 1;
+  while (at <= source.count() && !BeginsRule(source.Code(at))) ++at;
+  return at;
+}
+
+std::string Between(const std::string& text, std::string_view begin, std::string_view end) {
+  const std::size_t from = text.find(begin);
+  if (from == kNowhere) return {};
+  const std::size_t start = from + begin.size();
+  const std::size_t to = text.find(end, start);
+  return to == kNowhere ? std::string() : text.substr(start, to - start);
+}
+
+void PointAt(Diagnostic& problem, const SourceFile& source, int line, std::size_t column, std::size_t length) {
+  problem.line = line;
+  problem.column = static_cast<int>(column) + 1;
+  problem.excerpt = source.Line(line);
+  problem.excerpt_length = static_cast<int>(length);
+}
+
+/// "The file ends within the rule": which rule, and what of it is open.
+void ClarifyUnclosed(Diagnostic& problem, const SourceFile& source) {
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0) return;
+  const int end = EndOfRule(source, begin);
+  const std::string name = NameOfRule(source, begin);
+  problem.line = begin;
+  for (int at = begin; at < end; ++at) {
+    const std::string& text = source.Code(at);
+    if (std::count(text.begin(), text.end(), '|') % 2 == 0) continue;
+    problem.message = "rule " + name + ": the text that begins here with | does not end";
+    problem.hint = "put a second | behind it: |like this|";
+    return PointAt(problem, source, at, text.rfind('|'), text.size() - text.rfind('|'));
+  }
+  problem.message = "rule " + name + " is not closed: its } is missing";
+  problem.hint = end <= source.count() ? "the next rule begins in line " + std::to_string(end) + "; put } before it"
+                                       : "put } at its end";
+}
+
+/// A line that is no command, outside of all rules.
+void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
+  const std::string line = Trimmed(source.Line(problem.line));
+  const std::string word = line.substr(0, line.find_first_of(" \t{"));
+  for (const char* mark : {"//", ";", "--", "/*", "%"}) {
+    if (!line.starts_with(mark) || line.starts_with("-->")) continue;
+    problem.message = std::string(mark) + " begins no comment";
+    problem.hint = "comments begin with #";
+    return PointAt(problem, source, problem.line, source.Line(problem.line).find(mark), std::string_view(mark).size());
+  }
+  if (line.starts_with('(') || line.starts_with("-->") || line.starts_with('}') || line.starts_with('^') ||
+      line.starts_with("-(") || line.starts_with("-{")) {
+    problem.message = "this line stands outside of a rule";
+    problem.hint = "a rule is written sp {name conditions --> actions}; look at the brackets before this line";
+    return;
+  }
+  if (line.find('{') != kNowhere && word != "sp" && word != "gp" && word.size() <= 6) {
+    problem.message = "'" + word + "' begins no rule";
+    problem.hint = "a rule begins with sp {";
+  }
+}
+
+/// sp NAME without its bracket; all that stands behind is outside of a rule then.
+bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
+  const std::string& line = source.Code(problem.line);
+  if (!line.starts_with("sp ") && !line.starts_with("gp ")) return false;
+  const std::string rest = Trimmed(line.substr(3));
+  if (rest.empty() || rest.front() == '{' || rest.front() == '"') return false;
+  problem.message = "the { behind sp is missing";
+  problem.hint = "write sp {" + rest;
+  PointAt(problem, source, problem.line, line.find(rest), rest.size());
+  return true;
+}
+
+/// What the reader expected and what it found: forms of other languages and of haste.
+void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
+  const std::string found = Between(problem.message, "found '", "'");
+  if (problem.message.ends_with("but the rule ends here") && problem.message.find("-->") != kNowhere)
+    problem.hint = "write --> between the conditions and the actions";
+  if (found.empty()) return;
+  if (problem.message.starts_with("expected the rule's name")) problem.hint = "give it one: sp {scout*propose*go";
+  const std::string& line = source.Code(problem.line);
+  const std::size_t column = static_cast<std::size_t>(std::max(problem.column, 1)) - 1;
+  const char before = column > 0 && column <= line.size() ? line[column - 1] : ' ';
+  if (problem.message.find("or --> before the actions") != kNowhere) {
+    if (found.size() > 1 && found.find_first_not_of("-=>") == kNowhere)
+      problem.hint = "write --> between the conditions and the actions";
+    if (before == '[' || found.front() == '[') problem.hint = "conditions stand between ( and )";
+    if (found == ")") problem.hint = "there is one ) too many before it";
+  }
+  if (problem.message.find("expected ^attribute") != kNowhere &&
+      std::isalpha(static_cast<unsigned char>(found[0])) != 0)
+    problem.hint = "did you mean ^" + found + "?";
+  if (found == ")" && problem.message.find("expected a value") != kNowhere)
+    problem.hint = "each ^attribute has a value behind it";
+  if (found[0] == '"') problem.hint = "texts stand between bars: |I am going|";
+  if (found == "<") problem.hint = "a variable is written without blanks: <o>";
+  if (found != "^") return;
+  // "( <o> ^" where a value was expected: the bracket before it was never closed.
+  const std::size_t open = line.rfind('(', column);
+  if (open == kNowhere || line.find('<', open) > column) return;
+  for (int at = problem.line; at >= 1; --at) {
+    const std::string& text = source.Code(at);
+    const std::size_t last = text.find_last_not_of(" \t", at == problem.line && open > 0 ? open - 1 : kNowhere);
+    if (last == kNowhere || (at == problem.line && (open == 0 || last >= open))) continue;
+    if (text[last] == ')' || text.substr(0, last + 1).ends_with("-->")) return;
+    problem.message =
+        problem.message.substr(0, problem.message.find("expected")) + "a ) is missing at the end of this line";
+    problem.hint = "each ( has a ) of its own";
+    return PointAt(problem, source, at, last, 1);
+  }
+}
+
+/// "constant sate stands where only a variable can match": the word state, or nearly.
+void ClarifyState(Diagnostic& problem) {
+  const std::string word = Between(problem.message, "constant ", " stands where");
+  if (word.empty()) return;
+  const std::size_t bracket = word.find('<');
+  if (bracket != kNowhere && bracket > 0) {
+    problem.hint = "a blank is missing: " + word.substr(0, bracket) + " " + word.substr(bracket);
+  } else if (!Suggest(word, {"state"}).empty()) {
+    problem.hint = "did you mean state?";
+  } else {
+    problem.hint = "write <" + word + "> for an object that other conditions lead to";
+  }
+}
+
+/// "the action (<op> ^name go +) uses a variable that no condition binds": which one, where, and which was meant.
+void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
+  const std::string action = Between(problem.message, "the action (", ")");
+  const std::vector<std::string> used = VariablesIn(action);
+  if (used.empty()) return;
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0) return;
+  const std::string name = NameOfRule(source, begin);
+  std::string conditions;
+  std::set<std::string> others;
+  int arrow = begin;
+  const int end = EndOfRule(source, begin);
+  for (int at = begin; at < end; ++at) {
+    for (std::string& variable : VariablesIn(source.Code(at))) others.insert(std::move(variable));
+    if (source.Code(at).find("-->") != kNowhere && arrow == begin) arrow = at;
+    if (arrow == begin) conditions += source.Code(at) + "\n";
+  }
+  const std::string& variable = used.front();
+  others.erase(variable);
+  for (int at = arrow; at < end; ++at) {
+    const std::size_t column = source.Code(at).find("(" + variable);
+    if (column == kNowhere) continue;
+    PointAt(problem, source, at, column + 1, variable.size());
+    break;
+  }
+  problem.message = "rule " + name + ": no condition binds " + variable + ", of which this action tells something";
+  const std::string_view near = Suggest(variable, {others.begin(), others.end()});
+  if (conditions.find("(state " + variable) == kNowhere && conditions.find("(state") == kNowhere) {
+    problem.hint = "the rule's first condition is missing: (state " + variable + " ^superstate nil ...)";
+  } else if (!near.empty()) {
+    problem.hint = "did you mean " + std::string(near) + "?";
+  } else {
+    problem.hint = "bind it in a condition, or let another action lead to it: (<s> ^attribute " + variable + ")";
+  }
+}
+
+}  // namespace
+
+void ClarifyErrors(std::vector<Diagnostic>& problems) {
+  std::map<std::string, SourceFile> files;
+  std::vector<Diagnostic> kept;
+  bool outside = false;  // The line before was told as outside of a rule already.
+  std::set<std::string> unbound_rules;
+  for (Diagnostic& problem : problems) {
+    if (problem.file.empty() || problem.line == 0) {
+      kept.push_back(std::move(problem));
+      continue;
+    }
+    const auto [at, is_new] = files.try_emplace(problem.file);
+    if (is_new) at->second = ReadSource(problem.file);
+    const SourceFile& source = at->second;
+    const std::string& text = problem.message;
+    const std::string word = Between(text + " ", "", " is read as a string");
+    // The reader's remark on a word that it has already stumbled over.
+    if (!word.empty() && !kept.empty() && kept.back().severity == Severity::kError &&
+        kept.back().line == problem.line && kept.back().file == problem.file)
+      continue;
+    const bool was_outside = std::exchange(outside, false);
+    if (text.starts_with("unexpected eof")) {
+      ClarifyUnclosed(problem, source);
+    } else if (text.starts_with("no such command") || text.find("argument allowed when printing") != kNowhere) {
+      ClarifyCommand(problem, source);
+      outside = text.find("outside of a rule") != kNowhere;
+      if (outside && was_outside) continue;
+    } else if (ClarifyMissingBrace(problem, source)) {
+      outside = true;
+    } else if (text.find("uses a variable that no condition binds") != kNowhere) {
+      const int begin = BeginOfRule(source, problem.line);
+      ClarifyUnbound(problem, source);
+      if (!unbound_rules.insert(problem.file + ":" + std::to_string(begin)).second &&
+          problem.hint.starts_with("the rule's"))
+        continue;
+      if (problem.hint.starts_with("bind it") && !kept.empty() && kept.back().hint.starts_with("the rule's")) continue;
+    } else {
+      ClarifyState(problem);
+      ClarifyFound(problem, source);
+    }
+    kept.push_back(std::move(problem));
+  }
+  problems = std::move(kept);
+}
+
+}  // namespace soarbox::sim

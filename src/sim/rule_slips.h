@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/rule_text.h"
+
+namespace soarbox::sim {
+
+/// Something in a rule that loads but is most likely not what its author meant.
+struct Slip {
+  std::string rule;
+  std::string word;           ///< Where in the rule: this word; empty: its name.
+  bool is_attribute = false;  ///< The word stands behind ^ or a dot.
+  std::string message, hint;
+};
+
+/// What rules may test and say besides the vocabulary.
+struct KnownWords {
+  std::set<std::string> attributes;  ///< That rules, scripts and messages make.
+  std::set<std::string> scripts;     ///< All words of scripts beside the rules: percepts and commands of their own.
+  bool complete = true;              ///< All rules loaded; else what is missing may be in those that did not.
+};
+
+/// Slips of form, which need no knowledge of the world: no state, variables that nothing links, words that look like
+/// half a variable or a relation that there is not, functions that there are not.
+std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules);
+
+/// Slips against the vocabulary: attributes that nothing writes or that stand elsewhere, words that a percept never
+/// has, commands and parameters that no body knows, operators that nothing applies.
+std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known);
+
+}  // namespace soarbox::sim

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "diagnostics/diagnostic.h"
+#include "sim/rule_slips.h"
+
+namespace soarbox::sim {
+namespace {
+
+/// Functions that rules call most, for near-misses.
+constexpr std::string_view kFunctions[] = {"write",
+                                           "crlf",
+                                           "halt",
+                                           "interrupt",
+                                           "make-constant-symbol",
+                                           "rand-int",
+                                           "rand-float",
+                                           "abs",
+                                           "sqrt",
+                                           "sin",
+                                           "cos",
+                                           "atan2",
+                                           "min",
+                                           "max",
+                                           "int",
+                                           "float",
+                                           "mod",
+                                           "div",
+                                           "round-off",
+                                           "round-off-heading",
+                                           "ifeq",
+                                           "strlen",
+                                           "trim",
+                                           "concat",
+                                           "capitalize-symbol",
+                                           "deep-copy",
+                                           "timestamp",
+                                           "compute-heading",
+                                           "compute-range",
+                                           "dont-learn",
+                                           "force-learn",
+                                           "cmd"};
+
+bool HasState(const RuleText& rule) {
+  return std::any_of(rule.conditions.begin(), rule.conditions.end(),
+                     [](const RuleAttribute& condition) { return condition.on_state; });
+}
+
+void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
+  if (!HasState(rule)) {
+    slips.push_back({rule.name,
+                     {},
+                     false,
+                     "no condition of rule " + rule.name + " begins with (state <s>",
+                     "begin the first one with it: (state <s> ^superstate nil ...)"});
+    return;
+  }
+  std::set<std::string> linked;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) linked.insert(condition.id);
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const RuleAttribute& condition : rule.conditions) {
+      if (!linked.contains(condition.id)) continue;
+      for (const auto* part : {&condition.attribute, &condition.value})
+        for (std::string& variable : VariablesIn(*part)) grows |= linked.insert(std::move(variable)).second;
+    }
+  }
+  std::set<std::string> told;
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (condition.id.empty() || linked.contains(condition.id) || !told.insert(condition.id).second) continue;
+    const std::vector<std::string_view> others(linked.begin(), linked.end());
+    // One letter is as near to any other.
+    const std::string_view near = condition.id.size() > 3 ? Suggest(condition.id, others) : std::string_view();
+    slips.push_back({rule.name, condition.id, false,
+                     "nothing in rule " + rule.name + " leads from the state to " + condition.id,
+                     near.empty() ? "link it: some other condition needs " + condition.id + " as its value"
+                                  : "did you mean " + std::string(near) + "?"});
+  }
+}
+
+/// The constants of a value; what stands between bars comes without them.
+std::vector<std::string> ConstantsIn(const std::string& value) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < value.size();) {
+    if (value[at] == ' ') {
+      ++at;
+      continue;
+    }
+    const bool is_quoted = value[at] == '|';
+    const std::size_t end = std::min(is_quoted ? value.find('|', at + 1) : value.find(' ', at), value.size());
+    if (is_quoted) words.push_back(value.substr(at + 1, end - at - 1));
+    at = end + 1;
+  }
+  return words;
+}
+
+/// Constants that look like something else. A kernel prints them between bars, whatever their author did.
+void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const auto* side : {&rule.conditions, &rule.actions}) {
+    for (const RuleAttribute& clause : *side) {
+      for (const std::string& word : ConstantsIn(clause.value)) {
+        if (word.size() < 2 || word.find(' ') != std::string::npos) continue;
+        if (word.find_first_not_of("<>=!") == std::string::npos) {
+          slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
+                           "the relations are < <= > >= <> (not equal) <=> (of the same type); = is left out"});
+        } else if (word.front() == '<' || word.back() == '>') {
+          slips.push_back({rule.name, word, false,
+                           word + " in rule " + rule.name + " is read as a word, not as a variable",
+                           "a variable has < in front and > behind, and no blanks"});
+        }
+      }
+    }
+  }
+}
+
+void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
+  if (!rule.acts)
+    slips.push_back({rule.name,
+                     {},
+                     false,
+                     "rule " + rule.name + " does nothing: there is nothing behind its -->",
+                     "an action looks like (<s> ^attribute value)"});
+  for (const std::string& call : rule.calls) {
+    if (!call.starts_with("exec ")) continue;
+    const std::string name = call.substr(5);
+    const std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
+    slips.push_back({rule.name, name, false,
+                     "rule " + rule.name + " calls the function " + name + ", which there is not",
+                     near.empty() ? "built in are write, crlf, halt, + - * / and others"
+                                  : "did you mean " + std::string(near) + "?"});
+  }
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (condition.attribute != "superstate" || condition.value.empty() || condition.value == "nil") continue;
+    if (VariablesIn(condition.value).empty() && condition.value.find('{') == std::string::npos)
+      slips.push_back({rule.name, condition.value, false,
+                       "rule " + rule.name +
+                           " never matches: ^superstate is nil at the top and a state below it, never " +
+                           condition.value,
+                       "write ^superstate nil"});
+  }
+}
+
+/// A variable of the actions that stands nowhere else makes a new identifier: under a name that is much like one that
+/// is bound, that is hardly meant.
+void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
+  std::map<std::string, int> in_actions;
+  std::set<std::string> bound;
+  for (const RuleAttribute& condition : rule.conditions) {
+    bound.insert(condition.id);
+    for (const auto* text : {&condition.value, &condition.attribute})
+      for (const std::string& variable : VariablesIn(*text)) bound.insert(variable);
+  }
+  std::set<std::string> ids;
+  for (const RuleAttribute& action : rule.actions) {
+    ids.insert(action.id);
+    for (const std::string& variable : VariablesIn(action.value)) ++in_actions[variable];
+  }
+  for (const RuleAttribute& action : rule.actions) {
+    if (!IsVariable(action.value)) continue;
+    const std::string& variable = action.value;
+    if (bound.contains(variable) || ids.contains(variable) || in_actions[variable] > 1) continue;
+    const std::string_view near = Suggest(variable, {bound.begin(), bound.end()});
+    if (near.empty() || near.size() < 5 || variable.size() < 5) continue;
+    slips.push_back({rule.name, variable, false,
+                     "no condition of rule " + rule.name + " binds " + variable + ": the action makes a new identifier",
+                     "did you mean " + std::string(near) + "?"});
+  }
+}
+
+}  // namespace
+
+std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules) {
+  std::vector<Slip> slips;
+  for (const RuleText& rule : rules) {
+    FindOddWords(rule, slips);
+    const std::size_t before = slips.size();
+    FindUnlinked(rule, slips);
+    // A variable that lost a bracket is told as that.
+    if (before > 0 && slips.size() > before && slips[before - 1].rule == rule.name &&
+        slips[before - 1].message.ends_with("not as a variable"))
+      slips.resize(before);
+    FindOddActions(rule, slips);
+    FindUnboundValues(rule, slips);
+  }
+  return slips;
+}
+
+}  // namespace soarbox::sim

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <map>
+
+#include "diagnostics/diagnostic.h"
+#include "sim/command_check.h"
+#include "sim/reasons.h"
+#include "sim/rule_slips.h"
+#include "sim/vocabulary.h"
+
+namespace soarbox::sim {
+namespace {
+
+std::string FirstWord(const std::string& value) {
+  return value.substr(0, value.find(' '));
+}
+
+bool IsNumber(const std::string& word) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+class MeaningChecker {
+ public:
+  MeaningChecker(const std::vector<RuleText>& rules, const KnownWords& known) : rules_(rules), known_(known) {
+    made_ = known.attributes;
+    for (const RuleText& rule : rules)
+      for (const RuleAttribute& action : rule.actions) made_.insert(action.attribute);
+  }
+
+  std::vector<Slip> slips;
+
+  void CheckConditions(const RuleText& rule) {
+    std::set<std::string> inputs, states;
+    for (const RuleAttribute& condition : rule.conditions) {
+      if (condition.attribute == "input-link") inputs.insert(FirstWord(condition.value));
+      if (condition.on_state) states.insert(condition.id);
+    }
+    for (const RuleAttribute& condition : rule.conditions) {
+      const std::string& attribute = condition.attribute;
+      if (states.contains(condition.id) && (attribute == "input-link" || attribute == "output-link")) {
+        Tell(rule, attribute, true, "a state has no ^" + attribute + " of its own, as rule " + rule.name + " tests",
+             "it stands below ^io: ^io." + attribute);
+        continue;
+      }
+      if (!IsConstantAttribute(attribute) || IsMade(attribute)) continue;
+      if (inputs.contains(condition.id) && IsPerceptAttribute(attribute)) CheckPlace(rule, attribute);
+      if (IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
+      if (IsArchitectureAttribute(attribute) || IsPerceptAttribute(attribute) || !known_.complete) continue;
+      Tell(rule, attribute, true,
+           "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule writes",
+           SuggestAttribute(attribute, made_));
+    }
+  }
+
+  void CheckSaid(const RuleText& rule) {
+    std::map<std::string, std::string> commands;  // Their identifiers, and what they are.
+    std::set<std::string> outputs;
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.attribute == "output-link" && !condition.negated) outputs.insert(FirstWord(condition.value));
+    for (const RuleAttribute& action : rule.actions) {
+      if (!outputs.contains(action.id) || !rule.says.contains(action.attribute)) continue;
+      if (!IsConstantAttribute(action.attribute) || known_.scripts.contains(action.attribute)) continue;
+      if (FindCommand(action.attribute) == nullptr) {
+        const std::string_view near = NearestCommand(action.attribute);
+        Tell(rule, action.attribute, true,
+             "rule " + rule.name + " says ^" + action.attribute + ", a command that no body knows",
+             near.empty() ? "docs/commands.md lists the commands" : "did you mean ^" + std::string(near) + "?");
+      } else if (!IsVariable(FirstWord(action.value))) {
+        SaidCommand said;
+        said.name = action.attribute;
+        said.is_object = false;
+        Tell(rule, action.attribute, true, "rule " + rule.name + ": " + CheckCommand(said).text, {});
+      } else {
+        commands[FirstWord(action.value)] = action.attribute;
+      }
+    }
+    std::map<std::string, int> parameters;
+    for (const RuleAttribute& action : rule.actions) {
+      const auto command = commands.find(action.id);
+      if (command == commands.end() || !IsConstantAttribute(action.attribute)) continue;
+      ++parameters[action.id];
+      CheckParameter(rule, command->second, action);
+    }
+    for (const auto& [id, name] : commands) {
+      if (parameters.contains(id)) continue;
+      SaidCommand said;
+      said.name = name;
+      if (const CommandFault fault = CheckCommand(said); !fault.ok())
+        Tell(rule, name, true, "rule " + rule.name + ": " + fault.text,
+             "say it below the command: (" + id + " ^... ...)");
+    }
+  }
+
+  /// Operators that are proposed and applied under different names, or not at all.
+  void CheckOperators() {
+    std::set<std::string> applied, proposed;
+    bool applies_any = false, proposes_any = false;
+    for (const RuleText& rule : rules_) {
+      applied.insert(rule.applies.begin(), rule.applies.end());
+      proposed.insert(rule.proposes.begin(), rule.proposes.end());
+      proposes_any |= rule.proposes.contains("");
+      // A rule that applies any operator makes something of it; one that only takes answers away does not.
+      const auto makes = [](const RuleAttribute& action) {
+        return !action.value.ends_with("-") && action.attribute != "operator";
+      };
+      if (rule.applies.contains("") && std::any_of(rule.actions.begin(), rule.actions.end(), makes)) applies_any = true;
+    }
+    for (const RuleText& rule : rules_) {
+      for (const std::string& name : rule.proposes) {
+        if (name.empty() || applies_any || applied.contains(name)) continue;
+        Tell(rule, name, false, "rule " + rule.name + " proposes the operator " + name + ", which no rule applies",
+             HowToApply(name, applied));
+      }
+      for (const std::string& name : rule.applies) {
+        if (name.empty() || proposes_any || proposed.contains(name) || proposed.empty()) continue;
+        const std::string_view near = Suggest(name, {proposed.begin(), proposed.end()});
+        Tell(rule, name, false, "rule " + rule.name + " waits for the operator " + name + ", which no rule proposes",
+             near.empty() ? "write a rule that proposes it: (<s> ^operator <o> +) (<o> ^name " + name + ")"
+                          : "did you mean " + std::string(near) + "?");
+      }
+    }
+  }
+
+ private:
+  bool IsMade(const std::string& attribute) const {
+    return made_.contains(attribute) || known_.scripts.contains(attribute);
+  }
+
+  void Tell(const RuleText& rule, const std::string& word, bool is_attribute, std::string message, std::string hint) {
+    if (told_.insert((is_attribute ? "^" : "!") + word).second)
+      slips.push_back({rule.name, word, is_attribute, std::move(message), std::move(hint)});
+  }
+
+  /// A percept that stands deeper than the input link itself.
+  void CheckPlace(const RuleText& rule, const std::string& attribute) {
+    std::vector<std::string> paths;
+    for (const PerceptRow& row : Percepts()) {
+      if (row.path == attribute) return;
+      if (row.Attribute() == attribute) paths.push_back("^io.input-link." + std::string(row.path));
+    }
+    std::string where;
+    for (std::size_t i = 0; i < paths.size() && i < 4; ++i) where += (i == 0 ? "it is " : ", ") + paths[i];
+    Tell(rule, attribute, true,
+         "rule " + rule.name + " tests ^" + attribute + " directly below the input link, where no percept has it",
+         where + (paths.size() > 4 ? ", ..." : ""));
+  }
+
+  /// A word that the percepts of that name never have.
+  void CheckWord(const RuleText& rule, const RuleAttribute& condition) {
+    const std::string& value = condition.value;
+    if (value.find_first_of(" <>{}|") != std::string::npos || value.empty() || IsNumber(value)) return;
+    std::vector<std::string_view> words;
+    for (const PerceptRow& row : Percepts()) {
+      if (row.Attribute() != condition.attribute) continue;
+      if (row.type != ValueType::kWord && row.type != ValueType::kObject) continue;
+      if (row.words.empty()) return;
+      for (std::string_view rest = row.words; !rest.empty();) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        if (rest.substr(0, end) == value) return;
+        words.push_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+      }
+    }
+    if (words.empty()) {
+      Tell(rule, value, false,
+           "rule " + rule.name + " compares ^" + condition.attribute + ", a number, with the word " + value,
+           "numbers are compared with < <= > >= <>");
+      return;
+    }
+    std::string all = "it is one of:";
+    for (const std::string_view word : words) all += " " + std::string(word);
+    const std::string_view near = Suggest(value, words);
+    Tell(rule, value, false,
+         "rule " + rule.name + " waits for ^" + condition.attribute + " " + value + ", which it never is",
+         near.empty() ? all : "did you mean " + std::string(near) + "?");
+  }
+
+  void CheckParameter(const RuleText& rule, const std::string& command, const RuleAttribute& action) {
+    SaidCommand said;
+    said.name = command;
+    Percept& given = said.parameters.emplace_back();
+    given.attribute = action.attribute;
+    const std::string word = FirstWord(action.value);
+    const bool is_constant = !word.empty() && word.find_first_of("<>()|") == std::string::npos;
+    if (IsNumber(word)) {
+      double number = 0;
+      std::from_chars(word.data(), word.data() + word.size(), number);
+      if (word.find_first_of(".eE") == std::string::npos) {
+        given.value = static_cast<std::int64_t>(number);
+      } else {
+        given.value = number;
+      }
+    } else {
+      given.value = word;
+    }
+    const CommandFault fault = CheckCommand(said);
+    if (fault.reason == "unknown-parameter" || (fault.reason == "bad-value" && is_constant))
+      Tell(rule, action.attribute, true, "rule " + rule.name + ": " + fault.text, {});
+  }
+
+  std::string HowToApply(const std::string& name, const std::set<std::string>& applied) const {
+    // A rule that means to apply it may test the proposal instead.
+    for (const RuleText& rule : rules_) {
+      std::set<std::string> proposals;
+      for (const RuleAttribute& condition : rule.conditions)
+        if (condition.attribute == "operator" && condition.value.ends_with("+"))
+          proposals.insert(FirstWord(condition.value));
+      const bool names_it =
+          std::any_of(rule.conditions.begin(), rule.conditions.end(), [&](const RuleAttribute& condition) {
+            return proposals.contains(condition.id) && condition.attribute == "name" && condition.value == name;
+          });
+      if (names_it && !rule.says.empty())
+        return "rule " + rule.name + " tests ^operator " + *proposals.begin() +
+               " +, a proposal: without the + it tests the operator that is selected";
+    }
+    const std::string_view near = Suggest(name, {applied.begin(), applied.end()});
+    for (const RuleText& rule : rules_)
+      if (!near.empty() && rule.applies.contains(std::string(near)))
+        return "rule " + rule.name + " applies " + std::string(near) + ": did you mean that?";
+    return "write a rule that tests ^operator.name " + name + " and says or changes something";
+  }
+
+  const std::vector<RuleText>& rules_;
+  const KnownWords& known_;
+  std::set<std::string> made_;
+  std::set<std::string> told_;
+};
+
+}  // namespace
+
+std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known) {
+  MeaningChecker checker(rules, known);
+  for (const RuleText& rule : rules) {
+    checker.CheckConditions(rule);
+    checker.CheckSaid(rule);
+  }
+  if (known.complete) checker.CheckOperators();
+  return std::move(checker.slips);
+}
+
+}  // namespace soarbox::sim
