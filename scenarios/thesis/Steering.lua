@@ -1,9 +1,6 @@
 -- What the agents of this scenario have in common: their looks, how they walk, and what they draw.
 require "AgentUtilities";
 
-local kAvoidanceLookAheadSeconds = 1.5;
-local kAvoidanceWeight = 3;
-
 function Steering_CreateBody(agent)
     AgentUtilities_CreateAgentRepresentation(agent, agent:GetHeight(), agent:GetRadius());
 end
@@ -16,10 +13,7 @@ end
 
 -- Walks towards the agent's target, round agents and objects that are in the way.
 function Steering_WalkToTarget(agent, deltaTimeInMillis)
-    local force = agent:ForceToPosition(agent:GetTarget())
-        + agent:ForceToAvoidAgents(kAvoidanceLookAheadSeconds) * kAvoidanceWeight
-        + agent:ForceToAvoidObjects(kAvoidanceLookAheadSeconds) * kAvoidanceWeight;
-    Steering_Apply(agent, force, deltaTimeInMillis);
+    agent:WalkTo(agent:GetTarget(), deltaTimeInMillis / 1000);
 end
 
 -- Closes up to the leader, but keeps a distance from everybody.

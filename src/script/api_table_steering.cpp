@@ -7,6 +7,12 @@ namespace soarbox::script {
 namespace {
 
 constexpr ApiFunction kFunctions[] = {
+    {"Agent.ClampSpeed", "agent: Agent", "",
+     "Lowers the horizontal speed to the agent's top speed; jumps and falls are let be.",
+     R"(agent:SetVelocity(Vector.new(30, 0, 40))
+agent:ClampSpeed()
+print(agent:GetSpeed() < 7.1)  --> true)",
+     true},
     {"Agent.ForceToAlign", "agent: Agent, distance: number [m], angle: number [deg], agents: table", "Vector",
      "Turns towards where the neighbours face on average: the agents of the list within the distance and within the "
      "angle "
@@ -49,6 +55,24 @@ local force = agent:ForceToStayOnPath(0.5))"},
     {"Agent.ForceToWander", "agent: Agent, delta: number [ms]", "Vector",
      "A direction that drifts at random: 33, the time of a step, makes it jump from side to side.",
      R"(local force = agent:ForceToWander(33))"},
+    {"Agent.Push", "agent: Agent, force: Vector, time: number [s]", "",
+     "Pushes for the next step, of this length, with all of the agent's strength along the ground towards the force, "
+     "whose y becomes 0, and turns the agent to where it is going to move.",
+     R"(agent:Push(agent:ForceToPosition(Vector.new(9, 0, 0)), 1 / 30)
+print(agent:GetForward().x > 0.99)  --> true)",
+     true},
+    {"Agent.PushSmoothly", "agent: Agent, force: Vector, acceleration: Vector, time: number [s]", "",
+     "The same by the velocity, smoothly: the acceleration is a vector of the caller's that remembers from step to "
+     "step.",
+     R"(local acceleration = Vector.new()
+agent:PushSmoothly(Vector.new(0, 0, 3), acceleration, 1 / 30)
+print(acceleration.z > 0)  --> true)",
+     true},
+    {"Agent.WalkTo",
+     "agent: Agent, position: Vector [m], time: number [s], lookAhead: number [s] = 1.5, weight: number = 3", "",
+     "Walks towards a place, round the agents and movable objects that are in the way: a step of this length with all "
+     "of the agent's strength, no faster than its top speed. The weight is that of giving way beside getting there.",
+     R"(agent:WalkTo(Vector.new(9, 0, 0), 1 / 30))", true},
 };
 
 }  // namespace

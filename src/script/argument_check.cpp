@@ -64,6 +64,22 @@ const char* ExpectedInstead(lua_State* state, int index, ApiType type) {
   }
 }
 
+/// True for what nearly every argument of nearly every call is; false says nothing.
+bool IsPlainlyRight(lua_State* state, int index, ApiType type) {
+  switch (type) {
+    case ApiType::kAgent: {
+      const Handle* handle = ToHandle(state, index);
+      return handle && handle->kind == ValueKind::kAgent;
+    }
+    case ApiType::kVector:
+      return ToVector(state, index) != nullptr;
+    case ApiType::kNumber:
+      return lua_type(state, index) == LUA_TNUMBER;
+    default:
+      return false;
+  }
+}
+
 /// Raises for the first handle before `end` whose thing is gone: that is what is wrong first then.
 void CheckAlive(lua_State* state, int end) {
   for (int index = 1; index < end; ++index) {
@@ -102,6 +118,7 @@ bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments)
   const int count = std::min(lua_gettop(state), static_cast<int>(arguments.size()));
   for (int index = 1; index <= count; ++index) {
     const ApiArgument& argument = arguments[static_cast<std::size_t>(index) - 1];
+    if (IsPlainlyRight(state, index, argument.type)) continue;
     if (argument.optional && lua_isnil(state, index)) continue;
     if (const char* wanted = WantedInstead(argument, ToHandle(state, index))) {
       CheckAlive(state, index);

@@ -40,6 +40,7 @@ void BindApi(lua_State* state, ApiSide side) {
   BindSandboxInfluence(state);
   BindAgentProperties(state);
   BindAgentSteering(state);
+  BindAgentStride(state);
   BindAnimation(state);
   BindAnimationBones(state);
   if (side == ApiSide::kSandbox) BindUi(state);

@@ -17,6 +17,7 @@ void BindSandboxInfluence(lua_State* state);
 void BindSandboxNavigation(lua_State* state);
 void BindAgentProperties(lua_State* state);
 void BindAgentSteering(lua_State* state);
+void BindAgentStride(lua_State* state);
 void BindAnimation(lua_State* state);
 void BindAnimationBones(lua_State* state);
 void BindUi(lua_State* state);

@@ -131,10 +131,6 @@ void LuaMachine::ArmBudget() {
   lua_sethook(state_, OnCount, LUA_MASKCOUNT, kCountInterval);
 }
 
-void LuaMachine::Charge(std::uint64_t instructions) {
-  instructions_left_ -= std::min(instructions, instructions_left_);
-}
-
 void LuaMachine::OnCount(lua_State* state, lua_Debug*) {
   LuaMachine& machine = Of(state);
   if (machine.instructions_left_ > kCountInterval && !interrupted.load(std::memory_order_relaxed)) {

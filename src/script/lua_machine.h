@@ -114,7 +114,9 @@ class LuaMachine {
   void Release(int reference);
 
   /// Takes instructions off the budget of the present call, for work done on a script's behalf.
-  void Charge(std::uint64_t instructions);
+  void Charge(std::uint64_t instructions) {
+    instructions_left_ -= instructions < instructions_left_ ? instructions : instructions_left_;
+  }
   /// The same, and ends the call at once if nothing is left: for work that takes long by itself.
   void ChargeOrRaise(lua_State* state, std::uint64_t instructions) {
     Charge(instructions);

@@ -288,6 +288,11 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   SoarSettings soar = settings.soar;
   soar.seed = settings.seed;
   soar.folders = scenario.rule_folders;
+  // The rules that come with the program are read as well: agents whose scenario names none get them.
+  if (!soar.folders.empty()) {
+    const auto& fallback = scenario.fallback_rule_folders;
+    soar.folders.insert(soar.folders.end(), fallback.begin(), fallback.end());
+  }
   Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(soar);
   if (!host) return host.error();
   impl->soar = std::move(*host);

@@ -30,6 +30,10 @@ std::vector<std::uint64_t> Play(const char* name, int threads, std::uint64_t see
   settings.soar.threads = threads;
   auto simulation = Simulation::Create(scenario.value(), settings);
   EXPECT_TRUE(simulation.ok());
+  // Minds without rules would be the same on any number of threads too.
+  for (const Event& event : (*simulation)->TakeEvents())
+    EXPECT_NE(event.diagnostic.severity == Severity::kError && !event.diagnostic.message.empty(), true)
+        << Format(event.diagnostic);
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < ticks; ++i) {
     (*simulation)->Tick();

@@ -61,6 +61,15 @@ UnitSphere MakeUnitSphere() {
   return sphere;
 }
 
+std::vector<Vec3> MakeUnitCircle() {
+  std::vector<Vec3> corners;
+  for (int i = 1; i <= kCircleSegments; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kCircleSegments;
+    corners.push_back({std::cos(angle), 0, std::sin(angle)});
+  }
+  return corners;
+}
+
 Color Opaque(Vec3 color) {
   return {color.x, color.y, color.z, 1};
 }
@@ -77,12 +86,15 @@ void DebugDraw::Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color) {
 }
 
 void DebugDraw::Circle(Vec3 center, float radius_m, Vec3 color) {
-  if (!(radius_m > 0)) return;
+  // A circle whose box is finite has nothing that is not.
+  const Vec3 reach{radius_m, 0, radius_m};
+  if (!(radius_m > 0) || !IsFinite(center - reach) || !IsFinite(center + reach) || !IsFinite(color)) return;
+  static const std::vector<Vec3> kUnitCircle = MakeUnitCircle();
+  const Color opaque = Opaque(color);
   Vec3 last = center + Vec3{radius_m, 0, 0};
-  for (int i = 1; i <= kCircleSegments; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kCircleSegments;
-    const Vec3 next = center + Vec3{std::cos(angle), 0, std::sin(angle)} * radius_m;
-    Line(last, next, color);
+  for (const Vec3& corner : kUnitCircle) {
+    const Vec3 next = center + corner * radius_m;
+    lines_.push_back({last, next, opaque});
     last = next;
   }
 }

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <lua.hpp>
+
+#include "script/bind_api.h"
+#include "script/bind_arguments.h"
+#include "script/binding.h"
+#include "world/agent_stride.h"
+
+// Agent: from steering to motion. Scripts call these for each agent in each step, so that they are not left to Lua.
+
+namespace soarbox::script {
+namespace {
+
+using world::Agent;
+using world::Vec3;
+
+/// The caller's own force, flattened if the agent can be pushed.
+Vec3 FlattenedForce(lua_State* state, const Agent& agent) {
+  Vec3* force = ToVector(state, 2);
+  if (force == nullptr) return CheckVector(state, 2);
+  const Vec3 before = *force;
+  if (agent.Mass() > 0) force->y = 0;
+  return before;
+}
+
+int Push(lua_State* state) {
+  Agent& agent = AgentArgument(state, 1);
+  const double step_s = luaL_checknumber(state, 3);
+  WarnUnless(state, PushAlongGround(agent, FlattenedForce(state, agent), step_s));
+  return 0;
+}
+
+int PushSmoothly(lua_State* state) {
+  Agent& agent = AgentArgument(state, 1);
+  Vec3 acceleration = CheckVector(state, 3);
+  const double step_s = luaL_checknumber(state, 4);
+  const bool is_accepted = world::PushSmoothly(agent, FlattenedForce(state, agent), acceleration, step_s);
+  *ToVector(state, 3) = acceleration;
+  WarnUnless(state, is_accepted);
+  return 0;
+}
+
+int ClampSpeed(lua_State* state) {
+  ClampHorizontalSpeed(AgentArgument(state, 1));
+  return 0;
+}
+
+/// (agent, position, seconds [, look-ahead in seconds [, weight]])
+int WalkTo(lua_State* state) {
+  Agent& agent = AgentArgument(state, 1);
+  const Vec3 goal = CheckVector(state, 2);
+  const double step_s = luaL_checknumber(state, 3);
+  world::GivingWay giving_way;
+  if (lua_gettop(state) > 3) giving_way.look_ahead_s = CheckFloat(state, 4);
+  if (lua_gettop(state) > 4) giving_way.weight = CheckFloat(state, 5);
+  WarnUnless(state, PushAlongGround(agent, ForceToWalk(agent, goal, giving_way), step_s));
+  ClampHorizontalSpeed(agent);
+  return 0;
+}
+
+constexpr Binding kBindings[] = {
+    {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError},
+    {"Push", Push, 3, 3, WrongCount::kError},
+    {"PushSmoothly", PushSmoothly, 4, 4, WrongCount::kError},
+    {"WalkTo", WalkTo, 3, 5, WrongCount::kError},
+};
+
+}  // namespace
+
+void BindAgentStride(lua_State* state) {
+  RegisterTable(state, "Agent", kBindings);
+}
+
+}  // namespace soarbox::script
