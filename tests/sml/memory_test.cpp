@@ -147,6 +147,23 @@ TEST_P(Memory, ThatEndsWithAnElementAddedByHandIsTold) {
   }
 }
 
+TEST_P(Memory, ThatARuleTakesByLoadingAnotherEndsTheRunWhereItStands) {
+  // The conditions of the other rule do not begin at a state, so they match in all combinations.
+  greedy_->ExecuteCommandLine("soar max-partial-matches 3000");
+  greedy_->ExecuteCommandLine(
+      "sp {values (state <s> ^superstate nil -^after) --> (<s> ^value 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18)}");
+  greedy_->ExecuteCommandLine(
+      "sp {go (state <s> ^value 18) --> (cmd sp |{all (<s> ^value <a>) (<t> ^value <b>) (<u> ^value <c>) --> "
+      "(<s> ^all yes)}|) (<s> ^after yes)}");
+  const std::string answer = greedy_->RunSelf(3);
+  EXPECT_TRUE(Has(answer, "2 rules fired")) << answer;
+  EXPECT_TRUE(Has(answer, "there is no room for the matches of rule all")) << answer;
+  const std::string state = greedy_->ExecuteCommandLine("print s1");
+  EXPECT_TRUE(Has(state, "^value 18")) << state;
+  EXPECT_FALSE(Has(state, "^after")) << state << "nothing goes on without matches";
+  CheckEverythingElseGoesOn();
+}
+
 TEST_P(Memory, ThatIsShortForOneCommandFailsThatCommandOnly) {
   // Half a million partial matches.
   greedy_->ExecuteCommandLine(ValueRule(1000).c_str());

@@ -175,6 +175,10 @@ void Engine::Initialize(bool announce) {
   counters.wm_size_maximum = memory.wme_count();
 }
 
+void Engine::StopIfBroken() const {
+  if (run.broken()) throw std::bad_alloc();
+}
+
 #ifdef SOARBOX_CHECK_INVARIANTS
 namespace {
 

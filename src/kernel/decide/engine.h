@@ -133,6 +133,9 @@ struct Engine {
   /// Empties everything but the rules and makes the first state; tells observers of it if `announce` is set.
   void Initialize(bool announce);
   /// Checks, in builds with SOARBOX_CHECK_INVARIANTS, that the parts agree; aborts with the reason if not.
+  /// Ends the run at hand (by std::bad_alloc) if the agent broke down while a rule's action or an observer did
+  /// something that took all memory: the matches are gone, nothing can go on with them.
+  void StopIfBroken() const;
   void CheckAfterPhase() const;
   /// In such builds: aborts unless a preference that was left out is one that the top state has already.
   void CheckSupported(const Preference& left_out) const;

@@ -214,6 +214,7 @@ Symbol Firing::EvaluateRare(const RhsValue& value) {
   const std::span<const Symbol> arguments(argument_stack_.data() + base, argument_stack_.size() - base);
   const Symbol result = kernel::Evaluate(engine_.context, value.function_index(), arguments);
   argument_stack_.resize(base);
+  engine_.StopIfBroken();
   return result;
 }
 

@@ -52,6 +52,7 @@ std::string CheckSlot(const Engine& engine, SlotId id) {
 }  // namespace
 
 std::string FindViolation(const Engine& engine) {
+  if (engine.run.broken()) return {};  // It stopped in the middle of a change and holds no matches.
   if (!engine.memory.LargeSlotsAreRight()) return "a large slot miscounts its facts";
   const WorkingMemory& memory = engine.memory;
   std::string violation;

@@ -58,7 +58,30 @@ std::string RandomAgents::Tests(Scope& scope, const std::string& object, std::ui
   return text;
 }
 
+/// Conditions that do not begin at a state: they match wherever the facts are, and the rule never fires unless one of
+/// its elements happens to belong to a goal.
+std::string RandomAgents::RootlessConditions(Scope& scope) {
+  const std::string first = NewVariable("x");
+  scope.objects.push_back(first);
+  scope.may_make = false;
+  std::string text = "(" + first + (Chance(40) ? " ^part <p>" : "") + Tests(scope, first, 1 + Below(2)) + ")";
+  if (text.find("<p>") != std::string::npos) {
+    scope.objects.push_back("<p>");
+    text += " (<p>" + Tests(scope, "<p>", 1) + ")";
+  }
+  if (Chance(50)) {
+    const std::string second = NewVariable("x");
+    scope.objects.push_back(second);
+    text += " (" + second + Tests(scope, second, 1 + Below(2)) + ")";
+  }
+  if (Chance(25)) {
+    text += " -{ (" + Pick(scope.objects) + " ^part <q>) (<q> ^" + std::string(Attribute()) + " <w>) }";
+  }
+  return text;
+}
+
 std::string RandomAgents::Conditions(Scope& scope) {
+  if (Chance(rootless_percent_)) return RootlessConditions(scope);
   scope.objects.push_back("<s>");
   std::string state = "(state <s>", others;
   if (Chance(45)) {

@@ -14,7 +14,9 @@ namespace soarbox::kernel {
 /// matches. The same seed draws the same. For tests.
 class RandomAgents {
  public:
-  explicit RandomAgents(std::uint32_t seed) : random_(seed) {}
+  /// Of a hundred rules, `rootless_percent` have conditions that do not begin at a state.
+  explicit RandomAgents(std::uint32_t seed, std::uint32_t rootless_percent = 0)
+      : random_(seed), rootless_percent_(rootless_percent) {}
 
   /// The body of a rule (what stands between the braces of sp), under a name of its own.
   std::string NextRule();
@@ -39,6 +41,7 @@ class RandomAgents {
   std::string NewVariable(std::string_view kind);
   std::string ValueTest(Scope& scope, bool may_bind, std::string& bound);
   std::string Tests(Scope& scope, const std::string& object, std::uint32_t count);
+  std::string RootlessConditions(Scope& scope);
   std::string Conditions(Scope& scope);
   std::string NextAction(Scope& scope);
   std::string Preference(Scope& scope);
@@ -46,9 +49,10 @@ class RandomAgents {
   const T& Pick(const std::vector<T>& from) {
     return from[Below(static_cast<std::uint32_t>(from.size()))];
   }
-  bool Chance(std::uint32_t percent) { return Below(100) < percent; }
+  bool Chance(std::uint32_t percent) { return percent != 0 && Below(100) < percent; }
 
   std::mt19937 random_;
+  std::uint32_t rootless_percent_;
   int rules_ = 0;
   int variables_ = 0;
 };

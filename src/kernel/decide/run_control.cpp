@@ -24,6 +24,7 @@ void RunControl::EndPhase(Phase next) {
   counters.wm_size_sum += size;
   counters.wm_size_maximum = std::max(counters.wm_size_maximum, size);
   engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseEnd(engine_.agent, ended); });
+  engine_.StopIfBroken();
   if (next == Phase::kInput) engine_.SweepSymbols();
   engine_.CheckAfterPhase();
 }

@@ -70,12 +70,12 @@ MatchId Rete::AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel 
 }
 
 void Rete::RetractFixedMatch(MatchId match) {
-  if (match == MatchId::kNone || matches_.StateOf(match) != MatchState::kFired) return;
+  if (state_->abandoned || match == MatchId::kNone || matches_.StateOf(match) != MatchState::kFired) return;
   state_->RetractFixedMatch(matches_.TokenOf(match));
 }
 
 void Rete::RemoveFixedMatch(MatchId match) {
-  state_->FreeFixedMatch(matches_.TokenOf(match));
+  if (!state_->abandoned) state_->FreeFixedMatch(matches_.TokenOf(match));
   matches_.Drop(match);
 }
 

@@ -335,6 +335,7 @@ void ReteState::RetractFixedMatch(std::uint32_t token) {
 
 /// What tokens and items point to may be half made: nothing is followed, and nothing is allocated.
 void ReteState::Abandon() {
+  abandoned = true;
   tokens.Release();
   parked.Release();
   items.Release();

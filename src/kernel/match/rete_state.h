@@ -223,6 +223,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::uint64_t last_timetag = 0;
   std::uint32_t most_partial_matches = 0xFFFFFFFFu;
   bool log_at_limit = false;      ///< A sparse memory met this limit.
+  bool abandoned = false;         ///< There are no tokens any more, whatever matches.
   std::uint32_t removing = kNil;  ///< The element that RemoveWme works on.
   std::vector<WmeId> elements;    ///< Scratch for a new match.
   /// Of a rule whose support depends on its matches: the operator that all of them test, while goals do not change.

@@ -347,8 +347,9 @@ std::string LinkGraph::CheckInvariants(const SymbolTable& symbols) const {
     const Symbol id(Symbol::Tag::kIdentifier, index);
     const IdentifierRecord& record = memory_.identifier(id);
     if (!record.live || record.is_goal) continue;
-    if (record.parent_link != LinkId::kNone && memory_.level(record.parent_link.record->from) != record.level) {
-      return "the level of " + ToString(symbols, id) + " is not that of its parent";
+    // One that floated keeps the level that it was made with when a lower state links it.
+    if (record.parent_link != LinkId::kNone && memory_.level(record.parent_link.record->from) < record.level) {
+      return "the level of " + ToString(symbols, id) + " is below that of its parent";
     }
     Symbol up = id;
     for (std::uint32_t steps = 0; memory_.identifier(up).parent_link != LinkId::kNone; ++steps) {

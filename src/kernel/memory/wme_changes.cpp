@@ -61,6 +61,7 @@ void WmeChanges::Remove(WmeId wme) {
 }
 
 void WmeChanges::Flush() {
+  engine_.StopIfBroken();
   flushing_added_.swap(added_);
   flushing_removed_.swap(removed_);
   const bool tell = engine_.observers.Wants(Event::kWme);
