@@ -70,7 +70,14 @@ int Why(const WhyOptions& options) {
     }
     return refuse(problem);
   }
-  for (const std::string& line : lines) std::cout << line << '\n';
+  if (options.topic.empty()) {
+    for (const std::string& line : lines) std::cout << line << '\n';
+    return kOk;
+  }
+  const Result<std::vector<std::string>> tree = world.WhyTopic(agent, options.topic);
+  if (!tree) return refuse(tree.error());
+  std::cout << lines.front() << ", " << options.topic << '\n';
+  for (const std::string& line : *tree) std::cout << line << '\n';
   return kOk;
 }
 

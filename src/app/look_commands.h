@@ -21,6 +21,7 @@ int Check(const CheckOptions& options);
 struct WhyOptions {
   std::string scenario;
   std::string agent;  ///< Empty: the first one with a mind.
+  std::string topic;  ///< A command, an operator or a rule; empty: what it does, or why it does nothing.
   double at_s = 5;
   std::optional<std::uint64_t> seed;
   std::vector<std::filesystem::path> extra_folders;

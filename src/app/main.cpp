@@ -95,6 +95,8 @@ void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app
 
   CLI::App* reasons = program.add_subcommand("why", "Tell why an agent does what it does at a moment of a run");
   reasons->add_option("scenario", why.scenario, "As for `soarbox run`")->required();
+  reasons->add_option("topic", why.topic,
+                      "A command, an operator or a rule of the agent: why it comes about, or does not");
   reasons->add_option("--agent", why.agent, "Its name; the first one with a mind if it is not said");
   reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
   reasons->add_option("--seed", why.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());

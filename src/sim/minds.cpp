@@ -14,6 +14,9 @@ namespace {
 
 /// An agent that does nothing for so long is asked why.
 constexpr float kIdleUntilTold_s = 1;
+/// So many times an agent is asked why it does nothing, and so many times all agents of a run are.
+constexpr int kMostAsked = 10;
+constexpr int kMostAskedInAll = 300;
 
 /// The files of rules in a folder, for near-misses.
 std::vector<std::string> RulesIn(const std::filesystem::path& folder) {
@@ -301,6 +304,7 @@ void Minds::Answer() {
       if (outcome.status == Outcome::Status::kProgress || outcome.status == Outcome::Status::kInterrupted) continue;
       const bool is_error = outcome.status == Outcome::Status::kError;
       mind.last_answer = outcome.command + (is_error ? " failed: " + outcome.reason : " complete");
+      if (is_error && !outcome.text.empty()) mind.last_answer += ": " + outcome.text;
       const CommandRow* row = FindCommand(outcome.command);
       if (!is_error && (row == nullptr || !row->lasting)) continue;
       // The same fault of the same command is told once; an author sees how often at the end of the run.
@@ -350,29 +354,31 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
   return true;
 }
 
-/// Tells why there is no command.
+void Minds::TellHalt(Mind& mind, const world::Agent& body) {
+  if (std::exchange(mind.told_halt, true)) return;
+  const std::string why = MindReasons(mind.soar.agent()).WhyHalted();
+  Tell(EventKind::kGap, body, "its program has halted" + (why.empty() ? "" : ": " + why));
+}
+
+/// Tells why a script's mind has no command.
 void Minds::TellGap(Mind& mind, const world::Agent& body) {
   if (mind.soar.Halted()) {
     // In a gap the goal stack grows until the kernel halts the program: start it anew, it did not ask to be halted.
     if (mind.in_gap) {
       mind.soar.Restart();
-    } else if (!std::exchange(mind.told_halt, true)) {
-      Tell(EventKind::kGap, body, "its program has halted");
+    } else {
+      TellHalt(mind, body);
     }
     return;
   }
   if (std::exchange(mind.in_gap, true)) return;
-  Tell(EventKind::kGap, body,
-       "no rule answers distance " + std::to_string(mind.distance_squared_m2) + " within the decision budget");
+  TellCause(mind, body, "it found no command within its decision budget");
 }
 
 /// An agent whose body the vocabulary drives may well have nothing to say in a tick: it is idle only when nothing is
 /// under way either, for a while.
 void Minds::TellIdle(Mind& mind, const world::Agent& body) {
-  if (mind.soar.Halted()) {
-    if (!std::exchange(mind.told_halt, true)) Tell(EventKind::kGap, body, "its program has halted");
-    return;
-  }
+  if (mind.soar.Halted()) return TellHalt(mind, body);
   const Actor& actor = *arena_.Find(mind.agent);
   if (!mind.soar.commands().empty() || actor.IsBusy()) {
     mind.idle_ticks = 0;
@@ -381,15 +387,36 @@ void Minds::TellIdle(Mind& mind, const world::Agent& body) {
   }
   const auto limit = static_cast<std::uint64_t>(kIdleUntilTold_s / world_.settings().step_s);
   if (++mind.idle_ticks != limit || std::exchange(mind.in_gap, true)) return;
+  TellCause(mind, body, "it has done nothing for " + std::to_string(static_cast<int>(kIdleUntilTold_s)) + " s");
+}
+
+/// Asks a mind why it does nothing, and tells it once per cause.
+void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
+  // To ask is dear: of a crowd in trouble, and of an agent that is in trouble all the time, some answers tell enough.
+  if (++mind.gaps > kMostAsked || ++asked_ > kMostAskedInAll) {
+    if (++mind.causes[text] == 1 && mind.gaps == 1) Tell(EventKind::kGap, body, std::move(text));
+    return;
+  }
   Event event;
   event.kind = EventKind::kGap;
   event.agent = body.name();
+  event.text = std::move(text);
   event.reasons = MindReasons(mind.soar.agent()).WhyIdle(KnownAttributes());
+  if (mind.last_answer.find(" failed: ") != std::string::npos)
+    event.reasons.insert(event.reasons.begin(), "its last command " + mind.last_answer);
   const std::string cause = event.reasons.empty() ? std::string() : event.reasons.front();
   if (++mind.causes[cause] > 1) return;
-  event.text = "it has done nothing for " + std::to_string(static_cast<int>(kIdleUntilTold_s)) + " s";
-  if (Actor* actor = arena_.Find(mind.agent)) {
-    const std::string percepts = Describe(SenseOwnBody(*actor)) + " " + Describe(SenseSurroundings(*actor));
+  std::string percepts;
+  if (mind.settings.has_distance) {
+    Percept distance;
+    distance.attribute = "distance";
+    distance.value = static_cast<double>(mind.distance_squared_m2);
+    percepts = Describe({distance});
+  }
+  if (const Actor* actor = arena_.Find(mind.agent))
+    percepts +=
+        (percepts.empty() ? "" : " ") + Describe(SenseOwnBody(*actor)) + " " + Describe(SenseSurroundings(*actor));
+  if (!percepts.empty()) {
     constexpr std::size_t kShown = 600;
     event.reasons.push_back("it perceives " +
                             (percepts.size() > kShown ? percepts.substr(0, kShown) + " ..." : percepts));
@@ -421,10 +448,25 @@ void Minds::TellCounts() {
   }
 }
 
-std::vector<std::string> Minds::Why(std::string_view agent) {
+Minds::Mind* Minds::FindNamed(std::string_view agent) {
   const auto at = std::find_if(minds_.begin(), minds_.end(),
                                [&](const Mind& mind) { return world_.FindAgent(mind.agent)->name() == agent; });
-  if (at == minds_.end()) return {};
+  return at == minds_.end() ? nullptr : &*at;
+}
+
+Result<std::vector<std::string>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
+  Mind* mind = FindNamed(agent);
+  if (mind == nullptr) {
+    Diagnostic problem;
+    problem.message = "there is no agent '" + std::string(agent) + "' with a mind";
+    return problem;
+  }
+  return MindReasons(mind->soar.agent()).WhyTopic(topic, KnownAttributes());
+}
+
+std::vector<std::string> Minds::Why(std::string_view agent) {
+  Mind* at = FindNamed(agent);
+  if (at == nullptr) return {};
   const world::Agent& body = *world_.FindAgent(at->agent);
   std::vector<std::string> lines;
   char text[160];
@@ -432,7 +474,10 @@ std::vector<std::string> Minds::Why(std::string_view agent) {
   lines.emplace_back(text);
   MindReasons reasons(at->soar.agent());
   Actor* actor = arena_.Find(at->agent);
-  if (body.Health() <= 0) lines.emplace_back("is dead");
+  if (body.Health() <= 0) {
+    lines.emplace_back("is dead");
+    return lines;
+  }
   if (at->last_said.empty()) {
     lines.emplace_back("has said no command");
   } else {

@@ -53,6 +53,9 @@ class Minds final : public script::MindFactory {
   void TellCounts();
   /// Why an agent does what it does now, as a tree of lines; empty if there is no such agent with a mind.
   std::vector<std::string> Why(std::string_view agent);
+  /// Why it says or does not say a command, selects or does not select an operator, or a rule matches or does not: a
+  /// tree of lines. An error if there is no such agent, or its rules know nothing of that name.
+  Result<std::vector<std::string>> WhyTopic(std::string_view agent, const std::string& topic);
 
   /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay
   /// idle.
@@ -71,6 +74,7 @@ class Minds final : public script::MindFactory {
     bool lost = false;     ///< Its program has broken down, or could not be made again.
     bool in_gap = false;
     bool told_halt = false;
+    int gaps = 0;                  ///< How often it was found doing nothing.
     std::uint64_t idle_ticks = 0;  ///< Ticks without a command, new or under way.
     std::string last_command = {};
     std::map<std::string, int> told = {};          ///< How often each of its faults came up; told at the first time.
@@ -95,6 +99,9 @@ class Minds final : public script::MindFactory {
   bool Perceive(Mind& mind, const world::Agent& body);
   void TellGap(Mind& mind, const world::Agent& body);
   void TellIdle(Mind& mind, const world::Agent& body);
+  void TellHalt(Mind& mind, const world::Agent& body);
+  void TellCause(Mind& mind, const world::Agent& body, std::string text);
+  Mind* FindNamed(std::string_view agent);
   bool TellBreakdown(Mind& mind, const world::Agent& body);
   void TellWritten(Mind& mind, const world::Agent& body);
   /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.
@@ -112,6 +119,7 @@ class Minds final : public script::MindFactory {
   std::vector<Mind> minds_;         ///< In creation order, thus in ascending agent id.
   std::vector<std::size_t> ready_;  ///< Scratch: places of the minds that decide in this tick.
   WorkerPool pool_;
+  int asked_ = 0;  ///< How often a mind was asked why it does nothing.
   std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< Per file: attributes that its rules make.
   std::set<std::string> script_rows_;  ///< Attributes that scripts' Agent_Sense returned.
   std::set<std::string> reported_;     ///< Problems told already: many agents share one file.

@@ -4,60 +4,49 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <sstream>
 
 #include "diagnostics/diagnostic.h"
+#include "sim/rule_slips.h"
 #include "sim/vocabulary.h"
-#include "sml_Client.h"
 
 namespace soarbox::sim {
 namespace {
 
 constexpr std::size_t kMostRulesAsked = 60;
+constexpr std::size_t kMostRulesTold = 3;
 constexpr std::size_t kMostValuesShown = 4;
 
-std::vector<std::string> Lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string Trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+/// Kernels print six decimals.
+std::string WithoutZeros(std::string number) {
+  const bool is_float =
+      number.find('.') != std::string::npos && number.find_first_not_of("-0123456789.") == std::string::npos;
+  while (is_float && number.ends_with('0')) number.pop_back();
+  if (is_float && number.ends_with('.')) number.pop_back();
+  return number;
 }
 
 std::string List(const std::vector<std::string>& words) {
   std::string text;
-  for (std::size_t i = 0; i < words.size() && i < kMostValuesShown; ++i) text += (i == 0 ? "" : ", ") + words[i];
+  for (std::size_t i = 0; i < words.size() && i < kMostValuesShown; ++i)
+    text += (i == 0 ? "" : ", ") + WithoutZeros(words[i]);
   if (words.size() > kMostValuesShown) text += " and " + std::to_string(words.size() - kMostValuesShown) + " more";
   return text;
 }
 
-/// What `matches RULE` says.
-struct MatchState {
-  int matched = 0, total = 0;
-  std::string failing;  ///< The first condition that fails; empty: all match.
-};
+bool IsIdentifier(const std::string& value) {
+  return value.size() > 1 && std::isupper(static_cast<unsigned char>(value[0])) != 0 &&
+         value.find_first_not_of("0123456789", 1) == std::string::npos;
+}
 
-MatchState ReadMatches(const std::string& text) {
-  MatchState state;
-  bool after = false;
-  for (const std::string& line : Lines(text)) {
-    const std::string trimmed = Trimmed(line);
-    if (trimmed.empty()) continue;
-    if (trimmed.find("complete match") != std::string::npos) break;
-    ++state.total;
-    if (trimmed.starts_with(">>>>")) {
-      state.failing = Trimmed(trimmed.substr(4));
-      after = true;
-    } else if (!after && std::isdigit(static_cast<unsigned char>(trimmed[0])) != 0) {
-      ++state.matched;
-    }
-  }
-  return state;
+/// The row of a percept that lies at this path from the state on; null if none does.
+const PerceptRow* RowAt(const std::vector<std::string>& path) {
+  constexpr std::size_t kLink = 2;  // io.input-link
+  if (path.size() <= kLink || path[0] != "io" || path[1] != "input-link") return nullptr;
+  std::string dotted;
+  for (std::size_t i = kLink; i < path.size(); ++i) dotted += (i == kLink ? "" : ".") + path[i];
+  for (const PerceptRow& row : Percepts())
+    if (row.path == dotted) return &row;
+  return nullptr;
 }
 
 }  // namespace
@@ -69,55 +58,27 @@ std::string SuggestAttribute(std::string_view attribute, const std::set<std::str
   return near.empty() ? std::string() : "did you mean ^" + std::string(near) + "?";
 }
 
-std::string MindReasons::Ask(const std::string& command) {
-  const char* answer = agent_.ExecuteCommandLine(command.c_str());
-  return answer == nullptr ? std::string() : answer;
+bool IsForSubstate(const RuleText& rule) {
+  return std::any_of(rule.conditions.begin(), rule.conditions.end(), [](const RuleAttribute& condition) {
+    return condition.attribute == "superstate" && !condition.negated && condition.value != "nil";
+  });
 }
 
-const std::vector<RuleText>& MindReasons::rules() {
-  if (!read_) {
-    // Names first: `print --all` lists them, `print --full` shows one.
-    for (const std::string& line : Lines(Ask("print --all --user"))) {
-      const std::string name = Trimmed(line);
-      if (name.empty() || name.find(' ') != std::string::npos) continue;
-      std::vector<RuleText> read = ReadRules(Ask("print --full " + name));
-      rules_.insert(rules_.end(), read.begin(), read.end());
-      constexpr std::size_t kMostRules = 2000;
-      if (rules_.size() >= kMostRules) break;
-    }
-    read_ = true;
-  }
-  return rules_;
+const RuleText* MindReasons::MakerOf(const std::string& attribute) {
+  for (const RuleText& rule : rules())
+    for (const RuleAttribute& action : rule.actions)
+      if (action.attribute == attribute && !action.value.ends_with("-")) return &rule;
+  return nullptr;
 }
 
-std::vector<StackEntry> MindReasons::Stack() {
-  std::vector<StackEntry> stack;
-  for (const std::string& line : Lines(Ask("print --stack"))) {
-    const bool is_state = line.find("==>S:") != std::string::npos;
-    const std::size_t at = is_state ? line.find("S:") : line.find("O:");
-    if (at == std::string::npos) continue;
-    StackEntry& entry = stack.emplace_back();
-    entry.is_state = is_state;
-    const std::string rest = Trimmed(line.substr(at + 2));
-    entry.id = rest.substr(0, rest.find(' '));
-    const std::size_t open = rest.find('('), close = rest.rfind(')');
-    if (open != std::string::npos && close != std::string::npos) entry.about = rest.substr(open + 1, close - open - 1);
+std::string MindReasons::StateOf(const RuleText& rule) {
+  std::string top = "S1", last;
+  for (const StackEntry& entry : view_.Stack()) {
+    if (!entry.is_state) continue;
+    if (last.empty()) top = entry.id;
+    last = entry.id;
   }
-  return stack;
-}
-
-std::vector<std::string> MindReasons::ValuesOf(const std::string& attribute) {
-  std::vector<std::string> values;
-  for (const std::string& line : Lines(Ask("print {(* ^" + attribute + " *)}"))) {
-    const std::string mark = " ^" + attribute + " ";
-    for (std::size_t at = line.find(mark); at != std::string::npos; at = line.find(mark, at + 1)) {
-      const std::size_t begin = at + mark.size();
-      const std::string rest = line.substr(begin);
-      const std::string value = Trimmed(rest.substr(0, std::min(rest.find(" ^"), rest.find(')'))));
-      if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
-    }
-  }
-  return values;
+  return IsForSubstate(rule) && !last.empty() ? last : top;
 }
 
 std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
@@ -133,7 +94,7 @@ std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::st
       if (!IsConstantAttribute(attribute) || IsArchitectureAttribute(attribute) || IsPerceptAttribute(attribute))
         continue;
       if (known.contains(attribute) || condition.negated || !told.insert(attribute).second) continue;
-      if (!ValuesOf(attribute).empty()) continue;
+      if (!view_.ValuesOf(attribute).empty()) continue;
       const std::string hint = SuggestAttribute(attribute, known);
       found.push_back("rule " + rule.name + " tests ^" + attribute + ", which no sense and no rule ever writes" +
                       (hint.empty() ? "" : ": " + hint));
@@ -142,164 +103,227 @@ std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::st
   return found;
 }
 
-std::string MindReasons::ExplainCondition(const std::string& condition) {
-  const std::vector<RuleAttribute> parts = ReadConditions(condition);
-  for (const RuleAttribute& part : parts) {
-    if (!IsConstantAttribute(part.attribute)) continue;
-    const std::vector<std::string> values = ValuesOf(part.attribute);
-    if (part.negated) return values.empty() ? "" : "^" + part.attribute + " is there: " + List(values);
-    if (!values.empty()) return "^" + part.attribute + " is now " + List(values);
-    const auto makes = std::find_if(rules().begin(), rules().end(), [&](const RuleText& rule) {
-      return std::any_of(rule.actions.begin(), rule.actions.end(),
-                         [&](const RuleAttribute& action) { return action.attribute == part.attribute; });
-    });
-    if (makes != rules().end()) return "nothing has ^" + part.attribute + " yet; rule " + makes->name + " makes it";
-    return "nothing has ^" + part.attribute + " now";
-  }
-  return {};
+std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionText& condition,
+                                        const std::set<std::string>& known) {
+  const std::string& attribute = condition.path.back();
+  std::string text = "there is none now";
+  if (const RuleText* maker = MakerOf(attribute); maker != nullptr && maker != &rule && condition.path.front() != "io")
+    return text + "; rule " + maker->name + " makes it";
+  if (const PerceptRow* row = RowAt(condition.path)) return text + " (" + std::string(row->meaning) + ")";
+  if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return text;
+  if (const std::string places = PlacesOfPercept(attribute); !places.empty())
+    return "no sense writes it there: it is " + places;
+  const std::string hint = SuggestAttribute(attribute, known);
+  return "no sense and no rule ever writes it" + (hint.empty() ? "" : ": " + hint);
 }
 
-std::vector<std::string> MindReasons::Nearest(const std::vector<const RuleText*>& candidates, std::size_t most) {
+std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::string>& known) {
+  const RuleMatch match = view_.Match(rule.name);
+  if (match.failing.empty()) return {};
+  std::string text = "rule " + rule.name + " needs ";
+  const std::vector<ConditionText> conditions = ReadCondition(rule, match.failing);
+  if (conditions.empty()) return text + match.failing;
+  const ConditionText& first = conditions.front();
+  const std::vector<std::string> values = view_.ValuesAt(StateOf(rule), first.path);
+  std::vector<std::string> shown;
+  for (const std::string& value : values)
+    if (!IsIdentifier(value)) shown.push_back(value);
+
+  if (match.is_group || first.negated) {
+    text += "that there is no ";
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      ConditionText each = conditions[i];
+      each.negated = false;
+      text += (i == 0 ? "" : " with ") + each.Text();
+    }
+    return text + ", and there is one" + (shown.empty() || match.is_group ? "" : ": " + List(shown));
+  }
+  text += first.Text() + ", and ";
+  if (values.empty()) return text + ExplainAbsence(rule, first, known);
+  // A variable that other conditions bind: what it is.
+  const auto paths = VariablePaths(rule);
+  std::string bound;
+  for (const std::string& variable : VariablesIn(first.value)) {
+    for (const RuleAttribute& condition : rule.conditions) {
+      const auto from = paths.find(condition.id);
+      if (from == paths.end() || condition.value.find(variable) == std::string::npos) continue;
+      std::vector<std::string> path = from->second;
+      path.push_back(condition.attribute);
+      if (path == first.path) continue;
+      std::vector<std::string> others;
+      for (const std::string& value : view_.ValuesAt(StateOf(rule), path))
+        if (!IsIdentifier(value)) others.push_back(value);
+      if (others.empty()) continue;
+      bound += "; " + variable + " is " + List(others);
+      break;
+    }
+  }
+  const std::size_t others = values.size() - shown.size();
+  if (shown.empty())
+    return text +
+           (others == 1 ? "the one that is there" : "none of the " + std::to_string(others) + " that are there") +
+           (others == 1 ? " does not fit the conditions before it" : " fits the conditions before it");
+  text += "it is " + List(shown) + bound;
+  const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
+  if (words.empty() || RowAt(first.path) == nullptr || first.value.find_first_of(" <>{}") != std::string::npos)
+    return text;
+  if (std::find(words.begin(), words.end(), first.value) != words.end()) return text;
+  text += "; it is never " + first.value + ", only";
+  for (const std::string_view word : words) text += " " + std::string(word);
+  return text;
+}
+
+std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const std::set<std::string>& known) {
   struct Near {
     double share;
-    std::string text;
+    const RuleText* rule;
   };
   std::vector<Near> found;
   for (std::size_t i = 0; i < candidates.size() && i < kMostRulesAsked; ++i) {
-    const MatchState state = ReadMatches(Ask("matches " + candidates[i]->name));
-    if (state.failing.empty() || state.total == 0) continue;
-    std::string text = "rule " + candidates[i]->name + " came to " + std::to_string(state.matched) + " of " +
-                       std::to_string(state.total) + " conditions: " + state.failing + " does not hold";
-    if (const std::string why = ExplainCondition(state.failing); !why.empty()) text += ", " + why;
-    found.push_back({static_cast<double>(state.matched) / state.total, std::move(text)});
+    const RuleMatch match = view_.Match(candidates[i]->name);
+    if (match.failing.empty() || match.total == 0) continue;
+    found.push_back({static_cast<double>(match.matched) / match.total, candidates[i]});
   }
   std::stable_sort(found.begin(), found.end(), [](const Near& a, const Near& b) { return a.share > b.share; });
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < found.size() && i < most; ++i) texts.push_back(std::move(found[i].text));
+  std::set<const RuleText*> told;
+  const auto tell = [&](const RuleText& rule) {
+    if (!told.insert(&rule).second) return;
+    if (std::string text = ExplainRule(rule, known); !text.empty()) texts.push_back(std::move(text));
+    for (const Slip& slip : FindSlipsOfForm({rule}))
+      texts.push_back(slip.message + (slip.hint.empty() ? "" : ": " + slip.hint));
+  };
+  for (std::size_t i = 0; i < found.size() && i < kMostRulesTold; ++i) {
+    tell(*found[i].rule);
+    // What it waits for may be another rule's to make: then that one is why.
+    const RuleMatch match = view_.Match(found[i].rule->name);
+    const std::vector<ConditionText> waits = ReadCondition(*found[i].rule, match.failing);
+    if (waits.empty() || waits.front().negated || match.is_group || waits.front().path.front() == "io") continue;
+    const RuleText* maker = MakerOf(waits.front().path.back());
+    if (maker != nullptr && waits.front().path.back() != "operator") tell(*maker);
+  }
   return texts;
 }
 
-std::string MindReasons::ExplainTie(const std::string& state) {
-  std::map<std::string, std::string> rules_by_operator;
-  std::string current;
-  bool acceptable = false;
-  for (const std::string& line : Lines(Ask("preferences " + state + " operator --names"))) {
-    const std::string trimmed = Trimmed(line);
-    if (trimmed.ends_with("s:")) acceptable = trimmed.starts_with("acceptable");
-    if (!acceptable) continue;
-    if (trimmed.starts_with("From ")) {
-      if (!current.empty()) rules_by_operator[current] = trimmed.substr(5);
-    } else if (trimmed.find('+') != std::string::npos && trimmed.find('(') != std::string::npos) {
-      current = trimmed.substr(0, trimmed.find(')') + 1);
-      rules_by_operator[current];
-    }
+std::vector<std::string> MindReasons::ExplainTie(const std::string& state) {
+  std::vector<std::string> names, lines;
+  for (const Preference& preference : view_.Preferences(state)) {
+    if (preference.section != "acceptable") continue;
+    if (std::find(names.begin(), names.end(), preference.name) == names.end()) names.push_back(preference.name);
+    if (lines.size() < kMostValuesShown)
+      lines.push_back(view_.DescribeOperator(preference.operator_id) + " is proposed by rule " + preference.rule);
   }
-  std::vector<std::string> operators;
-  for (const auto& [name, rule] : rules_by_operator) operators.push_back(name + (rule.empty() ? "" : " from " + rule));
-  return "operator tie in " + state + " between " + List(operators) +
-         ": no preference decides. If it does not matter which, add = where they are proposed: (<s> ^operator <o> + "
-         "=); "
-         "if one is better, a rule (<s> ^operator <better> > <other>)";
+  const bool same = names.size() == 1;
+  lines.insert(lines.begin(), "operator tie in " + state + ": no preference decides between " +
+                                  (same ? "several operators " + names.front() : List(names)));
+  lines.emplace_back(
+      "if it does not matter which, add = where they are proposed: (<s> ^operator <o> + =); if one is better, a rule "
+      "that says so: (<s> ^operator <better> > <other>)");
+  return lines;
+}
+
+std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, const std::string& about) {
+  std::vector<std::string> lines = {about + " in " + state + ": preferences contradict each other"};
+  for (const Preference& preference : view_.Preferences(state)) {
+    if (preference.section == "acceptable" || lines.size() > kMostValuesShown) continue;
+    lines.push_back("rule " + preference.rule + " says " + preference.text);
+  }
+  return lines;
+}
+
+std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
+                                                    const std::set<std::string>& known) {
+  const std::string& name = selected.about;
+  RuleList candidates, below;
+  const RuleText* applied_by = nullptr;
+  bool says = false;
+  for (const RuleText& rule : rules()) {
+    if (IsForSubstate(rule) && !rule.proposes.empty()) below.push_back(&rule);
+    if (!rule.applies.contains(name)) continue;
+    candidates.push_back(&rule);
+    if (!view_.Match(rule.name).failing.empty()) continue;
+    says |= !rule.says.empty();
+    if (applied_by == nullptr) applied_by = &rule;
+  }
+  std::vector<std::string> reasons;
+  if (applied_by != nullptr) {
+    reasons.push_back("operator " + name + " has been applied (rule " + applied_by->name +
+                      (says ? ")" : "), which said no command,") +
+                      " and stays selected: what proposes it still holds, and an operator is applied once");
+  } else if (!candidates.empty()) {
+    reasons.push_back("operator " + name + " is selected in " + state + " and no rule that applies it matches");
+    for (std::string& near : Nearest(candidates, known)) reasons.push_back(std::move(near));
+  } else if (is_below && !below.empty()) {
+    reasons.push_back("operator " + name + " is selected in " + state +
+                      ", and in the state below it no operator is proposed");
+    for (std::string& near : Nearest(below, known)) reasons.push_back(std::move(near));
+  } else {
+    reasons.push_back("operator " + name + " is selected in " + state +
+                      " and no rule applies it: " + HowToApply(rules(), name));
+  }
+  return reasons;
 }
 
 std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known) {
-  std::vector<std::string> reasons;
   if (rules().empty()) return {"it has no rules"};
-  const std::vector<StackEntry> stack = Stack();
+  std::vector<std::string> reasons;
+  const std::vector<StackEntry> stack = view_.Stack();
   const StackEntry* selected = nullptr;
-  std::string state = "S1";
+  std::string state = "S1", state_of_selected = "S1";
+  bool is_below = false;
   for (const StackEntry& entry : stack) {
-    if (entry.is_state && entry.about == "operator tie") {
-      reasons.push_back(ExplainTie(state));
-      break;
-    }
-    if (entry.is_state && (entry.about == "operator conflict" || entry.about == "operator constraint-failure"))
-      reasons.push_back(entry.about + " in " + state + ": its preferences contradict each other; see `preferences " +
-                        state + " operator --names`");
-    if (entry.is_state) {
-      state = entry.id;
-      if (entry.about != "operator no-change") selected = nullptr;
-    } else {
+    if (!entry.is_state) {
       selected = &entry;
+      state_of_selected = state;
+      is_below = false;
+      continue;
     }
+    if (entry.about == "operator tie") {
+      reasons = ExplainTie(state);
+    } else if (entry.about == "operator conflict" || entry.about == "operator constraint-failure") {
+      reasons = ExplainConflict(state, entry.about);
+    }
+    is_below = entry.about == "operator no-change";
+    if (!is_below) selected = nullptr;
+    state = entry.id;
   }
-  const std::vector<std::string> unwritten = UnwrittenAttributes(known);
-  reasons.insert(reasons.end(), unwritten.begin(), unwritten.end());
-  if (!reasons.empty() && selected == nullptr && reasons.size() > unwritten.size()) return reasons;
+  if (!reasons.empty() && selected == nullptr) return reasons;
 
-  std::vector<const RuleText*> candidates;
+  reasons = UnwrittenAttributes(known);
+  if (reasons.size() > kMostRulesTold) reasons.resize(kMostRulesTold);
+  const auto add = [&reasons](std::vector<std::string> more) {
+    for (std::string& reason : more) {
+      // A misspelt attribute needs to be told once.
+      const bool repeats = reason.find("no sense and no rule ever writes it") != std::string::npos &&
+                           std::any_of(reasons.begin(), reasons.end(), [&](const std::string& told) {
+                             return told.starts_with(reason.substr(0, reason.find(" needs ")) + " tests ");
+                           });
+      if (!repeats) reasons.push_back(std::move(reason));
+    }
+  };
   if (selected != nullptr) {
-    std::string applied_by;
-    for (const RuleText& rule : rules()) {
-      if (!rule.applies.contains(selected->about)) continue;
-      candidates.push_back(&rule);
-      if (applied_by.empty() && ReadMatches(Ask("matches " + rule.name)).failing.empty()) applied_by = rule.name;
-    }
-    if (candidates.empty()) {
-      reasons.push_back("operator " + selected->about +
-                        " is selected in S1 and no rule applies it: write one that tests ^operator.name " +
-                        selected->about + " and says a command");
-    } else if (!applied_by.empty()) {
-      reasons.push_back("operator " + selected->about + " has been applied (" + applied_by +
-                        ") and stays selected: what proposes it still holds, and an operator is applied once");
-    } else {
-      reasons.push_back("operator " + selected->about + " is selected and no rule that applies it matches");
-      for (std::string& near : Nearest(candidates, 3)) reasons.push_back(std::move(near));
-    }
+    add(WhyNotApplied(*selected, state_of_selected, is_below, known));
     return reasons;
   }
+  RuleList candidates;
+  const bool in_substate = stack.size() > 1;
   for (const RuleText& rule : rules())
-    if (!rule.proposes.empty()) candidates.push_back(&rule);
+    if (!rule.proposes.empty() && (in_substate || !IsForSubstate(rule))) candidates.push_back(&rule);
   if (candidates.empty()) {
     reasons.push_back("no rule proposes an operator: write one with (<s> ^operator <o> +)");
     return reasons;
   }
   reasons.push_back("no operator is proposed in " + state);
-  for (std::string& near : Nearest(candidates, 3)) reasons.push_back(std::move(near));
+  add(Nearest(candidates, known));
   return reasons;
 }
 
-std::vector<std::string> MindReasons::OperatorTree(const std::string& command) {
-  std::vector<std::string> lines;
-  std::string state = "S1";
-  std::vector<StackEntry> selected;
-  for (const StackEntry& entry : Stack()) {
-    if (entry.is_state) continue;
-    selected.push_back(entry);
-  }
+std::string MindReasons::WhyHalted() {
+  std::vector<std::string> callers;
   for (const RuleText& rule : rules())
-    if (!command.empty() && rule.says.contains(command)) lines.push_back("  said by rule " + rule.name);
-  if (selected.empty()) {
-    lines.push_back("  no operator is selected now");
-    return lines;
-  }
-  lines.push_back("  operator " + selected.front().about + " (" + selected.front().id + "), selected in " + state);
-  bool mine = false;
-  std::string section;
-  std::set<std::string> told;
-  for (const std::string& line : Lines(Ask("preferences " + state + " operator --names --wmes"))) {
-    const std::string trimmed = Trimmed(line);
-    if (trimmed.starts_with("selection prob")) break;
-    if (trimmed.ends_with(":") && trimmed.find('(') == std::string::npos) {
-      section = trimmed.substr(0, trimmed.size() - 1);
-      mine = false;
-    } else if (trimmed.find(" (") != std::string::npos && !trimmed.starts_with("From")) {
-      mine = trimmed.substr(0, trimmed.find(' ')) == selected.front().id;
-      const std::string text =
-          "    " + section + ": " +
-          trimmed.substr(0, trimmed.find("  ") == std::string::npos ? std::string::npos : trimmed.find("  "));
-      if (mine || section != "acceptables") lines.push_back(text);
-      if (!mine && section == "acceptables")
-        lines.push_back("    also proposed: " + trimmed.substr(0, trimmed.find(')') + 1));
-    } else if (mine && trimmed.starts_with("From ")) {
-      lines.push_back("      by rule " + trimmed.substr(5));
-      if (!told.insert(trimmed).second) mine = false;
-    } else if (mine && trimmed.starts_with("WME with time tag ")) {
-      const std::string element = Trimmed(Ask("print " + trimmed.substr(18)));
-      if (!element.empty() && element[0] == '(') lines.push_back("        " + element);
-    }
-  }
-  return lines;
+    if (rule.calls.contains("halt")) callers.push_back(rule.name);
+  if (callers.empty()) return {};
+  return (callers.size() == 1 ? "rule " : "one of the rules ") + List(callers) + " calls (halt)";
 }
 
 }  // namespace soarbox::sim

@@ -6,26 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/rule_text.h"
-
-namespace sml {
-class Agent;
-}
+#include "diagnostics/result.h"
+#include "sim/mind_view.h"
 
 namespace soarbox::sim {
 
-/// One state or operator of an agent's goal stack.
-struct StackEntry {
-  bool is_state = false;
-  std::string id;     ///< "S1", "O3"
-  std::string about;  ///< "operator tie", or the operator's name; empty for the top state.
-};
-
-/// Asks a Soar program about itself, through its command language alone, so that it works with any kernel. Costs
-/// nothing until somebody asks.
+/// Why a Soar program does what it does, or does not, in sentences. Costs nothing until somebody asks.
 class MindReasons {
  public:
-  explicit MindReasons(sml::Agent& agent) : agent_(agent) {}
+  explicit MindReasons(sml::Agent& agent) : view_(agent) {}
 
   /// Why it does nothing, most telling first; each a whole sentence or two. `known`: attributes that are made
   /// elsewhere (percepts of scripts, other agents' messages).
@@ -34,24 +23,42 @@ class MindReasons {
   std::vector<std::string> UnwrittenAttributes(const std::set<std::string>& known);
   /// What led to the operator that is selected: proposals, preferences and the elements that they rest on, as lines.
   std::vector<std::string> OperatorTree(const std::string& command);
+  /// Why a command is or is not said, an operator is or is not selected, or a rule does or does not match, as an
+  /// indented tree of lines. An error if its rules know nothing of that name.
+  Result<std::vector<std::string>> WhyTopic(const std::string& topic, const std::set<std::string>& known);
+  /// The rules that call (halt), for a program that has halted.
+  std::string WhyHalted();
 
-  std::vector<StackEntry> Stack();
-  const std::vector<RuleText>& rules();
+  const std::vector<RuleText>& rules() { return view_.rules(); }
 
  private:
-  std::string Ask(const std::string& command);
-  std::vector<std::string> Nearest(const std::vector<const RuleText*>& rules, std::size_t most);
-  std::string ExplainCondition(const std::string& condition);
-  std::string ExplainTie(const std::string& state);
-  /// Values of an attribute anywhere in working memory.
-  std::vector<std::string> ValuesOf(const std::string& attribute);
+  using RuleList = std::vector<const RuleText*>;
 
-  sml::Agent& agent_;
-  std::vector<RuleText> rules_;
-  bool read_ = false;
+  /// "rule x needs ^io.input-link.self.health < 50, and it is 100"; empty if all its conditions hold.
+  std::string ExplainRule(const RuleText& rule, const std::set<std::string>& known);
+  std::string ExplainAbsence(const RuleText& rule, const ConditionText& condition, const std::set<std::string>& known);
+  /// The nearest of these rules, each explained, and the rules that make what they wait for.
+  std::vector<std::string> Nearest(const RuleList& candidates, const std::set<std::string>& known);
+  std::vector<std::string> ExplainTie(const std::string& state);
+  std::vector<std::string> ExplainConflict(const std::string& state, const std::string& about);
+  std::vector<std::string> WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
+                                         const std::set<std::string>& known);
+  /// The rule that makes an attribute; null if none does.
+  const RuleText* MakerOf(const std::string& attribute);
+  std::string StateOf(const RuleText& rule);
+
+  struct Tree;
+  void TellCommand(const std::string& command, Tree& tree);
+  void TellOperator(const std::string& name, int depth, Tree& tree);
+  void TellRule(const RuleText& rule, int depth, Tree& tree);
+
+  MindView view_;
 };
 
 /// "did you mean ^distance?" or nothing, from percepts and these.
 std::string SuggestAttribute(std::string_view attribute, const std::set<std::string>& known);
+
+/// Whether a rule works in a substate: it tests a superstate.
+bool IsForSubstate(const RuleText& rule);
 
 }  // namespace soarbox::sim

@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/rule_text.h"
@@ -31,5 +32,12 @@ std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules);
 /// Slips against the vocabulary: attributes that nothing writes or that stand elsewhere, words that a percept never
 /// has, commands and parameters that no body knows, operators that nothing applies.
 std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known);
+
+/// What to do about an operator that no rule applies, as a sentence.
+std::string HowToApply(const std::vector<RuleText>& rules, const std::string& name);
+/// "^io.input-link.self.health, ...": where percepts of this name stand; empty if there are none.
+std::string PlacesOfPercept(const std::string& attribute);
+/// The words that a percept of this name may be, "none ready ..."; empty if it is none, or may be any word.
+std::vector<std::string_view> WordsOfPercept(const std::string& attribute);
 
 }  // namespace soarbox::sim

@@ -113,7 +113,7 @@ class MeaningChecker {
       for (const std::string& name : rule.proposes) {
         if (name.empty() || applies_any || applied.contains(name)) continue;
         Tell(rule, name, false, "rule " + rule.name + " proposes the operator " + name + ", which no rule applies",
-             HowToApply(name, applied));
+             HowToApply(rules_, name));
       }
       for (const std::string& name : rule.applies) {
         if (name.empty() || proposes_any || proposed.contains(name) || proposed.empty()) continue;
@@ -137,34 +137,24 @@ class MeaningChecker {
 
   /// A percept that stands deeper than the input link itself.
   void CheckPlace(const RuleText& rule, const std::string& attribute) {
-    std::vector<std::string> paths;
-    for (const PerceptRow& row : Percepts()) {
+    for (const PerceptRow& row : Percepts())
       if (row.path == attribute) return;
-      if (row.Attribute() == attribute) paths.push_back("^io.input-link." + std::string(row.path));
-    }
-    std::string where;
-    for (std::size_t i = 0; i < paths.size() && i < 4; ++i) where += (i == 0 ? "it is " : ", ") + paths[i];
     Tell(rule, attribute, true,
          "rule " + rule.name + " tests ^" + attribute + " directly below the input link, where no percept has it",
-         where + (paths.size() > 4 ? ", ..." : ""));
+         "it is " + PlacesOfPercept(attribute));
   }
 
   /// A word that the percepts of that name never have.
   void CheckWord(const RuleText& rule, const RuleAttribute& condition) {
     const std::string& value = condition.value;
     if (value.find_first_of(" <>{}|") != std::string::npos || value.empty() || IsNumber(value)) return;
-    std::vector<std::string_view> words;
-    for (const PerceptRow& row : Percepts()) {
-      if (row.Attribute() != condition.attribute) continue;
-      if (row.type != ValueType::kWord && row.type != ValueType::kObject) continue;
-      if (row.words.empty()) return;
-      for (std::string_view rest = row.words; !rest.empty();) {
-        const std::size_t end = std::min(rest.find(' '), rest.size());
-        if (rest.substr(0, end) == value) return;
-        words.push_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-      }
-    }
+    const std::vector<std::string_view> words = WordsOfPercept(condition.attribute);
+    if (std::find(words.begin(), words.end(), value) != words.end()) return;
+    const bool is_number = std::all_of(Percepts().begin(), Percepts().end(), [&](const PerceptRow& row) {
+      return row.Attribute() != condition.attribute || row.type == ValueType::kNumber ||
+             row.type == ValueType::kInteger;
+    });
+    if (words.empty() && !is_number) return;
     if (words.empty()) {
       Tell(rule, value, false,
            "rule " + rule.name + " compares ^" + condition.attribute + ", a number, with the word " + value,
@@ -202,28 +192,6 @@ class MeaningChecker {
       Tell(rule, action.attribute, true, "rule " + rule.name + ": " + fault.text, {});
   }
 
-  std::string HowToApply(const std::string& name, const std::set<std::string>& applied) const {
-    // A rule that means to apply it may test the proposal instead.
-    for (const RuleText& rule : rules_) {
-      std::set<std::string> proposals;
-      for (const RuleAttribute& condition : rule.conditions)
-        if (condition.attribute == "operator" && condition.value.ends_with("+"))
-          proposals.insert(FirstWord(condition.value));
-      const bool names_it =
-          std::any_of(rule.conditions.begin(), rule.conditions.end(), [&](const RuleAttribute& condition) {
-            return proposals.contains(condition.id) && condition.attribute == "name" && condition.value == name;
-          });
-      if (names_it && !rule.says.empty())
-        return "rule " + rule.name + " tests ^operator " + *proposals.begin() +
-               " +, a proposal: without the + it tests the operator that is selected";
-    }
-    const std::string_view near = Suggest(name, {applied.begin(), applied.end()});
-    for (const RuleText& rule : rules_)
-      if (!near.empty() && rule.applies.contains(std::string(near)))
-        return "rule " + rule.name + " applies " + std::string(near) + ": did you mean that?";
-    return "write a rule that tests ^operator.name " + name + " and says or changes something";
-  }
-
   const std::vector<RuleText>& rules_;
   const KnownWords& known_;
   std::set<std::string> made_;
@@ -231,6 +199,55 @@ class MeaningChecker {
 };
 
 }  // namespace
+
+std::string HowToApply(const std::vector<RuleText>& rules, const std::string& name) {
+  std::set<std::string> applied;
+  for (const RuleText& rule : rules) applied.insert(rule.applies.begin(), rule.applies.end());
+  // A rule that means to apply it may test the proposal instead.
+  for (const RuleText& rule : rules) {
+    std::set<std::string> proposals;
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.attribute == "operator" && condition.value.ends_with("+"))
+        proposals.insert(FirstWord(condition.value));
+    const bool names_it =
+        std::any_of(rule.conditions.begin(), rule.conditions.end(), [&](const RuleAttribute& condition) {
+          return proposals.contains(condition.id) && condition.attribute == "name" && condition.value == name;
+        });
+    if (names_it && !rule.says.empty())
+      return "rule " + rule.name + " tests ^operator " + *proposals.begin() +
+             " +, a proposal: without the + it tests the operator that is selected";
+  }
+  const std::string_view near = Suggest(name, {applied.begin(), applied.end()});
+  for (const RuleText& rule : rules)
+    if (!near.empty() && rule.applies.contains(std::string(near)))
+      return "rule " + rule.name + " applies " + std::string(near) + ": did you mean that?";
+  return "write a rule that tests ^operator.name " + name + " and says or changes something";
+}
+
+std::string PlacesOfPercept(const std::string& attribute) {
+  constexpr int kMostShown = 4;
+  std::string places;
+  int count = 0;
+  for (const PerceptRow& row : Percepts()) {
+    if (row.Attribute() != attribute || ++count > kMostShown) continue;
+    places += (places.empty() ? "^io.input-link." : ", ^io.input-link.") + std::string(row.path);
+  }
+  return count > kMostShown ? places + ", ..." : places;
+}
+
+std::vector<std::string_view> WordsOfPercept(const std::string& attribute) {
+  std::vector<std::string_view> words;
+  for (const PerceptRow& row : Percepts()) {
+    if (row.Attribute() != attribute || row.type != ValueType::kWord) continue;
+    if (row.words.empty()) return {};
+    for (std::string_view rest = row.words; !rest.empty();) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      words.push_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  return words;
+}
 
 std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known) {
   MeaningChecker checker(rules, known);

@@ -463,6 +463,10 @@ std::vector<std::string> Simulation::Why(std::string_view agent) {
   return impl_->minds->Why(agent);
 }
 
+Result<std::vector<std::string>> Simulation::WhyTopic(std::string_view agent, const std::string& topic) {
+  return impl_->minds->WhyTopic(agent, topic);
+}
+
 void Simulation::Finish() {
   if (std::exchange(impl_->finished, true)) return;
   impl_->minds->TellCounts();

@@ -101,6 +101,8 @@ class Simulation {
   std::vector<WatchedFile> Files();
   /// Why an agent does what it does now, as a tree of lines; empty if there is no such agent with a mind.
   std::vector<std::string> Why(std::string_view agent);
+  /// Why it does or does not say this command, select this operator or match this rule now.
+  Result<std::vector<std::string>> WhyTopic(std::string_view agent, const std::string& topic);
   /// Ends the scripts of all simulations as soon as they can be: the process is to end. May be called from a signal's
   /// handler.
   static void EndScripts();

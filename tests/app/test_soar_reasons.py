@@ -27,18 +27,91 @@ sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^s
 sp {hero*far (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^operator <o> +) (<o> ^name go)}
 sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^stop <c>)}""")[0]["reasons"]
         self.assertEqual(reasons[0], "no operator is proposed in S1")
-        self.assertIn("rule hero*far came to ", reasons[1])
-        self.assertIn("^health is now 100", reasons[1])
+        self.assertEqual(reasons[1], "rule hero*far needs ^io.input-link.self.health < 50, and it is 100")
         self.assertTrue(any(reason.startswith("it perceives ") and "^health 100" in reason for reason in reasons))
 
     def test_name_the_operators_of_a_tie_and_what_would_decide_it(self):
         reasons = self.gap("""
 sp {hero*one (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name one)}
 sp {hero*two (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name two)}""")[0]["reasons"]
-        self.assertIn("operator tie in S1", reasons[0])
-        self.assertIn("(one) from hero*one", reasons[0])
-        self.assertIn("(two) from hero*two", reasons[0])
-        self.assertIn("(<s> ^operator <o> + =)", reasons[0])
+        self.assertEqual(reasons[0], "operator tie in S1: no preference decides between one, two")
+        self.assertEqual(reasons[1:3], ["one is proposed by rule hero*one", "two is proposed by rule hero*two"])
+        self.assertIn("(<s> ^operator <o> + =)", reasons[3])
+
+    def test_tell_operators_of_one_name_apart(self):
+        reasons = self.gap("""
+sp {hero*go (state <s> ^superstate nil ^io.input-link.self <me>) (<me> ^ << ammunition reserve >> <n>) --> (<s> ^operator <o> +) (<o> ^name go ^n <n>)}""")[0]["reasons"]
+        self.assertEqual(sorted(reasons[1:3]), ["go ^n 10 is proposed by rule hero*go", "go ^n 40 is proposed by rule hero*go"])
+
+    def test_name_preferences_that_contradict_each_other(self):
+        reasons = self.gap("""
+sp {hero*one (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name one)}
+sp {hero*two (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name two)}
+sp {hero*a (state <s> ^operator <a> + ^operator <b> +) (<a> ^name one) (<b> ^name two) --> (<s> ^operator <a> > <b>)}
+sp {hero*b (state <s> ^operator <a> + ^operator <b> +) (<a> ^name one) (<b> ^name two) --> (<s> ^operator <b> > <a>)}""")[0]["reasons"]
+        self.assertIn("operator conflict in S1", reasons[0])
+        self.assertTrue(reasons[1].startswith("rule hero*a says ") and reasons[2].startswith("rule hero*b says "), reasons)
+
+    GO = "\nsp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^stop <c>)}"
+
+    def nearest(self, conditions):
+        return self.gap("sp {hero*go (state <s> ^superstate nil ^io.input-link <in>) " + conditions +
+                        " --> (<s> ^operator <o> +) (<o> ^name go)}" + self.GO)[0]["reasons"][1]
+
+    def test_say_what_is_there_in_the_words_of_the_author(self):
+        for conditions, said in (
+            ("(<in> ^self.weapon redy)", "rule hero*go needs ^io.input-link.self.weapon redy, and it is ready; "
+             "it is never redy, only none ready cooling reloading empty"),
+            ("(<in> ^agent <a>)", "rule hero*go needs ^io.input-link.agent <a>, and there is none now (Another agent that"),
+            ("(<in> ^health > 50)", "^io.input-link.health > 50, and no sense writes it there: it is ^io.input-link.self.health"),
+            ("(<in> -^self.health 100)", "rule hero*go needs that there is no ^io.input-link.self"),
+            ("(<in> ^self <me>) (<me> ^reserve <r> ^health < <r>)", "^io.input-link.self.reserve > <r>, and it is 40; <r> is 100"),
+        ):
+            self.assertIn(said, self.nearest(conditions), conditions)
+
+    def test_follow_what_is_waited_for_to_the_rule_that_makes_it(self):
+        reasons = self.gap("""
+sp {hero*danger (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^danger yes)}
+sp {hero*go (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name go)}""" + self.GO)[0]["reasons"]
+        self.assertIn("rule hero*go needs ^danger yes, and there is none now; rule hero*danger makes it", reasons)
+        self.assertIn("rule hero*danger needs ^io.input-link.self.health < 50, and it is 100", reasons)
+
+    def test_say_that_the_last_command_failed_and_that_its_operator_stays(self):
+        gaps = self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^wandr <c>)}""")
+        self.assertIn("its last command wandr failed: unknown-command", gaps[0]["reasons"][0])
+        self.assertIn("operator go has been applied (rule hero*apply) and stays selected", gaps[0]["reasons"][1])
+
+    def test_name_the_operator_that_a_rule_applies_under_another_name(self):
+        reasons = self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*apply (state <s> ^operator.name goo ^io.output-link <out>) --> (<out> ^stop <c>)}""")[0]["reasons"]
+        self.assertIn("no rule applies it: rule hero*apply applies goo: did you mean that?", reasons[0])
+
+    def test_look_below_an_operator_that_is_worked_on_in_a_substate(self):
+        reasons = self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*below (state <s> ^superstate.io.input-link.self.health < 50) --> (<s> ^operator <o> +) (<o> ^name step)}""")[0]["reasons"]
+        self.assertIn("in the state below it no operator is proposed", reasons[0])
+        self.assertEqual(reasons[1], "rule hero*below needs ^superstate.io.input-link.self.health < 50, and it is 100")
+
+    def test_name_the_rule_that_halted_the_program(self):
+        gaps = self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*apply (state <s> ^operator.name go) --> (halt)}""")
+        self.assertEqual(gaps[0]["text"], "its program has halted: rule hero*apply calls (halt)")
+
+    def test_are_given_for_the_minds_of_scripts_too(self):
+        self.write("Body.lua", "function Agent_Initialize(agent) agent:SetTarget(Vector.new(5, 0, 0)) end\nfunction Agent_Update(agent) end")
+        self.write("far.soar", """
+sp {far*propose (state <s> ^superstate nil ^io.input-link.distance > 1000) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {far*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^go <c>)}""")
+        self.write("Sandbox.lua", "function Sandbox_Initialize(s) Sandbox.CreateSoarAgent(s, 'Body.lua', 'far.soar', {name = 'far'}) end")
+        gap = run_json(self.folder, "--seconds", 2).of("gap")[0]
+        self.assertEqual(gap["text"], "it found no command within its decision budget")
+        self.assertIn("rule far*propose needs ^io.input-link.distance > 1000, and it is 25", gap["reasons"])
+        self.assertTrue(any(reason.startswith("it perceives ^distance 25") for reason in gap["reasons"]), gap)
 
     def test_name_an_operator_that_nothing_applies(self):
         reasons = self.gap("""
@@ -67,6 +140,31 @@ class Why(ScenarioCase):
         for piece in ("scout at 2.0", "command move-to ^waypoint", "under way", "said by rule scout*apply*move-to",
                       "operator move-to", "by rule scout*propose*move-to", "^waypoint W", "^path (^status moving"):
             self.assertIn(piece, run.out)
+
+    def test_tells_of_a_command_an_operator_or_a_rule_why_it_comes_about_or_does_not(self):
+        rules = self.write("hero.soar", """
+sp {hero*danger (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^danger yes)}
+sp {hero*propose*run (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name run)}
+sp {hero*propose*stroll (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name stroll)}
+sp {hero*apply*run (state <s> ^operator.name run ^io.output-link <out>) --> (<out> ^flee <c>)}
+sp {hero*apply*stroll (state <s> ^operator.name stroll ^io.output-link <out>) --> (<out> ^wander <c>)}""")
+        for topic, tree in (
+            ("flee", ["  rule hero*apply*run says it when it applies an operator",
+                      "    operator run is not proposed now; stroll is selected",
+                      "      rule hero*propose*run needs ^danger yes, and there is none now; rule hero*danger makes it",
+                      "        rule hero*danger needs ^io.input-link.self.health < 50, and it is 100"]),
+            ("run", ["  operator run is not proposed now; stroll is selected",
+                     "    rule hero*propose*run needs ^danger yes, and there is none now; rule hero*danger makes it",
+                     "      rule hero*danger needs ^io.input-link.self.health < 50, and it is 100"]),
+            ("hero*danger", ["  rule hero*danger needs ^io.input-link.self.health < 50, and it is 100"]),
+        ):
+            run = Run("why", rules, topic, "--at", 2)
+            self.assertEqual((run.code, run.out.splitlines()[1:]), (0, tree), run.err)
+        happens = Run("why", rules, "wander", "--at", 2)
+        self.assertIn("    operator stroll is selected in S1\n      acceptable: by rule hero*propose*stroll\n", happens.out)
+        unknown = Run("why", rules, "flea", "--at", 2)
+        self.assertEqual(unknown.code, 3)
+        self.assertIn("did you mean flee?", unknown.err)
 
     def test_suggests_the_agent_that_was_meant(self):
         run = Run("why", self.write("scout.soar", SCOUT), "--agent", "scuot")
