@@ -54,6 +54,10 @@ class JsonPrinter : public EventPrinter {
         json["text"] = event.text;
         json["position"] = Components(event.position);
         break;
+      case sim::EventKind::kAnswer:
+        json["line"] = event.news;
+        json["text"] = event.text;
+        break;
       default:
         json["text"] = event.text;
         if (!event.reasons.empty()) json["reasons"] = event.reasons;

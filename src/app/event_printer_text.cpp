@@ -45,6 +45,9 @@ class TextPrinter : public EventPrinter {
       case sim::EventKind::kLog:
         Line(event, event.text);
         break;
+      case sim::EventKind::kAnswer:
+        if (!event.text.empty()) Line(event, event.text);
+        break;
       case sim::EventKind::kMindLost:
         Line(event, "paused: " + event.text);
         break;

@@ -68,14 +68,7 @@ struct Applier {
 
   void operator()(const CameraInput& in) const { to.world.camera().FollowViewer(in.position, in.orientation); }
 
-  void operator()(const CommandInput& in) const {
-    Result<std::string> answer = to.soar.Execute(in.agent, in.line);
-    if (!answer) {
-      to.warn(answer.error());
-    } else if (!answer->empty()) {
-      to.say(in.agent, *std::move(answer));
-    }
-  }
+  void operator()(const CommandInput& in) const { to.answer(in, to.soar.Execute(in.agent, in.line)); }
 
   void operator()(const ScriptInput& in) const {
     world::EntityId id = world::EntityId::kSandbox;

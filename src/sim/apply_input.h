@@ -5,6 +5,7 @@
 #include <string>
 
 #include "diagnostics/diagnostic.h"
+#include "diagnostics/result.h"
 #include "sim/input.h"
 #include "world/ids.h"
 
@@ -24,7 +25,7 @@ struct InputTargets {
   world::World& world;
   script::ScriptHost& scripts;
   SoarHost& soar;
-  std::function<void(const std::string& agent, std::string text)> say;
+  std::function<void(const CommandInput& asked, const Result<std::string>& answer)> answer;
   std::function<void(Diagnostic)> warn;
   std::function<void(world::EntityId agent, const std::string& order)> order;
 };

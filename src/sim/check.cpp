@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/check.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <fstream>
 #include <map>
@@ -253,6 +256,28 @@ class Checker {
 };
 
 }  // namespace
+
+std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string& name) {
+  Result<std::unique_ptr<SoarHost>> host = SoarHost::Create({});
+  if (!host) return {host.error()};
+  // Kernels tell lines of files only.
+  static std::atomic<int> number = 0;
+  std::error_code error;
+  const fs::path file = fs::temp_directory_path(error) /
+                        ("soarbox-" + std::to_string(getpid()) + "-" + std::to_string(++number) + ".soar");
+  if (!(std::ofstream(file, std::ios::binary) << text).flush())
+    return {Problem(file, "this file cannot be written, so that the rules cannot be checked")};
+  Result<SoarHost::Loaded> loaded = (*host)->CreateAgent("check", file);
+  fs::remove(file, error);
+  std::vector<Diagnostic> problems = loaded ? std::move(loaded->problems) : std::vector<Diagnostic>{loaded.error()};
+  for (Diagnostic& problem : problems) problem.file = name;
+  return problems;
+}
+
+std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::string& name) {
+  if (const auto problem = script::CheckSyntax(text, name)) return {*problem};
+  return {};
+}
 
 std::vector<Diagnostic> CheckFiles(const std::vector<fs::path>& files) {
   Checker checker;

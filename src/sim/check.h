@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
@@ -13,5 +14,10 @@ namespace soarbox::sim {
 /// slip: attributes that nothing writes, commands that no body knows, operators that are proposed and never applied.
 /// Folders stand for the files in them. Problems come in the order of the files.
 std::vector<Diagnostic> CheckFiles(const std::vector<std::filesystem::path>& files);
+
+/// What is wrong with a text of rules, with lines and columns in it. `name` is what it is called in the messages.
+std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string& name);
+/// The same of a Lua script.
+std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::string& name);
 
 }  // namespace soarbox::sim

@@ -28,6 +28,8 @@ std::string_view EventName(EventKind kind) {
       return "lost";
     case EventKind::kMindBack:
       return "back";
+    case EventKind::kAnswer:
+      return "answer";
   }
   return "unknown";
 }

@@ -24,9 +24,10 @@ enum class EventKind : std::uint8_t {
   kMindFailed,    ///< The agent's Soar program can do nothing any more; the world goes on.
   kMindLost,      ///< The connection to the minds' kernel is gone.
   kMindBack,      ///< The minds live again in a kernel that answers at the same address.
+  kAnswer,        ///< text: what a command line printed that came in by the door, maybe nothing; news: the line.
 };
 /// Of the kinds above; a recording refuses others.
-inline constexpr EventKind kLastEventKind = EventKind::kMindBack;
+inline constexpr EventKind kLastEventKind = EventKind::kAnswer;
 
 /// The word for a kind in JSON and in recordings: "command", "diagnostic", ...
 std::string_view EventName(EventKind kind);
@@ -38,7 +39,8 @@ struct Event {
   double time_s = 0;
   std::string agent;  ///< Name; empty for the sandbox itself.
   std::string text;
-  std::string news = {};                  ///< kNews, kOutcome: one word.
+  std::string news = {};                  ///< kNews, kOutcome: one word. kAnswer, and kDiagnostic if one failed: the
+                                          ///< command line.
   std::vector<std::string> reasons = {};  ///< kGap: why, most telling first.
   std::string parameters = {};            ///< kCommand: what stands below the command, if anything.
   bool has_perceived = true;              ///< kCommand: `perceived` is meant.

@@ -2,6 +2,7 @@
 #include "sim/minds.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -214,9 +215,17 @@ Minds::Mind* Minds::Find(world::EntityId agent) {
   return at != minds_.end() && at->agent == agent ? &*at : nullptr;
 }
 
+Minds::Mind* Minds::FindNamed(std::string_view agent) {
+  const auto at =
+      std::ranges::find_if(minds_, [&](const Mind& mind) { return world_.FindAgent(mind.agent)->name() == agent; });
+  return at != minds_.end() ? &*at : nullptr;
+}
+
 void Minds::Decide() {
-  if (detail_ != MindDetail::kNone)
-    for (Mind& mind : minds_) mind.soar.log().Clear();
+  for (Mind& mind : minds_) {
+    mind.decide_s = 0;
+    if (mind.soar.is_logged()) mind.soar.log().Clear();
+  }
   // Senses draw from their agents' own streams and see the world as it is now, so that one pass serves both.
   for (const auto& actor : arena_.actors()) {
     if (!actor->IsAlive()) continue;
@@ -231,7 +240,10 @@ void Minds::Decide() {
   // Each mind reads and changes its own agent only, so that the result does not depend on who is first.
   pool_.Run([this](std::size_t thread) {
     for (const std::size_t i : ready_) {
-      if (minds_[i].thread == thread && host_.IsConnected()) minds_[i].soar.Decide();
+      if (minds_[i].thread != thread || !host_.IsConnected()) continue;
+      const auto begin = std::chrono::steady_clock::now();
+      minds_[i].soar.Decide();
+      minds_[i].decide_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
   });
   for (const std::size_t i : ready_) Conclude(minds_[i]);
@@ -446,12 +458,6 @@ void Minds::TellCounts() {
     for (const auto& [fault, count] : mind.told)
       if (count > 1) Tell(EventKind::kGap, body, std::to_string(count) + " times in all: error of " + fault);
   }
-}
-
-Minds::Mind* Minds::FindNamed(std::string_view agent) {
-  const auto at = std::find_if(minds_.begin(), minds_.end(),
-                               [&](const Mind& mind) { return world_.FindAgent(mind.agent)->name() == agent; });
-  return at == minds_.end() ? nullptr : &*at;
 }
 
 Result<std::vector<std::string>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {

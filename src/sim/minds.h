@@ -81,9 +81,12 @@ class Minds final : public script::MindFactory {
     std::map<std::string, int> causes = {};        ///< How often each cause kept it from acting, likewise.
     std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and how it went.
     double last_said_s = 0;
+    double decide_s = 0;  ///< Real time that the last tick's decisions took.
   };
   /// Null if the agent has no mind. Valid until the next MakeMind.
   Mind* Find(world::EntityId agent);
+  /// By the name of its body; null if there is none.
+  Mind* FindNamed(std::string_view agent);
   std::span<Mind> all() { return minds_; }
   std::size_t size() const { return minds_.size(); }
 
@@ -101,7 +104,6 @@ class Minds final : public script::MindFactory {
   void TellIdle(Mind& mind, const world::Agent& body);
   void TellHalt(Mind& mind, const world::Agent& body);
   void TellCause(Mind& mind, const world::Agent& body, std::string text);
-  Mind* FindNamed(std::string_view agent);
   bool TellBreakdown(Mind& mind, const world::Agent& body);
   void TellWritten(Mind& mind, const world::Agent& body);
   /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.

@@ -59,6 +59,8 @@ struct Simulation::Impl final : script::ScriptListener {
   std::string NamesOf(const std::vector<world::EntityId>& agents) const;
   void Report(Event event);
   void ReportDiagnostic(const Diagnostic& diagnostic);
+  /// Tells what a command line from outside came to.
+  void ReportAnswer(const CommandInput& asked, const Result<std::string>& answer);
   /// Tells when the minds' kernel has gone, and brings the minds back once there is one again.
   void KeepConnected();
   /// Notes what attached debuggers did since the last tick.
@@ -81,8 +83,9 @@ struct Simulation::Impl final : script::ScriptListener {
   std::unique_ptr<script::ScriptHost> scripts;
   std::unique_ptr<ScenarioEnd> end;  ///< Null without a scenario file.
   InputDoor door;
-  std::optional<std::uint64_t> flood_told_at;  ///< Tick.
-  std::vector<world::EntityId> order;          ///< Scratch: agents to update in this tick.
+  std::vector<std::pair<CommandInput, Result<std::string>>> answered;  ///< Between the last tick and the next.
+  std::optional<std::uint64_t> flood_told_at;                          ///< Tick.
+  std::vector<world::EntityId> order;                                  ///< Scratch: agents to update in this tick.
   EventList events;
   TickCosts costs;
   std::size_t agents_reported = 0;
@@ -194,19 +197,28 @@ void Simulation::Impl::ServeClients() {
 }
 
 void Simulation::Impl::ApplyInputs() {
-  const InputTargets targets{world,
-                             *scripts,
-                             *soar,
-                             [this](const std::string& agent, std::string text) {
-                               Event event;
-                               event.kind = EventKind::kLog;
-                               event.agent = agent;
-                               event.text = std::move(text);
-                               Report(std::move(event));
-                             },
-                             [this](const Diagnostic& warning) { ReportDiagnostic(warning); },
-                             [this](world::EntityId agent, const std::string& order) { arena->Order(agent, order); }};
+  const InputTargets targets{
+      world,
+      *scripts,
+      *soar,
+      [this](const CommandInput& asked, const Result<std::string>& answer) { ReportAnswer(asked, answer); },
+      [this](const Diagnostic& warning) { ReportDiagnostic(warning); },
+      [this](world::EntityId agent, const std::string& order) { arena->Order(agent, order); }};
+  for (const auto& [asked, answer] : std::exchange(answered, {})) ReportAnswer(asked, answer);
   for (const Input& input : door.taken().subspan(door.noted())) ApplyInput(input.value, targets);
+}
+
+void Simulation::Impl::ReportAnswer(const CommandInput& asked, const Result<std::string>& answer) {
+  Event event;
+  event.kind = answer ? EventKind::kAnswer : EventKind::kDiagnostic;
+  event.agent = asked.agent;
+  event.news = asked.line;
+  if (answer) {
+    event.text = *answer;
+  } else {
+    event.diagnostic = answer.error();
+  }
+  Report(std::move(event));
 }
 
 void Simulation::Impl::ReportNewAgents() {
@@ -411,12 +423,27 @@ std::size_t Simulation::soar_agents() const {
 MindReport Simulation::Mind(std::size_t index) const {
   const Minds::Mind& mind = impl_->minds->all()[index];
   const MindLog& log = mind.soar.log();
-  return {impl_->world.FindAgent(mind.agent)->name(), log.percepts(), log.decisions(), log.details(), log.commands()};
+  return {impl_->world.FindAgent(mind.agent)->name(),
+          log.percepts(),
+          log.decisions(),
+          log.details(),
+          log.commands(),
+          mind.decide_s};
 }
 bool Simulation::HasMind(std::string_view agent) const {
-  return std::ranges::any_of(impl_->minds->all(), [&](const Minds::Mind& mind) {
-    return impl_->world.FindAgent(mind.agent)->name() == agent;
-  });
+  return impl_->minds->FindNamed(agent) != nullptr;
+}
+std::unique_ptr<Inspector> Simulation::Inspect(std::string_view agent) const {
+  Minds::Mind* mind = impl_->minds->FindNamed(agent);
+  if (mind == nullptr || mind->lost || !impl_->soar->IsConnected()) return nullptr;
+  return MakeInspector(mind->soar.agent());
+}
+bool Simulation::NoteMind(std::string_view agent, MindDetail detail) {
+  Minds::Mind* mind = impl_->minds->FindNamed(agent);
+  if (mind == nullptr) return false;
+  mind->settings.detail = detail;
+  mind->soar.SetDetail(detail);
+  return true;
 }
 EventList Simulation::TakeEvents() {
   return std::exchange(impl_->events, {});
@@ -434,6 +461,13 @@ void Simulation::Submit(Input input) {
       "more than " + std::to_string(InputDoor::kMostPerTick) + " inputs for one tick: the rest is left out";
   if (impl_->flood_told_at != tick()) impl_->ReportDiagnostic(warning);
   impl_->flood_told_at = tick();
+}
+
+Result<std::string> Simulation::Command(const std::string& agent, const std::string& line) {
+  Result<std::string> answer = impl_->soar->Execute(agent, line);
+  impl_->answered.emplace_back(CommandInput{agent, line}, answer);
+  impl_->door.Note(impl_->answered.back().first);
+  return answer;
 }
 
 std::span<const Input> Simulation::LastInputs() const {
@@ -459,7 +493,7 @@ std::vector<WatchedFile> Simulation::Files() {
   return files;
 }
 
-std::vector<std::string> Simulation::Why(std::string_view agent) {
+std::vector<std::string> Simulation::Why(std::string_view agent) const {
   return impl_->minds->Why(agent);
 }
 

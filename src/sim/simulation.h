@@ -11,6 +11,7 @@
 #include "diagnostics/result.h"
 #include "sim/event.h"
 #include "sim/input.h"
+#include "sim/inspector.h"
 #include "sim/live_edits.h"
 #include "sim/mind_log.h"
 #include "sim/scenario.h"
@@ -27,6 +28,7 @@ namespace soarbox::sim {
 struct MindReport {
   std::string agent;
   std::span<const std::string> percepts, decisions, details, commands;
+  double decide_s = 0;  ///< Real time that it decided for; nothing in a run depends on it.
 };
 
 struct SimulationSettings {
@@ -79,6 +81,11 @@ class Simulation {
   MindReport Mind(std::size_t index) const;
   /// Whether there is an agent of this name with a Soar mind.
   bool HasMind(std::string_view agent) const;
+  /// Looks into the mind of an agent; null if there is no such agent with a Soar mind, or its kernel has gone. Valid
+  /// until the next tick.
+  std::unique_ptr<Inspector> Inspect(std::string_view agent) const;
+  /// How much Mind() tells of this agent from the next tick on. The run is the same. False if it has no Soar mind.
+  bool NoteMind(std::string_view agent, MindDetail detail);
 
   const TickCosts& costs() const;
 
@@ -90,6 +97,10 @@ class Simulation {
   /// agent) is told as an event then.
   void Submit(Input input);
   void Submit(InputValue value) { Submit(Input{0, std::move(value)}); }
+  /// Carries out a line of the Soar command language for an agent's mind now, between two ticks, and returns what it
+  /// printed. It counts as an input of the next tick, which tells of it as an event, so that a record of the inputs
+  /// replays it too.
+  Result<std::string> Command(const std::string& agent, const std::string& line);
   /// What came in for the last tick, in the order in which it took effect, what debuggers that are attached said to the
   /// minds included. Submitting the same to another simulation of the same scenario and seed gives the same run. Valid
   /// until the next tick.
@@ -100,7 +111,7 @@ class Simulation {
   /// The files that its minds and scripts were made from.
   std::vector<WatchedFile> Files();
   /// Why an agent does what it does now, as a tree of lines; empty if there is no such agent with a mind.
-  std::vector<std::string> Why(std::string_view agent);
+  std::vector<std::string> Why(std::string_view agent) const;
   /// Why it does or does not say this command, select this operator or match this rule now.
   Result<std::vector<std::string>> WhyTopic(std::string_view agent, const std::string& topic);
   /// Ends the scripts of all simulations as soon as they can be: the process is to end. May be called from a signal's

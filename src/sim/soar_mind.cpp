@@ -42,10 +42,16 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
   agent.SetBlinkIfNoChange(settings.blinks);
   if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
   agent.RegisterForPrintEvent(sml::smlEVENT_PRINT, &OnPrint, written_.get());
-  is_logged_ = settings.detail != MindDetail::kNone;
-  if (!is_logged_) return;
-  log_.Listen(agent, settings.detail);
-  for (InputMirror* mirror : {&own_body_, &surroundings_, &rows_}) mirror->SetNotes(&log_.percepts());
+  SetDetail(settings.detail);
+}
+
+void SoarMind::SetDetail(MindDetail detail) {
+  if (detail == MindDetail::kNone && !is_logged_) return;
+  is_logged_ = detail != MindDetail::kNone;
+  log_.Clear();
+  log_.Listen(*agent_, detail);
+  for (InputMirror* mirror : {&own_body_, &surroundings_, &rows_})
+    mirror->SetNotes(is_logged_ ? &log_.percepts() : nullptr);
 }
 
 void SoarMind::SetDistance(float distance_squared_m2) {

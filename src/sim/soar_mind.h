@@ -70,6 +70,8 @@ class SoarMind {
   MindLog& log() { return log_; }
   const MindLog& log() const { return log_; }
   bool is_logged() const { return is_logged_; }
+  /// How much is noted from now on.
+  void SetDetail(MindDetail detail);
 
  private:
   struct Standing {

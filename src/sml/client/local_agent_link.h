@@ -21,6 +21,7 @@ class LocalAgentLink final : public AgentLink {
   ~LocalAgentLink() override { hosted_.Forget(connection_); }
 
   soarbox::server::HostedAgent& hosted() { return hosted_; }
+  soarbox::server::KernelHost& host() { return host_; }
   /// Hands a change of the output to the client's memory.
   void Deliver(AgentData& data, std::span<const soarbox::kernel::OutputChange> changes);
 

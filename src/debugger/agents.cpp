@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/agents.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "debugger/facts_text.h"
+#include "diagnostics/diagnostic.h"
+
+namespace soarbox::debugger {
+namespace {
+
+AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles) {
+  AgentRow row;
+  row.id = agent.id;
+  row.name = agent.name;
+  row.kind = agent.kind;
+  row.team = agent.team;
+  row.script = agent.script;
+  row.alive = agent.alive;
+  row.failed = agent.failed;
+  row.health = agent.health;
+  row.command = agent.last_command;
+  const std::vector<AgentTroubles::Trouble>& told = troubles.Of(agent.name);
+  row.errors = told.size();
+  if (told.empty()) return row;
+  const Diagnostic& newest = told.back().diagnostic;
+  row.error = Format(newest);
+  row.error_file = newest.file;
+  row.error_line = newest.line;
+  return row;
+}
+
+/// All that a filter looks at.
+std::string TextOf(const AgentRow& row) {
+  return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + row.state + " " + row.op + " " +
+         row.command + " " + row.error + (row.alive ? "" : " dead") + (row.failed ? " failed" : "");
+}
+
+std::string FirstLine(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+void AgentTroubles::Add(const sim::EventList& events) {
+  using Kind = sim::EventKind;
+  for (const sim::Event& event : events) {
+    const bool is_error = event.kind == Kind::kAgentFailed || event.kind == Kind::kMindFailed ||
+                          (event.kind == Kind::kDiagnostic && event.diagnostic.severity != Severity::kNote);
+    if (!is_error) continue;
+    std::vector<Trouble>& list = troubles_[event.agent];
+    if (list.size() == kMost) list.erase(list.begin());
+    list.push_back({event.tick, event.diagnostic});
+  }
+}
+
+const std::vector<AgentTroubles::Trouble>& AgentTroubles::Of(std::string_view agent) const {
+  static const std::vector<Trouble> none;
+  const auto at = troubles_.find(agent);
+  return at == troubles_.end() ? none : at->second;
+}
+
+std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentTroubles& troubles) {
+  std::map<std::string, double> times_us;
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+    const sim::MindReport report = simulation.Mind(i);
+    times_us[report.agent] = report.decide_s * 1e6;
+  }
+  std::vector<AgentRow> rows;
+  for (const world::AgentSnapshot& agent : simulation.Snapshot().agents) {
+    AgentRow& row = rows.emplace_back(RowOf(agent, troubles));
+    const auto time = times_us.find(agent.name);
+    row.has_mind = time != times_us.end();
+    if (!row.has_mind) continue;
+    row.decide_us = time->second;
+    const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent.name);
+    if (mind == nullptr) {
+      row.failed = true;
+      continue;
+    }
+    row.decisions = mind->Mind().decisions;
+    for (const sim::StateFact& state : mind->Stack()) {
+      row.state = state.level == 1 ? state.id : state.id + " (" + state.attribute + " " + state.impasse + ")";
+      if (!state.operator_id.empty()) row.op = NameAndId(state.operator_name, state.operator_id);
+    }
+  }
+  return rows;
+}
+
+std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline& timeline,
+                                 const AgentTroubles& troubles) {
+  std::vector<AgentRow> rows;
+  for (const world::AgentSnapshot& agent : tick.scene.agents) {
+    AgentRow& row = rows.emplace_back(RowOf(agent, troubles));
+    for (const TimelineSpan& span : timeline.At(agent.name, tick.tick)) {
+      row.has_mind = true;
+      if (span.is_state) {
+        row.state = span.level == 1 ? span.id : span.id + " (" + span.text + ")";
+      } else {
+        row.op = NameAndId(span.text, span.id);
+      }
+    }
+  }
+  return rows;
+}
+
+void SortAgents(std::vector<AgentRow>& rows, AgentColumn column, bool descending) {
+  const auto less = [column](const AgentRow& a, const AgentRow& b) {
+    switch (column) {
+      case AgentColumn::kCreated:
+        return a.id < b.id;
+      case AgentColumn::kName:
+        return a.name < b.name;
+      case AgentColumn::kKind:
+        return a.kind < b.kind;
+      case AgentColumn::kTeam:
+        return a.team < b.team;
+      case AgentColumn::kHealth:
+        return a.health < b.health;
+      case AgentColumn::kState:
+        return a.state < b.state;
+      case AgentColumn::kOperator:
+        return a.op < b.op;
+      case AgentColumn::kCommand:
+        return a.command < b.command;
+      case AgentColumn::kErrors:
+        return a.errors < b.errors;
+      case AgentColumn::kDecisions:
+        return a.decisions < b.decisions;
+      case AgentColumn::kTime:
+        return a.decide_us < b.decide_us;
+    }
+    return false;
+  };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const AgentRow& a, const AgentRow& b) { return descending ? less(b, a) : less(a, b); });
+}
+
+std::vector<AgentRow> FilterAgents(const std::vector<AgentRow>& rows, std::string_view text) {
+  std::vector<AgentRow> passed;
+  std::ranges::copy_if(rows, std::back_inserter(passed),
+                       [&](const AgentRow& row) { return Passes(text, TextOf(row)); });
+  return passed;
+}
+
+std::string ToText(const std::vector<AgentRow>& rows) {
+  std::vector<std::vector<std::string>> table = {
+      {"agent", "kind", "team", "health", "state", "operator", "command", "decisions", "errors"}};
+  std::string errors;
+  for (const AgentRow& row : rows) {
+    const std::string health = row.alive ? std::to_string(static_cast<int>(row.health)) : "dead";
+    table.push_back({row.name, row.kind, row.team, health, row.has_mind ? row.state : "-", row.op, row.command,
+                     row.has_mind ? std::to_string(row.decisions) : "-",
+                     row.errors == 0 ? "" : std::to_string(row.errors)});
+    if (!row.error.empty()) errors += row.name + ": " + FirstLine(row.error) + "\n";
+  }
+  return Table(table) + errors;
+}
+
+Json ToJson(const std::vector<AgentRow>& rows) {
+  Json list = Json::array();
+  for (const AgentRow& row : rows) {
+    Json json;
+    json["name"] = row.name;
+    json["kind"] = row.kind;
+    json["team"] = row.team;
+    json["script"] = row.script;
+    json["mind"] = row.has_mind;
+    json["alive"] = row.alive;
+    json["failed"] = row.failed;
+    json["health"] = row.health;
+    json["state"] = row.state;
+    json["operator"] = row.op;
+    json["command"] = row.command;
+    json["decisions"] = row.decisions;
+    json["errors"] = row.errors;
+    if (row.errors != 0) {
+      json["error"] = row.error;
+      json["file"] = row.error_file;
+      json["line"] = row.error_line;
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/breakpoints.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "debugger/facts_text.h"
+#include "debugger/memory.h"
+
+namespace soarbox::debugger {
+namespace {
+
+constexpr std::string_view kKinds[] = {"fire", "match", "element", "impasse", "command"};
+
+/// Whether a text is like a pattern in which * stands for anything.
+bool IsLikeText(std::string_view text, std::string_view pattern) {
+  // Greedy with one point to come back to.
+  std::size_t t = 0, p = 0, star = std::string_view::npos, mark = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      mark = t;
+    } else if (p < pattern.size() && pattern[p] == text[t]) {
+      ++p;
+      ++t;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      t = ++mark;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+/// A rule's name holds * itself: one that is meant literally is found first.
+bool IsRule(std::string_view name, std::string_view pattern) {
+  return name == pattern || IsLikeText(name, pattern);
+}
+
+/// "(operator tie)" of "==>S: S2 (operator tie)"; empty if the line is no impasse.
+std::string_view ImpasseOf(std::string_view decision) {
+  const std::size_t begin = decision.find_first_not_of(' ');
+  if (begin == std::string_view::npos || !decision.substr(begin).starts_with("==>S: ")) return {};
+  const std::size_t open = decision.find(" (");
+  if (open == std::string_view::npos || !decision.ends_with(')')) return {};
+  return decision.substr(open + 2, decision.size() - open - 3);
+}
+
+std::optional<std::string> CauseIn(const Breakpoint& point, const sim::MindReport& report) {
+  switch (point.kind) {
+    case BreakKind::kFire:
+      for (const std::string_view detail : report.details) {
+        const std::size_t blank = detail.find(' ');
+        if (blank == std::string_view::npos || !detail.substr(blank + 1).starts_with("fire ")) continue;
+        const std::string_view rule = detail.substr(blank + 6);
+        if (IsRule(rule, point.what)) return "rule " + std::string(rule) + " fired";
+      }
+      break;
+    case BreakKind::kElement:
+      for (const std::string& detail : report.details) {
+        const std::optional<ElementLine> line = ReadElementLine(detail);
+        if (line && line->added && IsLike(line->element, point.what)) return Describe(line->element) + " came";
+      }
+      break;
+    case BreakKind::kImpasse:
+      for (const std::string& decision : report.decisions) {
+        const std::string_view impasse = ImpasseOf(decision);
+        if (!impasse.empty() && (point.what.empty() || impasse.find(point.what) != std::string_view::npos))
+          return "impasse: " + decision.substr(decision.find_first_not_of(' '));
+      }
+      break;
+    case BreakKind::kCommand:
+      for (const std::string& command : report.commands) {
+        if (command.find(": ") != std::string::npos) continue;  // How one went.
+        const std::string_view name = std::string_view(command).substr(0, command.find(' '));
+        if (point.what.empty() || IsLikeText(name, point.what)) return "command " + command;
+      }
+      break;
+    case BreakKind::kMatch:
+      break;
+  }
+  return std::nullopt;
+}
+
+Diagnostic Problem(std::string message, std::string hint) {
+  Diagnostic problem;
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+}  // namespace
+
+std::string_view NameOf(BreakKind kind) {
+  return kKinds[static_cast<std::size_t>(kind)];
+}
+
+std::optional<BreakKind> BreakKindNamed(std::string_view name) {
+  const auto at = std::ranges::find(kKinds, name);
+  if (at == std::end(kKinds)) return std::nullopt;
+  return static_cast<BreakKind>(at - std::begin(kKinds));
+}
+
+bool IsLike(const sim::ElementFact& element, std::string_view pattern) {
+  std::istringstream words{std::string(pattern)};
+  std::string word, id = "*", attribute = "*", value = "*";
+  int place = 0;
+  bool acceptable = false;
+  while (words >> word) {
+    if (word.starts_with('^')) {
+      attribute = word.substr(1);
+      place = 1;
+    } else if (word == "+" && place == 2) {
+      acceptable = true;
+    } else if (place == 0) {
+      id = word;
+    } else {
+      value = word;
+      place = 2;
+    }
+  }
+  return IsLikeText(element.id, id) && IsLikeText(element.attribute, attribute) && IsLikeText(element.value, value) &&
+         (!acceptable || element.acceptable);
+}
+
+Result<int> Breakpoints::Set(BreakKind kind, std::string agent, std::string what) {
+  const bool is_blank = what.find_first_not_of(" \t") == std::string::npos;
+  if (is_blank && (kind == BreakKind::kFire || kind == BreakKind::kMatch))
+    return Problem("a breakpoint on a rule needs the rule's name", "for example: fire propose*move");
+  if (kind == BreakKind::kElement && what.find('^') == std::string::npos)
+    return Problem("a breakpoint on an element needs an attribute", "for example: ^enemy *, or S1 ^operator O1 +");
+  Breakpoint& point = list_.emplace_back();
+  point.number = ++last_number_;
+  point.kind = kind;
+  point.agent = std::move(agent);
+  point.what = is_blank ? std::string() : std::move(what);
+  return point.number;
+}
+
+bool Breakpoints::Clear(int number) {
+  return std::erase_if(list_, [number](const Breakpoint& point) { return point.number == number; }) != 0;
+}
+
+bool Breakpoints::Enable(int number, bool on) {
+  const auto at = std::ranges::find(list_, number, &Breakpoint::number);
+  if (at == list_.end()) return false;
+  at->enabled = on;
+  return true;
+}
+
+void Breakpoints::Prepare(sim::Simulation& simulation) {
+  if (list_.empty()) return;
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+    const std::string agent = simulation.Mind(i).agent;
+    const bool is_meant = std::ranges::any_of(
+        list_, [&](const Breakpoint& point) { return point.enabled && (point.agent.empty() || point.agent == agent); });
+    if (is_meant && noted_.insert(agent).second) simulation.NoteMind(agent, sim::MindDetail::kAll);
+  }
+}
+
+std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation) {
+  std::vector<BreakHit> hits;
+  for (Breakpoint& point : list_) {
+    if (!point.enabled) continue;
+    for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+      const sim::MindReport report = simulation.Mind(i);
+      if (!point.agent.empty() && point.agent != report.agent) continue;
+      std::optional<std::string> cause = CauseIn(point, report);
+      if (point.kind == BreakKind::kMatch) {
+        const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(report.agent);
+        const std::optional<sim::MatchFacts> match = mind == nullptr ? std::nullopt : mind->Match(point.what);
+        const bool matches = match && !match->failing;
+        bool& before = matched_[{point.number, report.agent}];
+        if (matches && !before) cause = "rule " + point.what + " matches";
+        before = matches;
+      }
+      if (!cause) continue;
+      ++point.hits;
+      hits.push_back({point.number, report.agent, simulation.tick(),
+                      "breakpoint " + std::to_string(point.number) + ": " + report.agent + ": " + *cause});
+    }
+  }
+  return hits;
+}
+
+std::string ToText(const std::vector<Breakpoint>& list) {
+  std::vector<std::vector<std::string>> table = {{"number", "on", "what", "agent", "hits", ""}};
+  for (const Breakpoint& point : list)
+    table.push_back({std::to_string(point.number), std::string(NameOf(point.kind)), point.what,
+                     point.agent.empty() ? "any" : point.agent, std::to_string(point.hits),
+                     point.enabled ? "" : "off"});
+  return list.empty() ? "no breakpoints\n" : Table(table);
+}
+
+Json ToJson(const std::vector<Breakpoint>& list) {
+  Json json = Json::array();
+  for (const Breakpoint& point : list) {
+    json.push_back(Json{{"number", point.number},
+                        {"kind", NameOf(point.kind)},
+                        {"agent", point.agent},
+                        {"what", point.what},
+                        {"enabled", point.enabled},
+                        {"hits", point.hits}});
+  }
+  return json;
+}
+
+}  // namespace soarbox::debugger

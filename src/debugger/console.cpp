@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/console.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "debugger/rules.h"
+#include "diagnostics/diagnostic.h"
+
+namespace soarbox::debugger {
+namespace {
+
+constexpr std::string_view kCommands[] = {
+    "alias",      "chunk",  "debug", "decide", "echo",  "epmem",   "excise",    "explain",     "fc",
+    "gp",         "help",   "init",  "learn",  "load",  "matches", "output",    "preferences", "print",
+    "production", "pwatch", "rl",    "run",    "save",  "smem",    "soar",      "source",      "sp",
+    "srand",      "stats",  "stop",  "svs",    "trace", "unalias", "visualize", "watch",       "wm"};
+
+bool IsBlank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : ", ") + words[i];
+  return text;
+}
+
+}  // namespace
+
+void Console::Keep(ConsoleLine::Kind kind, std::uint64_t tick, std::string_view text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+  while (!text.empty() && text.front() == '\n') text.remove_prefix(1);
+  std::istringstream in{std::string(text)};
+  for (std::string line; std::getline(in, line);) lines_.push_back({kind, tick, std::move(line)});
+  while (lines_.size() > kMostLines) lines_.pop_front();
+}
+
+void Console::Run(sim::Simulation& simulation, const std::string& line) {
+  place_ = history_.size();
+  typed_.clear();
+  if (IsBlank(line)) return;
+  if (history_.empty() || history_.back() != line) history_.push_back(line);
+  if (history_.size() > kMostHistory) history_.erase(history_.begin());
+  place_ = history_.size();
+  const std::uint64_t tick = simulation.tick();
+  Keep(ConsoleLine::Kind::kInput, tick, line);
+  const Result<std::string> answer = simulation.Command(agent_, line);
+  own_.push_back(line);
+  if (answer) return Keep(ConsoleLine::Kind::kOutput, tick, *answer);
+  Keep(ConsoleLine::Kind::kError, tick, answer.error().message);
+  if (!answer.error().hint.empty()) Keep(ConsoleLine::Kind::kHint, tick, answer.error().hint);
+  if (answer.error().message.find("did you mean") != std::string::npos) return;
+  if (const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent_)) {
+    if (const std::vector<std::string> near = NearMisses(*mind, line); !near.empty())
+      Keep(ConsoleLine::Kind::kHint, tick, "did you mean " + Joined(near) + "?");
+  }
+}
+
+void Console::Add(const sim::EventList& events) {
+  for (const sim::Event& event : events) {
+    const bool failed = event.kind == sim::EventKind::kDiagnostic && !event.news.empty();
+    if (event.agent != agent_ || (event.kind != sim::EventKind::kAnswer && !failed)) continue;
+    if (!own_.empty() && own_.front() == event.news) {
+      own_.pop_front();
+      continue;
+    }
+    Keep(ConsoleLine::Kind::kInput, event.tick, event.news);
+    if (failed) {
+      Keep(ConsoleLine::Kind::kError, event.tick, event.diagnostic.message);
+    } else {
+      Keep(ConsoleLine::Kind::kOutput, event.tick, event.text);
+    }
+  }
+}
+
+std::string Console::Older(const std::string& typed) {
+  if (place_ == history_.size()) typed_ = typed;
+  if (place_ > 0) --place_;
+  return place_ < history_.size() ? history_[place_] : typed;
+}
+
+std::string Console::Newer(const std::string& typed) {
+  if (place_ == history_.size()) return typed;
+  ++place_;
+  return place_ < history_.size() ? history_[place_] : typed_;
+}
+
+Completion Complete(sim::Inspector& mind, std::string_view line) {
+  Completion completion;
+  const std::size_t blank = line.find_last_of(" \t;\n");
+  completion.begin = blank == std::string_view::npos ? 0 : blank + 1;
+  completion.words = mind.Complete(line);
+  if (completion.words.empty() && !mind.TellsAll()) {
+    const std::string_view word = line.substr(completion.begin);
+    if (completion.begin == 0) {
+      for (const std::string_view command : kCommands)
+        if (command.starts_with(word)) completion.words.emplace_back(command);
+    } else {
+      for (const sim::RuleFact& rule : mind.Rules())
+        if (rule.name.starts_with(word)) completion.words.push_back(rule.name);
+    }
+  }
+  std::ranges::sort(completion.words);
+  for (const std::string& word : completion.words) {
+    if (&word == &completion.words.front()) completion.common = word;
+    const auto differs = std::ranges::mismatch(completion.common, word);
+    completion.common.erase(differs.in1, completion.common.end());
+  }
+  return completion;
+}
+
+std::vector<std::string> NearMisses(sim::Inspector& mind, std::string_view line) {
+  std::vector<std::string> near;
+  std::istringstream words{std::string(line)};
+  std::string command, word;
+  words >> command;
+  const std::span<const std::string_view> commands(kCommands);
+  if (std::ranges::find(commands, command) == commands.end()) {
+    if (const std::string_view nearest = Suggest(command, std::vector(commands.begin(), commands.end()));
+        !nearest.empty())
+      near.emplace_back(nearest);
+  }
+  const std::vector<sim::RuleFact> rules = mind.Rules();
+  constexpr std::size_t kShortest = 4;  // Shorter words are like too much.
+  while (words >> word) {
+    const bool is_rule = std::ranges::any_of(rules, [&](const sim::RuleFact& rule) { return rule.name == word; });
+    if (is_rule || word.size() < kShortest || word[0] == '-') continue;
+    for (std::string& rule : NearRules(mind, word)) near.push_back(std::move(rule));
+  }
+  return near;
+}
+
+std::string ToText(const std::deque<ConsoleLine>& lines) {
+  std::string text;
+  for (const ConsoleLine& line : lines) {
+    constexpr const char* kMarks[] = {"> ", "", "error: ", "note: "};
+    text += kMarks[static_cast<int>(line.kind)] + line.text + "\n";
+  }
+  return text;
+}
+
+Json ToJson(const std::deque<ConsoleLine>& lines) {
+  Json list = Json::array();
+  for (const ConsoleLine& line : lines) {
+    constexpr const char* kNames[] = {"input", "output", "error", "hint"};
+    list.push_back(Json{{"tick", line.tick}, {"kind", kNames[static_cast<int>(line.kind)]}, {"text", line.text}});
+  }
+  return list;
+}
+
+}  // namespace soarbox::debugger

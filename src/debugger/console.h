@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "debugger/json.h"
+#include "sim/simulation.h"
+
+namespace soarbox::debugger {
+
+struct ConsoleLine {
+  enum class Kind : std::uint8_t { kInput, kOutput, kError, kHint } kind = Kind::kOutput;
+  std::uint64_t tick = 0;
+  std::string text;  ///< One line, without its end.
+};
+
+/// A Soar command line for one agent. What is typed takes effect at once, between two ticks, through the simulation's
+/// door: a recording keeps it.
+class Console {
+ public:
+  explicit Console(std::string agent) : agent_(std::move(agent)) {}
+
+  const std::string& agent() const { return agent_; }
+  /// Carries out a line and keeps what it printed; an error keeps a hint at what may have been meant. Blank lines do
+  /// nothing.
+  void Run(sim::Simulation& simulation, const std::string& line);
+  /// What others (edits, debuggers, a replayed input) had the agent do, from a tick's events: leaves out its own.
+  void Add(const sim::EventList& events);
+  const std::deque<ConsoleLine>& lines() const { return lines_; }
+  void Clear() { lines_.clear(); }
+
+  /// The line before in the history (older), or behind; what was being typed comes back at the newest end.
+  std::string Older(const std::string& typed);
+  std::string Newer(const std::string& typed);
+  const std::vector<std::string>& history() const { return history_; }
+
+  static constexpr std::size_t kMostLines = 5'000, kMostHistory = 500;
+
+ private:
+  void Keep(ConsoleLine::Kind kind, std::uint64_t tick, std::string_view text);
+
+  std::string agent_;
+  std::deque<ConsoleLine> lines_;
+  std::vector<std::string> history_;
+  std::size_t place_ = 0;  ///< In the history; its size: at the newest end.
+  std::string typed_;
+  std::deque<std::string> own_;  ///< Lines of its own whose events are still to come.
+};
+
+/// How the word that a line ends with may go on.
+struct Completion {
+  std::size_t begin = 0;           ///< Where that word begins.
+  std::vector<std::string> words;  ///< Sorted; empty: nothing is known.
+  std::string common;              ///< What all have in common: what the Tab key adds stands in it.
+};
+Completion Complete(sim::Inspector& mind, std::string_view line);
+
+/// Commands and rules that are spelt like a word of this line; empty if none is.
+std::vector<std::string> NearMisses(sim::Inspector& mind, std::string_view line);
+
+std::string ToText(const std::deque<ConsoleLine>& lines);
+Json ToJson(const std::deque<ConsoleLine>& lines);
+
+}  // namespace soarbox::debugger

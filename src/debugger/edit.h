@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "debugger/json.h"
+#include "diagnostics/diagnostic.h"
+#include "diagnostics/result.h"
+#include "sim/simulation.h"
+
+namespace soarbox::debugger {
+
+/// A file of rules or a script that is being edited while the world runs.
+class Edit {
+ public:
+  /// Reads the file; fails if it cannot.
+  static Result<Edit> Open(const sim::WatchedFile& file);
+
+  const sim::WatchedFile& file() const { return file_; }
+  std::string& text() { return text_; }
+  const std::string& text() const { return text_; }
+  /// It differs from what runs.
+  bool is_changed() const { return text_ != running_; }
+  /// It differs from what is on the disk.
+  bool is_unsaved() const { return text_ != saved_; }
+
+  /// What is wrong with the text, with lines; changes nothing.
+  std::vector<Diagnostic> Check() const;
+  /// Lets the text take effect in the next tick, through the simulation's door, for all agents that were made from this
+  /// file. An error among the problems: nothing is done. Returns what Check does.
+  std::vector<Diagnostic> Apply(sim::Simulation& simulation);
+  /// Writes the file.
+  Result<void> Save();
+  /// Back to what is on the disk.
+  void Revert() { text_ = saved_; }
+
+  /// The first line (from 1) of a rule in the text; 0 if it is not there.
+  int LineOf(std::string_view rule) const;
+
+ private:
+  sim::WatchedFile file_;
+  std::string text_, running_, saved_;
+};
+
+/// The files that an agent was made from; an empty agent: those of all, each once.
+std::vector<sim::WatchedFile> FilesOf(sim::Simulation& simulation, std::string_view agent);
+
+}  // namespace soarbox::debugger

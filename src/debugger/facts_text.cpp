@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/facts_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace soarbox::debugger {
+namespace {
+
+std::string Lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+/// How many columns a text takes: bytes that go on with a character count for nothing.
+std::size_t Width(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string Describe(const sim::ElementFact& element) {
+  return element.id + " ^" + element.attribute + " " + element.value + (element.acceptable ? " +" : "");
+}
+
+std::string Describe(const sim::MakerFact& maker) {
+  switch (maker.kind) {
+    case sim::MakerFact::Kind::kInput:
+      return "input";
+    case sim::MakerFact::Kind::kArchitecture:
+      return "the architecture";
+    case sim::MakerFact::Kind::kRule:
+      break;
+  }
+  return "rule " + maker.rule + (maker.o_supported ? " (o-support)" : " (i-support)");
+}
+
+std::string NameAndId(std::string_view name, std::string_view id) {
+  if (name.empty()) return std::string(id);
+  return std::string(name) + " (" + std::string(id) + ")";
+}
+
+Json ToJson(const sim::ElementFact& element) {
+  Json json;
+  json["timetag"] = element.timetag;
+  json["id"] = element.id;
+  json["attribute"] = element.attribute;
+  json["value"] = element.value;
+  if (element.acceptable) json["acceptable"] = true;
+  if (element.is_object) json["object"] = true;
+  return json;
+}
+
+Json ToJson(const sim::MakerFact& maker) {
+  Json json;
+  using Kind = sim::MakerFact::Kind;
+  json["kind"] = maker.kind == Kind::kRule ? "rule" : maker.kind == Kind::kInput ? "input" : "architecture";
+  if (maker.kind != Kind::kRule) return json;
+  json["rule"] = maker.rule;
+  json["support"] = maker.o_supported ? "o" : "i";
+  json["level"] = maker.level;
+  json["elements"] = Json::array();
+  for (const sim::ElementFact& element : maker.elements) json["elements"].push_back(ToJson(element));
+  return json;
+}
+
+std::string Table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& row : rows) {
+    if (widths.size() < row.size()) widths.resize(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
+  }
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(i + 1 < row.size() ? widths[i] - Width(row[i]) + 2 : 0, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+bool Passes(std::string_view filter, std::string_view text) {
+  const std::string lower = Lower(text);
+  std::istringstream words(Lower(filter));
+  for (std::string word; words >> word;)
+    if (lower.find(word) == std::string::npos) return false;
+  return true;
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace soarbox::debugger {
+
+std::string Print(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace soarbox::debugger {
+
+using Json = nlohmann::ordered_json;
+
+/// On several lines; bytes that are no UTF-8 are replaced.
+std::string Print(const Json& json);
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/memory.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "debugger/facts_text.h"
+
+namespace soarbox::debugger {
+namespace {
+
+constexpr std::size_t kMostRows = 2'000;
+
+bool IsIdentifier(std::string_view text) {
+  return text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' &&
+         text.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+/// What an object is: "state", "operator seek", or its ^name or ^type.
+std::string AboutObject(const std::vector<sim::ElementFact>& elements) {
+  std::string name, type;
+  bool is_state = false;
+  for (const sim::ElementFact& element : elements) {
+    if (element.attribute == "superstate") is_state = true;
+    if (element.attribute == "name" && !element.is_object) name = element.value;
+    if (element.attribute == "type" && !element.is_object) type = element.value;
+  }
+  if (is_state) return name.empty() ? "state" : "state " + name;
+  return name.empty() ? type : name;
+}
+
+class TreeReader {
+ public:
+  TreeReader(sim::Inspector& mind, const MemoryChanges& changes) : mind_(mind), changes_(changes) {}
+
+  std::vector<MemoryRow> Read(std::string_view id, std::size_t depth, std::string* about, bool* exists) {
+    std::vector<MemoryRow> rows;
+    const std::vector<sim::ElementFact> elements = mind_.ElementsOf(id);
+    opened_.insert(std::string(id));
+    if (about != nullptr) *about = AboutObject(elements);
+    if (exists != nullptr) *exists = !elements.empty();
+    for (const sim::ElementFact& element : elements) {
+      if (++count_ > kMostRows) break;
+      MemoryRow& row = rows.emplace_back();
+      row.element = element;
+      row.change = changes_.WasAdded(element.timetag) ? Change::kAdded : Change::kNone;
+      if (!element.is_object) continue;
+      row.about = AboutObject(mind_.ElementsOf(element.value));
+      if (depth > 1 && !opened_.contains(element.value)) row.below = Read(element.value, depth - 1, nullptr, nullptr);
+    }
+    for (const auto& [timetag, element] : changes_.removed())
+      if (element.id == id) rows.push_back({element, "", Change::kRemoved, {}});
+    return rows;
+  }
+
+  bool is_cut() const { return count_ > kMostRows; }
+
+ private:
+  sim::Inspector& mind_;
+  const MemoryChanges& changes_;
+  std::set<std::string> opened_;
+  std::size_t count_ = 0;
+};
+
+void AppendRows(std::string& text, const std::vector<MemoryRow>& rows, std::size_t indent) {
+  constexpr const char* kMarks[] = {"  ", "+ ", "- "};
+  for (const MemoryRow& row : rows) {
+    text += kMarks[static_cast<int>(row.change)] + std::string(2 * indent, ' ') + "^" + row.element.attribute + " " +
+            row.element.value + (row.element.acceptable ? " +" : "") +
+            (row.about.empty() ? "" : " (" + row.about + ")") + "  [" + std::to_string(row.element.timetag) + "]\n";
+    AppendRows(text, row.below, indent + 1);
+  }
+}
+
+Json RowsToJson(const std::vector<MemoryRow>& rows) {
+  Json list = Json::array();
+  for (const MemoryRow& row : rows) {
+    Json json = ToJson(row.element);
+    if (!row.about.empty()) json["about"] = row.about;
+    if (row.change != Change::kNone) json["change"] = row.change == Change::kAdded ? "added" : "removed";
+    if (!row.below.empty()) json["elements"] = RowsToJson(row.below);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<ElementLine> ReadElementLine(std::string_view detail) {
+  // "3 + 12: S1 ^a b +"
+  const std::size_t first = detail.find(' ');
+  if (first == std::string_view::npos || first + 2 >= detail.size()) return std::nullopt;
+  ElementLine line;
+  if (detail[first + 1] != '+' && detail[first + 1] != '-') return std::nullopt;
+  line.added = detail[first + 1] == '+';
+  std::string_view rest = detail.substr(first + 2);
+  if (!rest.starts_with(' ')) return std::nullopt;
+  rest.remove_prefix(1);
+  const std::size_t colon = rest.find(": ");
+  if (colon == std::string_view::npos) return std::nullopt;
+  const auto read = std::from_chars(rest.data(), rest.data() + colon, line.element.timetag);
+  if (read.ec != std::errc() || read.ptr != rest.data() + colon) return std::nullopt;
+  rest.remove_prefix(colon + 2);
+  const std::size_t caret = rest.find(" ^");
+  if (caret == std::string_view::npos) return std::nullopt;
+  line.element.id = rest.substr(0, caret);
+  rest.remove_prefix(caret + 2);
+  // An attribute in bars may hold blanks.
+  std::size_t end = 0;
+  for (bool quoted = false; end < rest.size() && (quoted || rest[end] != ' '); ++end)
+    if (rest[end] == '|') quoted = !quoted;
+  if (end >= rest.size()) return std::nullopt;
+  line.element.attribute = rest.substr(0, end);
+  rest.remove_prefix(end + 1);
+  if (rest.ends_with(" +") && rest.size() > 2) {
+    line.element.acceptable = true;
+    rest.remove_suffix(2);
+  }
+  line.element.value = rest;
+  line.element.is_object = IsIdentifier(rest);
+  return line;
+}
+
+MemoryChanges::MemoryChanges(std::span<const std::string> details, std::optional<std::size_t> decisions) {
+  for (const std::string& detail : details) {
+    if (decisions) {
+      std::size_t before = 0;
+      std::from_chars(detail.data(), detail.data() + detail.size(), before);
+      if (before < *decisions) continue;
+    }
+    std::optional<ElementLine> line = ReadElementLine(detail);
+    if (!line) continue;
+    const std::uint64_t timetag = line->element.timetag;
+    if (line->added) {
+      added_[timetag] = std::move(line->element);
+    } else if (added_.erase(timetag) == 0) {
+      removed_[timetag] = std::move(line->element);
+    }
+  }
+}
+
+MemoryObject LookAtObject(sim::Inspector& mind, std::string_view id, const MemoryChanges& changes, std::size_t depth) {
+  MemoryObject object;
+  object.id = id;
+  TreeReader reader(mind, changes);
+  object.rows = reader.Read(id, std::max<std::size_t>(depth, 1), &object.about, &object.exists);
+  if (!object.exists) object.note = "nothing is known of " + object.id + " now";
+  if (reader.is_cut()) object.note = "only the first " + std::to_string(kMostRows) + " elements are shown";
+  return object;
+}
+
+std::optional<ElementStory> LookAtElement(sim::Inspector& mind, std::uint64_t timetag) {
+  const std::optional<sim::ElementFact> element = mind.Element(timetag);
+  if (!element) return std::nullopt;
+  ElementStory story;
+  story.element = *element;
+  story.makers = mind.MakersOf(timetag);
+  story.testers = mind.TestersOf(timetag);
+  if (!mind.TellsAll()) story.note = "who made it and who tests it: " + std::string(kNotAvailable);
+  return story;
+}
+
+std::vector<sim::ElementFact> SearchMemory(sim::Inspector& mind, std::string_view text, std::size_t most) {
+  return mind.Search(text, most);
+}
+
+std::string ToText(const MemoryObject& object) {
+  std::string text = object.id + (object.about.empty() ? "" : " (" + object.about + ")") + "\n";
+  AppendRows(text, object.rows, 1);
+  return text + (object.note.empty() ? "" : object.note + "\n");
+}
+
+Json ToJson(const MemoryObject& object) {
+  Json json;
+  json["id"] = object.id;
+  json["about"] = object.about;
+  json["exists"] = object.exists;
+  if (!object.note.empty()) json["note"] = object.note;
+  json["elements"] = RowsToJson(object.rows);
+  return json;
+}
+
+std::string ToText(const ElementStory& story) {
+  std::string text = "(" + std::to_string(story.element.timetag) + ": " + Describe(story.element) + ")\n";
+  for (const sim::MakerFact& maker : story.makers) {
+    text += "  made by " + Describe(maker) + "\n";
+    for (const sim::ElementFact& element : maker.elements) text += "    from " + Describe(element) + "\n";
+  }
+  for (const sim::TesterFact& tester : story.testers) {
+    text += "  tested by " + tester.rule + ", condition " + std::to_string(tester.condition + 1) +
+            (tester.negated ? " (negated)" : "") + (tester.matches ? ", which matches" : "") + "\n";
+  }
+  return text + (story.note.empty() ? "" : "  " + story.note + "\n");
+}
+
+Json ToJson(const ElementStory& story) {
+  Json json = ToJson(story.element);
+  if (!story.note.empty()) json["note"] = story.note;
+  json["made_by"] = Json::array();
+  for (const sim::MakerFact& maker : story.makers) json["made_by"].push_back(ToJson(maker));
+  json["tested_by"] = Json::array();
+  for (const sim::TesterFact& tester : story.testers) {
+    json["tested_by"].push_back(Json{{"rule", tester.rule},
+                                     {"condition", tester.condition + 1},
+                                     {"negated", tester.negated},
+                                     {"matches", tester.matches}});
+  }
+  return json;
+}
+
+}  // namespace soarbox::debugger

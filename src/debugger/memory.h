@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "debugger/json.h"
+#include "sim/inspector.h"
+
+namespace soarbox::debugger {
+
+enum class Change : std::uint8_t { kNone, kAdded, kRemoved };
+
+/// What came into a working memory and left it in a tick, read from what was noted of it (MindDetail::kAll).
+class MemoryChanges {
+ public:
+  MemoryChanges() = default;
+  /// Lines as MindLog::details has them. `decisions`: how many decisions the tick had; with it only what came behind
+  /// the last of them counts.
+  explicit MemoryChanges(std::span<const std::string> details, std::optional<std::size_t> decisions = {});
+
+  bool WasAdded(std::uint64_t timetag) const { return added_.contains(timetag); }
+  const std::map<std::uint64_t, sim::ElementFact>& added() const { return added_; }
+  /// Elements that were there before the tick and are gone.
+  const std::map<std::uint64_t, sim::ElementFact>& removed() const { return removed_; }
+
+ private:
+  std::map<std::uint64_t, sim::ElementFact> added_, removed_;
+};
+
+/// Reads "+ 12: S1 ^a b" of a detail; nothing if it is something else.
+struct ElementLine {
+  bool added = true;
+  sim::ElementFact element;
+};
+std::optional<ElementLine> ReadElementLine(std::string_view detail);
+
+struct MemoryRow {
+  sim::ElementFact element;
+  std::string about;  ///< Of an object: its ^name or ^type, if it has one.
+  Change change = Change::kNone;
+  std::vector<MemoryRow> below;  ///< Of trees: the object's elements.
+};
+
+/// An identifier with its elements.
+struct MemoryObject {
+  std::string id;
+  std::string about;            ///< "state", "operator seek", "input-link", ...; empty if nothing is known.
+  bool exists = false;          ///< False: working memory has no such identifier.
+  std::vector<MemoryRow> rows;  ///< By attribute; what was removed comes last.
+  std::string note;             ///< Not empty: why there is nothing, or less.
+};
+
+/// `depth`: how many levels of objects are opened; 1: this one alone. An object opens once.
+MemoryObject LookAtObject(sim::Inspector& mind, std::string_view id, const MemoryChanges& changes = {},
+                          std::size_t depth = 1);
+
+/// Everything about one element.
+struct ElementStory {
+  sim::ElementFact element;
+  std::vector<sim::MakerFact> makers;    ///< Who put it there; several rules may agree.
+  std::vector<sim::TesterFact> testers;  ///< Rules that test it.
+  std::string note;
+};
+/// Nothing if there is no element with this time tag.
+std::optional<ElementStory> LookAtElement(sim::Inspector& mind, std::uint64_t timetag);
+
+/// Elements with this text anywhere in memory, by time tag.
+std::vector<sim::ElementFact> SearchMemory(sim::Inspector& mind, std::string_view text, std::size_t most = 500);
+
+std::string ToText(const MemoryObject& object);
+Json ToJson(const MemoryObject& object);
+std::string ToText(const ElementStory& story);
+Json ToJson(const ElementStory& story);
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "debugger/facts_text.h"
+#include "sim/input_text.h"
+
+namespace soarbox::debugger {
+namespace {
+
+/// "to scout: ^about contact ^range 3" of a "says" event.
+MessageRow ReadSaid(const sim::Event& event) {
+  MessageRow row;
+  row.tick = event.tick;
+  row.time_s = event.time_s;
+  row.from = event.agent;
+  row.text = event.text;
+  const std::size_t colon = event.text.find(": ");
+  if (event.text.starts_with("to ") && colon != std::string::npos) {
+    row.to = event.text.substr(3, colon - 3);
+    row.text = event.text.substr(colon + 2);
+  }
+  constexpr std::string_view kAbout = "^about ";
+  if (const std::size_t at = row.text.find(kAbout); at != std::string::npos) {
+    const std::size_t begin = at + kAbout.size();
+    row.about = row.text.substr(begin, row.text.find(' ', begin) - begin);
+  }
+  return row;
+}
+
+}  // namespace
+
+void MessageLog::Add(const record::TickRecord& tick) {
+  while (!rows_.empty() && rows_.back().tick >= tick.tick) rows_.pop_back();
+  for (const std::string& line : tick.inputs) {
+    if (line.find(" order ") == std::string::npos) continue;
+    for (const sim::Input& input : sim::ReadInputs(line, "input").inputs) {
+      const auto* order = std::get_if<sim::OrderInput>(&input.value);
+      if (order != nullptr) rows_.push_back({tick.tick, tick.scene.time_s, "", order->agent, "order", order->order});
+    }
+  }
+  for (const sim::Event& event : tick.events)
+    if (event.kind == sim::EventKind::kNews && event.news == "says") rows_.push_back(ReadSaid(event));
+  while (rows_.size() > kMost) rows_.pop_front();
+}
+
+std::vector<MessageRow> MessageLog::Find(std::string_view who, std::string_view text) const {
+  std::vector<MessageRow> found;
+  for (const MessageRow& row : rows_) {
+    const bool is_meant = who.empty() || row.from == who || row.to == who || row.to == "team " + std::string(who);
+    if (is_meant && Passes(text, row.from + " " + row.to + " " + row.text)) found.push_back(row);
+  }
+  return found;
+}
+
+std::string ToText(const std::vector<MessageRow>& rows) {
+  std::string text;
+  for (const MessageRow& row : rows)
+    text += fmt::format("{:8.3f} s  {} to {}: {}\n", row.time_s, row.from.empty() ? "the user" : row.from, row.to,
+                        row.text);
+  return rows.empty() ? "no messages\n" : text;
+}
+
+Json ToJson(const std::vector<MessageRow>& rows) {
+  Json list = Json::array();
+  for (const MessageRow& row : rows) {
+    Json json;
+    json["tick"] = row.tick;
+    json["time_s"] = row.time_s;
+    json["from"] = row.from;
+    json["to"] = row.to;
+    json["about"] = row.about;
+    json["text"] = row.text;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "debugger/json.h"
+#include "record/tick_record.h"
+
+namespace soarbox::debugger {
+
+/// Something that one agent said to others, or a user to an agent.
+struct MessageRow {
+  std::uint64_t tick = 0;
+  double time_s = 0;
+  std::string from;   ///< Empty: the user's order.
+  std::string to;     ///< An agent, or "team red".
+  std::string about;  ///< Its subject, if it has one.
+  std::string text;   ///< All that it says: "^about contact ^range 12".
+};
+
+/// What agents say to each other, over the ticks that were added.
+class MessageLog {
+ public:
+  /// Ticks come in order; an earlier one takes back what was added from there on.
+  void Add(const record::TickRecord& tick);
+  void Clear() { rows_.clear(); }
+  const std::deque<MessageRow>& rows() const { return rows_; }
+  /// Those from or to an agent or a team (empty: all), with each word of the text somewhere.
+  std::vector<MessageRow> Find(std::string_view who, std::string_view text) const;
+
+  static constexpr std::size_t kMost = 10'000;
+
+ private:
+  std::deque<MessageRow> rows_;
+};
+
+std::string ToText(const std::vector<MessageRow>& rows);
+Json ToJson(const std::vector<MessageRow>& rows);
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "debugger/json.h"
+#include "record/percept_text.h"
+#include "record/tick_record.h"
+#include "sim/simulation.h"
+
+namespace soarbox::debugger {
+
+struct PlotPoint {
+  std::uint64_t tick = 0;
+  double value = 0;
+};
+
+/// One number of an agent over ticks.
+struct PlotSeries {
+  std::string agent;
+  std::string what;  ///< See Plots.
+  std::deque<PlotPoint> points;
+  double minimum = 0, maximum = 0;  ///< Of the points.
+};
+
+/// Numbers over ticks. What can be plotted of an agent:
+///   "health", "speed", "fired" (rules that fired, MindDetail::kAll), "decisions",
+///   "decide_us" (real time; only of a live run),
+///   a percept's path ("self.speed", "agent#3.range"),
+///   a way through working memory from an identifier ("S1.reward-link.reward.value"; only of a live run).
+class Plots {
+ public:
+  /// False if it is there already.
+  bool Plot(std::string agent, std::string what);
+  bool Remove(std::string_view agent, std::string_view what);
+  void Clear() { series_.clear(); }
+
+  /// What a tick's record tells. Ticks come in order; an earlier one takes back the points from there on.
+  void Add(const record::TickRecord& tick);
+  /// What only the live run tells: call after Add of the same tick.
+  void Sample(const sim::Simulation& simulation);
+
+  const std::vector<PlotSeries>& series() const { return series_; }
+
+  static constexpr std::size_t kMostPoints = 20'000;
+
+ private:
+  void Point(PlotSeries& series, std::uint64_t tick, double value);
+
+  std::vector<PlotSeries> series_;
+  std::map<std::string, record::PerceptValues, std::less<>> percepts_;  ///< By agent.
+};
+
+/// Paths that can be plotted of an agent now: numbers among its percepts and what is always there.
+std::vector<std::string> Plottable(sim::Inspector& mind);
+
+std::string ToText(const std::vector<PlotSeries>& series);
+Json ToJson(const std::vector<PlotSeries>& series);
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "debugger/json.h"
+#include "debugger/syntax.h"
+#include "record/tick_record.h"
+#include "sim/inspector.h"
+
+namespace soarbox::debugger {
+
+enum class RuleSet : std::uint8_t { kAll, kMatching, kFired, kNeverFired };
+
+/// Rules with each word of the text in their name, file or documentation, in the order of loading.
+std::vector<sim::RuleFact> ListRules(sim::Inspector& mind, std::string_view filter = {}, RuleSet set = RuleSet::kAll);
+
+/// How far a rule matches, with a sentence about the condition at which it stops.
+struct PartialMatch {
+  sim::MatchFacts facts;
+  std::string sentence;  ///< "stops at condition 2 of 3, (<s> ^color red): S1 ^color is blue"
+};
+std::optional<PartialMatch> LookAtMatch(sim::Inspector& mind, std::string_view rule);
+/// The sentence alone.
+std::string Explain(const sim::MatchFacts& facts);
+
+struct RuleView {
+  sim::RuleFact rule;
+  std::string source;
+  std::vector<Token> tokens;  ///< Of the source.
+  PartialMatch match;
+};
+/// Nothing if there is none of this name.
+std::optional<RuleView> LookAtRule(sim::Inspector& mind, std::string_view rule);
+
+/// Rules whose names are like this one, most like first.
+std::vector<std::string> NearRules(sim::Inspector& mind, std::string_view rule, std::size_t most = 3);
+
+/// Which rules of an agent took part in a run, from what was noted of its ticks (MindDetail::kAll) and from looks at
+/// its mind.
+class Coverage {
+ public:
+  explicit Coverage(std::string agent) : agent_(std::move(agent)) {}
+
+  struct Row {
+    std::string rule;
+    std::uint64_t firings = 0;                 ///< As far as is known.
+    std::optional<std::uint64_t> first, last;  ///< Ticks in which it fired.
+    bool matched = false;                      ///< Had a whole match in a tick that was looked at, or fired.
+    std::size_t furthest = 0, conditions = 0;  ///< How many conditions held at best in the looks.
+    std::string stops_at;                      ///< The condition behind these; empty if all held.
+  };
+
+  void Add(const record::TickRecord& tick);
+  /// Notes how far each rule that has not fired matches now. Costs a look at each of them.
+  void Look(sim::Inspector& mind);
+  /// Rules that the last look saw, in the order of loading, then others that fired.
+  std::vector<Row> rows() const;
+
+ private:
+  Row& At(const std::string& rule);
+
+  std::string agent_;
+  std::vector<std::string> order_;
+  std::map<std::string, Row> rows_;
+};
+
+std::string ToText(const std::vector<sim::RuleFact>& rules);
+Json ToJson(const std::vector<sim::RuleFact>& rules);
+std::string ToText(const RuleView& view);
+Json ToJson(const RuleView& view);
+std::string ToText(const std::vector<Coverage::Row>& rows);
+Json ToJson(const std::vector<Coverage::Row>& rows);
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/run_models.h"
+
+namespace soarbox::debugger {
+
+void RunModels::Add(const record::TickRecord& tick) {
+  troubles.Add(tick.events);
+  timeline.Add(tick);
+  messages.Add(tick);
+  trace.Add(tick);
+  plots.Add(tick);
+}
+
+}  // namespace soarbox::debugger

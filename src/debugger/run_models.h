@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "debugger/agents.h"
+#include "debugger/messages.h"
+#include "debugger/plots.h"
+#include "debugger/timeline.h"
+#include "debugger/trace.h"
+#include "record/tick_record.h"
+
+namespace soarbox::debugger {
+
+/// The models that grow with a run, fed by its ticks: live (record::Observe after each tick) or from a recording.
+struct RunModels {
+  AgentTroubles troubles;
+  Timeline timeline;
+  MessageLog messages;
+  Trace trace;
+  Plots plots;
+
+  void Add(const record::TickRecord& tick);
+};
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "debugger/json.h"
+#include "sim/inspector.h"
+
+namespace soarbox::debugger {
+
+struct StackLevel {
+  int level = 1;
+  std::string state;                       ///< "S1"
+  std::string impasse;                     ///< "operator tie"; empty for the top state.
+  std::string operator_id, operator_name;  ///< Empty if none is selected.
+};
+
+/// The goal stack of a mind and where it stands in its cycle.
+struct StackView {
+  std::string note;   ///< Not empty: why something is missing.
+  std::string phase;  ///< That runs next: "input", "propose", "decide", "apply", "output"; empty: not known.
+  bool within_phase = false;
+  bool halted = false;
+  std::string breakdown;  ///< What used the mind's memory up.
+  std::uint64_t decisions = 0, elaborations = 0, firings = 0;
+  std::size_t elements = 0, rules = 0;
+  std::vector<StackLevel> levels;  ///< Top state first.
+};
+
+/// The phases of a decision cycle, in order.
+const std::vector<std::string>& Phases();
+
+StackView LookAtStack(sim::Inspector& mind);
+
+std::string ToText(const StackView& view);
+Json ToJson(const StackView& view);
+
+}  // namespace soarbox::debugger

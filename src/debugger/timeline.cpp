@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/timeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace soarbox::debugger {
+namespace {
+
+/// "O1 (seek)" apart.
+void Split(std::string_view text, std::string& id, std::string& about) {
+  const std::size_t open = text.find(" (");
+  id = text.substr(0, open);
+  if (open != std::string_view::npos && text.ends_with(')')) about = text.substr(open + 2, text.size() - open - 3);
+}
+
+MarkKind KindOf(const sim::Event& event) {
+  using Kind = sim::EventKind;
+  switch (event.kind) {
+    case Kind::kCommand:
+      return MarkKind::kCommand;
+    case Kind::kOutcome:
+      return MarkKind::kOutcome;
+    case Kind::kNews:
+      return event.news == "says" ? MarkKind::kMessage : MarkKind::kEvent;
+    case Kind::kDiagnostic:
+    case Kind::kAgentFailed:
+    case Kind::kMindFailed:
+      return MarkKind::kError;
+    case Kind::kAnswer:
+      return MarkKind::kEdit;
+    default:
+      return MarkKind::kEvent;
+  }
+}
+
+std::string TextOf(const sim::Event& event) {
+  std::string text = event.news;
+  for (const std::string* more : {&event.text, &event.parameters, &event.diagnostic.message})
+    if (!more->empty()) text += (text.empty() ? "" : " ") + *more;
+  return text;
+}
+
+/// Spans that lie in these ticks, open ones too, in the order in which they began.
+std::vector<TimelineSpan> SpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64_t last) {
+  std::vector<TimelineSpan> spans;
+  const auto is_within = [&](const TimelineSpan& span) { return span.last_tick >= first && span.first_tick <= last; };
+  std::ranges::copy_if(track.spans, std::back_inserter(spans), is_within);
+  std::ranges::copy_if(track.open, std::back_inserter(spans), is_within);
+  std::ranges::stable_sort(spans, {}, [](const TimelineSpan& span) { return std::pair(span.first_tick, span.line); });
+  return spans;
+}
+
+template <typename List>
+void Bound(List& list) {
+  while (list.size() > Timeline::kMostPerTrack) list.pop_front();
+}
+
+}  // namespace
+
+std::string_view NameOf(MarkKind kind) {
+  constexpr std::string_view kNames[] = {"command", "outcome", "message", "event", "error", "edit"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+void Timeline::Clear() {
+  order_.clear();
+  tracks_.clear();
+  first_tick_ = last_tick_ = 0;
+}
+
+TimelineTrack& Timeline::Track(const std::string& agent) {
+  const auto [at, is_new] = tracks_.try_emplace(agent);
+  if (is_new) {
+    at->second.agent = agent;
+    order_.push_back(agent);
+  }
+  return at->second;
+}
+
+void Timeline::CutFrom(std::uint64_t tick) {
+  for (auto& [agent, track] : tracks_) {
+    std::erase_if(track.open, [tick](const TimelineSpan& span) { return span.first_tick >= tick; });
+    for (const TimelineSpan& span : track.spans)
+      if (span.first_tick < tick && span.last_tick >= tick) Open(track, span);
+    std::erase_if(track.spans, [tick](const TimelineSpan& span) { return span.last_tick >= tick; });
+    std::erase_if(track.marks, [tick](const TimelineMark& mark) { return mark.tick >= tick; });
+    std::erase_if(track.firings, [tick](const auto& firing) { return firing.first >= tick; });
+  }
+}
+
+void Timeline::Close(TimelineTrack& track, int level, std::uint64_t tick, bool state_too) {
+  const auto goes = [&](const TimelineSpan& span) {
+    return span.level > level || (span.level == level && (state_too || !span.is_state));
+  };
+  for (TimelineSpan& span : track.open) {
+    if (!goes(span)) continue;
+    track.spans.push_back(span);
+    track.spans.back().open = false;
+    track.spans.back().last_tick = tick;
+  }
+  std::erase_if(track.open, goes);
+}
+
+void Timeline::Open(TimelineTrack& track, TimelineSpan span) {
+  span.open = true;
+  track.open.push_back(std::move(span));
+  std::ranges::stable_sort(track.open, {}, &TimelineSpan::line);
+}
+
+void Timeline::ReadDecision(TimelineTrack& track, std::string_view line, std::uint64_t tick) {
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  TimelineSpan span;
+  span.level = 1 + static_cast<int>(indent / 3);
+  span.first_tick = span.last_tick = tick;
+  line.remove_prefix(indent);
+  if (line.starts_with("<==S: ")) return Close(track, span.level, tick, true);
+  if (line.starts_with("==>S: ")) {
+    span.is_state = true;
+    Split(line.substr(6), span.id, span.text);
+    Close(track, span.level, tick, true);
+  } else if (line.starts_with("O: ")) {
+    Split(line.substr(3), span.id, span.text);
+    Close(track, span.level, tick, false);
+  } else {
+    track.marks.push_back({tick, MarkKind::kEvent, std::string(line)});
+    return;
+  }
+  span.line = 2 * (span.level - 1) + (span.is_state ? 0 : 1);
+  Open(track, std::move(span));
+}
+
+void Timeline::Add(const record::TickRecord& tick) {
+  if (tracks_.empty() && last_tick_ == 0) first_tick_ = tick.tick;
+  if (!tracks_.empty() && tick.tick <= last_tick_) CutFrom(tick.tick);
+  first_tick_ = std::min(first_tick_, tick.tick);
+  last_tick_ = tick.tick;
+  if (tick.tick > 0 && tick.scene.time_s > 0) step_s_ = tick.scene.time_s / static_cast<double>(tick.tick);
+  for (const world::AgentSnapshot& agent : tick.scene.agents) Track(agent.name);
+  for (const record::MindRecord& mind : tick.minds) {
+    TimelineTrack& track = Track(mind.agent);
+    for (const std::string& line : mind.decisions) ReadDecision(track, line, tick.tick);
+    const auto fired = std::ranges::count_if(mind.details, [](const std::string& detail) {
+      return detail.find(" fire ") != std::string::npos && detail.find(" fire ") == detail.find(' ');
+    });
+    if (fired > 0) track.firings.emplace_back(tick.tick, static_cast<std::uint32_t>(fired));
+    // What is recorded with a mind is all that it said; events tell only news.
+    for (const std::string& command : mind.commands)
+      track.marks.push_back(
+          {tick.tick, command.find(": ") == std::string::npos ? MarkKind::kCommand : MarkKind::kOutcome, command});
+  }
+  const auto has_mind = [&](const std::string& agent) {
+    return std::ranges::any_of(tick.minds, [&](const record::MindRecord& mind) { return mind.agent == agent; });
+  };
+  for (const sim::Event& event : tick.events) {
+    const MarkKind kind = KindOf(event);
+    if ((kind == MarkKind::kCommand || kind == MarkKind::kOutcome) && has_mind(event.agent)) continue;
+    Track(event.agent).marks.push_back({tick.tick, kind, TextOf(event)});
+  }
+  for (auto& [agent, track] : tracks_) {
+    for (TimelineSpan& span : track.open) span.last_tick = tick.tick;
+    Bound(track.spans);
+    Bound(track.marks);
+    Bound(track.firings);
+  }
+}
+
+const TimelineTrack* Timeline::Find(std::string_view agent) const {
+  const auto at = tracks_.find(agent);
+  return at == tracks_.end() ? nullptr : &at->second;
+}
+
+std::vector<const TimelineTrack*> Timeline::tracks() const {
+  std::vector<const TimelineTrack*> list;
+  for (const std::string& agent : order_) list.push_back(&tracks_.at(agent));
+  return list;
+}
+
+std::vector<TimelineSpan> Timeline::At(std::string_view agent, std::uint64_t tick) const {
+  std::vector<TimelineSpan> found;
+  const TimelineTrack* track = Find(agent);
+  if (track == nullptr) return found;
+  // A span that ends in a tick is over when the tick is.
+  for (const TimelineSpan& span : track->spans)
+    if (span.first_tick <= tick && tick < span.last_tick) found.push_back(span);
+  for (const TimelineSpan& span : track->open)
+    if (span.first_tick <= tick && tick <= span.last_tick) found.push_back(span);
+  std::ranges::stable_sort(found, {}, &TimelineSpan::line);
+  return found;
+}
+
+std::string ToText(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last) {
+  std::string text;
+  for (const TimelineTrack* track : timeline.tracks()) {
+    if (!agent.empty() && track->agent != agent) continue;
+    text += (track->agent.empty() ? "world" : track->agent) + "\n";
+    for (const TimelineSpan& span : SpansWithin(*track, first, last)) {
+      text += fmt::format("  {:>6} - {:<6} {}{} {}\n", span.first_tick, span.open ? "" : std::to_string(span.last_tick),
+                          std::string(3 * static_cast<std::size_t>(span.level - 1), ' '),
+                          span.is_state ? "==>S: " + span.id : "   O: " + span.id,
+                          span.text.empty() ? "" : "(" + span.text + ")");
+    }
+    for (const TimelineMark& mark : track->marks) {
+      if (mark.tick < first || mark.tick > last) continue;
+      text += fmt::format("  {:>6}          {}: {}\n", mark.tick, NameOf(mark.kind), mark.text);
+    }
+  }
+  return text;
+}
+
+Json ToJson(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last) {
+  Json list = Json::array();
+  for (const TimelineTrack* track : timeline.tracks()) {
+    if (!agent.empty() && track->agent != agent) continue;
+    Json json;
+    json["agent"] = track->agent;
+    json["spans"] = Json::array();
+    for (const TimelineSpan& span : SpansWithin(*track, first, last)) {
+      json["spans"].push_back(Json{{"kind", span.is_state ? "state" : "operator"},
+                                   {"level", span.level},
+                                   {"id", span.id},
+                                   {"text", span.text},
+                                   {"first_tick", span.first_tick},
+                                   {"last_tick", span.last_tick},
+                                   {"open", span.open}});
+    }
+    json["marks"] = Json::array();
+    for (const TimelineMark& mark : track->marks)
+      if (mark.tick >= first && mark.tick <= last)
+        json["marks"].push_back(Json{{"tick", mark.tick}, {"kind", NameOf(mark.kind)}, {"text", mark.text}});
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/trace.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "debugger/facts_text.h"
+
+namespace soarbox::debugger {
+namespace {
+
+TraceKind KindOf(const sim::Event& event) {
+  using Kind = sim::EventKind;
+  switch (event.kind) {
+    case Kind::kDiagnostic:
+    case Kind::kAgentFailed:
+    case Kind::kMindFailed:
+    case Kind::kMindLost:
+      return TraceKind::kError;
+    case Kind::kCommand:
+    case Kind::kOutcome:
+      return TraceKind::kCommand;
+    default:
+      return TraceKind::kEvent;
+  }
+}
+
+std::string TextOf(const sim::Event& event) {
+  std::string text = std::string(sim::EventName(event.kind)) + ":";
+  for (const std::string* more : {&event.news, &event.text, &event.parameters})
+    if (!more->empty()) text += " " + *more;
+  for (const std::string& reason : event.reasons) text += "; " + reason;
+  if (event.diagnostic.message.empty()) return text;
+  text += " ";
+  if (!event.diagnostic.file.empty())
+    text += event.diagnostic.file + ":" + std::to_string(event.diagnostic.line) + ": ";
+  return text + event.diagnostic.message;
+}
+
+/// Fills in the lines of one tick.
+struct Writer {
+  std::deque<TraceLine>& lines;
+  std::uint64_t tick;
+  double time_s;
+
+  void Write(TraceKind kind, const std::string& agent, std::string text, int level = 0) {
+    lines.push_back({tick, time_s, kind, level, agent, std::move(text)});
+  }
+
+  /// Decisions, with the details that stand between them.
+  void WriteMind(const record::MindRecord& mind) {
+    for (const std::string& percept : mind.percepts) Write(TraceKind::kPercept, mind.agent, percept);
+    std::size_t next = 0;
+    for (const std::string& detail : mind.details) {
+      std::size_t before = 0;
+      const auto read = std::from_chars(detail.data(), detail.data() + detail.size(), before);
+      while (next < before && next < mind.decisions.size()) WriteDecision(mind, next++);
+      const std::string_view text = std::string_view(detail).substr(static_cast<std::size_t>(read.ptr - detail.data()));
+      const std::string_view shown = text.starts_with(' ') ? text.substr(1) : text;
+      const bool is_element = shown.starts_with("+ ") || shown.starts_with("- ");
+      Write(is_element ? TraceKind::kElement : TraceKind::kRule, mind.agent, std::string(shown));
+    }
+    while (next < mind.decisions.size()) WriteDecision(mind, next++);
+    for (const std::string& command : mind.commands) Write(TraceKind::kCommand, mind.agent, command);
+  }
+
+  void WriteDecision(const record::MindRecord& mind, std::size_t index) {
+    const std::string& line = mind.decisions[index];
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    Write(TraceKind::kDecision, mind.agent, line.substr(indent), 1 + static_cast<int>(indent / 3));
+  }
+};
+
+}  // namespace
+
+std::string_view NameOf(TraceKind kind) {
+  constexpr std::string_view kNames[] = {"error", "decision", "command", "event",
+                                         "input", "percept",  "rule",    "element"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+void Trace::Add(const record::TickRecord& tick) {
+  while (!lines_.empty() && lines_.back().tick >= tick.tick) lines_.pop_back();
+  Writer writer{lines_, tick.tick, tick.scene.time_s};
+  for (const std::string& input : tick.inputs) writer.Write(TraceKind::kInput, "", input);
+  for (const record::MindRecord& mind : tick.minds) writer.WriteMind(mind);
+  for (const sim::Event& event : tick.events) {
+    // Commands stand with their minds already.
+    if (KindOf(event) == TraceKind::kCommand && !tick.minds.empty()) continue;
+    writer.Write(KindOf(event), event.agent, TextOf(event));
+  }
+  while (lines_.size() > most_) {
+    lines_.pop_front();
+    ++forgotten_;
+  }
+}
+
+std::vector<const TraceLine*> Trace::Find(const TraceFilter& filter) const {
+  std::vector<const TraceLine*> found;
+  for (const TraceLine& line : lines_) {
+    if (line.kind > filter.most || (!filter.agent.empty() && line.agent != filter.agent)) continue;
+    if (filter.text.empty() || Passes(filter.text, line.agent + " " + line.text)) found.push_back(&line);
+  }
+  return found;
+}
+
+std::string ToText(const std::vector<const TraceLine*>& lines) {
+  std::string text;
+  for (const TraceLine* line : lines) {
+    const std::size_t indent = line->level > 1 ? 3 * static_cast<std::size_t>(line->level - 1) : 0;
+    text += fmt::format("{:>6}  {:<9}{:<10}{}{}\n", line->tick, NameOf(line->kind),
+                        line->agent.empty() ? "world" : line->agent, std::string(indent, ' '), line->text);
+  }
+  return text;
+}
+
+Json ToJson(const std::vector<const TraceLine*>& lines) {
+  Json list = Json::array();
+  for (const TraceLine* line : lines) {
+    Json json;
+    json["tick"] = line->tick;
+    json["time_s"] = line->time_s;
+    json["kind"] = NameOf(line->kind);
+    if (line->level != 0) json["level"] = line->level;
+    json["agent"] = line->agent;
+    json["text"] = line->text;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "debugger/json.h"
+#include "record/tick_record.h"
+
+namespace soarbox::debugger {
+
+/// From the most telling on; what a level shows includes those before it.
+enum class TraceKind : std::uint8_t {
+  kError,
+  kDecision,  ///< Operators, states.
+  kCommand,   ///< Said, and how they went.
+  kEvent,
+  kInput,  ///< What came through the door.
+  kPercept,
+  kRule,  ///< Firings and retractions.
+  kElement,
+};
+std::string_view NameOf(TraceKind kind);
+
+struct TraceLine {
+  std::uint64_t tick = 0;
+  double time_s = 0;
+  TraceKind kind = TraceKind::kEvent;
+  int level = 0;      ///< Of the goal stack, for decisions; else 0.
+  std::string agent;  ///< Empty: the world.
+  std::string text;
+};
+
+struct TraceFilter {
+  TraceKind most = TraceKind::kEvent;  ///< Lines of this kind and of those before it.
+  std::string agent;                   ///< Empty: all.
+  std::string text;                    ///< Each word of it must stand in the line.
+};
+
+/// What happened, line by line, over the ticks that were added. Bounded: the oldest lines go.
+class Trace {
+ public:
+  explicit Trace(std::size_t most = 50'000) : most_(most) {}
+
+  /// Ticks come in order; an earlier one takes back what was added from there on.
+  void Add(const record::TickRecord& tick);
+  void Clear() { lines_.clear(); }
+  const std::deque<TraceLine>& lines() const { return lines_; }
+  /// How many lines have gone because there were too many.
+  std::uint64_t forgotten() const { return forgotten_; }
+  std::vector<const TraceLine*> Find(const TraceFilter& filter) const;
+
+ private:
+  std::size_t most_;
+  std::uint64_t forgotten_ = 0;
+  std::deque<TraceLine> lines_;
+};
+
+std::string ToText(const std::vector<const TraceLine*>& lines);
+Json ToJson(const std::vector<const TraceLine*>& lines);
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "cli/lookup.h"
+#include "cli/object_printer.h"
+#include "cli/rule_text.h"
+#include "cli/stack_printer.h"
+#include "kernel/agent.h"
+#include "kernel/rules/print_production.h"
+#include "sml/client/agent_data.h"
+#include "sml/client/inspection_match.h"
+#include "sml/client/local_agent_link.h"
+#include "soarbox_Inspection.h"
+
+namespace soarbox {
+namespace {
+
+using cli::SymbolText;
+using kernel::Agent;
+using kernel::Goal;
+using kernel::GoalLevel;
+using kernel::Preference;
+using kernel::PreferenceId;
+using kernel::PreferenceType;
+using kernel::ProductionId;
+using kernel::ProductionType;
+using kernel::SlotId;
+using kernel::Symbol;
+using kernel::WmeId;
+using kernel::WmeKind;
+
+const char* TypeName(PreferenceType type) {
+  switch (type) {
+    case PreferenceType::kAcceptable:
+      return "acceptable";
+    case PreferenceType::kRequire:
+      return "require";
+    case PreferenceType::kReject:
+      return "reject";
+    case PreferenceType::kProhibit:
+      return "prohibit";
+    case PreferenceType::kBest:
+      return "best";
+    case PreferenceType::kWorst:
+      return "worst";
+    case PreferenceType::kUnaryIndifferent:
+      return "indifferent";
+    case PreferenceType::kNumericIndifferent:
+      return "numeric";
+    case PreferenceType::kBinaryIndifferent:
+      return "equal";
+    case PreferenceType::kBetter:
+      return "better";
+    case PreferenceType::kWorse:
+      return "worse";
+  }
+  return "";
+}
+
+const char* TypeName(ProductionType type) {
+  switch (type) {
+    case ProductionType::kUser:
+      return "user";
+    case ProductionType::kDefault:
+      return "default";
+    case ProductionType::kChunk:
+      return "chunk";
+    case ProductionType::kJustification:
+      return "justification";
+    case ProductionType::kTemplate:
+      return "template";
+  }
+  return "";
+}
+
+const char* PhaseName(kernel::Phase phase) {
+  switch (phase) {
+    case kernel::Phase::kInput:
+      return "input";
+    case kernel::Phase::kPropose:
+      return "propose";
+    case kernel::Phase::kDecide:
+      return "decide";
+    case kernel::Phase::kApply:
+      return "apply";
+    case kernel::Phase::kOutput:
+      return "output";
+  }
+  return "";
+}
+
+class LocalInspection final : public MindInspection {
+ public:
+  explicit LocalInspection(sml::LocalAgentLink& link) : link_(link), agent_(link.hosted().agent()) {}
+
+  InspectedMind Mind() override {
+    InspectedMind mind;
+    mind.phase = PhaseName(agent_.next_phase());
+    mind.within_phase = agent_.in_middle_of_phase();
+    const kernel::AgentCounters& counters = agent_.counters();
+    mind.decisions = counters.decision_phases;
+    mind.elaborations = counters.elaborations;
+    mind.firings = counters.firings;
+    mind.elements = agent_.memory().wme_count();
+    mind.rules = agent_.Productions().size();
+    mind.halted = agent_.halted();
+    mind.breakdown = agent_.breakdown();
+    if (const Symbol link = agent_.InputLinkIdentifier()) mind.input_link = SymbolText(agent_, link);
+    if (const Symbol link = agent_.OutputLinkIdentifier()) mind.output_link = SymbolText(agent_, link);
+    return mind;
+  }
+
+  std::vector<InspectedState> Stack() override {
+    std::vector<InspectedState> stack;
+    for (GoalLevel level = 1; level <= agent_.goals().depth(); ++level) {
+      const Goal& goal = agent_.goals().at(level);
+      const Symbol selected = agent_.OperatorOf(goal);
+      InspectedState& state = stack.emplace_back();
+      state.level = level;
+      state.id = SymbolText(agent_, goal.id);
+      state.impasse = cli::ImpasseName(goal.impasse);
+      if (level > 1) state.attribute = goal.impasse_on_operator ? "operator" : "state";
+      if (!selected) continue;
+      state.operator_id = SymbolText(agent_, selected);
+      state.operator_name = cli::OperatorName(agent_, selected);
+    }
+    return stack;
+  }
+
+  std::vector<InspectedElement> ElementsOf(std::string_view id) override {
+    std::vector<InspectedElement> elements;
+    if (const Symbol symbol = cli::FindIdentifier(agent_, id))
+      for (const WmeId wme : cli::SortedWmes(agent_, symbol)) elements.push_back(InspectElement(agent_, wme));
+    return elements;
+  }
+
+  std::vector<InspectedElement> Search(std::string_view text, std::size_t most) override {
+    std::vector<InspectedElement> found;
+    const kernel::WmeTable& wmes = agent_.memory().wmes();
+    for (std::uint32_t i = 0; i < wmes.size(); ++i) {
+      if (!wmes[i].live) continue;
+      InspectedElement element = InspectElement(agent_, static_cast<WmeId>(i));
+      if (element.attribute.find(text) == std::string::npos && element.value.find(text) == std::string::npos &&
+          element.id != text)
+        continue;
+      found.push_back(std::move(element));
+    }
+    std::ranges::sort(found, {}, &InspectedElement::timetag);
+    if (found.size() > most) found.resize(most);
+    return found;
+  }
+
+  std::optional<InspectedElement> Element(std::uint64_t timetag) override {
+    const WmeId wme = agent_.memory().FindByTimetag(timetag);
+    if (wme == WmeId::kNone) return std::nullopt;
+    return InspectElement(agent_, wme);
+  }
+
+  std::vector<InspectedMaker> MakersOf(std::uint64_t timetag) override {
+    std::vector<InspectedMaker> makers;
+    const WmeId wme = agent_.memory().FindByTimetag(timetag);
+    if (wme == WmeId::kNone) return makers;
+    const kernel::WmeRecord& record = agent_.memory().record(wme);
+    if (record.kind == WmeKind::kInput || record.kind == WmeKind::kArchitecture) {
+      makers.emplace_back().kind =
+          record.kind == WmeKind::kInput ? InspectedMaker::Kind::kInput : InspectedMaker::Kind::kArchitecture;
+      return makers;
+    }
+    if (record.slot == SlotId::kNone) return makers;
+    const Symbol value = agent_.memory().wme(wme).value;
+    for (const PreferenceType type : {PreferenceType::kAcceptable, PreferenceType::kRequire})
+      for (const PreferenceId id : agent_.PreferencesOf(record.slot, type))
+        if (agent_.memory().preference(id).value == value) makers.push_back(MakerOf(agent_.memory().preference(id)));
+    return makers;
+  }
+
+  std::vector<InspectedTester> TestersOf(std::uint64_t timetag) override {
+    const WmeId wme = agent_.memory().FindByTimetag(timetag);
+    return wme == WmeId::kNone ? std::vector<InspectedTester>() : InspectTesters(agent_, wme);
+  }
+
+  InspectedOperators Operators(std::string_view state) override {
+    InspectedOperators operators;
+    for (GoalLevel level = 1; level <= agent_.goals().depth(); ++level) {
+      const Goal& goal = agent_.goals().at(level);
+      if (SymbolText(agent_, goal.id) != state) continue;
+      operators.state = state;
+      if (const Symbol selected = agent_.OperatorOf(goal)) operators.selected = SymbolText(agent_, selected);
+      operators.impasse = level < agent_.goals().depth()
+                              ? cli::ImpasseName(agent_.goals().at(static_cast<GoalLevel>(level + 1)).impasse)
+                              : "none";
+      AddPreferences(goal, operators);
+      for (const Agent::CandidateChance& chance : agent_.SelectionProbabilities(goal)) {
+        operators.candidates.push_back({SymbolText(agent_, chance.value), cli::OperatorName(agent_, chance.value),
+                                        chance.numeric_value, chance.probability});
+      }
+    }
+    return operators;
+  }
+
+  std::vector<InspectedRule> Rules() override {
+    std::vector<InspectedRule> rules;
+    for (const ProductionId id : agent_.Productions()) {
+      const kernel::Production& production = agent_.production(id);
+      InspectedRule& rule = rules.emplace_back();
+      rule.name = cli::RuleName(agent_, production);
+      rule.type = TypeName(production.type);
+      rule.file = production.file();
+      rule.line = production.line;
+      rule.documentation = production.documentation;
+      rule.firings = agent_.FiringCount(id);
+      if (!agent_.out_of_memory()) rule.matches = CountMatches(agent_, id);
+      rule.breaks = agent_.HasBreak(id);
+    }
+    return rules;
+  }
+
+  std::string RuleSource(std::string_view rule) override {
+    const ProductionId id = cli::FindRule(agent_, rule);
+    return id == ProductionId::kNone ? std::string() : kernel::PrintProduction(agent_.symbols(), agent_.production(id));
+  }
+
+  std::optional<InspectedMatch> Match(std::string_view rule) override {
+    const ProductionId id = cli::FindRule(agent_, rule);
+    if (id == ProductionId::kNone) return std::nullopt;
+    return InspectMatch(agent_, id);
+  }
+
+  std::vector<std::string> Complete(std::string_view line) override {
+    return link_.host().interpreter().Complete(link_.hosted().session(), line);
+  }
+
+ private:
+  InspectedMaker MakerOf(const Preference& preference) {
+    InspectedMaker maker;
+    maker.rule = agent_.ProductionName(preference.instantiation);
+    if (maker.rule.empty()) maker.kind = InspectedMaker::Kind::kArchitecture;
+    maker.o_supported = preference.o_supported;
+    maker.level = preference.level;
+    for (const WmeId wme : agent_.MatchedWmes(preference.instantiation))
+      maker.elements.push_back(InspectElement(agent_, wme));
+    return maker;
+  }
+
+  std::string NameOf(Symbol op) { return op.IsIdentifier() ? cli::OperatorName(agent_, op) : std::string(); }
+
+  void AddPreferences(const Goal& goal, InspectedOperators& operators) {
+    if (goal.operator_slot == SlotId::kNone) return;
+    constexpr PreferenceType kOrder[] = {PreferenceType::kAcceptable,
+                                         PreferenceType::kRequire,
+                                         PreferenceType::kReject,
+                                         PreferenceType::kProhibit,
+                                         PreferenceType::kBest,
+                                         PreferenceType::kWorst,
+                                         PreferenceType::kBetter,
+                                         PreferenceType::kWorse,
+                                         PreferenceType::kUnaryIndifferent,
+                                         PreferenceType::kNumericIndifferent,
+                                         PreferenceType::kBinaryIndifferent};
+    for (const PreferenceType type : kOrder) {
+      for (const PreferenceId id : agent_.PreferencesOf(goal.operator_slot, type)) {
+        const Preference& preference = agent_.memory().preference(id);
+        InspectedPreference& told = operators.preferences.emplace_back();
+        told.type = TypeName(type);
+        told.sign = kernel::PreferenceSign(type);
+        told.value = SymbolText(agent_, preference.value);
+        told.name = NameOf(preference.value);
+        if (preference.referent) {
+          told.referent = SymbolText(agent_, preference.referent);
+          told.other_name = NameOf(preference.referent);
+        }
+        told.maker = MakerOf(preference);
+      }
+    }
+  }
+
+  sml::LocalAgentLink& link_;
+  Agent& agent_;
+};
+
+}  // namespace
+
+std::unique_ptr<MindInspection> InspectMind(sml::Agent& agent) {
+  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
+  if (link == nullptr) return nullptr;
+  return std::make_unique<LocalInspection>(*link);
+}
+
+}  // namespace soarbox

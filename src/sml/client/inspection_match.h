@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "kernel/agent.h"
+#include "soarbox_Inspection.h"
+
+namespace soarbox {
+
+InspectedElement InspectElement(const kernel::Agent& agent, kernel::WmeId wme);
+
+/// How far a rule matches, and what its first failing condition saw.
+InspectedMatch InspectMatch(const kernel::Agent& agent, kernel::ProductionId rule);
+
+/// How many whole matches a rule has.
+std::size_t CountMatches(const kernel::Agent& agent, kernel::ProductionId rule);
+
+/// The rules that test an element, in the order of loading.
+std::vector<InspectedTester> InspectTesters(const kernel::Agent& agent, kernel::WmeId wme);
+
+}  // namespace soarbox
