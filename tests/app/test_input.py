@@ -97,7 +97,7 @@ class Minds(ScenarioCase):
                             "30 command follower-1 print s1\n")
         run = run_json("thesis", "--seconds", 2, "--input", inputs)
         self.assertEqual(run.code, 0, run.err + run.out)
-        answers = [event["text"] for event in run.of("log", agent="follower-1")]
+        answers = [event["text"] for event in run.of("answer", agent="follower-1")]
         self.assertTrue(any("^edited yes" in text for text in answers), answers)
 
 
