@@ -47,11 +47,6 @@ std::optional<double> Follow(sim::Inspector& mind, std::string_view path) {
   return std::nullopt;
 }
 
-const record::MindRecord* MindOf(const record::TickRecord& tick, std::string_view agent) {
-  const auto at = std::ranges::find(tick.minds, agent, &record::MindRecord::agent);
-  return at == tick.minds.end() ? nullptr : &*at;
-}
-
 std::optional<double> OfBody(const record::TickRecord& tick, std::string_view agent, std::string_view what) {
   const auto at = std::ranges::find(tick.scene.agents, agent, &world::AgentSnapshot::name);
   if (at == tick.scene.agents.end()) return std::nullopt;
@@ -96,11 +91,11 @@ void Plots::Point(PlotSeries& series, std::uint64_t tick, double value) {
 }
 
 void Plots::Add(const record::TickRecord& tick) {
-  for (const record::MindRecord& mind : tick.minds) record::ApplyPercepts(mind, percepts_[mind.agent]);
+  for (const record::MindRecord& mind : tick.minds) record::ApplyPercepts(mind.percepts, percepts_[mind.agent]);
   for (PlotSeries& series : series_) {
     while (!series.points.empty() && series.points.back().tick >= tick.tick) series.points.pop_back();
     std::optional<double> value;
-    const record::MindRecord* mind = MindOf(tick, series.agent);
+    const record::MindRecord* mind = record::FindMind(tick, series.agent);
     if (series.what == "health" || series.what == "speed") {
       value = OfBody(tick, series.agent, series.what);
     } else if (series.what == "decisions") {
