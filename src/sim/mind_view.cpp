@@ -46,6 +46,16 @@ bool IsIdentifier(const std::string& value) {
          value.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
+std::string Dotted(const std::vector<std::string>& path) {
+  std::string text = "^";
+  for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ".") + path[i];
+  return text;
+}
+
+bool IsRelation(const std::string& word) {
+  return word == "<" || word == ">" || word == "<=" || word == ">=" || word == "<>" || word == "<=>" || word == "=";
+}
+
 /// <h*1>: a kernel made it up for a dot or a test; authors' own hold no star before a number.
 bool IsMadeUp(const std::string& variable) {
   const std::size_t star = variable.rfind('*');
@@ -53,17 +63,30 @@ bool IsMadeUp(const std::string& variable) {
          variable.find_first_not_of("0123456789", star + 1) == variable.size() - 1;
 }
 
-/// "{ > 50 <h*1> }" as its author wrote it: "> 50".
-std::string WithoutMadeUp(const std::string& value) {
+/// "{ > 50 <h*1> }" as its author wrote it, "> 50"; what it is compared with as the place where that lies.
+void ReadTests(const std::string& value, const std::map<std::string, std::vector<std::string>>& paths,
+               ConditionText& text) {
   std::istringstream in(value);
   std::vector<std::string> words;
-  for (std::string word; in >> word;)
-    if (!IsVariable(word) || !IsMadeUp(word)) words.push_back(word);
+  bool relates = false;
+  for (std::string word, before; in >> word; before = word) {
+    relates |= IsRelation(word);
+    if (IsVariable(word) && IsRelation(before)) {
+      const auto path = paths.find(word);
+      // The path may be this condition's own, if another one binds the variable.
+      if (path != paths.end() && path->second != text.path) {
+        text.compared.push_back(path->second);
+        words.push_back(Dotted(path->second));
+        continue;
+      }
+    } else if (IsVariable(word) && (IsMadeUp(word) || relates)) {
+      continue;  // It only names the value.
+    }
+    words.push_back(word);
+  }
   const bool braced = words.size() >= 2 && words.front() == "{" && words.back() == "}";
   if (braced && words.size() <= 4) words = {words.begin() + 1, words.end() - 1};
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+  for (const std::string& word : words) text.value += (text.value.empty() ? "" : " ") + word;
 }
 
 }  // namespace
@@ -224,8 +247,7 @@ std::string MindView::DescribeOperator(const std::string& id) {
 }
 
 std::string ConditionText::Text() const {
-  std::string text = negated ? "-^" : "^";
-  for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ".") + path[i];
+  const std::string text = (negated ? "-" : "") + Dotted(path);
   return value.empty() ? text : text + " " + value;
 }
 
@@ -257,7 +279,7 @@ std::vector<ConditionText> ReadCondition(const RuleText& rule, const std::string
     ConditionText& text = found.emplace_back();
     if (const auto from = paths.find(part.id); from != paths.end()) text.path = from->second;
     text.path.push_back(part.attribute);
-    text.value = WithoutMadeUp(part.value);
+    ReadTests(part.value, paths, text);
     text.negated = part.negated;
   }
   return found;

@@ -71,6 +71,7 @@ struct ConditionText {
   std::vector<std::string> path;  ///< Attributes from the state on.
   std::string value;              ///< Tests without the variables that a kernel made up; may be empty.
   bool negated = false;
+  std::vector<std::vector<std::string>> compared;  ///< Paths of the variables that it compares with.
   std::string Text() const;
 };
 /// Where the variables of a rule lie, as attributes from the state on.

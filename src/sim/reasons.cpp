@@ -140,23 +140,15 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
   }
   text += first.Text() + ", and ";
   if (values.empty()) return text + ExplainAbsence(rule, first, known);
-  // A variable that other conditions bind: what it is.
-  const auto paths = VariablePaths(rule);
   std::string bound;
-  for (const std::string& variable : VariablesIn(first.value)) {
-    for (const RuleAttribute& condition : rule.conditions) {
-      const auto from = paths.find(condition.id);
-      if (from == paths.end() || condition.value.find(variable) == std::string::npos) continue;
-      std::vector<std::string> path = from->second;
-      path.push_back(condition.attribute);
-      if (path == first.path) continue;
-      std::vector<std::string> others;
-      for (const std::string& value : view_.ValuesAt(StateOf(rule), path))
-        if (!IsIdentifier(value)) others.push_back(value);
-      if (others.empty()) continue;
-      bound += "; " + variable + " is " + List(others);
-      break;
-    }
+  for (const std::vector<std::string>& path : first.compared) {
+    std::vector<std::string> others;
+    for (const std::string& value : view_.ValuesAt(StateOf(rule), path))
+      if (!IsIdentifier(value)) others.push_back(value);
+    if (others.empty()) continue;
+    bound += "; ^";
+    for (std::size_t i = 0; i < path.size(); ++i) bound += (i == 0 ? "" : ".") + path[i];
+    bound += " is " + List(others);
   }
   const std::size_t others = values.size() - shown.size();
   if (shown.empty())

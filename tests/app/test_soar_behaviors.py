@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The behaviours of the Soar agents in scenarios/soar_*: what a viewer would see, over several seeds."""
+"""The behaviours of the Soar agents in scenarios/soar_*: what a viewer would see, over ten seeds."""
 import collections
 import math
 import pathlib
@@ -8,7 +8,7 @@ import unittest
 from soarbox_command import Run, run_json
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-SEEDS = (1, 2, 3)
+SEEDS = tuple(range(1, 11))
 RADIUS = 0.35
 
 

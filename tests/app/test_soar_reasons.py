@@ -65,7 +65,7 @@ sp {hero*b (state <s> ^operator <a> + ^operator <b> +) (<a> ^name one) (<b> ^nam
             ("(<in> ^agent <a>)", "rule hero*go needs ^io.input-link.agent <a>, and there is none now (Another agent that"),
             ("(<in> ^health > 50)", "^io.input-link.health > 50, and no sense writes it there: it is ^io.input-link.self.health"),
             ("(<in> -^self.health 100)", "rule hero*go needs that there is no ^io.input-link.self"),
-            ("(<in> ^self <me>) (<me> ^reserve <r> ^health < <r>)", "^io.input-link.self.reserve > <r>, and it is 40; <r> is 100"),
+            ("(<in> ^self <me>) (<me> ^reserve <r> ^health < <r>)", "^io.input-link.self.reserve > ^io.input-link.self.health, and it is 40; ^io.input-link.self.health is 100"),
         ):
             self.assertIn(said, self.nearest(conditions), conditions)
 
