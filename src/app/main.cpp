@@ -46,6 +46,17 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
       ->capture_default_str()
       ->check(NumberIn(0, kLongest_s));
+  run->add_option("--detail", options.detail,
+                  "Of the picture: low, full, or auto, which is low without a graphics card")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "low", "full"}));
+  run->add_option(
+         "--show", options.show,
+         "Overlays that are on from the start, apart by commas: labels, trails, senses, paths, targets, shots, "
+         "messages, forces, belief, navigation, influence, physics")
+      ->delimiter(',');
+  run->add_option("--select", options.select, "Select this agent from the start");
+  run->add_option("--camera", options.camera, "free, orbit, follow, eyes or map; all but free and map want --select");
   run->add_option("--width", options.width_px, "Width of the window in pixels")
       ->capture_default_str()
       ->check(NumberIn(160, 7680));

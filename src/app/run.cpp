@@ -139,6 +139,9 @@ int Run(const RunOptions& given) {
   }
   const bool is_recorded = WantsRecording(options);
   if (is_recorded) settings.mind_detail = record::DetailOf(*level);
+  // Labels name the operators of minds.
+  if (!options.headless && settings.mind_detail == sim::MindDetail::kNone)
+    settings.mind_detail = sim::MindDetail::kDecisions;
 
   CatchInterrupts();
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);

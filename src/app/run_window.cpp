@@ -85,12 +85,62 @@ int Fail(const Diagnostic& problem) {
   return kCannotStart;
 }
 
+/// Turns on what the command line asks for; a word that means nothing is told with those that do.
+Result<void> Prepare(viewer::Viewer& viewer, const world::SceneSnapshot& scene, const RunOptions& options) {
+  const auto find = [](const std::string& word, viewer::CommandGroup group,
+                       const char* option) -> Result<viewer::ViewerCommand> {
+    std::vector<std::string_view> words;
+    for (const viewer::CommandInfo& info : viewer::Commands()) {
+      if (info.group != group || info.word.empty()) continue;
+      if (info.word == word) return info.command;
+      words.push_back(info.word);
+    }
+    Diagnostic problem;
+    problem.message = std::string(option) + " knows no '" + word + "'";
+    const std::string_view near = Suggest(word, words);
+    problem.hint = near.empty() ? "it is one of" : "did you mean '" + std::string(near) + "'? It is one of";
+    for (const std::string_view known : words) problem.hint += " " + std::string(known);
+    return problem;
+  };
+  viewer.Show(scene);
+  if (!options.select.empty()) {
+    std::vector<std::string_view> names;
+    for (const world::AgentSnapshot& agent : scene.agents) {
+      names.push_back(agent.name);
+      if (agent.name == options.select) viewer.SelectAgent(agent.id);
+    }
+    if (viewer.selected_agent() == 0) {
+      Diagnostic problem;
+      problem.message = "there is no agent '" + options.select + "' to select";
+      if (const std::string_view near = Suggest(options.select, names); !near.empty())
+        problem.hint = "did you mean '" + std::string(near) + "'?";
+      return problem;
+    }
+  }
+  for (const std::string& word : options.show) {
+    const Result<viewer::ViewerCommand> overlay = find(word, viewer::CommandGroup::kOverlay, "--show");
+    if (!overlay) return overlay.error();
+    if (!viewer.IsOn(*overlay)) viewer.Do(*overlay);
+  }
+  if (options.camera.empty()) return {};
+  const Result<viewer::ViewerCommand> camera = find(options.camera, viewer::CommandGroup::kCamera, "--camera");
+  if (!camera) return camera.error();
+  viewer.Do(*camera);
+  return {};
+}
+
 /// Runs to the moment asked for without drawing, then draws it.
 int TakePicture(RunSession& session, viewer::Viewer& viewer, const RunOptions& options) {
   sim::Simulation& simulation = session.simulation();
-  while (!WasInterrupted() && simulation.time_s() < options.screenshot_at_s) session.Tick();
+  // Trails want to have been watched for a while.
+  constexpr double kWatched_s = 20;
+  while (!WasInterrupted() && simulation.time_s() < options.screenshot_at_s) {
+    if (simulation.time_s() > options.screenshot_at_s - kWatched_s) viewer.Show(simulation.Snapshot());
+    session.Tick();
+  }
   viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1), .message = options.remark});
   viewer.Show(simulation.Snapshot());
+  viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
   if (!viewer.RenderFrame()) return session.Finish();
   if (const Result<void> saved = viewer.SaveScreenshot(options.screenshot); !saved) return Fail(saved.error());
   return session.Finish();
@@ -105,9 +155,17 @@ int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& optio
   Clock::time_point frame_start = Clock::now();
   world::SceneSnapshot newest = simulation.Snapshot();
   world::SceneSnapshot previous = newest;
+  std::uint64_t overlays_tick = ~std::uint64_t{0};
+  world::OverlayWants overlay_wants;
   while (!session.IsOver() && !pace.quit()) {
     viewer.SetStatus({.paused = pace.paused(), .speed = pace.speed(), .message = CostText(frame_time, tick_time)});
     viewer.Show(newest, &previous, pace.Blend(step_s));
+    if (const world::OverlayWants wants = viewer.overlay_wants();
+        newest.tick != overlays_tick || wants != overlay_wants) {
+      viewer.ShowOverlays(simulation.Overlays(wants));
+      overlays_tick = newest.tick;
+      overlay_wants = wants;
+    }
     if (!viewer.RenderFrame()) break;
     frame_time.Add(Clock::now() - std::exchange(frame_start, Clock::now()));
     for (const viewer::ViewerCommand command : viewer.TakeCommands()) pace.Obey(command);
@@ -139,9 +197,14 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   window.hidden = !options.screenshot.empty();
   window.frame_agents = true;
   window.vsync = !window.hidden;
+  window.detail = options.detail == "low"    ? viewer::Detail::kLow
+                  : options.detail == "full" ? viewer::Detail::kFull
+                                             : viewer::Detail::kAuto;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
   Result<std::unique_ptr<viewer::Viewer>> viewer = viewer::Viewer::Open(window);
   if (!viewer) return Fail(viewer.error());
+  if (const Result<void> prepared = Prepare(**viewer, session.simulation().Snapshot(), options); !prepared)
+    return Fail(prepared.error());
   return options.screenshot.empty() ? RunLive(session, **viewer, options) : TakePicture(session, **viewer, options);
 }
 

@@ -12,6 +12,9 @@
 namespace soarbox::sim {
 namespace {
 
+constexpr float kShotsKept_s = 2;
+constexpr std::size_t kMostShots = 200;
+
 constexpr float kMessagesKept_s = 10;
 constexpr std::size_t kMostTouching = 4096;
 constexpr std::string_view kWays = "soarbox-ways";
@@ -166,6 +169,10 @@ void Arena::OnShot(const world::Shot& shot) {
     return actor != nullptr && actor->weapon() ? actor->weapon()->settings().heard_m : 0.0f;
   }();
   world_.debug().Line(shot.from, shot.to, {1, 0.8f, 0.2f});
+  const auto kept = static_cast<std::uint64_t>(kShotsKept_s / world_.settings().step_s);
+  while (!shots_.empty() && shots_.front().tick + kept < world_.tick()) shots_.pop_front();
+  if (shots_.size() >= kMostShots) shots_.pop_front();
+  shots_.push_back({shot, world_.tick()});
   for (const auto& actor : actors_) {
     if (actor->id() == shot.shooter || !actor->IsAlive()) continue;
     const bool is_hit = actor->id() == shot.hit;

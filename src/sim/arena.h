@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <set>
@@ -48,6 +49,12 @@ class Arena {
   /// Collisions of the world's last step, as happenings of those who took part.
   void HearCollisions();
   void OnShot(const world::Shot& shot);
+  /// The shots of the last two seconds, the oldest first; for whoever watches.
+  struct PastShot {
+    world::Shot shot;
+    std::uint64_t tick = 0;
+  };
+  const std::deque<PastShot>& shots() const { return shots_; }
   /// An order of the user: "advance waypoint gate" is ^action advance ^waypoint gate.
   void Order(world::EntityId agent, const std::string& order);
   void Tell(world::EntityId agent, std::string_view news, std::string text);
@@ -74,6 +81,7 @@ class Arena {
   world::EntityId ground_ = world::kNoEntity;
   bool has_ways_ = false;
   std::set<std::pair<world::EntityId, world::EntityId>> touching_;
+  std::deque<PastShot> shots_;
 };
 
 }  // namespace soarbox::sim

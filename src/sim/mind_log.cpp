@@ -26,17 +26,27 @@ struct MindLog::Listener final : MindObserver {
   /// Says how many decisions stand in front of a detail.
   std::string After() const { return std::to_string(notes.decisions.size()) + " "; }
 
+  /// Notes what a level of the goal stack is about now; those below it are gone.
+  void Settle(int level, std::string_view operator_name) {
+    if (level < 1 || level > 1000) return;
+    operators.resize(static_cast<std::size_t>(level - 1));
+    if (!operator_name.empty()) operators.emplace_back(operator_name);
+  }
+
   void OnOperator(int level, std::string_view, std::string_view id, std::string_view name) override {
+    Settle(level, name.empty() ? id : name);
     std::string line = Indent(level) + "O: " + std::string(id);
     if (!name.empty()) line.append(" (").append(name).append(")");
     notes.decisions.push_back(std::move(line));
   }
   void OnState(int level, std::string_view state, std::string_view impasse, std::string_view attribute) override {
+    Settle(level, {});
     std::string line = Indent(level) + "==>S: " + std::string(state);
     if (level > 1) line.append(" (").append(attribute).append(" ").append(impasse).append(")");
     notes.decisions.push_back(std::move(line));
   }
   void OnStateGone(int level, std::string_view state) override {
+    Settle(level, {});
     notes.decisions.push_back(Indent(level) + "<==S: " + std::string(state));
   }
   void OnHalt() override { notes.decisions.emplace_back("halt"); }
@@ -52,6 +62,7 @@ struct MindLog::Listener final : MindObserver {
   }
 
   MindNotes notes;
+  std::vector<std::string> operators;  ///< By level of the goal stack.
   std::unique_ptr<Observation> observation;
 };
 
@@ -66,6 +77,7 @@ void MindLog::Listen(sml::Agent& agent, MindDetail detail) {
 
 struct MindLog::Listener {
   MindNotes notes;
+  std::vector<std::string> operators;
 };
 
 void MindLog::Listen(sml::Agent&, MindDetail) {}
@@ -100,6 +112,14 @@ std::vector<std::string>& MindLog::commands() {
 
 const std::vector<std::string>& MindLog::decisions() const {
   return listener_->notes.decisions;
+}
+
+std::string MindLog::Operators() const {
+  std::string all;
+  for (const std::string& name : listener_->operators) {
+    if (!name.empty()) all += (all.empty() ? "" : " > ") + name;
+  }
+  return all;
 }
 
 const std::vector<std::string>& MindLog::details() const {

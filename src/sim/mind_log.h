@@ -43,6 +43,8 @@ class MindLog {
   /// "O: O1 (seek)", "==>S: S2 (operator tie)", "<==S: S2" with three blanks per level of the goal stack. A kernel in
   /// another process, or one that is not ours, does not tell them, nor details.
   const std::vector<std::string>& decisions() const;
+  /// The operators chosen in the goal stack now, from the top: "engage > aim"; empty if there is none, or nobody tells.
+  std::string Operators() const;
   /// "fire RULE", "retract RULE", "+ 12: S1 ^a b", "- 12: S1 ^a b", after a count of the decisions before it: they
   /// stand between decisions()[count - 1] and decisions()[count].
   const std::vector<std::string>& details() const;

@@ -12,6 +12,7 @@
 #include "sim/arena.h"
 #include "sim/input_door.h"
 #include "sim/minds.h"
+#include "sim/overlays.h"
 #include "sim/scenario_build.h"
 #include "sim/scenario_file.h"
 #include "world/state_hash.h"
@@ -409,6 +410,9 @@ const world::World& Simulation::world() const {
 }
 world::SceneSnapshot Simulation::Snapshot() const {
   return impl_->world.Snapshot();
+}
+world::OverlaySnapshot Simulation::Overlays(const world::OverlayWants& wants) const {
+  return TakeOverlays(*impl_->arena, *impl_->minds, wants);
 }
 std::uint64_t Simulation::StateHash() const {
   world::StateHash hash;

@@ -16,6 +16,7 @@
 #include "sim/mind_log.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
+#include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::world {
@@ -74,6 +75,8 @@ class Simulation {
   double time_s() const;
   const world::World& world() const;
   world::SceneSnapshot Snapshot() const;
+  /// What overlays draw besides.
+  world::OverlaySnapshot Overlays(const world::OverlayWants& wants) const;
   /// Hash of all that decides the world's future (World::Hash, and what the bodies are about).
   std::uint64_t StateHash() const;
   std::size_t soar_agents() const;

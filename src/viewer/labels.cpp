@@ -26,8 +26,8 @@ ImU32 Faded(ImU32 color, float alpha) {
 
 /// From red through amber to green; the length of the bar says the same to those who do not tell them apart.
 world::Color HealthColor(float share) {
-  return share < 0.5f ? world::Color{0.90f, 0.22f + 1.0f * share, 0.18f, 1}
-                      : world::Color{0.90f - 1.2f * (share - 0.5f), 0.72f, 0.22f, 1};
+  return share < 0.5f ? world::Color{0.92f, 0.25f + 0.9f * share, 0.08f, 1}
+                      : world::Color{0.92f - 1.6f * (share - 0.5f), 0.70f, 0.08f + 0.8f * (share - 0.5f), 1};
 }
 
 std::string NameOf(const world::AgentSnapshot& agent) {
@@ -82,17 +82,17 @@ struct Metrics {
   }
 };
 
-bool Overlap(const Label& a, const Label& b) {
-  return a.low.x < b.high.x + 2 && b.low.x < a.high.x + 2 && a.low.y < b.high.y + 2 && b.low.y < a.high.y + 2;
+bool Overlap(const Label& a, const ScreenBox& b) {
+  return a.low.x < b.right + 2 && b.left < a.high.x + 2 && a.low.y < b.bottom + 2 && b.top < a.high.y + 2;
 }
 
 /// Finds room for a label beside those that have theirs; false if there is none.
-bool FindRoom(Label& label, const std::vector<Label>& shown, const Metrics& metrics, float top) {
+bool FindRoom(Label& label, const std::vector<ScreenBox>& taken, const Metrics& metrics, float top) {
   // Above its agent if that can be, else higher, else to the sides; in widths and heights of the label.
   const ImVec2 kPlaces[] = {{0, 0},         {0, 0.6f},    {0.6f, 0.3f},  {-0.6f, 0.3f}, {0, 1.2f},    {1.1f, -0.4f},
                             {-1.1f, -0.4f}, {0.7f, 1.2f}, {-0.7f, 1.2f}, {0, 1.8f},     {1.2f, 0.8f}, {-1.2f, 0.8f},
                             {0, 2.6f},      {1.3f, 1.8f}, {-1.3f, 1.8f}, {0, 3.6f}};
-  const auto fits = [&](const Label& other) { return Overlap(label, other); };
+  const auto covers = [&](const ScreenBox& other) { return Overlap(label, other); };
   for (const bool is_short : {false, true}) {
     if (is_short && label.state.empty()) break;
     if (is_short) label.state.clear();
@@ -102,7 +102,7 @@ bool FindRoom(Label& label, const std::vector<Label>& shown, const Metrics& metr
       const float y = std::max(label.low.y - place.y * size.y, top);
       label.low = {std::round(label.low.x + place.x * size.x), std::round(y)};
       label.high = {label.low.x + size.x, label.low.y + size.y};
-      if (std::none_of(shown.begin(), shown.end(), fits)) return true;
+      if (std::none_of(taken.begin(), taken.end(), covers)) return true;
     }
   }
   return label.is_selected;
@@ -149,7 +149,7 @@ const world::AgentOverlay* OverlayOf(const world::OverlaySnapshot& overlays, std
 }
 
 void DrawAgentLabels(const PanelHost& host, const LabelScene& scene, const world::CameraSnapshot& camera,
-                     const Projection& projection) {
+                     const Projection& projection, std::vector<ScreenBox>& taken) {
   const Metrics metrics(host);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   std::vector<Label> candidates;
@@ -181,25 +181,92 @@ void DrawAgentLabels(const PanelHost& host, const LabelScene& scene, const world
   std::vector<Label> shown;
   for (Label& label : candidates) {
     if (shown.size() == kMostLabels) break;
-    if (FindRoom(label, shown, metrics, kTop_px)) shown.push_back(std::move(label));
+    if (!FindRoom(label, taken, metrics, kTop_px)) continue;
+    taken.push_back({label.low.x, label.low.y, label.high.x, label.high.y});
+    shown.push_back(std::move(label));
   }
   for (auto label = shown.rbegin(); label != shown.rend(); ++label) Paint(*label, metrics);
 }
 
-void DrawGhostLabels(const PanelHost& host, const std::vector<Ghost>& ghosts, const Projection& projection) {
+void DrawSpeech(const PanelHost& host, const LabelScene& scene, const Projection& projection,
+                std::vector<ScreenBox>& taken) {
+  constexpr double kShown_s = 3.5, kFades_s = 0.6;
+  constexpr float kWidest_px = 230;
   ImDrawList& out = *ImGui::GetBackgroundDrawList();
   ImFont* font = host.panel_font();
+  const float pad = font->FontSize * 0.45f;
+  // The newest thing that each agent said.
+  std::unordered_map<std::uint32_t, const world::SpeechSnapshot*> last;
+  for (const world::SpeechSnapshot& speech : scene.overlays.speech) {
+    if (speech.age_s < kShown_s) last[speech.from_id] = &speech;
+  }
+  for (const auto& agent : scene.agents) {
+    const auto found = last.find(agent.id);
+    if (found == last.end() || agent.id == scene.hidden) continue;
+    const auto head = projection.Project(agent.position + world::Vec3{0, agent.height_m * 0.42f, 0});
+    if (!head) continue;
+    const world::SpeechSnapshot& speech = *found->second;
+    std::string text = speech.text.substr(0, 160);
+    for (const auto& other : scene.agents) {
+      if (other.id == speech.to_id) text = "to " + other.name + ": " + text;
+    }
+    const float alpha = static_cast<float>(std::clamp((kShown_s - speech.age_s) / kFades_s, 0.0, 1.0));
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, kWidest_px, text.c_str());
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    // To the right of the head, or to the left where there is no room; below bubbles that are there already.
+    bool is_left = head->x + 24 + size.x + 2 * pad > screen.x;
+    ScreenBox box;
+    box.left = is_left ? head->x - 24 - size.x - 2 * pad : head->x + 24;
+    box.top = std::max(kTop_px, head->y - size.y / 2 - pad - 6);
+    for (const ScreenBox& other : taken) {
+      const bool meets = box.left < other.right && other.left < box.left + size.x + 2 * pad &&
+                         box.top < other.bottom + 3 && other.top < box.top + size.y + 2 * pad + 3;
+      if (meets) box.top = other.bottom + 4;
+    }
+    box.right = box.left + size.x + 2 * pad;
+    box.bottom = box.top + size.y + 2 * pad;
+    taken.push_back(box);
+    const ImU32 paper = Faded(IM_COL32(250, 249, 242, 238), alpha);
+    const float x = is_left ? box.right : box.left, y = std::clamp(head->y, box.top + 6, box.bottom - 6);
+    out.AddTriangleFilled({x, y - 5}, {x, y + 5}, {head->x + (is_left ? -7.0f : 7.0f), head->y}, paper);
+    out.AddRectFilled({box.left, box.top}, {box.right, box.bottom}, paper, 7);
+    out.AddText(font, font->FontSize, {box.left + pad, box.top + pad}, Faded(IM_COL32(24, 30, 38, 255), alpha),
+                text.c_str(), nullptr, kWidest_px);
+  }
+}
+
+void DrawGhostLabels(const PanelHost& host, const std::vector<Ghost>& ghosts, const Projection& projection,
+                     const std::vector<ScreenBox>& taken) {
+  ImDrawList& out = *ImGui::GetBackgroundDrawList();
+  ImFont* font = host.panel_font();
+  std::vector<ScreenBox> occupied = taken;
   for (const Ghost& ghost : ghosts) {
     if (ghost.name.empty()) continue;
-    const auto at = projection.Project(ghost.position + world::Vec3{0, ghost.height_m / 2 + 0.15f, 0});
-    if (!at) continue;
+    const auto head = projection.Project(ghost.position + world::Vec3{0, ghost.height_m / 2 + 0.15f, 0});
+    const auto feet = projection.Project(ghost.position - world::Vec3{0, ghost.height_m / 2, 0});
+    if (!head || !feet) continue;
     const ImVec2 size = TextSize(font, ghost.name);
-    const ImVec2 low{std::round(at->x - size.x / 2), std::round(at->y - size.y)};
-    out.AddRectFilled({low.x - 4, low.y - 1}, {low.x + size.x + 4, low.y + size.y + 1}, IM_COL32(12, 17, 24, 120), 3);
+    ScreenBox box;
+    box.left = std::round(head->x - size.x / 2) - 4;
+    box.right = box.left + size.x + 8;
+    const auto place = [&](float top) {
+      box.top = std::round(top);
+      box.bottom = box.top + size.y + 2;
+      return std::none_of(occupied.begin(), occupied.end(), [&](const ScreenBox& other) {
+        return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
+      });
+    };
+    // Above the figure, else below its feet, else further down.
+    const float line = size.y + 4;
+    if (!place(head->y - line) && !place(feet->y + 3) && !place(feet->y + 3 + line) && !place(feet->y + 3 + 2 * line) &&
+        !place(head->y - 2 * line))
+      continue;
+    occupied.push_back(box);
+    out.AddRectFilled({box.left, box.top}, {box.right, box.bottom}, IM_COL32(12, 17, 24, 150), 3);
     world::Color ink = ghost.color;
     for (float* channel : {&ink.r, &ink.g, &ink.b}) *channel = 0.45f + 0.55f * *channel;
-    ink.a = std::clamp(0.4f + ghost.opacity, 0.0f, 1.0f);
-    out.AddText(font, font->FontSize, low, Packed(ink), ghost.name.c_str());
+    ink.a = std::clamp(0.5f + ghost.opacity, 0.0f, 1.0f);
+    out.AddText(font, font->FontSize, {box.left + 4, box.top + 1}, Packed(ink), ghost.name.c_str());
   }
 }
 

@@ -20,16 +20,26 @@ struct LabelScene {
   const std::vector<std::uint32_t>& selection;
   std::uint32_t hovered = 0;
   std::uint32_t hidden = 0;  ///< The agent whose eyes the camera looks out of.
-  float eye_height_m = 0;
+};
+
+/// A part of the picture that is taken; in px.
+struct ScreenBox {
+  float left = 0, top = 0, right = 0, bottom = 0;
 };
 
 /// Puts name, state and health above each agent and keeps them apart: a label that would cover a nearer one moves up a
-/// little, and loses its second line or goes if that does not help. Selected ones always stay.
+/// little, and loses its second line or goes if that does not help. Selected ones always stay. They keep out of
+/// `taken` and add themselves to it.
 void DrawAgentLabels(const PanelHost& host, const LabelScene& scene, const world::CameraSnapshot& camera,
-                     const Projection& projection);
+                     const Projection& projection, std::vector<ScreenBox>& taken);
 
-/// The names of figures that are not there.
-void DrawGhostLabels(const PanelHost& host, const std::vector<Ghost>& ghosts, const Projection& projection);
+/// What agents say, in bubbles beside their heads; adds these to `taken`.
+void DrawSpeech(const PanelHost& host, const LabelScene& scene, const Projection& projection,
+                std::vector<ScreenBox>& taken);
+
+/// The names of figures that are not there, clear of what is taken.
+void DrawGhostLabels(const PanelHost& host, const std::vector<Ghost>& ghosts, const Projection& projection,
+                     const std::vector<ScreenBox>& taken);
 
 /// What there is to say about the agent under the cursor.
 void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays,

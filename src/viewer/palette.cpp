@@ -92,10 +92,11 @@ world::Color AgentColor(std::string_view kind) {
 world::Color TeamColor(std::string_view team) {
   if (team.empty()) return {0.33f, 0.33f, 0.27f, 1};
   const auto has = [team](std::string_view part) { return team.find(part) != std::string_view::npos; };
-  if (team == "team1" || has("blue")) return {0.10f, 0.36f, 0.86f, 1};
-  if (team == "team2" || has("red")) return {0.88f, 0.17f, 0.11f, 1};
-  if (has("green")) return {0.16f, 0.66f, 0.24f, 1};
-  if (has("yellow")) return {0.92f, 0.76f, 0.14f, 1};
+  // Far apart in lightness and on the axis of blue and yellow too, for those who do not tell red from green.
+  if (team == "team1" || has("blue")) return {0.05f, 0.36f, 0.88f, 1};
+  if (team == "team2" || has("red")) return {0.90f, 0.24f, 0.06f, 1};
+  if (has("green")) return {0.00f, 0.66f, 0.50f, 1};
+  if (has("yellow")) return {0.97f, 0.86f, 0.24f, 1};
   return AgentColor(team);
 }
 

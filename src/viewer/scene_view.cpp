@@ -31,7 +31,7 @@ void SceneView::WarnOnce(const std::string& kind, const std::string& name, const
 }
 
 void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend,
-                       world::Vec3 eye) {
+                       world::Vec3 eye, std::uint32_t inside) {
   ++update_count_;
   skeleton_lines_.clear();
   agents_.clear();
@@ -55,6 +55,7 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
       Dress(thing, drawable, agent, LooksLikeABody(drawable, agent));
       Place(thing, drawable, before, blend);
     }
+    if (inside != 0 && agent != nullptr && agent->id == inside) thing.node->setVisible(false);
   }
   for (auto it = things_.begin(); it != things_.end();) {
     if (it->second.seen == update_count_) {

@@ -22,8 +22,9 @@ class SceneView {
   SceneView(Ogre::SceneManager& scene, Materials& materials, float reach, OnWarning on_warning);
 
   /// Creates, changes, moves and removes entities. With `previous`, bodies stand between the two by `blend`, 0..1.
-  /// Bodies further from `eye` are drawn in less detail.
-  void Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend, world::Vec3 eye);
+  /// Bodies further from `eye` are drawn in less detail, that of the agent `inside` not at all.
+  void Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend, world::Vec3 eye,
+              std::uint32_t inside = 0);
 
   /// The bones that scripts want to see, of the bodies as they stood at the last Update.
   const std::vector<world::LineSnapshot>& skeleton_lines() const { return skeleton_lines_; }

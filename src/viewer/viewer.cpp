@@ -16,6 +16,7 @@
 #include "viewer/labels.h"
 #include "viewer/light_rig.h"
 #include "viewer/line_batch.h"
+#include "viewer/overlay_painter.h"
 #include "viewer/panels.h"
 #include "viewer/particle_lines.h"
 #include "viewer/scene_view.h"
@@ -79,6 +80,9 @@ struct Viewer::Impl {
   RunStatus status;
   std::vector<InputEvent> events;
   std::vector<ViewerCommand> commands;
+  OverlayPainter painter;
+  std::vector<world::TriangleSnapshot> triangles;  ///< Of the scene.
+  std::vector<Ghost> shown_ghosts;                 ///< Those asked for, and those of overlays.
   world::OverlaySnapshot overlays;
   bool has_overlays = false;
   std::vector<Ghost> ghosts;
@@ -107,6 +111,8 @@ struct Viewer::Impl {
   void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
   void SetCamera(CameraMode mode);
   bool IsOn(ViewerCommand command) const;
+  /// The agent whose eyes the camera looks out of; 0: none.
+  std::uint32_t Inside() const { return camera.mode() == CameraMode::kEyes ? camera.agent() : 0; }
   void Notice(std::string text) {
     notice = std::move(text);
     notice_s = 3.5f;
@@ -209,8 +215,9 @@ void Viewer::Impl::Do(ViewerCommand command) {
   if (IsOverlay(command)) {
     on.flip(static_cast<std::size_t>(command));
     const bool is_on = IsOn(command);
-    // Names, trails and what the scripts draw themselves come with every scene.
-    const bool needs_more = command != ViewerCommand::kLabels && command != ViewerCommand::kTrails;
+    // Names, trails and forces come with every scene.
+    const bool needs_more =
+        command != ViewerCommand::kLabels && command != ViewerCommand::kTrails && command != ViewerCommand::kForces;
     const std::string title(InfoOf(command).title);
     if (is_on && needs_more && !has_overlays) {
       Notice(title + ": not available here; a recording does not hold it");
@@ -242,6 +249,7 @@ void Viewer::Impl::Do(ViewerCommand command) {
       break;
     case ViewerCommand::kMapCamera:
       SetCamera(CameraMode::kMap);
+      Frame({}, false);
       break;
     case ViewerCommand::kSelectNext:
       SelectBeside(1);
@@ -291,7 +299,7 @@ void Viewer::Impl::ReportFailure(const std::string& what) {
 }
 
 void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend) {
-  things->Update(newest, previous, blend, camera.pose().position);
+  things->Update(newest, previous, blend, camera.pose().position, Inside());
   lights->Update(newest);
   lights->SetSkyRotation(newest.sky_rotation_deg);
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water stand in for it");
@@ -303,7 +311,8 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   scene.agents = newest.agents;
   scene.lines = newest.lines;
   particles.AddLines(newest, scene.lines);
-  fills->Update(newest.triangles);
+  triangles = newest.triangles;
+  painter.Note(newest);
   if (previous != nullptr && blend < 1) {
     // Agents keep their order; new ones stand at the end.
     std::size_t i = 0;
@@ -349,10 +358,12 @@ void Viewer::Impl::PlaceCamera() {
 void Viewer::Impl::DrawPanels(float seconds) {
   panels->BeginFrame(engine->width(), engine->height(), seconds);
   const Projection view = View();
-  const std::uint32_t inside = camera.mode() == CameraMode::kEyes ? camera.agent() : 0;
-  if (IsOn(ViewerCommand::kLabels))
-    DrawAgentLabels(*panels, {scene.agents, overlays, selection, hovered, inside}, camera.pose(), view);
-  DrawGhostLabels(*panels, ghosts, view);
+  const std::uint32_t inside = Inside();
+  std::vector<ScreenBox> taken;
+  const LabelScene labels{scene.agents, overlays, selection, hovered, inside};
+  if (IsOn(ViewerCommand::kMessages)) DrawSpeech(*panels, labels, view, taken);
+  if (IsOn(ViewerCommand::kLabels)) DrawAgentLabels(*panels, labels, camera.pose(), view, taken);
+  DrawGhostLabels(*panels, shown_ghosts, view, taken);
   DrawScriptUi(scene, view, *panels);
   if (const auto* agent = Selected()) DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow);
   if (box) DrawSelectionBox(box->from, box->to);
@@ -382,8 +393,15 @@ bool Viewer::Impl::Frame() {
   for (const std::uint32_t id : selection) {
     if (const auto* agent = Find(id)) AddRing(*agent, id == selection.front(), marks);
   }
+  OverlayMarks drawn;
+  painter.Paint({scene.agents, overlays, selection, on, Inside()}, drawn);
+  marks.insert(marks.end(), drawn.lines.begin(), drawn.lines.end());
+  drawn.triangles.insert(drawn.triangles.end(), triangles.begin(), triangles.end());
   lines->Update(scene.lines, marks);
-  ghost_view->Update(ghosts);
+  fills->Update(drawn.triangles);
+  shown_ghosts = ghosts;
+  shown_ghosts.insert(shown_ghosts.end(), drawn.ghosts.begin(), drawn.ghosts.end());
+  ghost_view->Update(shown_ghosts);
   skeleton_lines->Update(things->skeleton_lines(), {});
   PlaceCamera();
   DrawPanels(seconds);

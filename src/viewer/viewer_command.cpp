@@ -10,42 +10,45 @@ using C = ViewerCommand;
 using G = CommandGroup;
 
 constexpr CommandInfo kInfos[] = {
-    {C::kTogglePause, G::kRun, "Pause", "P", "Hold the world, or let it go on"},
-    {C::kSingleStep, G::kRun, "Step a tick", "N", "Let the world go on by one tick: all sense, decide, act and move"},
-    {C::kStepDecision, G::kRun, "Step a decision", "Shift+N",
+    {C::kTogglePause, G::kRun, "", "Pause", "P", "Hold the world, or let it go on"},
+    {C::kSingleStep, G::kRun, "", "Step a tick", "N",
+     "Let the world go on by one tick: all sense, decide, act and move"},
+    {C::kStepDecision, G::kRun, "", "Step a decision", "Shift+N",
      "The selected agent alone makes one decision; the world stands still and takes its commands in the next tick"},
-    {C::kStepPhase, G::kRun, "Step a phase", "Ctrl+N",
+    {C::kStepPhase, G::kRun, "", "Step a phase", "Ctrl+N",
      "The selected agent alone does one phase of its decision cycle; the world stands still"},
-    {C::kFaster, G::kRun, "Faster", "+", "The next speed up to 16 times real time"},
-    {C::kSlower, G::kRun, "Slower", "-", "The next speed down to a tenth of real time"},
-    {C::kNormalSpeed, G::kRun, "Normal speed", "Backspace", "Real time"},
-    {C::kUnlimited, G::kRun, "As fast as it goes", "O", "No limit but the machine's; again: the speed before"},
-    {C::kReset, G::kRun, "Reset", "Ctrl+R", "Begin again with the same seed"},
-    {C::kNextSeed, G::kRun, "Restart with the next seed", "Ctrl+Shift+R", "Begin again with the next seed"},
-    {C::kQuit, G::kRun, "Quit", "Esc", "Close the window"},
-    {C::kFrameSelection, G::kCamera, "Frame the selection", "F", "Look at the selected agents from near"},
-    {C::kFrameAll, G::kCamera, "Frame all", "Home", "Look at all agents"},
-    {C::kFreeCamera, G::kCamera, "Free camera", "1", "Fly: W A S D, Q E; right drag looks, the wheel flies ahead"},
-    {C::kOrbitCamera, G::kCamera, "Orbit", "2", "Circle round the selected agent, or the middle of the picture"},
-    {C::kFollowCamera, G::kCamera, "Follow", "3 or C", "Stay with the selected agent"},
-    {C::kEyesCamera, G::kCamera, "Agent's eyes", "4", "See what the selected agent looks at"},
-    {C::kMapCamera, G::kCamera, "Map", "5", "From above, north up; drag to move, the wheel zooms"},
-    {C::kSelectNext, G::kSelection, "Next agent", "Tab", "Select the agent after this one"},
-    {C::kSelectPrevious, G::kSelection, "Previous agent", "Shift+Tab", "Select the agent before this one"},
-    {C::kSelectNone, G::kSelection, "Select none", "Ctrl+D", "Give up the selection"},
-    {C::kLabels, G::kOverlay, "Names and states", "L", "Name, operator, health above each agent"},
-    {C::kTrails, G::kOverlay, "Trails", "T", "Where each agent came from"},
-    {C::kSenses, G::kOverlay, "Sensor cones", "V", "How far and how wide the agents see and hear"},
-    {C::kPaths, G::kOverlay, "Planned paths", "R", "The ways that agents mean to go"},
-    {C::kTargets, G::kOverlay, "Targets", "G", "What agents aim at, go to and follow"},
-    {C::kShots, G::kOverlay, "Shots and hits", "X", "Lines of fire, and a mark where they ended"},
-    {C::kMessages, G::kOverlay, "Messages", "M", "What agents say, as speech bubbles"},
-    {C::kForces, G::kOverlay, "Steering forces", "Y", "Velocity and the force that changes it"},
-    {C::kBelief, G::kOverlay, "Belief", "B", "The others where the selected agent believes them to be"},
-    {C::kNavigation, G::kOverlay, "Navigation mesh", "J", "Where agents can walk"},
-    {C::kInfluence, G::kOverlay, "Influence map", "I", "The scenario's influence map"},
-    {C::kPhysics, G::kOverlay, "Physics shapes", "K", "What bodies really collide with"},
-    {C::kHelp, G::kHelp, "Keys", "H or ?", "The list of keys"},
+    {C::kFaster, G::kRun, "", "Faster", "+", "The next speed up to 16 times real time"},
+    {C::kSlower, G::kRun, "", "Slower", "-", "The next speed down to a tenth of real time"},
+    {C::kNormalSpeed, G::kRun, "", "Normal speed", "Backspace", "Real time"},
+    {C::kUnlimited, G::kRun, "", "As fast as it goes", "O", "No limit but the machine's; again: the speed before"},
+    {C::kReset, G::kRun, "", "Reset", "Ctrl+R", "Begin again with the same seed"},
+    {C::kNextSeed, G::kRun, "", "Restart with the next seed", "Ctrl+Shift+R", "Begin again with the next seed"},
+    {C::kQuit, G::kRun, "", "Quit", "Esc", "Close the window"},
+    {C::kFrameSelection, G::kCamera, "", "Frame the selection", "F", "Look at the selected agents from near"},
+    {C::kFrameAll, G::kCamera, "", "Frame all", "Home", "Look at all agents"},
+    {C::kFreeCamera, G::kCamera, "free", "Free camera", "1",
+     "Fly: W A S D, Q E; right drag looks, the wheel flies ahead"},
+    {C::kOrbitCamera, G::kCamera, "orbit", "Orbit", "2",
+     "Circle round the selected agent, or the middle of the picture"},
+    {C::kFollowCamera, G::kCamera, "follow", "Follow", "3 or C", "Stay with the selected agent"},
+    {C::kEyesCamera, G::kCamera, "eyes", "Agent's eyes", "4", "See what the selected agent looks at"},
+    {C::kMapCamera, G::kCamera, "map", "Map", "5", "From above, north up; drag to move, the wheel zooms"},
+    {C::kSelectNext, G::kSelection, "", "Next agent", "Tab", "Select the agent after this one"},
+    {C::kSelectPrevious, G::kSelection, "", "Previous agent", "Shift+Tab", "Select the agent before this one"},
+    {C::kSelectNone, G::kSelection, "", "Select none", "Ctrl+D", "Give up the selection"},
+    {C::kLabels, G::kOverlay, "labels", "Names and states", "L", "Name, operator, health above each agent"},
+    {C::kTrails, G::kOverlay, "trails", "Trails", "T", "Where each agent came from"},
+    {C::kSenses, G::kOverlay, "senses", "Sensor cones", "V", "How far and how wide the agents see and hear"},
+    {C::kPaths, G::kOverlay, "paths", "Planned paths", "R", "The ways that agents mean to go"},
+    {C::kTargets, G::kOverlay, "targets", "Targets", "G", "What agents aim at, go to and follow"},
+    {C::kShots, G::kOverlay, "shots", "Shots and hits", "X", "Lines of fire, and a mark where they ended"},
+    {C::kMessages, G::kOverlay, "messages", "Messages", "M", "What agents say, as speech bubbles"},
+    {C::kForces, G::kOverlay, "forces", "Steering forces", "Y", "Velocity and the force that changes it"},
+    {C::kBelief, G::kOverlay, "belief", "Belief", "B", "The others where the selected agent believes them to be"},
+    {C::kNavigation, G::kOverlay, "navigation", "Navigation mesh", "J", "Where agents can walk"},
+    {C::kInfluence, G::kOverlay, "influence", "Influence map", "I", "The scenario's influence map"},
+    {C::kPhysics, G::kOverlay, "physics", "Physics shapes", "K", "What bodies really collide with"},
+    {C::kHelp, G::kHelp, "", "Keys", "H or ?", "The list of keys"},
 };
 
 constexpr bool IsInOrder() {
@@ -95,6 +98,13 @@ std::span<const CommandInfo> Commands() {
 
 const CommandInfo& InfoOf(ViewerCommand command) {
   return kInfos[static_cast<std::size_t>(command)];
+}
+
+std::optional<ViewerCommand> CommandNamed(std::string_view word) {
+  for (const CommandInfo& info : kInfos) {
+    if (!word.empty() && info.word == word) return info.command;
+  }
+  return std::nullopt;
 }
 
 std::optional<ViewerCommand> CommandOfKey(int scancode, bool shift, bool control) {

@@ -61,6 +61,7 @@ enum class CommandGroup : std::uint8_t { kRun, kCamera, kSelection, kOverlay, kH
 struct CommandInfo {
   ViewerCommand command;
   CommandGroup group;
+  std::string_view word;     ///< Of cameras and overlays, for command lines: "senses"; else empty.
   std::string_view title;    ///< "Sensor cones"
   std::string_view keys;     ///< "V", "Ctrl+R"
   std::string_view meaning;  ///< A sentence without its full stop.
@@ -79,6 +80,8 @@ inline bool IsOverlay(ViewerCommand command) {
   return command >= ViewerCommand::kLabels && command <= ViewerCommand::kPhysics;
 }
 
+/// The camera or overlay of this word.
+std::optional<ViewerCommand> CommandNamed(std::string_view word);
 /// The command behind a key (SDL's scan code); none for other keys.
 std::optional<ViewerCommand> CommandOfKey(int scancode, bool shift, bool control);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "world/overlay_snapshot.h"
 #include "world/rotation.h"
 #include "world/state_hash.h"
 #include "world/triangle_box.h"
@@ -219,6 +220,24 @@ void InfluenceMap::FillSnapshot(SceneSnapshot& snapshot) const {
     snapshot.lines.push_back({b, c, kOutline});
     snapshot.lines.push_back({c, d, kOutline});
     snapshot.lines.push_back({d, a, kOutline});
+  }
+}
+
+void InfluenceMap::FillOverlay(OverlaySnapshot& overlays) const {
+  overlays.has_influence = true;
+  const auto layer = std::find_if(layers_.begin(), layers_.end(), [](const Layer& one) {
+    return std::any_of(one.values.begin(), one.values.end(), [](float value) { return value != 0; });
+  });
+  if (layer == layers_.end()) return;
+  for (std::size_t cell = 0; cell < layer->values.size(); ++cell) {
+    const float value = layer->values[cell];
+    if (std::abs(value) < 0.01f) continue;
+    Color color = value > 0 ? Color{0.16f, 0.45f, 0.95f, 1} : Color{0.98f, 0.55f, 0.08f, 1};
+    color.a = 0.12f + 0.55f * std::abs(value);
+    const Vec3 a = corners_[cell] + Vec3{0, kLift_m, 0};
+    const Vec3 b = a + Vec3{0, 0, width_m_}, c = a + Vec3{width_m_, 0, width_m_}, d = a + Vec3{width_m_, 0, 0};
+    overlays.triangles.push_back({a, b, c, color});
+    overlays.triangles.push_back({c, d, a, color});
   }
 }
 

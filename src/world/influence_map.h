@@ -12,6 +12,8 @@
 
 namespace soarbox::world {
 
+struct OverlaySnapshot;
+
 struct InfluenceConfig {
   float cell_width_m = 0;   ///< Along x and z; above 0.
   float cell_height_m = 0;  ///< Above 0.
@@ -48,6 +50,8 @@ class InfluenceMap {
   void Draw(int layer, Color positive, Color neutral, Color negative);
   void SetVisible(bool visible) { visible_ = visible; }
   void FillSnapshot(SceneSnapshot& snapshot) const;
+  /// Colours the cells of the first layer that holds anything: blue above 0, orange below.
+  void FillOverlay(OverlaySnapshot& overlays) const;
 
   int used_cells() const { return static_cast<int>(corners_.size()); }
   std::array<int, 3> grid_size() const { return size_; }

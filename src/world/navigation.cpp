@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "world/overlay_snapshot.h"
 #include "world/state_hash.h"
 
 namespace soarbox::world {
@@ -29,6 +30,16 @@ std::uint64_t HashOf(const NavigationGeometry& geometry, const NavigationConfig&
 
 std::string Quoted(std::string_view name) {
   return "\"" + std::string(name) + "\"";
+}
+
+/// Adds a mesh to the triangles and lines of a snapshot.
+void AddMesh(const NavigationMesh& mesh, auto& out) {
+  for (const auto& [a, b, c] : mesh.triangles()) {
+    out.triangles.push_back({a + kLift_m, b + kLift_m, c + kLift_m, kFill});
+    out.lines.push_back({a + kLift_m, b + kLift_m, kEdge});
+    out.lines.push_back({b + kLift_m, c + kLift_m, kEdge});
+    out.lines.push_back({c + kLift_m, a + kLift_m, kEdge});
+  }
 }
 
 }  // namespace
@@ -100,13 +111,15 @@ Result<void> Navigation::Show(std::string_view name, bool show) {
 
 void Navigation::FillSnapshot(SceneSnapshot& snapshot) const {
   for (const auto& [name, entry] : entries_) {
-    if (!entry.shown || !entry.mesh) continue;
-    for (const auto& [a, b, c] : entry.mesh->triangles()) {
-      snapshot.triangles.push_back({a + kLift_m, b + kLift_m, c + kLift_m, kFill});
-      snapshot.lines.push_back({a + kLift_m, b + kLift_m, kEdge});
-      snapshot.lines.push_back({b + kLift_m, c + kLift_m, kEdge});
-      snapshot.lines.push_back({c + kLift_m, a + kLift_m, kEdge});
-    }
+    if (entry.shown && entry.mesh) AddMesh(*entry.mesh, snapshot);
+  }
+}
+
+void Navigation::FillOverlay(OverlaySnapshot& overlays) const {
+  for (const auto& [name, entry] : entries_) {
+    if (!entry.mesh) continue;
+    overlays.has_navigation = true;
+    AddMesh(*entry.mesh, overlays);
   }
 }
 

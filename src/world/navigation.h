@@ -15,6 +15,8 @@
 
 namespace soarbox::world {
 
+struct OverlaySnapshot;
+
 /// The navigation meshes of one world, by name. A mesh is built on a thread of its own from the moment that it is asked
 /// for; whoever asks it something first waits until it is ready, so a run does not depend on how long that takes.
 /// Owned by the World; for the world's thread only.
@@ -36,6 +38,8 @@ class Navigation {
   /// Shows the mesh in snapshots, or no longer. An error if there is none of this name or it could not be built.
   Result<void> Show(std::string_view name, bool show);
   void FillSnapshot(SceneSnapshot& snapshot) const;
+  /// Draws all meshes that are ready, shown or not.
+  void FillOverlay(OverlaySnapshot& overlays) const;
   /// What all meshes were made from. Waits for nothing.
   std::uint64_t Hash() const;
 

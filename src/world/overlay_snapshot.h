@@ -32,18 +32,16 @@ struct ContactSnapshot {
 /// What an agent perceives, wants and says: what overlays draw and a scene does not show.
 struct AgentOverlay {
   std::uint32_t id = 0;
-  std::string operator_name;  ///< Of its mind; the last one chosen. Empty: none, or not told.
+  std::string operator_name;  ///< Of its mind, and of its substates behind that. Empty: none, or not told.
   std::string doing;          ///< The command under way, "move-to"; empty: none.
   bool has_senses = false;
   float sight_m = 0, view_deg = 360, hearing_m = 0;
   Vec3 eyes;
   std::vector<Vec3> path;       ///< Corners still to pass, in order; empty: none planned.
-  bool path_is_closed = false;  ///< The last corner leads to the first.
+  bool path_is_whole = false;   ///< The path is all of it, those already passed included.
   std::optional<Vec3> goal;     ///< The place that it goes to or aims at.
   std::uint32_t target_id = 0;  ///< The agent that it has in mind; 0: none.
   std::uint32_t leader_id = 0;  ///< The agent that it follows; 0: none.
-  Vec3 force_n;                 ///< What steered its body in the last tick.
-  bool has_force = false;
   std::vector<ContactSnapshot> contacts;
 };
 
@@ -69,6 +67,8 @@ struct OverlaySnapshot {
   std::vector<AgentOverlay> agents;  ///< In ascending id.
   std::vector<ShotSnapshot> shots;
   std::vector<SpeechSnapshot> speech;
+  bool has_navigation = false;  ///< There is a navigation mesh, it is ready and was wanted.
+  bool has_influence = false;   ///< The same of an influence map.
   // Only what was wanted.
   std::vector<LineSnapshot> lines;          ///< Edges of navigation meshes, wireframes of bodies.
   std::vector<TriangleSnapshot> triangles;  ///< Fills of navigation meshes and the influence map.

@@ -27,6 +27,9 @@
 
 namespace soarbox::world {
 
+struct OverlaySnapshot;
+struct OverlayWants;
+
 /// The physical world of one sandbox: bodies, agents, scene, user interface, camera. It knows neither scripts nor
 /// minds.
 ///
@@ -135,6 +138,8 @@ class World {
   std::vector<Diagnostic> TakeWarnings();
 
   SceneSnapshot Snapshot() const;
+  /// Adds navigation meshes, the influence map and the shapes of bodies, whether scripts show them or not.
+  void AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) const;
 
  private:
   struct Impl;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include "world/overlay_snapshot.h"
 #include "world/state_hash.h"
 #include "world/world.h"
 #include "world/world_impl.h"
@@ -48,6 +49,12 @@ std::uint64_t World::Hash() const {
   if (impl_->influence) hash.Add(impl_->influence->Hash());
   impl_->scene.AddAnimationTo(hash);
   return hash.value();
+}
+
+void World::AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) const {
+  if (wants.navigation) impl_->navigation.FillOverlay(overlays);
+  if (wants.influence && impl_->influence) impl_->influence->FillOverlay(overlays);
+  if (wants.physics) impl_->physics.AddDebugLines(overlays.lines);
 }
 
 SceneSnapshot World::Snapshot() const {
