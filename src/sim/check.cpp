@@ -12,6 +12,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "sim/reasons.h"
 #include "sim/rule_slips.h"
@@ -38,6 +39,14 @@ Diagnostic Problem(const fs::path& file, std::string message, std::string hint =
   problem.message = std::move(message);
   problem.hint = std::move(hint);
   return problem;
+}
+
+std::string LineOf(const std::string& text, int number) {
+  std::istringstream in(text);
+  std::string line;
+  while (number-- > 0 && std::getline(in, line)) {
+  }
+  return line;
 }
 
 /// Where a rule's body holds a word after ^ or a dot.
@@ -156,7 +165,14 @@ class Checker {
   }
 
   void CheckLua(const fs::path& file) {
-    if (const auto error = script::CheckSyntax(ReadAll(file), file.string())) problems.push_back(*error);
+    const std::string text = ReadAll(file);
+    if (const auto error = script::CheckSyntax(text, file.string())) {
+      problems.push_back(*error);
+      if (error->line > 0) problems.back().excerpt = LineOf(text, error->line);
+      return;
+    }
+    const std::vector<Diagnostic> slips = script::CheckNames(text, file.string());
+    problems.insert(problems.end(), slips.begin(), slips.end());
   }
 
   const Surroundings& Around(const fs::path& folder) {

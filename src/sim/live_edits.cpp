@@ -24,7 +24,7 @@ std::string ReadAll(const fs::path& file) {
 }
 
 /// The files that a file of rules sources, with all below them.
-void AddSourced(const fs::path& root, const fs::path& file, std::set<fs::path>& found) {
+void AddSourced(const fs::path& file, std::set<fs::path>& found) {
   constexpr std::size_t kMostFiles = 500;
   if (found.size() >= kMostFiles || !found.insert(file).second) return;
   std::istringstream lines(BlankComments(ReadAll(file)));
@@ -34,7 +34,9 @@ void AddSourced(const fs::path& root, const fs::path& file, std::set<fs::path>& 
     if (!(words >> command >> name) || command != "source") continue;
     if (name.size() > 1 && name.front() == '"') name = name.substr(1, name.size() - 2);
     std::error_code error;
-    if (const fs::path sourced = root / name; fs::is_regular_file(sourced, error)) AddSourced(root, sourced, found);
+    // A file names its neighbours by their own names, wherever it is sourced from.
+    const fs::path sourced = file.parent_path() / name;
+    if (fs::is_regular_file(sourced, error)) AddSourced(sourced, found);
   }
 }
 
@@ -101,7 +103,7 @@ void LiveEdits::Watch() {
   for (const WatchedFile& file : simulation_.Files()) {
     std::set<fs::path> all;
     if (file.is_rules) {
-      AddSourced(file.file.parent_path(), file.file, all);
+      AddSourced(file.file, all);
     } else {
       all.insert(file.file);
     }

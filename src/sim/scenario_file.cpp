@@ -16,6 +16,31 @@ constexpr std::size_t kMostEntries = 10'000;
 constexpr double kFarthest_m = 1e5;
 
 /// Reads tables and keeps what is wrong with them.
+/// The entry of a table that a message is about: the one whose key or value it quotes.
+const toml::node& Meant(const toml::table& table, const std::string& message) {
+  for (const auto& [key, value] : table) {
+    const auto text = value.value_exact<std::string>();
+    if (message.find("'" + std::string(key.str()) + "'") != std::string::npos) return value;
+    if (text && message.find("'" + *text + "'") != std::string::npos) return value;
+    if (const toml::table* below = value.as_table()) {
+      if (const toml::node& found = Meant(*below, message); &found != below) return found;
+    }
+  }
+  return table;
+}
+
+/// What to do about the reader's complaint.
+std::string HintOf(std::string_view complaint) {
+  constexpr std::pair<std::string_view, std::string_view> kHints[] = {
+      {"could not determine value type", "texts stand between quotes: name = \"scout\""},
+      {"unescaped control characters", "the text that begins in this line has no closing quote"},
+      {"cannot redefine", "a key stands once in its table; [[agent]] begins the next one"},
+  };
+  for (const auto& [part, hint] : kHints)
+    if (complaint.find(part) != std::string_view::npos) return std::string(hint);
+  return "scenario files are TOML; docs/scenarios.md shows one";
+}
+
 class Reader {
  public:
   Reader(std::string file, std::vector<Diagnostic>& problems) : file_(std::move(file)), problems_(problems) {}
@@ -224,7 +249,7 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     made.options.erase("rules");
     made.options.erase("count");
     if (const Result<AgentOptions> options = ReadAgentOptions(made.options, kinds); !options)
-      reader.Problem(*table, options.error().message, options.error().hint);
+      reader.Problem(Meant(*table, options.error().message), options.error().message, options.error().hint);
     total += static_cast<std::size_t>(made.count);
   }
   if (total > kMostEntries) reader.Problem(root, "these are too many agents");
@@ -268,7 +293,7 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
     problem.line = static_cast<int>(error.source().begin.line);
     problem.column = static_cast<int>(error.source().begin.column);
     problem.message = error.description();
-    problem.hint = "scenario files are TOML; docs/scenarios.md shows one";
+    problem.hint = HintOf(problem.message);
     problems.push_back(std::move(problem));
     return read;
   }

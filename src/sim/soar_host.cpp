@@ -179,12 +179,8 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
   std::error_code ignored;
   const std::filesystem::path absolute = std::filesystem::absolute(rules, ignored);
   PrintCollector printed(*loaded.agent);
-  // Files that it sources are looked for beside it.
-  const std::string folder = absolute.parent_path().string();
-  loaded.agent->ExecuteCommandLine(("pushd \"" + folder + "\"").c_str());
   const bool ok = loaded.agent->LoadProductions(absolute.string().c_str(), false);
   const std::string reason = ok ? std::string() : ErrorText(*loaded.agent);
-  loaded.agent->ExecuteCommandLine("popd");
   loaded.problems = ParseDiagnostics(printed.text(), file);
   if (!ok) {
     std::vector<Diagnostic> more = ParseDiagnostics(reason, file);

@@ -2,17 +2,15 @@
 #include "sim/soar_mind.h"
 
 #include "sml_Client.h"
+#ifdef SOARBOX_OWN_KERNEL
+#include "soarbox_Observation.h"
+#endif
 
 namespace soarbox::sim {
 namespace {
 
 constexpr std::size_t kMostWritten = 64 * 1024;
 constexpr int kDeepestParameter = 4;
-
-void OnPrint(sml::smlPrintEventId, void* text, sml::Agent*, char const* message) {
-  auto& written = *static_cast<std::string*>(text);
-  if (written.size() < kMostWritten) written += message;
-}
 
 /// What stands below an identifier of the output link.
 PerceptList ReadBelow(const sml::Identifier& parent, int depth = 0) {
@@ -37,11 +35,51 @@ PerceptList ReadBelow(const sml::Identifier& parent, int depth = 0) {
 
 }  // namespace
 
+/// Our own kernel tells what rules write apart from the traces that a debugger has asked for; of another kernel all
+/// that it prints is taken.
+struct SoarMind::Writing
+#ifdef SOARBOX_OWN_KERNEL
+    : MindObserver
+#endif
+{
+  explicit Writing(sml::Agent& agent) {
+#ifdef SOARBOX_OWN_KERNEL
+    observation = ObserveMind(agent, *this, soarbox::MindDetail::kWritten);
+    if (observation != nullptr) return;
+#endif
+    agent.RegisterForPrintEvent(sml::smlEVENT_PRINT, &Writing::OnPrint, this);
+  }
+  static void OnPrint(sml::smlPrintEventId, void* self, sml::Agent*, char const* message) {
+    static_cast<Writing*>(self)->Add(message);
+  }
+  void Add(std::string_view more) {
+    if (text.size() < kMostWritten) text += more;
+  }
+
+#ifdef SOARBOX_OWN_KERNEL
+  void OnWritten(std::string_view more) override {
+    Add(more);
+  }
+  void OnOperator(int, std::string_view, std::string_view, std::string_view) override {}
+  void OnState(int, std::string_view, std::string_view, std::string_view) override {}
+  void OnStateGone(int, std::string_view) override {}
+  void OnHalt() override {}
+  void OnFiring(std::string_view, int, bool) override {}
+  void OnElement(bool, std::uint64_t, std::string_view, std::string_view, std::string_view, bool) override {}
+
+  std::unique_ptr<Observation> observation;
+#endif
+  std::string text;
+};
+
+void SoarMind::EndWriting::operator()(Writing* writing) const {
+  delete writing;
+}
+
 SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
-    : agent_(&agent), own_body_(agent), surroundings_(agent), rows_(agent), written_(std::make_unique<std::string>()) {
+    : agent_(&agent), own_body_(agent), surroundings_(agent), rows_(agent), writing_(new Writing(agent)) {
   agent.SetBlinkIfNoChange(settings.blinks);
   if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
-  agent.RegisterForPrintEvent(sml::smlEVENT_PRINT, &OnPrint, written_.get());
   SetDetail(settings.detail);
 }
 
@@ -153,7 +191,7 @@ void SoarMind::Answer(const Outcome& outcome) {
 
 std::vector<std::string> SoarMind::TakeWritten() {
   std::vector<std::string> lines;
-  std::string& text = *written_;
+  std::string& text = writing_->text;
   std::size_t begin = 0;
   while (begin < text.size()) {
     const std::size_t end = text.find('\n', begin);

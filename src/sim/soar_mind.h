@@ -92,7 +92,12 @@ class SoarMind {
   std::map<std::uint64_t, Standing> standing_;
   MindLog log_;
   bool is_logged_ = false;
-  std::unique_ptr<std::string> written_;  ///< Where the kernel's print events go; its address is known to the kernel.
+  /// Where what the rules write goes; its address is known to the kernel.
+  struct Writing;
+  struct EndWriting {
+    void operator()(Writing* writing) const;
+  };
+  std::unique_ptr<Writing, EndWriting> writing_;
 };
 
 }  // namespace soarbox::sim

@@ -19,8 +19,8 @@ sp {hero*tell (state <s> ^superstate nil ^heard <n>) --> (write |old | <n> (crlf
 
 
 class LiveEdits(ScenarioCase):
-    def run_and_edit(self, edit):
-        self.write("hero.soar", COUNT)
+    def run_and_edit(self, edit, rules=COUNT):
+        self.write("hero.soar", rules)
         self.write("scenario.toml", WORLD)
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
         run = subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "1", "--seconds", "6", "--watch"],
@@ -29,6 +29,7 @@ class LiveEdits(ScenarioCase):
         edit()
         out, err = run.communicate(timeout=60)
         events = [json.loads(line) for line in out.splitlines()]
+        self.last_tick = max((event["tick"] for event in events if event["event"] == "log"), default=0)
         return [event["text"] for event in events if event["event"] == "log"], err, events[-1]
 
     def test_replace_rules_and_keep_working_memory(self):
@@ -40,6 +41,27 @@ class LiveEdits(ScenarioCase):
         # It goes on counting where it was: nothing was forgotten.
         self.assertIn(new[0] - old[-1], (0, 1))
         self.assertFalse(any(text.startswith("old ") for text in texts[texts.index(f"new {new[0]}"):]))
+
+    def test_of_a_file_that_another_one_sources_arrive_too(self):
+        (self.folder / "parts" / "deep").mkdir(parents=True)
+        rules = COUNT.split("sp {hero*tell")
+        top, tell = rules[0] + "source parts/tell.soar\n", "sp {hero*tell" + rules[1]
+
+        def edit():
+            self.write("parts/deep/tell.soar", tell.replace("|old |", "|new |"))
+        self.write("parts/tell.soar", "source deep/tell.soar\n")
+        self.write("parts/deep/tell.soar", tell)
+        texts, err, _ = self.run_and_edit(edit, top)
+        self.assertIn("parts/deep/tell.soar was edited", err)
+        self.assertTrue(texts[0].startswith("old ") and texts[-1].startswith("new "), texts)
+        self.assertEqual([int(text.split()[1]) for text in texts], sorted(int(text.split()[1]) for text in texts))
+
+    def test_that_take_a_rule_out_of_a_sourced_file_excise_it(self):
+        rules = COUNT.split("sp {hero*tell")
+        self.write("tell.soar", "sp {hero*tell" + rules[1])
+        texts, err, _ = self.run_and_edit(lambda: self.write("tell.soar", "# nothing\n"), rules[0] + "source tell.soar\n")
+        self.assertIn("tell.soar was edited", err)
+        self.assertTrue(1 < self.last_tick < 160, "nothing is told after the edit")
 
     def test_that_do_not_parse_are_told_and_change_nothing(self):
         for broken in (COUNT.replace("(crlf))}", "(crlf))"), COUNT.replace("(state <s> ^superstate nil ^heard <n>) -->", "(state <s> ^^heard <n>) -->")):

@@ -181,6 +181,48 @@ sp {other*tell
         self.assertEqual(logs(run, "other"), ["heard: hero enemy gate"])
 
 
+class FromOutside(ScenarioCase):
+    def run_hero(self, rules, inputs):
+        self.write("hero.soar", rules)
+        self.write("scenario.toml", WORLD)
+        run = run_json(self.folder, "--seconds", 3, "--input", self.write("inputs.txt", inputs))
+        self.assertEqual(run.code, 0, run.err)
+        return run
+
+    def test_orders_of_a_user_are_perceived_with_their_words(self):
+        run = self.run_hero("""
+sp {hero*told
+   (state <s> ^superstate nil ^io.input-link.order <order>)
+   (<order> ^from <from> ^action <action>)
+-->
+   (write |ordered by | <from> |: | <action> (crlf))
+}
+sp {hero*propose*obey
+   (state <s> ^superstate nil ^io.input-link <in>)
+   (<in> ^order.action stroll -^path.command wander)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name stroll)
+}
+sp {hero*apply*stroll
+   (state <s> ^operator.name stroll ^io.output-link <out>)
+-->
+   (<out> ^wander <c>)
+}""", "30 order hero stroll\n")
+        self.assertEqual(logs(run, "hero"), ["ordered by user: stroll"])
+        self.assertEqual([event["tick"] for event in run.of("command", command="wander")], [30])
+
+    def test_a_trace_that_a_debugger_asked_for_is_not_in_the_agents_log(self):
+        run = self.run_hero(SCOUT.replace("I go to ", "off to ") + """
+sp {hero*say
+   (state <s> ^superstate nil ^io.input-link.time <t>)
+-->
+   (write |it is | <t> (crlf))
+}""", "10 command hero watch 5\n")
+        self.assertGreater(len(logs(run, "hero")), 20)
+        self.assertTrue(all(text.startswith("it is ") for text in logs(run, "hero")), logs(run, "hero"))
+
+
 class Perception(ScenarioCase):
     WATCH = """
 sp {watch*seen

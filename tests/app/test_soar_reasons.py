@@ -226,6 +226,44 @@ sp {a (state <s> ^superstate nil ^io.input-link.glow 1) --> (<s> ^operator <o> +
 sp {b (state <s> ^operator.name x ^io.output-link <out>) --> (<out> ^shine <c>)}""")
         self.assertEqual((code, problems), (0, []))
 
+    def test_finds_names_in_lua_that_are_nearly_those_of_functions(self):
+        code, problems = self.check("Body.lua", """-- agent:SetPositon in a comment is none
+function Agent_Updat(agent)
+    agent:SetPositon(Vector.new(0, 0, 0));
+    Sandbox.CreateSoarAgnet(agent:GetSandbox(), {});
+    print("Agent.SetPositon(agent)");
+end
+""")
+        self.assertEqual(code, 1)
+        self.assertEqual([(problem["line"], problem["column"], problem["hint"]) for problem in problems],
+                         [(2, 10, "did you mean Agent_Update?"), (3, 11, "did you mean SetPosition?"),
+                          (4, 13, "did you mean CreateSoarAgent?")])
+
+    def test_finds_faults_of_scenario_files_at_their_lines(self):
+        code, problems = self.check("scenario.toml", """
+[[agent]]
+name = "a"
+heading = "north"
+
+[[agent]]
+body = "soldir"
+
+[[obstacle]]
+shape = "sphere"
+
+[[goal]]
+agent = "a"
+region = "y"
+""")
+        self.assertEqual(code, 1)
+        self.assertEqual({(problem["line"], problem["message"], problem.get("hint", "")) for problem in problems}, {
+            (4, "the option 'heading' takes degrees", ""), (7, "there is no body 'soldir'", "did you mean 'soldier'?"),
+            (10, 'an obstacle\'s shape is "box" or "column"', ""), (14, "there is no region 'y'", "")})
+        for text, hint in (("[[agent]]\nname = scout\n", 'texts stand between quotes: name = "scout"'),
+                           ('description = "x\n', "no closing quote"), ('seed = 1\nseed = 2\n', "stands once")):
+            code, problems = self.check("scenario.toml", text)
+            self.assertIn(hint, problems[0]["hint"])
+
     def test_names_files_that_are_not_there(self):
         self.assertEqual(Run("check", self.folder / "no.soar").code, 1)
 

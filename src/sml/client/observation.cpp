@@ -19,6 +19,7 @@ class LocalObservation final : public Observation, kernel::Observer {
   LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
       : agent_(agent), listener_(listener) {
     kernel::EventMask events = Event::kDecision | Event::kRun;
+    if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
     if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
     agent_.AddObserver(*this, events);
   }
@@ -38,6 +39,17 @@ class LocalObservation final : public Observation, kernel::Observer {
   void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override {
     if (why == kernel::GoalRemoval::kWithSuperstate) return;
     listener_.OnStateGone(static_cast<int>(goal.level), SymbolText(agent, goal.goal));
+  }
+  void OnPrint(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
+  void OnError(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
+  void OnWarning(const kernel::Agent&, kernel::WarningKind kind, std::string_view text) override {
+    // Of the warnings, what matters to whoever reads what rules write.
+    if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply)
+      listener_.OnWritten("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
+    if (kind == kernel::WarningKind::kMaxDecisionTime || kind == kernel::WarningKind::kOther) listener_.OnWritten(text);
+  }
+  void OnRuleInterrupt(const kernel::Agent& agent, kernel::ProductionId rule, std::uint32_t) override {
+    listener_.OnWritten("interrupted by the rule " + std::string(agent.production(rule).name) + "\n");
   }
   void OnHalt(const kernel::Agent&) override { listener_.OnHalt(); }
   void OnFiring(const kernel::Agent&, const kernel::FiringInfo& info) override {
