@@ -36,7 +36,8 @@ class MindObserver {
   virtual void OnFiring(std::string_view rule, int level, bool retracts) = 0;
   virtual void OnElement(bool added, std::uint64_t timetag, std::string_view id, std::string_view attribute,
                          std::string_view value, bool acceptable) = 0;
-  /// Its rules wrote this: (write ...), or one of their functions failed, or they fire without end. Traces, which go the same way to clients, are not among it.
+  /// Its rules wrote this: (write ...), or one of their functions failed, or they fire without end. Traces, which go
+  /// the same way to clients, are not among it.
   virtual void OnWritten(std::string_view text) { (void)text; }
 };
 
