@@ -170,6 +170,15 @@ int Run(const RunOptions& given) {
     if (note.empty() && !options.record.empty()) return kCannotStart;
     options.remark = note;
   }
+  session.SetMake(
+      seed, scenario.value().name,
+      [&](std::uint64_t with_seed) {
+        settings.seed = settings.soar.seed = with_seed;
+        return sim::Simulation::Create(*scenario, settings);
+      },
+      [&] {
+        if (is_recorded) RecordRun(session, options, *scenario, settings, *level);
+      });
   return options.headless ? RunHeadless(session, options) : RunWindow(session, options, data.value());
 }
 

@@ -89,6 +89,34 @@ void RunSession::RecordTick() {
   unrecorded_.clear();
 }
 
+void RunSession::SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made) {
+  seed_ = seed;
+  scenario_name_ = std::move(scenario);
+  make_ = std::move(make);
+  on_made_ = std::move(on_made);
+}
+
+Result<void> RunSession::BeginAgain(bool with_next_seed) {
+  if (with_next_seed) ++seed_;
+  simulation_->Finish();
+  PrintEvents();
+  const bool watches = edits_ != nullptr;
+  edits_.reset();
+  recorder_.reset();
+  unrecorded_.clear();
+  // The old one goes first: it holds the port that debuggers know.
+  simulation_.reset();
+  Result<std::unique_ptr<sim::Simulation>> made = make_(seed_);
+  if (!made) return made.error();
+  simulation_ = std::move(*made);
+  if (watches) edits_ = std::make_unique<sim::LiveEdits>(*simulation_);
+  next_report_s_ = 0;
+  printer_->Begin({scenario_name_, seed_, false});
+  PrintEvents();
+  if (on_made_) on_made_();
+  return {};
+}
+
 bool RunSession::IsOver() const {
   return WasInterrupted() || simulation_->time_s() >= end_s_ || (ends_with_scenario_ && simulation_->HasEnded());
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "app/event_printer.h"
 #include "app/run_options.h"
@@ -28,6 +30,14 @@ class RunSession {
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
+  /// How the run is made anew from a seed; `on_made` is called with the new one in place (to record it).
+  using Make = std::function<Result<std::unique_ptr<sim::Simulation>>(std::uint64_t seed)>;
+  void SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made);
+  /// Ends the simulation and begins another one from the beginning, with this seed or the next. Rules and scripts are
+  /// read again. After an error there is no simulation any more: only the process can end.
+  Result<void> BeginAgain(bool with_next_seed);
+  std::uint64_t seed() const { return seed_; }
+
   sim::Simulation& simulation() { return *simulation_; }
 
  private:
@@ -47,6 +57,10 @@ class RunSession {
   std::unique_ptr<sim::LiveEdits> edits_;  ///< Null if files are not watched.
   std::chrono::steady_clock::time_point next_look_;
   std::size_t problems_ = 0;
+  std::uint64_t seed_ = 1;
+  std::string scenario_name_;
+  Make make_;
+  std::function<void()> on_made_;
 };
 
 /// Makes SIGINT (Ctrl-C) and SIGTERM end the run: scripts are stopped where they are, the footer is printed, and after

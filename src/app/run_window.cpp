@@ -9,6 +9,7 @@
 
 #include "app/exit_codes.h"
 #include "app/pace.h"
+#include "app/run_control.h"
 #include "viewer/viewer.h"
 #include "world/world.h"
 
@@ -147,13 +148,12 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const RunOptions& o
 }
 
 int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& options) {
-  sim::Simulation& simulation = session.simulation();
-  const double step_s = simulation.world().settings().step_s;
+  const double step_s = static_cast<double>(std::as_const(session.simulation()).world().settings().step_s);
   Pace pace(options.speed.value_or(1));
   Deliverer deliverer;
   SmoothTime frame_time, tick_time;
   Clock::time_point frame_start = Clock::now();
-  world::SceneSnapshot newest = simulation.Snapshot();
+  world::SceneSnapshot newest = session.simulation().Snapshot();
   world::SceneSnapshot previous = newest;
   std::uint64_t overlays_tick = ~std::uint64_t{0};
   world::OverlayWants overlay_wants;
@@ -162,14 +162,25 @@ int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& optio
     viewer.Show(newest, &previous, pace.Blend(step_s));
     if (const world::OverlayWants wants = viewer.overlay_wants();
         newest.tick != overlays_tick || wants != overlay_wants) {
-      viewer.ShowOverlays(simulation.Overlays(wants));
+      viewer.ShowOverlays(session.simulation().Overlays(wants));
       overlays_tick = newest.tick;
       overlay_wants = wants;
     }
     if (!viewer.RenderFrame()) break;
     frame_time.Add(Clock::now() - std::exchange(frame_start, Clock::now()));
-    for (const viewer::ViewerCommand command : viewer.TakeCommands()) pace.Obey(command);
-    deliverer.Deliver(viewer, simulation);
+    RunControl control;
+    for (const viewer::ViewerCommand command : viewer.TakeCommands()) {
+      pace.Obey(command);
+      const Result<bool> obeyed = control.Obey(command, session, viewer, newest);
+      if (!obeyed) return Fail(obeyed.error());
+    }
+    if (control.has_begun_again) {
+      newest = previous = session.simulation().Snapshot();
+      overlays_tick = ~std::uint64_t{0};
+      deliverer = Deliverer();
+      pace.Skip();
+    }
+    deliverer.Deliver(viewer, session.simulation());
     const int due = pace.TicksDue(step_s);
     bool is_cut = false;
     for (int i = 0; i < due && !is_cut && !session.IsOver(); ++i) {
@@ -178,9 +189,9 @@ int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& optio
       tick_time.Add(Clock::now() - tick_start);
       is_cut = pace.OutOfTime();
       // Only the last two are drawn.
-      if (i + 2 >= due && !is_cut) previous = std::exchange(newest, simulation.Snapshot());
+      if (i + 2 >= due && !is_cut) previous = std::exchange(newest, session.simulation().Snapshot());
     }
-    if (is_cut) previous = newest = simulation.Snapshot();
+    if (is_cut) previous = newest = session.simulation().Snapshot();
     if (due == 0) session.Idle();
   }
   return session.Finish();

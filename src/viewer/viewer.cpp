@@ -496,6 +496,9 @@ world::OverlayWants Viewer::overlay_wants() const {
 void Viewer::SetGhosts(std::vector<Ghost> ghosts) {
   impl_->ghosts = std::move(ghosts);
 }
+void Viewer::Tell(std::string text) {
+  impl_->Notice(std::move(text));
+}
 void Viewer::Do(ViewerCommand command) {
   impl_->Do(command);
 }

@@ -88,6 +88,9 @@ class Viewer {
   /// What ShowOverlays should bring along for the overlays that are on.
   world::OverlayWants overlay_wants() const;
 
+  /// Shows a remark in the picture for some seconds.
+  void Tell(std::string text);
+
   /// Figures of another future, drawn until the next call; an empty list takes them away.
   void SetGhosts(std::vector<Ghost> ghosts);
 

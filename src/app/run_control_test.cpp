@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// The flow of time in a window, and runs that begin again; no display is needed.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include "app/event_printer.h"
+#include "app/pace.h"
+#include "app/run_session.h"
+#include "sim/scenario.h"
+#include "world/world.h"
+
+namespace soarbox::app {
+namespace {
+
+using viewer::ViewerCommand;
+
+constexpr double kStep_s = 1.0 / 30;
+
+TEST(Pace, CatchesUpAfterASlowFrameButNotForever) {
+  Pace pace(1);
+  pace.TicksDue(kStep_s);
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  const int after_slow = pace.TicksDue(kStep_s);
+  EXPECT_GE(after_slow, 4) << "the world waits for frames";
+  EXPECT_LE(after_slow, 8);
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  EXPECT_LE(pace.TicksDue(kStep_s), 8) << "no more than a quarter of a second";
+}
+
+TEST(Pace, PausesStepsAndChangesSpeed) {
+  Pace pace(1);
+  pace.Obey(ViewerCommand::kSingleStep);
+  EXPECT_TRUE(pace.paused());
+  EXPECT_EQ(pace.TicksDue(kStep_s), 1);
+  EXPECT_EQ(pace.TicksDue(kStep_s), 0);
+  pace.Obey(ViewerCommand::kTogglePause);
+  EXPECT_FALSE(pace.paused());
+  for (int i = 0; i < 20; ++i) pace.Obey(ViewerCommand::kSlower);
+  EXPECT_EQ(pace.speed(), 0.1);
+  for (int i = 0; i < 20; ++i) pace.Obey(ViewerCommand::kFaster);
+  EXPECT_EQ(pace.speed(), 16);
+  pace.Obey(ViewerCommand::kUnlimited);
+  EXPECT_TRUE(std::isinf(pace.speed()));
+  EXPECT_GT(pace.TicksDue(kStep_s), 1'000'000);
+  EXPECT_FALSE(pace.OutOfTime());
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  EXPECT_TRUE(pace.OutOfTime()) << "the window would not answer";
+  pace.Obey(ViewerCommand::kUnlimited);
+  EXPECT_EQ(pace.speed(), 16);
+  pace.Obey(ViewerCommand::kNormalSpeed);
+  EXPECT_EQ(pace.speed(), 1);
+  pace.Obey(ViewerCommand::kStepDecision);
+  EXPECT_TRUE(pace.paused()) << "the world stands still while a mind takes a step";
+  EXPECT_EQ(pace.TicksDue(kStep_s), 0);
+}
+
+/// A session over a scenario of the repository, as a window has it.
+struct SkirmishRun {
+  explicit SkirmishRun(std::uint64_t seed) {
+    const std::string root = SOARBOX_SOURCE_DIR;
+    scenario = sim::FindScenario("soar_skirmish", {root + "/scenarios", root + "/media"}).value();
+    const auto make = [this](std::uint64_t with_seed) {
+      sim::SimulationSettings settings;
+      settings.seed = settings.soar.seed = with_seed;
+      settings.soar.threads = 1;
+      return sim::Simulation::Create(scenario, settings);
+    };
+    session.emplace(std::move(make(seed).value()), EventPrinter::MakeText(out, out), RunOptions());
+    session->SetMake(seed, scenario.name, make, [this] { ++times_made; });
+  }
+  std::uint64_t HashAfter(int ticks) {
+    for (int i = 0; i < ticks; ++i) session->Tick();
+    return session->simulation().StateHash();
+  }
+
+  sim::Scenario scenario;
+  std::ostringstream out;
+  int times_made = 0;
+  std::optional<RunSession> session;
+};
+
+TEST(RunSession, BeginsAgainWithTheSameSeedOrTheNext) {
+  SkirmishRun run(4);
+  const std::uint64_t first = run.HashAfter(45);
+  ASSERT_TRUE(run.session->BeginAgain(false));
+  EXPECT_EQ(run.session->simulation().tick(), 0u);
+  EXPECT_EQ(run.HashAfter(45), first) << "a reset is the same run";
+  ASSERT_TRUE(run.session->BeginAgain(true));
+  EXPECT_EQ(run.session->seed(), 5u);
+  const std::uint64_t next = run.HashAfter(45);
+  EXPECT_EQ(SkirmishRun(5).HashAfter(45), next) << "as if it had been started with that seed";
+  EXPECT_EQ(run.times_made, 2);
+}
+
+TEST(RunSession, AMindCanTakeAStepAloneWhileTheWorldStandsStill) {
+  SkirmishRun run(4);
+  run.HashAfter(10);
+  sim::Simulation& simulation = run.session->simulation();
+  const std::uint64_t tick = simulation.tick();
+  const auto decisions = [&] { return simulation.Inspect("blue-1")->Mind().decisions; };
+  const auto others = [&] { return simulation.Inspect("red-1")->Mind().decisions; };
+  const std::uint64_t before = decisions(), before_others = others();
+  ASSERT_TRUE(simulation.Command("blue-1", "run -d 1 --self"));
+  EXPECT_EQ(decisions(), before + 1);
+  EXPECT_EQ(others(), before_others) << "the other minds stand still";
+  EXPECT_EQ(simulation.tick(), tick);
+  std::string phase = simulation.Inspect("blue-1")->Mind().phase;
+  ASSERT_TRUE(simulation.Command("blue-1", "run -p 1 --self"));
+  EXPECT_NE(simulation.Inspect("blue-1")->Mind().phase, phase);
+  run.HashAfter(10);
+  EXPECT_EQ(simulation.tick(), tick + 10);
+}
+
+}  // namespace
+}  // namespace soarbox::app
