@@ -6,6 +6,7 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/inspect_command.h"
 #include "app/kernel_server.h"
 #include "app/look_commands.h"
 #include "app/new_scenario.h"
@@ -114,6 +115,22 @@ void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app
   reasons->add_option("--path", why.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
 }
 
+void AddInspect(CLI::App& program, soarbox::app::InspectOptions& options) {
+  CLI::App* inspect = program.add_subcommand("inspect", "Print what a debugger shows of an agent at a moment of a run");
+  inspect->add_option("source", options.source, "A scenario as for `soarbox run`, or a recording")->required();
+  inspect->add_option("--agent", options.agent, "Its name; the first one with a Soar mind if it is not said");
+  inspect->add_option("--at", options.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
+  inspect->add_option("--view", options.view, "What to show: " + soarbox::app::ViewsText())->capture_default_str();
+  inspect->add_option("--from", options.from_s, "Where views over ticks begin, in simulated seconds")
+      ->capture_default_str()
+      ->check(NumberIn(0.0, 36000.0));
+  inspect->add_option("--until", options.until,
+                      "Stop sooner: fire RULE, match RULE, element PATTERN, impasse KIND or command NAME");
+  inspect->add_flag("--json", options.json, "Print it as JSON");
+  inspect->add_option("--seed", options.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
+  inspect->add_option("--path", options.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
+}
+
 void AddNew(CLI::App& program, soarbox::app::NewOptions& options) {
   CLI::App* made = program.add_subcommand("new", "Write a commented starter scenario with a test into a new folder");
   made->add_option("name", options.name, "The folder to make; its last part is the scenario's name")->required();
@@ -207,6 +224,8 @@ int Main(int argc, char** argv) {
   soarbox::app::CheckOptions check;
   soarbox::app::WhyOptions why;
   AddLooks(program, check, why);
+  soarbox::app::InspectOptions inspect;
+  AddInspect(program, inspect);
   program.add_subcommand("list", "List the scenarios that come with the program");
   if (const auto problem = soarbox::app::FindSingleDash(program, argc, argv)) {
     std::cerr << soarbox::Format(*problem);
@@ -228,6 +247,7 @@ int Main(int argc, char** argv) {
     return soarbox::app::kUsage;
   }
   if (program.got_subcommand("run")) return soarbox::app::Run(run);
+  if (program.got_subcommand("inspect")) return soarbox::app::Inspect(inspect);
   if (program.got_subcommand("soar")) return soarbox::app::RunSoarShell(soar);
   if (program.got_subcommand("replay")) return soarbox::app::Replay(recording);
   if (program.got_subcommand("verify")) return soarbox::app::Verify(recording);

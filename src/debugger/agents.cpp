@@ -32,9 +32,20 @@ AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles)
   return row;
 }
 
+/// The operator that came last; empty if there was none.
+std::string LastOperator(const Timeline& timeline, std::string_view agent) {
+  const TimelineTrack* track = timeline.Find(agent);
+  if (track == nullptr) return {};
+  const auto is_operator = [](const TimelineSpan& span) { return !span.is_state; };
+  if (const auto at = std::find_if(track->open.rbegin(), track->open.rend(), is_operator); at != track->open.rend())
+    return NameAndId(at->text, at->id);
+  const auto at = std::find_if(track->spans.rbegin(), track->spans.rend(), is_operator);
+  return at == track->spans.rend() ? std::string() : NameAndId(at->text, at->id);
+}
+
 /// All that a filter looks at.
 std::string TextOf(const AgentRow& row) {
-  return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + row.state + " " + row.op + " " +
+  return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + row.state + " " + row.last_op + " " +
          row.command + " " + row.error + (row.alive ? "" : " dead") + (row.failed ? " failed" : "");
 }
 
@@ -62,7 +73,8 @@ const std::vector<AgentTroubles::Trouble>& AgentTroubles::Of(std::string_view ag
   return at == troubles_.end() ? none : at->second;
 }
 
-std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentTroubles& troubles) {
+std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentTroubles& troubles,
+                                 const Timeline* timeline) {
   std::map<std::string, double> times_us;
   for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
     const sim::MindReport report = simulation.Mind(i);
@@ -85,6 +97,7 @@ std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentT
       row.state = state.level == 1 ? state.id : state.id + " (" + state.attribute + " " + state.impasse + ")";
       if (!state.operator_id.empty()) row.op = NameAndId(state.operator_name, state.operator_id);
     }
+    row.last_op = row.op.empty() && timeline != nullptr ? LastOperator(*timeline, row.name) : row.op;
   }
   return rows;
 }
@@ -102,6 +115,7 @@ std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline&
         row.op = NameAndId(span.text, span.id);
       }
     }
+    row.last_op = row.op.empty() ? LastOperator(timeline, row.name) : row.op;
   }
   return rows;
 }
@@ -147,12 +161,12 @@ std::vector<AgentRow> FilterAgents(const std::vector<AgentRow>& rows, std::strin
 
 std::string ToText(const std::vector<AgentRow>& rows) {
   std::vector<std::vector<std::string>> table = {
-      {"agent", "kind", "team", "health", "state", "operator", "command", "decisions", "errors"}};
+      {"agent", "kind", "team", "health", "state", "operator", "last operator", "command", "decisions", "errors"}};
   std::string errors;
   for (const AgentRow& row : rows) {
     const std::string health = row.alive ? std::to_string(static_cast<int>(row.health)) : "dead";
-    table.push_back({row.name, row.kind, row.team, health, row.has_mind ? row.state : "-", row.op, row.command,
-                     row.has_mind ? std::to_string(row.decisions) : "-",
+    table.push_back({row.name, row.kind, row.team, health, row.has_mind ? row.state : "-", row.op, row.last_op,
+                     row.command, row.has_mind ? std::to_string(row.decisions) : "-",
                      row.errors == 0 ? "" : std::to_string(row.errors)});
     if (!row.error.empty()) errors += row.name + ": " + FirstLine(row.error) + "\n";
   }
@@ -173,6 +187,7 @@ Json ToJson(const std::vector<AgentRow>& rows) {
     json["health"] = row.health;
     json["state"] = row.state;
     json["operator"] = row.op;
+    json["last_operator"] = row.last_op;
     json["command"] = row.command;
     json["decisions"] = row.decisions;
     json["errors"] = row.errors;

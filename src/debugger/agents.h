@@ -47,6 +47,7 @@ struct AgentRow {
   float health = 0;
   std::string state;    ///< The lowest state: "S1", "S3 (operator tie)"; empty without a mind.
   std::string op;       ///< The lowest operator that is selected: "seek (O3)"; empty if none is.
+  std::string last_op;  ///< The one that was selected last, now or in a tick before, if a timeline tells it.
   std::string command;  ///< What its mind said last.
   std::string error;    ///< The newest error, all of it, with file and line; empty if there was none.
   std::string error_file;
@@ -57,7 +58,8 @@ struct AgentRow {
 };
 
 /// All agents, in creation order.
-std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentTroubles& troubles);
+std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentTroubles& troubles,
+                                 const Timeline* timeline = nullptr);
 /// The same from what is recorded of a tick; states and operators as the timeline has them then.
 std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline& timeline,
                                  const AgentTroubles& troubles);

@@ -6,7 +6,7 @@
 namespace soarbox::debugger {
 
 std::string Print(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace soarbox::debugger

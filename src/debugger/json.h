@@ -8,7 +8,7 @@ namespace soarbox::debugger {
 
 using Json = nlohmann::ordered_json;
 
-/// On several lines; bytes that are no UTF-8 are replaced.
+/// On one line, with its end; bytes that are no UTF-8 are replaced.
 std::string Print(const Json& json);
 
 }  // namespace soarbox::debugger

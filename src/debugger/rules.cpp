@@ -139,18 +139,15 @@ Coverage::Row& Coverage::At(const std::string& rule) {
   return row;
 }
 
-void Coverage::Add(const record::TickRecord& tick) {
-  for (const record::MindRecord& mind : tick.minds) {
-    if (mind.agent != agent_) continue;
-    for (const std::string_view detail : mind.details) {
-      const std::size_t blank = detail.find(' ');
-      if (blank == std::string_view::npos || !detail.substr(blank + 1).starts_with("fire ")) continue;
-      Row& row = At(std::string(detail.substr(blank + 6)));
-      ++row.firings;
-      row.matched = true;
-      if (!row.first) row.first = tick.tick;
-      row.last = tick.tick;
-    }
+void Coverage::Add(std::uint64_t tick, const record::MindRecord& mind) {
+  for (const std::string_view detail : mind.details) {
+    const std::size_t blank = detail.find(' ');
+    if (blank == std::string_view::npos || !detail.substr(blank + 1).starts_with("fire ")) continue;
+    Row& row = At(std::string(detail.substr(blank + 6)));
+    ++row.firings;
+    row.matched = true;
+    if (!row.first) row.first = tick;
+    row.last = tick;
   }
 }
 

@@ -41,12 +41,10 @@ std::optional<RuleView> LookAtRule(sim::Inspector& mind, std::string_view rule);
 /// Rules whose names are like this one, most like first.
 std::vector<std::string> NearRules(sim::Inspector& mind, std::string_view rule, std::size_t most = 3);
 
-/// Which rules of an agent took part in a run, from what was noted of its ticks (MindDetail::kAll) and from looks at
-/// its mind.
+/// Which rules of one agent took part in a run, from what was noted of its ticks (MindDetail::kAll) and from looks at
+/// its mind. Counts all that was added, also of futures that somebody left by going back.
 class Coverage {
  public:
-  explicit Coverage(std::string agent) : agent_(std::move(agent)) {}
-
   struct Row {
     std::string rule;
     std::uint64_t firings = 0;                 ///< As far as is known.
@@ -56,7 +54,8 @@ class Coverage {
     std::string stops_at;                      ///< The condition behind these; empty if all held.
   };
 
-  void Add(const record::TickRecord& tick);
+  /// What the agent did in a tick.
+  void Add(std::uint64_t tick, const record::MindRecord& mind);
   /// Notes how far each rule that has not fired matches now. Costs a look at each of them.
   void Look(sim::Inspector& mind);
   /// Rules that the last look saw, in the order of loading, then others that fired.
@@ -65,7 +64,6 @@ class Coverage {
  private:
   Row& At(const std::string& rule);
 
-  std::string agent_;
   std::vector<std::string> order_;
   std::map<std::string, Row> rows_;
 };

@@ -9,6 +9,7 @@ void RunModels::Add(const record::TickRecord& tick) {
   messages.Add(tick);
   trace.Add(tick);
   plots.Add(tick);
+  for (const record::MindRecord& mind : tick.minds) coverage[mind.agent].Add(tick.tick, mind);
 }
 
 }  // namespace soarbox::debugger

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
+#include <map>
+#include <string>
+
 #include "debugger/agents.h"
 #include "debugger/messages.h"
 #include "debugger/plots.h"
+#include "debugger/rules.h"
 #include "debugger/timeline.h"
 #include "debugger/trace.h"
 #include "record/tick_record.h"
@@ -17,6 +22,7 @@ struct RunModels {
   MessageLog messages;
   Trace trace;
   Plots plots;
+  std::map<std::string, Coverage, std::less<>> coverage;  ///< By agent.
 
   void Add(const record::TickRecord& tick);
 };

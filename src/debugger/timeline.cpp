@@ -120,6 +120,11 @@ void Timeline::ReadDecision(TimelineTrack& track, std::string_view line, std::ui
   if (line.starts_with("==>S: ")) {
     span.is_state = true;
     Split(line.substr(6), span.id, span.text);
+    // A state that waits is told again and again; what was selected in it is not any more.
+    const auto is_same = [&](const TimelineSpan& open) {
+      return open.is_state && open.level == span.level && open.id == span.id && open.text == span.text;
+    };
+    if (std::ranges::any_of(track.open, is_same)) return Close(track, span.level, tick, false);
     Close(track, span.level, tick, true);
   } else if (line.starts_with("O: ")) {
     Split(line.substr(3), span.id, span.text);

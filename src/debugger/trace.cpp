@@ -46,6 +46,10 @@ struct Writer {
   double time_s;
 
   void Write(TraceKind kind, const std::string& agent, std::string text, int level = 0) {
+    // A state that waits is told each time that it does.
+    if (kind == TraceKind::kDecision && !lines.empty() && lines.back().tick == tick && lines.back().agent == agent &&
+        lines.back().kind == kind && lines.back().text == text)
+      return;
     lines.push_back({tick, time_s, kind, level, agent, std::move(text)});
   }
 

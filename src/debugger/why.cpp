@@ -20,6 +20,20 @@ constexpr int kDepth = 4;  ///< How many rules an answer goes back.
 constexpr std::size_t kMostRulesRead = 2'000;
 constexpr std::size_t kMostBelow = 12;
 
+/// What matters of a rule's elements: neither the ways to the links nor those that only lead on to another one.
+std::vector<sim::ElementFact> Telling(const std::vector<sim::ElementFact>& elements) {
+  constexpr std::string_view kWays[] = {"superstate", "io", "input-link", "output-link"};
+  std::vector<sim::ElementFact> telling;
+  for (const sim::ElementFact& element : elements) {
+    const auto leads_to = [&](const sim::ElementFact& other) { return other.id == element.value; };
+    const bool is_way = std::ranges::find(kWays, element.attribute) != std::end(kWays);
+    const bool leads_on =
+        element.is_object && element.attribute != "operator" && std::ranges::any_of(elements, leads_to);
+    if (!is_way && !leads_on && telling.size() < kMostBelow) telling.push_back(element);
+  }
+  return telling;
+}
+
 /// Follows elements back to where they come from; each is followed once.
 class Tracer {
  public:
@@ -44,19 +58,14 @@ class Tracer {
   WhyNode Rule(const sim::MakerFact& maker, int depth) {
     WhyNode node{Describe(maker), "rule", maker.rule, {}};
     if (maker.elements.empty() && maker.o_supported) node.text += ": it matched then, and what it made stays";
-    for (const sim::ElementFact& element : maker.elements) {
-      if (node.below.size() >= kMostBelow) break;
-      node.below.push_back(Element(element, depth - 1));
-    }
+    for (const sim::ElementFact& element : Telling(maker.elements)) node.below.push_back(Element(element, depth - 1));
     return node;
   }
 
   WhyNode Preference(const sim::PreferenceFact& preference) {
     WhyNode node{Describe(preference), "preference", preference.maker.rule, {}};
-    for (const sim::ElementFact& element : preference.maker.elements) {
-      if (node.below.size() >= kMostBelow) break;
+    for (const sim::ElementFact& element : Telling(preference.maker.elements))
       node.below.push_back(Element(element, 2));
-    }
     return node;
   }
 
@@ -248,7 +257,11 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
       }
       for (const sim::StateFact& state : mind->Stack())
         if (!state.operator_id.empty()) node.below.push_back(WhyOperator(*mind, state.operator_id));
-      if (node.below.empty()) node.below.push_back({"no operator is selected now", "reason", "", {}});
+      if (node.below.empty()) {
+        // What said it may still stand, with what it rested on.
+        if (!node.link.empty()) node.below = WhyCommand(*mind, node.link).below;
+        node.below.push_back({"no operator is selected now", "reason", "", {}});
+      }
     }
     root.below.push_back(std::move(node));
   }

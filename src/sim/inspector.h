@@ -33,7 +33,7 @@ struct MakerFact {
   std::vector<ElementFact> elements;  ///< What the rule matched; empty if that match is over.
 };
 
-/// A rule with a condition whose constant tests an element passes.
+/// A rule with a condition that an element reaches: it has the constants that the condition asks for.
 struct TesterFact {
   std::string rule;
   std::size_t condition = 0;  ///< Counted from 0, in the order in which the rule matches.

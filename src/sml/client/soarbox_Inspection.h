@@ -34,7 +34,7 @@ struct InspectedMaker {
   std::vector<InspectedElement> elements;  ///< What the rule matched; empty if that match is over.
 };
 
-/// A rule with a condition whose constant tests an element passes.
+/// A rule with a condition that an element reaches: it has the constants that the condition asks for.
 struct InspectedTester {
   std::string rule;
   std::size_t condition = 0;  ///< Counted from 0, in the order in which the rule matches.

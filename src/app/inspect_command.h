@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soarbox::app {
+
+/// What `soarbox inspect` was asked for.
+struct InspectOptions {
+  std::string source;           ///< A scenario as for `soarbox run`, or a recording.
+  std::string agent;            ///< Empty: the first one with a Soar mind.
+  std::string view = "agents";  ///< With what it is of: "rule propose*move".
+  double at_s = 5;
+  double from_s = 0;  ///< For views over ticks.
+  std::string until;  ///< A breakpoint that ends the run sooner: "fire RULE"; scenarios only.
+  bool json = false;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::filesystem::path> extra_folders;
+};
+/// Prints what a debugger would show at a moment of a run. Returns an ExitCode.
+int Inspect(const InspectOptions& options);
+
+/// What can be asked for, for the help: "agents [TEXT], stack, ...".
+std::string ViewsText();
+
+}  // namespace soarbox::app

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "debugger/agents.h"
+#include "debugger/breakpoints.h"
+#include "debugger/console.h"
+#include "debugger/edit.h"
+#include "debugger/io.h"
+#include "debugger/memory.h"
+#include "debugger/mind_fixture.h"
+#include "debugger/operators.h"
+#include "debugger/plots.h"
+#include "debugger/rules.h"
+#include "debugger/run_models.h"
+#include "debugger/stack.h"
+#include "debugger/views.h"
+#include "debugger/why.h"
+
+namespace soarbox::debugger {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+using Debugger = MindFixture;
+
+constexpr const char* kTwoOperators = R"(
+sp {hero*elaborate (state <s> ^superstate nil ^io.input-link.self.health <h>) --> (<s> ^vigour <h>)}
+sp {hero*propose*walk (state <s> ^superstate nil ^vigour > 50) --> (<s> ^operator <o> +) (<o> ^name walk)}
+sp {hero*propose*rest (state <s> ^superstate nil ^vigour <v>) --> (<s> ^operator <o> +) (<o> ^name rest)}
+sp {hero*prefer*walk (state <s> ^operator <w> + ^operator <r> +) (<w> ^name walk) (<r> ^name rest)
+ --> (<s> ^operator <w> > <r>)}
+sp {hero*apply*walk (state <s> ^operator.name walk ^io.output-link <out>) --> (<out> ^move <m>) (<m> ^speed 1.5)}
+sp {hero*never (state <s> ^superstate nil ^vigour < 10) --> (<s> ^afraid yes)}
+)";
+
+constexpr const char* kTie = R"(
+sp {hero*one (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name one)}
+sp {hero*two (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name two)}
+)";
+
+TEST_F(Debugger, TheWinnerIsToldWithTheRuleThatMadeItWin) {
+  Start(kTwoOperators);
+  Tick();
+  const auto mind = Mind();
+  ASSERT_NE(mind, nullptr);
+  const OperatorsView view = LookAtOperators(*mind, "S1");
+  ASSERT_EQ(view.rows.size(), 2u);
+  const auto walk = std::ranges::find(view.rows, "walk", &OperatorRow::name);
+  const auto rest = std::ranges::find(view.rows, "rest", &OperatorRow::name);
+  EXPECT_TRUE(walk->selected);
+  EXPECT_THAT(view.sentence, HasSubstr("walk (" + walk->id + ") won: it is better than rest (" + rest->id +
+                                       ") by rule hero*prefer*walk."));
+  EXPECT_EQ(rest->verdict, "worse than walk (" + walk->id + ") by rule hero*prefer*walk");
+}
+
+TEST_F(Debugger, ATieIsToldAndShownOnTheStack) {
+  Start(kTie);
+  Tick();
+  const auto mind = Mind();
+  EXPECT_THAT(LookAtOperators(*mind, "S1").sentence, HasSubstr("tie: no preference decides"));
+  const StackView stack = LookAtStack(*mind);
+  ASSERT_GE(stack.levels.size(), 2u);
+  EXPECT_EQ(stack.levels[1].impasse, "operator tie");
+  EXPECT_THAT(Phases(), Contains(stack.phase));
+  EXPECT_EQ(stack.rules, 2u);
+}
+
+TEST_F(Debugger, MemoryTellsWhoMadeAnElementAndWhoTestsIt) {
+  Start(kTwoOperators);
+  Tick();
+  const auto mind = Mind();
+  const MemoryObject state = LookAtObject(*mind, "S1");
+  const auto vigour =
+      std::ranges::find_if(state.rows, [](const MemoryRow& row) { return row.element.attribute == "vigour"; });
+  ASSERT_NE(vigour, state.rows.end());
+  const std::optional<ElementStory> story = LookAtElement(*mind, vigour->element.timetag);
+  ASSERT_TRUE(story.has_value());
+  ASSERT_EQ(story->makers.size(), 1u);
+  EXPECT_EQ(story->makers[0].rule, "hero*elaborate");
+  EXPECT_FALSE(story->makers[0].elements.empty());
+  std::map<std::string, bool> testers;
+  for (const sim::TesterFact& tester : story->testers) testers[tester.rule] = tester.matches;
+  EXPECT_EQ(testers, (std::map<std::string, bool>{
+                         {"hero*propose*walk", true}, {"hero*propose*rest", true}, {"hero*never", false}}));
+  EXPECT_FALSE(LookAtElement(*mind, 999'999).has_value());
+  EXPECT_FALSE(LookAtObject(*mind, "Z99").exists);
+  EXPECT_FALSE(LookAtObject(*mind, "no id").exists);
+}
+
+TEST_F(Debugger, MemoryIsATreeThatCanBeSearchedAndMarksWhatIsNew) {
+  Start(kTwoOperators);
+  const record::TickRecord& tick = Tick();
+  const auto mind = Mind();
+  const MemoryChanges changes(record::FindMind(tick, "hero")->details);
+  const MemoryObject state = LookAtObject(*mind, "S1", changes, 4);
+  const auto vigour =
+      std::ranges::find_if(state.rows, [](const MemoryRow& row) { return row.element.attribute == "vigour"; });
+  ASSERT_NE(vigour, state.rows.end());
+  EXPECT_EQ(vigour->change, Change::kAdded);
+  EXPECT_THAT(ToText(state), HasSubstr("^health 100"));
+  const std::vector<sim::ElementFact> found = SearchMemory(*mind, "vigour");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].value, "100");
+}
+
+TEST_F(Debugger, ARuleThatDoesNotMatchTellsWhereItStopsAndWhatItSaw) {
+  Start(kTwoOperators);
+  Tick(3);
+  const auto mind = Mind();
+  const std::optional<RuleView> rule = LookAtRule(*mind, "hero*never");
+  ASSERT_TRUE(rule.has_value());
+  EXPECT_THAT(rule->match.sentence, HasSubstr("stops at condition"));
+  EXPECT_THAT(rule->match.sentence, HasSubstr("^vigour of S1 is 100"));
+  EXPECT_THAT(rule->rule.file, HasSubstr("hero.soar"));
+  EXPECT_EQ(rule->rule.line, 8);
+  EXPECT_FALSE(LookAtRule(*mind, "hero*nevr").has_value());
+  EXPECT_THAT(NearRules(*mind, "hero*nevr"), Contains("hero*never"));
+  EXPECT_EQ(ListRules(*mind, "HERO propose").size(), 2u);
+  EXPECT_THAT(LookAtRule(*mind, "hero*elaborate")->match.sentence, HasSubstr("matches"));
+}
+
+TEST_F(Debugger, CoverageTellsRulesThatFiredAndWhereOthersStop) {
+  Start(kTwoOperators);
+  Coverage coverage;
+  for (int i = 0; i < 3; ++i) coverage.Add(static_cast<std::uint64_t>(i + 1), *record::FindMind(Tick(), "hero"));
+  coverage.Look(*Mind());
+  const std::vector<Coverage::Row> rows = coverage.rows();
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[0].rule, "hero*elaborate");
+  EXPECT_GE(rows[0].firings, 1u);
+  EXPECT_EQ(rows[0].first, 1u);
+  EXPECT_EQ(rows[5].rule, "hero*never");
+  EXPECT_EQ(rows[5].firings, 0u);
+  EXPECT_FALSE(rows[5].matched);
+  EXPECT_THAT(rows[5].stops_at, HasSubstr("^vigour"));
+}
+
+TEST_F(Debugger, WhyLeadsFromTheAgentToThePercept) {
+  Start(kTwoOperators);
+  Tick();
+  const std::string text = ToText(WhyAgent(*simulation_, "hero"));
+  EXPECT_THAT(text, HasSubstr("command move ^speed 1.5"));
+  EXPECT_THAT(text, HasSubstr("won: it is better than rest"));
+  EXPECT_THAT(text, HasSubstr("rule hero*elaborate"));
+  EXPECT_THAT(text, HasSubstr("^health 100 (perceived)"));
+  EXPECT_THAT(ToText(WhyCommand(*Mind(), "move")), HasSubstr("rule hero*apply*walk"));
+  EXPECT_THAT(ToText(WhyNot(*Mind(), "rest")), HasSubstr("is not selected: worse than walk"));
+  EXPECT_THAT(ToText(WhyNot(*Mind(), "rst")), HasSubstr("did you mean rest?"));
+  EXPECT_THAT(ToText(WhyAgent(*simulation_, "nobody")), HasSubstr("there is no agent nobody"));
+}
+
+TEST_F(Debugger, LinksAreTreesAndCommandsHaveAStatus) {
+  Start(kTwoOperators);
+  Tick();
+  const IoView view = LookAtIo(*Mind());
+  EXPECT_TRUE(view.input.exists);
+  ASSERT_EQ(view.commands.size(), 1u);
+  EXPECT_EQ(view.commands[0].name, "move");
+  ASSERT_EQ(view.commands[0].parameters.size(), 1u);
+  EXPECT_EQ(view.commands[0].parameters[0].element.value, "1.500000");
+  EXPECT_FALSE(view.commands[0].status.empty());
+}
+
+TEST_F(Debugger, TheConsoleAnswersAtOnceAndTheRunKeepsWhatWasTyped) {
+  Start(kTwoOperators);
+  Tick();
+  Console console("hero");
+  console.Run(*simulation_, "print s1");
+  EXPECT_THAT(ToText(console.lines()), HasSubstr("^vigour 100"));
+  console.Run(*simulation_, "pirnt s1");
+  EXPECT_THAT(ToText(console.lines()), HasSubstr("error: "));
+  EXPECT_THAT(ToText(console.lines()), HasSubstr("print"));
+  console.Run(*simulation_, "  ");
+  const std::size_t lines = console.lines().size();
+  const record::TickRecord& tick = Tick();
+  EXPECT_EQ(tick.inputs.size(), 2u);
+  EXPECT_THAT(tick.inputs[0], HasSubstr("command \"hero\""));
+  console.Add(tick.events);
+  EXPECT_EQ(console.lines().size(), lines) << "its own lines come once";
+  EXPECT_EQ(console.Older("typing"), "pirnt s1");
+  EXPECT_EQ(console.Older(""), "print s1");
+  EXPECT_EQ(console.Older(""), "print s1");
+  EXPECT_EQ(console.Newer(""), "pirnt s1");
+  EXPECT_EQ(console.Newer(""), "typing");
+  const Completion completion = Complete(*Mind(), "matches hero*pro");
+  EXPECT_EQ(completion.common, "hero*propose*");
+  EXPECT_EQ(completion.words.size(), 2u);
+}
+
+TEST_F(Debugger, BreakpointsAreHitAndSayWhy) {
+  Start(kTwoOperators);
+  Breakpoints points;
+  ASSERT_TRUE(points.Set(BreakKind::kFire, "", "hero*apply*walk").ok());
+  ASSERT_TRUE(points.Set(BreakKind::kElement, "hero", "S1 ^vigour *").ok());
+  ASSERT_TRUE(points.Set(BreakKind::kCommand, "", "move").ok());
+  ASSERT_TRUE(points.Set(BreakKind::kMatch, "", "hero*elaborate").ok());
+  ASSERT_TRUE(points.Set(BreakKind::kImpasse, "", "tie").ok());
+  EXPECT_FALSE(points.Set(BreakKind::kFire, "", " ").ok());
+  EXPECT_FALSE(points.Set(BreakKind::kElement, "", "vigour").ok());
+  points.Prepare(*simulation_);
+  Tick();
+  const std::vector<BreakHit> hits = points.Check(*simulation_);
+  ASSERT_EQ(hits.size(), 4u);
+  EXPECT_EQ(hits[0].why, "breakpoint 1: hero: rule hero*apply*walk fired");
+  EXPECT_EQ(hits[1].why, "breakpoint 2: hero: S1 ^vigour 100 came");
+  EXPECT_EQ(hits[2].why, "breakpoint 3: hero: command move ^speed 1.5");
+  EXPECT_EQ(hits[3].why, "breakpoint 4: hero: rule hero*elaborate matches");
+  EXPECT_TRUE(points.Enable(2, false));
+  EXPECT_TRUE(points.Clear(1));
+  EXPECT_FALSE(points.Clear(1));
+  points.Prepare(*simulation_);
+  Tick();
+  EXPECT_TRUE(points.Check(*simulation_).empty()) << "what was there a tick ago is no news";
+}
+
+TEST_F(Debugger, ARunIsTheSameWhetherSomebodyLooksOrNot) {
+  Start(kTie);
+  for (int i = 0; i < 5; ++i) Tick();
+  const std::uint64_t unseen = simulation_->StateHash();
+  Start(kTie);
+  for (int i = 0; i < 5; ++i) {
+    Tick();
+    RunModels models;
+    models.Add(record_);
+    for (const ViewInfo& view : Views()) {
+      if (view.name == "console") continue;
+      const Result<ViewText> shown =
+          ShowView({simulation_.get(), &models, &record_},
+                   {std::string(view.name), "hero", view.of == "RULE" ? "hero*one" : "", 0, 9});
+      EXPECT_TRUE(shown.ok()) << view.name << ": " << Format(shown.error());
+    }
+  }
+  EXPECT_EQ(simulation_->StateHash(), unseen);
+}
+
+TEST_F(Debugger, AnEditIsCheckedWithItsLinesAndTakesEffectInTheNextTick) {
+  Start(kTwoOperators);
+  Tick();
+  const std::vector<sim::WatchedFile> files = FilesOf(*simulation_, "hero");
+  const auto rules = std::ranges::find_if(files, [](const sim::WatchedFile& file) { return file.is_rules; });
+  ASSERT_NE(rules, files.end());
+  Result<Edit> edit = Edit::Open(*rules);
+  ASSERT_TRUE(edit.ok());
+  EXPECT_EQ(edit->LineOf("hero*never"), 8);
+  const std::string good = edit->text();
+  edit->text() = good + "sp {hero*bad (state <s> ^superstate nil) --> (<s> ^x }\n";
+  const std::vector<Diagnostic> problems = edit->Apply(*simulation_);
+  ASSERT_FALSE(problems.empty());
+  EXPECT_EQ(problems[0].line, 9);
+  EXPECT_EQ(problems[0].file, rules->file.string());
+  edit->text() = good + "sp {hero*new (state <s> ^superstate nil) --> (<s> ^edited yes)}\n";
+  EXPECT_TRUE(edit->is_changed());
+  EXPECT_TRUE(edit->Apply(*simulation_).empty());
+  EXPECT_FALSE(edit->is_changed());
+  EXPECT_TRUE(edit->is_unsaved());
+  Tick();
+  EXPECT_EQ(SearchMemory(*Mind(), "edited").size(), 1u);
+  ASSERT_TRUE(edit->Save().ok());
+  EXPECT_FALSE(edit->is_unsaved());
+}
+
+TEST_F(Debugger, AgentsAreListedSortedAndFiltered) {
+  Start(kTie,
+        "[[agent]]\nname = \"hero\"\nrules = \"hero.soar\"\nbody = \"soldier\"\nposition = [0, 0]\nteam = \"red\"\n"
+        "[[agent]]\nname = \"ally\"\nrules = \"hero.soar\"\nbody = \"soldier\"\nposition = [9, 0]\nteam = \"blue\"\n");
+  AgentTroubles troubles;
+  troubles.Add(Tick().events);
+  std::vector<AgentRow> rows = ListAgents(*simulation_, troubles);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].name, "hero");
+  EXPECT_THAT(rows[0].state, HasSubstr("("));
+  EXPECT_GT(rows[0].decisions, 0u);
+  EXPECT_GT(rows[0].decide_us, 0);
+  SortAgents(rows, AgentColumn::kTeam);
+  EXPECT_EQ(rows[0].name, "ally");
+  SortAgents(rows, AgentColumn::kTeam, true);
+  EXPECT_EQ(rows[0].name, "hero");
+  ASSERT_EQ(FilterAgents(rows, "BLUE al").size(), 1u);
+  EXPECT_TRUE(FilterAgents(rows, "green").empty());
+}
+
+TEST_F(Debugger, NumbersOfBodyMindAndMemoryCanBePlotted) {
+  Start(kTwoOperators);
+  Plots plots;
+  for (const char* what : {"health", "self.health", "S1.vigour", "decide_us", "fired", "no.such"})
+    EXPECT_TRUE(plots.Plot("hero", what));
+  EXPECT_FALSE(plots.Plot("hero", "health"));
+  for (int i = 0; i < 3; ++i) {
+    plots.Add(Tick());
+    plots.Sample(*simulation_);
+  }
+  ASSERT_EQ(plots.series().size(), 6u);
+  EXPECT_EQ(plots.series()[0].points.size(), 3u);
+  EXPECT_EQ(plots.series()[0].points[0].value, 100);
+  EXPECT_EQ(plots.series()[1].points.back().value, 100);
+  EXPECT_EQ(plots.series()[2].points.back().value, 100);
+  EXPECT_GT(plots.series()[3].maximum, 0);
+  EXPECT_GT(plots.series()[4].points[0].value, 3);
+  EXPECT_TRUE(plots.series()[5].points.empty());
+  EXPECT_THAT(Plottable(*Mind()), Contains("S1.vigour"));
+}
+
+}  // namespace
+}  // namespace soarbox::debugger

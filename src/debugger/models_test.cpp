@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "debugger/breakpoints.h"
+#include "debugger/facts_text.h"
+#include "debugger/memory.h"
+#include "debugger/messages.h"
+#include "debugger/operators.h"
+#include "debugger/syntax.h"
+#include "debugger/timeline.h"
+#include "debugger/trace.h"
+
+namespace soarbox::debugger {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Syntax --------------------------------------------------------------------------------------------------------------
+
+std::string Kinds(std::string_view text) {
+  std::string kinds;
+  for (const Token& token : Tokenize(text)) {
+    if (!kinds.empty()) kinds += ' ';
+    kinds += std::string(text.substr(token.begin, token.length)) + "/" + std::string(NameOf(token.kind));
+  }
+  return kinds;
+}
+
+TEST(Syntax, ARuleIsTakenApart) {
+  EXPECT_EQ(Kinds("sp {a*b :i-support\n(state <s> -^x.y >= -1.5) # why\n-->\n(<s> ^|z z| <o> + > <p>)}"),
+            "sp/command {/sign a*b/rule-name :i-support/keyword (/sign state/keyword <s>/variable -/sign "
+            "^x.y/attribute >=/sign -1.5/number )/sign # why/comment -->/arrow (/sign <s>/variable ^|z z|/attribute "
+            "<o>/variable +/sign >/sign <p>/variable )/sign }/sign");
+}
+
+TEST(Syntax, AnyTextEndsAndLeavesNothingOut) {
+  for (const std::string text : {"", "sp {", "|open", "\"open", "<", "<s", "^", "-", "-->", "<=> << a b >>", "{{{}}}}}",
+                                 "\xff\xfe sp", "sp {x\n#", "^a.|b", "\\"}) {
+    std::size_t at = 0;
+    for (const Token& token : Tokenize(text)) {
+      EXPECT_GE(token.begin, at) << text;
+      EXPECT_GT(token.length, 0u) << text;
+      for (std::size_t i = at; i < token.begin; ++i) EXPECT_TRUE(std::isspace(static_cast<unsigned char>(text[i])));
+      at = token.begin + token.length;
+      EXPECT_LE(at, text.size());
+    }
+  }
+}
+
+// Operators -----------------------------------------------------------------------------------------------------------
+
+sim::PreferenceFact Preference(std::string type, std::string value, std::string referent = {}) {
+  sim::PreferenceFact fact;
+  fact.maker.rule = type + "*" + value;
+  fact.type = std::move(type);
+  fact.value = std::move(value);
+  fact.referent = std::move(referent);
+  return fact;
+}
+
+sim::OperatorFacts Facts(std::string selected, std::vector<sim::PreferenceFact> preferences) {
+  sim::OperatorFacts facts;
+  facts.state = "S1";
+  facts.selected = std::move(selected);
+  facts.preferences = std::move(preferences);
+  facts.impasse = "none";
+  return facts;
+}
+
+TEST(Operators, EachWayToWinHasItsSentence) {
+  const auto ok = [](const char* value) { return Preference("acceptable", value); };
+  EXPECT_EQ(Weigh(Facts("O1", {ok("O1")})).sentence,
+            "O1 won: it is the only operator that is proposed by rule acceptable*O1.");
+  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("reject", "O2")})).sentence,
+            "O1 won: O2 is rejected by rule reject*O2.");
+  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("best", "O1")})).sentence,
+            "O1 won: it is best by rule best*O1.");
+  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("worst", "O2")})).sentence,
+            "O1 won: O2 is worst by rule worst*O2.");
+  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("worse", "O2", "O1")})).sentence,
+            "O1 won: it is better than O2 by rule worse*O2.");
+  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("require", "O1")})).sentence,
+            "O1 won: it is required by rule require*O1.");
+}
+
+TEST(Operators, EachImpasseHasItsSentence) {
+  const auto ok = [](const char* value) { return Preference("acceptable", value); };
+  EXPECT_THAT(Weigh(Facts("", {ok("O1"), ok("O2")})).sentence, HasSubstr("O1 and O2 tie"));
+  EXPECT_THAT(Weigh(Facts("", {ok("O1"), ok("O2"), Preference("better", "O1", "O2"), Preference("better", "O2", "O1")}))
+                  .sentence,
+              HasSubstr("each better than the other"));
+  EXPECT_THAT(Weigh(Facts("", {Preference("require", "O1"), Preference("require", "O2")})).sentence,
+              HasSubstr("2 operators are required"));
+  EXPECT_EQ(Weigh(Facts("", {})).sentence, "no operator is proposed in S1.");
+  EXPECT_EQ(Weigh(Facts("", {ok("O1"), Preference("prohibit", "O1")})).sentence,
+            "every operator that is proposed has been ruled out: O1 is prohibited by rule prohibit*O1.");
+}
+
+TEST(Operators, AChoiceByChanceTellsItsProbability) {
+  sim::OperatorFacts facts = Facts("O2", {Preference("acceptable", "O1"), Preference("acceptable", "O2"),
+                                          Preference("numeric", "O1", "3"), Preference("numeric", "O2", "1")});
+  facts.candidates = {{"O1", "", 3, 0.75}, {"O2", "", 1, 0.25}};
+  const OperatorsView view = Weigh(facts);
+  EXPECT_EQ(view.sentence, "O2 was chosen by chance among 2 indifferent operators, with a probability of 25 %.");
+  EXPECT_EQ(view.rows[0].value, 3);
+}
+
+// Memory --------------------------------------------------------------------------------------------------------------
+
+TEST(Memory, DetailsAreReadAsElements) {
+  const std::optional<ElementLine> line = ReadElementLine("2 + 12: S1 ^|two words| O3 +");
+  ASSERT_TRUE(line.has_value());
+  EXPECT_TRUE(line->added);
+  EXPECT_EQ(line->element, (sim::ElementFact{12, "S1", "|two words|", "O3", true, true}));
+  for (const char* other : {"", "2", "2 fire a*b", "2 + x: S1 ^a b", "2 + 3 S1 ^a b", "2 + 3: S1 a b", "2 + 3: S1 ^a"})
+    EXPECT_FALSE(ReadElementLine(other).has_value()) << other;
+}
+
+TEST(Memory, WhatCameAndWentWithinATickIsNoChange) {
+  const std::vector<std::string> details = {"0 + 5: S1 ^a b", "1 - 3: S1 ^c d", "1 - 5: S1 ^a b", "1 + 6: S1 ^e f"};
+  const MemoryChanges changes(details);
+  EXPECT_FALSE(changes.WasAdded(5));
+  EXPECT_TRUE(changes.WasAdded(6));
+  EXPECT_EQ(changes.removed().size(), 1u);
+  EXPECT_EQ(MemoryChanges(details, 1).removed().size(), 2u);
+}
+
+// Ticks ---------------------------------------------------------------------------------------------------------------
+
+record::TickRecord TickOf(std::uint64_t number, std::vector<std::string> decisions,
+                          std::vector<std::string> details = {}) {
+  record::TickRecord tick;
+  tick.tick = number;
+  tick.scene.time_s = static_cast<double>(number) / 30;
+  tick.minds.push_back({"a", {"self.health 100"}, std::move(decisions), std::move(details), {}});
+  return tick;
+}
+
+TEST(Timeline, SpansGoFromSelectionToTheNext) {
+  Timeline timeline;
+  timeline.Add(TickOf(1, {"==>S: S1", "O: O1 (walk)"}));
+  timeline.Add(TickOf(2, {"==>S: S2 (operator no-change)"}));
+  timeline.Add(TickOf(3, {"   ==>S: S3 (operator tie)"}));
+  timeline.Add(TickOf(4, {"   <==S: S3", "O: O2 (rest)"}));
+  timeline.Add(TickOf(5, {}));
+  const TimelineTrack* track = timeline.Find("a");
+  ASSERT_NE(track, nullptr);
+  EXPECT_EQ(timeline.At("a", 3).back().text, "operator tie");
+  EXPECT_EQ(timeline.At("a", 5).back().text, "rest");
+  EXPECT_EQ(timeline.At("a", 5).back().last_tick, 5u);
+}
+
+TEST(Timeline, AStateThatWaitsIsOneSpanAndEndsItsOperator) {
+  Timeline timeline;
+  timeline.Add(TickOf(1, {"==>S: S1", "O: O1 (walk)"}));
+  timeline.Add(TickOf(2, {"==>S: S1", "==>S: S1"}));
+  timeline.Add(TickOf(3, {"==>S: S1"}));
+  ASSERT_EQ(timeline.Find("a")->open.size(), 1u);
+  EXPECT_EQ(timeline.Find("a")->open[0].first_tick, 1u);
+  ASSERT_EQ(timeline.Find("a")->spans.size(), 1u);
+  EXPECT_EQ(timeline.Find("a")->spans[0].text, "walk");
+  EXPECT_EQ(timeline.At("a", 3).size(), 1u);
+}
+
+TEST(Timeline, GoingBackTakesBackWhatCameLater) {
+  Timeline timeline;
+  timeline.Add(TickOf(1, {"==>S: S1", "O: O1 (walk)"}));
+  timeline.Add(TickOf(2, {"O: O2 (rest)"}));
+  timeline.Add(TickOf(3, {"O: O3 (flee)"}));
+  timeline.Add(TickOf(2, {}));
+  EXPECT_EQ(timeline.last_tick(), 2u);
+  EXPECT_EQ(timeline.At("a", 2).back().text, "walk");
+  EXPECT_EQ(timeline.Find("a")->open.size(), 2u);
+  EXPECT_TRUE(timeline.Find("a")->spans.empty());
+}
+
+TEST(Trace, DetailsStandBetweenTheirDecisionsAndLevelsFilter) {
+  Trace trace;
+  trace.Add(TickOf(1, {"O: O1 (walk)", "   O: O2 (step)"}, {"0 fire propose", "1 fire apply", "1 + 7: S1 ^a b"}));
+  std::string all;
+  for (const TraceLine* line : trace.Find({TraceKind::kElement, "", ""})) all += line->text + "|";
+  EXPECT_EQ(all, "self.health 100|fire propose|O: O1 (walk)|fire apply|+ 7: S1 ^a b|O: O2 (step)|");
+  EXPECT_EQ(trace.Find({TraceKind::kDecision, "", ""}).size(), 2u);
+  EXPECT_EQ(trace.Find({TraceKind::kDecision, "", "STEP"}).front()->level, 2);
+  EXPECT_TRUE(trace.Find({TraceKind::kElement, "b", ""}).empty());
+}
+
+TEST(Trace, IsBounded) {
+  Trace trace(3);
+  for (std::uint64_t tick = 1; tick <= 5; ++tick) trace.Add(TickOf(tick, {"O: O1"}));
+  EXPECT_EQ(trace.lines().size(), 3u);
+  EXPECT_EQ(trace.forgotten(), 7u);
+  EXPECT_EQ(trace.lines().back().tick, 5u);
+}
+
+TEST(Messages, AreReadFromEventsAndOrders) {
+  record::TickRecord tick = TickOf(4, {});
+  sim::Event said;
+  said.kind = sim::EventKind::kNews;
+  said.tick = 4;
+  said.agent = "a";
+  said.news = "says";
+  said.text = "to team red: ^about contact ^range 12";
+  tick.events.push_back(said);
+  tick.inputs = {"4 order b go home"};
+  MessageLog log;
+  log.Add(tick);
+  log.Add(tick);
+  ASSERT_EQ(log.rows().size(), 2u);
+  EXPECT_EQ(log.rows()[0].to, "b");
+  EXPECT_EQ(log.rows()[0].text, "go home");
+  EXPECT_EQ(log.rows()[1].to, "team red");
+  EXPECT_EQ(log.rows()[1].about, "contact");
+  EXPECT_EQ(log.Find("red", "RANGE").size(), 1u);
+}
+
+TEST(Breakpoints, PatternsOfElements) {
+  const sim::ElementFact element{7, "S1", "operator", "O12", true, true};
+  for (const char* yes : {"^operator *", "S1 ^operator", "S* ^op* O1*", "* ^operator * +", "^operator O12 +"})
+    EXPECT_TRUE(IsLike(element, yes)) << yes;
+  for (const char* no : {"^op", "S2 ^operator", "^operator O1", "^operator O12x"})
+    EXPECT_FALSE(IsLike(element, no)) << no;
+}
+
+TEST(Text, TablesHaveColumnsAndFiltersWords) {
+  EXPECT_EQ(Table({{"a", "b"}, {"long", "x"}, {"\xc3\xa4", ""}}), "a     b\nlong  x\n\xc3\xa4\n");
+  EXPECT_TRUE(Passes("Red  SCOUT", "scout of team red"));
+  EXPECT_FALSE(Passes("blue", "scout of team red"));
+}
+
+}  // namespace
+}  // namespace soarbox::debugger

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/views.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "debugger/agents.h"
+#include "debugger/console.h"
+#include "debugger/facts_text.h"
+#include "debugger/io.h"
+#include "debugger/memory.h"
+#include "debugger/operators.h"
+#include "debugger/stack.h"
+#include "debugger/why.h"
+
+namespace soarbox::debugger {
+namespace {
+
+constexpr ViewInfo kViews[] = {
+    {"agents", "[TEXT]", "all agents, or those with this text", false},
+    {"stack", "", "the goal stack and the phase", true},
+    {"memory", "[ID | TIMETAG | /TEXT]", "an identifier with what is below it, an element, or a search", true},
+    {"operators", "[STATE]", "candidates, preferences, and why the winner won", true},
+    {"rules", "[TEXT]", "rules with firings and matches", true},
+    {"rule", "RULE", "its source, and how far it matches", true},
+    {"coverage", "", "which rules fired, and where the others stop", true},
+    {"why", "[NAME]", "why the agent does what it does; or an operator, command or element: why, or why not", true},
+    {"io", "", "input link, output link and commands", true},
+    {"timeline", "", "operators, impasses, commands and events over ticks", false},
+    {"messages", "[TEXT]", "what agents said to each other", false},
+    {"trace", "[TEXT]", "what happened, line by line", false},
+    {"plots", "[PATH]", "a number over ticks: health, speed, decisions, fired, or a percept's path", false},
+    {"console", "COMMAND", "what a Soar command prints", true},
+};
+
+Diagnostic Problem(std::string message, std::string hint) {
+  Diagnostic problem;
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+/// "there is no ...": with what was most likely meant, or with all there is.
+Diagnostic NoSuch(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  const std::string_view near = Suggest(name, names);
+  std::string hint = near.empty() ? "there are:" : "did you mean '" + std::string(near) + "'?";
+  constexpr std::size_t kMostNamed = 20;
+  for (std::size_t i = 0; near.empty() && i < known.size() && i < kMostNamed; ++i) hint += " " + known[i];
+  return Problem("there is no " + what + " '" + name + "'", known.empty() ? "" : hint);
+}
+
+template <typename Model>
+ViewText Both(const Model& model) {
+  return {ToText(model), Print(ToJson(model))};
+}
+
+/// The changes of the last tick, if they were noted.
+MemoryChanges LastChanges(const sim::Simulation& simulation, const std::string& agent) {
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+    const sim::MindReport report = simulation.Mind(i);
+    if (report.agent == agent) return MemoryChanges(report.details);
+  }
+  return {};
+}
+
+std::uint64_t WholeNumber(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() && read.ptr == text.data() + text.size() ? number : 0;
+}
+
+Result<ViewText> ShowMemory(sim::Inspector& mind, const MemoryChanges& changes, const std::string& of) {
+  if (of.starts_with('/')) {
+    const std::vector<sim::ElementFact> found = SearchMemory(mind, of.substr(1));
+    ViewText view;
+    Json json = Json::array();
+    for (const sim::ElementFact& element : found) {
+      view.text += "(" + std::to_string(element.timetag) + ": " + Describe(element) + ")\n";
+      json.push_back(ToJson(element));
+    }
+    if (found.empty()) view.text = "nothing has " + of.substr(1) + "\n";
+    view.json = Print(json);
+    return view;
+  }
+  if (const std::uint64_t timetag = WholeNumber(of); timetag != 0) {
+    const std::optional<ElementStory> story = LookAtElement(mind, timetag);
+    if (!story) return Problem("there is no element with the time tag " + of + " now", "");
+    return Both(*story);
+  }
+  constexpr std::size_t kDepth = 3;
+  const std::vector<sim::StateFact> stack = mind.Stack();
+  const std::string id = of.empty() && !stack.empty() ? stack.front().id : of;
+  const MemoryObject object = LookAtObject(mind, id, changes, kDepth);
+  if (!object.exists) return Problem("there is no identifier '" + id + "' now", "states are: S1 and what is below it");
+  return Both(object);
+}
+
+Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, sim::Inspector& mind,
+                          const std::string& agent) {
+  const std::string& of = request.of;
+  const MemoryChanges changes = LastChanges(*source.simulation, agent);
+  if (request.view == "stack") return Both(LookAtStack(mind));
+  if (request.view == "memory") return ShowMemory(mind, changes, of);
+  if (request.view == "io") return Both(LookAtIo(mind, changes));
+  if (request.view == "rules") return Both(ListRules(mind, of));
+  if (request.view == "operators") {
+    const OperatorsView view = LookAtOperators(mind, of);
+    if (!view.note.empty() && view.rows.empty() && !of.empty()) return Problem(view.note, "");
+    return Both(view);
+  }
+  if (request.view == "rule") {
+    if (const std::optional<RuleView> view = LookAtRule(mind, of)) return Both(*view);
+    std::vector<std::string> names;
+    for (const sim::RuleFact& rule : mind.Rules()) names.push_back(rule.name);
+    return NoSuch("rule", of, names);
+  }
+  if (request.view == "coverage") {
+    const auto known = source.models->coverage.find(agent);
+    Coverage coverage = known == source.models->coverage.end() ? Coverage() : known->second;
+    coverage.Look(mind);
+    return Both(coverage.rows());
+  }
+  if (request.view == "why") {
+    if (of.empty()) return Both(WhyAgent(*source.simulation, agent));
+    if (const std::uint64_t timetag = WholeNumber(of); timetag != 0) return Both(WhyElement(mind, timetag));
+    const std::vector<CommandRow> commands = LookAtIo(mind).commands;
+    const bool is_command = std::ranges::any_of(commands, [&](const CommandRow& row) { return row.name == of; });
+    return Both(is_command ? WhyCommand(mind, of) : WhyOperator(mind, of));
+  }
+  Console console(agent);
+  console.Run(*source.simulation, of);
+  return Both(console.lines());
+}
+
+Result<ViewText> ShowRun(const ViewSource& source, const ViewRequest& request, const std::string& agent) {
+  const RunModels& models = *source.models;
+  const auto within = [&](std::uint64_t tick) { return tick >= request.first_tick && tick <= request.last_tick; };
+  if (request.view == "agents") {
+    return Both(FilterAgents(source.simulation != nullptr
+                                 ? ListAgents(*source.simulation, models.troubles, &models.timeline)
+                                 : ListAgents(*source.last, models.timeline, models.troubles),
+                             request.of));
+  }
+  if (request.view == "messages") {
+    std::vector<MessageRow> rows = models.messages.Find(request.agent, request.of);
+    std::erase_if(rows, [&](const MessageRow& row) { return !within(row.tick); });
+    return Both(rows);
+  }
+  if (request.view == "trace") {
+    std::vector<const TraceLine*> lines = models.trace.Find({TraceKind::kElement, request.agent, request.of});
+    std::erase_if(lines, [&](const TraceLine* line) { return !within(line->tick); });
+    return Both(lines);
+  }
+  if (request.view == "plots") {
+    std::vector<PlotSeries> series = models.plots.series();
+    for (PlotSeries& one : series)
+      std::erase_if(one.points, [&](const PlotPoint& point) { return !within(point.tick); });
+    return Both(series);
+  }
+  const std::uint64_t first = request.first_tick, last = request.last_tick;
+  return ViewText{ToText(models.timeline, request.agent.empty() ? agent : request.agent, first, last),
+                  Print(ToJson(models.timeline, request.agent.empty() ? agent : request.agent, first, last))};
+}
+
+}  // namespace
+
+std::span<const ViewInfo> Views() {
+  return kViews;
+}
+
+Result<ViewText> ShowView(const ViewSource& source, const ViewRequest& request) {
+  const auto view = std::ranges::find(kViews, request.view, &ViewInfo::name);
+  if (view == std::end(kViews)) {
+    std::vector<std::string> names;
+    for (const ViewInfo& info : kViews) names.emplace_back(info.name);
+    return NoSuch("view", request.view, names);
+  }
+  if (request.of.empty() && !view->of.empty() && !view->of.starts_with('['))
+    return Problem("the view " + request.view + " needs a name",
+                   "--view \"" + request.view + " " + std::string(view->of) + "\"");
+  std::vector<std::string> names, minds;
+  for (const world::AgentSnapshot& agent : source.last->scene.agents) {
+    names.push_back(agent.name);
+    if (source.simulation != nullptr && source.simulation->HasMind(agent.name)) minds.push_back(agent.name);
+  }
+  if (!request.agent.empty() && std::ranges::find(names, request.agent) == names.end())
+    return NoSuch("agent", request.agent, names);
+  const std::string agent = request.agent.empty() && !minds.empty() ? minds.front() : request.agent;
+  if (!view->needs_mind) return ShowRun(source, request, request.view == "timeline" ? request.agent : agent);
+  if (source.simulation == nullptr)
+    return Problem("the run cannot be simulated again, so that no mind can be looked into",
+                   "other views show what was recorded");
+  const std::unique_ptr<sim::Inspector> mind = source.simulation->Inspect(agent);
+  if (mind == nullptr) {
+    return minds.empty() ? Problem("no agent of this run has a Soar mind", "")
+                         : NoSuch("agent with a Soar mind named", agent, minds);
+  }
+  return ShowMind(source, request, *mind, agent);
+}
+
+}  // namespace soarbox::debugger
