@@ -301,6 +301,25 @@ class Watched(Case):
         self.check_served()
         self.assertEqual(self.world.interrupt(), 0)
 
+    def test_what_could_not_be_noted_as_an_input_of_the_run_is_refused(self):
+        with Client(self.port) as client:
+            agent = client.agents()[0]
+            calls = {
+                "create_agent": {"name": "stowaway"},
+                "destroy_agent": {"agent": agent},
+                "input": {"agent": agent},
+                "shutdown": {},
+                "fire_event": {"eventid": "system-stop"},
+                "register_for_event": {"eventid": "rhs-user-function", "name": "guess"},
+            }
+            for call, arguments in calls.items():
+                with self.subTest(call), self.assertRaisesRegex(Refused, "live in a simulation"):
+                    client.call(call, **arguments)
+            client.line(agent, "wm add s1 told yes")
+            self.assertIn("^told yes", client.line(agent, "print s1"))
+        self.check_pace()
+        self.check_served()
+
     def test_hostile_documents_hurt_nobody_else(self):
         call = '<sml doctype="call" id="1" smlversion="9.6.3"><command name="version"></command></sml>'
         deep = "<a>" * 100_000 + "</a>" * 100_000

@@ -70,12 +70,32 @@ class LocalObservation final : public Observation, kernel::Observer {
   MindObserver& listener_;
 };
 
+/// Null if the kernel is in another process.
+kernel::Agent* KernelAgent(sml::Agent& agent) {
+  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
+  return link == nullptr ? nullptr : &link->hosted().agent();
+}
+
 }  // namespace
 
 std::unique_ptr<Observation> ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail) {
-  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
-  if (link == nullptr) return nullptr;
-  return std::make_unique<LocalObservation>(link->hosted().agent(), observer, detail);
+  kernel::Agent* mind = KernelAgent(agent);
+  if (mind == nullptr) return nullptr;
+  return std::make_unique<LocalObservation>(*mind, observer, detail);
+}
+
+std::size_t MindMemoryBytes(sml::Agent& agent) {
+  const kernel::Agent* mind = KernelAgent(agent);
+  return mind == nullptr ? 0 : mind->MemoryBytes();
+}
+
+std::uint32_t MindMatchLimit(sml::Agent& agent) {
+  const kernel::Agent* mind = KernelAgent(agent);
+  return mind == nullptr ? 0 : mind->settings().max_partial_matches;
+}
+
+void SetMindMatchLimit(sml::Agent& agent, std::uint32_t most) {
+  if (kernel::Agent* mind = KernelAgent(agent)) mind->mutable_settings().max_partial_matches = most;
 }
 
 }  // namespace soarbox

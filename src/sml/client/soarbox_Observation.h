@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -55,5 +56,12 @@ class EXPORT Observation {
 
 /// Null if the agent's kernel is in another process: then only the client API tells what there is.
 std::unique_ptr<Observation> EXPORT ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail);
+
+/// What an agent takes, in bytes, without the rules that it shares with others; 0 if its kernel is in another process.
+std::size_t EXPORT MindMemoryBytes(sml::Agent& agent);
+
+/// How many partial matches the agent may have ('soar max-partial-matches'); 0 if its kernel is in another process.
+std::uint32_t EXPORT MindMatchLimit(sml::Agent& agent);
+void EXPORT SetMindMatchLimit(sml::Agent& agent, std::uint32_t most);
 
 }  // namespace soarbox

@@ -315,6 +315,19 @@ constexpr std::array kEntries = {
     Entry{"version", NeedsAgent::kNo, Version},
 };
 
+/// Calls that change what agents do without a command line.
+bool GoesPastTheDoor(const Request& request) {
+  if (request.name == "register_for_event") {
+    const std::string* name = request.Arg("eventid");
+    const int event = name ? Events().ConvertToEvent(name->c_str()) : smlEVENT_INVALID_EVENT;
+    return event == smlEVENT_RHS_USER_FUNCTION || event == smlEVENT_FILTER;
+  }
+  constexpr std::array kCalls = {std::string_view("create_agent"), std::string_view("destroy_agent"),
+                                 std::string_view("input"),        std::string_view("shutdown"),
+                                 std::string_view("fire_event"),   std::string_view("suppress_event")};
+  return std::find(kCalls.begin(), kCalls.end(), request.name) != kCalls.end();
+}
+
 }  // namespace
 
 void Dispatcher::Handle(const wire::Message& call, wire::Message& response) {
@@ -329,6 +342,11 @@ void Dispatcher::Handle(const wire::Message& call, wire::Message& response) {
   }
   const KernelHost::Stay stay(host_);
   Request request{host_, from_, *command, *name, nullptr, response};
+  if (host_.IsOverheard() && !from_.embedded() && GoesPastTheDoor(request)) {
+    return wire::AddError(response, "The agents of this kernel live in a simulation, whose runs can be repeated: '" +
+                                        *name +
+                                        "' is refused there. Command lines are noted and carried out; try 'wm add'.");
+  }
   if (const std::string* agent = command->Arg("agent")) {
     request.agent = host_.Find(*agent);
     if (!request.agent) return wire::AddError(response, "Could not find an agent with name: " + *agent);

@@ -139,6 +139,8 @@ class KernelHost : public cli::Host {
   void HoldPump(bool on) { held_.store(on, std::memory_order_relaxed); }
   /// Hears of each command line of a remote client, with the agent's name, before it is carried out.
   void Overhear(std::function<void(char const*, char const*)> listener) { overhear_ = std::move(listener); }
+  /// Somebody keeps a record of what remote clients do, and it knows command lines only.
+  bool IsOverheard() const { return static_cast<bool>(overhear_); }
   void Pump() {
     if (PumpRequested()) ServePump();
   }
