@@ -7,12 +7,13 @@
 
 namespace soarbox::script {
 
-/// What all scripts of a world may use together. All of it is counted, none of it timed, so that a limit is reached at
-/// the same place in every run.
+/// What all scripts, and all minds, of a world may use together. All of it is counted, none of it timed, so that a
+/// limit is reached at the same place in every run.
 struct WorldLimits {
-  std::uint64_t setup_instructions = 2'000'000'000;  ///< Until the first tick.
-  std::uint64_t tick_instructions = 100'000'000;     ///< In each tick.
-  std::size_t memory_bytes = std::size_t{3} << 30;   ///< Of all machines.
+  std::uint64_t setup_instructions = 2'000'000'000;      ///< Until the first tick.
+  std::uint64_t tick_instructions = 100'000'000;         ///< In each tick.
+  std::size_t memory_bytes = std::size_t{3} << 30;       ///< Of all machines.
+  std::size_t mind_memory_bytes = std::size_t{4} << 30;  ///< Of all Soar minds.
   std::size_t objects = 5'000;
   std::size_t nodes = 100'000;  ///< Of the scene, those of agents and objects included.
   std::size_t lights = 256;

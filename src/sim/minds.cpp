@@ -237,6 +237,7 @@ void Minds::Decide() {
   for (std::size_t i = 0; i < minds_.size(); ++i) {
     if (Prepare(minds_[i])) ready_.push_back(i);
   }
+  LimitMemory();
   // Each mind reads and changes its own agent only, so that the result does not depend on who is first.
   pool_.Run([this](std::size_t thread) {
     for (const std::size_t i : ready_) {
@@ -247,6 +248,7 @@ void Minds::Decide() {
     }
   });
   for (const std::size_t i : ready_) Conclude(minds_[i]);
+  KeepWithinMemory();
 }
 
 /// Writes what the mind perceives now. False if it perceives nothing at all and is not to decide.
@@ -439,6 +441,7 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
 std::set<std::string> Minds::KnownAttributes() {
   std::set<std::string> known = script_rows_;
   for (Mind& mind : minds_) {
+    if (mind.gone) continue;
     const auto [at, is_new] = made_by_rules_.try_emplace(mind.rules);
     if (is_new) {
       MindReasons reasons(mind.soar.agent());
@@ -478,6 +481,10 @@ std::vector<std::string> Minds::Why(std::string_view agent) {
   char text[160];
   std::snprintf(text, sizeof text, "%s at %.2f s", body.name().c_str(), world_.time_s());
   lines.emplace_back(text);
+  if (at->gone) {
+    lines.emplace_back("was halted: the minds of this world needed too much memory");
+    return lines;
+  }
   MindReasons reasons(at->soar.agent());
   Actor* actor = arena_.Find(at->agent);
   if (body.Health() <= 0) {

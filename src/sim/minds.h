@@ -10,6 +10,7 @@
 
 #include "script/mind_factory.h"
 #include "script/script_table.h"
+#include "script/world_budget.h"
 #include "sim/agent_options.h"
 #include "sim/arena.h"
 #include "sim/event.h"
@@ -35,6 +36,8 @@ class Minds final : public script::MindFactory {
   void SetSenseScript(SenseScript sense) { sense_script_ = std::move(sense); }
   /// How much is noted of what minds do that are made from now on.
   void SetDetail(MindDetail detail) { detail_ = detail; }
+  /// What all minds together may take; the one with most is halted when it is more.
+  void SetMemoryLimit(std::size_t bytes) { memory_limit_ = bytes; }
   /// Kinds of bodies that options may name.
   std::vector<BodyKind>& body_kinds() { return body_kinds_; }
 
@@ -70,8 +73,10 @@ class Minds final : public script::MindFactory {
     SoarMind soar;
     std::size_t thread = 0;  ///< On which it decides.
     float distance_squared_m2 = 0;
-    bool decided = false;  ///< In this tick.
-    bool lost = false;     ///< Its program has broken down, or could not be made again.
+    bool decided = false;          ///< In this tick.
+    bool lost = false;             ///< Its program has broken down, or could not be made again.
+    bool gone = false;             ///< Its agent was destroyed: there is no program to ask.
+    std::size_t memory_bytes = 0;  ///< When it was last measured.
     bool in_gap = false;
     bool told_halt = false;
     int gaps = 0;                  ///< How often it was found doing nothing.
@@ -100,6 +105,9 @@ class Minds final : public script::MindFactory {
   /// After it has.
   void Conclude(Mind& mind);
   bool Perceive(Mind& mind, const world::Agent& body);
+  void LimitMemory();
+  void KeepWithinMemory();
+  void HaltForMemory(Mind& mind);
   void TellGap(Mind& mind, const world::Agent& body);
   void TellIdle(Mind& mind, const world::Agent& body);
   void TellHalt(Mind& mind, const world::Agent& body);
@@ -122,6 +130,8 @@ class Minds final : public script::MindFactory {
   std::vector<std::size_t> ready_;  ///< Scratch: places of the minds that decide in this tick.
   WorkerPool pool_;
   int asked_ = 0;  ///< How often a mind was asked why it does nothing.
+  std::size_t memory_limit_ = script::WorldLimits{}.mind_memory_bytes;
+  std::size_t memory_bytes_ = 0;                                          ///< Of all minds, as last measured.
   std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< Per file: attributes that its rules make.
   std::set<std::string> script_rows_;  ///< Attributes that scripts' Agent_Sense returned.
   std::set<std::string> reported_;     ///< Problems told already: many agents share one file.

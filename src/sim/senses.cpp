@@ -7,6 +7,7 @@
 #include "sim/arena.h"
 #include "sim/directions.h"
 #include "sim/vocabulary_percepts.h"
+#include "world/sight.h"
 
 namespace soarbox::sim {
 namespace {
@@ -234,6 +235,23 @@ Vec3 Noise(Actor& actor) {
   return {x * sigma_m, 0, z * sigma_m};
 }
 
+/// Whom the actor may notice now or has noticed before, in ascending id: nobody else changes what it knows.
+std::vector<world::EntityId> NearOrKnown(const Actor& actor) {
+  constexpr float kSlack_m = 0.01f;
+  const SenseSettings& senses = actor.kind().senses;
+  const auto near = AgentsNear(actor.body(), std::max({senses.sight_m, senses.hearing_m, 0.0f}) + kSlack_m);
+  std::vector<world::EntityId> all;
+  all.reserve(near.size() + actor.contacts().size());
+  auto contact = actor.contacts().begin();
+  for (const world::EntityId id : near) {
+    for (; contact != actor.contacts().end() && contact->first < id; ++contact) all.push_back(contact->first);
+    if (contact != actor.contacts().end() && contact->first == id) ++contact;
+    all.push_back(id);
+  }
+  for (; contact != actor.contacts().end(); ++contact) all.push_back(contact->first);
+  return all;
+}
+
 }  // namespace
 
 PerceptList SenseOwnBody(const Actor& actor) {
@@ -252,13 +270,12 @@ void NoticeOthers(Actor& actor) {
   const SenseSettings& senses = actor.kind().senses;
   const world::World& world = actor.world();
   auto& contacts = actor.contacts();
-  for (const world::EntityId id : world.AgentIds()) {
+  for (const world::EntityId id : NearOrKnown(actor)) {
     if (id == actor.id()) continue;
     const world::Agent& other = *world.FindAgent(id);
     const float range_m = FlatDistance(actor.body().Position(), other.Position());
-    const bool seen =
-        IsInView(actor, other.Position()) && (HasLineOfSight(world, actor.body(), other.Position(), id) ||
-                                              HasLineOfSight(world, actor.body(), world::EyesOf(other), id));
+    const bool seen = IsInView(actor, other.Position()) && (SeesAgent(actor.body(), other, other.Position()) ||
+                                                            SeesAgent(actor.body(), other, world::EyesOf(other)));
     // Who runs is heard at the full range, who walks at a part of it.
     const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
     const bool heard = !seen && other.Health() > 0 && range_m <= senses.hearing_m * loudness;

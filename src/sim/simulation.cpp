@@ -313,6 +313,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   impl->arena = std::make_unique<Arena>(impl->world, report);
   impl->minds = std::make_unique<Minds>(impl->world, impl->scenario, *impl->soar, *impl->arena, report);
   impl->minds->SetDetail(settings.mind_detail);
+  impl->minds->SetMemoryLimit(settings.limits.mind_memory_bytes);
   std::optional<ScenarioFile> definition;
   if (!scenario.definition.empty()) {
     Result<ScenarioFile> read = ReadScenarioFile(scenario.definition);
@@ -321,6 +322,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   }
   script::ScriptHostSettings scripts;
   scripts.script_folders = scenario.script_folders;
+  scripts.world_limits = settings.limits;
   impl->scripts = std::make_unique<script::ScriptHost>(impl->world, scripts, impl->minds.get(), *impl);
   impl->minds->SetSenseScript([self = impl.get()](world::EntityId agent) { return self->scripts->SenseAgent(agent); });
   if (!impl->scripts->LoadSandbox(scenario.script.filename().string())) {

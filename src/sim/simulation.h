@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diagnostics/result.h"
+#include "script/world_budget.h"
 #include "sim/event.h"
 #include "sim/input.h"
 #include "sim/inspector.h"
@@ -39,6 +40,7 @@ struct SimulationSettings {
   bool every_command = false;                  ///< Report each command of each tick, not only news.
   SoarSettings soar;                           ///< Its seed is taken from `seed`.
   MindDetail mind_detail = MindDetail::kNone;  ///< How much Mind() tells.
+  script::WorldLimits limits;                  ///< Of all scripts and minds together.
 };
 
 /// What the parts of all ticks so far have taken, in seconds of real time. For benchmarks and panels; nothing in a run

@@ -194,6 +194,14 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
   return loaded;
 }
 
+void SoarHost::DestroyAgent(const std::string& name) {
+  const auto found = agents_.find(name);
+  if (found == agents_.end()) return;
+  ::sml::Kernel& kernel = KernelOf(found->second);
+  if (::sml::Agent* agent = kernel.GetAgent(name.c_str())) kernel.DestroyAgent(agent);
+  agents_.erase(found);
+}
+
 void SoarHost::ServeClients() {
   Hold(*kernel_, false);
   while (kernel_->CheckForIncomingCommands()) {

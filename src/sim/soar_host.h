@@ -60,6 +60,9 @@ class SoarHost {
   /// `first`: a command that it gets before its rules.
   Result<Loaded> CreateAgent(const std::string& name, const std::filesystem::path& rules, const char* first = "");
 
+  /// Destroys an agent, which gives its memory back.
+  void DestroyAgent(const std::string& name);
+
   /// Answers debuggers that are attached. Called between ticks, also while the world is paused; at other times they
   /// wait.
   void ServeClients();

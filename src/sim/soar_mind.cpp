@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/soar_mind.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Observation.h"
@@ -215,6 +218,35 @@ std::string_view SoarMind::Breakdown() const {
   if (begin == std::string::npos) return {};
   const std::string_view cause = std::string_view(answer_).substr(begin + kBeforeCause.size());
   return cause.substr(0, cause.find_last_not_of(".\n") + 1);
+}
+
+#ifdef SOARBOX_OWN_KERNEL
+std::size_t SoarMind::MemoryBytes() const {
+  return MindMemoryBytes(*agent_);
+}
+
+void SoarMind::AllowMatches(std::uint64_t most) {
+  // Powers of two, so that it seldom changes.
+  const auto rounded = static_cast<std::uint32_t>(std::bit_ceil(std::clamp<std::uint64_t>(most, 1, 1u << 30)));
+  if (rounded == match_limit_) return;
+  const std::uint32_t present = MindMatchLimit(*agent_);
+  if (match_limit_ == 0 || present != std::min(match_limit_, own_match_limit_)) own_match_limit_ = present;
+  match_limit_ = rounded;
+  if (const std::uint32_t allowed = std::min(rounded, own_match_limit_); allowed != present)
+    SetMindMatchLimit(*agent_, allowed);
+}
+#else
+std::size_t SoarMind::MemoryBytes() const {
+  return 0;
+}
+void SoarMind::AllowMatches(std::uint64_t) {}
+#endif
+
+void SoarMind::Forget() {
+  log_.Listen(*agent_, MindDetail::kNone);
+  standing_.clear();
+  commands_.clear();
+  withdrawn_.clear();
 }
 
 void SoarMind::Restart() {

@@ -65,6 +65,13 @@ class SoarMind {
   std::string_view Breakdown() const;
   /// Starts the program anew: working memory is cleared, the rules stay.
   void Restart();
+
+  /// Its memory in bytes; 0 if the kernel is in another process.
+  std::size_t MemoryBytes() const;
+  /// It may have about so many partial matches, or as many as it was allowed before if that is less.
+  void AllowMatches(std::uint64_t most);
+  /// The agent behind it is about to be destroyed: from here on there is only what was noted.
+  void Forget();
   sml::Agent& agent() { return *agent_; }
   /// What it did in this tick; empty unless it was asked for (MindSettings::detail).
   MindLog& log() { return log_; }
@@ -92,6 +99,8 @@ class SoarMind {
   std::map<std::uint64_t, Standing> standing_;
   MindLog log_;
   bool is_logged_ = false;
+  std::uint32_t own_match_limit_ = 0;  ///< What it was allowed by itself.
+  std::uint32_t match_limit_ = 0;      ///< What AllowMatches set; 0: nothing.
   /// Where what the rules write goes; its address is known to the kernel.
   struct Writing;
   struct EndWriting {

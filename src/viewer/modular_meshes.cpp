@@ -32,7 +32,8 @@ struct Opening {
   float left, right, bottom, top;
 };
 
-/// A wall with openings beside each other, left to right: sills, lintels and posts around them, glass or a door within.
+/// A wall with openings beside each other, left to right: sills, lintels and posts around them, glass or nothing
+/// within.
 MeshData WallWith(Vec3 min, Vec3 max, const std::vector<Opening>& openings, bool glass) {
   const Vec3 size = max - min;
   const auto at = [&](float x, float y, float z) {
@@ -44,9 +45,11 @@ MeshData WallWith(Vec3 min, Vec3 max, const std::vector<Opening>& openings, bool
     mesh.Append(Box(at(left, 0, 0), at(hole.left, 1, 1)));
     mesh.Append(Box(at(hole.left, hole.top, 0), at(hole.right, 1, 1)));
     if (hole.bottom > 0) mesh.Append(Box(at(hole.left, 0, 0), at(hole.right, hole.bottom, 1)));
-    MeshData pane = Box(at(hole.left, hole.bottom, 0.42f), at(hole.right, hole.top, 0.58f));
-    Paint(pane, 0, glass ? 1.0f : 0.8f, glass ? 1.0f : 0.2f);
-    mesh.Append(pane);
+    if (glass) {
+      MeshData pane = Box(at(hole.left, hole.bottom, 0.42f), at(hole.right, hole.top, 0.58f));
+      Paint(pane, 0, 1.0f, 1.0f);
+      mesh.Append(pane);
+    }
     left = hole.right;
   }
   mesh.Append(Box(at(left, 0, 0), at(1, 1, 1)));
@@ -112,7 +115,10 @@ MeshData Build(const world::ModularMesh& piece) {
     return WallWith(min, max, {{0.1f, 0.45f, 0.3f, 0.82f}, {0.55f, 0.9f, 0.3f, 0.82f}}, true);
   if (Has(name, "small_window")) return WallWith(min, max, {{0.3f, 0.7f, 0.5f, 0.8f}}, true);
   if (Has(name, "window")) return WallWith(min, max, {{0.22f, 0.78f, 0.3f, 0.82f}}, true);
-  if (Has(name, "door")) return WallWith(min, max, {{0.3f, 0.7f, 0.0f, 0.8f}}, false);
+  if (world::HasDoorway(name)) {
+    const world::Doorway hole;
+    return WallWith(min, max, {{hole.left, hole.right, 0.0f, hole.top}}, false);
+  }
   return Box(min, max);
 }
 

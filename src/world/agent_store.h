@@ -25,6 +25,9 @@ class AgentStore {
   AgentStore(const WorldSettings& settings, PhysicsWorld& physics, Scene& scene)
       : seed_(settings.seed), physics_(physics), scene_(scene) {}
 
+  /// The store that an agent belongs to.
+  static AgentStore& Of(const Agent& agent) { return agent.store_; }
+
   Agent& Create(EntityId id, NodeId node, const AgentDef& def);
   /// Null for ids that are not agents'.
   Agent* Find(EntityId id) const;
@@ -34,6 +37,11 @@ class AgentStore {
 
   /// After a physics step: motions take over what happened to the bodies.
   void ReadBodies();
+
+  /// Whether nothing but these two agents is on the segment in front of the target.
+  bool IsClear(Vec3 from, Vec3 to, const Agent& viewer, const Agent& target) const {
+    return physics_.IsClear(from, to, viewer.body_, target.body_);
+  }
 
   PhysicsWorld& physics() { return physics_; }
   Scene& scene() { return scene_; }

@@ -54,4 +54,26 @@ inline constexpr std::array<ModularMesh, 34> kModularMeshes{{
     {"modular_wall_concrete_5", {-0.63f, -0.31f, -0.16f}, {0.65f, 0.33f, 0.16f}},
 }};
 
+/// The opening of a wall with a door, as shares of its width and height; it begins at the foot.
+struct Doorway {
+  float left = 0.3f, right = 0.7f, top = 0.8f;
+};
+
+/// Whether a mesh is a wall that one can walk through: those named ..._door, but for the hangar's, which is a door
+/// alone.
+constexpr bool HasDoorway(std::string_view mesh) {
+  const auto is = [mesh](std::string_view name) { return mesh.find(name) != std::string_view::npos; };
+  return is("modular_brick_door") || is("modular_concrete_door");
+}
+
+/// The three boxes that are left of a wall with a doorway: two posts and the lintel between them.
+constexpr std::array<ModularMesh, 3> AroundDoorway(Vec3 min, Vec3 max) {
+  const Doorway hole;
+  const float left = min.x + hole.left * (max.x - min.x), right = min.x + hole.right * (max.x - min.x);
+  const float top = min.y + hole.top * (max.y - min.y);
+  return {{{"left post", min, {left, max.y, max.z}},
+           {"right post", {right, min.y, min.z}, max},
+           {"lintel", {left, top, min.z}, {right, max.y, max.z}}}};
+}
+
 }  // namespace soarbox::world

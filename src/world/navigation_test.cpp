@@ -67,6 +67,32 @@ TEST_F(NavigationTest, WiderAgentsDoNotFitThroughTheGap) {
   EXPECT_TRUE(Make(config_).FindPath({-5, 0, -5}, {-5, 0, 5}).empty());
 }
 
+/// Closes the gap with posts and this building piece, and tells how many corners the way across has.
+std::size_t CornersThrough(World& world, const char* piece, float middle_y) {
+  AddFixedBox(world, {1, 2, 1}, {6.3f, 1, 0});
+  AddFixedBox(world, {1, 2, 1}, {9.7f, 1, 0});
+  const EntityId id = world.CreateObject("models/nobiax_modular/" + std::string(piece) + ".mesh");
+  world.FindObject(id)->SetMass(0);
+  world.FindObject(id)->SetPosition({8, middle_y, 0});
+  NavigationConfig config;
+  config.min_region_cells = 10;
+  config.walkable_radius_m = 0.3f;
+  EXPECT_TRUE(world.CreateNavigationMesh("through", config).ok());
+  return world.navigation().Find("through").value()->FindPath({8, 0, -5}, {8, 0, 5}).size();
+}
+
+TEST_F(NavigationTest, WaysLeadThroughDoorsAndNotThroughWalls) {
+  EXPECT_GE(CornersThrough(world_, "modular_brick_door", 0.77f), 2u);
+  // What the mesh lets through, the body does too: nothing in the opening, a lintel above and a post beside it.
+  EXPECT_FALSE(world_.RayCast({8, 1, -2}, {8, 1, 2}));
+  EXPECT_TRUE(world_.RayCast({8, 2.3f, -2}, {8, 2.3f, 2}));
+  EXPECT_TRUE(world_.RayCast({7.1f, 1, -2}, {7.1f, 1, 2}));
+}
+
+TEST_F(NavigationTest, AWallInTheGapClosesTheWay) {
+  EXPECT_EQ(CornersThrough(world_, "modular_wall_brick_1", 1.28f), 0u);
+}
+
 TEST_F(NavigationTest, StepsAreClimbedUpToTheClimbHeight) {
   AddFixedBox(world_, {4, 0.3f, 4}, {5, 0.15f, 5});
   EXPECT_LT(LengthOf(Make(config_).FindPath({0, 0, 5}, {5, 0.3f, 5})), 5.0f) << "an end below is nearer than one above";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "world/modular_meshes.h"
 #include "world/physics_bullet.h"
 
 namespace soarbox::world {
@@ -12,15 +13,22 @@ float Usable(float size_m) {
   return std::clamp(size_m, PhysicsWorld::kMinSize_m, PhysicsWorld::kMaxSize_m);
 }
 
-PhysicsShape MakeMesh(const MeshBounds& bounds) {
+void AddBox(PhysicsShape& result, btCompoundShape& compound, Vec3 min, Vec3 max) {
+  const Vec3 extent = max - min;
+  auto box = std::make_unique<btBoxShape>(btVector3(Usable(extent.x) / 2, Usable(extent.y) / 2, Usable(extent.z) / 2));
+  box->setMargin(0.01f);
+  compound.addChildShape(btTransform(btQuaternion::getIdentity(), ToBullet((min + max) / 2)), box.get());
+  result.children.push_back(std::move(box));
+}
+
+PhysicsShape MakeMesh(const MeshBounds& bounds, bool doorway) {
   PhysicsShape result;
-  const Vec3 extent = bounds.max - bounds.min;
-  result.child =
-      std::make_unique<btBoxShape>(btVector3(Usable(extent.x) / 2, Usable(extent.y) / 2, Usable(extent.z) / 2));
-  result.child->setMargin(0.01f);
   auto compound = std::make_unique<btCompoundShape>();
-  compound->addChildShape(btTransform(btQuaternion::getIdentity(), ToBullet((bounds.min + bounds.max) / 2)),
-                          result.child.get());
+  if (doorway) {
+    for (const ModularMesh& part : AroundDoorway(bounds.min, bounds.max)) AddBox(result, *compound, part.min, part.max);
+  } else {
+    AddBox(result, *compound, bounds.min, bounds.max);
+  }
   result.shape = std::move(compound);
   result.swept_radius_m = Length(bounds.max) / 2;
   result.linear_sleeping_mps = 0.3f;
@@ -54,7 +62,7 @@ PhysicsShape MakeShape(const BodyDef& def) {
       result.rolling_friction = 0.1f;
       break;
     case BodyShape::kMesh:
-      return MakeMesh(def.bounds);
+      return MakeMesh(def.bounds, def.doorway);
   }
   return result;
 }

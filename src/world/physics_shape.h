@@ -4,6 +4,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
+#include <vector>
 
 #include "world/physics_world.h"
 
@@ -12,7 +13,7 @@ namespace soarbox::world {
 
 /// A collision shape with what belongs to it.
 struct PhysicsShape {
-  std::unique_ptr<btCollisionShape> child;  ///< Of a compound; outlives it.
+  std::vector<std::unique_ptr<btCollisionShape>> children;  ///< Of a compound; outlive it.
   std::unique_ptr<btCollisionShape> shape;
   float rolling_friction = 0;
   float swept_radius_m = 0;  ///< For continuous collision detection; 0: none.

@@ -6,8 +6,10 @@
 #include <mutex>
 
 #include "world/physics_bullet.h"
+#include "world/physics_crowd.h"
 #include "world/physics_debug.h"
 #include "world/physics_shape.h"
+#include "world/physics_sight.h"
 #include "world/rotation.h"
 
 namespace soarbox::world {
@@ -18,8 +20,21 @@ constexpr float kSweepThreshold_m = 0.5f;
 constexpr float kFriction = 0.5f;
 constexpr float kPenetrationRecovery = 0.8f;
 
+/// Contacts never turn it.
+bool CannotTurn(const btCollisionObject* object) {
+  const btRigidBody* body = btRigidBody::upcast(object);
+  return body == nullptr || body->isStaticObject() || body->getAngularFactor().isZero();
+}
+
 btScalar ProductOfRollingFrictions(const btCollisionObject* a, const btCollisionObject* b) {
+  // Three rows for the solver that would change nothing: most contacts of a crowd are those of agents with the ground.
+  if (CannotTurn(a) && CannotTurn(b)) return 0;
   return a->getRollingFriction() * b->getRollingFriction();
+}
+
+bool IsUpright(const btCollisionObject& object) {
+  const btMatrix3x3& turn = object.getWorldTransform().getBasis();
+  return turn[0][1] == 0 && turn[2][1] == 0;
 }
 
 // Bullet has one rule for all worlds of the process; the sandbox's constants want the product.
@@ -35,25 +50,6 @@ bool OutOfRange(Vec3 v, float limit) {
 float Within(float value, float limit) {
   return IsFinite(value) ? std::clamp(value, -limit, limit) : 0.0f;
 }
-
-/// Two things that touch cost time, and a heap of n things has n * n of them: beyond this many, further ones pass
-/// through each other.
-constexpr int kMostPairs = 60'000;
-
-struct PairLimit final : btOverlapFilterCallback {
-  explicit PairLimit(btOverlappingPairCache& given) : pairs(given) {}
-
-  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
-    const bool wanted = (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
-                        (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
-    if (!wanted || pairs.getNumOverlappingPairs() < kMostPairs) return wanted;
-    reached = true;
-    return false;
-  }
-
-  btOverlappingPairCache& pairs;
-  mutable bool reached = false;
-};
 
 }  // namespace
 
@@ -87,7 +83,9 @@ struct PhysicsWorld::Impl {
   }
 
   void AddToWorld(Body& body) {
+    crowd.Forget(*body.rigid);
     world.addRigidBody(body.rigid.get());
+    crowd.Check(*body.rigid);
     if (!body.rigid->isStaticObject()) body.rigid->setGravity(ToBullet(body.gravity));
   }
 
@@ -95,6 +93,7 @@ struct PhysicsWorld::Impl {
   void Moved(Body& body) {
     body.rigid->setInterpolationWorldTransform(body.rigid->getWorldTransform());
     world.updateSingleAabb(body.rigid.get());
+    crowd.Check(*body.rigid);
     Wake(body);
     if (!body.upright) ++changes;
   }
@@ -108,10 +107,11 @@ struct PhysicsWorld::Impl {
 
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher;
-  btDbvtBroadphase broadphase;
+  CrowdBroadphase broadphase;
   PairLimit pair_limit{*broadphase.getOverlappingPairCache()};
   btSequentialImpulseConstraintSolver solver;
   btDiscreteDynamicsWorld world;
+  CrowdControl crowd{world, pair_limit};
   Vec3 gravity;
   std::vector<std::unique_ptr<Body>> bodies{1};  // Index 0 is BodyId::kNone.
   std::vector<BodyId> free;
@@ -188,6 +188,7 @@ void PhysicsWorld::Remove(BodyId id) {
     if (!other->isStaticObject()) other->activate(true);
   }
   if (!body.upright) ++impl_->changes;
+  impl_->crowd.Forget(*body.rigid);
   impl_->world.removeRigidBody(body.rigid.get());
   impl_->bodies[static_cast<std::size_t>(id)].reset();
   impl_->free.push_back(id);
@@ -229,8 +230,15 @@ void PhysicsWorld::SetPosition(BodyId id, Vec3 position) {
 
 void PhysicsWorld::SetOrientation(BodyId id, Quat orientation) {
   Body& body = Get(id);
+  const bool was_upright = body.upright && IsUpright(*body.rigid);
   body.rigid->getWorldTransform().setRotation(ToBullet(orientation));
   body.rigid->updateInertiaTensor();
+  if (was_upright && IsUpright(*body.rigid)) {
+    // A capsule that turns about its own axis fills the same space.
+    body.rigid->setInterpolationWorldTransform(body.rigid->getWorldTransform());
+    impl_->Wake(body);
+    return;
+  }
   impl_->Moved(body);
 }
 
@@ -253,7 +261,10 @@ void PhysicsWorld::SetMass(BodyId id, float mass_kg) {
   const bool was_fixed = body.rigid->isStaticObject();
   const bool fixed = mass == 0;
   // Fixed and dynamic bodies live in different collision groups, so a change between them needs a new entry.
-  if (was_fixed != fixed) impl_->world.removeRigidBody(body.rigid.get());
+  if (was_fixed != fixed) {
+    impl_->crowd.Forget(*body.rigid);
+    impl_->world.removeRigidBody(body.rigid.get());
+  }
   btVector3 inertia(0, 0, 0);
   if (!fixed) body.shape.shape->calculateLocalInertia(mass, inertia);
   body.rigid->setMassProps(mass, inertia);
@@ -300,6 +311,7 @@ void PhysicsWorld::ApplyAngularImpulse(BodyId id, Vec3 impulse) {
 void PhysicsWorld::Step(float step_s) {
   impl_->world.stepSimulation(step_s, 0);
   impl_->KeepInRange();
+  impl_->crowd.CheckAll();
   impl_->GatherCollisions();
   ++impl_->changes;
 }
@@ -348,13 +360,16 @@ const std::vector<Collision>& PhysicsWorld::Collisions() const {
 
 std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
   if (from == to) return std::nullopt;
-  btCollisionWorld::ClosestRayResultCallback result(ToBullet(from), ToBullet(to));
-  result.m_collisionFilterGroup = btBroadphaseProxy::AllFilter;
-  result.m_collisionFilterMask = btBroadphaseProxy::AllFilter;
+  FirstHit result(ToBullet(from), ToBullet(to));
   impl_->world.rayTest(ToBullet(from), ToBullet(to), result);
   if (!result.hasHit()) return std::nullopt;
   return RayHit{static_cast<EntityId>(result.m_collisionObject->getUserIndex()), FromBullet(result.m_hitPointWorld),
                 FromBullet(result.m_hitNormalWorld)};
+}
+
+bool PhysicsWorld::IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target) const {
+  const auto object = [this](BodyId body) { return body == BodyId::kNone ? nullptr : Get(body).rigid.get(); };
+  return world::IsClear(impl_->world, ToBullet(from), ToBullet(to), object(viewer), object(target));
 }
 
 std::span<const Obstacle> PhysicsWorld::Obstacles() {

@@ -31,6 +31,7 @@ struct BodyDef {
   BodyShape shape = BodyShape::kBox;
   Vec3 size{1, 1, 1};
   MeshBounds bounds;     ///< kMesh only.
+  bool doorway = false;  ///< kMesh only: the wall has an opening at its foot (modular_meshes.h).
   float mass_kg = 1;     ///< 0 = fixed.
   bool upright = false;  ///< Contacts never turn it, and it may not be an obstacle: an agent.
   Vec3 position;
@@ -78,6 +79,9 @@ class PhysicsWorld {
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
+  /// Whether nothing but these two is on the segment in front of the target's surface; either may be kNone. Much faster
+  /// than RayCast where many bodies are on the way.
+  bool IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target) const;
   /// Bounding spheres of the bodies that can move and are not upright, by ascending owner. Valid until the next call
   /// that is not const.
   std::span<const Obstacle> Obstacles();

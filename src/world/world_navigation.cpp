@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include "world/modular_meshes.h"
 #include "world/scene_node.h"
 #include "world/world.h"
 #include "world/world_impl.h"
@@ -16,10 +17,15 @@ NavigationGeometry World::Impl::FixedGeometry() const {
     const Quat turn = object->Orientation();
     switch (object->kind_) {
       case ObjectKind::kBox:
-      case ObjectKind::kMesh:  // Their bodies are boxes too.
-        geometry.AddBox((looks->bounds.min + looks->bounds.max) / 2, (looks->bounds.max - looks->bounds.min) / 2,
-                        position, turn);
+      case ObjectKind::kMesh: {  // Their bodies are boxes too.
+        const auto add = [&](Vec3 min, Vec3 max) { geometry.AddBox((min + max) / 2, (max - min) / 2, position, turn); };
+        if (!HasDoorway(looks->drawable.mesh)) {
+          add(looks->bounds.min, looks->bounds.max);
+          break;
+        }
+        for (const ModularMesh& part : AroundDoorway(looks->bounds.min, looks->bounds.max)) add(part.min, part.max);
         break;
+      }
       case ObjectKind::kCapsule:
         geometry.AddCapsule(looks->drawable.size.x, looks->drawable.size.y, position, turn);
         break;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include "world/modular_meshes.h"
 #include "world/scene_node.h"
 #include "world/world.h"
 #include "world/world_impl.h"
@@ -48,6 +49,7 @@ EntityId World::CreateObject(std::string_view mesh) {
   BodyDef def;
   def.shape = BodyShape::kMesh;
   def.bounds = looks.bounds;
+  def.doorway = HasDoorway(looks.drawable.mesh);
   impl_->AddObject(id, node, ObjectKind::kMesh, def);
   return id;
 }

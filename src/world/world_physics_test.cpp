@@ -288,6 +288,30 @@ TEST(WorldPhysics, WhatLeansOnARemovedBodyWakesAndFalls) {
   EXPECT_NEAR(above.Position().y, 0.5f, 0.02f);
 }
 
+TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStillTouch) {
+  World world;
+  world.CreatePlane(100, 100);
+  constexpr int kBodies = 1000;
+  std::vector<EntityId> agents;
+  for (int i = 0; i < kBodies; ++i) agents.push_back(world.CreateAgent({}));
+  EXPECT_TRUE(world.IsCrowded());
+  for (int tick = 0; tick < 2; ++tick) {
+    world.BeginTick();
+    world.Step();
+  }
+  for (const EntityId id : agents) EXPECT_GT(world.FindAgent(id)->Position().y, -0.2f) << Number(id);
+  // Who leaves the heap touches others again.
+  Agent& away = *world.FindAgent(agents.back());
+  away.SetPosition({30, 0.8f, 0});
+  for (int tick = 0; tick < kBodies / 20; ++tick) {
+    world.BeginTick();
+    away.SetPosition({30, 0.8f, 0});
+    world.Step();
+    if (world.RayCast({30, 0.8f, -5}, {30, 0.8f, 5})) break;
+  }
+  EXPECT_TRUE(world.RayCast({30, 0.8f, -5}, {30, 0.8f, 5}));
+}
+
 TEST(WorldPhysics, ValuesThatPhysicsCannotBearAreRefusedOrLimited) {
   World world;
   world.CreatePlane(200, 200);

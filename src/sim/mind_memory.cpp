@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "sim/minds.h"
+
+// What all minds of a world take together. It is counted in bytes that the kernel says it has laid out, never timed.
+
+namespace soarbox::sim {
+namespace {
+
+/// Minds are measured in turn, large ones in each tick.
+constexpr std::size_t kTurns = 8;
+constexpr std::size_t kLarge_bytes = std::size_t{4} << 20;
+/// A mind may grow by so much in a tick however little is left.
+constexpr std::size_t kLeastGrowth_bytes = std::size_t{8} << 20;
+/// What a partial match takes, and what it takes with all that becomes of it.
+constexpr std::size_t kMatch_bytes = 64, kGrownMatch_bytes = 256;
+
+std::string Megabytes(std::size_t bytes) {
+  return std::to_string((bytes + (std::size_t{1} << 19)) >> 20) + " MB";
+}
+
+}  // namespace
+
+/// What is left is dealt out to those who decide now, so that they cannot use more together within one tick.
+void Minds::LimitMemory() {
+  if (ready_.empty()) return;
+  const std::size_t left = memory_limit_ - std::min(memory_limit_, memory_bytes_);
+  const std::size_t share = std::max(kLeastGrowth_bytes, left / ready_.size());
+  for (const std::size_t i : ready_)
+    minds_[i].soar.AllowMatches(minds_[i].memory_bytes / kMatch_bytes + share / kGrownMatch_bytes);
+}
+
+void Minds::KeepWithinMemory() {
+  for (const std::size_t i : ready_) {
+    Mind& mind = minds_[i];
+    const bool is_due = mind.memory_bytes == 0 || mind.memory_bytes > kLarge_bytes || (world_.tick() + i) % kTurns == 0;
+    if (!is_due || mind.lost) continue;
+    const std::size_t now = mind.soar.MemoryBytes();
+    memory_bytes_ = memory_bytes_ - mind.memory_bytes + now;
+    mind.memory_bytes = now;
+  }
+  while (memory_bytes_ > memory_limit_) {
+    Mind* largest = nullptr;
+    for (Mind& mind : minds_)
+      if (!mind.gone && mind.memory_bytes > 0 && (largest == nullptr || mind.memory_bytes > largest->memory_bytes))
+        largest = &mind;
+    if (largest == nullptr) return;
+    HaltForMemory(*largest);
+  }
+}
+
+void Minds::HaltForMemory(Mind& mind) {
+  const std::string& name = world_.FindAgent(mind.agent)->name();
+  Event event;
+  event.kind = EventKind::kMindFailed;
+  event.agent = name;
+  event.diagnostic.file = mind.rules.string();
+  event.diagnostic.message = name + " stands still from now on: the minds of this world together need more than " +
+                             Megabytes(memory_limit_) + " of memory, and its " + Megabytes(mind.memory_bytes) +
+                             " are the most";
+  event.diagnostic.hint = "look for rules that add elements in each decision and never take them back";
+  memory_bytes_ -= mind.memory_bytes;
+  mind.memory_bytes = 0;
+  mind.lost = mind.gone = true;
+  mind.decided = false;
+  mind.soar.Forget();
+  host_.DestroyAgent(name);
+  report_(std::move(event));
+}
+
+}  // namespace soarbox::sim

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Minds that grow without end are halted before they take the memory of all; the world and the other minds go on.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "sim/simulation.h"
+
+namespace soarbox::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In each tick 225 elements that stay: one for each pair of 15 things.
+constexpr const char* kHog = R"(
+sp {hog*remember (state <s> ^superstate nil ^io.input-link.time <t>) --> (<s> ^operator <o> + =) (<o> ^name grow ^at <t>)}
+sp {hog*things (state <s> ^superstate nil) --> (<s> ^thing 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15)}
+sp {hog*grow (state <s> ^operator <o> ^thing <a> ^thing <b>) (<o> ^name grow ^at <t>)
+   --> (<s> ^kept <k>) (<k> ^first <a> ^second <b> ^at <t>)}
+)";
+constexpr const char* kHonest = R"(
+sp {honest*say (state <s> ^superstate nil ^io <io>) (<io> ^input-link.time <t> ^output-link <out>)
+   --> (<s> ^operator <o> + =) (<o> ^name turn-by ^at <t>)}
+sp {honest*turn (state <s> ^operator.name turn-by ^io.output-link <out>) --> (<out> ^turn-by <w>) (<w> ^angle 1)}
+)";
+
+struct Outcome {
+  std::set<std::string> halted;
+  std::string first;
+  std::uint64_t hash = 0;
+};
+
+Outcome PlayHogs(int hogs, std::size_t limit_bytes, int threads, int ticks) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("hogs-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  std::ofstream(folder / "hog.soar") << kHog;
+  std::ofstream(folder / "honest.soar") << kHonest;
+  std::ofstream(folder / "scenario.toml")
+      << "description = \"hogs\"\nseconds = 60\n"
+      << "[[agent]]\nname = \"honest\"\nrules = \"honest.soar\"\n"
+      << "[[agent]]\nname = \"hog\"\nrules = \"hog.soar\"\ncount = " << hogs << "\nposition = [5, 5]\n";
+  const std::string root = SOARBOX_SOURCE_DIR;
+  const auto scenario = FindScenario(folder.string(), {root + "/scenarios", root + "/media"});
+  EXPECT_TRUE(scenario.ok());
+  SimulationSettings settings;
+  settings.soar.threads = threads;
+  settings.limits.mind_memory_bytes = limit_bytes;
+  auto simulation = Simulation::Create(scenario.value(), settings);
+  EXPECT_TRUE(simulation.ok());
+  Outcome outcome;
+  for (int i = 0; i < ticks; ++i) {
+    (*simulation)->Tick();
+    for (const Event& event : (*simulation)->TakeEvents()) {
+      if (event.kind != EventKind::kMindFailed) continue;
+      if (outcome.halted.empty()) outcome.first = event.diagnostic.message;
+      outcome.halted.insert(event.agent);
+    }
+  }
+  EXPECT_EQ((*simulation)->tick(), static_cast<std::uint64_t>(ticks));
+  for (const std::string& agent : outcome.halted) EXPECT_FALSE((*simulation)->Why(agent).empty());
+  outcome.hash = (*simulation)->StateHash();
+  fs::remove_all(folder);
+  return outcome;
+}
+
+TEST(MindMemory, AHundredMindsThatGrowAreHaltedOneByOneAndTheWorldGoesOn) {
+  const Outcome outcome = PlayHogs(100, std::size_t{30} << 20, 1, 10);
+  EXPECT_FALSE(outcome.halted.empty());
+  EXPECT_FALSE(outcome.halted.contains("honest"));
+  EXPECT_NE(outcome.first.find("together need more than 30 MB"), std::string::npos) << outcome.first;
+}
+
+TEST(MindMemory, WhoIsHaltedDoesNotDependOnTheThreads) {
+  const Outcome one = PlayHogs(8, std::size_t{3} << 20, 1, 12), two = PlayHogs(8, std::size_t{3} << 20, 2, 12);
+  EXPECT_FALSE(one.halted.empty());
+  EXPECT_EQ(one.halted, two.halted);
+  EXPECT_EQ(one.hash, two.hash);
+}
+
+TEST(MindMemory, NobodyIsHaltedWhileThereIsRoom) {
+  EXPECT_TRUE(PlayHogs(3, std::size_t{1} << 30, 1, 5).halted.empty());
+}
+
+}  // namespace
+}  // namespace soarbox::sim

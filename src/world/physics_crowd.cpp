@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/physics_crowd.h"
+
+namespace soarbox::world {
+namespace {
+
+constexpr int kMostPairs = 60'000;
+/// A body that is refused more pairs than this at a time goes aside.
+constexpr int kMostRefused = 500;
+/// So many come back after each step, to see whether they have got out of the heap.
+constexpr int kBackPerStep = 20;
+
+// Marks on Bullet's objects: the second index is 1 for those that are aside, the third counts refusals.
+constexpr int kAside = 1, kPresent = -1;
+
+btCollisionObject& ObjectOf(const btBroadphaseProxy& proxy) {
+  return *static_cast<btCollisionObject*>(proxy.m_clientObject);
+}
+
+}  // namespace
+
+bool PairLimit::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
+  const bool wanted = (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
+                      (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
+  if (!wanted || pairs.getNumOverlappingPairs() < kMostPairs) return wanted;
+  // What is fixed carries the others, as long as that can be borne.
+  const bool is_fixed = ObjectOf(*a).isStaticObject() || ObjectOf(*b).isStaticObject();
+  if (is_fixed && pairs.getNumOverlappingPairs() < 3 * kMostPairs) return true;
+  reached = true;
+  for (const btBroadphaseProxy* proxy : {a, b}) ObjectOf(*proxy).setUserIndex3(ObjectOf(*proxy).getUserIndex3() + 1);
+  return false;
+}
+
+void CrowdBroadphase::setAabb(btBroadphaseProxy* proxy, const btVector3& low, const btVector3& high,
+                              btDispatcher* dispatcher) {
+  if (!CrowdControl::IsAside(ObjectOf(*proxy))) return btDbvtBroadphase::setAabb(proxy, low, high, dispatcher);
+  // Far out, each at a point of its own.
+  constexpr btScalar kBegin_m = 2e6f, kApart_m = 16;
+  const btVector3 point(kBegin_m + kApart_m * static_cast<btScalar>(proxy->m_uniqueId), 0, 0);
+  btDbvtBroadphase::setAabb(proxy, point, point, dispatcher);
+}
+
+bool CrowdControl::IsAside(const btCollisionObject& body) {
+  return body.getUserIndex2() == kAside;
+}
+
+void CrowdControl::Put(btCollisionObject& body, bool aside) {
+  body.setUserIndex2(aside ? kAside : kPresent);
+  body.setUserIndex3(0);
+  aside_ += aside ? 1 : -1;
+  if (aside) {
+    world_.getBroadphase()->getOverlappingPairCache()->cleanProxyFromPairs(body.getBroadphaseHandle(),
+                                                                           world_.getDispatcher());
+  }
+  world_.updateSingleAabb(&body);
+}
+
+void CrowdControl::Check(btCollisionObject& body) {
+  if (!limit_.reached || IsAside(body) || body.isStaticObject()) return;
+  if (body.getUserIndex3() > kMostRefused) Put(body, true);
+  body.setUserIndex3(0);
+}
+
+void CrowdControl::Forget(btCollisionObject& body) {
+  if (IsAside(body)) --aside_;
+  body.setUserIndex2(kPresent);
+  body.setUserIndex3(0);
+}
+
+void CrowdControl::CheckAll() {
+  if (!limit_.reached) return;
+  const btCollisionObjectArray& bodies = world_.getCollisionObjectArray();
+  // The last ones go first, and each that goes is one that the others are refused no more.
+  int gone = 0;
+  for (int i = bodies.size() - 1; i >= 0; --i) {
+    if (!IsAside(*bodies[i]) && bodies[i]->getUserIndex3() - gone > kMostRefused) {
+      Put(*bodies[i], true);
+      ++gone;
+    }
+  }
+  for (int i = 0; i < bodies.size(); ++i) bodies[i]->setUserIndex3(0);
+  if (gone > 0) return;
+  for (int looked_at = 0, back = 0; looked_at < bodies.size() && back < kBackPerStep && aside_ > 0; ++looked_at) {
+    next_back_ = (next_back_ + 1) % bodies.size();
+    btCollisionObject& body = *bodies[next_back_];
+    if (!IsAside(body)) continue;
+    Put(body, false);
+    ++back;
+    Check(body);
+  }
+}
+
+}  // namespace soarbox::world

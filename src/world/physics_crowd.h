@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "world/physics_bullet.h"
+
+// Many bodies at one place, for the physics_*.cpp files only. Two things that touch cost time, and a heap of n things
+// has n * n / 2 of them. So there are limits: from a number of pairs on, further bodies pass through each other; and
+// those that would touch very many others are put aside, because finding what they do not touch costs time as well.
+namespace soarbox::world {
+
+/// Refuses pairs beyond a number, and counts for each body how many it was refused.
+struct PairLimit final : btOverlapFilterCallback {
+  explicit PairLimit(btOverlappingPairCache& given) : pairs(given) {}
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
+
+  btOverlappingPairCache& pairs;
+  mutable bool reached = false;  ///< Since the world began.
+};
+
+/// The broad phase with a place aside, where bodies meet nothing but planes: those reach everywhere.
+class CrowdBroadphase final : public btDbvtBroadphase {
+ public:
+  void setAabb(btBroadphaseProxy* proxy, const btVector3& low, const btVector3& high,
+               btDispatcher* dispatcher) override;
+};
+
+/// Puts bodies aside and lets them back. Which ones follows from the order of the bodies alone.
+class CrowdControl {
+ public:
+  CrowdControl(btCollisionWorld& world, PairLimit& limit) : world_(world), limit_(limit) {}
+
+  /// A body was added, or brought to another place: aside with it if that place is full.
+  void Check(btCollisionObject& body);
+  /// A body is about to leave the world, for good or for a moment.
+  void Forget(btCollisionObject& body);
+  /// After a step.
+  void CheckAll();
+  static bool IsAside(const btCollisionObject& body);
+
+ private:
+  void Put(btCollisionObject& body, bool aside);
+
+  btCollisionWorld& world_;
+  PairLimit& limit_;
+  int aside_ = 0;
+  int next_back_ = 0;
+};
+
+}  // namespace soarbox::world

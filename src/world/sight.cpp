@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/sight.h"
+
+#include "world/agent_store.h"
+#include "world/limits.h"
+#include "world/rotation.h"
+#include "world/weapon.h"
+
+namespace soarbox::world {
+
+bool SeesAgent(const Agent& from, const Agent& target, Vec3 point) {
+  const Vec3 eyes = EyesOf(from);
+  if (LengthSquared(point - eyes) < 1e-6f || !IsFinite(eyes) || !IsFinite(point)) return true;
+  const Vec3 begin = LimitPosition(eyes), end = LimitPosition(point);
+  return begin == end || AgentStore::Of(from).IsClear(begin, end, from, target);
+}
+
+std::vector<EntityId> AgentsNear(const Agent& agent, float range_m) {
+  AgentStore& store = AgentStore::Of(agent);
+  std::vector<EntityId> near;
+  for (const std::uint32_t index : store.NearInOrder(agent.Position(), range_m)) near.push_back(store.ids()[index]);
+  return near;
+}
+
+}  // namespace soarbox::world
