@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
 -- The plain world of scenario files and of rules that are run alone: ground, sky, sun, and the usual keys.
 require "GUI";
+require "Plain";
 
 local kCameraPosition = Vector.new(0, 32, 40);
 local kCameraRotation = Vector.new(-40, 0, 0);
@@ -13,12 +14,7 @@ end
 function Sandbox_Initialize(sandbox)
     GUI_CreateUI(sandbox);
     LookAtTheWorld(sandbox);
-    Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0));
-    Core.SetMaterial(Sandbox.CreatePlane(sandbox, 200, 200), "Ground2");
-    Sandbox.SetAmbientLight(sandbox, Vector.new(0.3));
-    local sun = Core.CreateDirectionalLight(sandbox, Vector.new(1, -1, 1));
-    Core.SetLightDiffuse(sun, Vector.new(1.8, 1.4, 0.9));
-    Core.SetLightSpecular(sun, Vector.new(1.8, 1.4, 0.9));
+    Plain_Create(sandbox);
 end
 
 function Sandbox_HandleEvent(sandbox, event)

@@ -2,6 +2,7 @@
 -- panel, and the keys of the sandbox.
 require "DebugUtilities";
 require "GUI";
+require "Plain";
 
 local kHelp = {
     "W/A/S/D: move the camera",
@@ -57,13 +58,7 @@ function ThesisWorld_Initialize(sandbox)
     CreateHelpPanel(sandbox);
     LookAtTheWorld(sandbox);
 
-    Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0));
-    Core.SetMaterial(Sandbox.CreatePlane(sandbox, 200, 200), "Ground2");
-
-    Sandbox.SetAmbientLight(sandbox, Vector.new(0.3));
-    local sun = Core.CreateDirectionalLight(sandbox, Vector.new(1, -1, 1));
-    Core.SetLightDiffuse(sun, Vector.new(1.8, 1.4, 0.9));
-    Core.SetLightSpecular(sun, Vector.new(1.8, 1.4, 0.9));
+    Plain_Create(sandbox);
 end
 
 function Sandbox_HandleEvent(sandbox, event)

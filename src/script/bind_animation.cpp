@@ -82,11 +82,17 @@ int GetTime(lua_State* state) {
   return 1;
 }
 
-int SetTime(lua_State* state) {
+/// Hands a number to set(animator, clip, number), unless it is not finite.
+template <class Set>
+int SetFinite(lua_State* state, Set set) {
   const auto found = AnimationArgument(state);
-  float time_s = 0;
-  if (FiniteArgument(state, time_s)) found.animator->SetTime(found.clip, time_s);
+  float value = 0;
+  if (FiniteArgument(state, value)) set(*found.animator, found.clip, value);
   return 0;
+}
+
+int SetTime(lua_State* state) {
+  return SetFinite(state, [](auto& animator, auto clip, float time_s) { animator.SetTime(clip, time_s); });
 }
 
 int GetNormalizedTime(lua_State* state) {
@@ -95,11 +101,9 @@ int GetNormalizedTime(lua_State* state) {
 }
 
 int SetNormalizedTime(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  float share = 0;
-  if (FiniteArgument(state, share))
-    found.animator->SetTime(found.clip, std::clamp(share, 0.0f, 1.0f) * ClipArgument(state).length_s());
-  return 0;
+  return SetFinite(state, [state](auto& animator, auto clip, float share) {
+    animator.SetTime(clip, std::clamp(share, 0.0f, 1.0f) * ClipArgument(state).length_s());
+  });
 }
 
 int GetWeight(lua_State* state) {
@@ -108,10 +112,7 @@ int GetWeight(lua_State* state) {
 }
 
 int SetWeight(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  float weight = 0;
-  if (FiniteArgument(state, weight)) found.animator->SetWeight(found.clip, weight);
-  return 0;
+  return SetFinite(state, [](auto& animator, auto clip, float weight) { animator.SetWeight(clip, weight); });
 }
 
 int IsEnabled(lua_State* state) {

@@ -54,30 +54,26 @@ Vec3 NextCorner(Actor& actor, Running& command, Vec3 goal) {
   return command.path.size() > 1 ? command.path.front() : goal;
 }
 
-StepResult MoveTo(Actor& actor, Running& command) {
+/// Goes to the command's place and stands there, `within` of it unless the command says otherwise.
+StepResult GoTo(Actor& actor, Running& command, double within_m, float speed_mps) {
   std::string_view reason;
   const auto place = actor.FindPlace(command, reason);
   if (!place) return StepResult::Failed(reason);
   WalkOrder order;
   order.goal = place->position;
-  order.within_m = static_cast<float>(command.Number("within", 0.75)) + place->radius_m;
+  order.within_m = static_cast<float>(command.Number("within", within_m)) + place->radius_m;
   if (place->radius_m > 0) order.within_m += actor.body().Radius();
-  order.speed_mps = actor.speed_mps();
+  order.speed_mps = speed_mps;
   order.through = place->entity;
   return WalkTo(actor, command, order);
 }
 
+StepResult MoveTo(Actor& actor, Running& command) {
+  return GoTo(actor, command, 0.75, actor.speed_mps());
+}
+
 StepResult Arrive(Actor& actor, Running& command) {
-  std::string_view reason;
-  const auto place = actor.FindPlace(command, reason);
-  if (!place) return StepResult::Failed(reason);
-  WalkOrder order;
-  order.goal = place->position;
-  order.within_m = static_cast<float>(command.Number("within", 0.3)) + place->radius_m;
-  if (place->radius_m > 0) order.within_m += actor.body().Radius();
-  order.speed_mps = actor.TopSpeed();
-  order.through = place->entity;
-  return WalkTo(actor, command, order);
+  return GoTo(actor, command, 0.3, actor.TopSpeed());
 }
 
 StepResult Seek(Actor& actor, Running& command) {

@@ -154,36 +154,25 @@ class Solver {
   std::vector<BonePose> model_;
 };
 
+float Between(float a, float b, float share) {
+  return a + (b - a) * share;
+}
+
 SoldierPose::Foot Between(const SoldierPose::Foot& a, const SoldierPose::Foot& b, float share) {
-  const auto mix = [share](float x, float y) { return x + (y - x) * share; };
-  return {Between(a.ankle, b.ankle, share), mix(a.yaw, b.yaw), mix(a.pitch, b.pitch), mix(a.toe_pitch, b.toe_pitch),
-          mix(a.roll, b.roll)};
+  return {Between(a.ankle, b.ankle, share), Between(a.yaw, b.yaw, share), Between(a.pitch, b.pitch, share),
+          Between(a.toe_pitch, b.toe_pitch, share), Between(a.roll, b.roll, share)};
 }
 
 }  // namespace
 
 SoldierPose Between(const SoldierPose& a, const SoldierPose& b, float share) {
-  const auto mix = [share](float x, float y) { return x + (y - x) * share; };
+  using Pose = SoldierPose;
   SoldierPose pose;
-  pose.hips = Between(a.hips, b.hips, share);
-  pose.hips_turn = Between(a.hips_turn, b.hips_turn, share);
-  pose.chest_turn = Between(a.chest_turn, b.chest_turn, share);
-  pose.head_turn = Between(a.head_turn, b.head_turn, share);
-  pose.left = Between(a.left, b.left, share);
-  pose.right = Between(a.right, b.right, share);
-  pose.knees = Between(a.knees, b.knees, share);
-  pose.knees_out = mix(a.knees_out, b.knees_out);
-  pose.rifle = Between(a.rifle, b.rifle, share);
-  pose.rifle_frame = Between(a.rifle_frame, b.rifle_frame, share);
-  pose.barrel = Between(a.barrel, b.barrel, share);
-  pose.rifle_up = Between(a.rifle_up, b.rifle_up, share);
-  pose.left_elbow = Between(a.left_elbow, b.left_elbow, share);
-  pose.right_elbow = Between(a.right_elbow, b.right_elbow, share);
-  pose.left_off_rifle = mix(a.left_off_rifle, b.left_off_rifle);
-  pose.left_wrist = Between(a.left_wrist, b.left_wrist, share);
-  pose.left_fingers = Between(a.left_fingers, b.left_fingers, share);
-  pose.left_palm = Between(a.left_palm, b.left_palm, share);
-  pose.shoulders_forward = mix(a.shoulders_forward, b.shoulders_forward);
+  const auto blend = [&](auto... members) { ((pose.*members = Between(a.*members, b.*members, share)), ...); };
+  blend(&Pose::hips, &Pose::hips_turn, &Pose::chest_turn, &Pose::head_turn, &Pose::left, &Pose::right, &Pose::knees);
+  blend(&Pose::rifle, &Pose::rifle_frame, &Pose::barrel, &Pose::rifle_up, &Pose::left_elbow, &Pose::right_elbow);
+  blend(&Pose::left_wrist, &Pose::left_fingers, &Pose::left_palm);
+  blend(&Pose::knees_out, &Pose::left_off_rifle, &Pose::shoulders_forward);
   return pose;
 }
 
