@@ -26,6 +26,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Of all threads of this process; it hardly depends on what else the machine does.
+double CpuSeconds() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+double PeakMegabytes() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return static_cast<double>(used.ru_maxrss) / 1024;
+}
+
 int Measure(int agents, double seconds, int threads) {
   const std::string root = SOARBOX_SOURCE_DIR;
   const soarbox::sim::DataFolders data{root + "/scenarios", root + "/media"};
@@ -36,6 +52,7 @@ int Measure(int agents, double seconds, int threads) {
   }
   soarbox::sim::SimulationSettings settings;
   settings.soar.threads = threads;
+  const double empty_mb = PeakMegabytes();
   const Clock::time_point begin = Clock::now();
   auto simulation = soarbox::sim::Simulation::Create(scenario.value(), settings);
   if (!simulation) {
@@ -43,24 +60,32 @@ int Measure(int agents, double seconds, int threads) {
     return 1;
   }
   soarbox::sim::Simulation& world = **simulation;
+  // A crowd whose minds have no rules, or whose scripts fail, measures nothing.
+  for (const soarbox::sim::Event& event : world.TakeEvents()) {
+    if (event.diagnostic.message.empty()) continue;
+    std::fputs(soarbox::Format(event.diagnostic).c_str(), stderr);
+    return 1;
+  }
+  const double set_up_cpu_s = CpuSeconds();
   world.Tick();
   const soarbox::sim::TickCosts before = world.costs();
+  const double cpu_before_s = CpuSeconds();
   const Clock::time_point start = Clock::now();
   while (world.time_s() < seconds) world.Tick();
   const double run_s = std::chrono::duration<double>(Clock::now() - start).count();
   const double ticks = static_cast<double>(world.tick() - 1);
   const soarbox::sim::TickCosts& after = world.costs();
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
+  const double cpu_s = CpuSeconds() - cpu_before_s, peak_mb = PeakMegabytes();
   const auto us = [&](double first, double last) { return (last - first) * 1e6 / ticks; };
   std::printf(
       "{\"benchmark\": \"world_ticks\", \"agents\": %d, \"soar\": %zu, \"ticks\": %.0f, \"ticks_per_second\": %.1f, "
       "\"us_per_agent_tick\": %.2f, \"tick_us\": {\"events\": %.1f, \"decide\": %.1f, \"act\": %.1f, \"move\": %.1f, "
-      "\"rest\": %.1f}, \"set_up_seconds\": %.3f, \"peak_mb\": %.1f, \"state\": \"%016llx\"}\n",
+      "\"rest\": %.1f}, \"cpu_ms_per_tick\": %.3f, \"set_up_seconds\": %.3f, \"set_up_cpu_seconds\": %.3f, "
+      "\"peak_mb\": %.1f, \"kb_per_agent\": %.0f, \"state\": \"%016llx\"}\n",
       agents, world.soar_agents(), ticks, ticks / run_s, run_s * 1e6 / (ticks * agents),
       us(before.events_s, after.events_s), us(before.decide_s, after.decide_s), us(before.act_s, after.act_s),
-      us(before.move_s, after.move_s), us(before.rest_s, after.rest_s),
-      std::chrono::duration<double>(start - begin).count(), static_cast<double>(used.ru_maxrss) / 1024,
+      us(before.move_s, after.move_s), us(before.rest_s, after.rest_s), cpu_s * 1e3 / ticks,
+      std::chrono::duration<double>(start - begin).count(), set_up_cpu_s, peak_mb, (peak_mb - empty_mb) * 1024 / agents,
       static_cast<unsigned long long>(world.StateHash()));
   std::fflush(stdout);
   return 0;

@@ -470,6 +470,7 @@ Result<std::vector<std::string>> Minds::WhyTopic(std::string_view agent, const s
     problem.message = "there is no agent '" + std::string(agent) + "' with a mind";
     return problem;
   }
+  if (mind->gone) return std::vector<std::string>{"was halted: the minds of this world needed too much memory"};
   return MindReasons(mind->soar.agent()).WhyTopic(topic, KnownAttributes());
 }
 

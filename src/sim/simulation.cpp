@@ -446,7 +446,7 @@ std::unique_ptr<Inspector> Simulation::Inspect(std::string_view agent) const {
 }
 bool Simulation::NoteMind(std::string_view agent, MindDetail detail) {
   Minds::Mind* mind = impl_->minds->FindNamed(agent);
-  if (mind == nullptr) return false;
+  if (mind == nullptr || mind->gone) return false;
   mind->settings.detail = detail;
   mind->soar.SetDetail(detail);
   return true;

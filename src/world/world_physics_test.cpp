@@ -295,7 +295,7 @@ TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStil
   std::vector<EntityId> agents;
   for (int i = 0; i < kBodies; ++i) agents.push_back(world.CreateAgent({}));
   EXPECT_TRUE(world.IsCrowded());
-  for (int tick = 0; tick < 2; ++tick) {
+  for (int tick = 0; tick < 1; ++tick) {
     world.BeginTick();
     world.Step();
   }
@@ -303,7 +303,7 @@ TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStil
   // Who leaves the heap touches others again.
   Agent& away = *world.FindAgent(agents.back());
   away.SetPosition({30, 0.8f, 0});
-  for (int tick = 0; tick < kBodies / 20; ++tick) {
+  for (int tick = 0; tick < 10; ++tick) {
     world.BeginTick();
     away.SetPosition({30, 0.8f, 0});
     world.Step();
