@@ -243,6 +243,7 @@ void SoarMind::AllowMatches(std::uint64_t) {}
 #endif
 
 void SoarMind::Forget() {
+  writing_.reset();
   log_.Listen(*agent_, MindDetail::kNone);
   standing_.clear();
   commands_.clear();
