@@ -13,8 +13,6 @@
 // working directory. Prints one line of JSON. One tick runs before the measured
 // ones, so that set-up is not counted.
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "peak_memory.h"
 #include "sml_Client.h"
 
 namespace {
@@ -70,28 +69,6 @@ bool readable(const std::string& path) {
     return true;
   }
   return false;
-}
-
-// The system's own figure for this process image where there is one: getrusage also
-// knows the memory of the process that started this one.
-double peak_rss_mb() {
-#ifdef __linux__
-  if (std::FILE* status = std::fopen("/proc/self/status", "r")) {
-    char line[256];
-    long kilobytes = -1;
-    while (std::fgets(line, sizeof line, status))
-      if (std::sscanf(line, "VmHWM: %ld", &kilobytes) == 1) break;
-    std::fclose(status);
-    if (kilobytes >= 0) return static_cast<double>(kilobytes) / 1024.0;
-  }
-#endif
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<double>(usage.ru_maxrss) / (1024.0 * 1024.0);
-#else
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-#endif
 }
 
 }  // namespace

@@ -12,8 +12,6 @@
 // The phases are functions of their own, with C names, so that an
 // instruction-counting profiler can be told to count inside any of them only.
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -21,34 +19,13 @@
 #include <ctime>
 #include <string>
 
+#include "peak_memory.h"
 #include "sml_Client.h"
 
 namespace {
 
 double since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// The system's own figure for this process image where there is one: getrusage also
-// knows the memory of the process that started this one.
-double peak_rss_mb() {
-#ifdef __linux__
-  if (std::FILE* status = std::fopen("/proc/self/status", "r")) {
-    char line[256];
-    long kilobytes = -1;
-    while (std::fgets(line, sizeof line, status))
-      if (std::sscanf(line, "VmHWM: %ld", &kilobytes) == 1) break;
-    std::fclose(status);
-    if (kilobytes >= 0) return static_cast<double>(kilobytes) / 1024.0;
-  }
-#endif
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<double>(usage.ru_maxrss) / (1024.0 * 1024.0);
-#else
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-#endif
 }
 
 std::string agent_name(const char* path) {

@@ -95,8 +95,13 @@ bool Chunk(CommandCall& call) {
   if (word == "stats" || word == "singleton") {
     return call.Fail("'chunk " + word + "' needs learning, which is not available in this build.");
   }
-  return NamedSetting(call, "chunk", "Invalid chunking command.  Use 'chunk ?' to see a list of valid settings.",
-                      "Invalid argument.  Use 'chunk ?' to see a list of valid settings.");
+  const bool done =
+      NamedSetting(call, "chunk", "Invalid chunking command.  Use 'chunk ?' to see a list of valid settings.",
+                   "Invalid argument for chunking command. Use 'chunk ?' to see a list of valid settings.");
+  const std::string most = call.session.settings().Get("chunk", "max-dupes");
+  call.agent().mutable_settings().max_duplicate_justifications =
+      static_cast<std::uint32_t>(std::min(std::strtoull(most.c_str(), nullptr, 10), 0xFFFFFFFFull));
+  return done;
 }
 
 constexpr OptionSpec kLearnTable[] = {

@@ -86,10 +86,14 @@ bool Warnings(CommandCall& call) {
   if (!call.Parse(kOutputSubcommands[8].options, parsed)) return false;
   if (!parsed.options.empty()) {
     output.warnings = parsed.Has('e');
+    call.agent().mutable_settings().warn_of_mixed_support = output.warnings;
     call.Out(fmt::format("warnings is now {}\n", OnOff(output.warnings)));
     return true;
   }
-  return Switch(call, "warnings", output.warnings, [&](bool on) { output.warnings = on; });
+  return Switch(call, "warnings", output.warnings, [&](bool on) {
+    output.warnings = on;
+    call.agent().mutable_settings().warn_of_mixed_support = on;
+  });
 }
 
 bool AgentLogs(CommandCall& call) {

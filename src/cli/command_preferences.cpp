@@ -197,7 +197,8 @@ class PreferencePrinter {
     }
     if (detail_ == Detail::kWmes) {
       for (const WmeId wme : wmes) {
-        Print(MatchedText(agent_, wme, preference.level) + "\n");
+        // Elements of the top state may have gone since: their time tags have to do.
+        Print(MatchedText(agent_, wme, agent_.memory().level(agent_.memory().wme(wme).id)) + "\n");
         AddWmeNode(node, agent_, wme);
       }
     }

@@ -42,7 +42,7 @@ std::string_view PhaseName(Phase phase) {
     case Phase::kPropose:
       return "propose";
     case Phase::kDecide:
-      return "decide";
+      return "decision";
     case Phase::kApply:
       return "apply";
     case Phase::kOutput:
@@ -356,7 +356,8 @@ bool StopPhase(CommandCall& call) {
     Phase phase;
     if (!ReadPhase(word, phase)) return call.Fail(kInvalidArgument);
     settings.stop_phase = phase;
-    call.Out(fmt::format("Soar will now stop before the {} phase.\n", PhaseName(phase)));
+    const std::string_view name = phase == Phase::kDecide ? "decide" : PhaseName(phase);
+    call.Out(fmt::format("Soar will now stop before the {} phase.\n", name));
   }
   call.AddArgument("phase", "int", std::to_string(static_cast<int>(settings.stop_phase)));
   return true;

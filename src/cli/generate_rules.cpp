@@ -40,6 +40,11 @@ bool ReadValues(std::string_view text, std::size_t& position, std::vector<std::s
       position = end;
       continue;
     }
+    if (c == '\\' && position + 1 < text.size()) {  // The next character as it is, also a blank or a bracket.
+      value += text[position + 1];
+      position += 2;
+      continue;
+    }
     if (IsBlank(c))
       finish();
     else

@@ -20,6 +20,14 @@ TEST(GenerateRules, BracketsInBarsAreText) {
   EXPECT_EQ(rules.Body(0), "g*1 (state <s> ^a |[1 2]|) --> (<s> ^b c)");
 }
 
+TEST(GenerateRules, ABackslashInAListTakesTheNextCharacterAsItIs) {
+  const GeneratedRules rules =
+      GenerateRules(R"(g (state <s> ^x <y>) [(<y>\ ^a\ 1) (<y>\ ^b\ [\])] --> (<s> ^b 1))", 100);
+  ASSERT_EQ(rules.count, 2u);
+  EXPECT_EQ(rules.Body(0), "g*1 (state <s> ^x <y>) (<y> ^a 1) --> (<s> ^b 1)");
+  EXPECT_EQ(rules.Body(1), "g*2 (state <s> ^x <y>) (<y> ^b []) --> (<s> ^b 1)");
+}
+
 TEST(GenerateRules, WhatCannotBeMadeIsNamed) {
   EXPECT_EQ(GenerateRules("g (state <s> ^a [1 2)", 10).error, "gp syntax error, unmatched values bracket.");
   EXPECT_EQ(GenerateRules("g (a [1 2]) (b [3 4])", 3).error,

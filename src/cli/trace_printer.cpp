@@ -386,9 +386,17 @@ void TracePrinter::OnInstantiationAsserted(const Agent&, const FiringInfo& info)
 }
 
 void TracePrinter::OnLearned(const Agent& agent, const FiringInfo& info) {
-  session_.stream().FreshLine();
-  Print(fmt::format("\nLearning new rule {}\n", info.name));
-  if (session_.trace().learning() > 1 && info.rule) Print("\n" + RuleText(agent, *info.rule, false));
+  Print(fmt::format("\n\nLearning new rule {}\n", info.name));
+  if (session_.trace().learning() < 2) return;
+  const kernel::ProductionPtr literal = agent.JustificationOf(info.instantiation);
+  if (literal == nullptr) return;
+  std::string rule = RuleText(agent, *literal, false);
+  rule.pop_back();  // No empty line after it.
+  Print("\n" + rule);
+}
+
+void TracePrinter::OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
+  Print(fmt::format("\n\nLearning new rule {0}\nIgnoring {0} because it is a duplicate of {1}\n", name, original));
 }
 
 void TracePrinter::OnCandidate(const Agent& agent, kernel::Symbol candidate, double value, double probability) {

@@ -57,6 +57,7 @@ class TracePrinter : public kernel::Observer {
   void OnInstantiationMade(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnInstantiationAsserted(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnLearned(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnDuplicateLearned(const kernel::Agent& agent, std::string_view name, std::string_view original) override;
   void OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate, double value, double probability) override;
 
  private:

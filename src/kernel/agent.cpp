@@ -53,7 +53,7 @@ LoadOutcome Agent::AddProduction(ProductionPtr production) {
 
 void Agent::Replace(ProductionPtr production, LoadOutcome& outcome) {
   if (!out_of_memory()) {
-    engine_->rete.LimitPartialMatches(settings().max_partial_matches);
+    PrepareMatch();
     try {
       ExciseNamed(outcome.name, outcome);
       if (production != nullptr) Enter(std::move(production), outcome);
@@ -158,9 +158,15 @@ bool Agent::HasBreak(ProductionId id) const {
 
 // Running -------------------------------------------------------------------------------------------------------------
 
+/// Hands the settings that concern the match down to it.
+void Agent::PrepareMatch() {
+  engine_->rete.LimitPartialMatches(settings().max_partial_matches);
+  engine_->rete.MixedSupportIsO(!settings().warn_of_mixed_support);
+}
+
 template <typename Work>
 bool Agent::Guarded(Work work) {
-  engine_->rete.LimitPartialMatches(settings().max_partial_matches);
+  PrepareMatch();
   try {
     work();
     return true;
@@ -364,6 +370,11 @@ std::vector<ProductionPtr> Agent::Justifications() const {
   return rules;
 }
 
+ProductionPtr Agent::JustificationOf(InstantiationId id) const {
+  const std::uint32_t index = engine_->instantiations[id].justification;
+  return index == 0xFFFFFFFFu ? nullptr : engine_->justifier.AsRule(index, true);
+}
+
 bool Agent::ExciseJustification(std::string_view name) {
   return !engine_->run.running() && engine_->justifier.Excise(name);
 }
@@ -451,12 +462,11 @@ Result<void> Agent::RemoveWme(WmeId wme) {
     return Refusal("there is no such element");
   }
   const WmeRecord& record = memory.record(wme);
-  if (record.kind == WmeKind::kSlot && memory.slot(record.slot).is_operator) {
-    return Refusal("the selected operator cannot be removed by hand");
-  }
   const bool removed = Guarded([&] {
-    // A value that rules made goes with the preferences for it.
-    if (record.preference != PreferenceId::kNone) {
+    if (record.kind == WmeKind::kSlot && memory.slot(record.slot).is_operator) {
+      engine_->preferences.RemoveSelected(record.slot);  // The states below stay.
+    } else if (record.preference != PreferenceId::kNone) {
+      // A value that rules made goes with the preferences for it.
       const SlotId slot = record.slot;
       const Symbol value = memory.wme(wme).value;
       PreferenceId next;

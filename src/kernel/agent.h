@@ -46,6 +46,10 @@ struct AgentSettings {
   std::uint32_t max_partial_matches = 8'000'000;
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
+  /// How many duplicates of justifications a rule may lead to in a decision before it makes no more of them.
+  std::uint32_t max_duplicate_justifications = 3;
+  /// What elaborates an operator and applies it at once has i-support, and a warning says so; else it has o-support.
+  bool warn_of_mixed_support = true;
   /// A rule whose only action is a numeric preference duplicates one that differs from it in the number only.
   bool ignore_numbers_of_duplicates = true;
   Phase stop_phase = Phase::kApply;  ///< `run -d` stops before this phase.
@@ -209,6 +213,8 @@ class Agent {
   std::span<const WmeId> MatchedWmes(InstantiationId id) const;
   /// The justifications that live, oldest first, as rules with literal conditions (`print --justifications`).
   std::vector<ProductionPtr> Justifications() const;
+  /// The justification that an instantiation is of, as a rule; null if it is of none.
+  ProductionPtr JustificationOf(InstantiationId id) const;
   /// False if there is none of this name, or the agent is running.
   bool ExciseJustification(std::string_view name);
   WmeInfo Describe(WmeId id) const;
@@ -271,6 +277,7 @@ class Agent {
   /// False if memory ran out meanwhile.
   template <typename Work>
   bool Guarded(Work work);
+  void PrepareMatch();
   template <typename Work>
   RunResult RunGuarded(Work work);
   /// Halts the agent for good and says so. `rule`: the rule whose addition took too much, if it was one.

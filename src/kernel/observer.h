@@ -214,6 +214,10 @@ class Observer {
 
   // kLearning
   virtual void OnLearned(const Agent&, const FiringInfo&) {}
+  /// One that would have got this name, but says the same as a live one.
+  virtual void OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
+    (void)name, (void)original;
+  }
 
   // kExploration
   /// One candidate with its value, when exploration chooses.

@@ -219,4 +219,35 @@ TEST(EventRegistration, TheSameHandlerTwiceIsOneAndUnknownIdsAreErrors) {
   for (const std::string& entry : listener.Take()) EXPECT_EQ(entry.find("after-output-phase"), std::string::npos);
 }
 
+TEST(Filter, ThatAClientRegistersSeesCommandLinesAndMayChangeThem) {
+  Listener listener;
+  std::string seen;
+  const int id = listener.kernel->RegisterForClientMessageEvent(
+      sml_Names::kFilterName, [&seen](smlRhsEventId, Agent*, char const*, char const* line) -> std::string {
+        seen = line;
+        return "<filter command=\"echo changed\"/>";
+      });
+  const std::string answer = listener.agent->ExecuteCommandLine("print s1");
+  EXPECT_NE(seen.find("command=\"print s1\""), std::string::npos) << seen;
+  EXPECT_NE(answer.find("changed"), std::string::npos) << answer;
+  EXPECT_TRUE(listener.kernel->UnregisterForClientMessageEvent(id));
+  EXPECT_NE(std::string(listener.agent->ExecuteCommandLine("print s1")).find("S1 ^"), std::string::npos);
+}
+
+TEST(PrintedText, ComesBeforeTheEventThatEndsTheOutputPhase) {
+  Listener listener;
+  listener.agent->ExecuteCommandLine("soar stop-phase input");
+  Log log;
+  listener.agent->RegisterForPrintEvent(
+      smlEVENT_PRINT, [](smlPrintEventId, void* to, Agent*, char const*) { static_cast<Log*>(to)->push_back("print"); },
+      &log);
+  listener.agent->RegisterForRunEvent(smlEVENT_AFTER_OUTPUT_PHASE, OnRun, &log);
+  listener.agent->RunSelf(2);
+  ASSERT_GE(log.size(), 4u);
+  EXPECT_EQ(log[0], "print");
+  EXPECT_NE(log[1], "print");
+  EXPECT_EQ(log[2], "print");
+  EXPECT_NE(log[3], "print");
+}
+
 }  // namespace

@@ -172,7 +172,6 @@ void Engine::Initialize(bool announce) {
   goal_changes.MakeIoLinks();
   input.Reset();
   elaboration.ApplyWorkingMemoryChanges();
-  counters.wm_size_maximum = memory.wme_count();
 }
 
 void Engine::StopIfBroken() const {

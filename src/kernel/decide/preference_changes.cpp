@@ -313,9 +313,12 @@ void PreferenceChanges::UnlinkFromGoal(PreferenceId id) {
   }
 }
 
-/// A slot that is noted twice on end is updated once: the second visit would find nothing to do.
-void PreferenceChanges::NoteAcceptablesChanged(SlotId slot) {
-  if (changed_acceptables_.empty() || changed_acceptables_.back() != slot) changed_acceptables_.push_back(slot);
+/// A slot keeps the place that its first change gave it.
+void PreferenceChanges::NoteAcceptablesChanged(SlotId id) {
+  Slot& slot = engine_.memory.mutable_slot(id);
+  if (slot.acceptables_changed) return;
+  slot.acceptables_changed = true;
+  changed_acceptables_.push_back(id);
 }
 
 void PreferenceChanges::MarkChanged(SlotId id) {

@@ -185,13 +185,13 @@ void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
 
 void SlotDecision::UpdateAcceptables() {
   std::vector<SlotId>& changed = engine_.preferences.changed_acceptables();
-  // The slot that changed last comes first. One may stand in the list more than once: later visits find nothing to do.
-  // Removing an operator may add slots of the states below.
+  // The slot that was the last to begin changing comes first. Removing an operator may add slots of the states below.
   while (!changed.empty()) {
     const SlotId slot = changed.back();
     changed.pop_back();
     const Slot& record = engine_.memory.slot(slot);
     if (record.live && (record.is_operator || record.acceptable_wmes != WmeId::kNone)) UpdateAcceptables(slot);
+    engine_.memory.mutable_slot(slot).acceptables_changed = false;
   }
 }
 

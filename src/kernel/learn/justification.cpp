@@ -20,6 +20,10 @@ bool Mark(std::vector<std::uint32_t>& marks, std::uint32_t index, std::uint32_t 
   return true;
 }
 
+std::string NameOfNumber(std::uint32_t number) {
+  return "justify" + std::to_string(number);
+}
+
 ValueDraft Constant(Symbol symbol) {
   ValueDraft value;
   value.symbol = symbol;
@@ -132,7 +136,9 @@ void Justifier::Backtrace(InstantiationId base) {
     VisitInstantiation(engine_.memory.preference(*result).instantiation);
   }
   VisitQueued();
-  std::reverse(grounds_.begin(), grounds_.end());  // What was found last is tested first.
+  // What was found last is tested first.
+  std::reverse(grounds_.begin(), grounds_.end());
+  std::reverse(negations_.begin(), negations_.end());
 }
 
 /// The grounds of a firing are taken at once, what it rests on in the substate later: the last one first.
@@ -374,7 +380,7 @@ bool Justifier::IsOSupported(InstantiationId base, InstantiationId made, GoalLev
       (memory.preference(result).id == memory.wme(ground).value ? elaborates : applies) = true;
     }
   }
-  if (!elaborates || !applies) return applies;
+  if (!elaborates || !applies || !engine_.settings.warn_of_mixed_support) return applies;
   engine_.Print("\nWARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " +
                 std::string(engine_.ProductionName(made)));
   return false;
@@ -400,105 +406,6 @@ std::uint32_t Justifier::NewRecord() {
   return index;
 }
 
-// Duplicates ----------------------------------------------------------------------------------------------------------
-
-std::uint32_t Justifier::DigestOfResults() const {
-  const WorkingMemory& memory = engine_.memory;
-  std::uint32_t digest = static_cast<std::uint32_t>(negations_.size());
-  const auto mix = [&](Symbol symbol) {
-    digest = (digest ^ symbol.bits()) * 0x85EBCA6Bu;
-    digest ^= digest >> 15;
-  };
-  for (const WmeId ground : grounds_) {
-    mix(memory.wme(ground).id);
-    mix(memory.wme(ground).attribute);
-    mix(memory.wme(ground).value);
-  }
-  for (const PreferenceId result : results_) {
-    mix(memory.preference(result).id);
-    mix(memory.preference(result).attribute);
-    mix(memory.preference(result).value);
-  }
-  return digest;
-}
-
-Justifier::Record::Result Justifier::ResultOf(PreferenceId id) const {
-  const Preference& p = engine_.memory.preference(id);
-  return {p.id, p.attribute, p.value, p.referent, p.type};
-}
-
-bool Justifier::SaysTheSame(const Record& record) const {
-  const WorkingMemory& memory = engine_.memory;
-  const auto same_element = [&](WmeId a, WmeId b) {
-    const Wme &x = memory.wme(a), &y = memory.wme(b);
-    return x.id == y.id && x.attribute == y.attribute && x.value == y.value && x.acceptable == y.acceptable;
-  };
-  if (!std::ranges::equal(record.grounds, grounds_, same_element)) return false;
-  const std::size_t negated = record.negations == nullptr ? 0 : record.negations->conditions.size();
-  if (negated != negations_.size()) return false;
-  if (negated > 0) {
-    RuleDraft mine;
-    std::vector<ConditionDraft> copies = negations_;
-    for (ConditionDraft& negation : copies) mine.conditions.Add(&negation);
-    if (!std::ranges::equal(record.negations->conditions, Production::Make(mine)->conditions)) return false;
-  }
-  return std::ranges::equal(record.results, results_, [&](const Record::Result& known, PreferenceId result) {
-    return known == ResultOf(result);
-  });
-}
-
-bool Justifier::IsDuplicate(std::uint32_t digest) const {
-  if (alike_.empty()) return false;
-  for (std::uint32_t index = alike_[digest & (alike_.size() - 1)]; index != 0xFFFFFFFFu;
-       index = records_[index].next_alike) {
-    if (records_[index].digest == digest && SaysTheSame(records_[index])) return true;
-  }
-  return false;
-}
-
-void Justifier::NoteAlike(std::uint32_t index) {
-  const auto insert = [&](std::uint32_t record) {
-    std::uint32_t& head = alike_[records_[record].digest & (alike_.size() - 1)];
-    records_[record].next_alike = head;
-    head = record;
-  };
-  if (++alike_count_ > alike_.size()) {
-    std::vector<std::uint32_t> old(std::max<std::size_t>(16, 2 * alike_.size()), 0xFFFFFFFFu);
-    old.swap(alike_);
-    for (std::uint32_t record : old) {
-      while (record != 0xFFFFFFFFu) insert(std::exchange(record, records_[record].next_alike));
-    }
-  }
-  insert(index);
-}
-
-void Justifier::ForgetAlike(std::uint32_t index) {
-  std::uint32_t* place = &alike_[records_[index].digest & (alike_.size() - 1)];
-  while (*place != index) place = &records_[*place].next_alike;
-  *place = records_[index].next_alike;
-  --alike_count_;
-}
-
-bool Justifier::HasTooManyDuplicates(InstantiationId base) const {
-  const ProductionId rule = engine_.instantiations[base].production;
-  if (rule == ProductionId::kNone || duplicates_cycle_ != engine_.counters.decision_cycles) return false;
-  return std::ranges::any_of(duplicates_,
-                             [&](const Duplicates& d) { return d.production == rule && d.count >= kMostDuplicates; });
-}
-
-void Justifier::CountDuplicate(InstantiationId base) {
-  const ProductionId rule = engine_.instantiations[base].production;
-  if (rule == ProductionId::kNone) return;
-  if (duplicates_cycle_ != engine_.counters.decision_cycles) duplicates_.clear();
-  duplicates_cycle_ = engine_.counters.decision_cycles;
-  for (Duplicates& known : duplicates_) {
-    if (known.production != rule) continue;
-    ++known.count;
-    return;
-  }
-  duplicates_.push_back({rule, 1});
-}
-
 // The justification ---------------------------------------------------------------------------------------------------
 
 InstantiationId Justifier::Build(InstantiationId base) {
@@ -512,7 +419,13 @@ InstantiationId Justifier::Build(InstantiationId base) {
     goal_level = static_cast<GoalLevel>(level_ - 1);
   }
   const std::uint32_t digest = DigestOfResults();
-  if (IsDuplicate(digest)) {
+  const std::uint32_t original = OriginalOf(digest);
+  if (original != 0xFFFFFFFFu) {
+    if (engine_.observers.Wants(Event::kLearning)) {
+      const std::string name = NameOfNumber(next_number_);
+      engine_.observers.Notify(Event::kLearning,
+                               [&](Observer& o) { o.OnDuplicateLearned(engine_.agent, name, Name(original)); });
+    }
     next_number_ += 2;
     CountDuplicate(base);
     // What nothing holds yet goes with the justification that is not made: these firings leave no preferences.
@@ -545,6 +458,11 @@ InstantiationId Justifier::Build(InstantiationId base) {
   ++engine_.counters.justifications;
   if (goal_level > 1) engine_.firing.TraceConditions(id, grounds_);
 
+  if (engine_.observers.Wants(Event::kLearning)) {
+    const FiringInfo info = engine_.DescribeInstantiation(id);
+    engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(engine_.agent, info); });
+  }
+
   // Clones of the results, one level up. The list is newest first, so the last result is made first.
   const bool o_support = IsOSupported(base, id, goal_level);
   for (std::size_t n = results_.size(); n-- > 0;) {
@@ -563,10 +481,6 @@ InstantiationId Justifier::Build(InstantiationId base) {
   engine_.instantiations[id].match = MatchOf(index, id, goal_level);
   engine_.preferences.LinkToGoal(id);
   engine_.firing.made().push_back(id);
-  if (engine_.observers.Wants(Event::kLearning)) {
-    const FiringInfo info = engine_.DescribeInstantiation(id);
-    engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(engine_.agent, info); });
-  }
   return id;
 }
 
@@ -637,7 +551,7 @@ std::vector<std::uint32_t> Justifier::Live() const {
 std::string_view Justifier::Name(std::uint32_t index) const {
   // Room for all, so that the texts stay where they are.
   if (names_.size() < records_.size()) names_.resize(records_.capacity());
-  if (names_[index].empty()) names_[index] = "justify" + std::to_string(records_[index].number);
+  if (names_[index].empty()) names_[index] = NameOfNumber(records_[index].number);
   return names_[index];
 }
 

@@ -91,8 +91,8 @@ class Justifier {
   /// Makes the justification of the results that `base` made; kNone if they rest on nothing above.
   InstantiationId Build(InstantiationId base);
   std::uint32_t DigestOfResults() const;
-  /// A live justification that says the same: equal grounds, negations and results, in the same order.
-  bool IsDuplicate(std::uint32_t digest) const;
+  /// The live justification that says the same (equal grounds, negations and results, in the same order), or none.
+  std::uint32_t OriginalOf(std::uint32_t digest) const;
   Record::Result ResultOf(PreferenceId result) const;
   bool SaysTheSame(const Record& record) const;
   void NoteAlike(std::uint32_t index);
@@ -120,7 +120,6 @@ class Justifier {
   std::uint32_t next_number_ = 1;
   std::vector<std::uint32_t> alike_;  ///< Heads of buckets, by digest; a power of two, or none.
   std::uint32_t alike_count_ = 0;
-  static constexpr std::uint32_t kMostDuplicates = 3;
   struct Duplicates {
     ProductionId production = ProductionId::kNone;
     std::uint32_t count = 0;

@@ -1,1 +1,2 @@
-list(APPEND SOARBOX_KERNEL_SOURCES learn/justification.cpp)
+list(APPEND SOARBOX_KERNEL_SOURCES learn/justification.cpp
+  learn/justification_duplicates.cpp)

@@ -43,6 +43,10 @@ const ProductionPtr& Rete::production(ProductionId id) const {
   return Index(id) < state_->retired.size() ? state_->retired[Index(id)] : kNone;
 }
 
+void Rete::MixedSupportIsO(bool is_o) {
+  state_->mixed_is_o = is_o;
+}
+
 void Rete::OnMixedSupport(std::function<void(ProductionId)> callback) {
   state_->on_mixed_support = std::move(callback);
 }

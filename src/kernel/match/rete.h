@@ -75,6 +75,8 @@ class Rete {
   /// Called when a match of a rule both elaborates and applies its operator; once per match. The match is then
   /// i-supported.
   void OnMixedSupport(std::function<void(ProductionId)> callback);
+  /// Whether such a match has o-support (and is not told).
+  void MixedSupportIsO(bool is_o);
 
   // Working memory --------------------------------------------------------------------------------------------------
 

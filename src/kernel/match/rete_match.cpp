@@ -351,7 +351,7 @@ bool ReteState::SupportByMatches(std::uint32_t node, const RuleInfo& rule, const
     return false;
   }
   if (own.selected && shared.selected == own.selected && shared.goals_removed == goals_removed) {
-    if (!own.elaborates || !own.applies) {
+    if (!own.elaborates || !own.applies || mixed_is_o) {
       return own.applies;
     }
     for (std::uint32_t other = 0; other <= state.count; ++other) tell();
@@ -360,7 +360,7 @@ bool ReteState::SupportByMatches(std::uint32_t node, const RuleInfo& rule, const
   bool applies = false;
   const auto consider = [&](const RuleInfo::OperatorUse& use) {
     applies |= use.applies;
-    if (applies && use.elaborates) {
+    if (applies && use.elaborates && !mixed_is_o) {
       applies = false;
       tell();
     }

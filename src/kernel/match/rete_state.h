@@ -199,6 +199,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   GoalView goals;
   std::shared_ptr<Network> network;  ///< Changed only while this agent alone holds it.
   std::function<void(ProductionId)> on_mixed_support;
+  bool mixed_is_o = false;  ///< See Rete::MixedSupportIsO.
 
   RecordArray<Token> tokens;
   std::uint32_t free_tokens = kNil;

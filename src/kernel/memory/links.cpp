@@ -149,7 +149,11 @@ inline void LinkGraph::Work(std::vector<Symbol>& garbage) {
     record.queued = false;
     if (!record.live || record.is_goal || record.parent_link != LinkId::kNone) continue;
     if (record.first_link == LinkId::kNone) {
-      if (record.value_of != 0) continue;
+      if (record.value_of != record.item_of) continue;
+      if (record.item_of != 0) {  // An item of an impasse counts as a link, but leads nowhere.
+        uncertain_.push_back(id);
+        continue;
+      }
       record.rooted = false;
       garbage.push_back(id);
       return;
@@ -169,8 +173,9 @@ inline void LinkGraph::Work(std::vector<Symbol>& garbage) {
   }
 }
 
-void LinkGraph::ElementRemoved(Symbol value) {
+void LinkGraph::ElementRemoved(Symbol value, bool is_item) {
   IdentifierRecord& record = At(value);
+  record.item_of -= is_item ? 1 : 0;
   if (--record.value_of != 0 || record.is_goal || record.parent_link != LinkId::kNone ||
       record.first_link != LinkId::kNone)
     return;

@@ -49,8 +49,11 @@ class LinkGraph {
   void Settle(std::vector<Symbol>& garbage);
   /// Elements with this value come and go. An identifier that elements still name is not garbage yet, though the links
   /// are gone: its turn comes when the last of them goes.
-  void ElementAdded(Symbol value) { ++At(value).value_of; }
-  void ElementRemoved(Symbol value);
+  void ElementAdded(Symbol value, bool is_item) {
+    ++At(value).value_of;
+    At(value).item_of += is_item ? 1 : 0;
+  }
+  void ElementRemoved(Symbol value, bool is_item);
   /// Makes the identifier of a goal that has gone garbage. What hangs on it follows when it is collected.
   void Discard(Symbol goal) {
     goals_.push_back(goal);

@@ -13,7 +13,9 @@ WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, S
   WmeRecord& record = engine_.memory.mutable_record(wme);
   record.preference = preference;
   // Elements with a preference are linked through it.
-  if (preference == PreferenceId::kNone && value.IsIdentifier()) record.link = engine_.links.Add(id, value);
+  if (preference == PreferenceId::kNone && kind != WmeKind::kArchitecture && value.IsIdentifier()) {
+    record.link = engine_.links.Add(id, value);
+  }
   Record(wme, kind, id, value);
   return wme;
 }
@@ -35,7 +37,7 @@ WmeId WmeChanges::AddAcceptable(SlotId slot, Symbol value, PreferenceId preferen
 
 void WmeChanges::Record(WmeId wme, WmeKind kind, Symbol id, Symbol value) {
   added_.push_back(wme);
-  if (value.IsIdentifier() && value != id) engine_.links.ElementAdded(value);
+  if (value.IsIdentifier() && value != id) engine_.links.ElementAdded(value, kind == WmeKind::kArchitecture);
   // What comes from outside is no output by itself.
   if (kind != WmeKind::kInput) engine_.output.NoteChange(id);
 }
@@ -53,7 +55,9 @@ void WmeChanges::Remove(WmeId wme) {
     record.link = LinkId::kNone;
   }
   const Wme& content = engine_.memory.wme(wme);
-  if (content.value.IsIdentifier() && content.value != content.id) engine_.links.ElementRemoved(content.value);
+  if (content.value.IsIdentifier() && content.value != content.id) {
+    engine_.links.ElementRemoved(content.value, record.kind == WmeKind::kArchitecture);
+  }
   if (record.kind == WmeKind::kInput && record.input_element != 0xFFFFFFFFu) engine_.input.Forget(record.input_element);
   if (record.kind != WmeKind::kInput) engine_.output.NoteChange(content.id);
   engine_.memory.Unlink(wme);

@@ -48,9 +48,10 @@ struct WmeRecord {
 struct Slot {
   Symbol id, attribute;
   bool live = false;
-  bool is_operator = false;  ///< ^operator of a goal: decided in the decide phase only.
-  bool changed = false;      ///< Is on the list of changed slots.
-  bool is_large = false;     ///< See large_slots.h.
+  bool is_operator = false;              ///< ^operator of a goal: decided in the decide phase only.
+  bool changed = false;                  ///< Is on the list of changed slots.
+  bool is_large : 1 = false;             ///< See large_slots.h.
+  bool acceptables_changed : 1 = false;  ///< Is on the list of slots whose acceptable preferences changed.
   std::uint32_t acceptable_count = 0;
   std::uint32_t substate_facts = 0;               ///< Of these the o-supported ones that a substate's rule made.
   WmeId wmes = WmeId::kNone;                      ///< Newest first.
@@ -70,6 +71,7 @@ struct alignas(64) IdentifierRecord {
   bool slots_indexed = false;    ///< It has had more slots than are searched one by one.
   std::uint16_t slot_count = 0;  ///< While not slots_indexed.
   std::uint32_t value_of = 0;    ///< Elements that have it as their value.
+  std::uint32_t item_of = 0;     ///< Of these the ones that the architecture made: they hold nothing.
   SlotId slots = SlotId::kNone;
   WmeId architecture_wmes = WmeId::kNone;  ///< Newest first.
   WmeId input_wmes = WmeId::kNone;         ///< Newest first.

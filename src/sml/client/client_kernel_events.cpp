@@ -201,7 +201,8 @@ std::optional<std::string> KernelData::OnString(int event, std::string_view valu
 std::optional<std::string> KernelData::OnFunction(Agent* agent, int event, std::string_view name,
                                                   std::string_view argument) {
   for (const Function& function : functions) {
-    if (function.event != event || function.name != name) continue;
+    // A filter is registered as a client message of that name.
+    if (function.name != name || (function.event != event && event != smlEVENT_FILTER)) continue;
     const RhsEventHandlerCpp handler = function.handler;
     const std::string called(name);
     const std::string text(argument);

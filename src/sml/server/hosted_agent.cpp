@@ -86,7 +86,9 @@ void HostedAgent::UpdateListened() {
 template <typename Call>
 void HostedAgent::Tell(int event, Call call) {
   if (!listened_.Has(event)) return;
-  const bool within_phase = event < ::sml::smlEVENT_BEFORE_PHASE_EXECUTED || ::sml::IsAFTERPhaseEventID(event) ||
+  // In Soar 9.6.3 the line of a decision is written after the events that end its phase.
+  const bool within_phase = event < ::sml::smlEVENT_BEFORE_PHASE_EXECUTED ||
+                            event == ::sml::smlEVENT_AFTER_DECIDE_PHASE ||
                             event == ::sml::smlEVENT_AFTER_PHASE_EXECUTED || ::sml::IsProductionEventID(event);
   if (!within_phase) FlushPrint();
   // Handlers may register and unregister: the list may change under the loop. They may also destroy the agent, and its

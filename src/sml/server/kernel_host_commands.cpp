@@ -23,13 +23,13 @@ std::string FilterDocument(std::string_view line) {
 
 bool KernelHost::SearchFilters() const {
   return std::any_of(functions_.begin(), functions_.end(),
-                     [](const Function& function) { return function.event == smlEVENT_FILTER; });
+                     [](const Function& function) { return function.name == kFilterName; });
 }
 
 /// Shows the line to each filter in turn, which may change it. A result: the line ends there with this answer.
 std::optional<cli::CommandResult> KernelHost::PassFilters(HostedAgent& hosted, std::string& line) {
   for (std::size_t i = 0; i < functions_.size() && !hosted.doomed; ++i) {
-    if (functions_[i].event != smlEVENT_FILTER || functions_[i].name != kFilterName) continue;
+    if (functions_[i].name != kFilterName) continue;  // Clients register it as a filter or as a client message.
     const auto answer =
         functions_[i].connection->OnFunction(&hosted, smlEVENT_FILTER, kFilterName, FilterDocument(line));
     if (!answer) continue;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <sys/resource.h>
+
+#include <cstdio>
+
+/// The most memory that this process has had, in MB: the system's own figure for this process image where there is one,
+/// because getrusage also knows the memory of the process that started this one.
+inline double peak_rss_mb() {
+#ifdef __linux__
+  if (std::FILE* status = std::fopen("/proc/self/status", "r")) {
+    char line[256];
+    long kilobytes = -1;
+    while (std::fgets(line, sizeof line, status))
+      if (std::sscanf(line, "VmHWM: %ld", &kilobytes) == 1) break;
+    std::fclose(status);
+    if (kilobytes >= 0) return static_cast<double>(kilobytes) / 1024.0;
+  }
+#endif
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<double>(usage.ru_maxrss) / (1024.0 * 1024.0);
+#else
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+#endif
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What says the same as a live justification is not made again; a rule that leads to many such in a decision makes no
+// more of them.
+#include <algorithm>
+#include <utility>
+
+#include "kernel/decide/engine.h"
+#include "kernel/learn/justification.h"
+
+namespace soarbox::kernel {
+
+std::uint32_t Justifier::DigestOfResults() const {
+  const WorkingMemory& memory = engine_.memory;
+  std::uint32_t digest = static_cast<std::uint32_t>(negations_.size());
+  const auto mix = [&](Symbol symbol) {
+    digest = (digest ^ symbol.bits()) * 0x85EBCA6Bu;
+    digest ^= digest >> 15;
+  };
+  for (const WmeId ground : grounds_) {
+    mix(memory.wme(ground).id);
+    mix(memory.wme(ground).attribute);
+    mix(memory.wme(ground).value);
+  }
+  for (const PreferenceId result : results_) {
+    mix(memory.preference(result).id);
+    mix(memory.preference(result).attribute);
+    mix(memory.preference(result).value);
+  }
+  return digest;
+}
+
+Justifier::Record::Result Justifier::ResultOf(PreferenceId id) const {
+  const Preference& p = engine_.memory.preference(id);
+  return {p.id, p.attribute, p.value, p.referent, p.type};
+}
+
+bool Justifier::SaysTheSame(const Record& record) const {
+  const WorkingMemory& memory = engine_.memory;
+  const auto same_element = [&](WmeId a, WmeId b) {
+    const Wme &x = memory.wme(a), &y = memory.wme(b);
+    return x.id == y.id && x.attribute == y.attribute && x.value == y.value && x.acceptable == y.acceptable;
+  };
+  if (!std::ranges::equal(record.grounds, grounds_, same_element)) return false;
+  const std::size_t negated = record.negations == nullptr ? 0 : record.negations->conditions.size();
+  if (negated != negations_.size()) return false;
+  if (negated > 0) {
+    RuleDraft mine;
+    std::vector<ConditionDraft> copies = negations_;
+    for (ConditionDraft& negation : copies) mine.conditions.Add(&negation);
+    if (!std::ranges::equal(record.negations->conditions, Production::Make(mine)->conditions)) return false;
+  }
+  return std::ranges::equal(record.results, results_, [&](const Record::Result& known, PreferenceId result) {
+    return known == ResultOf(result);
+  });
+}
+
+std::uint32_t Justifier::OriginalOf(std::uint32_t digest) const {
+  if (alike_.empty()) return 0xFFFFFFFFu;
+  for (std::uint32_t index = alike_[digest & (alike_.size() - 1)]; index != 0xFFFFFFFFu;
+       index = records_[index].next_alike) {
+    if (records_[index].digest == digest && SaysTheSame(records_[index])) return index;
+  }
+  return 0xFFFFFFFFu;
+}
+
+void Justifier::NoteAlike(std::uint32_t index) {
+  const auto insert = [&](std::uint32_t record) {
+    std::uint32_t& head = alike_[records_[record].digest & (alike_.size() - 1)];
+    records_[record].next_alike = head;
+    head = record;
+  };
+  if (++alike_count_ > alike_.size()) {
+    std::vector<std::uint32_t> old(std::max<std::size_t>(16, 2 * alike_.size()), 0xFFFFFFFFu);
+    old.swap(alike_);
+    for (std::uint32_t record : old) {
+      while (record != 0xFFFFFFFFu) insert(std::exchange(record, records_[record].next_alike));
+    }
+  }
+  insert(index);
+}
+
+void Justifier::ForgetAlike(std::uint32_t index) {
+  std::uint32_t* place = &alike_[records_[index].digest & (alike_.size() - 1)];
+  while (*place != index) place = &records_[*place].next_alike;
+  *place = records_[index].next_alike;
+  --alike_count_;
+}
+
+bool Justifier::HasTooManyDuplicates(InstantiationId base) const {
+  const ProductionId rule = engine_.instantiations[base].production;
+  if (rule == ProductionId::kNone || duplicates_cycle_ != engine_.counters.decision_cycles) return false;
+  return std::ranges::any_of(duplicates_, [&](const Duplicates& d) {
+    return d.production == rule && d.count >= engine_.settings.max_duplicate_justifications;
+  });
+}
+
+void Justifier::CountDuplicate(InstantiationId base) {
+  const ProductionId rule = engine_.instantiations[base].production;
+  if (rule == ProductionId::kNone) return;
+  if (duplicates_cycle_ != engine_.counters.decision_cycles) duplicates_.clear();
+  duplicates_cycle_ = engine_.counters.decision_cycles;
+  for (Duplicates& known : duplicates_) {
+    if (known.production != rule) continue;
+    ++known.count;
+    return;
+  }
+  duplicates_.push_back({rule, 1});
+}
+
+}  // namespace soarbox::kernel
