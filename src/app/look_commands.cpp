@@ -2,11 +2,15 @@
 #include "app/look_commands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "app/data_folders.h"
 #include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
+#include "app/run_session.h"
+#include "record/reader.h"
+#include "record/rerun.h"
 #include "sim/check.h"
 #include "sim/scenario_file.h"
 #include "sim/simulation.h"
@@ -31,15 +35,12 @@ int Check(const CheckOptions& options) {
   return problems.empty() ? kOk : kProblems;
 }
 
-int Why(const WhyOptions& options) {
-  const auto refuse = [](const Diagnostic& problem) {
-    std::cerr << Format(problem);
-    return kCannotStart;
-  };
-  const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return refuse(data.error());
-  const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
-  if (!scenario) return refuse(scenario.error());
+namespace {
+
+/// The scenario, run from its beginning to the moment that is asked about.
+Result<std::unique_ptr<sim::Simulation>> RunScenario(const WhyOptions& options, const sim::DataFolders& data) {
+  const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data, options.extra_folders);
+  if (!scenario) return scenario.error();
   sim::SimulationSettings settings;
   if (options.seed) {
     settings.seed = *options.seed;
@@ -48,9 +49,36 @@ int Why(const WhyOptions& options) {
     if (file) settings.seed = file->seed.value_or(1);
   }
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
+  if (!simulation) return simulation;
+  while (!WasInterrupted() && (*simulation)->time_s() < options.at_s) (*simulation)->Tick();
+  return simulation;
+}
+
+/// A recorded run, simulated again to that moment, which is checked to be the recorded one.
+Result<std::unique_ptr<sim::Simulation>> RunRecording(const WhyOptions& options, const sim::DataFolders& data) {
+  const Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(options.scenario);
+  if (!reader) return reader.error();
+  const auto tick = static_cast<std::uint64_t>(std::llround(options.at_s / (*reader)->header().step_s));
+  Result<record::Rerun> rerun = record::GoTo(**reader, tick, data, [](std::uint64_t) { return !WasInterrupted(); });
+  if (!rerun) return rerun.error();
+  for (const Diagnostic& warning : rerun->warnings) std::cerr << Format(warning);
+  return std::move(rerun->simulation);
+}
+
+}  // namespace
+
+int Why(const WhyOptions& options) {
+  const auto refuse = [](const Diagnostic& problem) {
+    std::cerr << Format(problem);
+    return kCannotStart;
+  };
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return refuse(data.error());
+  CatchInterrupts();
+  const Result<std::unique_ptr<sim::Simulation>> simulation =
+      record::IsRecording(options.scenario) ? RunRecording(options, *data) : RunScenario(options, *data);
   if (!simulation) return refuse(simulation.error());
   sim::Simulation& world = **simulation;
-  while (world.time_s() < options.at_s) world.Tick();
 
   std::string agent = options.agent;
   std::vector<std::string> names;

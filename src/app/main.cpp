@@ -106,7 +106,7 @@ void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app
   checks->add_flag("--json", check.json, "One line of JSON per problem");
 
   CLI::App* reasons = program.add_subcommand("why", "Tell why an agent does what it does at a moment of a run");
-  reasons->add_option("scenario", why.scenario, "As for `soarbox run`")->required();
+  reasons->add_option("scenario", why.scenario, "As for `soarbox run`, or a recording")->required();
   reasons->add_option("topic", why.topic,
                       "A command, an operator or a rule of the agent: why it comes about, or does not");
   reasons->add_option("--agent", why.agent, "Its name; the first one with a mind if it is not said");
@@ -191,7 +191,10 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   AddRange(*export_data, options);
   CLI::Option* csv = export_data->add_flag("--csv", options.csv, "A row for each agent and tick (the default)");
   export_data->add_flag("--json", options.json, "Everything, a line per tick")->excludes(csv);
-  export_data->add_option("-o,--output", options.output, "Write to this file");
+  CLI::Option* output = export_data->add_option("-o,--output", options.output, "Write to this file");
+  export_data->add_flag("--recording", options.as_recording, "The part from --from to --to as a recording of its own")
+      ->excludes(csv)
+      ->needs(output);
   CLI::App* resume = program.add_subcommand("resume", "Go back to a moment of a recording and go on live from there");
   AddRecordingFile(*resume, options);
   AddThreads(*resume, options);

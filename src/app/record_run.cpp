@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/record_run.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <string_view>
 #include <system_error>
 
 #include "world/world.h"
@@ -15,8 +23,11 @@ namespace fs = std::filesystem;
 
 constexpr double kUsualLimitMb = 256;
 
-/// $XDG_STATE_HOME/soarbox/last-run.soarrec, by default below ~/.local/state; empty without a home.
-fs::path UsualFile() {
+/// So many of the recordings that are made by themselves stay, the newest.
+constexpr std::size_t kUsualFilesKept = 5;
+
+/// $XDG_STATE_HOME/soarbox/recordings, by default below ~/.local/state; empty without a home.
+fs::path UsualFolder() {
   fs::path state;
   if (const char* folder = std::getenv("XDG_STATE_HOME"); folder != nullptr && *folder != '\0') {
     state = folder;
@@ -25,9 +36,44 @@ fs::path UsualFile() {
   } else {
     return {};
   }
+  const fs::path folder = state / "soarbox" / "recordings";
   std::error_code error;
-  fs::create_directories(state / "soarbox", error);
-  return error ? fs::path{} : state / "soarbox" / "last-run.soarrec";
+  fs::create_directories(folder, error);
+  return error ? fs::path{} : folder;
+}
+
+/// The number in "run-0012.soarrec", or 0.
+unsigned NumberOf(const fs::path& file) {
+  const std::string name = file.filename().string();
+  constexpr std::string_view kBefore = "run-", kAfter = ".soarrec";
+  if (!name.starts_with(kBefore) || !name.ends_with(kAfter) || name.size() <= kBefore.size() + kAfter.size()) return 0;
+  unsigned number = 0;
+  const char* const end = name.data() + name.size() - kAfter.size();
+  const auto [at, error] = std::from_chars(name.data() + kBefore.size(), end, number);
+  return error == std::errc{} && at == end ? number : 0;
+}
+
+/// A new file for a run that nobody named one for: numbered on from the newest; the oldest go. Empty if there can be
+/// none.
+fs::path UsualFile() {
+  const fs::path folder = UsualFolder();
+  if (folder.empty()) return {};
+  std::map<unsigned, fs::path> there;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (const unsigned number = NumberOf(it->path()); number != 0) there[number] = it->path();
+  for (; there.size() >= kUsualFilesKept; there.erase(there.begin())) fs::remove(there.begin()->second, error);
+  unsigned number = there.empty() ? 1 : there.rbegin()->first + 1;
+  // Another window may be about to take the same number.
+  for (const unsigned last = number + 100; number < last; ++number) {
+    char name[32];
+    std::snprintf(name, sizeof name, "run-%04u.soarrec", number);
+    const int file = open((folder / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0 && errno == EEXIST) continue;
+    if (file >= 0) close(file);
+    return folder / name;  // Why it cannot be written is told when it is opened.
+  }
+  return {};
 }
 
 }  // namespace

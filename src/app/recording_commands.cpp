@@ -120,6 +120,11 @@ int Verify(const RecordingOptions& options) {
 int Export(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
   if (!reader) return CannotStart(reader.error());
+  const record::TickRange range = RangeOf(**reader, options);
+  if (options.as_recording) {
+    const Result<void> written = record::ExportRecording(**reader, range, options.output);
+    return written ? static_cast<int>(kOk) : CannotStart(written.error());
+  }
   std::ofstream file;
   if (!options.output.empty()) {
     file.open(options.output, std::ios::binary);
@@ -132,7 +137,6 @@ int Export(const RecordingOptions& options) {
     }
   }
   std::ostream& out = options.output.empty() ? std::cout : file;
-  const record::TickRange range = RangeOf(**reader, options);
   const Result<void> written =
       options.json ? record::ExportJson(**reader, range, out) : record::ExportCsv(**reader, range, out);
   if (!written) return CannotStart(written.error());

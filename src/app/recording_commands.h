@@ -16,6 +16,7 @@ struct RecordingOptions {
   bool headless = false;               ///< replay: print, do not open a window.
   bool json = false;
   bool csv = false;
+  bool as_recording = false;                 ///< export: a part as a recording of its own.
   std::filesystem::path output;              ///< export, resume: where to; empty: standard output, or no recording.
   double at_s = 0;                           ///< resume.
   int threads = 0;                           ///< verify, resume: for the minds; 0: one per core.

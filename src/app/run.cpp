@@ -169,6 +169,7 @@ int Run(const RunOptions& given) {
     const std::string note = RecordRun(session, options, *scenario, settings, *level);
     if (note.empty() && !options.record.empty()) return kCannotStart;
     options.remark = note;
+    if (!note.empty() && options.record.empty()) std::cerr << "soarbox: " << note << '\n';
   }
   session.SetMake(
       seed, scenario.value().name,

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 #include "app/exit_codes.h"
 
@@ -83,7 +84,7 @@ void RunSession::Record(std::unique_ptr<record::Recorder> recorder, bool last_ti
 
 void RunSession::RecordTick() {
   if (recorder_ != nullptr) {
-    if (const Result<void> taken = recorder_->Take(*simulation_, unrecorded_); !taken)
+    if (const Result<void> taken = recorder_->Take(*simulation_, std::exchange(unrecorded_, {})); !taken)
       std::cerr << Format(taken.error());
   }
   unrecorded_.clear();
@@ -131,6 +132,9 @@ int RunSession::Finish() {
   }
   simulation_->Finish();
   PrintEvents();
+  if (recorder_ != nullptr) {
+    if (const Result<void> written = recorder_->Finish(); !written) std::cerr << Format(written.error());
+  }
   RunFooter footer;
   footer.ticks = simulation_->tick();
   footer.time_s = simulation_->time_s();

@@ -21,6 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kRemarkShown_s = 6;
+
 /// A time that is smoothed over the last second or so, in microseconds.
 class SmoothTime {
  public:
@@ -158,7 +160,11 @@ int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& optio
   std::uint64_t overlays_tick = ~std::uint64_t{0};
   world::OverlayWants overlay_wants;
   while (!session.IsOver() && !pace.quit()) {
-    viewer.SetStatus({.paused = pace.paused(), .speed = pace.speed(), .message = CostText(frame_time, tick_time)});
+    // Where the recording goes is said at first.
+    const bool says_remark = !options.remark.empty() && simulation.time_s() < kRemarkShown_s;
+    viewer.SetStatus({.paused = pace.paused(),
+                      .speed = pace.speed(),
+                      .message = says_remark ? options.remark : CostText(frame_time, tick_time)});
     viewer.Show(newest, &previous, pace.Blend(step_s));
     if (const world::OverlayWants wants = viewer.overlay_wants();
         newest.tick != overlays_tick || wants != overlay_wants) {

@@ -52,7 +52,7 @@ Result<void> Branch::Advance(std::uint64_t most_ticks) {
 
 /// After each tick.
 Result<void> Branch::Check() {
-  const sim::EventList events = simulation_->TakeEvents();  // Told when they happened first.
+  sim::EventList events = simulation_->TakeEvents();  // Told when they happened first.
   for (std::size_t i = 0; i < simulation_->soar_agents(); ++i) {
     const sim::MindReport mind = simulation_->Mind(i);
     if (!mind.percepts.empty()) comparer_.Share(mind.agent, mind.percepts);
@@ -64,7 +64,7 @@ Result<void> Branch::Check() {
   const Result<const TickRecord*> recorded = past_.At(tick_);
   if (!recorded) return recorded.error();
   TickRecord now;
-  Observe(*simulation_, events, level_, now);
+  Observe(*simulation_, std::move(events), level_, now);
   const std::optional<Difference> difference = FirstDifference(**recorded, now);
   if (!difference) return {};
   Diagnostic problem;

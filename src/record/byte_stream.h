@@ -24,14 +24,27 @@ class ByteWriter {
   void Fixed64(std::uint64_t value) { Fixed(value, 8); }
   void Float(float value) { Fixed32(std::bit_cast<std::uint32_t>(value)); }
   void Double(double value) { Fixed64(std::bit_cast<std::uint64_t>(value)); }
+  /// Several floats at once: most of what a recording holds.
+  template <typename... Floats>
+  void ManyFloats(Floats... values) {
+    char bytes[4 * sizeof...(Floats)];
+    std::size_t at = 0;
+    ((Place(bytes + at, std::bit_cast<std::uint32_t>(values), 4), at += 4), ...);
+    out_.append(bytes, sizeof bytes);
+  }
   void Text(std::string_view text) {
     Number(text.size());
     out_.append(text);
   }
 
  private:
+  static void Place(char* at, std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) at[i] = static_cast<char>(value >> (8 * i));
+  }
   void Fixed(std::uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) Byte(static_cast<std::uint8_t>(value >> (8 * i)));
+    char placed[8];
+    Place(placed, value, bytes);
+    out_.append(placed, static_cast<std::size_t>(bytes));
   }
 
   std::string& out_;

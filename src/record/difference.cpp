@@ -62,7 +62,9 @@ std::optional<Difference> DifferenceOfMinds(const TickRecord& recorded, const Ti
     const std::pair<const char*, std::vector<std::string> MindRecord::*> parts[] = {
         {"percepts", &MindRecord::percepts},
         {"decisions", &MindRecord::decisions},
-        {"commands", &MindRecord::commands}};
+        {"commands", &MindRecord::commands},
+        {"reasons", &MindRecord::reasons},
+        {"commands' rules", &MindRecord::command_rules}};
     for (const auto& [element, part] : parts) {
       if (a.agent == b.agent && a.*part == b.*part) continue;
       return Difference{recorded.tick, a.agent.empty() ? b.agent : a.agent, element, Text(a.*part), Text(b.*part)};

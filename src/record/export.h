@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <filesystem>
 #include <ostream>
 
 #include "record/reader.h"
@@ -20,6 +21,10 @@ Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out);
 
 /// The same and all else that the recording tells, as a JSON object per line: one for the recording, then one per tick.
 Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out);
+
+/// A part of a recording as a recording of its own, with all that came in before it, so that it can be verified and
+/// resumed like the whole. Fails if the file cannot be written or no tick is in the range.
+Result<void> ExportRecording(Reader& recording, TickRange range, const std::filesystem::path& file);
 
 /// What happened, to be read: inputs, events, percepts, decisions and commands, tick by tick.
 Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out);

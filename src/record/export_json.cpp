@@ -51,8 +51,10 @@ Json OfMind(const MindRecord& mind) {
   json["agent"] = mind.agent;
   if (!mind.percepts.empty()) json["percepts"] = mind.percepts;
   if (!mind.decisions.empty()) json["decisions"] = mind.decisions;
+  if (!mind.reasons.empty()) json["reasons"] = mind.reasons;
   if (!mind.details.empty()) json["details"] = mind.details;
   if (!mind.commands.empty()) json["commands"] = mind.commands;
+  if (!mind.command_rules.empty()) json["command_rules"] = mind.command_rules;
   return json;
 }
 

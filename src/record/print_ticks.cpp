@@ -16,12 +16,17 @@ std::pair<std::size_t, std::string_view> SplitDetail(std::string_view detail) {
   return {count, detail.substr(std::min(blank + 1, detail.size()))};
 }
 
+/// The text that belongs to the `index`-th line, with blanks in front, if there is one.
+std::string Remark(const std::vector<std::string>& remarks, std::size_t index) {
+  return index < remarks.size() && !remarks[index].empty() ? "  " + remarks[index] : std::string();
+}
+
 void PrintMind(const MindRecord& mind, std::ostream& out) {
   for (const std::string& percept : mind.percepts) out << "    " << mind.agent << "  perceives " << percept << '\n';
   std::size_t decided = 0;
   const auto decide = [&](std::size_t until) {
     for (; decided < std::min(until, mind.decisions.size()); ++decided)
-      out << "    " << mind.agent << "  " << mind.decisions[decided] << '\n';
+      out << "    " << mind.agent << "  " << mind.decisions[decided] << Remark(mind.reasons, decided) << '\n';
   };
   for (const std::string& detail : mind.details) {
     const auto [count, text] = SplitDetail(detail);
@@ -29,7 +34,10 @@ void PrintMind(const MindRecord& mind, std::ostream& out) {
     out << "    " << mind.agent << "    " << text << '\n';
   }
   decide(mind.decisions.size());
-  for (const std::string& command : mind.commands) out << "    " << mind.agent << "  commands " << command << '\n';
+  for (std::size_t i = 0; i < mind.commands.size(); ++i) {
+    const std::string rule = Remark(mind.command_rules, i);
+    out << "    " << mind.agent << "  commands " << mind.commands[i] << (rule.empty() ? "" : " by") << rule << '\n';
+  }
 }
 
 }  // namespace

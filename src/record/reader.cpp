@@ -12,6 +12,14 @@
 namespace soarbox::record {
 namespace fs = std::filesystem;
 
+bool IsRecording(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  std::ifstream in(file, std::ios::binary);
+  std::string magic(kMagic.size(), '\0');
+  return in.read(magic.data(), static_cast<std::streamsize>(magic.size())) && magic == kMagic;
+}
+
 Diagnostic Reader::Damaged(std::uint64_t at, const std::string& what) const {
   Diagnostic problem;
   problem.file = path_.string();

@@ -14,6 +14,9 @@
 
 namespace soarbox::record {
 
+/// Whether a file begins as recordings do.
+bool IsRecording(const std::filesystem::path& file);
+
 /// A recording on disk, read at any place. Opening reads the blocks' frames only; going to a tick reads its block.
 /// Any bytes may stand in the file: what is not a recording, or a damaged part of one, is an error that says where.
 ///

@@ -31,13 +31,13 @@ void Put(ByteWriter& out, const std::string& value) {
   out.Text(value);
 }
 void Put(ByteWriter& out, const Vec3& value) {
-  for (const float part : {value.x, value.y, value.z}) out.Float(part);
+  out.ManyFloats(value.x, value.y, value.z);
 }
 void Put(ByteWriter& out, const Quat& value) {
-  for (const float part : {value.w, value.x, value.y, value.z}) out.Float(part);
+  out.ManyFloats(value.w, value.x, value.y, value.z);
 }
 void Put(ByteWriter& out, const Color& value) {
-  for (const float part : {value.r, value.g, value.b, value.a}) out.Float(part);
+  out.ManyFloats(value.r, value.g, value.b, value.a);
 }
 template <typename T>
 requires std::is_integral_v<T> || std::is_enum_v<T>
@@ -53,15 +53,9 @@ template <typename T, std::size_t N>
 void Put(ByteWriter& out, const std::array<T, N>& values) {
   for (const T& value : values) Put(out, value);
 }
-void Put(ByteWriter& out, const std::vector<world::BonePose>& bones);
 template <HasFields T>
 void Put(ByteWriter& out, const T& value) {
   std::apply([&](auto... members) { (Put(out, value.*members), ...); }, FieldsOf(value));
-}
-
-void Put(ByteWriter& out, const std::vector<world::BonePose>& bones) {
-  out.Number(bones.size());
-  for (const world::BonePose& bone : bones) Put(out, bone);
 }
 
 void Get(ByteReader& in, float& value) {
@@ -115,15 +109,49 @@ template <typename T, std::size_t N>
 void Get(ByteReader& in, std::array<T, N>& values) {
   for (T& value : values) Get(in, value);
 }
-void Get(ByteReader& in, std::vector<world::BonePose>& bones);
 template <HasFields T>
 void Get(ByteReader& in, T& value) {
   std::apply([&](auto... members) { (Get(in, value.*members), ...); }, FieldsOf(value));
 }
 
-void Get(ByteReader& in, std::vector<world::BonePose>& bones) {
-  bones.resize(in.Count(28));
-  for (world::BonePose& bone : bones) Get(in, bone);
+// Bones, most of what soldiers take in a recording, change all at once and a little only: what is kept is their bits
+// exclusive-or those of before, the highest bytes of all numbers first, so that much of it is zero.
+constexpr std::size_t kNumbersPerBone = 7;
+using Bones = std::vector<world::BonePose>;
+
+void AppendBits(const Bones& bones, std::vector<std::uint32_t>& bits) {
+  for (const world::BonePose& bone : bones) {
+    const Vec3& p = bone.position;
+    const Quat& q = bone.orientation;
+    for (const float number : {p.x, p.y, p.z, q.w, q.x, q.y, q.z}) bits.push_back(std::bit_cast<std::uint32_t>(number));
+  }
+}
+
+void Put(ByteWriter& out, const Bones& before, const Bones& now) {
+  std::vector<std::uint32_t> bits, earlier;
+  bits.reserve(now.size() * kNumbersPerBone);
+  AppendBits(now, bits);
+  AppendBits(before, earlier);
+  earlier.resize(bits.size());
+  out.Number(now.size());
+  for (int shift = 24; shift >= 0; shift -= 8)
+    for (std::size_t i = 0; i < bits.size(); ++i) out.Byte(static_cast<std::uint8_t>((bits[i] ^ earlier[i]) >> shift));
+}
+
+void Get(ByteReader& in, Bones& bones) {
+  std::vector<std::uint32_t> bits;
+  const std::size_t count = in.Count(4 * kNumbersPerBone);
+  AppendBits(bones, bits);
+  bits.resize(count * kNumbersPerBone);
+  for (int shift = 24; shift >= 0; shift -= 8)
+    for (std::uint32_t& number : bits) number ^= static_cast<std::uint32_t>(in.Byte()) << shift;
+  bones.resize(count);
+  std::size_t at = 0;
+  for (world::BonePose& bone : bones) {
+    Vec3& p = bone.position;
+    Quat& q = bone.orientation;
+    for (float* number : {&p.x, &p.y, &p.z, &q.w, &q.x, &q.y, &q.z}) *number = std::bit_cast<float>(bits[at++]);
+  }
 }
 
 template <typename T>
@@ -164,10 +192,16 @@ std::uint64_t Differences(const T& before, const T& now) {
 }
 
 template <HasFields T>
-void PutMembers(ByteWriter& out, std::uint64_t mask, const T& now) {
+void PutMembers(ByteWriter& out, std::uint64_t mask, const T& before, const T& now) {
   out.Number(mask);
   const auto put = [&](auto member) {
-    if ((mask & 1) != 0) Put(out, now.*member);
+    if ((mask & 1) != 0) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, Bones>) {
+        Put(out, before.*member, now.*member);
+      } else {
+        Put(out, now.*member);
+      }
+    }
     mask >>= 1;
   };
   std::apply([&](auto... members) { (put(members), ...); }, FieldsOf(now));
@@ -189,6 +223,7 @@ enum class Step : std::uint8_t { kEnd, kChanged, kGone, kNew };
 
 template <HasFields T>
 void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
+  static const T kNothing{};
   std::size_t unchanged = 0;
   const auto step = [&](Step kind) {
     out.Number(std::exchange(unchanged, 0));
@@ -201,16 +236,17 @@ void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<
     if (old == before.size() || before[old].id != value.id) {
       step(Step::kNew);
       out.Number(value.id);
-      PutMembers(out, Differences(T{}, value), value);
+      PutMembers(out, Differences(kNothing, value), kNothing, value);
       continue;
     }
-    const std::uint64_t mask = Differences(before[old++], value);
+    const T& earlier = before[old++];
+    const std::uint64_t mask = Differences(earlier, value);
     if (mask == 0) {
       ++unchanged;
       continue;
     }
     step(Step::kChanged);
-    PutMembers(out, mask, value);
+    PutMembers(out, mask, earlier, value);
   }
   for (; old < before.size(); ++old) step(Step::kGone);
   step(Step::kEnd);
@@ -265,7 +301,7 @@ void ReadPlain(ByteReader& in, std::vector<T>& list) {
 }  // namespace
 
 void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now) {
-  PutMembers(out, Differences(before, now), now);
+  PutMembers(out, Differences(before, now), before, now);
   WriteList(out, before.drawables, now.drawables);
   WriteList(out, before.lights, now.lights);
   WriteList(out, before.agents, now.agents);

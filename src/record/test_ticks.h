@@ -91,7 +91,14 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
       event.diagnostic.message = "something is wrong";
       tick.events.push_back(event);
     }
-    if (chance(3)) tick.minds.push_back({"agent1", {"+ distance 3.5"}, {"O: O1 (seek)"}, {"Firing seek"}, {"seek"}});
+    if (chance(3))
+      tick.minds.push_back({"agent1",
+                            {"+ distance 3.5"},
+                            {"O: O1 (seek)"},
+                            {"Firing seek"},
+                            {"seek"},
+                            {"the only one proposed"},
+                            {"seek*apply"}});
     ticks.push_back(tick);
   }
   return ticks;

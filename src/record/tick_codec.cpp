@@ -69,12 +69,16 @@ void ReadEvent(ByteReader& in, sim::Event& event) {
 
 void WriteMind(ByteWriter& out, const MindRecord& mind) {
   out.Text(mind.agent);
-  for (const auto* texts : {&mind.percepts, &mind.decisions, &mind.details, &mind.commands}) WriteTexts(out, *texts);
+  for (const auto* texts :
+       {&mind.percepts, &mind.decisions, &mind.details, &mind.commands, &mind.reasons, &mind.command_rules})
+    WriteTexts(out, *texts);
 }
 
 void ReadMind(ByteReader& in, MindRecord& mind) {
   mind.agent = in.Text();
-  for (auto* texts : {&mind.percepts, &mind.decisions, &mind.details, &mind.commands}) ReadTexts(in, *texts);
+  for (auto* texts :
+       {&mind.percepts, &mind.decisions, &mind.details, &mind.commands, &mind.reasons, &mind.command_rules})
+    ReadTexts(in, *texts);
 }
 
 }  // namespace
@@ -102,10 +106,10 @@ void ReadTick(ByteReader& in, TickRecord& record) {
   ReadTexts(in, record.inputs);
   ReadScene(in, record.scene);
   record.scene.tick = record.tick;
-  // An event takes 15 bytes at least, a mind 5.
+  // An event takes 15 bytes at least, a mind 7.
   record.events.assign(in.Count(15), {});
   for (sim::Event& event : record.events) ReadEvent(in, event);
-  record.minds.assign(in.Count(5), {});
+  record.minds.assign(in.Count(7), {});
   for (MindRecord& mind : record.minds) ReadMind(in, mind);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/mind_log.h"
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
@@ -12,7 +14,8 @@ namespace soarbox::sim {
 namespace {
 
 struct MindNotes {
-  std::vector<std::string> percepts, commands, decisions, details;
+  std::vector<std::string> percepts, commands, command_rules, decisions, reasons, details;
+  std::vector<std::pair<std::uint64_t, std::string>> rules_of_output;  ///< By time tag.
 };
 
 }  // namespace
@@ -28,28 +31,44 @@ struct MindLog::Listener final : MindObserver {
 
   /// Notes what a level of the goal stack is about now; those below it are gone.
   void Settle(int level, std::string_view operator_name) {
+    waits_in.clear();
     if (level < 1 || level > 1000) return;
     operators.resize(static_cast<std::size_t>(level - 1));
     if (!operator_name.empty()) operators.emplace_back(operator_name);
+  }
+  void Decided(std::string line) {
+    is_told = true;
+    notes.decisions.push_back(std::move(line));
+    notes.reasons.emplace_back();
   }
 
   void OnOperator(int level, std::string_view, std::string_view id, std::string_view name) override {
     Settle(level, name.empty() ? id : name);
     std::string line = Indent(level) + "O: " + std::string(id);
     if (!name.empty()) line.append(" (").append(name).append(")");
-    notes.decisions.push_back(std::move(line));
+    Decided(std::move(line));
   }
   void OnState(int level, std::string_view state, std::string_view impasse, std::string_view attribute) override {
+    // A program that waits says so in each cycle; once is enough, however long it waits.
+    is_told = waits_in != state;
+    if (!is_told) return;
     Settle(level, {});
+    waits_in = state;
     std::string line = Indent(level) + "==>S: " + std::string(state);
     if (level > 1) line.append(" (").append(attribute).append(" ").append(impasse).append(")");
-    notes.decisions.push_back(std::move(line));
+    Decided(std::move(line));
   }
   void OnStateGone(int level, std::string_view state) override {
     Settle(level, {});
-    notes.decisions.push_back(Indent(level) + "<==S: " + std::string(state));
+    Decided(Indent(level) + "<==S: " + std::string(state));
   }
-  void OnHalt() override { notes.decisions.emplace_back("halt"); }
+  void OnHalt() override { Decided("halt"); }
+  void OnReason(std::string_view reason) override {
+    if (is_told) notes.reasons.back() = reason;
+  }
+  void OnCommand(std::uint64_t timetag, std::string_view, std::string_view rule) override {
+    if (!rule.empty()) notes.rules_of_output.emplace_back(timetag, rule);
+  }
   void OnFiring(std::string_view rule, int, bool retracts) override {
     notes.details.push_back(After() + (retracts ? "retract " : "fire ") + std::string(rule));
   }
@@ -63,11 +82,14 @@ struct MindLog::Listener final : MindObserver {
 
   MindNotes notes;
   std::vector<std::string> operators;  ///< By level of the goal stack.
+  std::string waits_in;                ///< The state that was told last, if nothing was since.
+  bool is_told = false;                ///< The last decision was, so that its reason counts.
   std::unique_ptr<Observation> observation;
 };
 
 void MindLog::Listen(sml::Agent& agent, MindDetail detail) {
   listener_->observation.reset();
+  listener_->waits_in.clear();
   if (detail == MindDetail::kNone) return;
   listener_->observation = ObserveMind(
       agent, *listener_, detail == MindDetail::kAll ? soarbox::MindDetail::kAll : soarbox::MindDetail::kDecisions);
@@ -91,7 +113,10 @@ MindLog& MindLog::operator=(MindLog&&) noexcept = default;
 
 void MindLog::Clear() {
   MindNotes& notes = listener_->notes;
-  for (auto* lines : {&notes.percepts, &notes.commands, &notes.decisions, &notes.details}) lines->clear();
+  for (auto* lines :
+       {&notes.percepts, &notes.commands, &notes.command_rules, &notes.decisions, &notes.reasons, &notes.details})
+    lines->clear();
+  notes.rules_of_output.clear();
 }
 
 std::vector<std::string>& MindLog::percepts() {
@@ -106,8 +131,20 @@ const std::vector<std::string>& MindLog::commands() const {
   return listener_->notes.commands;
 }
 
-std::vector<std::string>& MindLog::commands() {
-  return listener_->notes.commands;
+const std::vector<std::string>& MindLog::command_rules() const {
+  return listener_->notes.command_rules;
+}
+
+void MindLog::Say(std::string command, std::uint64_t tag) {
+  MindNotes& notes = listener_->notes;
+  notes.commands.push_back(std::move(command));
+  const auto at = std::find_if(notes.rules_of_output.begin(), notes.rules_of_output.end(),
+                               [&](const auto& entry) { return entry.first == tag; });
+  notes.command_rules.push_back(at == notes.rules_of_output.end() ? std::string() : at->second);
+}
+
+const std::vector<std::string>& MindLog::reasons() const {
+  return listener_->notes.reasons;
 }
 
 const std::vector<std::string>& MindLog::decisions() const {

@@ -15,7 +15,7 @@ namespace soarbox::sim {
 /// How much is noted of what minds do. Off, it costs nothing.
 enum class MindDetail : std::uint8_t {
   kNone,
-  kDecisions,  ///< Operators and impasses.
+  kDecisions,  ///< Operators and impasses, and why.
   kAll,        ///< Also rules that fire and retract, and elements that come and go.
 };
 
@@ -38,11 +38,17 @@ class MindLog {
   std::vector<std::string>& percepts();
   const std::vector<std::string>& percepts() const;
   /// "move-to ^waypoint gate", and how commands went: "move-to: complete".
-  std::vector<std::string>& commands();
   const std::vector<std::string>& commands() const;
-  /// "O: O1 (seek)", "==>S: S2 (operator tie)", "<==S: S2" with three blanks per level of the goal stack. A kernel in
+  /// For each of commands(): the rule that made it, where that is known and it is a command.
+  const std::vector<std::string>& command_rules() const;
+  /// Adds to commands(); `tag` is its time tag if it is one.
+  void Say(std::string command, std::uint64_t tag = 0);
+  /// "O: O1 (seek)", "==>S: S2 (operator tie)", "<==S: S2" with three blanks per level of the goal stack. A program
+  /// that waits in a state (soar wait-snc) tells that once. A kernel in
   /// another process, or one that is not ours, does not tell them, nor details.
   const std::vector<std::string>& decisions() const;
+  /// For each of decisions(): why it was taken ("the only one proposed; proposed by RULE"), or nothing.
+  const std::vector<std::string>& reasons() const;
   /// The operators chosen in the goal stack now, from the top: "engage > aim"; empty if there is none, or nobody tells.
   std::string Operators() const;
   /// "fire RULE", "retract RULE", "+ 12: S1 ^a b", "- 12: S1 ^a b", after a count of the decisions before it: they

@@ -434,6 +434,8 @@ MindReport Simulation::Mind(std::size_t index) const {
           log.decisions(),
           log.details(),
           log.commands(),
+          log.reasons(),
+          log.command_rules(),
           mind.decide_s};
 }
 bool Simulation::HasMind(std::string_view agent) const {

@@ -30,7 +30,9 @@ namespace soarbox::sim {
 struct MindReport {
   std::string agent;
   std::span<const std::string> percepts, decisions, details, commands;
-  double decide_s = 0;  ///< Real time that it decided for; nothing in a run depends on it.
+  std::span<const std::string> reasons;        ///< For each decision.
+  std::span<const std::string> command_rules;  ///< For each command.
+  double decide_s = 0;                         ///< Real time that it decided for; nothing in a run depends on it.
 };
 
 struct SimulationSettings {

@@ -141,7 +141,7 @@ void SoarMind::ReadOutput() {
 
 void SoarMind::NoteSaid(const SaidCommand& said) {
   const std::string parameters = Describe(said.parameters);
-  log_.commands().push_back(parameters.empty() ? said.name : said.name + " " + parameters);
+  log_.Say(parameters.empty() ? said.name : said.name + " " + parameters, said.tag);
 }
 
 void SoarMind::Complete(std::uint64_t tag) {
@@ -154,13 +154,13 @@ void SoarMind::NoteOutcome(const std::string& command, const Outcome& outcome) {
     case Outcome::Status::kProgress:
       return;
     case Outcome::Status::kComplete:
-      log_.commands().push_back(command + ": complete");
+      log_.Say(command + ": complete");
       return;
     case Outcome::Status::kInterrupted:
-      log_.commands().push_back(command + ": interrupted");
+      log_.Say(command + ": interrupted");
       return;
     case Outcome::Status::kError:
-      log_.commands().push_back(command + ": error " + outcome.reason);
+      log_.Say(command + ": error " + outcome.reason);
       return;
   }
 }

@@ -69,6 +69,21 @@ class Replay(Recorded):
         self.assertTrue(any("fire " in line for mind in minds for line in mind.get("details", [])))
         self.assertTrue(any(mind.get("commands") for mind in minds))
 
+    def test_reasons_are_told_with_decisions_and_commands(self):
+        _, ticks = self.exported(self.file)
+        reasons, rules = set(), set()
+        for mind in (mind for tick in ticks for mind in tick.get("minds", [])):
+            self.assertEqual(len(mind.get("reasons", [])), len(mind.get("decisions", [])))
+            self.assertEqual(len(mind.get("command_rules", [])), len(mind.get("commands", [])))
+            reasons.update(mind.get("reasons", []))
+            rules.update(mind.get("command_rules", []))
+        self.assertTrue(any("proposed by " in reason for reason in reasons), reasons)
+        # Each command was made by a rule that fired.
+        fired = {line.split("fire ", 1)[1] for tick in ticks for mind in tick.get("minds", [])
+                 for line in mind.get("details", []) if "fire " in line}
+        self.assertTrue(rules - {""})
+        self.assertLessEqual(rules - {""}, fired)
+
     def test_text_tells_a_range(self):
         done = Run("replay", self.file, "--headless", "--from", 2, "--to", 2.1)
         self.assertEqual(done.code, 0, done.err)
@@ -83,6 +98,33 @@ class Replay(Recorded):
         self.assertTrue(all(float(row["time_s"]) >= 0 and float(row["x_m"]) == float(row["x_m"]) for row in rows))
         self.assertIn("distance", rows[0])
         self.assertTrue(any(row["distance"] for row in rows[len(agents) * 5:]))
+
+
+class Part(Recorded):
+    def test_a_part_is_a_recording_that_is_verified_and_resumed_like_the_whole(self):
+        part = self.folder / "part.soarrec"
+        done = Run("export", self.file, "--recording", "--from", 4, "--to", 6, "-o", part)
+        self.assertEqual(done.code, 0, done.err)
+        whole = {tick["tick"]: tick for tick in self.exported(self.file)[1]}
+        ticks = self.exported(part)[1]
+        self.assertEqual([tick["tick"] for tick in ticks], list(range(120, 181)))
+        self.assertEqual(ticks, [whole[tick["tick"]] for tick in ticks])
+        done = Run("verify", part)
+        self.assertEqual(done.code, 0, done.out + done.err)
+        self.assertIn("equal: ticks 120 to 180", done.out)
+        done = Run("resume", part, "--at", 5, "--seconds", 1, "--json")
+        self.assertEqual(done.of("end")[0]["state"], whole[180]["state"])
+
+    def test_what_cannot_be_is_told(self):
+        part = self.folder / "none.soarrec"
+        done = Run("export", self.file, "--recording", "--from", 1000, "-o", part)
+        self.assertEqual(done.code, 3)
+        self.assertIn("is not in the recording", done.err)
+        done = Run("export", self.file, "--recording", "-o", self.file)
+        self.assertEqual(done.code, 3)
+        self.assertIn("name another file", done.err)
+        self.assertEqual(Run("export", self.file, "--recording").code, 2)
+        self.assertEqual(Run("verify", self.file).code, 0)
 
 
 class Verify(Recorded):
@@ -113,6 +155,29 @@ class Verify(Recorded):
         self.assertRegex(done.out, r"tick \d+ .* differs: .*command")
 
 
+class EveryScenario(unittest.TestCase):
+    def test_each_one_is_replayed_as_it_ran_and_verified(self):
+        if os.environ.get("SOARBOX_SANITIZE"):
+            self.skipTest("too slow with sanitizers")
+        listed = Run("list")
+        names = [line.split()[0] for line in listed.out.splitlines()]
+        self.assertGreater(len(names), 15)
+        with tempfile.TemporaryDirectory() as folder:
+            for name in names:
+                with self.subTest(name):
+                    file = pathlib.Path(folder) / f"{name}.soarrec"
+                    live = Run("run", name, "--headless", "--json", "--report", 0.1, "--seconds", 0.4, "--record", file)
+                    self.assertEqual(live.code, 0, live.err)
+                    told = Run("replay", file, "--json")
+                    ticks = {tick["tick"]: tick for tick in map(json.loads, told.out.splitlines()[1:])}
+                    end = live.of("end")[0]
+                    self.assertEqual(ticks[end["ticks"]]["state"], end["state"])
+                    for state in live.of("state"):
+                        positions = [agent["position"] for agent in ticks[state["tick"]]["agents"]]
+                        self.assertEqual([agent["position"] for agent in state["agents"]], positions)
+                    self.assertEqual(Run("verify", file).code, 0)
+
+
 RULES = """
 sp {{scout*propose*walk
    (state <s> ^superstate nil ^io.input-link.self)
@@ -127,6 +192,59 @@ sp {{scout*apply*walk
    (<c> ^speed {speed})
 }}
 """
+
+
+ENGAGEMENT = pathlib.Path(__file__).parent / "recordings" / "engagement.soarrec"
+
+
+class Engagement(unittest.TestCase):
+    """A recording that is kept: what it holds can be read by every later build that knows its format.
+
+    Made in /tmp with `soarbox run soar_skirmish --headless --seconds 5 --seed 4 --record all.soarrec` and
+    `soarbox export all.soarrec --recording --from 3 --to 4.5 -o engagement.soarrec`; to be made anew when the format's
+    version is raised."""
+
+    def test_it_is_small_and_replays(self):
+        self.assertLess(ENGAGEMENT.stat().st_size, 200_000)
+        told = Run("replay", ENGAGEMENT, "--headless")
+        self.assertEqual(told.code, 0, told.err)
+        self.assertRegex(told.out, r"red-1 .*O: O\d+ .*proposed by fighter\*")
+        exported = Run("export", ENGAGEMENT, "--json")
+        lines = [json.loads(line) for line in exported.out.splitlines()]
+        self.assertEqual(lines[0]["scenario"], "soar_skirmish")
+        self.assertEqual([line["tick"] for line in lines[1:]], list(range(90, 136)))
+        self.assertTrue(all(len(line["agents"]) == 8 for line in lines[1:]))
+        news = [event["news"] for line in lines[1:] for event in line.get("events", []) if "news" in event]
+        self.assertIn("shoots", news)
+        self.assertEqual(Run("compare", ENGAGEMENT, ENGAGEMENT).code, 0)
+
+    def test_verify_finds_it_equal_or_says_that_another_build_made_it(self):
+        done = Run("verify", ENGAGEMENT)
+        self.assertIn(done.code, (0, 1), done.err)
+        self.assertRegex(done.out, "^(equal: ticks 90 to 135|tick .* differs)")
+        if done.code == 1:
+            self.assertIn("another build of Soarbox made this recording", done.err)
+
+
+class Usual(unittest.TestCase):
+    """Runs in a window are recorded without being asked for."""
+
+    def test_the_last_five_are_kept(self):
+        if not os.environ.get("DISPLAY"):
+            self.skipTest("needs a display")
+        with tempfile.TemporaryDirectory() as state:
+            folder = pathlib.Path(state) / "soarbox" / "recordings"
+            folder.mkdir(parents=True)
+            for number in 3, 4, 5, 8, 12:
+                (folder / f"run-{number:04}.soarrec").write_bytes(b"old")
+            (folder / "mine.soarrec").write_bytes(b"the user's own")
+            done = subprocess.run([COMMAND, "run", "thesis", "--seconds", "0.5", "--port", "0"], capture_output=True,
+                                  env=dict(os.environ, XDG_STATE_HOME=state), text=True, timeout=200, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = sorted(path.name for path in folder.iterdir())
+            self.assertEqual(names, ["mine.soarrec", *(f"run-{n:04}.soarrec" for n in (4, 5, 8, 12, 13))])
+            self.assertIn(f"recording to {folder / 'run-0013.soarrec'}", done.stderr)
+            self.assertEqual(Run("verify", folder / "run-0013.soarrec").code, 0)
 
 
 class Damage(Recorded):
@@ -177,14 +295,35 @@ class Damage(Recorded):
         self.assertEqual(used, 10)
 
 
+class Why(Recorded):
+    def test_reasons_at_a_moment_of_a_recording_are_those_of_the_run(self):
+        agent = self.exported(self.file, "--to", 0)[1][0]["agents"]
+        names = [a["name"] for a in agent if a["kind"].startswith("soar")]
+        moment = ("--agent", names[0], "--at", 4)
+        recorded = Run("why", self.file, *moment)
+        live = Run("why", "thesis/mixed.lua", "--seed", 5, *moment)
+        self.assertEqual(recorded.code, 0, recorded.err)
+        self.assertEqual(recorded.out, live.out)
+        self.assertIn("operator", recorded.out)
+
+    def test_a_moment_or_an_agent_that_is_not_there(self):
+        done = Run("why", self.file, "--at", 1000)
+        self.assertEqual(done.code, 3)
+        self.assertIn("is not in the recording", done.err)
+        done = Run("why", self.file, "--at", 1, "--agent", "nobody")
+        self.assertEqual(done.code, 3)
+        self.assertIn("no agent 'nobody'", done.err)
+
+
 class Resume(Recorded):
     def test_without_a_change_the_future_is_the_same(self):
-        again = self.folder / "again.soarrec"
-        done = Run("resume", self.file, "--at", 5, "--record", again, "--json")
-        self.assertEqual(done.code, 0, done.err)
-        self.assertEqual(done.of("end")[0]["state"], self.live.of("end")[0]["state"])
-        compared = Run("compare", self.file, again)
-        self.assertEqual(compared.code, 0, compared.out)
+        for threads in 1, 4:
+            again = self.folder / f"again{threads}.soarrec"
+            done = Run("resume", self.file, "--at", 5, "--record", again, "--json", "--threads", threads)
+            self.assertEqual(done.code, 0, done.err)
+            self.assertEqual(done.of("end")[0]["state"], self.live.of("end")[0]["state"])
+            compared = Run("compare", self.file, again)
+            self.assertEqual(compared.code, 0, compared.out)
 
     def test_with_a_changed_rule_it_is_told_where_they_part(self):
         rules = self.folder / "halt.soar"

@@ -4,6 +4,7 @@
 #include "kernel/agent.h"
 #include "kernel/observer.h"
 #include "sml/client/agent_data.h"
+#include "sml/client/decision_reason.h"
 #include "sml/client/local_agent_link.h"
 #include "soarbox_Observation.h"
 
@@ -18,7 +19,7 @@ class LocalObservation final : public Observation, kernel::Observer {
  public:
   LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
       : agent_(agent), listener_(listener) {
-    kernel::EventMask events = Event::kDecision | Event::kRun;
+    kernel::EventMask events = Event::kDecision | Event::kRun | Event::kOutput;
     if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
     if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
     agent_.AddObserver(*this, events);
@@ -31,9 +32,11 @@ class LocalObservation final : public Observation, kernel::Observer {
     if (goal.op) {
       listener_.OnOperator(static_cast<int>(goal.level), state, SymbolText(agent, goal.op),
                            cli::OperatorName(agent, goal.op));
+      listener_.OnReason(ReasonOfOperator(agent, goal));
     } else {
       listener_.OnState(static_cast<int>(goal.level), state, cli::ImpasseName(goal.impasse),
                         goal.on_operator ? "operator" : "state");
+      listener_.OnReason(ReasonOfState(agent, goal));
     }
   }
   void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override {
@@ -52,6 +55,14 @@ class LocalObservation final : public Observation, kernel::Observer {
     listener_.OnWritten("interrupted by the rule " + std::string(agent.production(rule).name) + "\n");
   }
   void OnHalt(const kernel::Agent&) override { listener_.OnHalt(); }
+  void OnOutput(const kernel::Agent& agent) override {
+    const kernel::Symbol link = agent.output().identifier();
+    for (const kernel::OutputChange& change : agent.output().changes()) {
+      if (!change.added || change.id != link) continue;
+      listener_.OnCommand(change.timetag, SymbolText(agent, change.attribute),
+                          RuleOfOutput(agent, change.attribute, change.timetag));
+    }
+  }
   void OnFiring(const kernel::Agent&, const kernel::FiringInfo& info) override {
     listener_.OnFiring(info.name, static_cast<int>(info.level), false);
   }

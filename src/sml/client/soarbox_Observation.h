@@ -31,6 +31,15 @@ class MindObserver {
   /// A state went, with all below it, because its impasse was resolved or its reasons have gone.
   virtual void OnStateGone(int level, std::string_view state) = 0;
   virtual void OnHalt() = 0;
+  /// Right after OnOperator and OnState: why that was decided, in words: "the only one proposed; proposed by RULE",
+  /// "better than turn (O3), says RULE; ...". Empty if there is nothing to say.
+  virtual void OnReason(std::string_view reason) { (void)reason; }
+  /// Something new stands directly on the output link: the rule that made it.
+  virtual void OnCommand(std::uint64_t timetag, std::string_view attribute, std::string_view rule) {
+    (void)timetag;
+    (void)attribute;
+    (void)rule;
+  }
 
   /// A rule fired (or what it made goes, because it matches no longer) for a state of this level; 0 if it touches none.
   /// Told in detail only, as are elements.

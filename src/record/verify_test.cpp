@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// A recording holds what ran, byte by byte; and whatever does not agree with it is found and named.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "record/reader.h"
+#include "record/recorder.h"
+#include "record/rerun.h"
+#include "record/test_ticks.h"
+#include "sim/simulation.h"
+#include "world/world.h"
+
+namespace soarbox::record {
+namespace {
+
+sim::DataFolders Data() {
+  const std::string root = SOARBOX_SOURCE_DIR;
+  return {root + "/scenarios", root + "/media"};
+}
+
+using Change = std::function<void(TickRecord&)>;
+using Meddle = std::function<void(sim::Simulation&)>;
+
+/// Runs a scenario and records it; `change` changes what is recorded, `meddle` the run.
+std::vector<TickRecord> RunAndRecord(const std::filesystem::path& file, const std::string& name, int ticks,
+                                     const Change& change = {}, const Meddle& meddle = {}) {
+  const sim::Scenario scenario = sim::FindScenario(name, Data()).value();
+  sim::SimulationSettings settings;
+  settings.seed = 3;
+  settings.soar.threads = 1;
+  settings.mind_detail = DetailOf(Level::kAll);
+  const std::unique_ptr<sim::Simulation> simulation = std::move(sim::Simulation::Create(scenario, settings).value());
+  Header header = HeaderOf(scenario, settings, static_cast<double>(simulation->world().settings().step_s), Level::kAll);
+  header.scenario = name;
+  Recorder recorder(std::move(Writer::Create(file, header, {.ticks_per_block = 10}).value()), Level::kAll);
+  std::vector<TickRecord> live;
+  while (true) {
+    TickRecord record;
+    Observe(*simulation, simulation->TakeEvents(), Level::kAll, record);
+    if (change) change(record);
+    live.push_back(record);
+    EXPECT_TRUE(recorder.Take(std::move(record)));
+    if (simulation->tick() >= static_cast<std::uint64_t>(ticks)) break;
+    if (meddle) meddle(*simulation);
+    simulation->Tick();
+  }
+  EXPECT_TRUE(recorder.Finish());
+  return live;
+}
+
+Verdict VerdictOn(const std::filesystem::path& file, int threads = 1) {
+  const Result<std::unique_ptr<Reader>> reader = Reader::Open(file);
+  EXPECT_TRUE(reader) << Format(reader.error());
+  const Result<Verdict> verdict = Verify(**reader, Data(), {}, threads);
+  EXPECT_TRUE(verdict) << Format(verdict.error());
+  return *verdict;
+}
+
+TEST(Verify, ARecordingIsTheRunByteByByteAndSoIsTheRunOnceMore) {
+  for (const char* name : {"crowd/crowd_10.lua", "soar_skirmish"}) {
+    const ScratchFolder scratch;
+    const std::filesystem::path file = scratch.path() / "run";
+    const std::vector<TickRecord> live = RunAndRecord(file, name, 24);
+    const Result<std::unique_ptr<Reader>> reader = Reader::Open(file);
+    ASSERT_TRUE(reader) << Format(reader.error());
+    ASSERT_EQ((*reader)->last_tick(), 24u);
+    for (std::uint64_t tick = 0; tick <= 24; ++tick)
+      ASSERT_EQ(Bytes(**(*reader)->At(tick)), Bytes(live[tick])) << name << " " << tick;
+    for (const int threads : {1, 4}) {
+      Result<Rerun> rerun = Restart(**reader, Data(), {.threads = threads});
+      ASSERT_TRUE(rerun);
+      TickRecord now;
+      for (std::uint64_t tick = 0; tick <= 24; ++tick) {
+        if (tick > 0) rerun->simulation->Tick();
+        Observe(*rerun->simulation, rerun->simulation->TakeEvents(), Level::kAll, now);
+        ASSERT_EQ(Bytes(now), Bytes(live[tick])) << name << " " << tick << ", threads: " << threads;
+      }
+    }
+  }
+}
+
+TEST(Verify, OneBitOfAStateIsFoundAndNamed) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path() / "run";
+  RunAndRecord(file, "crowd/crowd_10.lua", 20, [](TickRecord& record) {
+    if (record.tick == 13) record.state_hash ^= 1;
+  });
+  const Verdict verdict = VerdictOn(file);
+  ASSERT_TRUE(verdict.difference);
+  EXPECT_EQ(verdict.difference->tick, 13u);
+  EXPECT_EQ(verdict.difference->element, "the state's hash");
+}
+
+TEST(Verify, WhatIsSeenOrThoughtOtherwiseIsNamedWithItsAgent) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path() / "run";
+  std::string agent;
+  RunAndRecord(file, "crowd/crowd_10.lua", 15, [&](TickRecord& record) {
+    if (record.tick != 11) return;
+    agent = record.scene.agents[2].name;
+    record.scene.agents[2].position.x += 1e-5f;
+  });
+  Verdict verdict = VerdictOn(file);
+  ASSERT_TRUE(verdict.difference);
+  EXPECT_EQ(verdict.difference->agent, agent);
+  EXPECT_EQ(verdict.difference->element, "position");
+
+  const std::pair<const char*, std::vector<std::string> MindRecord::*> parts[] = {{"percepts", &MindRecord::percepts},
+                                                                                  {"decisions", &MindRecord::decisions},
+                                                                                  {"reasons", &MindRecord::reasons},
+                                                                                  {"commands", &MindRecord::commands}};
+  for (const auto& [element, part] : parts) {
+    RunAndRecord(file, "crowd/crowd_10.lua", 15, [&, part = part](TickRecord& record) {
+      if (record.tick != 11) return;
+      for (MindRecord& mind : record.minds) {
+        if ((mind.*part).empty()) continue;
+        agent = mind.agent;
+        (mind.*part).back() += "x";
+        return;
+      }
+      ADD_FAILURE() << "no mind has any";
+    });
+    verdict = VerdictOn(file);
+    ASSERT_TRUE(verdict.difference) << element;
+    EXPECT_EQ(verdict.difference->tick, 11u);
+    EXPECT_EQ(verdict.difference->agent, agent);
+    EXPECT_EQ(verdict.difference->element, element);
+  }
+}
+
+TEST(Verify, OneRandomNumberIsFound) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path() / "run";
+  // Somebody draws one number more than the recording knows of.
+  RunAndRecord(
+      file, "crowd/crowd_10.lua", 15, [](TickRecord& record) { record.inputs.clear(); },
+      [](sim::Simulation& simulation) {
+        if (simulation.tick() == 7) simulation.Submit(sim::ScriptInput{"", "math.random()"});
+      });
+  const Verdict verdict = VerdictOn(file);
+  ASSERT_TRUE(verdict.difference);
+  EXPECT_EQ(verdict.difference->tick, 8u);
+}
+
+TEST(Verify, UnchangedIsEqualOnAnyNumberOfThreads) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path() / "run";
+  RunAndRecord(file, "crowd/crowd_10.lua", 20, {}, [](sim::Simulation& simulation) {
+    if (simulation.tick() == 7) simulation.Submit(sim::ScriptInput{"", "math.random()"});
+  });
+  for (const int threads : {1, 4}) {
+    const Verdict verdict = VerdictOn(file, threads);
+    EXPECT_FALSE(verdict.difference) << verdict.difference->element;
+    EXPECT_EQ(verdict.last_tick, 20u);
+  }
+}
+
+}  // namespace
+}  // namespace soarbox::record
