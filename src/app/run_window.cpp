@@ -161,7 +161,7 @@ int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& optio
   world::OverlayWants overlay_wants;
   while (!session.IsOver() && !pace.quit()) {
     // Where the recording goes is said at first.
-    const bool says_remark = !options.remark.empty() && simulation.time_s() < kRemarkShown_s;
+    const bool says_remark = !options.remark.empty() && newest.time_s < kRemarkShown_s;
     viewer.SetStatus({.paused = pace.paused(),
                       .speed = pace.speed(),
                       .message = says_remark ? options.remark : CostText(frame_time, tick_time)});
