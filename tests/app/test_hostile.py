@@ -190,7 +190,7 @@ class Signals(ScenarioCase):
     def end(self, sandbox, number, after_s=1.0, most_s=4.0):
         self.write("Walker.lua", WALKER)
         self.write("Sandbox.lua", sandbox)
-        with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--seconds", "1e9"], text=True,
+        with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--seconds", "1e7"], text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             time.sleep(after_s)
             start = time.monotonic()
