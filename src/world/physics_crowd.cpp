@@ -56,7 +56,8 @@ void CrowdControl::Put(btCollisionObject& body, bool aside) {
 }
 
 void CrowdControl::Check(btCollisionObject& body) {
-  if (!limit_.reached || IsAside(body) || body.isStaticObject()) return;
+  if (!limit_.reached || body.isStaticObject()) return;
+  if (IsAside(body)) Put(body, false);
   if (body.getUserIndex3() > kMostRefused) Put(body, true);
   body.setUserIndex3(0);
 }

@@ -295,7 +295,7 @@ TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStil
   std::vector<EntityId> agents;
   for (int i = 0; i < kBodies; ++i) agents.push_back(world.CreateAgent({}));
   EXPECT_TRUE(world.IsCrowded());
-  for (int tick = 0; tick < 1; ++tick) {
+  for (int tick = 0; tick < 10; ++tick) {
     world.BeginTick();
     world.Step();
   }
