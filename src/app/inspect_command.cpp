@@ -11,6 +11,7 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/kernel_address.h"
 #include "debugger/breakpoints.h"
 #include "debugger/views.h"
 #include "record/format.h"
@@ -78,6 +79,9 @@ Result<void> RunScenario(const InspectOptions& options, const sim::DataFolders& 
   if (!scenario) return scenario.error();
   sim::SimulationSettings settings;
   settings.mind_detail = sim::MindDetail::kAll;
+  if (!options.kernel.empty()) {
+    if (const Result<void> read = ReadKernelAddress(options.kernel, settings.soar); !read) return read;
+  }
   if (options.seed) {
     settings.seed = *options.seed;
   } else if (!scenario->definition.empty()) {

@@ -15,8 +15,9 @@ struct InspectOptions {
   std::string agent;            ///< Empty: the first one with a Soar mind.
   std::string view = "agents";  ///< With what it is of: "rule propose*move".
   double at_s = 5;
-  double from_s = 0;  ///< For views over ticks.
-  std::string until;  ///< A breakpoint that ends the run sooner: "fire RULE"; scenarios only.
+  double from_s = 0;   ///< For views over ticks.
+  std::string until;   ///< A breakpoint that ends the run sooner: "fire RULE"; scenarios only.
+  std::string kernel;  ///< HOST:PORT of a Soar kernel elsewhere; empty: our own.
   bool json = false;
   std::optional<std::uint64_t> seed;
   std::vector<std::filesystem::path> extra_folders;

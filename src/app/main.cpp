@@ -126,6 +126,7 @@ void AddInspect(CLI::App& program, soarbox::app::InspectOptions& options) {
       ->check(NumberIn(0.0, 36000.0));
   inspect->add_option("--until", options.until,
                       "Stop sooner: fire RULE, match RULE, element PATTERN, impasse KIND or command NAME");
+  inspect->add_option("--kernel", options.kernel, "As for `soarbox run`: what only our own kernel tells is left out");
   inspect->add_flag("--json", options.json, "Print it as JSON");
   inspect->add_option("--seed", options.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
   inspect->add_option("--path", options.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);

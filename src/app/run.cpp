@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -7,6 +6,7 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/kernel_address.h"
 #include "app/record_run.h"
 #include "app/run_headless.h"
 #include "app/run_options.h"
@@ -21,29 +21,10 @@ namespace soarbox::app {
 namespace {
 
 constexpr double kHeadlessSeconds = 60;
-constexpr int kDefaultPort = 12121;
 
 int CannotStart(const Diagnostic& problem) {
   std::cerr << Format(problem);
   return kCannotStart;
-}
-
-/// Splits "HOST:PORT"; the port may be missing.
-Result<void> ReadKernelAddress(const std::string& text, sim::SoarSettings& settings) {
-  const std::size_t colon = text.rfind(':');
-  settings.remote_host = text.substr(0, colon);
-  settings.remote_port = kDefaultPort;
-  if (colon != std::string::npos) {
-    const char* end = text.data() + text.size();
-    const auto [at, error] = std::from_chars(text.data() + colon + 1, end, settings.remote_port);
-    if (error != std::errc{} || at != end || settings.remote_port < 1 || settings.remote_port > 65535) {
-      Diagnostic problem;
-      problem.message = "'" + text + "' is no address of a kernel";
-      problem.hint = "write HOST:PORT, for example --kernel 127.0.0.1:12121";
-      return problem;
-    }
-  }
-  return {};
 }
 
 /// Reads the file of inputs; false if it cannot be read or any line is wrong, after telling which.

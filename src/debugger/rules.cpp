@@ -198,8 +198,8 @@ Json ToJson(const std::vector<sim::RuleFact>& rules) {
 std::string ToText(const RuleView& view) {
   std::string text = view.source;
   if (!text.ends_with('\n')) text += "\n";
-  text += fmt::format("{}, fired {} times, from {}\n", view.rule.type, view.rule.firings,
-                      view.rule.file.empty() ? "the command line" : PlaceOf(view.rule));
+  text += fmt::format("{}, fired {} times{}\n", view.rule.type, view.rule.firings,
+                      view.rule.file.empty() ? "" : ", from " + PlaceOf(view.rule));
   text += view.match.sentence + "\n";
   for (std::size_t i = 0; i < view.match.facts.conditions.size(); ++i) {
     const sim::ConditionFact& condition = view.match.facts.conditions[i];

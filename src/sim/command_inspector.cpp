@@ -6,6 +6,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "sim/rule_text.h"
 #include "sml_Client.h"
 
 namespace soarbox::sim {
@@ -172,6 +173,8 @@ OperatorFacts ReadPreferences(std::string_view text) {
 MatchFacts ReadMatches(std::string_view rule, std::string_view text) {
   MatchFacts facts;
   facts.rule = rule;
+  std::string group;
+  int depth = 0;
   for (const std::string& line : Lines(text)) {
     const std::string_view trimmed = Trimmed(line);
     if (trimmed.empty()) continue;
@@ -180,17 +183,25 @@ MatchFacts ReadMatches(std::string_view rule, std::string_view text) {
       break;
     }
     ConditionFact condition;
+    bool is_failing = false;
     std::string_view shown = trimmed;
     if (trimmed.starts_with(">>>>")) {
-      if (!facts.failing) facts.failing = facts.conditions.size();
+      is_failing = true;
       shown = Trimmed(trimmed.substr(4));
     } else if (std::isdigit(static_cast<unsigned char>(trimmed[0])) != 0) {
       condition.partial_matches = Number(trimmed);
       const std::size_t blank = trimmed.find(' ');
       shown = blank == std::string_view::npos ? std::string_view() : Trimmed(trimmed.substr(blank));
     }
+    // The conditions of a conjunctive negation count as one, told with its closing bracket.
+    if (shown == "-{") ++depth;
+    if (depth > 0) group += (group.empty() ? "" : " ") + std::string(shown);
+    if (shown == "}" && depth > 0 && --depth == 0) shown = group;
+    if (depth > 0) continue;
+    if (is_failing && !facts.failing) facts.failing = facts.conditions.size();
     condition.text = shown;
-    condition.negated = shown.starts_with('-') || shown.find("-^") != std::string_view::npos;
+    group.clear();
+    condition.negated = condition.text.starts_with('-') || condition.text.find("-^") != std::string::npos;
     facts.conditions.push_back(std::move(condition));
   }
   return facts;
@@ -204,7 +215,8 @@ std::string CommandInspector::Ask(const std::string& command) {
 MindFacts CommandInspector::Mind() {
   MindFacts facts;
   facts.decisions = static_cast<std::uint64_t>(std::max(agent_.GetDecisionCycleCounter(), 0));
-  facts.rules = Rules().size();
+  for (const std::string& line : Lines(Ask("print --all --user")))
+    if (!Trimmed(line).empty() && Trimmed(line).find(' ') == std::string_view::npos) ++facts.rules;
   for (const ElementFact& io : ElementsOf("S1")) {
     if (io.attribute != "io") continue;
     for (const ElementFact& link : ElementsOf(io.value)) {
@@ -231,6 +243,8 @@ std::vector<ElementFact> CommandInspector::Search(std::string_view text, std::si
       found.push_back(std::move(element));
   }
   std::ranges::sort(found, {}, &ElementFact::timetag);
+  const auto again = std::ranges::unique(found, {}, &ElementFact::timetag);
+  found.erase(again.begin(), again.end());
   if (found.size() > most) found.resize(most);
   return found;
 }
@@ -280,17 +294,31 @@ std::vector<RuleFact> CommandInspector::Rules() {
     for (RuleFact& rule : rules)
       if (words[1] == rule.name) rule.firings = Number(words[0].substr(0, words[0].find(':')));
   }
+  // Each rule is a question of its own: programs of very many are told without.
+  constexpr std::size_t kMostAsked = 300;
+  for (std::size_t i = 0; i < rules.size() && rules.size() <= kMostAsked; ++i)
+    rules[i].matches = ReadMatches(rules[i].name, Ask("matches " + rules[i].name)).complete;
   return rules;
 }
 
 std::string CommandInspector::RuleSource(std::string_view rule) {
-  const std::string text = Ask("print --full " + std::string(rule));
+  std::string text = Ask("print --full " + std::string(rule));
+  text.erase(text.find_last_not_of("\n") + 1);
   return text.starts_with("sp {") || text.starts_with("sp \"") ? text : std::string();
 }
 
 std::optional<MatchFacts> CommandInspector::Match(std::string_view rule) {
   if (RuleSource(rule).empty()) return std::nullopt;
-  return ReadMatches(rule, Ask("matches " + std::string(rule)));
+  MatchFacts facts = ReadMatches(rule, Ask("matches " + std::string(rule)));
+  if (!facts.failing) return facts;
+  // What has the attributes that the condition looks for, wherever it is.
+  constexpr std::size_t kMostSeen = 20;
+  for (const RuleAttribute& part : ReadConditions(facts.conditions[*facts.failing].text)) {
+    if (!IsConstantAttribute(part.attribute)) continue;
+    for (ElementFact& element : Search(part.attribute, kMostSeen))
+      if (element.attribute == part.attribute) facts.seen.push_back(std::move(element));
+  }
+  return facts;
 }
 
 std::vector<std::string> CommandInspector::Complete(std::string_view) {

@@ -6,9 +6,11 @@ The files in inspect_golden are what it prints of one agent; SOARBOX_UPDATE=1 wr
 import json
 import os
 import pathlib
+import socket
+import subprocess
 import unittest
 
-from soarbox_command import Run, ScenarioCase
+from soarbox_command import COMMAND, Run, ScenarioCase
 from test_soar_authors import WORLD
 
 GOLDEN = pathlib.Path(__file__).resolve().parent / "inspect_golden"
@@ -106,6 +108,28 @@ class Inspect(ScenarioCase):
             with self.subTest(view):
                 self.assertEqual(self.text(view, "--agent", "hero", source=recording),
                                  self.text(view, "--agent", "hero"))
+
+    def test_a_kernel_elsewhere_is_asked_in_its_command_language(self):
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        kernel = subprocess.Popen([COMMAND, "kernel", "--port", str(port)], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(kernel.stdout.close)
+        self.addCleanup(kernel.wait)
+        self.addCleanup(kernel.kill)
+        self.assertIn("listens", kernel.stdout.readline())
+        far = ("--kernel", f"127.0.0.1:{port}")
+        for view in ["agents", "memory S1", "memory /vigour", "io", "messages", "plots S1.vigour", "console print s1",
+                     "rule hero*propose*flee"]:
+            with self.subTest(view):
+                there = self.text(view, *far)
+                here = self.text(view).replace(f", from {self.folder}/hero.soar:32", "")
+                self.assertEqual(there, here)
+        self.assertIn("walk (O2) won: it is better than rest (O1) by rule hero*prefer*walk.", self.text("operators", *far))
+        for view in ["stack", "operators", "memory 31", "why move"]:
+            with self.subTest(view):
+                self.assertIn("not available there", self.text(view, *far))
+        self.assertIn("stops at condition 2 of 2", self.text("why flee", *far))
 
     def test_what_is_not_there_is_told(self):
         for view, message in [("stak", "did you mean 'stack'?"), ("rule", "needs a name"),

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+#include "diagnostics/result.h"
+#include "sim/soar_host.h"
+
+namespace soarbox::app {
+
+/// Where Soar kernels listen unless they are told otherwise.
+inline constexpr int kDefaultPort = 12121;
+
+/// Splits "HOST:PORT"; the port may be missing.
+Result<void> ReadKernelAddress(const std::string& text, sim::SoarSettings& settings);
+
+}  // namespace soarbox::app
