@@ -5,6 +5,7 @@
 #include <lua.hpp>
 
 #include "script/bind_api.h"
+#include "script/keep_state.h"
 #include "script/lua_values.h"
 #include "world/state_hash.h"
 
@@ -355,7 +356,15 @@ std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::s
   LuaMachine* machine = script                                   ? script->machine.get()
                         : agent_or_sandbox == EntityId::kSandbox ? sandbox_.get()
                                                                  : nullptr;
-  if (machine) return machine->RunText(text, "console");
+  if (machine) {
+    const std::vector<std::string> kept = KeptNames(text);
+    if (kept.empty()) return machine->RunText(text, "console");
+    const std::string& name = machine->script();
+    if (auto error = machine->Protected([&](lua_State* state) { CollectKept(state, kept, name); })) return error;
+    std::optional<ScriptError> failed = machine->RunText(text, "console");
+    std::optional<ScriptError> unkept = machine->Protected([&](lua_State* state) { RestoreKept(state, kept, name); });
+    return failed ? failed : unkept;
+  }
   Diagnostic error;
   error.message = "no such agent: " + std::to_string(Number(agent_or_sandbox));
   return ScriptError{error, {}};

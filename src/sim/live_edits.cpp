@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "script/check_syntax.h"
+#include "script/keep_state.h"
 #include "sim/rule_text.h"
 #include "sim/simulation.h"
 
@@ -125,7 +126,7 @@ bool LiveEdits::Edit(const WatchedFile& file, const std::string& before, const s
       told.push_back(Format(*problem) + "   note: the script before this edit stays\n");
       return false;
     }
-    simulation_.Submit(ScriptInput{file.agent, after});
+    simulation_.Submit(ScriptInput{file.agent, script::WithKept(after, script::UnchangedVariables(before, after))});
     return true;
   }
   const SplitText now = SplitRules(after);

@@ -155,6 +155,9 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
     return text +
            (others == 1 ? "the one that is there" : "none of the " + std::to_string(others) + " that are there") +
            (others == 1 ? " does not fit the conditions before it" : " fits the conditions before it");
+  // It is there, but elsewhere: another waypoint than the one that the conditions before it are about.
+  if (std::find(shown.begin(), shown.end(), first.value) != shown.end())
+    return text + "the one that has it does not fit the rule's other conditions";
   text += "it is " + List(shown) + bound;
   const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
   if (words.empty() || RowAt(first.path) == nullptr || first.value.find_first_of(" <>{}") != std::string::npos)

@@ -159,6 +159,15 @@ void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
     for (const std::string& variable : VariablesIn(action.value)) ++in_actions[variable];
   }
   for (const RuleAttribute& action : rule.actions) {
+    // "^next <n> -" of an <n> that is nowhere: a kernel that meets { <n> 3 } keeps the 3 and forgets the <n>.
+    if (action.value.ends_with(" -")) {
+      const std::string gone = action.value.substr(0, action.value.size() - 2);
+      if (IsVariable(gone) && !bound.contains(gone) && !ids.contains(gone))
+        slips.push_back({rule.name, gone, false,
+                         "no condition of rule " + rule.name + " binds " + gone + ": the action takes nothing away",
+                         "a condition { " + gone + " constant } does not bind it either: write the constant"});
+      continue;
+    }
     if (!IsVariable(action.value)) continue;
     const std::string& variable = action.value;
     if (bound.contains(variable) || ids.contains(variable) || in_actions[variable] > 1) continue;

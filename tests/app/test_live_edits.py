@@ -20,8 +20,9 @@ sp {hero*tell (state <s> ^superstate nil ^heard <n>) --> (write |old | <n> (crlf
 
 class LiveEdits(ScenarioCase):
     def run_and_edit(self, edit, rules=COUNT):
-        self.write("hero.soar", rules)
-        self.write("scenario.toml", WORLD)
+        if rules is not None:
+            self.write("hero.soar", rules)
+            self.write("scenario.toml", WORLD)
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
         run = subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "1", "--seconds", "6", "--watch"],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
@@ -41,6 +42,33 @@ class LiveEdits(ScenarioCase):
         # It goes on counting where it was: nothing was forgotten.
         self.assertIn(new[0] - old[-1], (0, 1))
         self.assertFalse(any(text.startswith("old ") for text in texts[texts.index(f"new {new[0]}"):]))
+
+    def test_of_a_script_keep_what_the_agent_has_come_to_know(self):
+        body = """
+local count, names = 0, {};
+local kWord = "old";
+total = 0;
+local function Say(text) print(kWord .. " " .. text); end
+function Agent_Initialize(agent) names.first = "anna"; end
+function Agent_Update(agent)
+    count = count + 1;
+    total = total + 2;
+    Say(count .. " " .. total .. " " .. tostring(names.first));
+end
+"""
+        self.write("Body.lua", body)
+        self.write("Sandbox.lua", "function Sandbox_Initialize(s) Sandbox.CreateAgent(s, 'Body.lua') end")
+        texts, err, end = self.run_and_edit(lambda: self.write("Body.lua", body.replace('"old"', '"new"')), None)
+        self.assertIn("Body.lua was edited", err)
+        self.assertEqual(end["problems"], 0)
+        told = [text.split(": ", 1)[1].split() for text in texts]
+        # It goes on counting where it was; the word that its author changed is the new one.
+        self.assertEqual([int(words[1]) for words in told], list(range(1, 181)))
+        self.assertEqual([int(words[2]) for words in told], list(range(2, 362, 2)))
+        self.assertEqual({words[3] for words in told}, {"anna"})
+        words = [words[0] for words in told]
+        self.assertEqual((words[0], words[-1]), ("old", "new"))
+        self.assertEqual(words, sorted(words, reverse=True))
 
     def test_of_a_file_that_another_one_sources_arrive_too(self):
         (self.folder / "parts" / "deep").mkdir(parents=True)
