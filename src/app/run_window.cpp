@@ -144,7 +144,11 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const RunOptions& o
   viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1), .message = options.remark});
   viewer.Show(simulation.Snapshot());
   viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
-  if (!viewer.RenderFrame()) return session.Finish();
+  if (options.camera.empty()) viewer.Do(viewer::ViewerCommand::kFrameAll);
+  // The camera is a moment on its way to where the agents are by now.
+  constexpr auto kOnTheWay = std::chrono::milliseconds(1500);
+  for (const Clock::time_point begin = Clock::now(); Clock::now() - begin < kOnTheWay;)
+    if (!viewer.RenderFrame()) return session.Finish();
   if (const Result<void> saved = viewer.SaveScreenshot(options.screenshot); !saved) return Fail(saved.error());
   return session.Finish();
 }

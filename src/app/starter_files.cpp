@@ -29,9 +29,11 @@ sp {NAME*apply*move-to
    (<command> ^waypoint <name>)
    (write |I go to | <name> (crlf))
 }
+)TEXT";
 
+constexpr std::string_view kForget = R"TEXT(
 # Clear away what the world has answered, so that the output link stays tidy.
-sp {NAME*apply*forget-answered-command
+sp {WHO*apply*forget-answered-command
    (state <s> ^superstate nil ^operator <o> ^io.output-link <out>)
    (<out> ^<name> <command>)
    (<command> ^status)
@@ -39,6 +41,13 @@ sp {NAME*apply*forget-answered-command
    (<out> ^<name> <command> -)
 }
 )TEXT";
+
+/// Rules with the one at their end that each agent has.
+std::string Rules(std::string_view rules, std::string_view agent) {
+  std::string forget(kForget);
+  forget.replace(forget.find("WHO"), 3, agent);
+  return std::string(rules) + forget;
+}
 
 constexpr std::string_view kSoarScenario =
     R"TEXT(# NAME: the world of this scenario. All distances are in metres; positions are [x, z].
@@ -158,14 +167,6 @@ sp {lamp*apply*shine
 -->
    (<out> ^shine <command>)
    (<command> ^number <n>)
-}
-
-sp {lamp*apply*forget-answered-command
-   (state <s> ^superstate nil ^operator <o> ^io.output-link <out>)
-   (<out> ^<name> <command>)
-   (<command> ^status)
--->
-   (<out> ^<name> <command> -)
 }
 )TEXT";
 
@@ -287,14 +288,6 @@ sp {fighter*apply*reload
 -->
    (<out> ^reload <command>)
 }
-
-sp {fighter*apply*forget-answered-command
-   (state <s> ^superstate nil ^operator <o> ^io.output-link <out>)
-   (<out> ^<name> <command>)
-   (<command> ^status)
--->
-   (<out> ^<name> <command> -)
-}
 )TEXT";
 
 constexpr std::string_view kTeamTest = R"TEXT(#!/bin/sh
@@ -312,23 +305,23 @@ echo "passed"
 }  // namespace
 
 std::vector<StarterFile> SoarStarter() {
-  return {{"scenario.toml", "the world: bodies, places, obstacles, goals", kSoarScenario},
-          {"NAME.soar", "the agent's rules", kWalkerRules},
-          {"test.sh", "runs it with three seeds and checks that the goal is reached", kTest}};
+  return {{"scenario.toml", "the world: bodies, places, obstacles, goals", std::string(kSoarScenario)},
+          {"NAME.soar", "the agent's rules", Rules(kWalkerRules, "NAME")},
+          {"test.sh", "runs it with three seeds and checks that the goal is reached", std::string(kTest)}};
 }
 
 std::vector<StarterFile> LuaStarter() {
-  return {{"Sandbox.lua", "the script that sets up the world", kLuaWorld},
-          {"NAME.soar", "the rules of an agent whose body comes with the program", kLuaWalker},
-          {"Lamp.lua", "a body of one's own, with a percept and a command of its own", kLamp},
-          {"lamp.soar", "the rules of that body", kLampRules},
-          {"test.sh", "runs it with three seeds and checks what the agents do", kLuaTest}};
+  return {{"Sandbox.lua", "the script that sets up the world", std::string(kLuaWorld)},
+          {"NAME.soar", "the rules of an agent whose body comes with the program", std::string(kLuaWalker)},
+          {"Lamp.lua", "a body of one's own, with a percept and a command of its own", std::string(kLamp)},
+          {"lamp.soar", "the rules of that body", Rules(kLampRules, "lamp")},
+          {"test.sh", "runs it with three seeds and checks what the agents do", std::string(kLuaTest)}};
 }
 
 std::vector<StarterFile> TeamStarter() {
-  return {{"scenario.toml", "the world: two teams, a wall, two ends", kTeamScenario},
-          {"fighter.soar", "the rules of all four", kFighterRules},
-          {"test.sh", "runs it with three seeds and checks that a team wins", kTeamTest}};
+  return {{"scenario.toml", "the world: two teams, a wall, two ends", std::string(kTeamScenario)},
+          {"fighter.soar", "the rules of all four", Rules(kFighterRules, "fighter")},
+          {"test.sh", "runs it with three seeds and checks that a team wins", std::string(kTeamTest)}};
 }
 
 }  // namespace soarbox::app

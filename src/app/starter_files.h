@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace soarbox::app {
 struct StarterFile {
   std::string_view name;
   std::string_view meaning;
-  std::string_view text;
+  std::string text;
 };
 
 std::vector<StarterFile> SoarStarter();
