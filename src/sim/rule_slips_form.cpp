@@ -160,8 +160,8 @@ void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
   }
   for (const RuleAttribute& action : rule.actions) {
     // "^next <n> -" of an <n> that is nowhere: a kernel that meets { <n> 3 } keeps the 3 and forgets the <n>.
-    if (action.value.ends_with(" -")) {
-      const std::string gone = action.value.substr(0, action.value.size() - 2);
+    if (action.value.ends_with('-')) {
+      const std::string gone = action.value.substr(0, action.value.find(' '));
       if (IsVariable(gone) && !bound.contains(gone) && !ids.contains(gone))
         slips.push_back({rule.name, gone, false,
                          "no condition of rule " + rule.name + " binds " + gone + ": the action takes nothing away",
