@@ -5,11 +5,12 @@
 uniform vec4 base_colour;
 uniform vec4 finish;
 
-// How much of a pixel a line at every multiple of `step_m` covers, without shimmer in the distance.
-float GridLine(vec2 place, float step_m, float width_m)
+// How much of a pixel a line at every multiple of `step_m` covers, without shimmer in the distance. `pixel_m`: what a
+// pixel covers of the ground.
+float GridLine(vec2 place, vec2 pixel_m, float step_m, float width_m)
 {
     vec2 scaled = place / step_m;
-    vec2 blur = max(fwidth(scaled), vec2(1e-5));
+    vec2 blur = pixel_m / step_m;
     vec2 half_width = vec2(0.5 * width_m / step_m);
     vec2 away = abs(fract(scaled - 0.5) - 0.5);
     vec2 line = clamp((half_width + blur - away) / blur, 0.0, 1.0);
@@ -23,27 +24,32 @@ void main()
     // Upright faces take the plane that they stand in, so that nothing is smeared down their sides.
     vec3 facing = abs(normalize(world_normal));
     vec2 place = facing.y > 0.55 ? world_position.xz : facing.x > facing.z ? world_position.zy : world_position.xy;
+    vec3 broader = texture(paint, place.yx * 0.0061 + 0.11).rgb;
 #ifdef LOW_DETAIL
-    vec3 fine = vec3(0.5);
+    float grain = 0.45 * broader.g + 0.25 * broader.b + 0.15;
 #else
     vec3 fine = texture(paint, place * 0.31).rgb;
-#endif
     vec3 broad = texture(paint, place * 0.023 + 0.37).rgb;
-    vec3 broader = texture(paint, place.yx * 0.0061 + 0.11).rgb;
     float grain = 0.45 * fine.r + 0.30 * broad.g + 0.25 * broader.b;
+#endif
 
     // Pale and darker tiles of ten metres, hardly apart.
+    vec2 pixel_m = max(fwidth(place), vec2(1e-5));
     vec2 tile_place = place / 10.0;
-    vec2 tile_blur = max(fwidth(tile_place), vec2(1e-5));
+    vec2 tile_blur = pixel_m / 10.0;
     vec2 tile = clamp((abs(fract(tile_place * 0.5) - 0.5) - 0.25) / tile_blur, -0.5, 0.5);
     float checker = 4.0 * tile.x * tile.y * (1.0 - smoothstep(0.3, 1.0, max(tile_blur.x, tile_blur.y)));
 
     vec3 colour = base_colour.rgb * (0.74 + 0.52 * grain) * (1.0 + 0.045 * checker);
     colour = mix(colour, colour * vec3(0.88, 1.02, 0.84), smoothstep(0.42, 0.68, broader.r) * 0.7);
-    float fine_line = GridLine(place, 2.0, 0.035) * 0.22;
-    float strong_line = GridLine(place, 10.0, 0.07) * 0.42;
+    float fine_line = GridLine(place, pixel_m, 1.0, 0.03) * 0.20;
+    float strong_line = GridLine(place, pixel_m, 10.0, 0.09) * 0.46;
     colour *= 1.0 - max(fine_line, strong_line) * 0.55;
 
+#ifdef LOW_DETAIL
+    vec3 light = ShadeDull(ToLinear(colour), normalize(world_normal));
+#else
     vec3 light = Shade(ToLinear(colour), normalize(world_normal), 0.05, 1.0);
+#endif
     fragment = vec4(ToScreen(light), 1.0);
 }

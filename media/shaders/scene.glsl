@@ -52,11 +52,7 @@ float Lit(sampler2DShadow map, vec3 place, float texel, float spread, float bias
 {
     const vec2 kTaps[8] = vec2[8](vec2(-0.33, -0.88), vec2(0.62, -0.69), vec2(-0.93, -0.21), vec2(0.14, -0.25),
                                   vec2(0.93, 0.18), vec2(-0.44, 0.35), vec2(0.36, 0.62), vec2(-0.32, 0.93));
-#ifdef LOW_DETAIL
-    const int kCount = 2;
-#else
     const int kCount = 8;
-#endif
     float lit = 0.0;
     for (int i = 0; i < kCount; ++i)
         lit += texture(map, vec3(place.xy + kTaps[i] * texel * spread, place.z - bias));
@@ -66,6 +62,13 @@ float Lit(sampler2DShadow map, vec3 place, float texel, float spread, float bias
 // 1 in the sun, 0 in shadow: a fine map near the camera, a coarse one further out, none beyond.
 float SunLit()
 {
+#ifdef LOW_DETAIL
+    // One map that covers what both do else, but for what is far away.
+    vec3 place = vec3(shadow_place_near.xy, shadow_place_near.z * 0.5 + 0.5);
+    vec2 edge = abs(place.xy - 0.5);
+    float inside = sun_colour.a * clamp((0.49 - max(edge.x, edge.y)) * 12.0, 0.0, 1.0);
+    return 1.0 - inside * (1.0 - texture(shadow_near, vec3(place.xy, place.z - 0.0005)));
+#else
     vec3 near_place = vec3(shadow_place_near.xy, shadow_place_near.z * 0.5 + 0.5);
     vec3 far_place = vec3(shadow_place_far.xy, shadow_place_far.z * 0.5 + 0.5);
     vec2 near_edge = abs(near_place.xy - 0.5);
@@ -79,6 +82,44 @@ float SunLit()
     if (in_near > 0.0)
         lit = mix(lit, Lit(shadow_near, near_place, texel, 2.2, 0.0004), in_near);
     return mix(1.0, lit, sun_colour.a);
+#endif
+}
+
+// How much of the light on its way is lost in the haze.
+float Hazed(float distance_m)
+{
+    float way = distance_m * haze.x;
+    float thick = way * sqrt(way);
+#ifdef LOW_DETAIL
+    return 1.0 - 1.0 / (1.0 + thick * (1.0 + thick * (0.5 + 0.17 * thick)));
+#else
+    return 1.0 - exp(-thick);
+#endif
+}
+
+vec3 FurtherLight(vec3 albedo, vec3 normal)
+{
+    vec3 light = vec3(0.0);
+    int further_lights = int(haze.z + 0.5);
+    for (int i = 0; i < further_lights; ++i) {
+        vec3 to_light = light_place[i].w > 0.5 ? light_place[i].xyz - world_position : light_place[i].xyz;
+        float away = length(to_light);
+        if (light_place[i].w > 0.5 && light_colour[i].a > 0.0 && away > light_colour[i].a) continue;
+        float fade = light_place[i].w > 0.5
+            ? 1.0 / max(dot(light_fade[i].xyz, vec3(1.0, away, away * away)), 1e-3) : 1.0;
+        light += albedo * light_colour[i].rgb * max(dot(normal, to_light / max(away, 1e-4)), 0.0) * fade;
+    }
+    return light;
+}
+
+// Light on dull ground, for slow renderers: sun, shadow, sky and haze, no shine, no mirrored sky.
+vec3 ShadeDull(vec3 albedo, vec3 normal)
+{
+    float facing = max(dot(normal, sun_direction.xyz), 0.0);
+    vec3 around = ambient_colour.rgb * (sky_mean.rgb * 0.55 + 0.45) * 1.25;
+    vec3 light = albedo * (around + sun_colour.rgb * (facing * SunLit() * 0.95)) + haze_colour.rgb * 0.012;
+    light += FurtherLight(albedo, normal);
+    return mix(light, haze_colour.rgb, Hazed(length(camera_place.xyz - world_position)));
 }
 
 // The light that leaves a surface towards the camera, haze included.
@@ -98,7 +139,8 @@ vec3 Shade(vec3 albedo, vec3 normal, float gloss, float occlusion)
 
     float power = mix(14.0, 180.0, gloss);
     vec3 halfway = normalize(sun + view);
-    float fresnel = pow(1.0 - max(dot(normal, view), 0.0), 5.0);
+    float grazing = 1.0 - max(dot(normal, view), 0.0);
+    float fresnel = grazing * grazing * grazing * grazing * grazing;
     float shine = pow(max(dot(normal, halfway), 0.0), power) * mix(0.05, 0.9, gloss) * lit;
     light += sun_colour.rgb * shine;
 #ifdef LOW_DETAIL
@@ -108,17 +150,8 @@ vec3 Shade(vec3 albedo, vec3 normal, float gloss, float occlusion)
 #endif
     light += mirrored * (0.03 + 0.97 * fresnel) * mix(0.06, 0.5, gloss) * occlusion;
 
-    int further_lights = int(haze.z + 0.5);
-    for (int i = 0; i < further_lights; ++i) {
-        vec3 to_light = light_place[i].w > 0.5 ? light_place[i].xyz - world_position : light_place[i].xyz;
-        float away = length(to_light);
-        if (light_place[i].w > 0.5 && light_colour[i].a > 0.0 && away > light_colour[i].a) continue;
-        float fade = light_place[i].w > 0.5
-            ? 1.0 / max(dot(light_fade[i].xyz, vec3(1.0, away, away * away)), 1e-3) : 1.0;
-        light += albedo * light_colour[i].rgb * max(dot(normal, to_light / max(away, 1e-4)), 0.0) * fade;
-    }
-
-    float hazed = 1.0 - exp(-pow(distance_m * haze.x, 1.5));
+    light += FurtherLight(albedo, normal);
+    float hazed = Hazed(distance_m);
 #ifdef LOW_DETAIL
     vec3 beyond = haze_colour.rgb;
 #else

@@ -8,5 +8,6 @@ out vec3 direction;
 void main()
 {
     direction = vertex.xyz;
-    gl_Position = world_view_projection * vec4(vertex.xyz, 1.0);
+    // As far away as can be: drawn after what is in front of it, so that only what shows is painted.
+    gl_Position = (world_view_projection * vec4(vertex.xyz, 1.0)).xyww;
 }

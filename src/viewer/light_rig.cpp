@@ -7,17 +7,19 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr std::uint16_t kShadowMapSize = 2048, kSmallShadowMapSize = 1024;
+constexpr std::uint16_t kShadowMapSize = 2048;
 constexpr std::size_t kFurtherLights = 4;
 
 /// Half the width of what each shadow map covers when the camera is near the ground, in m.
 constexpr float kCovered[2] = {20, 95};
+/// In low detail one map serves; the other covers next to nothing, so that hardly anything is drawn into it.
+constexpr float kCoveredLow[2] = {42, 0.5f};
 
 /// Frames a square in front of the camera as the sun sees it. The square moves in whole texels, so that the edges of
 /// shadows do not crawl when the camera moves.
 class SunView : public Ogre::ShadowCameraSetup {
  public:
-  explicit SunView(std::uint16_t map_size) : map_size_(map_size) {}
+  SunView(std::uint16_t map_size, bool low_detail) : map_size_(map_size), low_detail_(low_detail) {}
 
   void getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera* camera, const Ogre::Viewport*,
                        const Ogre::Light* light, Ogre::Camera* sun_eye, std::size_t map) const override {
@@ -25,7 +27,8 @@ class SunView : public Ogre::ShadowCameraSetup {
     Ogre::Vector3 ahead = camera->getDerivedDirection();
     // Whole powers of two, so that the maps change size seldom.
     const float height = std::max(1.0f, std::abs(eye.y) / 14.0f);
-    const float covered = kCovered[std::min<std::size_t>(map, 1)] * std::exp2(std::ceil(std::log2(height)));
+    const float* usual = low_detail_ ? kCoveredLow : kCovered;
+    const float covered = usual[std::min<std::size_t>(map, 1)] * std::exp2(std::ceil(std::log2(height)));
     float reach = 0.75f * covered;
     if (ahead.y < -0.05f) reach = std::min(reach, eye.y / -ahead.y);
     ahead.y = std::min(ahead.y, 0.0f);
@@ -52,6 +55,7 @@ class SunView : public Ogre::ShadowCameraSetup {
 
  private:
   std::uint16_t map_size_;
+  bool low_detail_;
 };
 
 Ogre::Vector4 Four(world::Vec3 v, float w) {
@@ -64,12 +68,13 @@ LightRig::LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre
     : values_(shaders.scene_values()) {
   scene.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
   scene.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 2);
-  const std::uint16_t map_size = low_detail ? kSmallShadowMapSize : kShadowMapSize;
+  const std::uint16_t map_size = kShadowMapSize;
   scene.setShadowTextureSettings(map_size, 2, Ogre::PF_DEPTH32);
+  if (low_detail) scene.setShadowTextureConfig(1, 64, 64, Ogre::PF_DEPTH32);
   scene.setShadowTextureSelfShadow(true);
   scene.setShadowCasterRenderBackFaces(false);
   scene.setShadowTextureCasterMaterial(caster);
-  scene.setShadowCameraSetup(std::make_shared<SunView>(map_size));
+  scene.setShadowCameraSetup(std::make_shared<SunView>(map_size, low_detail));
   scene.setShadowFarDistance(2000);
   sun_ = scene.createLight("Soarbox/Sun");
   sun_->setType(Ogre::Light::LT_DIRECTIONAL);

@@ -186,7 +186,6 @@ Ogre::MaterialPtr Materials::SkyMaterial() {
   AddTexture(pass, kSkyTexture, false);
   shaders_.Use(pass, "sky.vert", "sky.frag", {"sky"});
   pass.setDepthWriteEnabled(false);
-  pass.setDepthCheckEnabled(false);
   pass.setCullingMode(Ogre::CULL_NONE);
   return material;
 }

@@ -14,6 +14,8 @@
 #include <OgreSimpleRenderable.h>
 #include <imgui.h>
 
+#include <cstdint>
+
 #include "world/math.h"
 #include "world/scene_snapshot.h"
 
@@ -28,6 +30,11 @@ inline Ogre::Quaternion ToOgre(world::Quat q) {
 inline world::Vec3 FromOgre(const Ogre::Vector3& v) {
   return {v.x, v.y, v.z};
 }
+
+/// The order of drawing: solid things (Ogre's main group), the sky behind them, then what is see-through; fills and
+/// lines come after (groups 7 and 8).
+inline constexpr std::uint8_t kSolidQueue = 50, kSkyQueue = 55, kClearQueue = 60;
+static_assert(kSolidQueue == Ogre::RENDER_QUEUE_MAIN);
 
 /// The one resource group that everything of ours lives in.
 inline const char* const kGroup = "General";

@@ -91,6 +91,7 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
     thing.entity->getManualLodLevel(i)->setMaterial(found.material);
   }
   thing.entity->setCastShadows(found.is_opaque && drawable.shape != ShapeKind::kPlane);
+  thing.entity->setRenderQueueGroup(found.is_opaque ? kSolidQueue : kClearQueue);
 }
 
 void SceneView::Wear(Thing& thing, const Ogre::MeshPtr& mesh, bool casts_shadows) {
@@ -139,6 +140,7 @@ void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const Drawab
     if (found.is_stand_in) WarnOnce("material", drawable.material, "magenta squares stand in for it");
     thing.entity->setMaterial(found.material);
     thing.entity->setCastShadows(found.is_opaque);
+    thing.entity->setRenderQueueGroup(found.is_opaque ? kSolidQueue : kClearQueue);
   }
 
   Place(thing, drawable, before, blend);

@@ -78,7 +78,8 @@ SkyView::SkyView(Ogre::SceneManager& scene, Materials& materials) : materials_(m
   box->quad(0, 4, 6, 2);
   box->quad(1, 3, 7, 5);
   box->end();
-  box->setRenderQueueGroup(Ogre::RENDER_QUEUE_SKIES_EARLY);
+  // Behind all that is solid, before all that is see-through.
+  box->setRenderQueueGroup(kSkyQueue);
   box->setCastShadows(false);
   box->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
   node_ = scene.getRootSceneNode()->createChildSceneNode();

@@ -229,6 +229,146 @@ TEST_F(PictureTest, TheCameraObeysScriptsOnlyWhenTheyMoveIt) {
   EXPECT_EQ(viewer->Camera().position, scene.camera.position);
 }
 
+/// What overlays would show of the agents of a scene: the first one sees far and wide, goes somewhere, and remembers
+/// the second one at another place than it is; the second one was hit.
+world::OverlaySnapshot OverlaysOf(const world::SceneSnapshot& scene) {
+  world::OverlaySnapshot overlays;
+  overlays.tick = scene.tick;
+  for (const world::AgentSnapshot& agent : scene.agents) {
+    world::AgentOverlay& out = overlays.agents.emplace_back();
+    out.id = agent.id;
+    out.operator_name = "patrol";
+    out.has_senses = true;
+    out.sight_m = 9;
+    out.view_deg = 120;
+    out.hearing_m = 5;
+    out.path = {agent.position + Vec3{3, -1, 0}, agent.position + Vec3{3, -1, 4}};
+    out.goal = out.path.back();
+    out.target_id = scene.agents[agent.id == scene.agents[0].id ? 1 : 0].id;
+  }
+  world::ContactSnapshot contact;
+  contact.agent_id = scene.agents[1].id;
+  contact.position = scene.agents[1].position + Vec3{2.5f, 0, 1};
+  contact.age_s = 4;
+  overlays.agents[0].contacts.push_back(contact);
+  const Vec3 a = scene.agents[0].position, b = scene.agents[1].position;
+  overlays.shots.push_back({a, b, scene.agents[0].id, scene.agents[1].id, 0.1});
+  overlays.speech.push_back({scene.agents[0].id, 0, "enemy in sight", 0.2});
+  return overlays;
+}
+
+TEST_F(PictureTest, EachOverlayAddsToThePictureAndGoesAgain) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  DemoScene demo(6, 0, kWidth, kHeight);
+  world::SceneSnapshot scene = demo.At(0);
+  for (int tick = 1; tick <= 40; ++tick) {
+    scene = demo.At(tick / 10.0);
+    scene.tick = static_cast<std::uint64_t>(tick);
+    for (auto& agent : scene.agents) agent.velocity = {2, 0, static_cast<float>(tick % 2)};
+    viewer->Show(scene);
+  }
+  viewer->ShowOverlays(OverlaysOf(scene));
+  viewer->SelectAgent(scene.agents[0].id);
+  // Those that are on from the start go first.
+  for (const ViewerCommand command : {ViewerCommand::kLabels, ViewerCommand::kShots, ViewerCommand::kMessages}) {
+    EXPECT_TRUE(viewer->IsOn(command));
+    viewer->Do(command);
+  }
+  ASSERT_TRUE(viewer->RenderFrame());  // Panels find their size in their first frame.
+  const Picture plain = Draw(*viewer, scene);
+  const auto differing = [&](const Picture& picture) {
+    int count = 0;
+    for (int y = 30; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const Pixel p = picture.At(x, y), q = plain.At(x, y);
+        count += std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b) > 24 ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  for (const ViewerCommand command : {ViewerCommand::kLabels, ViewerCommand::kTrails, ViewerCommand::kSenses,
+                                      ViewerCommand::kPaths, ViewerCommand::kTargets, ViewerCommand::kShots,
+                                      ViewerCommand::kMessages, ViewerCommand::kForces, ViewerCommand::kBelief}) {
+    viewer->Do(command);
+    EXPECT_GT(differing(Draw(*viewer, scene)), 120) << InfoOf(command).title;
+    viewer->Do(command);
+  }
+  EXPECT_LT(differing(Draw(*viewer, scene)), 20) << "something stays";
+  viewer->Do(ViewerCommand::kNavigation);
+  EXPECT_TRUE(viewer->overlay_wants().navigation);
+  EXPECT_FALSE(viewer->overlay_wants().physics);
+}
+
+TEST_F(PictureTest, GhostsStandWhereTheyAreSaidToAndAreSeenThrough) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  world::SceneSnapshot scene = DemoScene(0, 0, kWidth, kHeight).At(0);
+  scene.ui.clear();
+  const Picture without = Draw(*viewer, scene);
+  const Projection view(viewer->Camera(), kWidth, kHeight);
+  const Vec3 place = scene.camera.position + view.RayThrough({400, 430}) * 7.0f;
+  viewer->SetGhosts({{.name = "elsewhere", .position = place, .color = {1, 0.2f, 0.9f, 1}, .opacity = 0.7f}});
+  const Picture with = Draw(*viewer, scene);
+  const auto is_ink = [](Pixel p) { return p.r > 190 && p.b > 180 && p.g < 190; };
+  const Pixel before = without.At(400, 430), after = with.At(400, 430);
+  EXPECT_GT(after.r + after.b - before.r - before.b, 30);
+  EXPECT_GT(with.Count(300, 250, 500, 430, is_ink), without.Count(300, 250, 500, 430, is_ink) + 20) << "its name";
+  viewer->SetGhosts({});
+  const Pixel again = Draw(*viewer, scene).At(400, 430);
+  EXPECT_NEAR(again.r, before.r, 4);
+}
+
+TEST_F(PictureTest, ADragSelectsABoxAndCamerasObeyTheirKeys) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  const world::SceneSnapshot scene = DemoScene(6, 0, kWidth, kHeight).At(0);
+  viewer->Show(scene);
+  ASSERT_TRUE(viewer->RenderFrame());
+  const auto button = [](std::uint32_t type, int x, int y) {
+    SDL_Event event{};
+    event.type = type;
+    event.button.button = SDL_BUTTON_LEFT;
+    event.button.x = x;
+    event.button.y = y;
+    SDL_PushEvent(&event);
+  };
+  button(SDL_MOUSEBUTTONDOWN, 1, 1);
+  SDL_Event move{};
+  move.type = SDL_MOUSEMOTION;
+  move.motion.x = kWidth - 2;
+  move.motion.y = kHeight - 2;
+  SDL_PushEvent(&move);
+  button(SDL_MOUSEBUTTONUP, kWidth - 2, kHeight - 2);
+  ASSERT_TRUE(viewer->RenderFrame());
+  const Projection view(scene.camera, kWidth, kHeight);
+  EXPECT_EQ(viewer->selection(),
+            view.AgentsIn({1, 1}, {static_cast<float>(kWidth - 2), static_cast<float>(kHeight - 2)}, scene.agents));
+  EXPECT_GE(viewer->selection().size(), 2u);
+
+  const auto press = [&](int scancode) {
+    SDL_Event key{};
+    key.type = SDL_KEYDOWN;
+    key.key.keysym.scancode = static_cast<SDL_Scancode>(scancode);
+    SDL_PushEvent(&key);
+    EXPECT_TRUE(viewer->RenderFrame());
+  };
+  press(SDL_SCANCODE_5);
+  EXPECT_TRUE(viewer->IsOn(ViewerCommand::kMapCamera));
+  EXPECT_LT(Rotate(viewer->Camera().orientation, {0, 0, -1}).y, -0.99f);
+  const Projection map(viewer->Camera(), kWidth, kHeight);
+  EXPECT_EQ(map.AgentsIn({0, 0}, {kWidth, kHeight}, scene.agents).size(), scene.agents.size()) << "a map shows all";
+  press(SDL_SCANCODE_4);
+  EXPECT_TRUE(viewer->IsOn(ViewerCommand::kEyesCamera));
+  EXPECT_LT(world::Distance(viewer->Camera().position, scene.agents[0].position), 30);
+  press(SDL_SCANCODE_HOME);
+  EXPECT_TRUE(viewer->IsOn(ViewerCommand::kFreeCamera));
+  EXPECT_EQ(Projection(viewer->Camera(), kWidth, kHeight).AgentsIn({0, 0}, {kWidth, kHeight}, scene.agents).size(),
+            scene.agents.size());
+  press(SDL_SCANCODE_TAB);
+  EXPECT_EQ(viewer->selection().size(), 1u);
+}
+
 TEST_F(PictureTest, MistakesComeBackAsDiagnostics) {
   {
     const auto viewer = OpenHidden();
