@@ -133,7 +133,11 @@ record::TickRecord TickOf(std::uint64_t number, std::vector<std::string> decisio
   record::TickRecord tick;
   tick.tick = number;
   tick.scene.time_s = static_cast<double>(number) / 30;
-  tick.minds.push_back({"a", {"self.health 100"}, std::move(decisions), std::move(details), {}});
+  record::MindRecord& mind = tick.minds.emplace_back();
+  mind.agent = "a";
+  mind.percepts = {"self.health 100"};
+  mind.decisions = std::move(decisions);
+  mind.details = std::move(details);
   return tick;
 }
 
