@@ -3,7 +3,8 @@
 // What it costs to record a run, at each level: of a tick, and on disk.
 //
 //   recording_cost [SCENARIO [SECONDS]]     all levels; two runs side by side, one recorded, tick by tick in turns:
-//                                           processor time per tick, and bytes per agent and simulated second
+//                                           processor time of the world's thread per tick, and
+//                                           bytes per agent and simulated second
 //   recording_cost count LEVEL SCENARIO SECONDS
 //                                           one run alone, for counting instructions with valgrind in the function
 //                                           MeasuredTicks; LEVEL is off, world, decisions or all
@@ -80,16 +81,11 @@ double ProcessorTime(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// The time of all threads, and of the one that runs the world.
-struct Spent {
-  double all_s = 0, own_s = 0;
-};
-
-void Measure(Run& run, Spent& spent) {
-  const double all = ProcessorTime(CLOCK_PROCESS_CPUTIME_ID), own = ProcessorTime(CLOCK_THREAD_CPUTIME_ID);
+/// One tick; the processor time that the thread that runs the world takes for it.
+double Measure(Run& run) {
+  const double begin = ProcessorTime(CLOCK_THREAD_CPUTIME_ID);
   run.Tick();
-  spent.all_s += ProcessorTime(CLOCK_PROCESS_CPUTIME_ID) - all;
-  spent.own_s += ProcessorTime(CLOCK_THREAD_CPUTIME_ID) - own;
+  return ProcessorTime(CLOCK_THREAD_CPUTIME_ID) - begin;
 }
 
 int Compare(const std::string& scenario, double seconds, record::Level level, const fs::path& file) {
@@ -97,10 +93,10 @@ int Compare(const std::string& scenario, double seconds, record::Level level, co
   if (!bare) return Fail(bare.error());
   Result<Run> recorded = Start(scenario, level, file);
   if (!recorded) return Fail(recorded.error());
-  Spent without, with;
+  double without_s = 0, with_s = 0;
   while (bare->simulation->time_s() < seconds) {
-    Measure(*bare, without);
-    Measure(*recorded, with);
+    without_s += Measure(*bare);
+    with_s += Measure(*recorded);
   }
   const std::size_t agents = bare->simulation->world().AgentIds().size();
   const auto ticks = static_cast<double>(bare->simulation->tick());
@@ -108,11 +104,10 @@ int Compare(const std::string& scenario, double seconds, record::Level level, co
   const auto bytes = static_cast<double>(fs::file_size(file));
   std::printf(
       "{\"benchmark\": \"recording_cost\", \"scenario\": \"%s\", \"level\": \"%s\", \"agents\": %zu, \"ticks\": %.0f, "
-      "\"tick_us\": %.1f, \"recorded_tick_us\": %.1f, \"cost_percent\": %.1f, \"cost_percent_of_the_worlds_thread\": "
-      "%.1f, \"bytes_per_agent_second\": %.0f, \"megabytes\": %.2f}\n",
-      scenario.c_str(), std::string(NameOf(level)).c_str(), agents, ticks, without.all_s / ticks * 1e6,
-      with.all_s / ticks * 1e6, 100 * (with.all_s - without.all_s) / without.all_s,
-      100 * (with.own_s - without.own_s) / without.own_s,
+      "\"tick_us\": %.1f, \"recorded_tick_us\": %.1f, \"cost_percent\": %.1f, \"bytes_per_agent_second\": %.0f, "
+      "\"megabytes\": %.2f}\n",
+      scenario.c_str(), std::string(NameOf(level)).c_str(), agents, ticks, without_s / ticks * 1e6,
+      with_s / ticks * 1e6, 100 * (with_s - without_s) / without_s,
       bytes / (static_cast<double>(agents) * bare->simulation->time_s()), bytes / 1e6);
   std::fflush(stdout);
   return bare->simulation->StateHash() == recorded->simulation->StateHash() ? 0 : 1;
