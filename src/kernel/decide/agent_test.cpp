@@ -329,6 +329,13 @@ TEST_F(AgentTest, IdentifiersAndConstantsThatNobodyMentionsAreGivenBack) {
   EXPECT_LT(agent.memory().identifier_limit(), 3000u);
 }
 
+TEST_F(AgentTest, ThePhaseInWhichAnAgentHaltsCountsForTheSizeOfItsMemory) {
+  Load("end (state <s> ^superstate nil) --> (<s> ^a 1 2 3) (halt)");
+  agent.Run(RunUnit::kDecision, 1);
+  ASSERT_TRUE(agent.halted());
+  EXPECT_EQ(agent.counters().wm_size_maximum, agent.memory().wme_count());
+}
+
 // Partial matches -----------------------------------------------------------------------------------------------------
 
 TEST(AgentMemory, MorePartialMatchesThanAreAllowedEndTheAgentAndNameTheRule) {

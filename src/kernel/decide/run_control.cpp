@@ -14,15 +14,23 @@ void RunControl::BeginPhase() {
   engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseBegin(engine_.agent, phase_); });
 }
 
+namespace {
+
+void CountPhase(Engine& engine) {
+  AgentCounters& counters = engine.counters;
+  ++counters.phases;
+  const std::uint64_t size = engine.memory.wme_count();
+  counters.wm_size_sum += size;
+  counters.wm_size_maximum = std::max(counters.wm_size_maximum, size);
+}
+
+}  // namespace
+
 void RunControl::EndPhase(Phase next) {
   const Phase ended = phase_;
   in_middle_ = false;
   phase_ = next;
-  AgentCounters& counters = engine_.counters;
-  ++counters.phases;
-  const std::uint64_t size = engine_.memory.wme_count();
-  counters.wm_size_sum += size;
-  counters.wm_size_maximum = std::max(counters.wm_size_maximum, size);
+  CountPhase(engine_);
   engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseEnd(engine_.agent, ended); });
   engine_.StopIfBroken();
   if (next == Phase::kInput) engine_.SweepSymbols();
@@ -161,6 +169,7 @@ bool RunControl::Stop() {
   if (halt_requested_) {
     halt_requested_ = false;
     halted_ = true;
+    if (in_middle_) CountPhase(engine_);  // It does not end any more.
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnHalt(engine_.agent); });
     return true;
   }
