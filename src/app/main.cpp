@@ -58,6 +58,13 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->delimiter(',');
   run->add_option("--select", options.select, "Select this agent from the start");
   run->add_option("--camera", options.camera, "free, orbit, follow, eyes or map; all but free and map want --select");
+  run->add_option("--panels", options.panels,
+                  "Panels around the picture, for this run: default, or a list such as agents,mind,timeline");
+  run->add_option("--text", options.text_percent, "Size of the texts of these panels, in percent")
+      ->capture_default_str()
+      ->check(CLI::Range(75, 200));
+  run->add_option("--ui-script", options.ui_script,
+                  "Play the user of the window from this file, then end (see docs/window.md)");
   run->add_option("--width", options.width_px, "Width of the window in pixels")
       ->capture_default_str()
       ->check(NumberIn(160, 7680));

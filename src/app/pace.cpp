@@ -65,6 +65,11 @@ void Pace::Obey(viewer::ViewerCommand command) {
   }
 }
 
+void Pace::SetSpeed(double speed) {
+  speed_ = std::clamp(speed, kSpeeds[0], *(std::end(kSpeeds) - 1));
+  unlimited_ = false;
+}
+
 int Pace::TicksDue(double step_s) {
   const Clock::time_point now = Clock::now();
   const Clock::duration passed = std::min<Clock::duration>(now - last_, kLongestFrame);

@@ -17,6 +17,9 @@ class Pace {
 
   void Obey(viewer::ViewerCommand command);
   void Pause() { paused_ = true; }
+  void Resume() { paused_ = false; }
+  /// Simulated seconds per second.
+  void SetSpeed(double speed);
 
   /// How many ticks of `step_s` are due now, if OutOfTime does not come before.
   int TicksDue(double step_s);

@@ -16,6 +16,7 @@
 #include "record/recorder.h"
 #include "sim/input_text.h"
 #include "sim/scenario_file.h"
+#include "world/world.h"
 
 namespace soarbox::app {
 namespace {
@@ -120,7 +121,7 @@ int Run(const RunOptions& given) {
   }
   const bool is_recorded = WantsRecording(options);
   if (is_recorded) settings.mind_detail = record::DetailOf(*level);
-  // Labels name the operators of minds.
+  // Labels and panels tell what minds decide.
   if (!options.headless && settings.mind_detail == sim::MindDetail::kNone)
     settings.mind_detail = sim::MindDetail::kDecisions;
 
@@ -161,7 +162,12 @@ int Run(const RunOptions& given) {
       [&] {
         if (is_recorded) RecordRun(session, options, *scenario, settings, *level);
       });
-  return options.headless ? RunHeadless(session, options) : RunWindow(session, options, data.value());
+  if (options.headless) return RunHeadless(session, options);
+  record::Header header = record::HeaderOf(
+      *scenario, settings, static_cast<double>(std::as_const(session.simulation()).world().settings().step_s), *level);
+  header.scenario = options.scenario;
+  for (const std::filesystem::path& folder : options.extra_folders) header.extra_folders.push_back(folder.string());
+  return RunWindow(session, options, data.value(), {*scenario, settings, header});
 }
 
 }  // namespace soarbox::app

@@ -22,10 +22,13 @@ struct RunOptions {
   std::optional<double> report_s;  ///< Print all agents each so many simulated seconds.
   std::string screenshot;          ///< PNG file; empty: none.
   double screenshot_at_s = 5;
-  std::string detail = "auto";    ///< Of the picture: low, full, or what suits the machine.
-  std::vector<std::string> show;  ///< Overlays that are on from the start: "trails", "belief".
-  std::string select;             ///< Name of the agent that is selected from the start.
-  std::string camera;             ///< "map", "follow"; empty: all agents are framed.
+  std::string detail = "auto";      ///< Of the picture: low, full, or what suits the machine.
+  std::vector<std::string> show;    ///< Overlays that are on from the start: "trails", "belief".
+  std::string select;               ///< Name of the agent that is selected from the start.
+  std::string camera;               ///< "map", "follow"; empty: all agents are framed.
+  std::string panels;               ///< With a picture: which panels it shows, "default" or their words; empty: none.
+  int text_percent = 100;           ///< Of the panels named above.
+  std::filesystem::path ui_script;  ///< Plays the user of a window; empty: none.
   int width_px = 1280;
   int height_px = 720;
   std::optional<int> port;                 ///< For debuggers; none: 12121 with a window if it is free, closed without.

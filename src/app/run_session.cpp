@@ -87,6 +87,11 @@ void RunSession::RecordTick() {
     if (const Result<void> taken = recorder_->Take(*simulation_, std::exchange(unrecorded_, {})); !taken)
       std::cerr << Format(taken.error());
   }
+  if (on_tick_) {
+    record::Observe(*simulation_, unrecorded_, record::Level::kAll, seen_);
+    on_tick_(seen_);
+  }
+  if (simulation_->tick() == 0 && set_up_.empty()) set_up_ = unrecorded_;
   unrecorded_.clear();
 }
 
@@ -99,12 +104,14 @@ void RunSession::SetMake(std::uint64_t seed, std::string scenario, Make make, st
 
 Result<void> RunSession::BeginAgain(bool with_next_seed) {
   if (with_next_seed) ++seed_;
+  on_tick_ = {};
   simulation_->Finish();
   PrintEvents();
   const bool watches = edits_ != nullptr;
   edits_.reset();
   recorder_.reset();
   unrecorded_.clear();
+  set_up_.clear();
   // The old one goes first: it holds the port that debuggers know.
   simulation_.reset();
   Result<std::unique_ptr<sim::Simulation>> made = make_(seed_);
@@ -116,6 +123,33 @@ Result<void> RunSession::BeginAgain(bool with_next_seed) {
   PrintEvents();
   if (on_made_) on_made_();
   return {};
+}
+
+void RunSession::Watch(OnTick on_tick) {
+  on_tick_ = std::move(on_tick);
+  if (!on_tick_) return;
+  const bool is_begun = simulation_->tick() == 0 && unrecorded_.empty();
+  record::Observe(*simulation_, is_begun ? set_up_ : unrecorded_, record::Level::kAll, seen_);
+  on_tick_(seen_);
+}
+
+void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation) {
+  if (recorder_ != nullptr) {
+    Diagnostic note;
+    note.severity = Severity::kNote;
+    note.message = "the recording ends at tick " + std::to_string(simulation_->tick()) +
+                   ": the run goes on from tick " + std::to_string(simulation->tick());
+    std::cerr << Format(note);
+    recorder_.reset();
+  }
+  const bool watches = edits_ != nullptr;
+  edits_.reset();
+  simulation_->Finish();
+  simulation_->TakeEvents();
+  simulation->TakeEvents();  // Those were told when they happened.
+  simulation_ = std::move(simulation);
+  unrecorded_.clear();
+  if (watches) edits_ = std::make_unique<sim::LiveEdits>(*simulation_);
 }
 
 bool RunSession::IsOver() const {
@@ -154,7 +188,7 @@ void RunSession::PrintEvents() {
         (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError);
     if (is_problem) ++problems_;
     printer_->Print(event);
-    if (recorder_ != nullptr || simulation_->tick() == 0) unrecorded_.push_back(std::move(event));
+    if (recorder_ != nullptr || on_tick_ || simulation_->tick() == 0) unrecorded_.push_back(std::move(event));
   }
   // A run can be ended at any moment: what happened so far is out.
   if (!events.empty()) std::cout.flush();

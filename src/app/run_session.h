@@ -27,6 +27,11 @@ class RunSession {
   bool IsOver() const;
   /// Records what follows; with `last_tick_too`, what is there now first. Null: records nothing.
   void Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too = true);
+  /// Hears of each tick from now on, and of what is there now first; an empty function: nobody does.
+  using OnTick = std::function<void(const record::TickRecord&)>;
+  void Watch(OnTick on_tick);
+  /// Goes on with another simulation of the same run, as it was at an earlier tick. A recording ends there.
+  void GoOnWith(std::unique_ptr<sim::Simulation> simulation);
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
@@ -34,7 +39,8 @@ class RunSession {
   using Make = std::function<Result<std::unique_ptr<sim::Simulation>>(std::uint64_t seed)>;
   void SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made);
   /// Ends the simulation and begins another one from the beginning, with this seed or the next. Rules and scripts are
-  /// read again. After an error there is no simulation any more: only the process can end.
+  /// read again; who heard of ticks has to ask again. After an error there is no simulation any more: only the process
+  /// can end.
   Result<void> BeginAgain(bool with_next_seed);
   std::uint64_t seed() const { return seed_; }
 
@@ -49,7 +55,10 @@ class RunSession {
   std::unique_ptr<sim::Simulation> simulation_;
   std::unique_ptr<EventPrinter> printer_;
   std::unique_ptr<record::Recorder> recorder_;
+  OnTick on_tick_;
+  record::TickRecord seen_;    ///< For on_tick_.
   sim::EventList unrecorded_;  ///< Since the last tick that was recorded.
+  sim::EventList set_up_;      ///< Of the set-up, for those who come later.
   double end_s_;               ///< Simulated time to stop at; infinite if none.
   bool ends_with_scenario_;    ///< Headless runs end where the scenario does.
   double report_every_s_;      ///< 0: never.

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <iostream>
-#include <utility>
+#include <sstream>
 
+#include "app/desk.h"
 #include "app/exit_codes.h"
-#include "app/pace.h"
-#include "app/run_control.h"
+#include "app/live_window.h"
 #include "viewer/viewer.h"
 #include "world/world.h"
 
@@ -18,70 +17,6 @@ namespace soarbox::app {
 const bool kHasWindow = true;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-constexpr double kRemarkShown_s = 6;
-
-/// A time that is smoothed over the last second or so, in microseconds.
-class SmoothTime {
- public:
-  void Add(Clock::duration passed) {
-    const double us = std::chrono::duration<double, std::micro>(passed).count();
-    us_ = us_ == 0 ? us : us_ + (us - us_) * 0.05;
-  }
-  double us() const { return us_; }
-
- private:
-  double us_ = 0;
-};
-
-/// Sends what the user did through the simulation's door.
-void SubmitEvent(const viewer::InputEvent& event, sim::Simulation& simulation) {
-  const auto x = static_cast<float>(event.x), y = static_cast<float>(event.y);
-  switch (event.kind) {
-    case viewer::InputKind::kKey:
-      simulation.Submit(sim::KeyInput{event.name, event.pressed});
-      break;
-    case viewer::InputKind::kMouseButton:
-      simulation.Submit(sim::ButtonInput{event.name, event.pressed, x, y});
-      break;
-    case viewer::InputKind::kMouseMove:
-      if (event.wheel != 0) simulation.Submit(sim::WheelInput{static_cast<float>(event.wheel), x, y});
-      if (event.dx != 0 || event.dy != 0)
-        simulation.Submit(sim::PointerInput{x, y, static_cast<float>(event.dx), static_cast<float>(event.dy)});
-      break;
-  }
-}
-
-/// Sends the window's size, the camera's pose and the user's events; the first two if they changed.
-class Deliverer {
- public:
-  void Deliver(viewer::Viewer& viewer, sim::Simulation& simulation) {
-    const world::World& world = std::as_const(simulation).world();
-    const sim::ScreenInput screen{viewer.width(), viewer.height()};
-    if (screen != screen_) simulation.Submit(screen);
-    screen_ = screen;
-    const world::CameraSnapshot pose = viewer.Camera();
-    const sim::CameraInput camera{pose.position, pose.orientation};
-    const world::CameraSnapshot& known = world.camera().state();
-    if (camera != camera_ && camera != sim::CameraInput{known.position, known.orientation}) simulation.Submit(camera);
-    camera_ = camera;
-    for (const viewer::InputEvent& event : viewer.TakeEvents()) SubmitEvent(event, simulation);
-  }
-
- private:
-  sim::ScreenInput screen_;
-  sim::CameraInput camera_;
-};
-
-/// What a frame and a tick take, for the status bar.
-std::string CostText(const SmoothTime& frame, const SmoothTime& tick) {
-  if (tick.us() == 0) return {};
-  char text[64];
-  std::snprintf(text, sizeof text, "frame %.1f ms, tick %.1f ms", frame.us() / 1000, tick.us() / 1000);
-  return text;
-}
 
 int Fail(const Diagnostic& problem) {
   std::cerr << Format(problem);
@@ -132,84 +67,75 @@ Result<void> Prepare(viewer::Viewer& viewer, const world::SceneSnapshot& scene, 
   return {};
 }
 
+/// The panels that a picture is to show: "default", or their words with commas between.
+Result<viewer::Layout> LayoutNamed(const RunOptions& options) {
+  viewer::Layout layout = viewer::DefaultLayout();
+  if (options.panels != "default") {
+    std::vector<viewer::PanelId> panels;
+    std::istringstream words(options.panels);
+    for (std::string word; std::getline(words, word, ',');) {
+      const auto panel = viewer::FindPanel(word);
+      if (!panel) {
+        Diagnostic problem;
+        problem.message = "there is no panel '" + word + "'";
+        std::vector<std::string_view> all;
+        for (const viewer::PanelInfo& info : viewer::kPanelInfos) all.push_back(info.word);
+        const std::string_view near = Suggest(word, all);
+        if (!near.empty()) {
+          problem.hint = "did you mean '" + std::string(near) + "'?";
+        } else {
+          problem.hint = "there are:";
+          for (const std::string_view known : all) problem.hint += " " + std::string(known);
+        }
+        return problem;
+      }
+      panels.push_back(*panel);
+    }
+    layout = viewer::LayoutOf(panels);
+  }
+  layout.SetText(options.text_percent);
+  return layout;
+}
+
 /// Runs to the moment asked for without drawing, then draws it.
-int TakePicture(RunSession& session, viewer::Viewer& viewer, const RunOptions& options) {
+int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options) {
   sim::Simulation& simulation = session.simulation();
+  std::optional<Desk> desk;
+  if (!options.panels.empty()) desk.emplace(session, run.header, run.scenario, run.settings);
+  if (desk) simulation.Submit(sim::ScreenInput{viewer.width(), viewer.height()});
+  Pace pace(options.speed.value_or(1));
   // Trails want to have been watched for a while.
   constexpr double kWatched_s = 20;
   while (!WasInterrupted() && simulation.time_s() < options.screenshot_at_s) {
     if (simulation.time_s() > options.screenshot_at_s - kWatched_s) viewer.Show(simulation.Snapshot());
+    if (desk) {
+      // Notes are taken of the agent that is selected.
+      desk->Follow(options.select);
+      desk->Prepare();
+    }
     session.Tick();
   }
   viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1), .message = options.remark});
   viewer.Show(simulation.Snapshot());
   viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
   if (options.camera.empty()) viewer.Do(viewer::ViewerCommand::kFrameAll);
-  // The camera is a moment on its way to where the agents are by now.
+  // The camera is a moment on its way to where the agents are by now; panels ask for what they need while they are
+  // drawn, and show it in the next frame.
+  using Clock = std::chrono::steady_clock;
   constexpr auto kOnTheWay = std::chrono::milliseconds(1500);
-  for (const Clock::time_point begin = Clock::now(); Clock::now() - begin < kOnTheWay;)
+  constexpr int kFrames = 6;
+  const Clock::time_point begin = Clock::now();
+  for (int i = 0; i < kFrames || Clock::now() - begin < kOnTheWay; ++i) {
+    if (desk) desk->Serve(viewer, pace);
     if (!viewer.RenderFrame()) return session.Finish();
-  if (const Result<void> saved = viewer.SaveScreenshot(options.screenshot); !saved) return Fail(saved.error());
-  return session.Finish();
-}
-
-int RunLive(RunSession& session, viewer::Viewer& viewer, const RunOptions& options) {
-  const double step_s = static_cast<double>(std::as_const(session.simulation()).world().settings().step_s);
-  Pace pace(options.speed.value_or(1));
-  Deliverer deliverer;
-  SmoothTime frame_time, tick_time;
-  Clock::time_point frame_start = Clock::now();
-  world::SceneSnapshot newest = session.simulation().Snapshot();
-  world::SceneSnapshot previous = newest;
-  std::uint64_t overlays_tick = ~std::uint64_t{0};
-  world::OverlayWants overlay_wants;
-  while (!session.IsOver() && !pace.quit()) {
-    // Where the recording goes is said at first.
-    const bool says_remark = !options.remark.empty() && newest.time_s < kRemarkShown_s;
-    viewer.SetStatus({.paused = pace.paused(),
-                      .speed = pace.speed(),
-                      .message = says_remark ? options.remark : CostText(frame_time, tick_time)});
-    viewer.Show(newest, &previous, pace.Blend(step_s));
-    if (const world::OverlayWants wants = viewer.overlay_wants();
-        newest.tick != overlays_tick || wants != overlay_wants) {
-      viewer.ShowOverlays(session.simulation().Overlays(wants));
-      overlays_tick = newest.tick;
-      overlay_wants = wants;
-    }
-    if (!viewer.RenderFrame()) break;
-    frame_time.Add(Clock::now() - std::exchange(frame_start, Clock::now()));
-    RunControl control;
-    for (const viewer::ViewerCommand command : viewer.TakeCommands()) {
-      pace.Obey(command);
-      const Result<bool> obeyed = control.Obey(command, session, viewer, newest);
-      if (!obeyed) return Fail(obeyed.error());
-    }
-    if (control.has_begun_again) {
-      newest = previous = session.simulation().Snapshot();
-      overlays_tick = ~std::uint64_t{0};
-      deliverer = Deliverer();
-      pace.Skip();
-    }
-    deliverer.Deliver(viewer, session.simulation());
-    const int due = pace.TicksDue(step_s);
-    bool is_cut = false;
-    for (int i = 0; i < due && !is_cut && !session.IsOver(); ++i) {
-      const Clock::time_point tick_start = Clock::now();
-      session.Tick();
-      tick_time.Add(Clock::now() - tick_start);
-      is_cut = pace.OutOfTime();
-      // Only the last two are drawn.
-      if (i + 2 >= due && !is_cut) previous = std::exchange(newest, session.simulation().Snapshot());
-    }
-    if (is_cut) previous = newest = session.simulation().Snapshot();
-    if (due == 0) session.Idle();
   }
+  if (const Result<void> saved = viewer.SaveScreenshot(options.screenshot); !saved) return Fail(saved.error());
   return session.Finish();
 }
 
 }  // namespace
 
-int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data) {
+int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data, const WindowRun& run) {
   viewer::ViewerOptions window;
   window.width = options.width_px;
   window.height = options.height_px;
@@ -221,12 +147,32 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   window.detail = options.detail == "low"    ? viewer::Detail::kLow
                   : options.detail == "full" ? viewer::Detail::kFull
                                              : viewer::Detail::kAuto;
+  window.ui_script = options.ui_script;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
-  Result<std::unique_ptr<viewer::Viewer>> viewer = viewer::Viewer::Open(window);
-  if (!viewer) return Fail(viewer.error());
-  if (const Result<void> prepared = Prepare(**viewer, session.simulation().Snapshot(), options); !prepared)
+  // What is asked for by name is for once; else the user's own arrangement is used, and remembered.
+  const bool is_own = options.panels.empty() && !window.hidden && options.ui_script.empty();
+  if (!options.panels.empty()) {
+    Result<viewer::Layout> layout = LayoutNamed(options);
+    if (!layout) return Fail(layout.error());
+    window.layout = *layout;
+  } else if (is_own) {
+    window.layout = viewer::LoadLayout(viewer::LayoutFile());
+  } else if (!window.hidden) {
+    window.layout = viewer::DefaultLayout();
+  }
+  Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
+  if (!opened) return Fail(opened.error());
+  viewer::Viewer& viewer = **opened;
+  if (const Result<void> prepared = Prepare(viewer, session.simulation().Snapshot(), options); !prepared)
     return Fail(prepared.error());
-  return options.screenshot.empty() ? RunLive(session, **viewer, options) : TakePicture(session, **viewer, options);
+  if (window.hidden) return TakePicture(session, viewer, run, options);
+  const int code = LiveWindow(session, viewer, run, options).Run();
+  if (is_own && !viewer::LayoutFile().empty()) {
+    if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)
+      std::cerr << Format(saved.error());
+  }
+  if (viewer.ui_script_failure()) return Fail(*viewer.ui_script_failure());
+  return code;
 }
 
 }  // namespace soarbox::app

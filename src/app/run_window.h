@@ -3,6 +3,7 @@
 
 #include "app/run_options.h"
 #include "app/run_session.h"
+#include "record/header.h"
 #include "sim/scenario.h"
 
 namespace soarbox::app {
@@ -10,7 +11,14 @@ namespace soarbox::app {
 /// Whether this build can open a window at all (CMake option SOARBOX_VIEWER).
 extern const bool kHasWindow;
 
+/// What a run was made from, so that a window can make it again.
+struct WindowRun {
+  const sim::Scenario& scenario;
+  const sim::SimulationSettings& settings;
+  const record::Header& header;
+};
+
 /// Runs in a window until it is closed, the time is up or the screenshot is taken. Returns an ExitCode.
-int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data);
+int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data, const WindowRun& run);
 
 }  // namespace soarbox::app

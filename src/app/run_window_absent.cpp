@@ -8,7 +8,7 @@ namespace soarbox::app {
 
 const bool kHasWindow = false;
 
-int RunWindow(RunSession&, const RunOptions&, const sim::DataFolders&) {
+int RunWindow(RunSession&, const RunOptions&, const sim::DataFolders&, const WindowRun&) {
   std::cerr << "soarbox: error: this build has no window; build with -DSOARBOX_VIEWER=ON, or use --headless\n";
   return kCannotStart;
 }

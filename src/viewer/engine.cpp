@@ -4,6 +4,7 @@
 #include <SDL.h>
 #include <SDL_syswm.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -63,8 +64,8 @@ Result<std::unique_ptr<Engine>> Engine::Start(const ViewerOptions& options) {
 }
 
 Result<void> Engine::OpenWindow(const ViewerOptions& options) {
-  width_ = options.width;
-  height_ = options.height;
+  width_ = window_width_ = options.width;
+  height_ = window_height_ = options.height;
   hidden_ = options.hidden;
   if (width_ < 64 || height_ < 64 || width_ > 16384 || height_ > 16384) {
     return Failure("a window of " + std::to_string(width_) + "x" + std::to_string(height_) + " pixels cannot be opened",
@@ -126,7 +127,10 @@ void Engine::StartOgre(const ViewerOptions& options) {
   Ogre::MaterialManager::getSingleton().setDefaultTextureFiltering(Ogre::TFO_TRILINEAR);
 
   scene_ = root_->createSceneManager();
-  scene_->addRenderQueueListener(overlays_.get());
+  panel_scene_ = root_->createSceneManager();
+  panel_scene_->addRenderQueueListener(overlays_.get());
+  panel_camera_ = panel_scene_->createCamera("Soarbox/PanelCamera");
+  panel_scene_->getRootSceneNode()->attachObject(panel_camera_);
   camera_ = scene_->createCamera("Soarbox/Camera");
   camera_node_ = scene_->getRootSceneNode()->createChildSceneNode();
   camera_node_->attachObject(camera_);
@@ -136,19 +140,52 @@ void Engine::StartOgre(const ViewerOptions& options) {
   if (hidden_) {
     MakePictureTarget();
   } else {
-    render_window_->addViewport(camera_)->setBackgroundColour(Ogre::ColourValue(0.6f, 0.7f, 0.8f));
+    AddViewports(*render_window_);
   }
+}
+
+void Engine::AddViewports(Ogre::RenderTarget& target) {
+  Ogre::Viewport* scene = target.addViewport(camera_, 0);
+  scene->setBackgroundColour(Ogre::ColourValue(0.6f, 0.7f, 0.8f));
+  scene->setOverlaysEnabled(false);
+  Ogre::Viewport* panels = target.addViewport(panel_camera_, 1);
+  panels->setClearEveryFrame(false);
+  panels->setShadowsEnabled(false);
+  panels->setSkiesEnabled(false);
+  panels->setOverlaysEnabled(true);
+  PlaceViewport(target);
+}
+
+void Engine::PlaceViewport(Ogre::RenderTarget& target) {
+  const auto width = static_cast<float>(window_width_), height = static_cast<float>(window_height_);
+  target.getViewportByZOrder(0)->setDimensions(static_cast<float>(x_) / width, static_cast<float>(y_) / height,
+                                               static_cast<float>(width_) / width,
+                                               static_cast<float>(height_) / height);
+}
+
+Ogre::RenderTarget* Engine::PictureTarget() {
+  const Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().getByName(kPictureTexture, kGroup);
+  return texture ? texture->getBuffer()->getRenderTarget() : nullptr;
+}
+
+void Engine::SetPicture(int x, int y, int width, int height) {
+  if (x == x_ && y == y_ && width == width_ && height == height_) return;
+  x_ = x;
+  y_ = y;
+  width_ = std::max(1, width);
+  height_ = std::max(1, height);
+  if (!hidden_) PlaceViewport(*render_window_);
+  if (Ogre::RenderTarget* target = PictureTarget()) PlaceViewport(*target);
 }
 
 void Engine::MakePictureTarget() {
   Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
-      kPictureTexture, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(width_), static_cast<unsigned>(height_), 0,
-      Ogre::PF_BYTE_RGB, Ogre::TU_RENDERTARGET, nullptr, false, low_detail_ ? 0u : 4u);
+      kPictureTexture, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(window_width_),
+      static_cast<unsigned>(window_height_), 0, Ogre::PF_BYTE_RGB, Ogre::TU_RENDERTARGET, nullptr, false,
+      low_detail_ ? 0u : 4u);
   Ogre::RenderTarget* target = texture->getBuffer()->getRenderTarget();
   target->setAutoUpdated(false);
-  Ogre::Viewport* viewport = target->addViewport(camera_);
-  viewport->setBackgroundColour(Ogre::ColourValue(0.6f, 0.7f, 0.8f));
-  viewport->setOverlaysEnabled(true);
+  AddViewports(*target);
 }
 
 void Engine::DropPictureTarget() {
@@ -159,11 +196,13 @@ void Engine::DropPictureTarget() {
 }
 
 void Engine::Resize(int width, int height) {
-  if (hidden_ || (width == width_ && height == height_) || width < 1 || height < 1) return;
-  width_ = width;
-  height_ = height;
+  if (hidden_ || (width == window_width_ && height == window_height_) || width < 1 || height < 1) return;
+  x_ = y_ = 0;
+  width_ = window_width_ = width;
+  height_ = window_height_ = height;
   render_window_->resize(static_cast<unsigned>(width), static_cast<unsigned>(height));
   render_window_->windowMovedOrResized();
+  PlaceViewport(*render_window_);
 }
 
 void Engine::Draw() {
@@ -198,10 +237,11 @@ void Engine::WritePicture(const std::filesystem::path& path) {
 
 Engine::~Engine() {
   if (scene_ != nullptr) {
-    scene_->removeRenderQueueListener(overlays_.get());
+    panel_scene_->removeRenderQueueListener(overlays_.get());
     DropPictureTarget();
     if (render_window_ != nullptr) render_window_->removeAllViewports();
     root_->destroySceneManager(scene_);
+    root_->destroySceneManager(panel_scene_);
   }
   overlays_.reset();
   root_.reset();

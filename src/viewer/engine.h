@@ -39,6 +39,10 @@ class Engine {
   /// Follows the window's size. Does nothing if that did not change.
   void Resize(int width, int height);
 
+  /// The scene fills this part of the window, in px from its top left; from the start it fills all of it. Panels may
+  /// be drawn anywhere.
+  void SetPicture(int x, int y, int width, int height);
+
   /// Draws once; for a visible window, onto the screen.
   void Draw();
 
@@ -50,13 +54,20 @@ class Engine {
   Ogre::Camera& camera() const { return *camera_; }
   Ogre::SceneNode& camera_node() const { return *camera_node_; }
   bool low_detail() const { return low_detail_; }
+  /// Of the part that the scene fills.
   int width() const { return width_; }
   int height() const { return height_; }
+  int window_width() const { return window_width_; }
+  int window_height() const { return window_height_; }
 
  private:
   Engine() = default;
   Result<void> OpenWindow(const ViewerOptions& options);
   void StartOgre(const ViewerOptions& options);
+  /// One viewport for the scene, and one over it for panels alone.
+  void AddViewports(Ogre::RenderTarget& target);
+  void PlaceViewport(Ogre::RenderTarget& target);
+  Ogre::RenderTarget* PictureTarget();
   void MakePictureTarget();
   void DropPictureTarget();
 
@@ -69,9 +80,12 @@ class Engine {
   Ogre::SceneManager* scene_ = nullptr;
   Ogre::Camera* camera_ = nullptr;
   Ogre::SceneNode* camera_node_ = nullptr;
+  Ogre::SceneManager* panel_scene_ = nullptr;  ///< Empty: panels are drawn without going through the scene twice.
+  Ogre::Camera* panel_camera_ = nullptr;
   bool hidden_ = false;
   bool low_detail_ = false;
-  int width_ = 0, height_ = 0;
+  int x_ = 0, y_ = 0, width_ = 0, height_ = 0;
+  int window_width_ = 0, window_height_ = 0;
 };
 
 }  // namespace soarbox::viewer

@@ -112,9 +112,7 @@ void InputReader::Handle(const SDL_Event& event, FrameInput& input) {
       break;
     }
     case SDL_MOUSEWHEEL: {
-      int x = 0, y = 0;
-      SDL_GetMouseState(&x, &y);
-      InputEvent out = MouseEvent(InputKind::kMouseMove, x, y);
+      InputEvent out = MouseEvent(InputKind::kMouseMove, static_cast<int>(cursor_.x), static_cast<int>(cursor_.y));
       out.wheel = event.wheel.y;
       input.events.push_back(out);
       input.camera.wheel += static_cast<float>(event.wheel.y);

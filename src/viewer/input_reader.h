@@ -36,8 +36,9 @@ struct FrameInput {
 
 /// Who gets the input first.
 struct InputClaims {
-  /// Sees each event before the scene; true keeps it from the scene and the scripts. May be empty.
-  std::function<bool(const SDL_Event&)> takes = {};
+  /// Sees each event before the scene; true keeps it from the scene and the scripts. It may change where the mouse is,
+  /// if the scene begins elsewhere than the window. May be empty.
+  std::function<bool(SDL_Event&)> takes = {};
   bool mouse = false;  ///< The mouse is over a panel.
   bool keys = false;   ///< Somebody types into a panel: held keys do not move the camera.
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/panel_host.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "viewer/markup.h"
+#include "viewer/panels/theme.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -20,8 +22,9 @@ std::string FindFont(const char* file_name) {
 }
 
 ImFont* AddFont(const char* file_name, float height_px) {
-  // Latin, general punctuation, arrows and geometric shapes.
-  static const ImWchar kRanges[] = {0x0020, 0x017f, 0x2010, 0x2027, 0x2190, 0x21ff, 0x25a0, 0x25ff, 0};
+  // Latin, Greek, general punctuation, arrows, signs of mathematics, geometric shapes, some signs.
+  static const ImWchar kRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0x2190, 0x21ff, 0x2200,
+                                    0x2265, 0x25a0, 0x25ff, 0x26a0, 0x26a0, 0x2713, 0x2718, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   if (const std::string path = FindFont(file_name); !path.empty()) {
     if (ImFont* font = atlas.AddFontFromFileTTF(path.c_str(), height_px, nullptr, kRanges)) return font;
@@ -29,19 +32,6 @@ ImFont* AddFont(const char* file_name, float height_px) {
   ImFontConfig config;
   config.SizePixels = height_px;
   return atlas.AddFontDefault(&config);
-}
-
-void SetStyle() {
-  ImGui::StyleColorsDark();
-  ImGuiStyle& style = ImGui::GetStyle();
-  style.WindowRounding = 6;
-  style.WindowBorderSize = 1;
-  style.WindowPadding = {12, 10};
-  style.ItemSpacing = {8, 5};
-  style.Colors[ImGuiCol_WindowBg] = {0.055f, 0.075f, 0.10f, 0.86f};
-  style.Colors[ImGuiCol_Border] = {1, 1, 1, 0.10f};
-  style.Colors[ImGuiCol_Text] = {0.93f, 0.95f, 0.97f, 1};
-  style.Colors[ImGuiCol_TextDisabled] = {0.58f, 0.64f, 0.70f, 1};
 }
 
 }  // namespace
@@ -52,7 +42,7 @@ PanelHost::PanelHost(Materials& materials) : overlay_(new Ogre::ImGuiOverlay()) 
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   LoadFonts();
-  SetStyle();
+  ApplyTheme(scale_);
   Ogre::OverlayManager::getSingleton().addOverlay(overlay_);
   overlay_->setZOrder(300);
   overlay_->show();
@@ -71,9 +61,32 @@ void PanelHost::LoadFonts() {
   for (const UiFont font : {UiFont::kSmallMono, UiFont::kMediumMono, UiFont::kLargeMono}) {
     script_fonts_[static_cast<std::size_t>(font)] = AddFont("DejaVuSansMono.ttf", LineHeight(font));
   }
-  panel_font_ = AddFont("DejaVuSans.ttf", 15);
-  bold_font_ = AddFont("DejaVuSans-Bold.ttf", 15);
+  panel_font_ = AddFont("DejaVuSans.ttf", std::round(15 * scale_));
+  bold_font_ = AddFont("DejaVuSans-Bold.ttf", std::round(15 * scale_));
+  mono_font_ = AddFont("DejaVuSansMono.ttf", std::round(14 * scale_));
   ImGui::GetIO().FontDefault = panel_font_;
+}
+
+void PanelHost::SetTextScale(float scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  LoadFonts();
+  ApplyTheme(scale_);
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
+  // The overlay made its texture once; the letters go into the same one.
+  const Ogre::MaterialPtr material =
+      Ogre::MaterialManager::getSingleton().getByName("ImGui/material", Ogre::RGN_INTERNAL);
+  const Ogre::TexturePtr texture = material->getTechnique(0)->getPass(0)->getTextureUnitState(0)->_getTexturePtr();
+  texture->freeInternalResources();
+  texture->setWidth(static_cast<unsigned>(width));
+  texture->setHeight(static_cast<unsigned>(height));
+  texture->createInternalResources();
+  texture->getBuffer()->blitFromMemory(
+      Ogre::PixelBox(static_cast<unsigned>(width), static_cast<unsigned>(height), 1, Ogre::PF_BYTE_RGBA, pixels));
 }
 
 void PanelHost::BeginFrame(int width, int height, float seconds) {

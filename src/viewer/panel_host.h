@@ -21,9 +21,13 @@ class PanelHost {
   /// Ends them; the next drawing of the scene shows them on top.
   void EndFrame();
 
+  /// Draws the texts of panels anew for this size; 1 is 100 %. Not between BeginFrame and EndFrame.
+  void SetTextScale(float scale);
+
   ImFont* FontFor(world::UiFont font) const { return script_fonts_[static_cast<std::size_t>(font)]; }
   ImFont* panel_font() const { return panel_font_; }
   ImFont* bold_font() const { return bold_font_; }
+  ImFont* mono_font() const { return mono_font_; }
 
  private:
   void LoadFonts();
@@ -32,6 +36,8 @@ class PanelHost {
   std::array<ImFont*, 6> script_fonts_{};
   ImFont* panel_font_ = nullptr;
   ImFont* bold_font_ = nullptr;
+  ImFont* mono_font_ = nullptr;
+  float scale_ = 1;
 };
 
 }  // namespace soarbox::viewer

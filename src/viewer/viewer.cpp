@@ -22,6 +22,7 @@
 #include "viewer/scene_view.h"
 #include "viewer/script_ui.h"
 #include "viewer/sky_view.h"
+#include "viewer/workspace_host.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -70,6 +71,7 @@ struct Viewer::Impl {
   std::unique_ptr<FillBatch> fills;
   std::optional<PanelHost> panels;
   std::optional<InputReader> input;
+  std::optional<WorkspaceHost> workspace;  ///< Menus and panels; none: the picture alone.
 
   std::optional<GhostView> ghost_view;
 
@@ -104,6 +106,8 @@ struct Viewer::Impl {
   void Apply(const FrameInput& in, float seconds);
   void PlaceCamera();
   void DrawPanels(float seconds);
+  void DrawWorkspace();
+  Result<void> SavePicture(const fs::path& path);
   void ReportFailure(const std::string& what);
   void Do(ViewerCommand command);
   void SelectBeside(int step);
@@ -148,6 +152,11 @@ Result<void> Viewer::Impl::Build() {
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(fills.get());
   panels.emplace(*materials);
   input.emplace(engine->window());
+  if (options.layout) {
+    workspace.emplace(*engine, *panels, *options.layout);
+    if (Result<void> read = workspace->LoadScript(options.ui_script); !read) return read.error();
+    workspace->PlacePicture();
+  }
   return {};
 }
 
@@ -356,7 +365,9 @@ void Viewer::Impl::PlaceCamera() {
 }
 
 void Viewer::Impl::DrawPanels(float seconds) {
-  panels->BeginFrame(engine->width(), engine->height(), seconds);
+  if (workspace) workspace->ApplyInput();
+  panels->BeginFrame(engine->window_width(), engine->window_height(), seconds);
+  if (workspace) workspace->BeginPicture();
   const Projection view = View();
   const std::uint32_t inside = Inside();
   std::vector<ScreenBox> taken;
@@ -365,14 +376,33 @@ void Viewer::Impl::DrawPanels(float seconds) {
   if (IsOn(ViewerCommand::kLabels)) DrawAgentLabels(*panels, labels, camera.pose(), view, taken);
   DrawGhostLabels(*panels, shown_ghosts, view, taken);
   DrawScriptUi(scene, view, *panels);
-  if (const auto* agent = Selected()) DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow);
   if (box) DrawSelectionBox(box->from, box->to);
   if (const auto* agent = cursor ? Find(hovered) : nullptr; agent != nullptr && agent->id != inside)
     DrawTooltip(*panels, *agent, overlays, *cursor);
   if (notice_s > 0 && !options.hidden) DrawNotice(*panels, notice, std::min(1.0f, notice_s / 0.5f));
-  if (IsOn(ViewerCommand::kHelp)) DrawKeyHelp(*panels);
-  if (options.show_status_bar) DrawStatusBar(*panels, status, scene, options.hidden ? 0 : frames_per_second);
+  if (workspace) {
+    workspace->EndPicture();
+    DrawWorkspace();
+  } else {
+    if (const auto* agent = Selected()) DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow);
+    if (IsOn(ViewerCommand::kHelp)) DrawKeyHelp(*panels);
+    if (options.show_status_bar) DrawStatusBar(*panels, status, scene, options.hidden ? 0 : frames_per_second);
+  }
   panels->EndFrame();
+}
+
+void Viewer::Impl::DrawWorkspace() {
+  const auto help = static_cast<std::size_t>(ViewerCommand::kHelp);
+  const std::uint32_t before = selection.empty() ? 0 : selection.front();
+  workspace->show_help() = on[help];
+  const WorkspaceHost::Asked asked = workspace->Draw(scene, status, before, options.hidden ? 0 : frames_per_second,
+                                                     [this](ViewerCommand c) { return IsOn(c); });
+  on[help] = workspace->show_help();
+  if (asked.selected != before) {
+    selection.clear();
+    if (asked.selected != 0) selection.push_back(asked.selected);
+  }
+  for (const ViewerCommand command : asked.commands) Do(command);
 }
 
 bool Viewer::Impl::Frame() {
@@ -383,7 +413,8 @@ bool Viewer::Impl::Frame() {
     const float rate = 1 / std::max(seconds, 1e-3f);
     frames_per_second = frames_per_second == 0 ? rate : frames_per_second + 0.08f * (rate - frames_per_second);
   }
-  const FrameInput in = input->Read();
+  if (workspace) workspace->PlacePicture();
+  const FrameInput in = input->Read(workspace ? workspace->Claims() : InputClaims{});
   Apply(in, seconds);
   if (in.closed) {
     commands.push_back(ViewerCommand::kQuit);
@@ -406,6 +437,9 @@ bool Viewer::Impl::Frame() {
   PlaceCamera();
   DrawPanels(seconds);
   engine->Draw();
+  if (workspace) {
+    workspace->AfterDrawing(scene, View(), [this](const fs::path& file) { return SavePicture(file); });
+  }
   return true;
 }
 
@@ -506,7 +540,7 @@ bool Viewer::IsOn(ViewerCommand command) const {
   return impl_->IsOn(command);
 }
 
-Result<void> Viewer::SaveScreenshot(const fs::path& path) {
+Result<void> Viewer::Impl::SavePicture(const fs::path& path) {
   Diagnostic failure;
   failure.file = path.string();
   failure.hint = "is the folder there, and may you write to it? the name must end in .png";
@@ -515,12 +549,49 @@ Result<void> Viewer::SaveScreenshot(const fs::path& path) {
     return failure;
   }
   try {
-    impl_->engine->WritePicture(path);
+    engine->WritePicture(path);
   } catch (const std::exception& error) {
     failure.message = std::string("the screenshot cannot be written: ") + error.what();
     return failure;
   }
   return {};
+}
+
+Result<void> Viewer::SaveScreenshot(const fs::path& path) {
+  return impl_->SavePicture(path);
+}
+
+namespace {
+
+/// Of a window without panels.
+template <typename T>
+T& Nothing() {
+  static T nothing;
+  return nothing;
+}
+
+}  // namespace
+
+PanelContents& Viewer::panel_contents() {
+  return impl_->workspace ? impl_->workspace->contents : Nothing<PanelContents>();
+}
+std::vector<PanelRequest> Viewer::TakePanelRequests() {
+  return impl_->workspace ? std::exchange(impl_->workspace->requests, {}) : std::vector<PanelRequest>{};
+}
+bool Viewer::panel_visible(PanelId panel) const {
+  return impl_->workspace && impl_->workspace->layout().IsVisible(panel);
+}
+void Viewer::ShowPanel(PanelId panel) {
+  if (impl_->workspace) impl_->workspace->layout().Show(panel);
+}
+const Layout& Viewer::layout() const {
+  return impl_->workspace ? impl_->workspace->layout() : Nothing<Layout>();
+}
+bool Viewer::ui_script_over() const {
+  return !impl_->workspace || impl_->workspace->script_over();
+}
+const std::optional<Diagnostic>& Viewer::ui_script_failure() const {
+  return impl_->workspace ? impl_->workspace->script_failure() : Nothing<std::optional<Diagnostic>>();
 }
 
 }  // namespace soarbox::viewer

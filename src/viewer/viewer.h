@@ -4,11 +4,15 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnostics/result.h"
 #include "viewer/input_event.h"
+#include "viewer/panels/layout.h"
+#include "viewer/panels/panel_contents.h"
+#include "viewer/panels/panel_request.h"
 #include "viewer/viewer_command.h"
 #include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
@@ -35,7 +39,9 @@ struct ViewerOptions {
   bool show_help = false;     ///< The list of keys at the start (H toggles).
   bool frame_agents = false;  ///< Opens on all agents, wherever the scripts put the camera at first.
   bool show_status_bar = true;
-  std::string log_file = {};  ///< The renderer's log; empty: none is written.
+  std::optional<Layout> layout = {};     ///< Menus and panels around the picture; none: the picture alone.
+  std::filesystem::path ui_script = {};  ///< Plays a user (panels/ui_script.h); empty: none.
+  std::string log_file = {};             ///< The renderer's log; empty: none is written.
   /// Hears of what is missing and had to be replaced, once per name, and of a renderer that fails.
   std::function<void(const Diagnostic&)> on_diagnostic = {};
 };
@@ -106,10 +112,25 @@ class Viewer {
   std::vector<InputEvent> TakeEvents();
   std::vector<ViewerCommand> TakeCommands();
 
+  /// What the panels show, for the application to fill in; see panel_visible.
+  PanelContents& panel_contents();
+  /// What the user asked for in panels, in order.
+  std::vector<PanelRequest> TakePanelRequests();
+  /// Whether a panel is in front of its area: the others need no contents.
+  bool panel_visible(PanelId panel) const;
+  /// Opens a panel and brings it to the front.
+  void ShowPanel(PanelId panel);
+  /// As the user has arranged it, to be remembered.
+  const Layout& layout() const;
+  /// The script that plays a user has come to its end, or none was given; and what went wrong with it.
+  bool ui_script_over() const;
+  const std::optional<Diagnostic>& ui_script_failure() const;
+
   /// Where the user looks from now; scripts ask for it (Sandbox.GetCameraPosition and its siblings).
   world::CameraSnapshot Camera() const;
 
-  /// The picture's size in pixels; scripts place their panels by it. Changes when the user resizes the window.
+  /// The size of the scene's picture in pixels, without the panels around it; scripts place their own panels by it.
+  /// Changes when the user resizes the window or moves a border.
   int width() const;
   int height() const;
 

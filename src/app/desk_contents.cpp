@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What the panels show.
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "app/desk.h"
+#include "debugger/why.h"
+#include "world/world.h"
+
+namespace soarbox::app {
+namespace {
+
+using viewer::PanelId;
+
+/// While the world runs, panels that look into minds follow it this often: fast enough for eyes.
+constexpr auto kRefreshEvery = std::chrono::milliseconds(120);
+/// Minds of the past are rebuilt once the scrubber rests.
+constexpr auto kRest = std::chrono::milliseconds(250);
+constexpr double kRebuildSlice_s = 0.012;
+
+const char* const kNoKernel = "Not available there: the Soar kernel in the other process does not tell.";
+
+std::uint64_t VisiblePanels(const viewer::Viewer& viewer) {
+  std::uint64_t panels = 0;
+  for (const viewer::PanelInfo& info : viewer::kPanelInfos) {
+    if (viewer.panel_visible(info.id)) panels |= std::uint64_t{1} << static_cast<unsigned>(info.id);
+  }
+  return panels;
+}
+
+std::string NameOf(const world::SceneSnapshot& scene, std::uint32_t id) {
+  for (const world::AgentSnapshot& agent : scene.agents) {
+    if (agent.id == id) return agent.name;
+  }
+  return {};
+}
+
+}  // namespace
+
+void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
+  for (const viewer::PanelRequest& request : viewer.TakePanelRequests()) Obey(request, viewer, pace);
+  if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
+
+  const record::TickRecord* shown = past_.Shown();
+  const std::string agent = shown != nullptr ? NameOf(shown->scene, viewer.selected_agent()) : std::string{};
+  if (agent != agent_) {
+    agent_ = agent;
+    state_.clear();
+    search_.clear();
+    rule_.clear();
+    open_objects_.clear();
+    timetag_ = 0;
+    why_ = {};
+    viewer.panel_contents().coverage.clear();
+    if (!agent_.empty()) coverage_.try_emplace(agent_);  // Notes are taken of it from now on.
+    is_stale_ = true;
+  }
+  const std::uint64_t panels = VisiblePanels(viewer);
+  const std::string note = past_.is_live() || past_.past() != nullptr ? std::string{} : past_.PastNote();
+  is_stale_ |= panels != refreshed_panels_ || note != refreshed_note_;
+  const bool moved = past_.shown_tick() != refreshed_tick_;
+  const bool is_due = Clock::now() - refreshed_at_ > kRefreshEvery;
+  FillMoment(viewer.panel_contents());
+  if (!is_stale_ && !(moved && (is_due || pace.paused()))) return;
+  refreshed_panels_ = panels;
+  refreshed_note_ = note;
+  Refresh(viewer);
+  refreshed_tick_ = past_.shown_tick();
+  refreshed_at_ = Clock::now();
+  is_stale_ = false;
+}
+
+void Desk::FillMoment(viewer::PanelContents& contents) {
+  viewer::Moment& at = contents.moment;
+  at.first_tick = past_.first_tick();
+  at.last_tick = past_.last_tick();
+  at.shown_tick = past_.shown_tick();
+  at.step_s = static_cast<double>(std::as_const(session_.simulation()).world().settings().step_s);
+  at.is_live = past_.is_live();
+  at.can_go_back = past_.last_tick() > past_.first_tick();
+  at.can_resume = past_.past() != nullptr;
+  at.resume_refusal = at.can_resume ? "" : past_.PastNote();
+  at.branch_tick = past_.branch_tick();
+  at.branches = past_.branches();
+}
+
+void Desk::Refresh(viewer::Viewer& viewer) {
+  viewer::PanelContents& contents = viewer.panel_contents();
+  const auto visible = [&](PanelId panel) { return viewer.panel_visible(panel); };
+  contents.agent = agent_;
+  contents.timeline = &models_.timeline;
+  contents.trace = &models_.trace;
+  contents.messages = &models_.messages;
+  contents.plots = &models_.plots.series();
+  contents.problems = problems_;
+  contents.breakpoints = breakpoints_.list();
+  contents.hits = hits_;
+  contents.edit = edit_contents_;
+  if (edit_) {
+    contents.edit.is_changed = edit_->is_changed();
+    contents.edit.is_unsaved = edit_->is_unsaved();
+  }
+  const record::TickRecord* shown = past_.Shown();
+  sim::Simulation* world = Looked();
+  if (visible(PanelId::kAgents) && shown != nullptr) {
+    contents.agents = past_.is_live() ? debugger::ListAgents(session_.simulation(), models_.troubles, &models_.timeline)
+                                      : debugger::ListAgents(*shown, models_.timeline, models_.troubles);
+  }
+  contents.has_mind = !agent_.empty() && std::as_const(session_.simulation()).HasMind(agent_);
+  contents.console = contents.has_mind ? &ConsoleOf(agent_) : nullptr;
+  contents.console_lines = console_lines_;
+  contents.completion = completion_;
+  contents.completed_line = completed_line_;
+  contents.files = debugger::FilesOf(session_.simulation(), agent_);
+  changes_ = {};
+  if (shown != nullptr) {
+    if (const record::MindRecord* mind = record::FindMind(*shown, agent_))
+      changes_ = debugger::MemoryChanges(mind->details);
+  }
+  std::unique_ptr<sim::Inspector> mind = world != nullptr && contents.has_mind ? world->Inspect(agent_) : nullptr;
+  contents.not_available.clear();
+  if (world == nullptr) {
+    contents.not_available = past_.PastNote();
+  } else if (contents.has_mind && mind == nullptr) {
+    contents.not_available = kNoKernel;
+  }
+  if (mind != nullptr) FillMind(viewer, *mind);
+  if (visible(PanelId::kWhy)) FillWhy(contents, mind.get());
+  FillFutures(viewer);
+}
+
+void Desk::FillMind(viewer::Viewer& viewer, sim::Inspector& mind) {
+  viewer::PanelContents& contents = viewer.panel_contents();
+  const auto visible = [&](PanelId panel) { return viewer.panel_visible(panel); };
+  if (visible(PanelId::kMind)) {
+    contents.stack = debugger::LookAtStack(mind);
+    contents.operators = debugger::LookAtOperators(mind, state_);
+    if (contents.operators.rows.empty() && !state_.empty()) {
+      // That state has gone: back to the lowest.
+      const auto& levels = contents.stack.levels;
+      const bool is_there =
+          std::any_of(levels.begin(), levels.end(), [&](const auto& level) { return level.state == state_; });
+      if (!is_there) {
+        state_.clear();
+        contents.operators = debugger::LookAtOperators(mind);
+      }
+    }
+  }
+  if (visible(PanelId::kMemory)) {
+    contents.objects.clear();
+    for (const std::string& id : open_objects_) contents.objects[id] = debugger::LookAtObject(mind, id, changes_);
+    contents.story = timetag_ != 0 ? debugger::LookAtElement(mind, timetag_) : std::nullopt;
+    contents.found = search_.empty() ? std::vector<sim::ElementFact>{} : debugger::SearchMemory(mind, search_, 200);
+    if (!visible(PanelId::kMind)) contents.stack = debugger::LookAtStack(mind);
+  }
+  if (visible(PanelId::kRules)) {
+    contents.rules = debugger::ListRules(mind);
+    contents.rule = rule_.empty() ? std::nullopt : debugger::LookAtRule(mind, rule_);
+    if (wants_coverage_) {
+      debugger::Coverage& coverage = coverage_[agent_];
+      coverage.Look(mind);
+      contents.coverage = coverage.rows();
+    }
+    wants_coverage_ = false;
+  }
+  if (visible(PanelId::kLinks)) contents.io = debugger::LookAtIo(mind, changes_);
+  if (visible(PanelId::kPlots)) contents.plottable = debugger::Plottable(mind);
+}
+
+void Desk::FillWhy(viewer::PanelContents& contents, sim::Inspector* mind) {
+  contents.why = {};
+  sim::Simulation* world = Looked();
+  if (agent_.empty() || world == nullptr) return;
+  using About = viewer::WhyRequest::About;
+  viewer::WhyContents& why = contents.why;
+  if (why_.about == About::kAgent) {
+    why.question = "Why does " + agent_ + " do what it does?";
+    why.answer = debugger::WhyAgent(*world, agent_);
+    return;
+  }
+  if (mind == nullptr) return;
+  switch (why_.about) {
+    case About::kOperator:
+      why.question = "Why the operator " + why_.what + "?";
+      why.answer = debugger::WhyOperator(*mind, why_.what);
+      break;
+    case About::kCommand:
+      why.question = "Why the command " + why_.what + "?";
+      why.answer = debugger::WhyCommand(*mind, why_.what);
+      break;
+    case About::kElement:
+      why.question = "Where does element " + why_.what + " come from?";
+      why.answer = debugger::WhyElement(*mind, std::strtoull(why_.what.c_str(), nullptr, 10));
+      break;
+    case About::kNot:
+      why.question = "Why not " + why_.what + "?";
+      why.answer = debugger::WhyNot(*mind, why_.what);
+      break;
+    case About::kAgent:
+      break;
+  }
+}
+
+void Desk::FillFutures(viewer::Viewer& viewer) {
+  viewer::PanelContents& contents = viewer.panel_contents();
+  record::Futures* futures = past_.futures();
+  if (futures == nullptr) return;
+  const std::uint64_t now = past_.shown_tick();
+  const record::TickRecord* old = now >= *past_.branch_tick() ? futures->Old(now) : nullptr;
+  contents.futures = viewer::FuturesContents{*past_.branch_tick(), now, old != nullptr, futures->comparison()};
+  // Where everybody was at this time in the old future.
+  std::vector<viewer::Ghost> ghosts;
+  if (old != nullptr) {
+    for (const world::AgentSnapshot& agent : old->scene.agents) {
+      if (!agent.alive) continue;
+      viewer::Ghost ghost;
+      ghost.name = agent.name + " (before)";
+      ghost.position = agent.position;
+      ghost.forward = agent.forward;
+      ghost.radius_m = agent.radius_m;
+      ghost.height_m = agent.height_m;
+      ghosts.push_back(std::move(ghost));
+    }
+  }
+  viewer.SetGhosts(std::move(ghosts));
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What the user asks for in panels.
+#include <algorithm>
+#include <utility>
+
+#include "app/desk.h"
+#include "app/open_editor.h"
+
+namespace soarbox::app {
+
+struct Desk::Visitor {
+  Desk& desk;
+  viewer::Viewer& viewer;
+  Pace& pace;
+
+  void operator()(const viewer::OpenFileRequest& request) const {
+    if (const Result<void> opened = OpenInEditor(request.file, request.line); !opened)
+      desk.NoteProblem(opened.error(), {});
+  }
+  void operator()(const viewer::ConsoleRequest& request) const { desk.Type(request); }
+  void operator()(const viewer::CompleteRequest& request) const {
+    desk.completed_line_ = request.line;
+    desk.completion_ = {};
+    if (sim::Simulation* world = desk.Looked()) {
+      if (const auto mind = world->Inspect(request.agent)) desk.completion_ = debugger::Complete(*mind, request.line);
+    }
+  }
+  void operator()(const viewer::ClearConsoleRequest&) const { desk.ConsoleOf(desk.agent_).Clear(); }
+  void operator()(const viewer::ClearProblemsRequest&) const { desk.problems_.clear(); }
+  void operator()(const viewer::SeekRequest& request) const {
+    pace.Pause();
+    desk.past_.Seek(request.tick);
+    desk.sought_at_ = Clock::now();
+  }
+  void operator()(const viewer::LiveRequest&) const { desk.past_.GoLive(); }
+  void operator()(const viewer::ResumeRequest&) const { desk.Resume(pace); }
+  void operator()(const viewer::SpeedRequest& request) const { pace.SetSpeed(request.speed); }
+  void operator()(const viewer::SavePictureRequest&) const {
+    const std::string file = "soarbox-" + std::to_string(desk.session_.simulation().tick()) + ".png";
+    if (const Result<void> saved = viewer.SaveScreenshot(file); !saved) {
+      desk.NoteProblem(saved.error(), {});
+    } else {
+      viewer.Tell("Saved as " + file);
+    }
+  }
+  void operator()(const viewer::StateRequest& request) const { desk.state_ = request.state; }
+  void operator()(const viewer::ObjectRequest& request) const {
+    constexpr std::size_t kMostOpen = 200;
+    if (!request.is_open) {
+      desk.open_objects_.erase(request.id);
+    } else if (desk.open_objects_.size() < kMostOpen) {
+      desk.open_objects_.insert(request.id);
+    }
+  }
+  void operator()(const viewer::ElementRequest& request) const { desk.timetag_ = request.timetag; }
+  void operator()(const viewer::SearchMemoryRequest& request) const { desk.search_ = request.text; }
+  void operator()(const viewer::RuleRequest& request) const { desk.rule_ = request.rule; }
+  void operator()(const viewer::CoverageRequest&) const { desk.wants_coverage_ = true; }
+  void operator()(const viewer::WhyRequest& request) const { desk.why_ = request; }
+  void operator()(const viewer::PlotRequest& request) const {
+    if (request.is_on) {
+      desk.models_.plots.Plot(request.agent, request.what);
+    } else {
+      desk.models_.plots.Remove(request.agent, request.what);
+    }
+  }
+  void operator()(const viewer::EditRequest& request) const { desk.OpenEdit(request); }
+  void operator()(const viewer::EditTextRequest& request) const { desk.ChangeText(request); }
+  void operator()(const viewer::BreakRequest& request) const {
+    if (const Result<int> set = desk.breakpoints_.Set(request.kind, request.agent, request.what); !set)
+      desk.NoteProblem(set.error(), request.agent);
+  }
+  void operator()(const viewer::ChangeBreakRequest& request) const {
+    using What = viewer::ChangeBreakRequest::What;
+    if (request.what == What::kClear) {
+      desk.breakpoints_.Clear(request.number);
+    } else {
+      desk.breakpoints_.Enable(request.number, request.what == What::kEnable);
+    }
+  }
+};
+
+void Desk::Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pace& pace) {
+  std::visit(Visitor{*this, viewer, pace}, request);
+  is_stale_ = true;
+}
+
+void Desk::Type(const viewer::ConsoleRequest& request) {
+  sim::Simulation* world = Looked();
+  if (world == nullptr) return;
+  ConsoleOf(request.agent).Run(*world, request.line);
+  ++console_lines_;
+}
+
+void Desk::Resume(Pace& pace) {
+  std::unique_ptr<sim::Simulation> simulation = past_.Resume();
+  if (simulation == nullptr) return;
+  session_.GoOnWith(std::move(simulation));
+  noted_agent_.clear();
+  hits_.clear();
+  // Who goes back wants to see it happen.
+  pace.Resume();
+}
+
+void Desk::OpenEdit(const viewer::EditRequest& request) {
+  sim::Simulation& simulation = session_.simulation();
+  std::vector<sim::WatchedFile> files = debugger::FilesOf(simulation, {});
+  const std::filesystem::path wanted(request.file);
+  const auto found = std::find_if(files.begin(), files.end(), [&](const sim::WatchedFile& file) {
+    return file.file == wanted || file.file.filename() == wanted;
+  });
+  sim::WatchedFile file{agent_, wanted, wanted.extension() == ".soar"};
+  if (found != files.end()) file = *found;
+  if (!edit_ || edit_->file().file != file.file) {
+    Result<debugger::Edit> opened = debugger::Edit::Open(file);
+    if (!opened) {
+      NoteProblem(opened.error(), agent_);
+      return;
+    }
+    edit_.emplace(std::move(*opened));
+    const std::uint64_t version = edit_contents_.version + 1;
+    edit_contents_ = {};
+    edit_contents_.file = file.file.string();
+    edit_contents_.is_rules = file.is_rules;
+    edit_contents_.version = version;
+    edit_contents_.text = edit_->text();
+  }
+  edit_contents_.go_to_line = request.rule.empty() ? request.line : edit_->LineOf(request.rule);
+}
+
+void Desk::ChangeText(const viewer::EditTextRequest& request) {
+  if (!edit_) return;
+  using What = viewer::EditTextRequest::What;
+  viewer::EditContents& shown = edit_contents_;
+  edit_->text() = request.text;
+  shown.text = request.text;
+  shown.notice.clear();
+  const auto errors = [&] {
+    return std::count_if(shown.problems.begin(), shown.problems.end(),
+                         [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
+  };
+  switch (request.what) {
+    case What::kCheck:
+      shown.problems = edit_->Check();
+      if (errors() == 0) shown.notice = "No errors.";
+      break;
+    case What::kApply:
+      if (sim::Simulation* world = Looked()) {
+        shown.problems = edit_->Apply(*world);
+        shown.notice = errors() == 0 ? "Reloaded: it takes effect in the next tick."
+                                     : "Nothing was changed: the version before it goes on.";
+      } else {
+        shown.notice = "Not yet: " + past_.PastNote();
+      }
+      break;
+    case What::kSave:
+      if (const Result<void> saved = edit_->Save(); !saved) {
+        shown.problems = {saved.error()};
+      } else {
+        shown.notice = "Saved.";
+      }
+      break;
+    case What::kRevert:
+      edit_->Revert();
+      shown.text = edit_->text();
+      shown.problems.clear();
+      ++shown.version;
+      break;
+  }
+}
+
+}  // namespace soarbox::app

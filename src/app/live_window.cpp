@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/live_window.h"
+
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
+#include "app/exit_codes.h"
+#include "app/run_control.h"
+#include "world/world.h"
+
+namespace soarbox::app {
+namespace {
+
+/// Sends what the user did through the simulation's door.
+void SubmitEvent(const viewer::InputEvent& event, sim::Simulation& simulation) {
+  const auto x = static_cast<float>(event.x), y = static_cast<float>(event.y);
+  switch (event.kind) {
+    case viewer::InputKind::kKey:
+      simulation.Submit(sim::KeyInput{event.name, event.pressed});
+      break;
+    case viewer::InputKind::kMouseButton:
+      simulation.Submit(sim::ButtonInput{event.name, event.pressed, x, y});
+      break;
+    case viewer::InputKind::kMouseMove:
+      if (event.wheel != 0) simulation.Submit(sim::WheelInput{static_cast<float>(event.wheel), x, y});
+      if (event.dx != 0 || event.dy != 0)
+        simulation.Submit(sim::PointerInput{x, y, static_cast<float>(event.dx), static_cast<float>(event.dy)});
+      break;
+  }
+}
+
+/// What a frame and a tick take, for the status bar.
+std::string CostText(const SmoothTime& frame, const SmoothTime& tick) {
+  if (tick.us() == 0) return {};
+  char text[64];
+  std::snprintf(text, sizeof text, "frame %.1f ms, tick %.1f ms", frame.us() / 1000, tick.us() / 1000);
+  return text;
+}
+
+}  // namespace
+
+void Deliverer::Deliver(viewer::Viewer& viewer, sim::Simulation& simulation) {
+  const world::World& world = std::as_const(simulation).world();
+  const sim::ScreenInput screen{viewer.width(), viewer.height()};
+  if (screen != screen_) simulation.Submit(screen);
+  screen_ = screen;
+  const world::CameraSnapshot pose = viewer.Camera();
+  const sim::CameraInput camera{pose.position, pose.orientation};
+  const world::CameraSnapshot& known = world.camera().state();
+  if (camera != camera_ && camera != sim::CameraInput{known.position, known.orientation}) simulation.Submit(camera);
+  camera_ = camera;
+  for (const viewer::InputEvent& event : viewer.TakeEvents()) SubmitEvent(event, simulation);
+}
+
+LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options)
+    : session_(session),
+      viewer_(viewer),
+      scenario_(run.scenario),
+      settings_(run.settings),
+      header_(run.header),
+      has_script_(!options.ui_script.empty()),
+      pace_(options.speed.value_or(1)) {
+  desk_.emplace(session, header_, scenario_, settings_);
+  if (!options.remark.empty()) viewer.Tell(options.remark);  // Where the recording goes.
+  newest_ = previous_ = session.simulation().Snapshot();
+  // Without a wish, an agent with a mind: somebody new sees at once what the panels are for.
+  for (const world::AgentSnapshot& agent : newest_.agents) {
+    if (viewer.selected_agent() == 0 && session.simulation().HasMind(agent.name)) viewer.SelectAgent(agent.id);
+  }
+}
+
+void LiveWindow::Draw() {
+  const double step_s = static_cast<double>(std::as_const(session_.simulation()).world().settings().step_s);
+  viewer_.SetStatus({.paused = pace_.paused(), .speed = pace_.speed(), .message = CostText(frame_time_, tick_time_)});
+  if (const world::SceneSnapshot* past = desk_->PastScene()) {
+    viewer_.Show(*past);
+  } else {
+    viewer_.Show(newest_, &previous_, pace_.Blend(step_s));
+  }
+  const world::OverlayWants wants = viewer_.overlay_wants();
+  if (!desk_->is_live()) {
+    // They are of the newest tick.
+    if (overlays_tick_ != 0) viewer_.ShowOverlays({});
+    overlays_tick_ = 0;
+  } else if (newest_.tick + 1 != overlays_tick_ || wants != overlay_wants_) {
+    viewer_.ShowOverlays(session_.simulation().Overlays(wants));
+    overlays_tick_ = newest_.tick + 1;
+    overlay_wants_ = wants;
+  }
+}
+
+void LiveWindow::Tick(double step_s) {
+  const int due = pace_.TicksDue(step_s);
+  bool is_cut = false;
+  for (int i = 0; i < due && !is_cut && !session_.IsOver(); ++i) {
+    desk_->Prepare();
+    const Clock::time_point tick_start = Clock::now();
+    session_.Tick();
+    tick_time_.Add(Clock::now() - tick_start);
+    if (desk_->WasHit()) {
+      pace_.Pause();
+      viewer_.ShowPanel(viewer::PanelId::kBreakpoints);
+      is_cut = true;
+    }
+    is_cut |= pace_.OutOfTime();
+    // Only the last two are drawn.
+    if (i + 2 >= due && !is_cut) previous_ = std::exchange(newest_, session_.simulation().Snapshot());
+  }
+  if (is_cut) previous_ = newest_ = session_.simulation().Snapshot();
+  if (due == 0) session_.Idle();
+}
+
+Result<void> LiveWindow::Obey() {
+  using viewer::ViewerCommand;
+  RunControl control;
+  for (const ViewerCommand command : viewer_.TakeCommands()) {
+    // Who lets the world or a mind go on while he looks at the past wants to see it go on.
+    const bool is_step = command == ViewerCommand::kSingleStep || command == ViewerCommand::kStepDecision ||
+                         command == ViewerCommand::kStepPhase;
+    if (command == ViewerCommand::kTogglePause || is_step) desk_->GoOn();
+    pace_.Obey(command);
+    const Result<bool> obeyed = control.Obey(command, session_, viewer_, newest_);
+    if (!obeyed) return obeyed.error();
+  }
+  if (!control.has_begun_again) return {};
+  header_.seed = session_.seed();
+  desk_.emplace(session_, header_, scenario_, settings_);
+  viewer_.SetGhosts({});
+  viewer_.panel_contents() = {};
+  newest_ = previous_ = session_.simulation().Snapshot();
+  overlays_tick_ = 0;
+  deliverer_ = Deliverer();
+  pace_.Skip();
+  return {};
+}
+
+int LiveWindow::Run() {
+  while (!session_.IsOver() && !pace_.quit()) {
+    const double step_s = static_cast<double>(std::as_const(session_.simulation()).world().settings().step_s);
+    Draw();
+    if (!viewer_.RenderFrame()) break;
+    frame_time_.Add(Clock::now() - std::exchange(frame_start_, Clock::now()));
+    if (const Result<void> obeyed = Obey(); !obeyed) {
+      std::cerr << Format(obeyed.error());
+      return kCannotStart;
+    }
+    desk_->Serve(viewer_, pace_);
+    if (desk_->is_live()) {
+      if (!was_live_) previous_ = newest_ = session_.simulation().Snapshot();
+      deliverer_.Deliver(viewer_, session_.simulation());
+      Tick(step_s);
+    } else {
+      Deliverer::Drop(viewer_);
+      pace_.Skip();
+    }
+    was_live_ = desk_->is_live();
+    if (has_script_ && viewer_.ui_script_over()) break;
+  }
+  return session_.Finish();
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "app/desk.h"
+#include "app/pace.h"
+#include "app/run_options.h"
+#include "app/run_session.h"
+#include "app/run_window.h"
+#include "viewer/viewer.h"
+
+namespace soarbox::app {
+
+/// A time that is smoothed over the last second or so, in microseconds.
+class SmoothTime {
+ public:
+  void Add(std::chrono::steady_clock::duration passed) {
+    const double us = std::chrono::duration<double, std::micro>(passed).count();
+    us_ = us_ == 0 ? us : us_ + (us - us_) * 0.05;
+  }
+  double us() const { return us_; }
+
+ private:
+  double us_ = 0;
+};
+
+/// Sends the window's size, the camera's pose and the user's events through the simulation's door; the first two if
+/// they changed.
+class Deliverer {
+ public:
+  void Deliver(viewer::Viewer& viewer, sim::Simulation& simulation);
+  /// What the user does now is not for the world: it is not the one that is shown.
+  static void Drop(viewer::Viewer& viewer) { viewer.TakeEvents(); }
+
+ private:
+  sim::ScreenInput screen_;
+  sim::CameraInput camera_;
+};
+
+/// A run in a visible window: frames, ticks as the pace has it, and the panels' desk.
+class LiveWindow {
+ public:
+  LiveWindow(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options);
+
+  /// Until the window is closed or the time is up. Returns an ExitCode.
+  int Run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void Draw();
+  void Tick(double step_s);
+  /// What the user asks of the run. An error means that it cannot go on.
+  Result<void> Obey();
+
+  RunSession& session_;
+  viewer::Viewer& viewer_;
+  const sim::Scenario& scenario_;
+  const sim::SimulationSettings& settings_;  ///< With the seed of the present run.
+  record::Header header_;
+  bool has_script_;  ///< A script plays the user; the run ends with it.
+  std::optional<Desk> desk_;
+  Pace pace_;
+  Deliverer deliverer_;
+  SmoothTime frame_time_, tick_time_;
+  Clock::time_point frame_start_ = Clock::now();
+  world::SceneSnapshot newest_, previous_;
+  std::uint64_t overlays_tick_ = 0;  ///< One more than the tick whose overlays are shown; 0: none are.
+  world::OverlayWants overlay_wants_;
+  bool was_live_ = true;
+};
+
+}  // namespace soarbox::app

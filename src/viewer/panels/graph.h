@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "viewer/panels/panel.h"
+
+namespace soarbox::viewer {
+
+/// One curve of a graph: ticks in order, and values.
+struct GraphCurve {
+  std::string name;
+  ImVec4 color;
+  std::vector<std::pair<double, double>> points;
+};
+
+/// Draws curves over time into a box of this height, with their range, the present moment, and the values under the
+/// mouse. Gives the tick that was clicked. `is_stepped`: values hold until the next.
+std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves,
+                                       float height, double first_tick, double last_tick, bool is_stepped = false);
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+namespace soarbox::viewer {
+
+enum class Icon {
+  kPlay,
+  kPause,
+  kStepTick,
+  kStepDecision,
+  kStepPhase,
+  kReset,
+  kNextSeed,
+  kStepBack,
+  kToBegin,
+  kToEnd,
+  kBranch,
+};
+
+/// A button with a drawn sign, a word behind it if there is one, and a tooltip. True when it is clicked.
+bool IconButton(Icon icon, const char* id, std::string_view word, std::string_view tooltip, bool enabled = true,
+                bool lit = false);
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/panels/layout.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace soarbox::viewer {
+namespace {
+
+constexpr float kLeastSize = 80, kMostSize = 4000;
+
+Area HomeOf(PanelId panel) {
+  static const Layout home = DefaultLayout();
+  for (std::size_t i = 0; i < kAreaCount; ++i) {
+    const auto& panels = home.areas[i].panels;
+    if (std::find(panels.begin(), panels.end(), panel) != panels.end()) return static_cast<Area>(i);
+  }
+  return Area::kRight;
+}
+
+}  // namespace
+
+bool Layout::IsOpen(PanelId panel) const {
+  return std::any_of(areas.begin(), areas.end(), [panel](const AreaLayout& area) {
+    return std::find(area.panels.begin(), area.panels.end(), panel) != area.panels.end();
+  });
+}
+
+bool Layout::IsVisible(PanelId panel) const {
+  return std::any_of(areas.begin(), areas.end(), [panel](const AreaLayout& area) {
+    return area.shown && area.front < area.panels.size() && area.panels[area.front] == panel;
+  });
+}
+
+void Layout::Show(PanelId panel) {
+  if (!IsOpen(panel)) at(HomeOf(panel)).panels.push_back(panel);
+  for (AreaLayout& area : areas) {
+    const auto found = std::find(area.panels.begin(), area.panels.end(), panel);
+    if (found == area.panels.end()) continue;
+    area.front = static_cast<std::size_t>(found - area.panels.begin());
+    area.shown = true;
+  }
+}
+
+void Layout::Close(PanelId panel) {
+  for (AreaLayout& area : areas) {
+    const auto found = std::find(area.panels.begin(), area.panels.end(), panel);
+    if (found == area.panels.end()) continue;
+    const auto index = static_cast<std::size_t>(found - area.panels.begin());
+    area.panels.erase(found);
+    if (area.front > index || area.front == area.panels.size()) area.front = area.front == 0 ? 0 : area.front - 1;
+  }
+}
+
+void Layout::Move(PanelId panel, Area area) {
+  Close(panel);
+  at(area).panels.push_back(panel);
+  Show(panel);
+}
+
+void Layout::SetText(int percent) {
+  text_percent = std::clamp(percent, kLeastText_percent, kMostText_percent);
+}
+
+Layout DefaultLayout() {
+  Layout layout;
+  layout.at(Area::kLeft) = {true, 275, {PanelId::kAgents, PanelId::kProblems}, 0};
+  layout.at(Area::kRight) = {true,
+                             360,
+                             {PanelId::kMind, PanelId::kWhy, PanelId::kMemory, PanelId::kRules, PanelId::kLinks,
+                              PanelId::kEdit, PanelId::kBreakpoints, PanelId::kFutures},
+                             0};
+  layout.at(Area::kBottom) = {
+      true, 190, {PanelId::kTimeline, PanelId::kTrace, PanelId::kConsole, PanelId::kPlots, PanelId::kMessages}, 0};
+  return layout;
+}
+
+Layout LayoutOf(const std::vector<PanelId>& panels) {
+  Layout layout = DefaultLayout();
+  for (AreaLayout& area : layout.areas) {
+    area.panels.clear();
+    area.front = 0;
+    area.shown = false;
+  }
+  // The first of an area is the one in front.
+  for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
+    AreaLayout& area = layout.at(HomeOf(*panel));
+    if (std::find(area.panels.begin(), area.panels.end(), *panel) != area.panels.end()) continue;
+    area.panels.insert(area.panels.begin(), *panel);
+    area.shown = true;
+  }
+  return layout;
+}
+
+std::string ToText(const Layout& layout) {
+  std::ostringstream out;
+  out << "# How the window of Soarbox is arranged. Written when it closes; delete it to begin anew.\n";
+  out << "text " << layout.text_percent << '\n';
+  for (std::size_t i = 0; i < kAreaCount; ++i) {
+    const AreaLayout& area = layout.areas[i];
+    out << kAreaWords[i] << (area.shown ? " shown " : " hidden ") << static_cast<int>(area.size) << ' ' << area.front;
+    for (const PanelId panel : area.panels) out << ' ' << InfoOf(panel).word;
+    out << '\n';
+  }
+  return out.str();
+}
+
+Layout ReadLayout(std::string_view text, Layout layout) {
+  std::istringstream lines{std::string(text)};
+  std::array<bool, kPanelCount> placed{};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "text") {
+      int percent = 0;
+      if (words >> percent) layout.SetText(percent);
+      continue;
+    }
+    const auto found = std::find(kAreaWords.begin(), kAreaWords.end(), word);
+    std::string shown;
+    float size = 0;
+    std::size_t front = 0;
+    if (found == kAreaWords.end() || !(words >> shown >> size >> front)) continue;
+    AreaLayout& area = layout.areas[static_cast<std::size_t>(found - kAreaWords.begin())];
+    area.shown = shown != "hidden";
+    area.size = std::clamp(size, kLeastSize, kMostSize);
+    area.panels.clear();
+    while (words >> word) {
+      const auto panel = FindPanel(word);
+      if (!panel || placed[static_cast<std::size_t>(*panel)]) continue;
+      placed[static_cast<std::size_t>(*panel)] = true;
+      area.panels.push_back(*panel);
+    }
+    area.front = area.panels.empty() ? 0 : std::min(front, area.panels.size() - 1);
+  }
+  return layout;
+}
+
+std::filesystem::path LayoutFile() {
+  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config == '/')
+    return std::filesystem::path(config) / "soarbox/window.ini";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
+    return std::filesystem::path(home) / ".config/soarbox/window.ini";
+  return {};
+}
+
+Layout LoadLayout(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) return DefaultLayout();
+  // Nobody's layout is longer; a file that is something else is not read to its end.
+  std::string text(4096, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  Layout empty = DefaultLayout();
+  return ReadLayout(text, empty);
+}
+
+Result<void> SaveLayout(const Layout& layout, const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::filesystem::path whole = file;
+  whole += ".new";
+  {
+    std::ofstream out(whole);
+    out << ToText(layout);
+    out.close();
+    if (!out) error = std::make_error_code(std::errc::io_error);
+  }
+  if (!error) std::filesystem::rename(whole, file, error);
+  if (!error) return {};
+  Diagnostic failure;
+  failure.severity = Severity::kWarning;
+  failure.file = file.string();
+  failure.message = "the window's layout cannot be remembered: " + error.message();
+  failure.hint = "may you write to this folder?";
+  return failure;
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/panels/layout.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace soarbox::viewer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::size_t Places(const Layout& layout, PanelId panel) {
+  std::size_t places = 0;
+  for (const AreaLayout& area : layout.areas) {
+    for (const PanelId there : area.panels) places += there == panel ? 1 : 0;
+  }
+  return places;
+}
+
+TEST(Layout, OffersEveryPanelOnceFromTheStart) {
+  const Layout layout = DefaultLayout();
+  for (const PanelInfo& info : kPanelInfos) {
+    EXPECT_EQ(Places(layout, info.id), 1u) << info.word;
+    EXPECT_EQ(kPanelInfos[static_cast<std::size_t>(info.id)].id, info.id) << info.word;
+    EXPECT_EQ(FindPanel(info.word), info.id);
+  }
+  EXPECT_TRUE(layout.IsVisible(PanelId::kAgents));
+  EXPECT_FALSE(layout.IsVisible(PanelId::kProblems));
+}
+
+TEST(Layout, ShowsClosesAndMovesPanels) {
+  Layout layout = DefaultLayout();
+  layout.Show(PanelId::kWhy);
+  EXPECT_TRUE(layout.IsVisible(PanelId::kWhy));
+  EXPECT_FALSE(layout.IsVisible(PanelId::kMind));
+  layout.Close(PanelId::kWhy);
+  EXPECT_FALSE(layout.IsOpen(PanelId::kWhy));
+  EXPECT_TRUE(layout.IsVisible(PanelId::kMemory)) << "its neighbour comes to the front";
+  layout.Show(PanelId::kWhy);
+  EXPECT_EQ(layout.at(Area::kRight).panels.back(), PanelId::kWhy) << "where it belongs";
+  layout.Move(PanelId::kWhy, Area::kLeft);
+  EXPECT_TRUE(layout.IsVisible(PanelId::kWhy));
+  EXPECT_EQ(Places(layout, PanelId::kWhy), 1u);
+  layout.at(Area::kLeft).shown = false;
+  EXPECT_FALSE(layout.IsVisible(PanelId::kWhy));
+  layout.Show(PanelId::kWhy);
+  EXPECT_TRUE(layout.at(Area::kLeft).shown);
+}
+
+TEST(Layout, ComesBackFromItsText) {
+  Layout layout = DefaultLayout();
+  layout.Move(PanelId::kConsole, Area::kLeft);
+  layout.Close(PanelId::kPlots);
+  layout.at(Area::kRight).size = 512;
+  layout.at(Area::kBottom).shown = false;
+  layout.SetText(150);
+  const Layout read = ReadLayout(ToText(layout), DefaultLayout());
+  EXPECT_EQ(ToText(read), ToText(layout));
+  EXPECT_EQ(read.text_percent, 150);
+  EXPECT_FALSE(read.IsOpen(PanelId::kPlots));
+  EXPECT_TRUE(read.IsVisible(PanelId::kConsole));
+}
+
+TEST(Layout, TakesWhatItUnderstandsOfAnyText) {
+  const Layout layout = ReadLayout(
+      "text 9999\n"
+      "left shown nan 0 agents\n"
+      "right hidden 1e30 77 mind unicorn mind why agents\n"
+      "bottom\n\x01\xff garbage\n",
+      DefaultLayout());
+  EXPECT_EQ(layout.text_percent, Layout::kMostText_percent);
+  EXPECT_LE(layout.at(Area::kRight).size, 4000);
+  EXPECT_FALSE(layout.at(Area::kRight).shown);
+  EXPECT_LT(layout.at(Area::kRight).front, layout.at(Area::kRight).panels.size());
+  EXPECT_EQ(Places(layout, PanelId::kMind), 1u);
+}
+
+TEST(Layout, OfSomePanelsHasTheseAlone) {
+  const Layout layout = LayoutOf({PanelId::kWhy, PanelId::kMind, PanelId::kTrace});
+  EXPECT_THAT(layout.at(Area::kRight).panels, ElementsAre(PanelId::kWhy, PanelId::kMind));
+  EXPECT_TRUE(layout.IsVisible(PanelId::kWhy));
+  EXPECT_TRUE(layout.IsVisible(PanelId::kTrace));
+  EXPECT_FALSE(layout.at(Area::kLeft).shown);
+}
+
+TEST(Layout, IsRememberedInAFileAndSaysIfItCannotBe) {
+  const auto folder = std::filesystem::temp_directory_path() / ("soarbox-layout-" + std::to_string(getpid()));
+  const auto file = folder / "deep/window.ini";
+  EXPECT_EQ(ToText(LoadLayout(file)), ToText(DefaultLayout()));
+  Layout layout = DefaultLayout();
+  layout.Show(PanelId::kRules);
+  ASSERT_TRUE(SaveLayout(layout, file).ok());
+  EXPECT_TRUE(LoadLayout(file).IsVisible(PanelId::kRules));
+  std::ofstream(folder / "no-folder") << "a file";
+  const Result<void> failed = SaveLayout(layout, folder / "no-folder/window.ini");
+  ASSERT_FALSE(failed.ok());
+  EXPECT_THAT(failed.error().file, HasSubstr("no-folder"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace soarbox::viewer

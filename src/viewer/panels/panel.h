@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viewer/panels/layout.h"
+#include "viewer/panels/panel_contents.h"
+#include "viewer/panels/panel_request.h"
+#include "viewer/viewer.h"
+#include "viewer/viewer_command.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::viewer {
+
+struct PanelFonts {
+  ImFont* plain = nullptr;
+  ImFont* bold = nullptr;
+  ImFont* mono = nullptr;
+};
+
+/// What the panels of one frame read, and what the user asked for while they were drawn.
+struct PanelFrame {
+  const PanelContents& contents;
+  const world::SceneSnapshot& scene;
+  const RunStatus& status;
+  PanelFonts fonts;
+  float scale = 1;  ///< Of texts: 1 is 100 %.
+  Layout& layout;
+  std::uint32_t& selected;  ///< Id of the selected agent; 0: none.
+  std::vector<PanelRequest>& requests;
+  std::vector<ViewerCommand>& commands;
+  std::string& shown_object;                 ///< What a link wants the panel Memory to show next; empty: nothing new.
+  std::function<bool(ViewerCommand)> is_on;  ///< Whether an overlay or camera is.
+
+  /// A length in px that grows with the text.
+  float Px(float length) const { return length * scale; }
+  void Ask(PanelRequest request) { requests.push_back(std::move(request)); }
+  void Command(ViewerCommand command) { commands.push_back(command); }
+  const world::AgentSnapshot* Selected() const {
+    for (const world::AgentSnapshot& agent : scene.agents) {
+      if (agent.id == selected) return &agent;
+    }
+    return nullptr;
+  }
+};
+
+/// One panel. It is drawn into a child window of its own and keeps what the user set in it (filters, what is unfolded).
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual void Draw(PanelFrame& frame) = 0;
+};
+
+std::unique_ptr<Panel> MakeAgentsPanel();
+std::unique_ptr<Panel> MakeMindPanel();
+std::unique_ptr<Panel> MakeMemoryPanel();
+std::unique_ptr<Panel> MakeRulesPanel();
+std::unique_ptr<Panel> MakeWhyPanel();
+std::unique_ptr<Panel> MakeLinksPanel();
+std::unique_ptr<Panel> MakeMessagesPanel();
+std::unique_ptr<Panel> MakeTimelinePanel();
+std::unique_ptr<Panel> MakeTracePanel();
+std::unique_ptr<Panel> MakePlotsPanel();
+std::unique_ptr<Panel> MakeConsolePanel();
+std::unique_ptr<Panel> MakeEditPanel();
+std::unique_ptr<Panel> MakeBreakpointsPanel();
+std::unique_ptr<Panel> MakeFuturesPanel();
+std::unique_ptr<Panel> MakeProblemsPanel();
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "viewer/palette.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::AgentColumn;
+using debugger::AgentRow;
+
+bool IsInImpasse(const AgentRow& row) {
+  return row.state.find('(') != std::string::npos;
+}
+
+/// The impasse of the lowest state, else the operator that was selected last, else what was said last.
+std::string Doing(const AgentRow& row) {
+  if (const std::size_t open = row.state.find('('); open != std::string::npos)
+    return row.state.substr(open + 1, row.state.size() - open - 2);
+  return row.last_op.empty() ? row.command : row.last_op;
+}
+
+std::string Condition(const AgentRow& row) {
+  if (row.failed) return "stopped";
+  return row.alive ? Formatted("%.0f", static_cast<double>(row.health)) : "dead";
+}
+
+class AgentsPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const auto& all = frame.contents.agents;
+    if (all.empty()) {
+      EmptyNote("There are no agents in this world.", "A scenario makes them: see docs/scenarios.md.");
+      return;
+    }
+    SearchField("##filter", "Filter", filter_);
+    Tooltip("By name, kind, team, state, operator, command or error");
+    const bool is_wide = ImGui::GetContentRegionAvail().x > frame.Px(480);
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
+                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV |
+                                       ImGuiTableFlags_SizingStretchProp;
+    if (!ImGui::BeginTable(is_wide ? "agents-wide" : "agents", is_wide ? 6 : 3, kFlags)) return;
+    const auto column = [](const char* name, float weight, AgentColumn by) {
+      ImGui::TableSetupColumn(name, 0, weight, static_cast<ImGuiID>(by));
+    };
+    ImGui::TableSetupScrollFreeze(0, 1);
+    column("Name", 3, AgentColumn::kName);
+    if (is_wide) column("Team", 2, AgentColumn::kTeam);
+    column("Doing", 3, AgentColumn::kOperator);
+    ImGui::TableSetupColumn("Health", ImGuiTableColumnFlags_WidthFixed, frame.Px(62),
+                            static_cast<ImGuiID>(AgentColumn::kHealth));
+    if (is_wide) column("Kind", 2, AgentColumn::kKind);
+    if (is_wide) column("Decision", 2, AgentColumn::kTime);
+    ImGui::TableHeadersRow();
+    std::vector<AgentRow> rows = filter_.empty() ? all : debugger::FilterAgents(all, filter_);
+    if (const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsCount > 0) {
+      const ImGuiTableColumnSortSpecs& by = specs->Specs[0];
+      debugger::SortAgents(rows, static_cast<AgentColumn>(by.ColumnUserID),
+                           by.SortDirection == ImGuiSortDirection_Descending);
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        DrawRow(frame, rows[static_cast<std::size_t>(i)], is_wide);
+    }
+    ImGui::EndTable();
+  }
+
+ private:
+  static void DrawRow(PanelFrame& frame, const AgentRow& row, bool is_wide) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(row.id));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float font = ImGui::GetFontSize();
+    if (ImGui::Selectable("##row", row.id == frame.selected,
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
+      frame.selected = row.id;
+    }
+    if (ImGui::IsItemHovered()) {
+      if (ImGui::IsMouseDoubleClicked(0)) frame.Command(ViewerCommand::kFrameSelection);
+      DrawTooltip(row);
+    }
+    const world::Color color = row.team.empty() ? AgentColor(row.kind) : TeamColor(row.team);
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + font * 0.45f, at.y + font * 0.55f}, font * 0.3f,
+                                                ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1}));
+    ImGui::SetCursorScreenPos({at.x + font * 1.1f, at.y});
+    const bool dull = !row.alive || row.failed;
+    ColoredText(dull ? theme::kQuiet : theme::kText, row.name);
+    if (row.errors > 0) {
+      ImGui::SameLine(0, font * 0.4f);
+      if (Link("problems", "\xe2\x9a\xa0" + std::to_string(row.errors), theme::kBad)) {
+        frame.selected = row.id;
+        frame.layout.Show(PanelId::kProblems);
+      }
+    }
+    if (is_wide) {
+      ImGui::TableNextColumn();
+      ColoredText(theme::kQuiet, row.team);
+    }
+    ImGui::TableNextColumn();
+    ColoredText(IsInImpasse(row) ? theme::kWarn : theme::kText, Doing(row));
+    ImGui::TableNextColumn();
+    ColoredText(row.health < 35 || dull ? theme::kBad : theme::kQuiet, Condition(row));
+    if (is_wide) {
+      ImGui::TableNextColumn();
+      ColoredText(theme::kQuiet, row.kind);
+      ImGui::TableNextColumn();
+      if (row.decide_us > 0) ColoredText(theme::kQuiet, Formatted("%.0f \xc2\xb5s", row.decide_us));
+    }
+    ImGui::PopID();
+  }
+
+  static void DrawTooltip(const AgentRow& row) {
+    ImGui::BeginTooltip();
+    const auto line = [](const char* label, const std::string& value) {
+      if (value.empty()) return;
+      ImGui::TextDisabled("%s", label);
+      ImGui::SameLine(ImGui::GetFontSize() * 6);
+      ImGui::TextUnformatted(value.c_str());
+    };
+    line("name", row.name);
+    line("kind", row.kind);
+    line("script", row.script);
+    line("team", row.team);
+    line("health", Condition(row));
+    line("state", row.has_mind ? row.state : "no Soar mind: its script decides");
+    line("operator", row.op);
+    line("command", row.command);
+    if (row.decide_us > 0) line("decision", Formatted("%.0f \xc2\xb5s", row.decide_us));
+    line("error", row.error);
+    ImGui::EndTooltip();
+  }
+
+  std::string filter_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeAgentsPanel() {
+  return std::make_unique<AgentsPanel>();
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::BreakKind;
+using debugger::Breakpoint;
+
+constexpr BreakKind kKinds[] = {BreakKind::kFire, BreakKind::kMatch, BreakKind::kElement, BreakKind::kImpasse,
+                                BreakKind::kCommand};
+const char* const kTitles[] = {"a rule fires", "a rule matches", "an element comes", "an impasse comes",
+                               "a command is said"};
+const char* const kHints[] = {"the rule's name; * for anything", "the rule's name; * for anything",
+                              "* ^attribute value", "tie, operator no-change; empty: any",
+                              "the command's name; empty: any"};
+
+/// When the world is to stand still.
+class BreakpointsPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const PanelContents& contents = frame.contents;
+    for (const debugger::BreakHit& hit : contents.hits) {
+      Tag("stopped", theme::kWarn);
+      ImGui::SameLine();
+      WrappedText(theme::kWarn, hit.why);
+    }
+    ColoredText(theme::kText, "Stop the world when");
+    ImGui::SetNextItemWidth(frame.Px(150));
+    ImGui::Combo("##kind", &kind_, kTitles, IM_ARRAYSIZE(kTitles));
+    ImGui::SameLine();
+    const std::string only = contents.agent.empty() ? "in any agent" : "in " + contents.agent + " only";
+    ImGui::BeginDisabled(contents.agent.empty());
+    ImGui::Checkbox(only.c_str(), &only_selected_);
+    ImGui::EndDisabled();
+    const float button = ImGui::CalcTextSize("Add").x + 2 * ImGui::GetStyle().FramePadding.x;
+    SearchField("##what", kHints[kind_], what_, button + ImGui::GetStyle().ItemSpacing.x);
+    const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    ImGui::SameLine();
+    if (ImGui::Button("Add") || entered) {
+      frame.Ask(BreakRequest{kKinds[kind_], only_selected_ ? contents.agent : std::string{}, what_});
+      what_.clear();
+    }
+    ImGui::Separator();
+    if (contents.breakpoints.empty()) {
+      EmptyNote("No breakpoints.", "The world pauses at the end of the tick in which what you wait for happens.");
+      return;
+    }
+    DrawList(frame);
+  }
+
+ private:
+  static void DrawList(PanelFrame& frame) {
+    using What = ChangeBreakRequest::What;
+    if (!ImGui::BeginTable("breakpoints", 4,
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit))
+      return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("On");
+    ImGui::TableSetupColumn("When", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("Hits");
+    ImGui::TableSetupColumn("");
+    ImGui::TableHeadersRow();
+    for (const Breakpoint& point : frame.contents.breakpoints) {
+      ImGui::TableNextRow();
+      ImGui::PushID(point.number);
+      ImGui::TableNextColumn();
+      bool enabled = point.enabled;
+      if (ImGui::Checkbox("##on", &enabled))
+        frame.Ask(ChangeBreakRequest{point.number, enabled ? What::kEnable : What::kDisable});
+      ImGui::TableNextColumn();
+      const std::string where = point.agent.empty() ? "any agent" : point.agent;
+      WrappedText(
+          point.enabled ? theme::kText : theme::kQuiet,
+          where + ": " + kTitles[static_cast<std::size_t>(point.kind)] + (point.what.empty() ? "" : ": ") + point.what);
+      ImGui::TableNextColumn();
+      ColoredText(point.hits > 0 ? theme::kWarn : theme::kQuiet, std::to_string(point.hits));
+      ImGui::TableNextColumn();
+      if (ImGui::SmallButton("\xc3\x97")) frame.Ask(ChangeBreakRequest{point.number, What::kClear});
+      Tooltip("Remove");
+      ImGui::PopID();
+    }
+    ImGui::EndTable();
+  }
+
+  int kind_ = 0;
+  bool only_selected_ = false;
+  std::string what_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeBreakpointsPanel() {
+  return std::make_unique<BreakpointsPanel>();
+}
+
+}  // namespace soarbox::viewer

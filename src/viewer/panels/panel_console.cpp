@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+ImVec4 ColorOf(debugger::ConsoleLine::Kind kind) {
+  using Kind = debugger::ConsoleLine::Kind;
+  switch (kind) {
+    case Kind::kInput:
+      return theme::kAccent;
+    case Kind::kOutput:
+      return theme::kText;
+    case Kind::kError:
+      return theme::kBad;
+    case Kind::kHint:
+      return theme::kGood;
+  }
+  return theme::kText;
+}
+
+class ConsolePanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const PanelContents& contents = frame.contents;
+    if (contents.agent.empty()) {
+      EmptyNote("No agent is selected.", "Click one in the scene or in the list of agents to talk to its mind.");
+      return;
+    }
+    if (!contents.has_mind) {
+      EmptyNote(contents.agent + " has no Soar mind.", "Its script decides; select another agent.");
+      return;
+    }
+    DrawOutput(frame);
+    Complete(frame);
+    DrawField(frame);
+  }
+
+ private:
+  void DrawOutput(PanelFrame& frame) {
+    const PanelContents& contents = frame.contents;
+    const auto* lines = contents.console != nullptr ? &contents.console->lines() : nullptr;
+    const float field =
+        ImGui::GetFrameHeightWithSpacing() + (offered_.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
+    ImGui::BeginChild("output", {0, -field}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    ImGui::PushFont(frame.fonts.mono);
+    if (lines == nullptr || lines->empty())
+      ColoredText(theme::kQuiet, "Type a Soar command: print s1, matches RULE, preferences, help ...");
+    ImGuiListClipper clipper;
+    clipper.Begin(lines != nullptr ? static_cast<int>(lines->size()) : 0, ImGui::GetTextLineHeightWithSpacing());
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        const debugger::ConsoleLine& line = (*lines)[static_cast<std::size_t>(i)];
+        ColoredText(ColorOf(line.kind), (line.kind == debugger::ConsoleLine::Kind::kInput ? "> " : "") + line.text);
+      }
+    }
+    clipper.End();
+    ImGui::PopFont();
+    if (seen_lines_ != contents.console_lines) {
+      ImGui::SetScrollHereY(1);
+      if (++frames_since_new_ > 2) {  // The child knows its new height a frame later.
+        seen_lines_ = contents.console_lines;
+        frames_since_new_ = 0;
+      }
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    if (ImGui::BeginPopupContextItem("output-menu")) {
+      if (ImGui::MenuItem("Copy all") && lines != nullptr) ImGui::SetClipboardText(debugger::ToText(*lines).c_str());
+      if (ImGui::MenuItem("Clear")) frame.Ask(ClearConsoleRequest{});
+      ImGui::EndPopup();
+    }
+  }
+
+  void DrawField(PanelFrame& frame) {
+    if (!offered_.empty()) CutText(offered_, ImGui::GetContentRegionAvail().x, theme::kQuiet);
+    ImGui::AlignTextToFramePadding();
+    ColoredText(theme::kAccent, frame.contents.agent + ">");
+    ImGui::SameLine();
+    ImGui::PushFont(frame.fonts.mono);
+    ImGui::SetNextItemWidth(-1);
+    constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory |
+                                           ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways |
+                                           ImGuiInputTextFlags_CallbackResize;
+    if (wants_focus_) ImGui::SetKeyboardFocusHere();
+    wants_focus_ = false;
+    asked_ = false;
+    const bool entered = ImGui::InputTextWithHint("##line", "a Soar command; Tab completes", line_.data(),
+                                                  line_.capacity() + 1, kFlags, &ConsolePanel::OnEdit, this);
+    ImGui::PopFont();
+    if (asked_) frame.Ask(CompleteRequest{frame.contents.agent, line_});
+    if (!entered) return;
+    wants_focus_ = true;
+    if (line_.find_first_not_of(" \t") == std::string::npos) return;
+    frame.Ask(ConsoleRequest{frame.contents.agent, line_});
+    if (history_.empty() || history_.back() != line_) history_.push_back(line_);
+    at_ = history_.size();
+    line_.clear();
+    offered_.clear();
+  }
+
+  /// Takes over what came of the last Tab.
+  void Complete(const PanelFrame& frame) {
+    if (waiting_for_.empty() || frame.contents.completed_line != waiting_for_) return;
+    waiting_for_.clear();
+    const debugger::Completion& found = frame.contents.completion;
+    offered_.clear();
+    if (found.words.empty()) return;
+    replacement_ = line_.substr(0, std::min(found.begin, line_.size())) + found.common;
+    if (found.words.size() == 1) replacement_ += " ";
+    replaces_ = true;
+    if (found.words.size() < 2) return;
+    for (const std::string& word : found.words) offered_ += (offered_.empty() ? "" : "  ") + word;
+  }
+
+  static int OnEdit(ImGuiInputTextCallbackData* data) {
+    auto& self = *static_cast<ConsolePanel*>(data->UserData);
+    switch (data->EventFlag) {
+      case ImGuiInputTextFlags_CallbackResize:
+        self.line_.resize(static_cast<std::size_t>(data->BufTextLen));
+        data->Buf = self.line_.data();
+        break;
+      case ImGuiInputTextFlags_CallbackCompletion:
+        self.waiting_for_.assign(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+        self.asked_ = !self.waiting_for_.empty();
+        break;
+      case ImGuiInputTextFlags_CallbackHistory:
+        self.Recall(*data);
+        break;
+      case ImGuiInputTextFlags_CallbackAlways:
+        if (self.replaces_) Replace(*data, self.replacement_);
+        self.replaces_ = false;
+        break;
+      default:
+        break;
+    }
+    return 0;
+  }
+
+  void Recall(ImGuiInputTextCallbackData& data) {
+    if (history_.empty()) return;
+    if (data.EventKey == ImGuiKey_UpArrow && at_ > 0) --at_;
+    if (data.EventKey == ImGuiKey_DownArrow && at_ < history_.size()) ++at_;
+    Replace(data, at_ < history_.size() ? history_[at_] : "");
+  }
+
+  static void Replace(ImGuiInputTextCallbackData& data, const std::string& text) {
+    data.DeleteChars(0, data.BufTextLen);
+    data.InsertChars(0, text.c_str());
+  }
+
+  std::string line_, offered_, waiting_for_, replacement_;
+  bool asked_ = false, replaces_ = false, wants_focus_ = false;
+  std::vector<std::string> history_;
+  std::size_t at_ = 0;
+  std::uint64_t seen_lines_ = 0;
+  int frames_since_new_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeConsolePanel() {
+  return std::make_unique<ConsolePanel>();
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "viewer/panels/panel.h"
+#include "viewer/panels/rule_source.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+int LineCount(std::string_view text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
+}
+
+/// A file of rules or a script, changed and reloaded while the world runs.
+class EditPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    DrawFiles(frame);
+    const EditContents& edit = frame.contents.edit;
+    if (edit.file.empty()) {
+      EmptyNote("No file is open.", "Choose one above, or press Edit at a rule.");
+      return;
+    }
+    if (file_ != edit.file || version_ != edit.version) {
+      file_ = edit.file;
+      version_ = edit.version;
+      text_ = edit.text;
+      Tokenize();
+    }
+    if (edit.go_to_line != went_to_ || went_file_ != edit.file) {
+      went_to_ = edit.go_to_line;
+      went_file_ = edit.file;
+      if (went_to_ > 0) scroll_to_ = went_to_;
+    }
+    DrawButtons(frame);
+    const auto& problems = edit.problems;
+    const float below = problems.empty() ? 0 : std::min(frame.Px(150), ImGui::GetContentRegionAvail().y * 0.4f);
+    DrawText(frame, below);
+    if (!problems.empty()) DrawProblems(frame);
+  }
+
+ private:
+  void Tokenize() {
+    tokens_ = debugger::Tokenize(text_);
+    lines_ = LineCount(text_);
+  }
+
+  static void DrawFiles(PanelFrame& frame) {
+    const PanelContents& contents = frame.contents;
+    const std::string now =
+        contents.edit.file.empty() ? "Choose a file" : std::filesystem::path(contents.edit.file).filename().string();
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo("##file", now.c_str())) return;
+    for (const sim::WatchedFile& file : contents.files) {
+      const std::string name = file.file.string();
+      if (ImGui::Selectable(file.file.filename().c_str(), name == contents.edit.file)) frame.Ask(EditRequest{name, 0});
+      Tooltip(name);
+    }
+    ImGui::EndCombo();
+  }
+
+  void DrawButtons(PanelFrame& frame) {
+    using What = EditTextRequest::What;
+    const EditContents& edit = frame.contents.edit;
+    const auto button = [&](const char* label, What what, const char* tip) {
+      if (ImGui::Button(label)) frame.Ask(EditTextRequest{what, text_});
+      Tooltip(tip);
+      ImGui::SameLine(0, frame.Px(4));
+    };
+    button(
+        "Apply", What::kApply,
+        "Let the text take effect in the running world: changed rules take the place of the old ones, working memory "
+        "stays. The file is not written. (Ctrl+Enter)");
+    button("Check", What::kCheck, "Look for errors; change nothing");
+    button("Save", What::kSave, "Write the file");
+    button("Revert", What::kRevert, "Back to what is on the disk");
+    if (ImGui::Button("Open in editor")) frame.Ask(OpenFileRequest{edit.file, went_to_});
+    Tooltip("With $VISUAL, $EDITOR or what your desktop takes for it; what you save there is reloaded by itself");
+    const bool unsaved = text_ != edit.text || edit.is_unsaved, changed = text_ != edit.text || edit.is_changed;
+    std::string state = edit.notice;
+    if (changed)
+      state = "not applied" + std::string(state.empty() ? "" : "; ") + state;
+    else if (unsaved)
+      state += state.empty() ? "not saved" : " Not saved yet.";
+    const auto errors = std::count_if(edit.problems.begin(), edit.problems.end(),
+                                      [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
+    if (!state.empty()) WrappedText(errors > 0 ? theme::kBad : changed ? theme::kWarn : theme::kGood, state);
+  }
+
+  static int Grow(ImGuiInputTextCallbackData* data) {
+    if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
+    auto* text = static_cast<std::string*>(data->UserData);
+    text->resize(static_cast<std::size_t>(data->BufTextLen));
+    data->Buf = text->data();
+    return 0;
+  }
+
+  void DrawText(PanelFrame& frame, float below) {
+    ImGui::PushFont(frame.fonts.mono);
+    const float gutter = ImGui::CalcTextSize("00000").x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gutter);
+    // The field keeps the text and the caret; the coloured text is drawn over its own, which is clear.
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+    const ImGuiInputTextFlags flags = ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AllowTabInput;
+    const bool edited = ImGui::InputTextMultiline("##text", text_.data(), text_.capacity() + 1,
+                                                  {-1, below > 0 ? -below : -1}, flags, &EditPanel::Grow, &text_);
+    ImGui::PopStyleColor();
+    if (edited) Tokenize();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)))
+      frame.Ask(EditTextRequest{EditTextRequest::What::kApply, text_});
+    const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
+    if (!children.empty()) DrawOver(frame, *children.back(), corner, gutter);
+    ImGui::PopFont();
+  }
+
+  void DrawOver(PanelFrame& frame, ImGuiWindow& field, ImVec2 corner, float gutter) {
+    const float line = ImGui::GetFontSize();
+    if (scroll_to_ > 0) {
+      ImGui::SetScrollY(&field, std::max(0.0f, line * static_cast<float>(scroll_to_ - 4)));
+      scroll_to_ = 0;
+    }
+    const ImVec2 at{field.InnerRect.Min.x + ImGui::GetStyle().FramePadding.x - field.Scroll.x,
+                    field.InnerRect.Min.y + ImGui::GetStyle().FramePadding.y - field.Scroll.y};
+    ImDrawList& out = *field.DrawList;
+    const float top = field.InnerRect.Min.y, bottom = field.InnerRect.Max.y;
+    out.PushClipRect(field.InnerRect.Min, field.InnerRect.Max, false);
+    DrawSource(out, at, text_, tokens_, top, bottom);
+    for (const Diagnostic& problem : frame.contents.edit.problems) {
+      if (problem.line < 1) continue;
+      const float y = at.y + line * static_cast<float>(problem.line);
+      out.AddLine({at.x, y}, {field.InnerRect.Max.x, y}, theme::Packed(theme::ColorOf(problem.severity)),
+                  frame.Px(1.5f));
+    }
+    out.PopClipRect();
+    out.PushClipRect({corner.x, top}, {corner.x + gutter, bottom}, false);
+    const int first = std::max(1, static_cast<int>((top - at.y) / line));
+    const int last = std::min(lines_, static_cast<int>((bottom - at.y) / line) + 1);
+    for (int number = first; number <= last; ++number) {
+      const auto& problems = frame.contents.edit.problems;
+      const bool is_bad = std::any_of(problems.begin(), problems.end(),
+                                      [number](const Diagnostic& problem) { return problem.line == number; });
+      const std::string text = Formatted("%4d", number);
+      out.AddText({corner.x, at.y + line * static_cast<float>(number - 1)},
+                  theme::Packed(is_bad ? theme::kBad : theme::kQuiet), text.c_str());
+    }
+    out.PopClipRect();
+  }
+
+  void DrawProblems(PanelFrame& frame) {
+    ImGui::BeginChild("problems", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    int number = 0;
+    for (const Diagnostic& problem : frame.contents.edit.problems) {
+      ImGui::PushID(++number);
+      const std::string line = problem.line > 0 ? "line " + std::to_string(problem.line) : "file";
+      if (Link("line", line, theme::ColorOf(problem.severity))) scroll_to_ = problem.line;
+      ImGui::SameLine();
+      WrappedText(problem.message);
+      if (!problem.hint.empty()) WrappedText(theme::kGood, problem.hint);
+      ImGui::PopID();
+    }
+    ImGui::EndChild();
+  }
+
+  std::string file_, text_, went_file_;
+  std::uint64_t version_ = 0;
+  int went_to_ = 0, scroll_to_ = 0, lines_ = 1;
+  std::vector<debugger::Token> tokens_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeEditPanel() {
+  return std::make_unique<EditPanel>();
+}
+
+}  // namespace soarbox::viewer

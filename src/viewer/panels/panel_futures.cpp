@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/panels/graph.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+/// The old future beside the new one.
+class FuturesPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (!frame.contents.futures) {
+      EmptyNote(
+          "There is one future yet.",
+          "Drag the scrubber below to an earlier moment, change a rule in the panel Edit if you like, and press "
+          "Resume here. What happened before stays as ghosts in the scene, and this panel tells where the two part.");
+      return;
+    }
+    const FuturesContents& futures = *frame.contents.futures;
+    const double step_s = frame.contents.moment.step_s;
+    const auto time = [&](std::uint64_t tick) { return TimeText(static_cast<double>(tick) * step_s); };
+    Heading(frame, "The run went back to " + time(futures.branch_tick));
+    WrappedText(theme::kQuiet, futures.old_is_known ? "Ghosts show where everybody was at this time before."
+                                                    : "Before, the run did not come this far: there are no ghosts.");
+    ImGui::Separator();
+    const record::Comparison& found = futures.comparison;
+    if (!found.difference) {
+      WrappedText(theme::kGood, "So far both futures are the same.");
+    } else {
+      DrawDifference(frame, "First difference", *found.difference);
+      if (found.decision) {
+        DrawDifference(frame, "First other decision or command", *found.decision);
+        for (const std::string& percept : found.percepts) {
+          ImGui::Bullet();
+          WrappedText(theme::kVariable, "perceived " + percept);
+        }
+      }
+    }
+    DrawCourse(frame, found);
+  }
+
+ private:
+  static void DrawDifference(PanelFrame& frame, const char* title, const record::Difference& difference) {
+    Heading(frame, title);
+    ImGui::PushID(title);
+    const double time_s = static_cast<double>(difference.tick) * frame.contents.moment.step_s;
+    if (Link("time", TimeText(time_s))) frame.Ask(SeekRequest{difference.tick});
+    Tooltip("Click to go there");
+    ImGui::SameLine();
+    ColoredText(theme::kText, difference.agent + "  " + difference.element);
+    if (ImGui::BeginTable("both", 2, ImGuiTableFlags_SizingFixedFit)) {
+      ImGui::TableSetupColumn("which");
+      ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+      const auto row = [](const char* which, const std::string& what, ImVec4 color) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ColoredText(theme::kQuiet, which);
+        ImGui::TableNextColumn();
+        WrappedText(color, what.empty() ? "nothing" : what);
+      };
+      row("before", difference.recorded, theme::kWarn);
+      row("now", difference.now, theme::kAccent);
+      ImGui::EndTable();
+    }
+    ImGui::PopID();
+  }
+
+  static void DrawCourse(PanelFrame& frame, const record::Comparison& found) {
+    if (found.course.size() < 2) return;
+    const double step_s = frame.contents.moment.step_s;
+    GraphCurve mean{"mean distance (m)", theme::kAccent, {}}, most{"greatest distance (m)", theme::kWarn, {}};
+    GraphCurve before{"health before", theme::kWarn, {}}, now{"health now", theme::kAccent, {}};
+    for (const record::Comparison::Moment& moment : found.course) {
+      const double tick = moment.time_s / step_s;
+      mean.points.emplace_back(tick, moment.mean_distance_m);
+      most.points.emplace_back(tick, moment.greatest_distance_m);
+      before.points.emplace_back(tick, moment.health_a);
+      now.points.emplace_back(tick, moment.health_b);
+    }
+    const double first = mean.points.front().first, last = mean.points.back().first;
+    Heading(frame, "How far apart");
+    const GraphCurve distances[] = {mean, most};
+    if (const auto tick = DrawGraph(frame, "distance", distances, frame.Px(80), first, last))
+      frame.Ask(SeekRequest{*tick});
+    Heading(frame, "Health of all");
+    const GraphCurve healths[] = {before, now};
+    if (const auto tick = DrawGraph(frame, "health", healths, frame.Px(60), first, last)) frame.Ask(SeekRequest{*tick});
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeFuturesPanel() {
+  return std::make_unique<FuturesPanel>();
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace soarbox::viewer {
+
+/// The panels around the picture, in the order of the Panels menu.
+enum class PanelId : std::uint8_t {
+  kAgents,
+  kMind,
+  kMemory,
+  kRules,
+  kWhy,
+  kLinks,
+  kMessages,
+  kTimeline,
+  kTrace,
+  kPlots,
+  kConsole,
+  kEdit,
+  kBreakpoints,
+  kFutures,
+  kProblems,
+};
+inline constexpr std::size_t kPanelCount = 15;
+
+/// What is said about a panel wherever it is offered.
+struct PanelInfo {
+  PanelId id;
+  std::string_view word;   ///< In the layout's file and on the command line.
+  std::string_view title;  ///< On its tab and in the menu.
+  std::string_view about;  ///< Its tooltip: what one sees there.
+};
+
+inline constexpr std::array<PanelInfo, kPanelCount> kPanelInfos{{
+    {PanelId::kAgents, "agents", "Agents", "Everybody in the world: team, state, operator, command. Click to select."},
+    {PanelId::kMind, "mind", "Mind", "The goal stack, the operators that compete in it, and why the winner won."},
+    {PanelId::kMemory, "memory", "Memory", "Working memory as a tree; what changed is marked."},
+    {PanelId::kRules, "rules", "Rules",
+     "The rules with how often they fired, what they match now, or where they fail."},
+    {PanelId::kWhy, "why", "Why", "Why the agent does what it does, and why it does not do something else."},
+    {PanelId::kLinks, "links", "Senses", "What the agent perceives (input link) and says (output link)."},
+    {PanelId::kMessages, "messages", "Messages", "What agents told each other."},
+    {PanelId::kTimeline, "timeline", "Timeline",
+     "Operators, impasses, commands and events over time. Click to go there."},
+    {PanelId::kTrace, "trace", "Trace", "What the mind did, decision by decision; filter and search it."},
+    {PanelId::kPlots, "plots", "Plots", "Numbers over time: percepts, reward, decision time, rules fired."},
+    {PanelId::kConsole, "console", "Console", "The Soar command line of the selected agent."},
+    {PanelId::kEdit, "edit", "Edit", "Change rules and reload them while the world runs."},
+    {PanelId::kBreakpoints, "breakpoints", "Breakpoints", "Stop the world when a rule fires, an impasse comes, ..."},
+    {PanelId::kFutures, "futures", "Futures",
+     "After going back: the old future beside the new one, and where they part."},
+    {PanelId::kProblems, "problems", "Problems", "Errors and warnings in full, with file and line."},
+}};
+
+inline constexpr const PanelInfo& InfoOf(PanelId id) {
+  return kPanelInfos[static_cast<std::size_t>(id)];
+}
+
+/// The panel of this word; nothing if there is none.
+inline constexpr std::optional<PanelId> FindPanel(std::string_view word) {
+  for (const PanelInfo& info : kPanelInfos) {
+    if (info.word == word) return info.id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace soarbox::viewer

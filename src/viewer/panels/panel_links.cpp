@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/panels/mind_note.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::Change;
+using debugger::CommandRow;
+using debugger::MemoryRow;
+
+/// What the agent perceives, and what it says.
+class LinksPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (!HasMind(frame)) return;
+    const debugger::IoView& io = frame.contents.io;
+    Heading(frame, "Commands (output link)");
+    if (io.commands.empty()) ColoredText(theme::kQuiet, "It has said nothing that still stands.");
+    int number = 0;
+    for (const CommandRow& command : io.commands) {
+      ImGui::PushID(++number);
+      DrawCommand(frame, command);
+      ImGui::PopID();
+    }
+    ImGui::Separator();
+    Heading(frame, "Percepts (input link)");
+    SearchField("##filter", "Filter by attribute or value", filter_);
+    ImGui::BeginChild("percepts", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    if (io.input.rows.empty())
+      WrappedText(theme::kQuiet, io.input.note.empty() ? "It perceives nothing." : io.input.note);
+    for (const MemoryRow& row : io.input.rows) DrawPercept(frame, row, 0);
+    ImGui::EndChild();
+  }
+
+ private:
+  static ImVec4 StatusColor(const std::string& status) {
+    if (status == "error") return theme::kBad;
+    if (status == "complete") return theme::kGood;
+    return status == "interrupted" ? theme::kQuiet : theme::kWarn;
+  }
+
+  static void DrawCommand(PanelFrame& frame, const CommandRow& command) {
+    if (Link("name", command.name, theme::kNumber)) {
+      frame.Ask(WhyRequest{WhyRequest::About::kCommand, command.name});
+      frame.layout.Show(PanelId::kWhy);
+    }
+    Tooltip("Click to ask why it says this");
+    ImGui::SameLine();
+    Tag(command.status.empty() ? "under way" : command.status, StatusColor(command.status));
+    if (command.progress >= 0) {
+      ImGui::SameLine();
+      ImGui::ProgressBar(static_cast<float>(command.progress), {frame.Px(80), ImGui::GetTextLineHeight()});
+    }
+    std::string parameters;
+    for (const MemoryRow& row : command.parameters)
+      parameters += (parameters.empty() ? "^" : "  ^") + row.element.attribute + " " + ShortNumber(row.element.value);
+    ImGui::Indent();
+    if (!parameters.empty()) WrappedText(theme::kQuiet, parameters);
+    if (!command.reason.empty()) WrappedText(theme::kBad, command.reason);
+    ImGui::Unindent();
+  }
+
+  bool IsWanted(const MemoryRow& row) const {
+    if (filter_.empty() || HasPart(row.element.attribute, filter_) || HasPart(row.element.value, filter_)) return true;
+    for (const MemoryRow& below : row.below) {
+      if (IsWanted(below)) return true;
+    }
+    return false;
+  }
+
+  void DrawPercept(PanelFrame& frame, const MemoryRow& row, int depth) {
+    constexpr int kDeepest = 12;
+    if (depth > kDeepest || !IsWanted(row)) return;
+    const sim::ElementFact& element = row.element;
+    ImGui::PushID(static_cast<int>(element.timetag));
+    const bool open = element.is_object && !row.below.empty();
+    ImGui::Dummy({frame.Px(14) * static_cast<float>(depth), 1});
+    ImGui::SameLine(0, 0);
+    if (row.change == Change::kAdded) {
+      ColoredText(theme::kWarn, "\xe2\x80\xa2");
+      Tooltip("Changed in this tick");
+      ImGui::SameLine(0, frame.Px(4));
+    }
+    if (element.is_object) {
+      if (Link("object", element.attribute)) ShowObject(frame, element.value);
+      if (!row.about.empty()) {
+        ImGui::SameLine(0, frame.Px(6));
+        ColoredText(theme::kQuiet, row.about);
+      }
+    } else {
+      ColoredText(theme::kAccent, element.attribute);
+      ImGui::SameLine(0, frame.Px(8));
+      ColoredText(row.change == Change::kRemoved ? theme::kQuiet : theme::kText, ShortNumber(element.value));
+    }
+    if (open) {
+      for (const MemoryRow& below : row.below) DrawPercept(frame, below, depth + 1);
+    }
+    ImGui::PopID();
+  }
+
+  std::string filter_;
+};
+
+/// What agents told each other.
+class MessagesPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (frame.contents.messages == nullptr || frame.contents.messages->rows().empty()) {
+      EmptyNote("Nobody has said anything to anybody yet.",
+                "Agents talk with the commands tell, broadcast and their like: see docs/commands.md.");
+      return;
+    }
+    if (!frame.contents.agent.empty()) {
+      ImGui::Checkbox("only of the selected agent", &only_selected_);
+      ImGui::SameLine();
+    }
+    SearchField("##filter", "Search", filter_);
+    const auto rows = frame.contents.messages->Find(only_selected_ ? frame.contents.agent : std::string{}, filter_);
+    if (!ImGui::BeginTable("messages", 4,
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
+                               ImGuiTableFlags_SizingStretchProp))
+      return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Time", 0, 1.2f);
+    ImGui::TableSetupColumn("From", 0, 1.6f);
+    ImGui::TableSetupColumn("To", 0, 1.6f);
+    ImGui::TableSetupColumn("Message", 0, 6);
+    ImGui::TableHeadersRow();
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        const debugger::MessageRow& row = rows[rows.size() - 1 - static_cast<std::size_t>(i)];  // The newest first.
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushID(i);
+        if (Link("time", TimeText(row.time_s), theme::kQuiet)) frame.Ask(SeekRequest{row.tick});
+        ImGui::PopID();
+        ImGui::TableNextColumn();
+        ColoredText(theme::kText, row.from.empty() ? "you" : row.from);
+        ImGui::TableNextColumn();
+        ColoredText(theme::kText, row.to);
+        ImGui::TableNextColumn();
+        ColoredText(theme::kAccent, row.about.empty() ? "" : row.about + " ");
+        ImGui::SameLine(0, 0);
+        ColoredText(theme::kText, row.text);
+        Tooltip(row.text);
+      }
+    }
+    ImGui::EndTable();
+  }
+
+ private:
+  bool only_selected_ = false;
+  std::string filter_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeLinksPanel() {
+  return std::make_unique<LinksPanel>();
+}
+std::unique_ptr<Panel> MakeMessagesPanel() {
+  return std::make_unique<MessagesPanel>();
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "viewer/panels/mind_note.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::Change;
+using debugger::MemoryObject;
+using debugger::MemoryRow;
+
+/// Working memory as a tree that is unfolded object by object.
+class MemoryPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (!HasMind(frame)) return;
+    if (agent_ != frame.contents.agent) Begin(frame);
+    if (!frame.shown_object.empty()) GoTo(frame, std::exchange(frame.shown_object, {}));
+    DrawBar(frame);
+    if (!search_.empty()) {
+      DrawFound(frame);
+      return;
+    }
+    const bool has_story = frame.contents.story.has_value();
+    ImGui::BeginChild("tree", {0, has_story ? -ImGui::GetContentRegionAvail().y * 0.42f : 0}, false,
+                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    depth_ = 0;
+    DrawObject(frame, root_);
+    ImGui::EndChild();
+    if (has_story) DrawStory(frame, *frame.contents.story);
+  }
+
+ private:
+  void Begin(PanelFrame& frame) {
+    agent_ = frame.contents.agent;
+    trail_.clear();
+    at_ = 0;
+    search_.clear();
+    const auto& levels = frame.contents.stack.levels;
+    GoTo(frame, levels.empty() ? "S1" : levels.front().state);
+  }
+
+  void GoTo(PanelFrame& frame, const std::string& id) {
+    if (root_ != id || trail_.empty()) {
+      trail_.resize(trail_.empty() ? 0 : at_ + 1);
+      trail_.push_back(id);
+      at_ = trail_.size() - 1;
+    }
+    root_ = id;
+    search_.clear();
+    frame.Ask(ObjectRequest{id, true});
+  }
+
+  void Step(PanelFrame& frame, int step) {
+    at_ = static_cast<std::size_t>(static_cast<int>(at_) + step);
+    root_ = trail_[at_];
+    frame.Ask(ObjectRequest{root_, true});
+  }
+
+  void DrawBar(PanelFrame& frame) {
+    ImGui::BeginDisabled(at_ == 0);
+    if (ImGui::Button("\xe2\x86\x90")) Step(frame, -1);
+    ImGui::EndDisabled();
+    Tooltip("Back to the object looked at before");
+    ImGui::SameLine(0, frame.Px(3));
+    ImGui::BeginDisabled(at_ + 1 >= trail_.size());
+    if (ImGui::Button("\xe2\x86\x92")) Step(frame, 1);
+    ImGui::EndDisabled();
+    Tooltip("Forward again");
+    for (const debugger::StackLevel& level : frame.contents.stack.levels) {
+      ImGui::SameLine(0, frame.Px(3));
+      if (ImGui::GetContentRegionAvail().x < frame.Px(130)) break;
+      if (ImGui::Button(level.state.c_str())) GoTo(frame, level.state);
+      Tooltip("A state of the goal stack");
+    }
+    ImGui::SameLine(0, frame.Px(6));
+    if (SearchField("##search", "Search", search_)) frame.Ask(SearchMemoryRequest{search_});
+  }
+
+  void DrawObject(PanelFrame& frame, const std::string& id) {
+    const auto found = frame.contents.objects.find(id);
+    if (found == frame.contents.objects.end()) {
+      frame.Ask(ObjectRequest{id, true});
+      return;
+    }
+    const MemoryObject& object = found->second;
+    if (depth_ == 0) {
+      ImGui::PushFont(frame.fonts.bold);
+      ColoredText(theme::kVariable, id);
+      ImGui::PopFont();
+      if (!object.about.empty()) {
+        ImGui::SameLine();
+        ColoredText(theme::kQuiet, object.about);
+      }
+    }
+    if (!object.note.empty()) WrappedText(theme::kQuiet, object.note);
+    if (!object.exists && object.note.empty())
+      ColoredText(theme::kQuiet, "There is no " + id + " in working memory now.");
+    for (const MemoryRow& row : object.rows) DrawRow(frame, row);
+  }
+
+  void DrawRow(PanelFrame& frame, const MemoryRow& row) {
+    constexpr int kDeepest = 24;
+    const sim::ElementFact& element = row.element;
+    ImGui::PushID(static_cast<int>(element.timetag));
+    bool open = false;
+    const float label = ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() - frame.Px(5);
+    if (element.is_object && row.change != Change::kRemoved && depth_ < kDeepest) {
+      open = ImGui::TreeNodeEx("object", ImGuiTreeNodeFlags_None, "%s", "");
+      if (ImGui::IsItemToggledOpen()) frame.Ask(ObjectRequest{element.value, open});
+      ImGui::SameLine(0, 0);
+    }
+    ImGui::SetCursorPosX(label);
+    const bool removed = row.change == Change::kRemoved;
+    if (row.change == Change::kAdded) {
+      ColoredText(theme::kGood, "+");
+      Tooltip("New in this tick");
+      ImGui::SameLine(0, frame.Px(4));
+    } else if (removed) {
+      ColoredText(theme::kBad, "\xe2\x88\x92");
+      Tooltip("Gone in this tick");
+      ImGui::SameLine(0, frame.Px(4));
+    }
+    ImGui::BeginGroup();
+    ColoredText(removed ? theme::kQuiet : theme::kAccent, "^" + element.attribute);
+    ImGui::SameLine(0, frame.Px(6));
+    ColoredText(removed ? theme::kQuiet : ValueColor(element),
+                ShortNumber(element.value) + (element.acceptable ? " +" : ""));
+    if (!row.about.empty()) {
+      ImGui::SameLine(0, frame.Px(6));
+      ColoredText(theme::kQuiet, row.about);
+    }
+    ImGui::EndGroup();
+    if (ImGui::IsItemClicked()) frame.Ask(ElementRequest{element.timetag});
+    Tooltip("Click: who made it and which rules test it (time tag " + std::to_string(element.timetag) + ")");
+    if (ImGui::BeginPopupContextItem("menu")) {
+      if (element.is_object && ImGui::MenuItem("Begin the tree here")) GoTo(frame, element.value);
+      if (ImGui::MenuItem("Where does it come from?")) AskWhy(frame, element.timetag);
+      if (ImGui::MenuItem("Break when such an element comes")) {
+        frame.Ask(BreakRequest{debugger::BreakKind::kElement, frame.contents.agent,
+                               "* ^" + element.attribute + " " + (element.is_object ? "*" : element.value)});
+        frame.layout.Show(PanelId::kBreakpoints);
+      }
+      const std::string path = element.id + "." + element.attribute;
+      if (IsNumber(element.value) && ImGui::MenuItem("Plot it")) {
+        frame.Ask(PlotRequest{frame.contents.agent, path, true});
+        frame.layout.Show(PanelId::kPlots);
+      }
+      if (ImGui::MenuItem("Copy"))
+        ImGui::SetClipboardText(("(" + element.id + " ^" + element.attribute + " " + element.value + ")").c_str());
+      ImGui::EndPopup();
+    }
+    if (open) {
+      ++depth_;
+      DrawObject(frame, element.value);
+      --depth_;
+      ImGui::TreePop();
+    }
+    ImGui::PopID();
+  }
+
+  void DrawFound(PanelFrame& frame) {
+    const auto& found = frame.contents.found;
+    ColoredText(theme::kQuiet,
+                std::to_string(found.size()) + (found.size() == 200 ? " elements or more" : " elements"));
+    ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    for (const sim::ElementFact& element : found) DrawElement(frame, element);
+    ImGui::EndChild();
+  }
+
+  /// "(S1 ^io I1)" with its identifiers as links.
+  void DrawElement(PanelFrame& frame, const sim::ElementFact& element) {
+    ImGui::PushID(static_cast<int>(element.timetag));
+    ColoredText(theme::kQuiet, "(");
+    ImGui::SameLine(0, 0);
+    if (Link("id", element.id, theme::kVariable)) GoTo(frame, element.id);
+    ImGui::SameLine(0, frame.Px(5));
+    ColoredText(theme::kAccent, "^" + element.attribute);
+    ImGui::SameLine(0, frame.Px(5));
+    if (!element.is_object) {
+      ColoredText(ValueColor(element), element.value);
+    } else if (Link("value", element.value, theme::kVariable)) {
+      GoTo(frame, element.value);
+    }
+    ImGui::SameLine(0, 0);
+    ColoredText(theme::kQuiet, ")");
+    ImGui::PopID();
+  }
+
+  void DrawStory(PanelFrame& frame, const debugger::ElementStory& story) {
+    ImGui::Separator();
+    ImGui::BeginChild("story", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    DrawElement(frame, story.element);
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Close")) frame.Ask(ElementRequest{0});
+    if (!story.note.empty()) WrappedText(theme::kQuiet, story.note);
+    Heading(frame, "Made by");
+    if (story.makers.empty()) ColoredText(theme::kQuiet, "not known");
+    int number = 0;
+    for (const sim::MakerFact& maker : story.makers) {
+      ImGui::PushID(number++);
+      if (maker.kind == sim::MakerFact::Kind::kInput) {
+        ColoredText(theme::kGood, "the world: it is a percept");
+      } else if (maker.kind == sim::MakerFact::Kind::kArchitecture) {
+        ColoredText(theme::kQuiet, "the architecture");
+      } else {
+        RuleLink(frame, maker.rule);
+        for (const sim::ElementFact& element : maker.elements) {
+          ImGui::Indent();
+          DrawElement(frame, element);
+          ImGui::Unindent();
+        }
+      }
+      ImGui::PopID();
+    }
+    Heading(frame, "Tested by");
+    if (story.testers.empty()) ColoredText(theme::kQuiet, "no rule");
+    for (const sim::TesterFact& tester : story.testers) {
+      ImGui::PushID(number++);
+      RuleLink(frame, tester.rule);
+      ImGui::SameLine();
+      ColoredText(tester.matches ? theme::kGood : theme::kQuiet,
+                  (tester.negated ? "negated " : "") + std::string("condition ") +
+                      std::to_string(tester.condition + 1) + (tester.matches ? ", in a match" : ""));
+      ImGui::PopID();
+    }
+    ImGui::EndChild();
+  }
+
+  static void AskWhy(PanelFrame& frame, std::uint64_t timetag) {
+    frame.Ask(WhyRequest{WhyRequest::About::kElement, std::to_string(timetag)});
+    frame.layout.Show(PanelId::kWhy);
+  }
+
+  static bool IsNumber(std::string_view value) {
+    return !value.empty() && (std::isdigit(static_cast<unsigned char>(value.front())) != 0 ||
+                              (value.size() > 1 && (value.front() == '-' || value.front() == '.')));
+  }
+
+  static ImVec4 ValueColor(const sim::ElementFact& element) {
+    if (element.is_object) return theme::kVariable;
+    return IsNumber(element.value) ? theme::kNumber : theme::kText;
+  }
+
+  std::string agent_, root_ = "S1", search_;
+  std::vector<std::string> trail_;  ///< Objects looked at, to go back and forth along.
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeMemoryPanel() {
+  return std::make_unique<MemoryPanel>();
+}
+
+}  // namespace soarbox::viewer

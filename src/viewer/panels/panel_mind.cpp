@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "viewer/panels/mind_note.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::OperatorRow;
+
+/// The goal stack, and the operators of one of its states.
+class MindPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (!HasMind(frame)) return;
+    DrawPhases(frame);
+    DrawStack(frame);
+    ImGui::Separator();
+    DrawOperators(frame);
+  }
+
+ private:
+  static void DrawPhases(PanelFrame& frame) {
+    const debugger::StackView& stack = frame.contents.stack;
+    const auto& phases = debugger::Phases();
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+      if (i > 0) {
+        ImGui::SameLine(0, frame.Px(3));
+        ColoredText(theme::kQuiet, "\xe2\x86\x92");
+        ImGui::SameLine(0, frame.Px(3));
+      }
+      if (phases[i] == stack.phase)
+        Tag(phases[i], theme::kAccent);
+      else
+        ColoredText(theme::kQuiet, phases[i]);
+    }
+    if (!stack.phase.empty()) Tooltip("The phases of a decision cycle; the one that runs next is marked");
+    ColoredText(theme::kQuiet,
+                Formatted("decision %llu, %zu elements, %zu rules", static_cast<unsigned long long>(stack.decisions),
+                          stack.elements, stack.rules));
+    if (!stack.breakdown.empty())
+      WrappedText(theme::kBad, "At its end: " + stack.breakdown);
+    else if (stack.halted)
+      ColoredText(theme::kBad, "It has halted.");
+    if (!stack.note.empty()) WrappedText(theme::kQuiet, stack.note);
+  }
+
+  static void DrawStack(PanelFrame& frame) {
+    Heading(frame, "Goal stack");
+    for (const debugger::StackLevel& level : frame.contents.stack.levels) {
+      ImGui::PushID(level.state.c_str());
+      const bool is_chosen = level.state == frame.contents.operators.state;
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      if (ImGui::Selectable("##state", is_chosen)) frame.Ask(StateRequest{level.state});
+      Tooltip("Click to see the operators of this state");
+      ImGui::SetCursorScreenPos({at.x + frame.Px(12) * static_cast<float>(level.level - 1), at.y});
+      ColoredText(theme::kVariable, level.state);
+      if (!level.impasse.empty()) {
+        ImGui::SameLine();
+        ColoredText(theme::kWarn, level.impasse);
+      }
+      ImGui::SameLine();
+      if (level.operator_id.empty()) {
+        ColoredText(theme::kQuiet, "no operator");
+      } else {
+        ColoredText(theme::kGood, "\xe2\x96\xb8 " + level.operator_name + " (" + level.operator_id + ")");
+      }
+      ImGui::PopID();
+    }
+  }
+
+  void DrawOperators(PanelFrame& frame) {
+    const debugger::OperatorsView& view = frame.contents.operators;
+    Heading(frame, "Operators of " + view.state);
+    if (!view.note.empty()) WrappedText(theme::kQuiet, view.note);
+    if (!view.sentence.empty()) {
+      const bool is_impasse = view.selected.empty();
+      ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kRaised);
+      WrappedText(is_impasse ? theme::kWarn : theme::kGood, view.sentence);
+      ImGui::PopStyleColor();
+    }
+    if (view.rows.empty()) return;
+    const bool has_numbers =
+        std::any_of(view.rows.begin(), view.rows.end(), [](const OperatorRow& row) { return row.value.has_value(); });
+    if (!ImGui::BeginTable("operators", has_numbers ? 4 : 2,
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp))
+      return;
+    ImGui::TableSetupColumn("Operator", 0, 3);
+    ImGui::TableSetupColumn("Standing", 0, 4);
+    if (has_numbers) {
+      ImGui::TableSetupColumn("Value", 0, 1.5f);
+      ImGui::TableSetupColumn("Chance", 0, 1.5f);
+    }
+    ImGui::TableHeadersRow();
+    for (const OperatorRow& row : view.rows) DrawRow(frame, row, has_numbers);
+    ImGui::EndTable();
+  }
+
+  static void DrawRow(PanelFrame& frame, const OperatorRow& row, bool has_numbers) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(row.id.c_str());
+    const std::string title = (row.selected ? "\xe2\x9c\x93 " : "") + row.name + " (" + row.id + ")";
+    ImGui::PushStyleColor(ImGuiCol_Text, row.selected ? theme::kGood : theme::kText);
+    const bool open = ImGui::TreeNodeEx("row", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
+    ImGui::PopStyleColor();
+    Tooltip("Unfold to see each preference and the rule that made it; right click for more");
+    if (ImGui::BeginPopupContextItem("menu")) {
+      const std::string name = row.name.empty() ? row.id : row.name;
+      if (ImGui::MenuItem(row.selected ? "Why this operator?" : "Why not this operator?")) {
+        frame.Ask(WhyRequest{WhyRequest::About::kOperator, row.id});
+        frame.layout.Show(PanelId::kWhy);
+      }
+      if (ImGui::MenuItem("Look at it in working memory")) ShowObject(frame, row.id);
+      ImGui::EndPopup();
+    }
+    ImGui::TableNextColumn();
+    WrappedText(row.selected ? theme::kGood : theme::kQuiet, row.verdict);
+    if (has_numbers) {
+      ImGui::TableNextColumn();
+      if (row.value) ColoredText(theme::kNumber, Formatted("%.4g", *row.value));
+      ImGui::TableNextColumn();
+      if (row.probability) {
+        ImGui::ProgressBar(static_cast<float>(*row.probability), {-1, ImGui::GetTextLineHeight()},
+                           Formatted("%.0f %%", *row.probability * 100).c_str());
+      }
+    }
+    if (open) {
+      for (std::size_t i = 0; i < row.preferences.size(); ++i)
+        DrawPreference(frame, row.preferences[i], i, has_numbers);
+      ImGui::TreePop();
+    }
+    ImGui::PopID();
+  }
+
+  static void DrawPreference(PanelFrame& frame, const sim::PreferenceFact& preference, std::size_t number,
+                             bool has_numbers) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(number));
+    std::string what = preference.sign + " " + preference.type;
+    if (!preference.referent.empty())
+      what += " " + (preference.other_name.empty() ? preference.referent : preference.other_name);
+    ColoredText(theme::kText, what);
+    ImGui::TableNextColumn();
+    if (preference.maker.rule.empty()) {
+      ColoredText(theme::kQuiet, "the architecture");
+    } else {
+      RuleLink(frame, preference.maker.rule);
+    }
+    if (has_numbers) {
+      ImGui::TableNextColumn();
+      ImGui::TableNextColumn();
+    }
+    ImGui::PopID();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeMindPanel() {
+  return std::make_unique<MindPanel>();
+}
+
+}  // namespace soarbox::viewer

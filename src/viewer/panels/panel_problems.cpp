@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+const char* Word(Severity severity) {
+  return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
+}
+
+std::string Place(const Diagnostic& what) {
+  if (what.file.empty()) return {};
+  std::string place = what.file;
+  if (what.line > 0) place += ":" + std::to_string(what.line);
+  if (what.column > 0) place += ":" + std::to_string(what.column);
+  return place;
+}
+
+class ProblemsPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const auto& problems = frame.contents.problems;
+    if (problems.empty()) {
+      EmptyNote("No problems.", "Errors and warnings of rules, scripts and commands appear here in full.");
+      return;
+    }
+    const world::AgentSnapshot* agent = frame.Selected();
+    if (agent != nullptr) {
+      ImGui::Checkbox("only of the selected agent", &only_selected_);
+      ImGui::SameLine();
+    }
+    if (ImGui::SmallButton("Clear")) frame.Ask(ClearProblemsRequest{});
+    ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    int number = 0;
+    for (auto problem = problems.rbegin(); problem != problems.rend(); ++problem) {  // The newest first.
+      ++number;
+      if (only_selected_ && agent != nullptr && problem->agent != agent->name) continue;
+      ImGui::PushID(number);
+      DrawProblem(frame, *problem);
+      ImGui::PopID();
+    }
+    ImGui::EndChild();
+  }
+
+ private:
+  static void DrawProblem(PanelFrame& frame, const ProblemRow& problem) {
+    const Diagnostic& what = problem.diagnostic;
+    Tag(Word(what.severity), theme::ColorOf(what.severity));
+    ImGui::SameLine();
+    ColoredText(theme::kQuiet, TimeText(problem.time_s) + (problem.agent.empty() ? "" : "  " + problem.agent));
+    if (ImGui::IsItemClicked()) Select(frame, problem.agent);
+    WrappedText(what.message);
+    if (!what.excerpt.empty()) DrawExcerpt(frame, what);
+    if (!what.hint.empty()) WrappedText(theme::kGood, what.hint);
+    if (what.more > 0) WrappedText(theme::kQuiet, "the same in " + std::to_string(what.more) + " further places");
+    if (const std::string place = Place(what); !place.empty()) {
+      WrappedText(theme::kAccent, place);
+      if (ImGui::SmallButton("Open in editor")) frame.Ask(OpenFileRequest{what.file, what.line});
+      Tooltip("Opens the file with $VISUAL, $EDITOR or what your desktop takes for it");
+    }
+    ImGui::Separator();
+  }
+
+  static void DrawExcerpt(PanelFrame& frame, const Diagnostic& what) {
+    ImGui::PushFont(frame.fonts.mono);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::BeginChild("excerpt", {0, line * 2 + frame.Px(18)}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::SetCursorPos({frame.Px(5), frame.Px(3)});
+    ColoredText(theme::kText, what.excerpt);
+    if (what.column > 0) {
+      ImGui::SetCursorPosX(frame.Px(5));
+      const auto before = static_cast<std::size_t>(what.column - 1);
+      ColoredText(theme::kBad, std::string(before, ' ') +
+                                   std::string(static_cast<std::size_t>(std::max(1, what.excerpt_length)), '^'));
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+  }
+
+  static void Select(PanelFrame& frame, const std::string& name) {
+    for (const world::AgentSnapshot& agent : frame.scene.agents) {
+      if (agent.name == name) frame.selected = agent.id;
+    }
+  }
+
+  bool only_selected_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeProblemsPanel() {
+  return std::make_unique<ProblemsPanel>();
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "debugger/breakpoints.h"
+
+namespace soarbox::viewer {
+
+/// What a user asks for in a panel. The application carries it out; what comes of it appears in the contents.
+
+/// Open a file in the user's own editor.
+struct OpenFileRequest {
+  std::string file;
+  int line = 0;
+};
+/// Carry out a line of the Soar command language for an agent.
+struct ConsoleRequest {
+  std::string agent, line;
+};
+/// How the word that the line ends with may go on.
+struct CompleteRequest {
+  std::string agent, line;
+};
+struct ClearConsoleRequest {};
+struct ClearProblemsRequest {};
+
+/// Show a past tick.
+struct SeekRequest {
+  std::uint64_t tick = 0;
+};
+/// Show the newest tick, and follow it.
+struct LiveRequest {};
+/// Go on from the tick that is shown; what came after it becomes the old future.
+struct ResumeRequest {};
+/// Simulated seconds per second.
+struct SpeedRequest {
+  double speed = 1;
+};
+/// Write the window as a picture.
+struct SavePictureRequest {};
+
+/// The operators of this state; empty: of the lowest.
+struct StateRequest {
+  std::string state;
+};
+/// Keep an object of working memory in the contents, or no longer.
+struct ObjectRequest {
+  std::string id;
+  bool is_open = true;
+};
+/// Tell all about an element; 0: nothing any more.
+struct ElementRequest {
+  std::uint64_t timetag = 0;
+};
+struct SearchMemoryRequest {
+  std::string text;
+};
+/// Tell all about a rule; empty: nothing any more.
+struct RuleRequest {
+  std::string rule;
+};
+/// Note how far the rules match now, and tell which took part so far.
+struct CoverageRequest {};
+
+/// Why something is, or is not.
+struct WhyRequest {
+  enum class About : std::uint8_t { kAgent, kOperator, kCommand, kElement, kNot } about = About::kAgent;
+  std::string what;  ///< A name; for elements the time tag. Agent: not needed.
+};
+
+struct PlotRequest {
+  std::string agent, what;
+  bool is_on = true;
+};
+
+/// Edit a file, from this line on or at this rule.
+struct EditRequest {
+  std::string file;
+  int line = 0;
+  std::string rule = {};
+};
+/// What to do with the edited text.
+struct EditTextRequest {
+  enum class What : std::uint8_t { kCheck, kApply, kSave, kRevert } what = What::kCheck;
+  std::string text;
+};
+
+struct BreakRequest {
+  debugger::BreakKind kind = debugger::BreakKind::kFire;
+  std::string agent, what;
+};
+struct ChangeBreakRequest {
+  int number = 0;
+  enum class What : std::uint8_t { kClear, kEnable, kDisable } what = What::kClear;
+};
+
+using PanelRequest =
+    std::variant<OpenFileRequest, ConsoleRequest, CompleteRequest, ClearConsoleRequest, ClearProblemsRequest,
+                 SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest, StateRequest, ObjectRequest,
+                 ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, WhyRequest, PlotRequest,
+                 EditRequest, EditTextRequest, BreakRequest, ChangeBreakRequest>;
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "viewer/panels/mind_note.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/rule_source.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+std::string ElementText(const sim::ElementFact& element) {
+  return "(" + element.id + " ^" + element.attribute + " " + element.value + (element.acceptable ? " +)" : ")");
+}
+
+/// All rules of the selected agent, and one of them in full.
+class RulesPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (!HasMind(frame)) return;
+    const char* sets[] = {"all", "match now", "have fired", "never fired", "coverage"};
+    ImGui::SetNextItemWidth(frame.Px(110));
+    const int before = set_;
+    ImGui::Combo("##set", &set_, sets, IM_ARRAYSIZE(sets));
+    if (set_ == kCoverage && before != kCoverage) frame.Ask(CoverageRequest{});
+    ImGui::SameLine();
+    SearchField("##filter", "Filter by name", filter_);
+    const bool has_rule = frame.contents.rule.has_value();
+    ImGui::BeginChild("list", {0, has_rule ? ImGui::GetContentRegionAvail().y * 0.36f : 0}, false,
+                      ImGuiWindowFlags_NoNav);
+    if (set_ == kCoverage) {
+      DrawCoverage(frame);
+    } else {
+      DrawList(frame);
+    }
+    ImGui::EndChild();
+    if (has_rule) DrawRule(frame, *frame.contents.rule);
+  }
+
+ private:
+  static constexpr int kCoverage = 4;
+
+  bool IsWanted(const sim::RuleFact& rule) const {
+    if (!HasPart(rule.name, filter_)) return false;
+    return set_ == 0 || (set_ == 1 && rule.matches > 0) || (set_ == 2 && rule.firings > 0) ||
+           (set_ == 3 && rule.firings == 0);
+  }
+
+  void DrawList(PanelFrame& frame) {
+    std::vector<const sim::RuleFact*> rules;
+    for (const sim::RuleFact& rule : frame.contents.rules) {
+      if (IsWanted(rule)) rules.push_back(&rule);
+    }
+    if (rules.empty()) {
+      EmptyNote(frame.contents.rules.empty() ? "This mind has no rules." : "No rule is like this.");
+      return;
+    }
+    if (!ImGui::BeginTable("rules", 3,
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
+                               ImGuiTableFlags_SizingStretchProp))
+      return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Rule", ImGuiTableColumnFlags_NoSort, 6);
+    ImGui::TableSetupColumn("Fired", ImGuiTableColumnFlags_PreferSortDescending, 1.4f);
+    ImGui::TableSetupColumn("Matches", ImGuiTableColumnFlags_PreferSortDescending, 1.8f);
+    ImGui::TableHeadersRow();
+    if (const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsCount > 0) {
+      const bool by_fired = specs->Specs[0].ColumnIndex == 1;
+      const bool up = specs->Specs[0].SortDirection == ImGuiSortDirection_Ascending;
+      std::stable_sort(rules.begin(), rules.end(), [&](const sim::RuleFact* a, const sim::RuleFact* b) {
+        const std::uint64_t x = by_fired ? a->firings : a->matches, y = by_fired ? b->firings : b->matches;
+        return up ? x < y : y < x;
+      });
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rules.size()));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        const sim::RuleFact& rule = *rules[static_cast<std::size_t>(i)];
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        DrawName(frame, rule.name, rule.matches > 0 ? theme::kGood : rule.firings > 0 ? theme::kText : theme::kQuiet);
+        ImGui::TableNextColumn();
+        ColoredText(rule.firings > 0 ? theme::kText : theme::kQuiet, std::to_string(rule.firings));
+        ImGui::TableNextColumn();
+        ColoredText(rule.matches > 0 ? theme::kGood : theme::kQuiet, std::to_string(rule.matches));
+      }
+    }
+    ImGui::EndTable();
+  }
+
+  static void DrawName(PanelFrame& frame, const std::string& name, ImVec4 color) {
+    const bool chosen = frame.contents.rule && frame.contents.rule->rule.name == name;
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    if (ImGui::Selectable(name.c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns))
+      frame.Ask(RuleRequest{chosen ? "" : name});
+    ImGui::PopStyleColor();
+    Tooltip(name);
+  }
+
+  void DrawCoverage(PanelFrame& frame) {
+    if (ImGui::SmallButton("Look again")) frame.Ask(CoverageRequest{});
+    Tooltip("Notes how far the rules that have not fired match now");
+    if (!ImGui::BeginTable("coverage", 3,
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp |
+                               ImGuiTableFlags_Resizable))
+      return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Rule", 0, 4);
+    ImGui::TableSetupColumn("Fired", 0, 1.3f);
+    ImGui::TableSetupColumn("Stops at", 0, 4);
+    ImGui::TableHeadersRow();
+    for (const debugger::Coverage::Row& row : frame.contents.coverage) {
+      if (!HasPart(row.rule, filter_)) continue;
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      DrawName(frame, row.rule, row.firings > 0 ? theme::kGood : row.matched ? theme::kWarn : theme::kBad);
+      ImGui::TableNextColumn();
+      ColoredText(row.firings > 0 ? theme::kText : theme::kBad,
+                  row.firings > 0 ? std::to_string(row.firings) : "never");
+      ImGui::TableNextColumn();
+      if (row.firings == 0 && !row.stops_at.empty()) {
+        WrappedText(theme::kQuiet,
+                    std::to_string(row.furthest) + " of " + std::to_string(row.conditions) + " hold; " + row.stops_at);
+      }
+    }
+    ImGui::EndTable();
+  }
+
+  static void DrawRule(PanelFrame& frame, const debugger::RuleView& view) {
+    ImGui::Separator();
+    const sim::RuleFact& rule = view.rule;
+    ImGui::PushFont(frame.fonts.bold);
+    WrappedText(theme::kAccent, rule.name);
+    ImGui::PopFont();
+    if (ImGui::SmallButton("Edit") && !rule.file.empty()) {
+      frame.Ask(EditRequest{rule.file, rule.line, rule.name});
+      frame.layout.Show(PanelId::kEdit);
+    }
+    Tooltip(rule.file.empty() ? "It was typed, or learned: there is no file"
+                              : rule.file + ":" + std::to_string(rule.line));
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Break when it fires")) {
+      frame.Ask(BreakRequest{debugger::BreakKind::kFire, frame.contents.agent, rule.name});
+      frame.layout.Show(PanelId::kBreakpoints);
+    }
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Close")) frame.Ask(RuleRequest{});
+    ImGui::BeginChild("rule", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    ColoredText(theme::kQuiet, rule.type + ", fired " + std::to_string(rule.firings) + " times, " +
+                                   std::to_string(rule.matches) + (rule.matches == 1 ? " match" : " matches") + " now");
+    if (!rule.documentation.empty()) WrappedText(rule.documentation);
+    DrawMatch(frame, view.match);
+    ImGui::PushFont(frame.fonts.mono);
+    SourceItem(view.source, view.tokens);
+    ImGui::PopFont();
+    DrawMatches(frame, view.match.facts);
+    ImGui::EndChild();
+  }
+
+  static void DrawMatch(PanelFrame& frame, const debugger::PartialMatch& match) {
+    const sim::MatchFacts& facts = match.facts;
+    if (!match.sentence.empty()) WrappedText(facts.failing ? theme::kBad : theme::kGood, match.sentence);
+    if (!facts.failing) return;
+    ImGui::PushFont(frame.fonts.mono);
+    for (std::size_t i = 0; i < facts.conditions.size(); ++i) {
+      const sim::ConditionFact& condition = facts.conditions[i];
+      const bool is_failing = i == *facts.failing, is_behind = i > *facts.failing;
+      const char* sign = is_failing ? "\xe2\x9c\x97 " : is_behind ? "  " : "\xe2\x9c\x93 ";
+      ColoredText(
+          is_failing  ? theme::kBad
+          : is_behind ? theme::kQuiet
+                      : theme::kGood,
+          sign + condition.text + (is_behind || is_failing ? "" : "  " + std::to_string(condition.partial_matches)));
+    }
+    for (const sim::ElementFact& seen : facts.seen) ColoredText(theme::kWarn, "  there is " + ElementText(seen));
+    for (const sim::ElementFact& seen : facts.candidates)
+      ColoredText(theme::kWarn, "  would do, but does not fit the others: " + ElementText(seen));
+    ImGui::PopFont();
+  }
+
+  static void DrawMatches(PanelFrame& frame, const sim::MatchFacts& facts) {
+    if (facts.matches.empty()) return;
+    Heading(frame, "Matches");
+    ImGui::PushFont(frame.fonts.mono);
+    int number = 0;
+    for (const auto& match : facts.matches) {
+      ColoredText(theme::kQuiet, "match " + std::to_string(++number));
+      for (const sim::ElementFact& element : match) ColoredText(theme::kText, "  " + ElementText(element));
+    }
+    ImGui::PopFont();
+  }
+
+  int set_ = 0;
+  std::string filter_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeRulesPanel() {
+  return std::make_unique<RulesPanel>();
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::MarkKind;
+using debugger::TimelineMark;
+using debugger::TimelineSpan;
+using debugger::TimelineTrack;
+
+ImVec4 ColorOf(MarkKind kind) {
+  switch (kind) {
+    case MarkKind::kCommand:
+      return theme::kNumber;
+    case MarkKind::kOutcome:
+      return theme::kGood;
+    case MarkKind::kMessage:
+      return theme::kVariable;
+    case MarkKind::kEvent:
+      return theme::kQuiet;
+    case MarkKind::kError:
+      return theme::kBad;
+    case MarkKind::kEdit:
+      return theme::kWarn;
+  }
+  return theme::kText;
+}
+
+/// The same operator has the same colour everywhere.
+ImVec4 ColorOf(const TimelineSpan& span) {
+  if (span.is_state) return theme::kWarn;
+  std::uint32_t hash = 2166136261u;
+  for (const char c : span.text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  return theme::kSeries[hash % (sizeof theme::kSeries / sizeof theme::kSeries[0])];
+}
+
+/// What each agent was about, over time.
+class TimelinePanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const debugger::Timeline* timeline = frame.contents.timeline;
+    if (timeline == nullptr || timeline->empty()) {
+      EmptyNote("Nothing has happened yet.", "Let the world run: operators, commands and events appear here.");
+      return;
+    }
+    const Moment& now = frame.contents.moment;
+    const double last = static_cast<double>(std::max(now.last_tick, now.first_tick + 1));
+    if (!is_zoomed_) {
+      shown_ticks_ = std::clamp(last - static_cast<double>(now.first_tick), 60.0, 900.0);
+      first_ = std::max(0.0, static_cast<double>(now.shown_tick) - shown_ticks_ * (now.is_live ? 1.0 : 0.6));
+    }
+    name_width_ = frame.Px(110);
+    ImGui::BeginChild("tracks", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    left_ = ImGui::GetCursorScreenPos().x + name_width_;
+    width_ = std::max(frame.Px(50), ImGui::GetContentRegionAvail().x - name_width_ - frame.Px(8));
+    DrawRuler(frame);
+    const float top = ImGui::GetCursorScreenPos().y;
+    if (const TimelineTrack* selected = timeline->Find(frame.contents.agent);
+        selected != nullptr && !frame.contents.agent.empty())
+      DrawTrack(frame, *selected, true);
+    for (const TimelineTrack* track : timeline->tracks()) {
+      if (track->agent != frame.contents.agent || frame.contents.agent.empty()) DrawTrack(frame, *track, false);
+    }
+    const float bottom = ImGui::GetCursorScreenPos().y;
+    DrawCursor(frame, top, bottom);
+    HandleMouse(frame);
+    ImGui::EndChild();
+  }
+
+ private:
+  float X(double tick) const { return left_ + width_ * static_cast<float>((tick - first_) / shown_ticks_); }
+  double TickAt(float x) const { return first_ + static_cast<double>((x - left_) / width_) * shown_ticks_; }
+
+  void DrawRuler(PanelFrame& frame) {
+    ImDrawList& out = *ImGui::GetWindowDrawList();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const double step_s = frame.contents.moment.step_s, shown_s = shown_ticks_ * step_s;
+    double every = 0.1;
+    const double wanted = shown_s / std::max(1.0, static_cast<double>(width_ / frame.Px(80)));
+    for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0}) {
+      every = step;
+      if (step >= wanted) break;
+    }
+    const double begin = first_ * step_s;
+    for (double t = std::ceil(begin / every) * every; t < begin + shown_s; t += every) {
+      const float x = X(t / step_s);
+      out.AddLine({x, at.y}, {x, at.y + ImGui::GetTextLineHeight()}, theme::Packed(theme::kEdge));
+      const std::string text = every < 1 ? Formatted("%.1f s", t) : Formatted("%.0f s", t);
+      const float room = left_ + width_ - x;
+      if (ImGui::CalcTextSize(text.c_str()).x + frame.Px(4) < room)
+        out.AddText({x + frame.Px(3), at.y}, theme::Packed(theme::kQuiet), text.c_str());
+    }
+    ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+  }
+
+  void DrawTrack(PanelFrame& frame, const TimelineTrack& track, bool is_whole) {
+    ImDrawList& out = *ImGui::GetWindowDrawList();
+    int lines = 1;
+    const auto first = static_cast<std::uint64_t>(std::max(0.0, first_));
+    const auto last = static_cast<std::uint64_t>(std::max(0.0, first_ + shown_ticks_));
+    const auto in_view = [&](const TimelineSpan& span) {
+      return (span.open || span.last_tick >= first) && span.first_tick <= last;
+    };
+    // The top state is always there and says nothing; of others only their operators are drawn in a narrow track.
+    const auto line_of = [&](const TimelineSpan& span) { return is_whole ? std::max(0, span.line - 1) : 0; };
+    if (is_whole) {
+      const auto count = [&](const TimelineSpan& span) {
+        if (in_view(span) && !(span.is_state && span.level == 1)) lines = std::max(lines, line_of(span) + 1);
+      };
+      std::for_each(track.spans.begin(), track.spans.end(), count);
+      std::for_each(track.open.begin(), track.open.end(), count);
+    }
+    const float height = ImGui::GetTextLineHeight() + frame.Px(2);
+    const float marks_height = frame.Px(11);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float full = height * static_cast<float>(lines) + marks_height + frame.Px(4);
+    ImGui::PushID(track.agent.c_str());
+    if (ImGui::InvisibleButton("name", {name_width_ - frame.Px(6), full})) Select(frame, track.agent);
+    ImGui::PopID();
+    out.PushClipRect(at, {at.x + name_width_ - frame.Px(6), at.y + full}, true);
+    out.AddText({at.x, at.y}, theme::Packed(is_whole ? theme::kText : theme::kQuiet),
+                track.agent.empty() ? "world" : track.agent.c_str());
+    out.PopClipRect();
+    out.PushClipRect({left_, at.y}, {left_ + width_, at.y + full}, true);
+    const auto draw = [&](const TimelineSpan& span) {
+      if (!in_view(span) || (span.is_state && span.level == 1) || (!is_whole && span.is_state)) return;
+      const float x = X(static_cast<double>(span.first_tick));
+      const float end = std::max(
+          x + frame.Px(2), X(static_cast<double>(span.open ? frame.contents.moment.last_tick : span.last_tick) + 1));
+      const float y = at.y + height * static_cast<float>(line_of(span));
+      const ImVec4 color = ColorOf(span);
+      out.AddRectFilled({x, y + 1}, {end, y + height - 1}, theme::Packed(color, span.is_state ? 0.25f : 0.42f), 3);
+      out.AddLine({x, y + 1}, {x, y + height - 1}, theme::Packed(color));
+      const std::string text = span.text.empty() ? span.id : span.text;
+      const float from = std::max(x, left_) + frame.Px(3);
+      if (end - from > frame.Px(14)) {
+        out.PushClipRect({from, y}, {end - 1, y + height}, true);
+        out.AddText({from, y + frame.Px(1)}, theme::Packed(theme::kText), text.c_str());
+        out.PopClipRect();
+      }
+      if (ImGui::IsMouseHoveringRect({x, y}, {end, y + height})) hover_ = text + "  " + span.id;
+    };
+    std::for_each(track.spans.begin(), track.spans.end(), draw);
+    std::for_each(track.open.begin(), track.open.end(), draw);
+    DrawMarks(frame, track, at.y + height * static_cast<float>(lines) + marks_height / 2, first, last);
+    out.PopClipRect();
+    out.AddLine({at.x, at.y + full}, {left_ + width_, at.y + full}, theme::Packed(theme::kEdge, 0.6f));
+  }
+
+  void DrawMarks(PanelFrame& frame, const TimelineTrack& track, float y, std::uint64_t first, std::uint64_t last) {
+    ImDrawList& out = *ImGui::GetWindowDrawList();
+    const float r = frame.Px(3.4f);
+    const auto begin = std::lower_bound(track.marks.begin(), track.marks.end(), first,
+                                        [](const TimelineMark& mark, std::uint64_t tick) { return mark.tick < tick; });
+    for (auto mark = begin; mark != track.marks.end() && mark->tick <= last; ++mark) {
+      const float x = X(static_cast<double>(mark->tick));
+      const ImU32 color = theme::Packed(ColorOf(mark->kind));
+      switch (mark->kind) {  // Told apart by shape, too.
+        case MarkKind::kCommand:
+          out.AddTriangleFilled({x - r, y - r}, {x - r, y + r}, {x + r, y}, color);
+          break;
+        case MarkKind::kError:
+          out.AddLine({x - r, y - r}, {x + r, y + r}, color, frame.Px(2));
+          out.AddLine({x - r, y + r}, {x + r, y - r}, color, frame.Px(2));
+          break;
+        case MarkKind::kMessage:
+          out.AddRectFilled({x - r, y - r * 0.7f}, {x + r, y + r * 0.7f}, color);
+          break;
+        case MarkKind::kEdit:
+          out.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, color);
+          break;
+        default:
+          out.AddCircleFilled({x, y}, r * 0.8f, color);
+      }
+      if (ImGui::IsMouseHoveringRect({x - r, y - r}, {x + r, y + r}))
+        hover_ = std::string(debugger::NameOf(mark->kind)) + ": " + mark->text;
+    }
+  }
+
+  void DrawCursor(PanelFrame& frame, float top, float bottom) {
+    const Moment& now = frame.contents.moment;
+    ImDrawList& out = *ImGui::GetWindowDrawList();
+    if (now.branch_tick) {
+      const float x = X(static_cast<double>(*now.branch_tick));
+      if (x >= left_ && x <= left_ + width_)
+        out.AddLine({x, top}, {x, bottom}, theme::Packed(theme::kVariable), frame.Px(1.5f));
+    }
+    const float x = X(static_cast<double>(now.shown_tick) + 0.5);
+    if (x < left_ || x > left_ + width_ + 1) return;
+    out.AddLine({x, top}, {x, bottom}, theme::Packed(now.is_live ? theme::kText : theme::kWarn), frame.Px(1.5f));
+  }
+
+  void HandleMouse(PanelFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool over = ImGui::IsWindowHovered() && io.MousePos.x >= left_;
+    if (!over) {
+      hover_.clear();
+      return;
+    }
+    const double tick = TickAt(io.MousePos.x);
+    if (io.KeyCtrl && io.MouseWheel != 0) {
+      is_zoomed_ = true;
+      const double ticks = std::clamp(shown_ticks_ * std::pow(0.8, static_cast<double>(io.MouseWheel)), 10.0, 200000.0);
+      first_ = tick - (tick - first_) * ticks / shown_ticks_;
+      shown_ticks_ = ticks;
+    }
+    if (ImGui::IsMouseDragging(ImGuiMouseButton_Right)) {
+      is_zoomed_ = true;
+      first_ -= static_cast<double>(io.MouseDelta.x / width_) * shown_ticks_;
+    }
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right)) is_zoomed_ = false;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && tick >= 0)
+      frame.Ask(SeekRequest{static_cast<std::uint64_t>(tick)});
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(TimeText(tick * frame.contents.moment.step_s).c_str());
+    if (!hover_.empty()) {
+      ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+      ImGui::TextUnformatted(hover_.c_str());
+      ImGui::PopTextWrapPos();
+    }
+    ImGui::TextDisabled("click: go there; Ctrl+wheel: zoom; right drag: move");
+    ImGui::EndTooltip();
+    hover_.clear();
+  }
+
+  static void Select(PanelFrame& frame, const std::string& name) {
+    for (const world::AgentSnapshot& agent : frame.scene.agents) {
+      if (agent.name == name) frame.selected = agent.id;
+    }
+  }
+
+  bool is_zoomed_ = false;  ///< The user has chosen what is shown; else it follows the run.
+  double first_ = 0, shown_ticks_ = 300;
+  float name_width_ = 0, left_ = 0, width_ = 1;
+  std::string hover_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeTimelinePanel() {
+  return std::make_unique<TimelinePanel>();
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::TraceKind;
+using debugger::TraceLine;
+
+ImVec4 ColorOf(TraceKind kind) {
+  switch (kind) {
+    case TraceKind::kError:
+      return theme::kBad;
+    case TraceKind::kDecision:
+      return theme::kGood;
+    case TraceKind::kCommand:
+      return theme::kNumber;
+    case TraceKind::kEvent:
+      return theme::kText;
+    case TraceKind::kInput:
+      return theme::kWarn;
+    case TraceKind::kPercept:
+      return theme::kVariable;
+    case TraceKind::kRule:
+      return theme::kAccent;
+    case TraceKind::kElement:
+      break;
+  }
+  return theme::kQuiet;
+}
+
+/// What happened, line by line.
+class TracePanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const debugger::Trace* trace = frame.contents.trace;
+    if (trace == nullptr || trace->lines().empty()) {
+      EmptyNote("Nothing has happened yet.", "Let the world run: what minds decide and say appears here.");
+      return;
+    }
+    DrawBar(frame);
+    Find(frame, *trace);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
+    ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    ImGui::PushFont(frame.fonts.mono);
+    const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 2;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(found_.size()), ImGui::GetTextLineHeightWithSpacing());
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        DrawLine(frame, *found_[static_cast<std::size_t>(i)], i);
+    }
+    clipper.End();
+    ImGui::PopFont();
+    if (at_end && frame.contents.moment.is_live) ImGui::SetScrollHereY(1);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+  }
+
+ private:
+  void DrawBar(PanelFrame& frame) {
+    const char* kLevels[] = {"errors", "decisions", "commands", "events", "input", "percepts", "rules", "elements"};
+    ImGui::SetNextItemWidth(frame.Px(110));
+    int level = static_cast<int>(filter_.most);
+    if (ImGui::Combo("##level", &level, kLevels, IM_ARRAYSIZE(kLevels))) filter_.most = static_cast<TraceKind>(level);
+    Tooltip("How much is shown: this and what stands above it. Rules and elements are noted for the selected agent.");
+    ImGui::SameLine();
+    ImGui::Checkbox("selected agent", &only_selected_);
+    ImGui::SameLine();
+    SearchField("##search", "Search: each word must stand in the line", filter_.text);
+  }
+
+  /// Looks again only if the trace or what is looked for has changed.
+  void Find(const PanelFrame& frame, const debugger::Trace& trace) {
+    filter_.agent = only_selected_ ? frame.contents.agent : std::string{};
+    const std::string key =
+        filter_.agent + "\n" + filter_.text + "\n" + std::to_string(static_cast<int>(filter_.most)) + "\n" +
+        std::to_string(trace.lines().size()) + "\n" + std::to_string(trace.forgotten()) + "\n" +
+        std::to_string(trace.lines().back().tick) + "\n" + std::to_string(frame.contents.moment.branches);
+    if (key == key_) return;
+    key_ = key;
+    found_ = trace.Find(filter_);
+  }
+
+  static void DrawLine(PanelFrame& frame, const TraceLine& line, int number) {
+    const bool is_now = line.tick == frame.contents.moment.shown_tick;
+    ImGui::PushID(number);
+    if (Link("time", TimeText(line.time_s), is_now ? theme::kWarn : theme::kQuiet)) frame.Ask(SeekRequest{line.tick});
+    Tooltip("Click to go to tick " + std::to_string(line.tick));
+    ImGui::PopID();
+    ImGui::SameLine();
+    ColoredText(theme::kQuiet, line.agent.empty() ? "world" : line.agent);
+    ImGui::SameLine();
+    ColoredText(ColorOf(line.kind),
+                std::string(static_cast<std::size_t>(std::max(0, line.level - 1)) * 2, ' ') + line.text);
+  }
+
+  debugger::TraceFilter filter_;
+  bool only_selected_ = false;
+  std::string key_;
+  std::vector<const TraceLine*> found_;  ///< Into the trace, as long as it is as `key_` says.
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeTracePanel() {
+  return std::make_unique<TracePanel>();
+}
+
+}  // namespace soarbox::viewer

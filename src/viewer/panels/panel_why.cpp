@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cctype>
+
+#include "viewer/panels/mind_note.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::WhyNode;
+
+ImVec4 ColorOfKind(const std::string& kind) {
+  if (kind == "agent") return theme::kText;
+  if (kind == "command") return theme::kNumber;
+  if (kind == "operator") return theme::kGood;
+  if (kind == "preference") return theme::kWarn;
+  if (kind == "rule") return theme::kAccent;
+  if (kind == "element") return theme::kVariable;
+  if (kind == "percept") return theme::kGood;
+  return theme::kQuiet;
+}
+
+/// Why the agent does what it does, as a tree of reasons.
+class WhyPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const PanelContents& contents = frame.contents;
+    if (contents.agent.empty()) {
+      EmptyNote("No agent is selected.", "Click one: this panel then tells why it does what it does.");
+      return;
+    }
+    if (ImGui::Button("Why this?")) frame.Ask(WhyRequest{});
+    Tooltip("Why does the agent do what it does now?");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    DrawField(frame);
+    Tooltip("The name of an operator or a command, then Enter: why is it not chosen?");
+    ImGui::Separator();
+    Heading(frame, contents.why.question);
+    if (!contents.why.answer) {
+      WrappedText(theme::kQuiet,
+                  contents.not_available.empty() ? "There is no answer to this." : contents.not_available);
+      return;
+    }
+    ImGui::BeginChild("tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    DrawNode(frame, *contents.why.answer, 0, 0);
+    ImGui::EndChild();
+  }
+
+ private:
+  void DrawField(PanelFrame& frame) {
+    SearchField("##not", "Why not ...", not_);
+    const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    if (entered && !not_.empty()) frame.Ask(WhyRequest{WhyRequest::About::kNot, not_});
+  }
+
+  static void DrawNode(PanelFrame& frame, const WhyNode& node, int number, int depth) {
+    constexpr int kOpenTo = 4, kDeepest = 40;
+    if (depth > kDeepest) return;
+    ImGui::PushID(number);
+    const bool leaf = node.below.empty();
+    const ImGuiTreeNodeFlags flags = (leaf ? ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_Bullet : 0) |
+                                     (depth < kOpenTo ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    const float label = ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() - ImGui::GetFontSize() * 0.3f;
+    const bool open = ImGui::TreeNodeEx("node", flags, "%s", "");
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(label);
+    ImGui::BeginGroup();
+    WrappedText(ColorOfKind(node.kind), node.text);
+    ImGui::EndGroup();
+    if (!node.link.empty()) {
+      if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      if (ImGui::IsItemClicked()) Follow(frame, node);
+      Tooltip(node.kind == "rule" ? "Click to see this rule" : "Click to ask further");
+    }
+    if (open) {
+      int below = 0;
+      for (const WhyNode& reason : node.below) DrawNode(frame, reason, ++below, depth + 1);
+      ImGui::TreePop();
+    }
+    ImGui::PopID();
+  }
+
+  static void Follow(PanelFrame& frame, const WhyNode& node) {
+    using About = WhyRequest::About;
+    if (node.kind == "rule") {
+      frame.Ask(RuleRequest{node.link});
+      frame.layout.Show(PanelId::kRules);
+    } else if (node.kind == "operator") {
+      frame.Ask(WhyRequest{About::kOperator, node.link});
+    } else if (node.kind == "command") {
+      frame.Ask(WhyRequest{About::kCommand, node.link});
+    } else if (node.kind == "agent") {
+      for (const world::AgentSnapshot& agent : frame.scene.agents) {
+        if (agent.name == node.link) frame.selected = agent.id;
+      }
+    } else if (std::all_of(node.link.begin(), node.link.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
+      frame.Ask(WhyRequest{About::kElement, node.link});
+    }
+  }
+
+  std::string not_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeWhyPanel() {
+  return std::make_unique<WhyPanel>();
+}
+
+}  // namespace soarbox::viewer

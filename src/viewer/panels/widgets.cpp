@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/panels/widgets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+
+namespace soarbox::viewer {
+namespace {
+
+/// Lets a field write into a string of any length.
+int GrowText(ImGuiInputTextCallbackData* data) {
+  if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
+  auto* text = static_cast<std::string*>(data->UserData);
+  text->resize(static_cast<std::size_t>(data->BufTextLen));
+  data->Buf = text->data();
+  return 0;
+}
+
+}  // namespace
+
+void ColoredText(ImVec4 color, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+}
+
+void WrappedText(std::string_view text) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+}
+
+void WrappedText(ImVec4 color, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  WrappedText(text);
+  ImGui::PopStyleColor();
+}
+
+void CutText(std::string_view text, float width, ImVec4 color) {
+  const char* end = text.data() + text.size();
+  if (ImGui::CalcTextSize(text.data(), end).x <= width) {
+    ColoredText(color, text);
+    return;
+  }
+  const float dots = ImGui::CalcTextSize("...").x;
+  const char* fits = text.data();
+  ImFont* font = ImGui::GetFont();
+  font->CalcTextSizeA(ImGui::GetFontSize(), std::max(1.0f, width - dots), 0, text.data(), end, &fits);
+  ColoredText(color, std::string(text.data(), fits) + "...");
+  Tooltip(text);
+}
+
+bool Link(const char* id, std::string_view text, ImVec4 color) {
+  ImGui::PushID(id);
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::InvisibleButton("link", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& out = *ImGui::GetWindowDrawList();
+  out.AddText(corner, theme::Packed(color), text.data(), text.data() + text.size());
+  if (hovered) {
+    out.AddLine({corner.x, corner.y + size.y - 1}, {corner.x + size.x, corner.y + size.y - 1}, theme::Packed(color));
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  ImGui::PopID();
+  return clicked;
+}
+
+void Tooltip(std::string_view text) {
+  if (text.empty() || !ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool SearchField(const char* id, const char* hint, std::string& text, float right) {
+  ImGui::SetNextItemWidth(right > 0 ? -right : -1);
+  return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1, ImGuiInputTextFlags_CallbackResize,
+                                  GrowText, &text);
+}
+
+void EmptyNote(std::string_view what, std::string_view advice) {
+  ImGui::Dummy({1, ImGui::GetFontSize() * 0.5f});
+  WrappedText(theme::kText, what);
+  if (!advice.empty()) WrappedText(theme::kQuiet, advice);
+}
+
+void Heading(PanelFrame& frame, std::string_view text) {
+  ImGui::PushFont(frame.fonts.bold);
+  ColoredText(theme::kText, text);
+  ImGui::PopFont();
+}
+
+void Tag(std::string_view text, ImVec4 color) {
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+  const float pad = ImGui::GetFontSize() * 0.3f;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& out = *ImGui::GetWindowDrawList();
+  out.AddRectFilled(at, {at.x + size.x + 2 * pad, at.y + size.y}, theme::Packed(color, 0.18f), 3);
+  out.AddText({at.x + pad, at.y}, theme::Packed(color), text.data(), text.data() + text.size());
+  ImGui::Dummy({size.x + 2 * pad, size.y});
+}
+
+bool HasPart(std::string_view text, std::string_view part) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+std::string ShortNumber(std::string_view text) {
+  const std::size_t point = text.find('.');
+  if (point == std::string_view::npos || text.find_first_not_of("+-0123456789.") != std::string_view::npos)
+    return std::string(text);
+  while (text.back() == '0') text.remove_suffix(1);
+  if (text.back() == '.') text.remove_suffix(1);
+  return std::string(text);
+}
+
+std::string TimeText(double time_s) {
+  const int minutes = static_cast<int>(time_s / 60);
+  return Formatted("%d:%05.2f", minutes, time_s - 60.0 * minutes);
+}
+
+}  // namespace soarbox::viewer

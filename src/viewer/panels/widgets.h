@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "viewer/panels/panel.h"
+#include "viewer/panels/theme.h"
+
+namespace soarbox::viewer {
+
+/// Small things that panels share.
+
+/// Text in a colour.
+void ColoredText(ImVec4 color, std::string_view text);
+/// Text that breaks at the panel's edge.
+void WrappedText(std::string_view text);
+void WrappedText(ImVec4 color, std::string_view text);
+/// Text that is cut with "..." at `width` px; whole in a tooltip.
+void CutText(std::string_view text, float width, ImVec4 color = theme::kText);
+/// Text that answers a click; looks like a link while the mouse is over it.
+bool Link(const char* id, std::string_view text, ImVec4 color = theme::kAccent);
+/// Shown over the item before, after a moment.
+void Tooltip(std::string_view text);
+/// A field with a hint; true when its text changed. Takes the width that is left, less `right` px.
+bool SearchField(const char* id, const char* hint, std::string& text, float right = 0);
+/// What stands in the middle of a panel that has nothing to show, and what to do about it.
+void EmptyNote(std::string_view what, std::string_view advice = {});
+/// A heading within a panel.
+void Heading(PanelFrame& frame, std::string_view text);
+/// A short word on a coloured ground.
+void Tag(std::string_view text, ImVec4 color);
+/// Whether the text holds the part, in upper or lower case.
+bool HasPart(std::string_view text, std::string_view part);
+
+std::string Formatted(const char* format, auto... values) {
+  char text[256];
+  const int length = std::snprintf(text, sizeof text, format, values...);
+  return length < 0 ? std::string() : std::string(text);
+}
+
+/// A number without the zeros that say nothing, "39.5" for "39.500000"; other texts as they are.
+std::string ShortNumber(std::string_view text);
+
+/// "0:12.30" minutes, seconds.
+std::string TimeText(double time_s);
+
+}  // namespace soarbox::viewer

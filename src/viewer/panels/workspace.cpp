@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/panels/workspace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/panels/icons.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
+                                    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
+constexpr float kGrip_px = 5;
+constexpr const char* kPanelPayload = "soarbox-panel";
+
+const char* Title(Area area) {
+  constexpr const char* kTitles[] = {"Panels at the left", "Panels at the right", "Panels at the bottom"};
+  return kTitles[static_cast<std::size_t>(area)];
+}
+
+}  // namespace
+
+Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
+  const auto put = [this](PanelId id, std::unique_ptr<Panel> panel) {
+    panels_[static_cast<std::size_t>(id)] = std::move(panel);
+  };
+  put(PanelId::kAgents, MakeAgentsPanel());
+  put(PanelId::kMind, MakeMindPanel());
+  put(PanelId::kMemory, MakeMemoryPanel());
+  put(PanelId::kRules, MakeRulesPanel());
+  put(PanelId::kWhy, MakeWhyPanel());
+  put(PanelId::kLinks, MakeLinksPanel());
+  put(PanelId::kMessages, MakeMessagesPanel());
+  put(PanelId::kTimeline, MakeTimelinePanel());
+  put(PanelId::kTrace, MakeTracePanel());
+  put(PanelId::kPlots, MakePlotsPanel());
+  put(PanelId::kConsole, MakeConsolePanel());
+  put(PanelId::kEdit, MakeEditPanel());
+  put(PanelId::kBreakpoints, MakeBreakpointsPanel());
+  put(PanelId::kFutures, MakeFuturesPanel());
+  put(PanelId::kProblems, MakeProblemsPanel());
+}
+
+Workspace::Metrics Workspace::Measure(int width, int height) const {
+  Metrics m{};
+  m.scale = static_cast<float>(layout.text_percent) / 100;
+  m.width = static_cast<float>(width);
+  m.height = static_cast<float>(height);
+  m.menu = std::round(23 * m.scale);
+  m.toolbar = std::round(36 * m.scale);
+  m.scrubber = std::round(32 * m.scale);
+  if (only_picture) return m;
+  const auto size = [&](Area area, float most) {
+    const AreaLayout& side = layout.at(area);
+    if (!side.shown || side.panels.empty()) return 0.0f;
+    return std::round(std::clamp(side.size * m.scale, 80 * m.scale, std::max(80 * m.scale, most)));
+  };
+  // The picture keeps a third of the window each way, whatever was set in a larger one.
+  m.right = size(Area::kRight, 0.45f * m.width);
+  m.left = size(Area::kLeft, std::max(0.0f, 0.67f * m.width - m.right));
+  m.bottom = size(Area::kBottom, 0.67f * m.height - m.top() - m.scrubber);
+  return m;
+}
+
+PictureRect Workspace::PictureIn(int width, int height) const {
+  const Metrics m = Measure(width, height);
+  PictureRect rect;
+  rect.x = static_cast<int>(m.left);
+  rect.y = static_cast<int>(m.top());
+  rect.width = std::max(1, static_cast<int>(m.width - m.left - m.right));
+  rect.height = std::max(1, static_cast<int>(m.floor() - m.top()));
+  return rect;
+}
+
+void Workspace::Draw(PanelFrame& frame, int width, int height, float frames_per_second) {
+  const Metrics m = Measure(width, height);
+  DrawMenus(frame);
+  DrawToolbar(frame, m, frames_per_second);
+  DrawScrubber(frame, m);
+  for (const Area area : {Area::kLeft, Area::kRight, Area::kBottom}) DrawArea(frame, area, m);
+  if (show_help) DrawHelp(frame, width, height);
+  modal_ = show_help || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
+  ImVec2 corner, size;
+  switch (area) {
+    case Area::kLeft:
+      corner = {0, m.top()};
+      size = {m.left, m.height - m.scrubber - m.top()};
+      break;
+    case Area::kRight:
+      corner = {m.width - m.right, m.top()};
+      size = {m.right, m.height - m.scrubber - m.top()};
+      break;
+    case Area::kBottom:
+      corner = {m.left, m.floor()};
+      size = {m.width - m.left - m.right, m.bottom};
+      break;
+  }
+  if (size.x < 1 || size.y < 1) return;
+  ImGui::SetNextWindowPos(corner);
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin(Title(area), nullptr, kFixed);
+  ImGui::PopStyleVar();
+  DrawTabs(frame, area);
+  AreaLayout& side = layout.at(area);
+  if (side.front < side.panels.size()) {
+    const PanelId panel = side.panels[side.front];
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {2, 2});
+    ImGui::BeginChild(InfoOf(panel).word.data(), {0, 0}, false, ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar();
+    if (Panel* drawn = panels_[static_cast<std::size_t>(panel)].get()) drawn->Draw(frame);
+    ImGui::EndChild();
+  }
+  DrawSplitter(area, corner, size, m);
+  ImGui::End();
+}
+
+void Workspace::DrawTabs(PanelFrame& frame, Area area) {
+  AreaLayout& side = layout.at(area);
+  const ImVec2 pad = ImGui::GetStyle().FramePadding;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, gap = frame.Px(2);
+  const std::vector<PanelId> panels = side.panels;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const PanelInfo& info = InfoOf(panels[i]);
+    const bool is_front = i == side.front;
+    std::string title(info.title);
+    const bool alarms = panels[i] == PanelId::kProblems && !frame.contents.problems.empty();
+    if (alarms) title += " " + std::to_string(frame.contents.problems.size());
+    const ImVec2 text = ImGui::CalcTextSize(title.c_str());
+    const ImVec2 size{text.x + 1.6f * pad.x, text.y + 1.6f * pad.y};
+    if (i > 0) {
+      ImGui::SameLine(0, gap);
+      if (ImGui::GetCursorScreenPos().x + size.x > right) ImGui::NewLine();
+    }
+    ImGui::PushID(info.word.data());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("tab", size)) layout.Show(panels[i]);
+    const bool hovered = ImGui::IsItemHovered();
+    Tooltip(info.about);
+    if (ImGui::BeginDragDropSource()) {
+      ImGui::SetDragDropPayload(kPanelPayload, &panels[i], sizeof panels[i]);
+      ImGui::TextUnformatted(info.title.data());
+      ImGui::EndDragDropSource();
+    }
+    DrawTabMenu(panels[i]);
+    ImDrawList& out = *ImGui::GetWindowDrawList();
+    const ImVec2 end{at.x + size.x, at.y + size.y};
+    if (is_front || hovered) {
+      out.AddRectFilled(at, end, theme::Packed(is_front ? theme::kRaised : theme::kAccent, is_front ? 1.0f : 0.12f), 4,
+                        ImDrawFlags_RoundCornersTop);
+    }
+    if (is_front) out.AddRectFilled({at.x, end.y - frame.Px(2)}, end, theme::Packed(theme::kAccent));
+    const ImVec4 color = alarms ? theme::kBad : is_front ? theme::kText : theme::kQuiet;
+    out.AddText({at.x + 0.8f * pad.x, at.y + 0.8f * pad.y}, theme::Packed(color), title.c_str());
+    ImGui::PopID();
+  }
+  const ImVec2 line = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine({line.x, line.y - ImGui::GetStyle().ItemSpacing.y},
+                                      {right, line.y - ImGui::GetStyle().ItemSpacing.y}, theme::Packed(theme::kEdge));
+  // A tab that is dropped anywhere in the area comes here.
+  const ImGuiPayload* payload = ImGui::GetDragDropPayload();
+  if (payload == nullptr || !payload->IsDataType(kPanelPayload)) return;
+  const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  if (!ImGui::IsMouseHoveringRect(corner, {corner.x + size.x, corner.y + size.y}, false)) return;
+  ImGui::GetForegroundDrawList()->AddRect(corner, {corner.x + size.x, corner.y + size.y}, theme::Packed(theme::kAccent),
+                                          0, 0, frame.Px(2));
+  const PanelId dropped = *static_cast<const PanelId*>(payload->Data);
+  const bool is_here = std::find(side.panels.begin(), side.panels.end(), dropped) != side.panels.end();
+  if (ImGui::IsMouseReleased(0) && !is_here) layout.Move(dropped, area);
+}
+
+void Workspace::DrawTabMenu(PanelId panel) {
+  if (!ImGui::BeginPopupContextItem("menu")) return;
+  for (const Area area : {Area::kLeft, Area::kRight, Area::kBottom}) {
+    const std::string label = "Move to the " + std::string(kAreaWords[static_cast<std::size_t>(area)]);
+    if (ImGui::MenuItem(label.c_str())) layout.Move(panel, area);
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Close")) layout.Close(panel);
+  ImGui::EndPopup();
+}
+
+void Workspace::DrawSplitter(Area area, ImVec2 corner, ImVec2 size, const Metrics& m) {
+  const float grip = kGrip_px * m.scale;
+  ImVec2 at = corner, extent{grip, size.y};
+  if (area == Area::kLeft) at.x += size.x - grip;
+  if (area == Area::kBottom) extent = {size.x, grip};
+  ImGui::SetCursorScreenPos(at);
+  ImGui::InvisibleButton("splitter", extent);
+  const bool active = ImGui::IsItemActive();
+  if (active || ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(area == Area::kBottom ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + extent.x, at.y + extent.y},
+                                              theme::Packed(theme::kAccent, active ? 0.8f : 0.4f));
+  }
+  if (!active) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float wanted = area == Area::kLeft    ? mouse.x
+                       : area == Area::kRight ? m.width - mouse.x
+                                              : m.height - m.scrubber - mouse.y;
+  layout.at(area).size = std::clamp(wanted / m.scale, 80.0f, 4000.0f);
+}
+
+}  // namespace soarbox::viewer

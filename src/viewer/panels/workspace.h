@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "viewer/panels/panel.h"
+
+namespace soarbox::viewer {
+
+/// A part of the window, in px from its top left.
+struct PictureRect {
+  int x = 0, y = 0, width = 1, height = 1;
+  bool Holds(float px, float py) const {
+    return px >= static_cast<float>(x) && py >= static_cast<float>(y) && px < static_cast<float>(x + width) &&
+           py < static_cast<float>(y + height);
+  }
+  friend bool operator==(const PictureRect&, const PictureRect&) = default;
+};
+
+/// The frame around the picture: menu bar, toolbar, the panels at three sides with their tabs, the scrubber.
+///
+/// Draws only; what the user asks for goes into the frame's lists. Panels that are not in front are not drawn at all.
+class Workspace {
+ public:
+  explicit Workspace(Layout layout);
+
+  /// What is left for the picture in a window of this size, at the layout's text size.
+  PictureRect PictureIn(int width, int height) const;
+  void Draw(PanelFrame& frame, int width, int height, float frames_per_second);
+
+  /// Whether a menu or another thing lies over the picture and takes the mouse wherever it is.
+  bool IsModal() const { return modal_; }
+
+  Layout layout;
+  bool show_help = false;
+  std::string shown_object;   ///< See PanelFrame.
+  bool only_picture = false;  ///< All panels are hidden for now.
+
+ private:
+  /// Where everything stands, in px.
+  struct Metrics {
+    float scale, menu, toolbar, scrubber;
+    float width, height;
+    float left, right, bottom;  ///< Sizes of the areas; 0: hidden.
+    float top() const { return menu + toolbar; }
+    float floor() const { return height - scrubber - bottom; }
+  };
+  Metrics Measure(int width, int height) const;
+  void DrawMenus(PanelFrame& frame);
+  void DrawToolbar(PanelFrame& frame, const Metrics& metrics, float frames_per_second);
+  void DrawScrubber(PanelFrame& frame, const Metrics& metrics);
+  void DrawArea(PanelFrame& frame, Area area, const Metrics& metrics);
+  void DrawTabs(PanelFrame& frame, Area area);
+  void DrawTabMenu(PanelId panel);
+  void DrawSplitter(Area area, ImVec2 corner, ImVec2 size, const Metrics& metrics);
+  void DrawHelp(PanelFrame& frame, int width, int height);
+
+  std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
+  bool modal_ = false;
+};
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// The bars of the workspace: menus, the toolbar of the run, the scrubber, and the list of keys.
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/panels/icons.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/panels/workspace.h"
+
+namespace soarbox::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
+                                  ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
+
+void CommandItem(PanelFrame& frame, ViewerCommand command, bool enabled = true) {
+  const CommandInfo& info = InfoOf(command);
+  const std::string title(info.title), keys(info.keys);
+  if (ImGui::MenuItem(title.c_str(), keys.c_str(), frame.is_on(command), enabled)) frame.Command(command);
+  Tooltip(info.meaning);
+}
+
+void CommandItems(PanelFrame& frame, CommandGroup group) {
+  for (const CommandInfo& info : Commands()) {
+    if (info.group == group && info.command != ViewerCommand::kQuit) CommandItem(frame, info.command);
+  }
+}
+
+bool BeginBar(const char* name, float y, float width, float height, ImVec4 ground) {
+  ImGui::SetNextWindowPos({0, y});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      {ImGui::GetStyle().WindowPadding.x, (height - ImGui::GetFrameHeight()) / 2});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+  const bool open = ImGui::Begin(name, nullptr, kBar);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  return open;
+}
+
+std::string SpeedText(double speed) {
+  return std::isinf(speed) ? "max" : Formatted("%.3g\xc3\x97", speed);
+}
+
+}  // namespace
+
+void Workspace::DrawMenus(PanelFrame& frame) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  if (ImGui::BeginMenu("File")) {
+    if (ImGui::MenuItem("Save picture")) frame.Ask(SavePictureRequest{});
+    Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started");
+    ImGui::Separator();
+    CommandItem(frame, ViewerCommand::kQuit);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("View")) {
+    CommandItems(frame, CommandGroup::kCamera);
+    ImGui::Separator();
+    CommandItems(frame, CommandGroup::kOverlay);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Run")) {
+    CommandItems(frame, CommandGroup::kRun);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Agents")) {
+    CommandItems(frame, CommandGroup::kSelection);
+    ImGui::Separator();
+    for (const world::AgentSnapshot& agent : frame.scene.agents) {
+      ImGui::PushID(static_cast<int>(agent.id));
+      if (ImGui::MenuItem(agent.name.c_str(), agent.team.c_str(), agent.id == frame.selected))
+        frame.selected = agent.id;
+      ImGui::PopID();
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Panels")) {
+    for (const PanelInfo& info : kPanelInfos) {
+      if (ImGui::MenuItem(info.title.data(), nullptr, layout.IsVisible(info.id))) {
+        if (layout.IsVisible(info.id)) {
+          layout.Close(info.id);
+        } else {
+          only_picture = false;
+          layout.Show(info.id);
+        }
+      }
+      Tooltip(info.about);
+    }
+    ImGui::Separator();
+    ImGui::MenuItem("Left side", nullptr, &layout.at(Area::kLeft).shown);
+    ImGui::MenuItem("Right side", nullptr, &layout.at(Area::kRight).shown);
+    ImGui::MenuItem("Bottom", nullptr, &layout.at(Area::kBottom).shown);
+    ImGui::MenuItem("Picture only", "F11", &only_picture);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Larger text", "Ctrl +")) layout.SetText(layout.text_percent + 25);
+    if (ImGui::MenuItem("Smaller text", "Ctrl -")) layout.SetText(layout.text_percent - 25);
+    if (ImGui::MenuItem("Normal text", "Ctrl 0")) layout.SetText(100);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Reset the layout")) {
+      const int text = layout.text_percent;
+      layout = DefaultLayout();
+      layout.SetText(text);
+      only_picture = false;
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Help")) {
+    if (ImGui::MenuItem("Keys and mouse", "?")) show_help = true;
+    ImGui::EndMenu();
+  }
+  ImGui::EndMainMenuBar();
+}
+
+void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_per_second) {
+  BeginBar("Run", m.menu, m.width, m.toolbar, theme::kRaised);
+  const RunStatus& status = frame.status;
+  const auto button = [&](Icon icon, ViewerCommand command, std::string_view word, bool enabled = true) {
+    const CommandInfo& info = InfoOf(command);
+    std::string tip = std::string(info.title) + "  (" + std::string(info.keys) + ")\n" + std::string(info.meaning);
+    if (IconButton(icon, info.title.data(), word, tip, enabled)) frame.Command(command);
+    ImGui::SameLine(0, frame.Px(4));
+  };
+  button(status.paused ? Icon::kPlay : Icon::kPause, ViewerCommand::kTogglePause, status.paused ? "Run" : "Pause");
+  button(Icon::kStepTick, ViewerCommand::kSingleStep, "Tick");
+  button(Icon::kStepDecision, ViewerCommand::kStepDecision, "Decision", frame.contents.has_mind);
+  button(Icon::kStepPhase, ViewerCommand::kStepPhase, "Phase", frame.contents.has_mind);
+  ImGui::SameLine(0, frame.Px(14));
+  button(Icon::kReset, ViewerCommand::kReset, "Reset");
+  button(Icon::kNextSeed, ViewerCommand::kNextSeed, "Next seed");
+  ImGui::SameLine(0, frame.Px(14));
+
+  ImGui::AlignTextToFramePadding();
+  ColoredText(theme::kQuiet, "Speed");
+  ImGui::SameLine();
+  float speed = std::isinf(status.speed) ? 16.0f : static_cast<float>(status.speed);
+  ImGui::SetNextItemWidth(frame.Px(110));
+  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, SpeedText(status.speed).c_str(), ImGuiSliderFlags_Logarithmic))
+    frame.Ask(SpeedRequest{speed});
+  Tooltip("Simulated seconds per second of yours; keys + and -");
+  ImGui::SameLine(0, frame.Px(4));
+  if (ImGui::Button("Max")) frame.Command(ViewerCommand::kUnlimited);
+  Tooltip(InfoOf(ViewerCommand::kUnlimited).meaning);
+
+  // At the right, as far as there is room: what is going on.
+  const auto& contents = frame.contents;
+  std::string words = status.paused ? "Paused" : contents.moment.is_live ? "Running" : "Replaying";
+  std::string details = "   " + TimeText(frame.scene.time_s) + "   tick " + std::to_string(frame.scene.tick);
+  std::string more = "   " + std::to_string(frame.scene.agents.size()) + " agents";
+  if (frames_per_second > 0) more += Formatted("   %.0f fps", static_cast<double>(frames_per_second));
+  ImGui::SameLine();
+  const float left = ImGui::GetCursorPosX(), room = m.width - left - ImGui::GetStyle().WindowPadding.x;
+  const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  if (width(words + details + more) > room) more.clear();
+  if (width(words + details) > room) details.clear();
+  if (width(words) <= room) {
+    ImGui::SetCursorPosX(left + room - width(words + details + more));
+    ImGui::AlignTextToFramePadding();
+    ColoredText(status.paused ? theme::kWarn : theme::kGood, words);
+    ImGui::SameLine(0, 0);
+    ColoredText(theme::kText, details);
+    ImGui::SameLine(0, 0);
+    ColoredText(theme::kQuiet, more);
+    Tooltip(status.message);
+  }
+  ImGui::End();
+}
+
+void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
+  BeginBar("Time", m.height - m.scrubber, m.width, m.scrubber, theme::kRaised);
+  const Moment& at = frame.contents.moment;
+  const auto seek = [&](std::uint64_t tick) { frame.Ask(SeekRequest{std::clamp(tick, at.first_tick, at.last_tick)}); };
+  const bool can = at.can_go_back;
+  const char* const hint = can ? "" : "There is nothing to go back to yet";
+  const auto tip = [&](const char* text) { return can ? std::string(text) : std::string(hint); };
+  if (IconButton(Icon::kToBegin, "begin", "", tip("To the beginning"), can)) seek(at.first_tick);
+  ImGui::SameLine(0, frame.Px(3));
+  if (IconButton(Icon::kStepBack, "back", "", tip("Back by a tick"), can && at.shown_tick > at.first_tick))
+    seek(at.shown_tick - 1);
+  ImGui::SameLine(0, frame.Px(3));
+  if (IconButton(Icon::kPlay, "on", "", tip("On by a tick"), can && !at.is_live)) seek(at.shown_tick + 1);
+  ImGui::SameLine(0, frame.Px(8));
+
+  const std::string now = TimeText(static_cast<double>(at.shown_tick) * at.step_s) + " / " +
+                          TimeText(static_cast<double>(at.last_tick) * at.step_s);
+  const float pad = ImGui::GetStyle().FramePadding.x, icon = ImGui::GetFontSize() + 2 * pad;
+  const auto word = [&](const char* text) { return ImGui::CalcTextSize(text).x + icon + 0.6f * pad; };
+  const char* resume = "Resume here";
+  float right = ImGui::CalcTextSize(now.c_str()).x + frame.Px(16) + word("Live") + frame.Px(6);
+  if (!at.is_live) right += word(resume) + frame.Px(6);
+  ImGui::SetNextItemWidth(
+      std::max(frame.Px(60), m.width - ImGui::GetCursorPosX() - right - ImGui::GetStyle().WindowPadding.x));
+  const std::uint64_t least = at.first_tick, most = std::max(at.last_tick, at.first_tick + 1);
+  std::uint64_t tick = at.shown_tick;
+  ImGui::BeginDisabled(!can);
+  if (!at.is_live) ImGui::PushStyleColor(ImGuiCol_SliderGrab, theme::kWarn);
+  if (ImGui::SliderScalar("##scrubber", ImGuiDataType_U64, &tick, &least, &most, "")) seek(tick);
+  if (!at.is_live) ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  Tooltip(tip("Drag to see any moment of the run: scene, panels and plots go along"));
+  ImGui::SameLine(0, frame.Px(8));
+  ColoredText(at.is_live ? theme::kText : theme::kWarn, now);
+  ImGui::SameLine(0, frame.Px(8));
+  if (!at.is_live) {
+    const std::string about = at.can_resume ? "The run goes on from this moment; what came after it stays as ghosts, "
+                                              "for comparison"
+                                            : at.resume_refusal;
+    if (IconButton(Icon::kBranch, "resume", resume, about, at.can_resume, true)) frame.Ask(ResumeRequest{});
+    ImGui::SameLine(0, frame.Px(6));
+  }
+  if (IconButton(Icon::kToEnd, "live", "Live", at.is_live ? "This is the newest moment" : "Back to the newest moment",
+                 !at.is_live))
+    frame.Ask(LiveRequest{});
+  ImGui::End();
+}
+
+void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
+  ImGui::SetNextWindowPos({static_cast<float>(width) / 2, static_cast<float>(height) / 2}, ImGuiCond_Always,
+                          {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(frame.Px(860), static_cast<float>(width) - 20),
+                            std::min(frame.Px(600), static_cast<float>(height) - 20)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+  ImGui::SetNextWindowFocus();
+  ImGui::Begin("Keys and mouse", &show_help,
+               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  const auto row = [&](std::string_view keys, std::string_view what) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ColoredText(theme::kAccent, keys);
+    ImGui::TableNextColumn();
+    WrappedText(what);
+  };
+  const auto begin = [&](const char* title, const char* id) {
+    Heading(frame, title);
+    const bool open = ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg);
+    if (!open) return false;
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, frame.Px(110));
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+  };
+  const auto group = [&](const char* title, CommandGroup wanted) {
+    if (!begin(title, title)) return;
+    for (const CommandInfo& info : Commands()) {
+      if (info.group == wanted) row(info.keys, info.title);
+    }
+    ImGui::EndTable();
+    ImGui::Dummy({1, frame.Px(6)});
+  };
+  ImGui::Columns(2, "help", false);
+  group("The run", CommandGroup::kRun);
+  group("The camera", CommandGroup::kCamera);
+  group("The selection", CommandGroup::kSelection);
+  ImGui::NextColumn();
+  group("Drawn over the scene", CommandGroup::kOverlay);
+  if (begin("Panels", "panels")) {
+    row("F11", "Picture only, or with panels");
+    row("Ctrl +, Ctrl -", "Larger, smaller text; Ctrl 0: normal");
+    row("Right click", "On a tab: move or close the panel; or drag the tab to another side");
+    row("Up, Down, Tab", "In the console: earlier lines, completion");
+    row("? or H", "This list");
+    ImGui::EndTable();
+  }
+  ImGui::Dummy({1, frame.Px(6)});
+  if (begin("Mouse, on the scene", "mouse")) {
+    row("Left click", "Select an agent; with Shift or Ctrl, several");
+    row("Left drag", "Select all in a box");
+    row("Right drag", "Look around, or circle");
+    row("Middle drag", "Move");
+    row("Wheel", "Zoom, or fly ahead");
+    ImGui::EndTable();
+  }
+  ImGui::Columns(1);
+  ImGui::End();
+}
+
+}  // namespace soarbox::viewer

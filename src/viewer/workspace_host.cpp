@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/workspace_host.h"
+
+#include <SDL.h>
+#include <imgui_internal.h>
+
+namespace soarbox::viewer {
+namespace {
+
+/// Moves all that has been drawn into a list, and where it may be seen.
+void Shift(ImDrawList& list, float x, float y) {
+  for (ImDrawVert& corner : list.VtxBuffer) corner.pos = {corner.pos.x + x, corner.pos.y + y};
+  for (ImDrawCmd& command : list.CmdBuffer) {
+    command.ClipRect = {command.ClipRect.x + x, command.ClipRect.y + y, command.ClipRect.z + x, command.ClipRect.w + y};
+  }
+}
+
+}  // namespace
+
+WorkspaceHost::WorkspaceHost(Engine& engine, PanelHost& host, const Layout& layout)
+    : engine_(engine), host_(host), workspace_(layout) {}
+
+Result<void> WorkspaceHost::LoadScript(const std::filesystem::path& file) {
+  if (file.empty()) return {};
+  Result<UiScript> script = UiScript::Load(file);
+  if (!script) return script.error();
+  script_ = std::move(*script);
+  return {};
+}
+
+void WorkspaceHost::PlacePicture() {
+  host_.SetTextScale(static_cast<float>(workspace_.layout.text_percent) / 100);
+  picture_ = workspace_.PictureIn(engine_.window_width(), engine_.window_height());
+  engine_.SetPicture(picture_.x, picture_.y, picture_.width, picture_.height);
+  input_.SetPicture(picture_.x, picture_.y, picture_.width, picture_.height, workspace_.IsModal());
+}
+
+bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
+  if (event.type != SDL_KEYDOWN) return false;
+  const bool control = (event.key.keysym.mod & KMOD_CTRL) != 0;
+  Layout& layout = workspace_.layout;
+  switch (event.key.keysym.scancode) {
+    case SDL_SCANCODE_ESCAPE:
+      // It closes what lies over the picture before it closes the window.
+      if (!workspace_.IsModal()) return false;
+      workspace_.show_help = false;
+      ImGui::ClosePopupsOverWindow(nullptr, false);
+      return true;
+    case SDL_SCANCODE_F11:
+      workspace_.only_picture = !workspace_.only_picture;
+      return true;
+    case SDL_SCANCODE_EQUALS:
+    case SDL_SCANCODE_KP_PLUS:
+      if (control) layout.SetText(layout.text_percent + 25);
+      return control;
+    case SDL_SCANCODE_MINUS:
+    case SDL_SCANCODE_KP_MINUS:
+      if (control) layout.SetText(layout.text_percent - 25);
+      return control;
+    case SDL_SCANCODE_0:
+      if (control) layout.SetText(100);
+      return control;
+    default:
+      return false;
+  }
+}
+
+InputClaims WorkspaceHost::Claims() {
+  InputClaims claims;
+  claims.takes = [this](SDL_Event& event) { return TakeShortcut(event) || input_.Take(event); };
+  claims.mouse = input_.has_mouse();
+  claims.keys = input_.has_keys();
+  return claims;
+}
+
+void WorkspaceHost::BeginPicture() {
+  // Whoever draws over the scene sees the picture alone.
+  const ImVec2 size{static_cast<float>(picture_.width), static_cast<float>(picture_.height)};
+  ImGui::GetIO().DisplaySize = size;
+  ImGui::GetBackgroundDrawList()->PushClipRect({0, 0}, size);
+  ImGui::GetForegroundDrawList()->PushClipRect({0, 0}, size);
+}
+
+void WorkspaceHost::EndPicture() {
+  for (ImDrawList* list : {ImGui::GetBackgroundDrawList(), ImGui::GetForegroundDrawList()}) {
+    list->PopClipRect();
+    Shift(*list, static_cast<float>(picture_.x), static_cast<float>(picture_.y));
+    if (list->CmdBuffer.back().ElemCount == 0) {
+      list->CmdBuffer.back().ClipRect = list->_CmdHeader.ClipRect;
+    } else {
+      list->AddDrawCmd();
+    }
+  }
+  ImGui::GetIO().DisplaySize = {static_cast<float>(engine_.window_width()),
+                                static_cast<float>(engine_.window_height())};
+}
+
+WorkspaceHost::Asked WorkspaceHost::Draw(const world::SceneSnapshot& scene, const RunStatus& status,
+                                         std::uint32_t selected, float frames_per_second,
+                                         const std::function<bool(ViewerCommand)>& is_on) {
+  Asked asked;
+  asked.selected = selected;
+  PanelFrame frame{contents,
+                   scene,
+                   status,
+                   {host_.panel_font(), host_.bold_font(), host_.mono_font()},
+                   static_cast<float>(workspace_.layout.text_percent) / 100,
+                   workspace_.layout,
+                   asked.selected,
+                   requests,
+                   asked.commands,
+                   workspace_.shown_object,
+                   is_on};
+  workspace_.Draw(frame, engine_.window_width(), engine_.window_height(), frames_per_second);
+  return asked;
+}
+
+void WorkspaceHost::AfterDrawing(const world::SceneSnapshot& scene, const Projection& view,
+                                 const std::function<Result<void>(const std::filesystem::path&)>& save_picture) {
+  input_.ShowCursor();
+  const ImDrawData* drawn = ImGui::GetDrawData();
+  if (!script_ || script_->is_over() || drawn == nullptr) return;
+  const std::vector<ShownText> shown = CaptureText(*drawn, *ImGui::GetIO().Fonts);
+  UiStage stage{shown, scene.tick, scene.time_s, input_.idle(), {}, save_picture};
+  stage.place_of = [&](const std::string& name) -> std::optional<ImVec2> {
+    for (const world::AgentSnapshot& agent : scene.agents) {
+      if (agent.name != name) continue;
+      const auto at = view.Project(agent.position);
+      if (!at) return std::nullopt;
+      const ImVec2 place{at->x + static_cast<float>(picture_.x), at->y + static_cast<float>(picture_.y)};
+      if (picture_.Holds(place.x, place.y)) return place;
+    }
+    return std::nullopt;
+  };
+  script_->Advance(stage);
+}
+
+const std::optional<Diagnostic>& WorkspaceHost::script_failure() const {
+  static const std::optional<Diagnostic> none;
+  return script_ ? script_->failure() : none;
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "viewer/engine.h"
+#include "viewer/input_reader.h"
+#include "viewer/panel_host.h"
+#include "viewer/panels/panel_input.h"
+#include "viewer/panels/ui_script.h"
+#include "viewer/panels/workspace.h"
+
+namespace soarbox::viewer {
+
+/// Brings the workspace into the window: gives it its share of the input, sets the scene beside the panels, and moves
+/// what is drawn over the scene to where the scene stands.
+///
+/// The scene's own drawing knows nothing of this: for it the picture begins at 0, 0.
+class WorkspaceHost {
+ public:
+  WorkspaceHost(Engine& engine, PanelHost& host, const Layout& layout);
+
+  Result<void> LoadScript(const std::filesystem::path& file);
+  /// Sets text size and picture as the layout wants them; before the input of a frame is read.
+  void PlacePicture();
+  InputClaims Claims();
+  /// Hands the panels their input; after it was read.
+  void ApplyInput() { input_.Apply(); }
+
+  /// What is drawn between these two over the scene is placed and cut as the scene is.
+  void BeginPicture();
+  void EndPicture();
+
+  struct Asked {
+    std::uint32_t selected = 0;
+    std::vector<ViewerCommand> commands;
+  };
+  Asked Draw(const world::SceneSnapshot& scene, const RunStatus& status, std::uint32_t selected,
+             float frames_per_second, const std::function<bool(ViewerCommand)>& is_on);
+  /// Lets the script that plays a user go on.
+  void AfterDrawing(const world::SceneSnapshot& scene, const Projection& view,
+                    const std::function<Result<void>(const std::filesystem::path&)>& save_picture);
+
+  PanelContents contents;
+  std::vector<PanelRequest> requests;
+  Layout& layout() { return workspace_.layout; }
+  const Layout& layout() const { return workspace_.layout; }
+  bool& show_help() { return workspace_.show_help; }
+  bool script_over() const { return !script_ || script_->is_over(); }
+  const std::optional<Diagnostic>& script_failure() const;
+
+ private:
+  bool TakeShortcut(const SDL_Event& event);
+
+  Engine& engine_;
+  PanelHost& host_;
+  Workspace workspace_;
+  PanelInput input_;
+  PictureRect picture_;
+  std::optional<UiScript> script_;
+};
+
+}  // namespace soarbox::viewer
