@@ -125,7 +125,8 @@ TEST_F(Debugger, ARuleThatDoesNotMatchTellsWhereItStopsAndWhatItSaw) {
 TEST_F(Debugger, CoverageTellsRulesThatFiredAndWhereOthersStop) {
   Start(kTwoOperators);
   Coverage coverage;
-  for (int i = 0; i < 3; ++i) coverage.Add(static_cast<std::uint64_t>(i + 1), *record::FindMind(Tick(), "hero"));
+  for (std::uint64_t tick = 1; tick <= 3; ++tick)
+    if (const record::MindRecord* mind = record::FindMind(Tick(), "hero")) coverage.Add(tick, *mind);
   coverage.Look(*Mind());
   const std::vector<Coverage::Row> rows = coverage.rows();
   ASSERT_EQ(rows.size(), 6u);
