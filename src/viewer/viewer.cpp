@@ -394,6 +394,7 @@ void Viewer::Impl::DrawPanels(float seconds) {
 void Viewer::Impl::DrawWorkspace() {
   const auto help = static_cast<std::size_t>(ViewerCommand::kHelp);
   const std::uint32_t before = selection.empty() ? 0 : selection.front();
+  if (workspace->TakeClosesHelp()) on[help] = false;
   workspace->show_help() = on[help];
   const WorkspaceHost::Asked asked = workspace->Draw(scene, status, before, options.hidden ? 0 : frames_per_second,
                                                      [this](ViewerCommand c) { return IsOn(c); });

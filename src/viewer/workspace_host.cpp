@@ -43,7 +43,7 @@ bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
     case SDL_SCANCODE_ESCAPE:
       // It closes what lies over the picture before it closes the window.
       if (!workspace_.IsModal()) return false;
-      workspace_.show_help = false;
+      closes_help_ = true;
       ImGui::ClosePopupsOverWindow(nullptr, false);
       return true;
     case SDL_SCANCODE_F11:

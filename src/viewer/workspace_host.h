@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "viewer/engine.h"
@@ -48,6 +49,8 @@ class WorkspaceHost {
   Layout& layout() { return workspace_.layout; }
   const Layout& layout() const { return workspace_.layout; }
   bool& show_help() { return workspace_.show_help; }
+  /// The user has asked to close the list of keys; once.
+  bool TakeClosesHelp() { return std::exchange(closes_help_, false); }
   bool script_over() const { return !script_ || script_->is_over(); }
   const std::optional<Diagnostic>& script_failure() const;
 
@@ -59,6 +62,7 @@ class WorkspaceHost {
   Workspace workspace_;
   PanelInput input_;
   PictureRect picture_;
+  bool closes_help_ = false;
   std::optional<UiScript> script_;
 };
 

@@ -139,6 +139,17 @@ class Panels(unittest.TestCase):
             expect "Percepts (input link)"
             click "Problems"
             expect "No problems."
+            key H
+            expect "Keys and mouse"
+            key Escape
+            expect-not "Keys and mouse"
+            click "Panels"
+            click "Larger text"
+            key Ctrl+0
+            key F11
+            expect-not "No problems."
+            key F11
+            expect "No problems."
             """)
 
     def test_an_expert_uses_the_command_line_and_breakpoints(self):
