@@ -83,6 +83,15 @@ bool WantsRecording(const RunOptions& options) {
   return !options.no_record && !options.headless && options.screenshot.empty();
 }
 
+fs::path NextRecording(const fs::path& file) {
+  for (unsigned number = 2;; ++number) {
+    fs::path next = file;
+    next.replace_filename(file.stem().string() + "-" + std::to_string(number) + file.extension().string());
+    std::error_code error;
+    if (!fs::exists(next, error)) return next;
+  }
+}
+
 std::string RecordRun(RunSession& session, const RunOptions& options, const sim::Scenario& scenario,
                       const sim::SimulationSettings& settings, record::Level level) {
   const bool is_usual = options.record.empty();

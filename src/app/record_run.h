@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "app/run_options.h"
@@ -18,5 +19,9 @@ bool WantsRecording(const RunOptions& options);
 /// it cannot be written that is told. Returns a remark on where it goes, or nothing if there is no recording.
 std::string RecordRun(RunSession& session, const RunOptions& options, const sim::Scenario& scenario,
                       const sim::SimulationSettings& settings, record::Level level);
+
+/// Where a run that begins again is recorded if the user named a file: "fight-2.soarrec" beside "fight.soarrec", with
+/// the first number that no file has, so that what was recorded stays.
+std::filesystem::path NextRecording(const std::filesystem::path& file);
 
 }  // namespace soarbox::app

@@ -160,7 +160,11 @@ int Run(const RunOptions& given) {
         return sim::Simulation::Create(*scenario, settings);
       },
       [&] {
-        if (is_recorded) RecordRun(session, options, *scenario, settings, *level);
+        if (!is_recorded) return;
+        RunOptions again = options;
+        if (!again.record.empty()) again.record = NextRecording(again.record);
+        const std::string note = RecordRun(session, again, *scenario, settings, *level);
+        if (!note.empty()) std::cerr << "soarbox: " << note << '\n';
       });
   if (options.headless) return RunHeadless(session, options);
   record::Header header = record::HeaderOf(

@@ -102,13 +102,13 @@ class Panels(unittest.TestCase):
         for name, text in (("scenario.toml", WORLD), ("walker.soar", WALKER), ("idler.soar", IDLER)):
             (self.folder / name).write_text(text, encoding="utf-8")
 
-    def play(self, script, *arguments, size=(1280, 720), code=0):
+    def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
         """Plays a user and expects that everything could be done; 1: something in the run was a problem."""
         file = self.folder / "user.txt"
         file.write_text(script, encoding="utf-8")
         done = subprocess.run(
             ["xvfb-run", "-a", "-s", f"-screen 0 {size[0]}x{size[1]}x24", COMMAND, "run", str(self.folder),
-             "--no-record", "--port", "0", "--width", str(size[0]), "--height", str(size[1]), "--ui-script", str(file),
+             record, "--port", "0", "--width", str(size[0]), "--height", str(size[1]), "--ui-script", str(file),
              "--detail", "low", *arguments],
             capture_output=True, text=True, timeout=280, check=False, cwd=self.folder)
         self.assertEqual(done.returncode, code, done.stderr)
@@ -207,6 +207,20 @@ class Panels(unittest.TestCase):
             expect "First other decision or command"
             expect "dream"
             """)
+
+    def test_a_run_that_begins_again_leaves_the_recordings_before_it(self):
+        done = self.play("""
+            until 0.5
+            click "Reset"
+            until 0.2
+            click "Next seed"
+            until 0.2
+            """, record=f"--record={self.folder / 'walk.soarrec'}")
+        self.assertIn("seed 2", done.stdout)
+        for name in ("walk.soarrec", "walk-2.soarrec", "walk-3.soarrec"):
+            checked = subprocess.run([COMMAND, "verify", str(self.folder / name)], capture_output=True, text=True,
+                                     timeout=60, check=False)
+            self.assertEqual(checked.returncode, 0, checked.stderr + checked.stdout)
 
 
 if __name__ == "__main__":
