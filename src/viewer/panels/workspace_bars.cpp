@@ -135,10 +135,13 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
   ImGui::AlignTextToFramePadding();
   ColoredText(theme::kQuiet, "Speed");
   ImGui::SameLine();
+  const float number_x = ImGui::GetCursorPosX();
+  ImGui::TextUnformatted(SpeedText(status.speed).c_str());
+  ImGui::SameLine(number_x + frame.Px(40));
   float speed = std::isinf(status.speed) ? 16.0f : static_cast<float>(status.speed);
-  ImGui::SetNextItemWidth(frame.Px(110));
-  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, SpeedText(status.speed).c_str(), ImGuiSliderFlags_Logarithmic))
-    frame.Ask(SpeedRequest{speed});
+  ImGui::SetNextItemWidth(frame.Px(80));
+  constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
+  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, "", kFlags)) frame.Ask(SpeedRequest{speed});
   Tooltip("Simulated seconds per second of yours; keys + and -");
   ImGui::SameLine(0, frame.Px(4));
   if (ImGui::Button("Max")) frame.Command(ViewerCommand::kUnlimited);
