@@ -112,7 +112,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.console_lines = console_lines_;
   contents.completion = completion_;
   contents.completed_line = completed_line_;
-  contents.files = debugger::FilesOf(session_.simulation(), agent_);
+  if (visible(PanelId::kEdit)) contents.files = debugger::FilesOf(session_.simulation(), agent_);
   changes_ = {};
   if (shown != nullptr) {
     if (const record::MindRecord* mind = record::FindMind(*shown, agent_))

@@ -23,6 +23,24 @@ bool HasError(const std::vector<Diagnostic>& problems) {
   return std::ranges::any_of(problems, [](const Diagnostic& p) { return p.severity == Severity::kError; });
 }
 
+/// The text without the lines that source files which are there: those are edited and checked by themselves, and stand
+/// beside the file, not beside the copy that is checked. Lines keep their numbers.
+std::string WithoutSourced(const std::string& text, const std::filesystem::path& file) {
+  std::istringstream lines(text);
+  std::string rest;
+  for (std::string line; std::getline(lines, line); rest += '\n') {
+    std::istringstream words(line);
+    std::string command, name;
+    std::error_code error;
+    if (words >> command >> name && command == "source") {
+      std::erase(name, '"');
+      if (std::filesystem::is_regular_file(file.parent_path() / name, error)) continue;
+    }
+    rest += line;
+  }
+  return rest;
+}
+
 }  // namespace
 
 Result<Edit> Edit::Open(const sim::WatchedFile& file) {
@@ -40,7 +58,7 @@ std::vector<Diagnostic> Edit::Check() const {
   const std::string name = file_.file.string();
   if (!file_.is_rules) return sim::CheckScriptText(text_, name);
   const sim::SplitText split = sim::SplitRules(text_);
-  if (split.unclosed.empty()) return sim::CheckRuleText(text_, name);
+  if (split.unclosed.empty()) return sim::CheckRuleText(WithoutSourced(text_, file_.file), name);
   Diagnostic problem =
       Problem(file_.file, "the rule " + split.unclosed + " is not closed", "a rule ends with a brace: }");
   problem.line = LineOf(split.unclosed);
@@ -54,7 +72,7 @@ std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
                                              ? sim::EditsBetween(sim::SplitRules(running_), sim::SplitRules(text_))
                                              : std::vector<std::string>();
   std::vector<std::string> agents;
-  for (const sim::WatchedFile& file : simulation.Files())
+  for (const sim::WatchedFile& file : sim::WithSourced(simulation.Files()))
     if (file.file == file_.file && file.is_rules == file_.is_rules) agents.push_back(file.agent);
   if (agents.empty()) agents.push_back(file_.agent);
   for (const std::string& agent : agents) {
@@ -87,11 +105,13 @@ int Edit::LineOf(std::string_view rule) const {
 }
 
 std::vector<sim::WatchedFile> FilesOf(sim::Simulation& simulation, std::string_view agent) {
+  std::vector<sim::WatchedFile> own = simulation.Files();
+  if (!agent.empty()) std::erase_if(own, [&](const sim::WatchedFile& file) { return file.agent != agent; });
   std::vector<sim::WatchedFile> files;
-  for (sim::WatchedFile& file : simulation.Files()) {
+  for (sim::WatchedFile& file : sim::WithSourced(own)) {
     const bool is_there =
         std::ranges::any_of(files, [&](const sim::WatchedFile& known) { return known.file == file.file; });
-    if ((agent.empty() || file.agent == agent) && !is_there) files.push_back(std::move(file));
+    if (!is_there) files.push_back(std::move(file));
   }
   return files;
 }

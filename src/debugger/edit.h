@@ -45,7 +45,8 @@ class Edit {
   std::string text_, running_, saved_;
 };
 
-/// The files that an agent was made from; an empty agent: those of all, each once.
+/// The files that an agent was made from, those included that its rules source; an empty agent: those of all. Each
+/// once.
 std::vector<sim::WatchedFile> FilesOf(sim::Simulation& simulation, std::string_view agent);
 
 }  // namespace soarbox::debugger

@@ -263,6 +263,29 @@ TEST_F(Debugger, AnEditIsCheckedWithItsLinesAndTakesEffectInTheNextTick) {
   EXPECT_FALSE(edit->is_unsaved());
 }
 
+TEST_F(Debugger, FilesThatRulesSourceAreEditedByThemselves) {
+  Start(kTwoOperators);
+  Write(rules_file_, "source more.soar\n" + std::string(kTwoOperators));
+  Write(folder_ / "more.soar", "sp {hero*more (state <s> ^superstate nil) --> (<s> ^other no)}\n");
+  const std::vector<sim::WatchedFile> files = FilesOf(*simulation_, "hero");
+  const auto named = [&](const char* name) {
+    return std::ranges::find_if(files, [&](const sim::WatchedFile& file) { return file.file.filename() == name; });
+  };
+  ASSERT_NE(named("hero.soar"), files.end());
+  ASSERT_NE(named("more.soar"), files.end());
+  Result<Edit> edit = Edit::Open(*named("hero.soar"));
+  ASSERT_TRUE(edit.ok());
+  EXPECT_TRUE(edit->Check().empty()) << Format(edit->Check()[0]);
+  edit->text() = "source nowhere.soar\n";
+  EXPECT_FALSE(edit->Check().empty());
+  edit = Edit::Open(*named("more.soar"));
+  ASSERT_TRUE(edit.ok());
+  edit->text() = "sp {hero*more (state <s> ^superstate nil) --> (<s> ^edited yes)}\n";
+  EXPECT_TRUE(edit->Apply(*simulation_).empty());
+  Tick();
+  EXPECT_EQ(SearchMemory(*Mind(), "edited").size(), 1u);
+}
+
 TEST_F(Debugger, AgentsAreListedSortedAndFiltered) {
   Start(kTie,
         "[[agent]]\nname = \"hero\"\nrules = \"hero.soar\"\nbody = \"soldier\"\nposition = [0, 0]\nteam = \"red\"\n"

@@ -43,6 +43,19 @@ void AddSourced(const fs::path& file, std::set<fs::path>& found) {
 
 }  // namespace
 
+std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files) {
+  std::vector<WatchedFile> all;
+  for (const WatchedFile& file : files) {
+    all.push_back(file);
+    if (!file.is_rules) continue;
+    std::set<fs::path> found;
+    AddSourced(file.file, found);
+    for (const fs::path& one : found)
+      if (one != file.file) all.push_back({file.agent, one, true});
+  }
+  return all;
+}
+
 SplitText SplitRules(std::string_view given) {
   SplitText split;
   const std::string text = BlankComments(std::string(given));
@@ -100,16 +113,7 @@ LiveEdits::LiveEdits(Simulation& simulation) : simulation_(simulation) {
 
 /// Agents come and go; files that are new are taken as they are now.
 void LiveEdits::Watch() {
-  files_.clear();
-  for (const WatchedFile& file : simulation_.Files()) {
-    std::set<fs::path> all;
-    if (file.is_rules) {
-      AddSourced(file.file, all);
-    } else {
-      all.insert(file.file);
-    }
-    for (const fs::path& one : all) files_.push_back({file.agent, one, file.is_rules});
-  }
+  files_ = WithSourced(simulation_.Files());
   for (const WatchedFile& file : files_) {
     const auto [at, is_new] = versions_.try_emplace(file.file);
     if (!is_new) continue;

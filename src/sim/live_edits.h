@@ -18,6 +18,9 @@ struct WatchedFile {
   bool is_rules = false;
 };
 
+/// The same files, and after each file of rules those that it sources, with all below them. Reads the disk.
+std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files);
+
 /// The rules of a text by name, with comments blanked. Empty, with the name of the rule at fault, if one is not closed.
 struct SplitText {
   std::map<std::string, std::string> rules;
