@@ -132,7 +132,7 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
     const bool is_front = i == side.front;
     std::string title(info.title);
     const bool alarms = panels[i] == PanelId::kProblems && !frame.contents.problems.empty();
-    if (alarms) title += " " + std::to_string(frame.contents.problems.size());
+    if (alarms) title.append(1, ' ').append(std::to_string(frame.contents.problems.size()));
     const ImVec2 text = ImGui::CalcTextSize(title.c_str());
     const ImVec2 size{text.x + 1.6f * pad.x, text.y + 1.6f * pad.y};
     if (i > 0) {
