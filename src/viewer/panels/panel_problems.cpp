@@ -14,8 +14,8 @@ const char* Word(Severity severity) {
 std::string Place(const Diagnostic& what) {
   if (what.file.empty()) return {};
   std::string place = what.file;
-  if (what.line > 0) place += ":" + std::to_string(what.line);
-  if (what.column > 0) place += ":" + std::to_string(what.column);
+  for (const int number : {what.line, what.column})
+    if (number > 0) place.append(1, ':').append(std::to_string(number));
   return place;
 }
 
