@@ -243,8 +243,8 @@ std::vector<ElementFact> CommandInspector::Search(std::string_view text, std::si
       found.push_back(std::move(element));
   }
   std::ranges::sort(found, {}, &ElementFact::timetag);
-  const auto again = std::ranges::unique(found, {}, &ElementFact::timetag);
-  found.erase(again.begin(), again.end());
+  const auto is_same = [](const ElementFact& a, const ElementFact& b) { return a.timetag == b.timetag; };
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
   if (found.size() > most) found.resize(most);
   return found;
 }
