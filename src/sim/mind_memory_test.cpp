@@ -66,7 +66,16 @@ Outcome PlayHogs(int hogs, std::size_t limit_bytes, int threads, int ticks) {
   return outcome;
 }
 
+/// Where the kernel matches everything anew after each phase, minds that grow take minutes, and the memory of what they
+/// hold is not what users have.
+#ifdef SOARBOX_CHECK_INVARIANTS
+constexpr bool kChecksInvariants = true;
+#else
+constexpr bool kChecksInvariants = false;
+#endif
+
 TEST(MindMemory, AHundredMindsThatGrowAreHaltedOneByOneAndTheWorldGoesOn) {
+  if (kChecksInvariants) GTEST_SKIP() << "the kernel checks itself";
   const Outcome outcome = PlayHogs(100, std::size_t{30} << 20, 1, 10);
   EXPECT_FALSE(outcome.halted.empty());
   EXPECT_FALSE(outcome.halted.contains("honest"));
@@ -74,6 +83,7 @@ TEST(MindMemory, AHundredMindsThatGrowAreHaltedOneByOneAndTheWorldGoesOn) {
 }
 
 TEST(MindMemory, WhoIsHaltedDoesNotDependOnTheThreads) {
+  if (kChecksInvariants) GTEST_SKIP() << "the kernel checks itself";
   const Outcome one = PlayHogs(8, std::size_t{3} << 20, 1, 12), two = PlayHogs(8, std::size_t{3} << 20, 2, 12);
   EXPECT_FALSE(one.halted.empty());
   EXPECT_EQ(one.halted, two.halted);
