@@ -3,6 +3,7 @@
 -- number of the agent ({agent, seenAt, lastSeen}), bulletShots and bulletImpacts as lists ({position, time}). Sightings are
 -- told to the team.
 require "AgentCommunications";
+require "DebugUtilities";
 
 local kHalfViewCosine = math.cos(math.rad(45));
 local kEyeAhead = 0.5;
@@ -57,8 +58,9 @@ local function Eyes(userData)
     return Animation.GetBonePosition(userData.soldier, kHead), Vector.Rotate(Vector.new(0, 0, -1), rotation);
 end
 
--- True if the other agent is within the view and nothing stands between.
-function AgentSenses_CanSeeAgent(userData, other)
+-- True if the other agent is within the view and nothing stands between. `draw` shows the line of sight for this step:
+-- green if it is seen, red if something stands in the way.
+function AgentSenses_CanSeeAgent(userData, other, draw)
     local eye, forward = Eyes(userData);
     local toward = Vector.Normalize(other:GetPosition() - eye);
     if (Vector.DotProduct(forward, toward) < kHalfViewCosine) then
@@ -66,7 +68,11 @@ function AgentSenses_CanSeeAgent(userData, other)
     end
     local from = eye + forward * kEyeAhead;
     local hit = Sandbox.RayCastToObject(userData.agent:GetSandbox(), from, other:GetPosition());
-    return not hit.result or (Agent.IsAgent(hit.object) and hit.object == other);
+    local sees = not hit.result or (Agent.IsAgent(hit.object) and hit.object == other);
+    if (draw) then
+        Core.DrawLine(from, other:GetPosition(), sees and DebugUtilities.Green or DebugUtilities.Red);
+    end
+    return sees;
 end
 
 -- What a sighting is called, and where it is kept; nil for friends that are alive.

@@ -12,12 +12,28 @@ function BehaviorTreeNode.new(name, type)
     return setmetatable({ name_ = name or "", type_ = type, children_ = {} }, BehaviorTreeNode);
 end
 
--- Returns the child.
-function BehaviorTreeNode:AddChild(child)
+-- Puts the child last, or at the place `index` before those that stand there. Returns the child.
+function BehaviorTreeNode:AddChild(child, index)
     child.parent_ = self;
-    child.index_ = #self.children_ + 1;
-    self.children_[child.index_] = child;
+    table.insert(self.children_, index or #self.children_ + 1, child);
+    for place, sibling in ipairs(self.children_) do
+        sibling.index_ = place;
+    end
     return child;
+end
+
+-- The place of a child, from 1; -1 if it is none.
+function BehaviorTreeNode:ChildIndex(child)
+    for place, sibling in ipairs(self.children_) do
+        if (sibling == child) then
+            return place;
+        end
+    end
+    return -1;
+end
+
+function BehaviorTreeNode:GetChild(index)
+    return self.children_[index];
 end
 
 function BehaviorTreeNode:SetAction(action)
@@ -34,6 +50,11 @@ end
 
 function BehaviorTreeNode:GetName()
     return self.name_;
+end
+
+function BehaviorTreeNode:SetType(type)
+    assert(BehaviorTreeNode.Type[type], "a behavior tree has no nodes of type " .. tostring(type));
+    self.type_ = type;
 end
 
 function BehaviorTreeNode:GetType()

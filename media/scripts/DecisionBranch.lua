@@ -10,10 +10,12 @@ function DecisionBranch.new(evaluator, userData)
     }, DecisionBranch);
 end
 
--- A child is an action or another branch. Returns its number, from 1.
-function DecisionBranch:AddChild(child)
-    self.children_[#self.children_ + 1] = child;
-    return #self.children_;
+-- A child is an action or another branch. It becomes the last, or takes the place `index` before those that stand there.
+-- Returns its number, from 1.
+function DecisionBranch:AddChild(child, index)
+    index = index or #self.children_ + 1;
+    table.insert(self.children_, index, child);
+    return index;
 end
 
 -- evaluator(userData) returns the number of a child; true counts as 1 and false as 2.

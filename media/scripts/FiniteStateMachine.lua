@@ -44,6 +44,12 @@ function FiniteStateMachine:GetCurrentStateName()
     return self.state_ and self.state_.name_ or nil;
 end
 
+-- The status of the state's action; nil if there is none.
+function FiniteStateMachine:GetCurrentStateStatus()
+    local action = self.state_ and self.state_.action_;
+    return action and action:GetStatus() or nil;
+end
+
 -- Enters a state at once; an action that is under way is dropped without being cleaned up.
 function FiniteStateMachine:SetState(name)
     assert(self:ContainsState(name), "the state machine has no state '" .. tostring(name) .. "'");

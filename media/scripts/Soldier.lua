@@ -5,19 +5,24 @@ require "AgentUtilities";
 require "AnimationStateMachine";
 require "SoldierBody";
 
+-- SoldierStates and WeaponStates hold the names of the states below: SoldierStates.STAND_FIRE is "fire", CROUCH_FIRE is
+-- "crouch_fire".
 Soldier = {
-    Stance = { STAND = "STAND", CROUCH = "CROUCH" },
-    Height = { STAND = 1.6, CROUCH = 1.3 },
-    Speed = { STAND = 3, CROUCH = 1 },
-    States = {},
+    Height = { Stand = 1.6, Crouch = 1.3 },
+    Speed = { Stand = 3, Crouch = 1 },
+    SoldierStates = {},
     WeaponStates = {}
 };
 
+local kMesh = "default";
 local kFallingSpeed = -4.9;
+local kLandingSpeed = -0.98;
+local kMovingSpeedSquared = 2;
 local kBulletDamage = 5;
 local kImpactMillis = 2000;
 local kMuzzleForce = 750;
 local kTurnDistance = 2;
+local kTries = 50;
 
 -- Name, animation, looping, rate.
 local kStates = {
@@ -87,7 +92,8 @@ local kWeaponTransitions = {
 };
 
 for _, state in ipairs(kStates) do
-    Soldier.States[string.upper(state[1])] = state[1];
+    local crouches = string.find(state[1], "^crouch_");
+    Soldier.SoldierStates[(crouches and "" or "STAND_") .. string.upper(state[1])] = state[1];
 end
 for _, state in ipairs(kWeaponStates) do
     Soldier.WeaponStates[string.upper(state[1])] = state[1];
@@ -114,7 +120,7 @@ local function CreateStateMachine(mesh, states, transitions, first)
 end
 
 function Soldier_CreateSoldierStateMachine(soldier)
-    return CreateStateMachine(soldier, kStates, kTransitions, Soldier.States.IDLE_AIM);
+    return CreateStateMachine(soldier, kStates, kTransitions, Soldier.SoldierStates.STAND_IDLE_AIM);
 end
 
 function Soldier_CreateWeaponStateMachine(weapon)
@@ -127,7 +133,8 @@ local function CreateBody(agent, mesh)
     return soldier;
 end
 
-function Soldier_CreateDarkSoldier(agent)
+-- In a dark uniform; the other one is light.
+function Soldier_CreateSoldier(agent)
     return CreateBody(agent, SoldierBody.DarkMesh);
 end
 
@@ -144,49 +151,71 @@ function Soldier_AttachWeapon(soldier, weapon)
     Animation.AttachToBone(soldier, "b_RightHand", weapon, Vector.new(0.04, 0.05, -0.01), Vector.new(98, 97, 0));
 end
 
+-- For half a second at least.
 function Soldier_IsFalling(agent)
     return agent:GetVelocity().y < kFallingSpeed;
 end
 
+function Soldier_OnGround(agent)
+    return agent:GetVelocity().y > kLandingSpeed;
+end
+
+function Soldier_IsMoving(agent)
+    return Vector.LengthSquared(agent:GetVelocity()) > kMovingSpeedSquared;
+end
+
 -- Stands up or crouches down; the feet stay where they are.
-function Soldier_SetStance(agent, soldier, stance)
-    local height, position = Soldier.Height[stance], agent:GetPosition();
+function Soldier_SetHeight(agent, soldier, height)
+    local position = agent:GetPosition();
     position.y = position.y + (height - agent:GetHeight()) / 2;
     agent:SetHeight(height);
     agent:SetPosition(position);
     Core.SetPosition(soldier, Vector.new(0, -height / 2, 0));
 end
 
--- Which way to go: along the path, around who and what is in the way.
-function Soldier_CalculateSteering(agent, stance)
-    local force;
-    if (stance == Soldier.Stance.CROUCH) then
-        force = Vector.Normalize(agent:ForceToFollowPath(0.5)) + Vector.Normalize(agent:ForceToStayOnPath(0.5)) * 0.2
-            + agent:ForceToAvoidAgents(0.5) + agent:ForceToAvoidObjects(0.5);
-    else
-        force = agent:ForceToFollowPath(0.5) * 1.5 + agent:ForceToStayOnPath(0.5) * 0.4
-            + agent:ForceToAvoidAgents(0.5) + agent:ForceToAvoidObjects(0.5) * 2;
-    end
+local function Hurry(agent, force, push)
     force.y = 0;
     if (agent:GetSpeed() < agent:GetMaxSpeed()) then
-        local push = stance == Soldier.Stance.CROUCH and 5 or 7;
-        force = force + agent:ForceToTargetSpeed(agent:GetMaxSpeed()) * push;
+        return force + agent:ForceToTargetSpeed(agent:GetMaxSpeed()) * push;
     end
     return force;
 end
 
--- `accumulator` is the soldier's own vector, as AgentUtilities_ApplySteeringForce2 wants it.
-function Soldier_ApplySteering(agent, force, accumulator, deltaTimeInSeconds)
-    AgentUtilities_ApplySteeringForce2(agent, force, accumulator, deltaTimeInSeconds);
+-- Which way to go: along the path, around who and what is in the way. One for soldiers that stand, one for those who crouch.
+function Soldier_CalculateSteering(agent, deltaTimeInSeconds)
+    local way = agent:ForceToFollowPath(0.5) * 1.5 + agent:ForceToStayOnPath(0.5) * 0.4;
+    return Hurry(agent, way + agent:ForceToAvoidAgents(0.5) + agent:ForceToAvoidObjects(0.5) * 2, 7);
+end
+
+function Soldier_CalculateSlowSteering(agent, deltaTimeInSeconds)
+    local way = Vector.Normalize(agent:ForceToFollowPath(0.5)) + Vector.Normalize(agent:ForceToStayOnPath(0.5)) * 0.2;
+    return Hurry(agent, way + agent:ForceToAvoidAgents(0.5) + agent:ForceToAvoidObjects(0.5), 5);
+end
+
+-- By agent: the acceleration that AgentUtilities_ApplySteeringForce2 remembers.
+local accelerations = {};
+
+function Soldier_ApplySteering(agent, force, deltaTimeInSeconds)
+    local id = agent:GetId();
+    accelerations[id] = accelerations[id] or Vector.new();
+    AgentUtilities_ApplySteeringForce2(agent, force, accelerations[id], deltaTimeInSeconds);
     AgentUtilities_ClampHorizontalSpeed(agent);
 end
 
--- Brings a moving soldier to a stand within some steps.
-function Soldier_SlowMovement(agent, rate)
-    local velocity = agent:GetVelocity();
-    if (Vector.LengthSquared(velocity) > 2) then
-        local kept = 0.91 * (rate or 1);
-        agent:SetVelocity(Vector.new(velocity.x * kept, velocity.y, velocity.z * kept));
+-- Brings a soldier to a stand within some steps; a rate of 2 takes half of the speed in each.
+function Soldier_SlowMovement(agent, deltaTimeInMillis, rate)
+    local velocity, kept = agent:GetVelocity(), 0.91 / (rate or 1);
+    agent:SetVelocity(Vector.new(velocity.x * kept, velocity.y, velocity.z * kept));
+end
+
+-- A place on the navigation mesh that the agent can walk to, and the path to it; nothing if it can walk nowhere.
+function Soldier_PathToRandomPoint(agent)
+    local sandbox = agent:GetSandbox();
+    for _ = 1, kTries do
+        local path = Sandbox.FindPath(sandbox, kMesh, agent:GetPosition(), Sandbox.RandomPoint(sandbox, kMesh));
+        if (#path > 0) then
+            return path[#path], path;
+        end
     end
 end
 
@@ -208,7 +237,8 @@ end
 -- The particles of impacts and how long each has left.
 local impacts = {};
 
-function Soldier_UpdateImpacts(deltaTimeInMillis)
+-- Once for each step of the agent.
+function Soldier_Update(agent, deltaTimeInMillis)
     for index = #impacts, 1, -1 do
         impacts[index].left = impacts[index].left - deltaTimeInMillis;
         if (impacts[index].left <= 0) then
@@ -232,10 +262,11 @@ local function OnBulletHit(sandbox, collision)
         sandbox, AgentCommunications.EventType.BulletImpact, { position = collision.pointA });
 end
 
--- Shoots a bullet out of the rifle's muzzle.
-function Soldier_Shoot(sandbox, soldier)
-    local position = Animation.GetBonePosition(soldier, "b_muzzle");
-    local rotation = Animation.GetBoneRotation(soldier, "b_muzzle");
+-- Shoots a bullet out of the rifle's muzzle. A callback for states that fire; data has agent and soldier, its mesh.
+function Soldier_Shoot(stateName, data)
+    local sandbox = data.agent:GetSandbox();
+    local position = Animation.GetBonePosition(data.soldier, "b_muzzle");
+    local rotation = Animation.GetBoneRotation(data.soldier, "b_muzzle");
     local forward = Vector.Rotate(Vector.new(1, 0, 0), rotation);
     local up = Vector.Rotate(Vector.new(0, 1, 0), rotation);
     local left = Vector.Rotate(Vector.new(0, 0, -1), rotation);

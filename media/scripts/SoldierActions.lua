@@ -14,6 +14,18 @@ local kIdleMillis = 2000;
 local kMoveMillis = 500;
 local kLift = Vector.new(0, 0.1, 0);
 
+-- The clean-up of actions that leave nothing behind.
+local function LeaveAsItIs()
+end
+
+SoldierActions_ChangeStanceCleanUp = LeaveAsItIs;
+SoldierActions_DieCleanUp = LeaveAsItIs;
+SoldierActions_IdleCleanUp = LeaveAsItIs;
+SoldierActions_MoveToCleanUp = LeaveAsItIs;
+SoldierActions_RandomMoveCleanUp = LeaveAsItIs;
+SoldierActions_ReloadCleanUp = LeaveAsItIs;
+SoldierActions_ShootCleanUp = LeaveAsItIs;
+
 local running, terminated = Action.Status.RUNNING, Action.Status.TERMINATED;
 
 local function Now(userData)
@@ -55,7 +67,7 @@ end
 -- Changes the stance.
 SoldierActions_ChangeStanceInitialize = Once(Commands.CHANGE_STANCE);
 
-function SoldierActions_ChangeStance(deltaTimeInMillis, userData)
+function SoldierActions_ChangeStanceUpdate(deltaTimeInMillis, userData)
     return terminated;
 end
 
@@ -65,7 +77,7 @@ function SoldierActions_DieInitialize(userData)
     Tell(userData, AgentCommunications.EventType.AgentDeath, { position = userData.agent:GetPosition() });
 end
 
-function SoldierActions_Die(deltaTimeInMillis, userData)
+function SoldierActions_DieUpdate(deltaTimeInMillis, userData)
     userData.blackboard:Set("alive", false);
     return running;
 end
@@ -79,7 +91,7 @@ function SoldierActions_FleeInitialize(userData)
     end
 end
 
-function SoldierActions_Flee(deltaTimeInMillis, userData)
+function SoldierActions_FleeUpdate(deltaTimeInMillis, userData)
     DrawWay(userData, DebugUtilities.Blue, kReached);
     if (userData.agent:GetHealth() <= 0 or not userData.agent:HasPath()) then
         return terminated;
@@ -97,7 +109,7 @@ function SoldierActions_IdleInitialize(userData)
     userData.idleEnd = Now(userData) + kIdleMillis;
 end
 
-function SoldierActions_Idle(deltaTimeInMillis, userData)
+function SoldierActions_IdleUpdate(deltaTimeInMillis, userData)
     return Now(userData) >= userData.idleEnd and terminated or running;
 end
 
@@ -107,7 +119,7 @@ function SoldierActions_MoveToInitialize(userData)
     userData.moveEnd = Now(userData) + kMoveMillis;
 end
 
-function SoldierActions_MoveTo(deltaTimeInMillis, userData)
+function SoldierActions_MoveToUpdate(deltaTimeInMillis, userData)
     DrawWay(userData, DebugUtilities.Orange, kReached);
     if (Distance(userData, userData.agent:GetTarget()) < kReached) then
         userData.agent:RemovePath();
@@ -126,7 +138,7 @@ function SoldierActions_PursueInitialize(userData)
     end
 end
 
-function SoldierActions_Pursue(deltaTimeInMillis, userData)
+function SoldierActions_PursueUpdate(deltaTimeInMillis, userData)
     local enemy = userData.pursued;
     if (userData.agent:GetHealth() <= 0 or not enemy or enemy:GetHealth() <= 0) then
         return terminated;
@@ -146,15 +158,13 @@ end
 
 -- Picks a place to go to; going there is MoveTo's work.
 function SoldierActions_RandomMoveInitialize(userData)
-    local sandbox = userData.agent:GetSandbox();
-    for _ = 1, 20 do
-        if (SetOff(userData, Sandbox.RandomPoint(sandbox, kMesh))) then
-            return;
-        end
+    local place = Soldier_PathToRandomPoint(userData.agent);
+    if (place) then
+        SetOff(userData, place);
     end
 end
 
-function SoldierActions_RandomMove(deltaTimeInMillis, userData)
+function SoldierActions_RandomMoveUpdate(deltaTimeInMillis, userData)
     return terminated;
 end
 
@@ -163,7 +173,7 @@ function SoldierActions_ReloadInitialize(userData)
     userData.controller:QueueCommand(userData.agent, Commands.IDLE);
 end
 
-function SoldierActions_Reload(deltaTimeInMillis, userData)
+function SoldierActions_ReloadUpdate(deltaTimeInMillis, userData)
     if (userData.controller:QueueLength() > 0) then
         return running;
     end
@@ -177,7 +187,7 @@ function SoldierActions_ShootInitialize(userData)
     userData.controller:QueueCommand(userData.agent, Commands.IDLE);
 end
 
-function SoldierActions_Shoot(deltaTimeInMillis, userData)
+function SoldierActions_ShootUpdate(deltaTimeInMillis, userData)
     local enemy = userData.blackboard:Get("enemy");
     if (enemy) then
         userData.agent:SetForward(enemy:GetPosition() - userData.agent:GetPosition());

@@ -5,31 +5,27 @@ require "Soldier";
 SoldierController = {
     Commands = {
         CHANGE_STANCE = "CHANGE_STANCE", DIE = "DIE", IDLE = "IDLE", MOVE = "MOVE", SHOOT = "SHOOT"
-    }
+    },
+    Stances = { CROUCH = "CROUCH", STAND = "STAND" }
 };
 SoldierController.__index = SoldierController;
 
-local Commands = SoldierController.Commands;
+local Commands, Stances, States = SoldierController.Commands, SoldierController.Stances, Soldier.SoldierStates;
 local kFalling = "FALLING";
-local kBrake = 0.5;
+local kBrake = 2;
 
--- soldier and weapon are the meshes of Soldier_Create...; the weapon is hung into the soldier's hand.
+-- soldier and weapon are the meshes of Soldier_Create...; hang the weapon into the soldier's hand afterwards.
 function SoldierController.new(agent, soldier, weapon)
-    local weaponStates = Soldier_CreateWeaponStateMachine(weapon);
-    Soldier_AttachWeapon(soldier, weapon);
     local controller = setmetatable({
         soldier_ = soldier,
-        stance_ = Soldier.Stance.STAND,
+        stance_ = Stances.STAND,
         states_ = Soldier_CreateSoldierStateMachine(soldier),
-        weaponStates_ = weaponStates,
-        accumulator_ = Vector.new(),
+        weaponStates_ = Soldier_CreateWeaponStateMachine(weapon),
         queue_ = {}
     }, SoldierController);
-    local function OnShot()
-        Soldier_Shoot(agent:GetSandbox(), soldier);
-    end
-    controller.states_:AddStateCallback(Soldier.States.FIRE, OnShot);
-    controller.states_:AddStateCallback(Soldier.States.CROUCH_FIRE, OnShot);
+    local data = { agent = agent, soldier = soldier };
+    controller.states_:AddStateCallback(States.STAND_FIRE, Soldier_Shoot, data);
+    controller.states_:AddStateCallback(States.CROUCH_FIRE, Soldier_Shoot, data);
     controller:QueueCommand(agent, Commands.IDLE);
     return controller;
 end
@@ -61,7 +57,7 @@ function SoldierController:GetStance()
 end
 
 local function IsStanding(controller)
-    return controller.stance_ == Soldier.Stance.STAND;
+    return controller.stance_ == Stances.STAND;
 end
 
 -- Asks the animations for a state; true once it is there.
@@ -77,8 +73,14 @@ local function Finish(controller)
     controller.last_, controller.command_ = controller.command_, nil;
 end
 
-local function StandStill(controller, agent, state)
-    Soldier_SlowMovement(agent, IsStanding(controller) and 1 or kBrake);
+local function SlowDown(agent, deltaTimeInMillis, rate)
+    if (Soldier_IsMoving(agent)) then
+        Soldier_SlowMovement(agent, deltaTimeInMillis, rate);
+    end
+end
+
+local function StandStill(controller, agent, deltaTimeInMillis, state)
+    SlowDown(agent, deltaTimeInMillis, IsStanding(controller) and 1 or kBrake);
     if (Reach(controller, state) and #controller.queue_ > 0) then
         Finish(controller);
     end
@@ -92,41 +94,43 @@ local function Die(controller, agent, state)
 end
 
 local execute = {
-    [Commands.IDLE] = function(controller, agent)
-        StandStill(controller, agent,
-            IsStanding(controller) and Soldier.States.IDLE_AIM or Soldier.States.CROUCH_IDLE_AIM);
+    [Commands.IDLE] = function(controller, agent, deltaTimeInMillis)
+        StandStill(controller, agent, deltaTimeInMillis,
+            IsStanding(controller) and States.STAND_IDLE_AIM or States.CROUCH_IDLE_AIM);
     end,
-    [Commands.SHOOT] = function(controller, agent)
-        StandStill(controller, agent, IsStanding(controller) and Soldier.States.FIRE or Soldier.States.CROUCH_FIRE);
+    [Commands.SHOOT] = function(controller, agent, deltaTimeInMillis)
+        StandStill(controller, agent, deltaTimeInMillis,
+            IsStanding(controller) and States.STAND_FIRE or States.CROUCH_FIRE);
     end,
     [Commands.MOVE] = function(controller, agent, deltaTimeInMillis)
-        local stance = controller.stance_;
-        if (not Reach(controller, IsStanding(controller) and Soldier.States.RUN_FORWARD or Soldier.States.CROUCH_FORWARD)) then
-            agent:SetMaxSpeed(Soldier.Speed[stance]);
+        local stands, deltaTimeInSeconds = IsStanding(controller), deltaTimeInMillis / 1000;
+        if (not Reach(controller, stands and States.STAND_RUN_FORWARD or States.CROUCH_FORWARD)) then
+            agent:SetMaxSpeed(stands and Soldier.Speed.Stand or Soldier.Speed.Crouch);
         elseif (#controller.queue_ > 0) then
             Finish(controller);
         end
-        local force = Soldier_CalculateSteering(agent, stance);
-        Soldier_ApplySteering(agent, force, controller.accumulator_, deltaTimeInMillis / 1000);
+        local steer = stands and Soldier_CalculateSteering or Soldier_CalculateSlowSteering;
+        Soldier_ApplySteering(agent, steer(agent, deltaTimeInSeconds), deltaTimeInSeconds);
     end,
     [Commands.CHANGE_STANCE] = function(controller, agent)
         -- Afterwards it goes on with what it did before.
         if (#controller.queue_ == 0) then
             controller:QueueCommand(agent, controller.last_ or Commands.IDLE);
         end
-        controller.stance_ = IsStanding(controller) and Soldier.Stance.CROUCH or Soldier.Stance.STAND;
-        Soldier_SetStance(agent, controller.soldier_, controller.stance_);
+        local stands = not IsStanding(controller);
+        controller.stance_ = stands and Stances.STAND or Stances.CROUCH;
+        Soldier_SetHeight(agent, controller.soldier_, stands and Soldier.Height.Stand or Soldier.Height.Crouch);
         controller.command_ = nil;
     end,
-    [Commands.DIE] = function(controller, agent)
-        Soldier_SlowMovement(agent, kBrake);
-        Die(controller, agent, IsStanding(controller) and Soldier.States.DEAD or Soldier.States.CROUCH_DEAD);
+    [Commands.DIE] = function(controller, agent, deltaTimeInMillis)
+        SlowDown(agent, deltaTimeInMillis, kBrake);
+        Die(controller, agent, IsStanding(controller) and States.STAND_DEAD or States.CROUCH_DEAD);
     end,
     [kFalling] = function(controller, agent)
         if (Soldier_IsFalling(agent)) then
-            Reach(controller, Soldier.States.FALL_IDLE);
+            Reach(controller, States.STAND_FALL_IDLE);
         else
-            Die(controller, agent, Soldier.States.FALL_DEAD);
+            Die(controller, agent, States.STAND_FALL_DEAD);
         end
     end
 };
@@ -134,7 +138,7 @@ local execute = {
 -- Once for each step of the agent.
 function SoldierController:Update(agent, deltaTimeInMillis)
     local now = Sandbox.GetTimeInMillis(agent:GetSandbox());
-    Soldier_UpdateImpacts(deltaTimeInMillis);
+    Soldier_Update(agent, deltaTimeInMillis);
     self.states_:Update(deltaTimeInMillis, now);
     self.weaponStates_:Update(deltaTimeInMillis, now);
 

@@ -3,36 +3,38 @@
 -- pursue, move, look for somewhere to go, and idle, in this order of importance.
 require "Action";
 require "BehaviorTree";
+require "DecisionBranch";
 require "DecisionTree";
 require "FiniteStateMachine";
 require "SoldierActions";
 require "SoldierEvaluators";
 
-local function Actions(userData)
-    local function Make(name, initialize, update, cleanUp)
-        return Action.new(name, initialize, update, cleanUp, userData);
-    end
-    return {
-        die = Make("die", SoldierActions_DieInitialize, SoldierActions_Die),
-        flee = Make("flee", SoldierActions_FleeInitialize, SoldierActions_Flee, SoldierActions_FleeCleanUp),
-        idle = Make("idle", SoldierActions_IdleInitialize, SoldierActions_Idle),
-        move = Make("move", SoldierActions_MoveToInitialize, SoldierActions_MoveTo),
-        pursue = Make("pursue", SoldierActions_PursueInitialize, SoldierActions_Pursue, SoldierActions_PursueCleanUp),
-        randomMove = Make("randomMove", SoldierActions_RandomMoveInitialize, SoldierActions_RandomMove),
-        reload = Make("reload", SoldierActions_ReloadInitialize, SoldierActions_Reload),
-        shoot = Make("shoot", SoldierActions_ShootInitialize, SoldierActions_Shoot)
-    };
-end
+-- By name: what SoldierActions calls the action. A scenario may have scripts of its own in the place of SoldierActions,
+-- SoldierEvaluators and what runs actions, so only their common functions are used here.
+local kActions = {
+    die = "Die", flee = "Flee", idle = "Idle", move = "MoveTo", pursue = "Pursue", randomMove = "RandomMove",
+    reload = "Reload", shoot = "Shoot"
+};
 
-local function Branch(evaluator, yes, no)
-    local branch = DecisionBranch.new(evaluator);
-    branch:AddChild(yes);
-    branch:AddChild(no);
-    return branch;
+local function Actions(userData)
+    local actions = {};
+    for name, action in pairs(kActions) do
+        local prefix = "SoldierActions_" .. action;
+        actions[name] = Action.new(
+            name, _G[prefix .. "Initialize"], _G[prefix .. "Update"], _G[prefix .. "CleanUp"], userData);
+    end
+    return actions;
 end
 
 function SoldierLogic_DecisionTree(userData)
     local actions = Actions(userData);
+    local function Branch(evaluator, yes, no)
+        local branch = DecisionBranch.new();
+        branch:SetEvaluator(function() return evaluator(userData) and 1 or 2; end);
+        branch:AddChild(yes);
+        branch:AddChild(no);
+        return branch;
+    end
     local wander = Branch(SoldierEvaluators_Random, actions.randomMove, actions.idle);
     local walk = Branch(SoldierEvaluators_HasMovePosition, actions.move, wander);
     local attack = Branch(SoldierEvaluators_CanShootAgent, actions.shoot, actions.pursue);
@@ -79,9 +81,9 @@ function SoldierLogic_FiniteStateMachine(userData)
     return machine;
 end
 
-local function ActionNode(action)
-    local node = BehaviorTreeNode.new(action:GetName(), BehaviorTreeNode.Type.ACTION);
-    node:SetAction(action);
+local function ActionNode(name, actions)
+    local node = BehaviorTreeNode.new(name, BehaviorTreeNode.Type.ACTION);
+    node:SetAction(actions[name]);
     return node;
 end
 
@@ -107,16 +109,16 @@ function SoldierLogic_BehaviorTree(userData)
     local actions = Actions(userData);
     local tree = BehaviorTree.new(userData);
     tree:SetNode(FirstOf("soldier", {
-        If("dead", SoldierEvaluators_IsNotAlive, ActionNode(actions.die)),
-        If("hurt", SoldierEvaluators_HasCriticalHealth, ActionNode(actions.flee)),
+        If("dead", SoldierEvaluators_IsNotAlive, ActionNode("die", actions)),
+        If("hurt", SoldierEvaluators_HasCriticalHealth, ActionNode("flee", actions)),
         If("fight", SoldierEvaluators_HasEnemy, FirstOf("attack", {
-            If("empty", SoldierEvaluators_HasNoAmmo, ActionNode(actions.reload)),
-            If("near", SoldierEvaluators_CanShootAgent, ActionNode(actions.shoot)),
-            ActionNode(actions.pursue)
+            If("empty", SoldierEvaluators_HasNoAmmo, ActionNode("reload", actions)),
+            If("near", SoldierEvaluators_CanShootAgent, ActionNode("shoot", actions)),
+            ActionNode("pursue", actions)
         })),
-        If("walk", SoldierEvaluators_HasMovePosition, ActionNode(actions.move)),
-        If("wander", SoldierEvaluators_Random, ActionNode(actions.randomMove)),
-        ActionNode(actions.idle)
+        If("walk", SoldierEvaluators_HasMovePosition, ActionNode("move", actions)),
+        If("wander", SoldierEvaluators_Random, ActionNode("randomMove", actions)),
+        ActionNode("idle", actions)
     }));
     return tree;
 end

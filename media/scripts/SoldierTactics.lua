@@ -61,6 +61,11 @@ function SoldierTactics_UpdateTeamAreas(sandbox)
     Sandbox.SpreadInfluenceMap(sandbox, layer);
 end
 
+-- Shows a layer for this step: red what is above 0, blue what is below.
+function SoldierTactics_DrawInfluenceMap(sandbox, layer)
+    Sandbox.DrawInfluenceMap(sandbox, layer, { 1, 0, 0, 0.8 }, { 0, 0, 0, 0.1 }, { 0, 0, 1, 0.8 });
+end
+
 -- Once for each step of the sandbox; true when the maps were made anew.
 function SoldierTactics_UpdateTactics(sandbox, deltaTimeInMillis)
     sinceUpdate = sinceUpdate + deltaTimeInMillis;
@@ -70,7 +75,6 @@ function SoldierTactics_UpdateTactics(sandbox, deltaTimeInMillis)
     sinceUpdate = 0;
     SoldierTactics_UpdateDanger(sandbox);
     SoldierTactics_UpdateTeamAreas(sandbox);
-    Sandbox.DrawInfluenceMap(sandbox, SoldierTactics.InfluenceMap.TeamArea,
-        { 1, 0, 0, 0.8 }, { 0, 0, 0, 0.1 }, { 0, 0, 1, 0.8 });
+    SoldierTactics_DrawInfluenceMap(sandbox, SoldierTactics.InfluenceMap.TeamArea);
     return true;
 end

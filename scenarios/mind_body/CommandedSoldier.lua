@@ -14,9 +14,10 @@ local kCommands = {
 };
 
 function Agent_Initialize(agent)
-    local soldier = Soldier_CreateLightSoldier(agent);
-    controller = SoldierController.new(agent, soldier, Soldier_CreateWeapon(agent));
-    agent:SetMaxSpeed(Soldier.Speed.STAND);
+    local soldier, weapon = Soldier_CreateLightSoldier(agent), Soldier_CreateWeapon(agent);
+    controller = SoldierController.new(agent, soldier, weapon);
+    Soldier_AttachWeapon(soldier, weapon);
+    agent:SetMaxSpeed(Soldier.Speed.Stand);
     -- A path for the middle of the soldier.
     local path = SandboxUtilities_GetLevelPath();
     for _, point in ipairs(path) do

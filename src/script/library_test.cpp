@@ -34,7 +34,7 @@ TEST_P(LibraryTest, Passes) {
 
 INSTANTIATE_TEST_SUITE_P(Lua, LibraryTest,
                          testing::Values("AgentUtilitiesTest", "AnimationStatesTest", "CommunicationsTest",
-                                         "DecisionsTest", "KnowledgeTest", "SandboxUtilitiesTest"),
+                                         "DecisionsTest", "KnowledgeTest", "SandboxUtilitiesTest", "SoldierTest"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
