@@ -32,6 +32,21 @@ void BuildThing(const ScenarioFile::Thing& thing, ScenarioBuild& build) {
   if (thing.is_item) build.arena.places().items[id] = {id, thing.gives, thing.amount};
 }
 
+/// Those of one entry stand side by side along x, in rows: the next row stands behind the one before.
+void TakePlace(const ScenarioFile::Agent& agent, int number, Options& options) {
+  constexpr double kApart_m = 1.5;
+  const auto move = [&](const char* name, double by_m) {
+    if (const auto at = options.find(name); at != options.end())
+      if (double* value = std::get_if<double>(&at->second)) *value += by_m;
+  };
+  const auto heading = options.find("heading");
+  const double* heading_deg = heading == options.end() ? nullptr : std::get_if<double>(&heading->second);
+  const bool faces_south = heading_deg == nullptr || std::cos(*heading_deg * std::numbers::pi / 180) >= 0;
+  const double behind_m = (faces_south ? -kApart_m : kApart_m) * (number / agent.across);
+  move("position.1", kApart_m * (number % agent.across));
+  move(options.contains("position.3") ? "position.3" : "position.2", behind_m);
+}
+
 Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<std::string>& names,
                         ScenarioBuild& build) {
   script::AgentCreationRequest request;
@@ -44,13 +59,7 @@ Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<s
   const std::string stem = name;
   if (agent.count > 1) name += "-" + std::to_string(number + 1);
   for (int i = 2; !names.insert(name).second; ++i) name = stem + "-" + std::to_string(i);
-  // Those of one entry stand side by side.
-  if (agent.count > 1) {
-    for (const char* x : {"position.x", "position.1"}) {
-      if (const auto at = request.options.find(x); at != request.options.end())
-        if (double* value = std::get_if<double>(&at->second)) *value += 1.5 * number;
-    }
-  }
+  if (agent.count > 1) TakePlace(agent, number, request.options);
   world::AgentDef def;
   def.name = name;
   def.kind = "soar";

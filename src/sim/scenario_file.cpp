@@ -245,9 +245,11 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     made.name = reader.Text(*table, "name");
     made.rules = reader.Text(*table, "rules");
     made.count = static_cast<int>(reader.Number(*table, "count", 1, 1000).value_or(1));
+    made.across = static_cast<int>(reader.Number(*table, "across", 1, 1000).value_or(made.across));
     reader.Flatten(*table, {}, made.options);
     made.options.erase("rules");
     made.options.erase("count");
+    made.options.erase("across");
     if (const Result<AgentOptions> options = ReadAgentOptions(made.options, kinds); !options)
       reader.Problem(Meant(*table, options.error().message), options.error().message, options.error().hint);
     total += static_cast<std::size_t>(made.count);

@@ -30,6 +30,7 @@ struct ScenarioFile {
     std::string name, rules;
     Options options;
     int count = 1;
+    int across = 1000;  ///< So many of them stand side by side; the next ones stand behind these.
     int line = 0;
   };
   /// All that is given must hold; reached once.
