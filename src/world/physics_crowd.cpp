@@ -33,11 +33,34 @@ bool PairLimit::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy*
 
 void CrowdBroadphase::setAabb(btBroadphaseProxy* proxy, const btVector3& low, const btVector3& high,
                               btDispatcher* dispatcher) {
-  if (!CrowdControl::IsAside(ObjectOf(*proxy))) return btDbvtBroadphase::setAabb(proxy, low, high, dispatcher);
+  if (!CrowdControl::IsAside(ObjectOf(*proxy))) {
+    LeaveAside(proxy);
+    return btDbvtBroadphase::setAabb(proxy, low, high, dispatcher);
+  }
+  btDbvtVolume where = btDbvtVolume::FromMM(low, high);
+  const auto [leaf, is_new] = aside_leaves_.try_emplace(proxy);
+  if (is_new) {
+    leaf->second = aside_.insert(where, proxy);
+  } else {
+    aside_.update(leaf->second, where);
+  }
   // Far out, each at a point of its own.
   constexpr btScalar kBegin_m = 2e6f, kApart_m = 16;
   const btVector3 point(kBegin_m + kApart_m * static_cast<btScalar>(proxy->m_uniqueId), 0, 0);
   btDbvtBroadphase::setAabb(proxy, point, point, dispatcher);
+}
+
+void CrowdBroadphase::destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
+  LeaveAside(proxy);
+  btDbvtBroadphase::destroyProxy(proxy, dispatcher);
+}
+
+void CrowdBroadphase::LeaveAside(const btBroadphaseProxy* proxy) {
+  if (aside_leaves_.empty()) return;
+  const auto leaf = aside_leaves_.find(proxy);
+  if (leaf == aside_leaves_.end()) return;
+  aside_.remove(leaf->second);
+  aside_leaves_.erase(leaf);
 }
 
 bool CrowdControl::IsAside(const btCollisionObject& body) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <cstddef>
+#include <array>
+#include <unordered_map>
 
 #include "world/physics_bullet.h"
 
@@ -19,11 +20,22 @@ struct PairLimit final : btOverlapFilterCallback {
   mutable bool reached = false;  ///< Since the world began.
 };
 
-/// The broad phase with a place aside, where bodies meet nothing but planes: those reach everywhere.
+/// The broad phase with a place aside, where bodies meet nothing but planes: those reach everywhere. Rays find bodies
+/// that are aside where they really are: a tree of their own knows.
 class CrowdBroadphase final : public btDbvtBroadphase {
  public:
   void setAabb(btBroadphaseProxy* proxy, const btVector3& low, const btVector3& high,
                btDispatcher* dispatcher) override;
+  void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
+
+  /// The trees in which rays look for bodies: all of them together hold each body where it is.
+  std::array<const btDbvt*, 3> Trees() const { return {&m_sets[0], &m_sets[1], &aside_}; }
+
+ private:
+  void LeaveAside(const btBroadphaseProxy* proxy);
+
+  btDbvt aside_;
+  std::unordered_map<const btBroadphaseProxy*, btDbvtNode*> aside_leaves_;  ///< Never gone through in its own order.
 };
 
 /// Puts bodies aside and lets them back. Which ones follows from the order of the bodies alone.

@@ -2,102 +2,102 @@
 #include "world/physics_sight.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "world/physics_crowd.h"
 
 namespace soarbox::world {
 namespace {
 
-constexpr btScalar kSlack_m = 0.02f;
-
-/// The square of the distance on the ground between a point and a segment.
-btScalar GroundDistanceSquared(const btVector3& point, const btVector3& from, const btVector3& to) {
-  const btScalar along_x = to.x() - from.x(), along_z = to.z() - from.z();
-  const btScalar offset_x = point.x() - from.x(), offset_z = point.z() - from.z();
-  const btScalar squared = along_x * along_x + along_z * along_z;
-  const btScalar share = squared > 0
-                             ? std::clamp((offset_x * along_x + offset_z * along_z) / squared, btScalar(0), btScalar(1))
-                             : btScalar(0);
-  const btScalar x = offset_x - share * along_x, z = offset_z - share * along_z;
-  return x * x + z * z;
-}
-
-bool MayHitCapsule(const btCollisionObject& object, const btVector3& from, const btVector3& to) {
-  const btTransform& place = object.getWorldTransform();
-  const btMatrix3x3& turn = place.getBasis();
-  const bool is_upright = std::abs(turn[0][1]) < 1e-4f && std::abs(turn[2][1]) < 1e-4f;
-  if (!is_upright) return true;
-  const btScalar reach = static_cast<const btCapsuleShape*>(object.getCollisionShape())->getRadius() + kSlack_m;
-  return GroundDistanceSquared(place.getOrigin(), from, to) <= reach * reach;
-}
-
-bool MayHitPlane(const btCollisionObject& object, const btVector3& from, const btVector3& to) {
-  const auto& plane = *static_cast<const btStaticPlaneShape*>(object.getCollisionShape());
-  const btTransform into = object.getWorldTransform().inverse();
-  const auto height = [&](const btVector3& point) {
-    return plane.getPlaneNormal().dot(into * point) - plane.getPlaneConstant();
-  };
-  return height(from) <= kSlack_m || height(to) <= kSlack_m;
-}
-
-/// Ends at the first body that hides the target.
-class BlockerQuery final : public btCollisionWorld::RayResultCallback {
+/// A segment as bounding boxes are tested against it.
+class Probe {
  public:
-  BlockerQuery(const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
-               const btCollisionObject* target)
-      : from_(from), to_(to), viewer_(viewer), target_(target) {
-    m_collisionFilterGroup = m_collisionFilterMask = btBroadphaseProxy::AllFilter;
+  Probe(const btVector3& from, const btVector3& to) : from_(from) {
+    constexpr btScalar kLarge = 1e18f;
+    const btVector3 along = to - from;
+    for (int axis = 0; axis < 3; ++axis) inverse_[axis] = along[axis] != 0 ? 1 / along[axis] : kLarge;
   }
 
-  bool needsCollision(btBroadphaseProxy* proxy) const override {
-    const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-    return object != viewer_ && object != target_ && MayHit(*object, from_, to_);
-  }
-  btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool) override {
-    m_collisionObject = result.m_collisionObject;
-    m_closestHitFraction = 0;  // Nothing can come nearer: the search is over.
-    return 0;
+  /// Whether the segment up to this share meets the box.
+  bool Meets(const btDbvtVolume& box, btScalar share) const {
+    btScalar first = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const btScalar a = (box.Mins()[axis] - from_[axis]) * inverse_[axis];
+      const btScalar b = (box.Maxs()[axis] - from_[axis]) * inverse_[axis];
+      first = std::max(first, std::min(a, b));
+      share = std::min(share, std::max(a, b));
+    }
+    return first <= share;
   }
 
  private:
-  btVector3 from_, to_;
-  const btCollisionObject* viewer_;
-  const btCollisionObject* target_;
+  btVector3 from_, inverse_{0, 0, 0};
 };
+
+/// Calls visit(body) for each body whose bounding box the segment meets up to `share`, which visit may lessen. Ends
+/// when visit answers false; returns whether it never did.
+template <class Visit>
+bool VisitTree(const btDbvtNode* root, const Probe& probe, btScalar& share, const Visit& visit) {
+  std::array<const btDbvtNode*, 64> waiting;
+  std::size_t count = 0;
+  for (const btDbvtNode* node = root; node != nullptr; node = count > 0 ? waiting[--count] : nullptr) {
+    if (!probe.Meets(node->volume, share)) continue;
+    if (node->isleaf()) {
+      const auto* proxy = static_cast<const btBroadphaseProxy*>(node->data);
+      if (!visit(*static_cast<const btCollisionObject*>(proxy->m_clientObject))) return false;
+      continue;
+    }
+    for (const btDbvtNode* child : {node->childs[0], node->childs[1]}) {
+      if (count < waiting.size()) {
+        waiting[count++] = child;
+      } else if (!VisitTree(child, probe, share, visit)) {
+        return false;  // A tree this deep is rare: it continues on a list of its own.
+      }
+    }
+  }
+  return true;
+}
+
+template <class Visit>
+bool VisitBodies(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, btScalar& share,
+                 const Visit& visit) {
+  const Probe probe(from, to);
+  for (const btDbvt* tree : bodies.Trees())
+    if (tree->m_root != nullptr && !VisitTree(tree->m_root, probe, share, visit)) return false;
+  return true;
+}
 
 }  // namespace
 
-bool MayHit(const btCollisionObject& object, const btVector3& from, const btVector3& to) {
-  switch (object.getCollisionShape()->getShapeType()) {
-    case CAPSULE_SHAPE_PROXYTYPE:
-      return MayHitCapsule(object, from, to);
-    case STATIC_PLANE_PROXYTYPE:
-      return MayHitPlane(object, from, to);
-    default:
-      return true;
-  }
+FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to) {
+  FirstHit first;
+  btScalar share = 1;
+  VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
+    const auto entry = EntryOf(body, from, to);
+    if (!entry || entry->fraction > share) return true;
+    const bool ties = first.body != nullptr && entry->fraction == share;
+    if (ties && body.getUserIndex() >= first.body->getUserIndex()) return true;
+    first = {&body, *entry};
+    share = entry->fraction;
+    return true;
+  });
+  return first;
 }
 
-FirstHit::FirstHit(const btVector3& from, const btVector3& to) : ClosestRayResultCallback(from, to) {
-  m_collisionFilterGroup = m_collisionFilterMask = btBroadphaseProxy::AllFilter;
-}
-
-bool FirstHit::needsCollision(btBroadphaseProxy* proxy) const {
-  return MayHit(*static_cast<const btCollisionObject*>(proxy->m_clientObject), m_rayFromWorld, m_rayToWorld);
-}
-
-bool IsClear(const btCollisionWorld& world, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
+bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target) {
-  BlockerQuery query(from, to, viewer, target);
-  if (target) {
+  btScalar share = 1;
+  if (target != nullptr) {
     // What stands behind the target's surface, or leans into it, hides nothing.
-    btCollisionWorld::ClosestRayResultCallback surface(from, to);
-    const btTransform begin(btQuaternion::getIdentity(), from), end(btQuaternion::getIdentity(), to);
-    auto* object = const_cast<btCollisionObject*>(target);
-    btCollisionWorld::rayTestSingle(begin, end, object, object->getCollisionShape(), object->getWorldTransform(),
-                                    surface);
-    query.m_closestHitFraction = surface.m_closestHitFraction;
+    if (const auto surface = EntryOf(*target, from, to)) share = surface->fraction;
   }
-  world.rayTest(from, to, query);
-  return !query.hasHit();
+  const btScalar limit = share;
+  return VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
+    if (&body == viewer || &body == target) return true;
+    const auto entry = EntryOf(body, from, to);
+    return !entry || entry->fraction >= limit;
+  });
 }
 
 }  // namespace soarbox::world

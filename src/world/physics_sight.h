@@ -2,23 +2,23 @@
 #pragma once
 
 #include "world/physics_bullet.h"
+#include "world/physics_ray.h"
 
-// Rays through crowds, for the physics_*.cpp files only: Bullet finds where a ray meets a capsule by iterating, which
-// costs thousands of instructions for each body whose bounding box is touched.
+// What is on a segment, for the physics_*.cpp files only. Reads the broad phase's trees and changes nothing, so that
+// several threads may ask at a time.
 namespace soarbox::world {
 
-/// False only if the segment certainly misses the body: an upright capsule that it passes at the side, a plane that
-/// both of its ends are above.
-bool MayHit(const btCollisionObject& object, const btVector3& from, const btVector3& to);
+class CrowdBroadphase;
 
-/// The first body on a segment, without those that it certainly misses.
-struct FirstHit final : btCollisionWorld::ClosestRayResultCallback {
-  FirstHit(const btVector3& from, const btVector3& to);
-  bool needsCollision(btBroadphaseProxy* proxy) const override;
+struct FirstHit {
+  const btCollisionObject* body = nullptr;
+  RayEntry entry;
 };
+/// The first body that the segment enters; of several at one point, the one of the smallest owner.
+FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to);
 
 /// Whether nothing but these two is on the segment in front of the target. The target may be null.
-bool IsClear(const btCollisionWorld& world, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
+bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target);
 
 }  // namespace soarbox::world

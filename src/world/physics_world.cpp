@@ -360,16 +360,15 @@ const std::vector<Collision>& PhysicsWorld::Collisions() const {
 
 std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
   if (from == to) return std::nullopt;
-  FirstHit result(ToBullet(from), ToBullet(to));
-  impl_->world.rayTest(ToBullet(from), ToBullet(to), result);
-  if (!result.hasHit()) return std::nullopt;
-  return RayHit{static_cast<EntityId>(result.m_collisionObject->getUserIndex()), FromBullet(result.m_hitPointWorld),
-                FromBullet(result.m_hitNormalWorld)};
+  const FirstHit hit = FindFirstHit(impl_->broadphase, ToBullet(from), ToBullet(to));
+  if (hit.body == nullptr) return std::nullopt;
+  return RayHit{static_cast<EntityId>(hit.body->getUserIndex()), from + (to - from) * hit.entry.fraction,
+                FromBullet(hit.entry.normal)};
 }
 
 bool PhysicsWorld::IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target) const {
   const auto object = [this](BodyId body) { return body == BodyId::kNone ? nullptr : Get(body).rigid.get(); };
-  return world::IsClear(impl_->world, ToBullet(from), ToBullet(to), object(viewer), object(target));
+  return world::IsClear(impl_->broadphase, ToBullet(from), ToBullet(to), object(viewer), object(target));
 }
 
 std::span<const Obstacle> PhysicsWorld::Obstacles() {

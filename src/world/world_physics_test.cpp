@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "world/modular_meshes.h"
+#include "world/random.h"
 #include "world/rotation.h"
 #include "world/world.h"
 
@@ -202,6 +205,77 @@ TEST(WorldPhysics, RaysHitTheNearestBodyFromOutsideOnly) {
   EXPECT_FALSE(world.RayCast({nan, 1, 0}, {0, 1, 0}).has_value());
 }
 
+/// Where the segment first is inside a shape, by walking along it in small steps; 2 if it never is.
+float FirstInside(Vec3 from, Vec3 to, const std::function<bool(Vec3)>& is_inside) {
+  constexpr int kSteps = 4000;
+  for (int i = 0; i <= kSteps; ++i) {
+    const float share = static_cast<float>(i) / kSteps;
+    if (is_inside(from + (to - from) * share)) return share;
+  }
+  return 2;
+}
+
+TEST(WorldPhysics, RaysEnterShapesWhereTheirSurfacesAre) {
+  const Quat turn = FromRotationVector({30, 50, -20});
+  const Quat back = FromRotationVector({0, 0, 0});
+  const auto into = [&](Vec3 point) { return Rotate(Quat{turn.w, -turn.x, -turn.y, -turn.z}, point); };
+  const auto from_axis = [](Vec3 p) { return Length(p - Vec3{0, std::clamp(p.y, -0.5f, 0.5f), 0}); };
+  struct Case {
+    const char* name;
+    std::function<EntityId(World&)> make;
+    std::function<bool(Vec3)> is_inside;
+    Quat turned;
+  };
+  const Case cases[] = {
+      {"sphere", [](World& world) { return world.CreatePhysicsSphere(0.7f); }, [](Vec3 p) { return Length(p) < 0.7f; },
+       back},
+      {"capsule", [](World& world) { return world.CreatePhysicsCapsule(1.6f, 0.3f); },
+       [&](Vec3 p) { return from_axis(p) < 0.3f; }, back},
+      {"turned capsule", [](World& world) { return world.CreatePhysicsCapsule(1.6f, 0.3f); },
+       [&](Vec3 p) { return from_axis(into(p)) < 0.3f; }, turn},
+      {"turned box", [](World& world) { return world.CreateBox(1, 2, 0.5f); },
+       [&](Vec3 p) {
+         const Vec3 q = into(p);
+         return std::abs(q.x) < 0.5f && std::abs(q.y) < 1 && std::abs(q.z) < 0.25f;
+       },
+       turn},
+  };
+  RandomStream random(5, 1);
+  const auto about = [&](float reach) { return (random.Unit() * 2 - 1) * reach; };
+  for (const Case& tried : cases) {
+    SCOPED_TRACE(tried.name);
+    World world;
+    Object& object = *world.FindObject(tried.make(world));
+    object.SetMass(0);
+    object.SetPosition({0, 0, 0});
+    object.SetOrientation(tried.turned);
+    int hits = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 from{about(2), about(2), about(2)};
+      const Vec3 to = i % 10 == 0 ? Vec3{from.x, -from.y, from.z} : Vec3{about(1), about(1), about(1)};
+      const float share = FirstInside(from, to, tried.is_inside);
+      const auto hit = world.RayCast(from, to);
+      if (share == 0) {
+        EXPECT_FALSE(hit.has_value()) << "begins inside";
+        continue;
+      }
+      // Who only grazes it for less than a step may be seen by either.
+      const float length = Length(to - from);
+      if (!hit || share == 2) {
+        const bool grazes = hit.has_value() && !tried.is_inside(hit->point - hit->normal * 0.002f);
+        EXPECT_TRUE(grazes || (!hit && share == 2)) << i;
+        continue;
+      }
+      ++hits;
+      EXPECT_LE(Length(hit->point - from), share * length + 1e-3f) << i;
+      EXPECT_GT(Length(hit->point - from), share * length - length / 500) << i;
+      EXPECT_NEAR(Length(hit->normal), 1, 1e-4f) << i;
+      EXPECT_LT(Dot(hit->normal, to - from), 0) << i;
+    }
+    EXPECT_GT(hits, 20);
+  }
+}
+
 TEST(WorldPhysics, AFastBulletDoesNotPassThroughAnAgent) {
   World world;
   Agent& agent = *world.FindAgent(world.CreateAgent({}));
@@ -300,6 +374,15 @@ TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStil
     world.Step();
   }
   for (const EntityId id : agents) EXPECT_GT(world.FindAgent(id)->Position().y, -0.2f) << Number(id);
+  // Those that were put aside are seen and shot where they stand.
+  for (int i = 0; i < kBodies - 100; ++i) {
+    const auto apart = static_cast<float>(i);
+    world.FindAgent(agents[static_cast<std::size_t>(i)])->SetPosition({100 + 2 * apart, 0.8f, 50});
+  }
+  for (std::size_t i = kBodies - 100; i < kBodies; ++i) {
+    const Vec3 place = world.FindAgent(agents[i])->Position();
+    EXPECT_TRUE(world.RayCast(place + Vec3{0, 5, 0}, place)) << i;
+  }
   // Who leaves the heap touches others again.
   Agent& away = *world.FindAgent(agents.back());
   away.SetPosition({30, 0.8f, 0});
