@@ -7,6 +7,7 @@
 
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/plain_call.h"
 
 namespace soarbox::script {
 namespace {
@@ -135,7 +136,7 @@ bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments)
 }
 
 int ArgumentError(lua_State* state, int index, const char* text) {
-  const char* name = lua_tostring(state, lua_upvalueindex(2));
+  const char* name = NameOfRunning(state);
   if (!name) return luaL_argerror(state, index, text);
   lua_Debug frame;
   const bool is_method = lua_getstack(state, 0, &frame) == 1 && lua_getinfo(state, "n", &frame) != 0 &&

@@ -17,8 +17,8 @@ const std::vector<ApiArgument>& ArgumentsOf(const ApiFunction& function);
 /// one of those that only make a call do nothing, a warning, and the answer is false.
 bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments);
 
-/// As luaL_argerror, but the function's name is right also where Lua does not know it (called by pcall, for example).
-/// For the functions of the API, whose second upvalue is their name.
+/// As luaL_argerror, but for functions of the API their name is right also where Lua does not know it (called by pcall,
+/// for example).
 int ArgumentError(lua_State* state, int index, const char* text);
 
 /// Makes reading a name that a table of the API does not have an error if it is near one that it has; else nil as ever.

@@ -4,6 +4,7 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/plain_call.h"
 
 // Agent: what an agent is, where it is, its path and its leader. All are methods of agent handles too.
 
@@ -36,9 +37,25 @@ int GetVector(lua_State* state) {
   return 1;
 }
 
+template <Vec3 (Agent::*Getter)() const>
+int PlainGetVector(lua_State* state, LuaMachine& machine) {
+  const Agent* agent = OnlyAgent(state, machine);
+  if (!agent) return kNotPlain;
+  PushVector(state, machine, (agent->*Getter)());
+  return 1;
+}
+
 template <float (Agent::*Getter)() const>
 int GetNumber(lua_State* state) {
   lua_pushnumber(state, (AgentArgument(state, 1).*Getter)());
+  return 1;
+}
+
+template <float (Agent::*Getter)() const>
+int PlainGetNumber(lua_State* state, LuaMachine& machine) {
+  const Agent* agent = OnlyAgent(state, machine);
+  if (!agent) return kNotPlain;
+  lua_pushnumber(state, (agent->*Getter)());
   return 1;
 }
 
@@ -46,6 +63,15 @@ template <bool (Agent::*Setter)(Vec3)>
 int SetVector(lua_State* state) {
   const Vec3 vector = CheckVector(state, 2);
   WarnUnless(state, (AgentArgument(state, 1).*Setter)(vector));
+  return 0;
+}
+
+template <bool (Agent::*Setter)(Vec3)>
+int PlainSetVector(lua_State* state, LuaMachine& machine) {
+  Agent* agent = nullptr;
+  Vec3 vector;
+  if (!AgentAndVector(state, machine, agent, vector)) return kNotPlain;
+  WarnUnless(state, (agent->*Setter)(vector));
   return 0;
 }
 
@@ -204,10 +230,30 @@ constexpr Binding kBindings[] = {
     {"SetVelocity", SetVector<&Agent::SetVelocity>, 2, 2, WrongCount::kError},
 };
 
+constexpr PlainCall kPlainCalls[] = {
+    {"GetForward", PlainGetVector<&Agent::Forward>},
+    {"GetHealth", PlainGetNumber<&Agent::Health>},
+    {"GetHeight", PlainGetNumber<&Agent::Height>},
+    {"GetLeft", PlainGetVector<&Agent::Left>},
+    {"GetMass", PlainGetNumber<&Agent::Mass>},
+    {"GetMaxForce", PlainGetNumber<&Agent::MaxForce>},
+    {"GetMaxSpeed", PlainGetNumber<&Agent::MaxSpeed>},
+    {"GetPosition", PlainGetVector<&Agent::Position>},
+    {"GetRadius", PlainGetNumber<&Agent::Radius>},
+    {"GetSpeed", PlainGetNumber<&Agent::Speed>},
+    {"GetTarget", PlainGetVector<&Agent::Target>},
+    {"GetTargetRadius", PlainGetNumber<&Agent::TargetRadius>},
+    {"GetUp", PlainGetVector<&Agent::Up>},
+    {"GetVelocity", PlainGetVector<&Agent::Velocity>},
+    {"SetPosition", PlainSetVector<&Agent::SetPosition>},
+    {"SetTarget", PlainSetVector<&Agent::SetTarget>},
+    {"SetVelocity", PlainSetVector<&Agent::SetVelocity>},
+};
+
 }  // namespace
 
 void BindAgentProperties(lua_State* state) {
-  RegisterTable(state, "Agent", kBindings);
+  RegisterTable(state, "Agent", kBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

@@ -9,6 +9,7 @@
 #include "script/bind_arguments.h"
 #include "script/binding.h"
 #include "script/lua_order.h"
+#include "script/plain_call.h"
 
 // Agent: steering forces (spec 7).
 
@@ -85,6 +86,23 @@ int PushLookAheadForce(lua_State* state) {
   return 1;
 }
 
+template <Vec3 (Agent::*Force)(float) const>
+int PlainLookAheadForce(lua_State* state, LuaMachine& machine) {
+  const Agent* agent = OnlyAgent(state, machine);
+  if (!agent) return kNotPlain;
+  PushVector(state, machine, (agent->*Force)(Agent::kDefaultLookAhead_s));
+  return 1;
+}
+
+template <Vec3 (Agent::*Force)(Vec3) const>
+int PlainPositionForce(lua_State* state, LuaMachine& machine) {
+  Agent* agent = nullptr;
+  Vec3 position;
+  if (!AgentAndVector(state, machine, agent, position)) return kNotPlain;
+  PushVector(state, machine, (agent->*Force)(position));
+  return 1;
+}
+
 template <Vec3 (Agent::*Force)(Vec3) const>
 int PushPositionForce(lua_State* state) {
   const Vec3 position = CheckVector(state, 2);
@@ -129,10 +147,17 @@ constexpr Binding kBindings[] = {
     {"ForceToWander", ForceToWander, 2, 2, WrongCount::kError},
 };
 
+constexpr PlainCall kPlainCalls[] = {
+    {"ForceToAvoidAgents", PlainLookAheadForce<&Agent::ForceToAvoidAgents>},
+    {"ForceToAvoidObjects", PlainLookAheadForce<&Agent::ForceToAvoidObjects>},
+    {"ForceToFleePosition", PlainPositionForce<&Agent::ForceToFleePosition>},
+    {"ForceToPosition", PlainPositionForce<&Agent::ForceToPosition>},
+};
+
 }  // namespace
 
 void BindAgentSteering(lua_State* state) {
-  RegisterTable(state, "Agent", kBindings);
+  RegisterTable(state, "Agent", kBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

@@ -4,6 +4,7 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/plain_call.h"
 #include "world/agent_stride.h"
 
 // Agent: from steering to motion. Scripts call these for each agent in each step, so that they are not left to Lua.
@@ -21,6 +22,12 @@ Vec3 FlattenedForce(lua_State* state, const Agent& agent) {
   const Vec3 before = *force;
   if (agent.Mass() > 0) force->y = 0;
   return before;
+}
+
+/// Pushes the agent along the ground for this step, no faster than it can go.
+void Stride(lua_State* state, Agent& agent, Vec3 force, double step_s) {
+  WarnUnless(state, PushAlongGround(agent, force, step_s));
+  ClampHorizontalSpeed(agent);
 }
 
 int Push(lua_State* state) {
@@ -53,8 +60,31 @@ int WalkTo(lua_State* state) {
   world::GivingWay giving_way;
   if (lua_gettop(state) > 3) giving_way.look_ahead_s = CheckFloat(state, 4);
   if (lua_gettop(state) > 4) giving_way.weight = CheckFloat(state, 5);
-  WarnUnless(state, PushAlongGround(agent, ForceToWalk(agent, goal, giving_way), step_s));
-  ClampHorizontalSpeed(agent);
+  Stride(state, agent, ForceToWalk(agent, goal, giving_way), step_s);
+  return 0;
+}
+
+int PlainWalkTo(lua_State* state, LuaMachine& machine) {
+  Agent* agent = lua_gettop(state) == 3 ? PlainAgent(state, machine, 1) : nullptr;
+  const Vec3* goal = ToVector(state, 2);
+  double step_s = 0;
+  if (!agent || !goal || !PlainNumber(state, 3, step_s)) return kNotPlain;
+  Stride(state, *agent, ForceToWalk(*agent, *goal, {}), step_s);
+  return 0;
+}
+
+int PlainPush(lua_State* state, LuaMachine& machine) {
+  Agent* agent = lua_gettop(state) == 3 ? PlainAgent(state, machine, 1) : nullptr;
+  double step_s = 0;
+  if (!agent || !ToVector(state, 2) || !PlainNumber(state, 3, step_s)) return kNotPlain;
+  WarnUnless(state, PushAlongGround(*agent, FlattenedForce(state, *agent), step_s));
+  return 0;
+}
+
+int PlainClampSpeed(lua_State* state, LuaMachine& machine) {
+  Agent* agent = OnlyAgent(state, machine);
+  if (!agent) return kNotPlain;
+  ClampHorizontalSpeed(*agent);
   return 0;
 }
 
@@ -65,10 +95,16 @@ constexpr Binding kBindings[] = {
     {"WalkTo", WalkTo, 3, 5, WrongCount::kError},
 };
 
+constexpr PlainCall kPlainCalls[] = {
+    {"ClampSpeed", PlainClampSpeed},
+    {"Push", PlainPush},
+    {"WalkTo", PlainWalkTo},
+};
+
 }  // namespace
 
 void BindAgentStride(lua_State* state) {
-  RegisterTable(state, "Agent", kBindings);
+  RegisterTable(state, "Agent", kBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

@@ -4,6 +4,7 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/plain_call.h"
 
 // Core.Draw...: shapes that last for one step.
 
@@ -12,17 +13,39 @@ namespace {
 
 using world::Vec3;
 
-world::DebugDraw& DebugOf(lua_State* state) {
-  LuaMachine::Of(state).Charge(100);
-  world::DebugDraw& debug = ContextOf(state).world.debug();
-  CheckRoom(state, debug.size(), ContextOf(state).budget.limits().shapes_per_tick, "lines and triangles for this step");
+world::DebugDraw& DebugOf(lua_State* state, LuaMachine& machine) {
+  machine.Charge(100);
+  const ScriptContext& context = *machine.context();
+  world::DebugDraw& debug = context.world.debug();
+  CheckRoom(state, debug.size(), context.budget.limits().shapes_per_tick, "lines and triangles for this step");
   return debug;
+}
+world::DebugDraw& DebugOf(lua_State* state) {
+  return DebugOf(state, LuaMachine::Of(state));
 }
 
 int DrawCircle(lua_State* state) {
   const Vec3 center = CheckVector(state, 1);
   const float radius = CheckFloat(state, 2);
   DebugOf(state).Circle(center, radius, CheckVector(state, 3));
+  return 0;
+}
+
+int PlainDrawCircle(lua_State* state, LuaMachine& machine) {
+  const Vec3* center = ToVector(state, 1);
+  const Vec3* color = ToVector(state, 3);
+  float radius = 0;
+  if (lua_gettop(state) != 3 || !center || !color || !PlainFloat(state, 2, radius)) return kNotPlain;
+  DebugOf(state, machine).Circle(*center, radius, *color);
+  return 0;
+}
+
+int PlainDrawLine(lua_State* state, LuaMachine& machine) {
+  const Vec3* from = ToVector(state, 1);
+  const Vec3* to = ToVector(state, 2);
+  const Vec3* color = ToVector(state, 3);
+  if (lua_gettop(state) != 3 || !from || !to || !color) return kNotPlain;
+  DebugOf(state, machine).Line(*from, *to, *color);
   return 0;
 }
 
@@ -58,10 +81,15 @@ constexpr Binding kBindings[] = {
     {"DrawSquare", DrawSquare, 3, kAnyCount, WrongCount::kIgnored},
 };
 
+constexpr PlainCall kPlainCalls[] = {
+    {"DrawCircle", PlainDrawCircle},
+    {"DrawLine", PlainDrawLine},
+};
+
 }  // namespace
 
 void BindCoreDraw(lua_State* state) {
-  RegisterTable(state, "Core", kBindings);
+  RegisterTable(state, "Core", kBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

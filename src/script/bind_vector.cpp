@@ -6,6 +6,7 @@
 
 #include "script/binding.h"
 #include "script/lua_values.h"
+#include "script/plain_call.h"
 #include "world/rotation.h"
 
 namespace soarbox::script {
@@ -39,6 +40,16 @@ int New(lua_State* state) {
   return 1;
 }
 
+/// Three numbers.
+int PlainNew(lua_State* state, LuaMachine& machine) {
+  Vec3 vector;
+  if (lua_gettop(state) != 3 || !PlainFloat(state, 1, vector.x) || !PlainFloat(state, 2, vector.y) ||
+      !PlainFloat(state, 3, vector.z))
+    return kNotPlain;
+  PushVector(state, machine, vector);
+  return 1;
+}
+
 int CrossProduct(lua_State* state) {
   PushVector(state, Cross(CheckVector(state, 1), CheckVector(state, 2)));
   return 1;
@@ -51,6 +62,22 @@ int Distance(lua_State* state) {
 
 int DistanceSquared(lua_State* state) {
   lua_pushnumber(state, LengthSquared(CheckVector(state, 1) - CheckVector(state, 2)));
+  return 1;
+}
+
+int PlainDistance(lua_State* state, LuaMachine&) {
+  const Vec3* a = ToVector(state, 1);
+  const Vec3* b = ToVector(state, 2);
+  if (lua_gettop(state) != 2 || !a || !b) return kNotPlain;
+  lua_pushnumber(state, Distance(*a, *b));
+  return 1;
+}
+
+int PlainDistanceSquared(lua_State* state, LuaMachine&) {
+  const Vec3* a = ToVector(state, 1);
+  const Vec3* b = ToVector(state, 2);
+  if (lua_gettop(state) != 2 || !a || !b) return kNotPlain;
+  lua_pushnumber(state, LengthSquared(*a - *b));
   return 1;
 }
 
@@ -101,6 +128,12 @@ constexpr Binding kBindings[] = {
     {"Normalize", Normalize, 1, 1, WrongCount::kIgnored},
     {"Rotate", Rotate, 2, 2, WrongCount::kIgnored},
     {"RotationTo", RotationTo, 2, 2, WrongCount::kIgnored},
+};
+
+constexpr PlainCall kPlainCalls[] = {
+    {"new", PlainNew},
+    {"Distance", PlainDistance},
+    {"DistanceSquared", PlainDistanceSquared},
 };
 
 /// v op w and v op s, component by component; nil if the left side is no vector or the right side is neither.
@@ -194,7 +227,7 @@ int ToText(lua_State* state) {
 }  // namespace
 
 void BindVector(lua_State* state) {
-  RegisterTable(state, "Vector", kBindings);
+  RegisterTable(state, "Vector", kBindings, kPlainCalls);
 }
 
 void InstallVectorMetamethods(lua_State* state) {

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/binding.h"
 
+#include <algorithm>
 #include <lua.hpp>
+#include <map>
+#include <mutex>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "script/argument_check.h"
 #include "script/lua_library.h"
 #include "script/lua_machine.h"
+#include "script/plain_call.h"
 #include "script/script_context.h"
 #include "script/script_path.h"
 
@@ -16,20 +23,42 @@ namespace {
 /// In instructions: so that a loop over calls is stopped as early as any other loop of the same length in time.
 constexpr std::uint64_t kCallPrice = 20;
 
-/// Upvalues: the binding, "Table.Name", its arguments in the table of the API.
-int CallBinding(lua_State* state) {
-  const auto& binding = *static_cast<const Binding*>(lua_touserdata(state, lua_upvalueindex(1)));
-  LuaMachine& machine = LuaMachine::Of(state);
-  machine.Charge(kCallPrice);
-  if (machine.instructions_left() == 0) machine.RaiseOutOfBudget(state);
+/// What every machine's function of this binding refers to.
+struct Bound {
+  const Binding* binding;
+  std::string name;                           ///< "Table.Name".
+  const std::vector<ApiArgument>* arguments;  ///< In the table of the API; null: it is not there.
+  int (*plain)(lua_State*, LuaMachine&);      ///< May be null.
+};
+
+/// Made once for each binding; it stays where it is.
+const Bound& BoundOf(const Binding& binding, const char* table, std::span<const PlainCall> plain) {
+  // Worlds of several threads share them.
+  static std::mutex mutex;
+  static std::map<std::pair<const Binding*, std::string_view>, Bound> all;
+  const std::lock_guard lock(mutex);
+  const auto found = all.find({&binding, table});
+  if (found != all.end()) return found->second;
+  std::string name = std::string(table) + "." + binding.name;
+  const ApiFunction* entry = FindApiFunction(name);
+  const auto short_way = std::find_if(
+      plain.begin(), plain.end(), [&](const PlainCall& call) { return std::string_view(call.name) == binding.name; });
+  return all
+      .emplace(std::pair{&binding, std::string_view(table)},
+               Bound{&binding, std::move(name), entry ? &ArgumentsOf(*entry) : nullptr,
+                     short_way != plain.end() ? short_way->call : nullptr})
+      .first->second;
+}
+
+int CallChecked(lua_State* state, const Bound& bound) {
+  const Binding& binding = *bound.binding;
   const int count = lua_gettop(state);
   if (count >= binding.min_arguments && count <= binding.max_arguments) {
-    const auto* arguments = static_cast<const std::vector<ApiArgument>*>(lua_touserdata(state, lua_upvalueindex(3)));
-    if (arguments && !CheckArguments(state, *arguments)) return 0;
+    if (bound.arguments && !CheckArguments(state, *bound.arguments)) return 0;
     return binding.function(state);
   }
 
-  const char* name = lua_tostring(state, lua_upvalueindex(2));
+  const char* name = bound.name.c_str();
   const char* text =
       binding.min_arguments == binding.max_arguments
           ? lua_pushfstring(state, "\"%s\" expected %d arguments, encountered %d", name, binding.min_arguments, count)
@@ -40,9 +69,26 @@ int CallBinding(lua_State* state) {
   return 0;
 }
 
+/// Upvalue: the Bound.
+int CallBinding(lua_State* state) {
+  const auto& bound = *static_cast<const Bound*>(lua_touserdata(state, lua_upvalueindex(1)));
+  LuaMachine& machine = LuaMachine::Of(state);
+  machine.Charge(kCallPrice);
+  if (machine.instructions_left() == 0) machine.RaiseOutOfBudget(state);
+  if (bound.plain) {
+    if (const int results = bound.plain(state, machine); results != kNotPlain) return results;
+  }
+  return CallChecked(state, bound);
+}
+
 }  // namespace
 
 void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings) {
+  RegisterTable(state, table, bindings, {});
+}
+
+void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings,
+                   std::span<const PlainCall> plain) {
   lua_getglobal(state, table);
   if (!lua_istable(state, -1)) {
     lua_pop(state, 1);
@@ -53,14 +99,19 @@ void RegisterTable(lua_State* state, const char* table, std::span<const Binding>
     GuardNames(state, table);
   }
   for (const Binding& binding : bindings) {
-    lua_pushlightuserdata(state, const_cast<Binding*>(&binding));
-    const char* name = lua_pushfstring(state, "%s.%s", table, binding.name);
-    const ApiFunction* entry = FindApiFunction(name);
-    lua_pushlightuserdata(state, entry ? const_cast<std::vector<ApiArgument>*>(&ArgumentsOf(*entry)) : nullptr);
-    lua_pushcclosure(state, CallBinding, 3);
+    lua_pushlightuserdata(state, const_cast<Bound*>(&BoundOf(binding, table, plain)));
+    lua_pushcclosure(state, CallBinding, 1);
     lua_setfield(state, -2, binding.name);
   }
   lua_pop(state, 1);
+}
+
+const char* NameOfRunning(lua_State* state) {
+  lua_Debug frame;
+  if (lua_getstack(state, 0, &frame) != 1 || lua_getinfo(state, "f", &frame) == 0) return nullptr;
+  const bool is_binding = lua_tocfunction(state, -1) == CallBinding;
+  lua_pop(state, 1);
+  return is_binding ? static_cast<const Bound*>(lua_touserdata(state, lua_upvalueindex(1)))->name.c_str() : nullptr;
 }
 
 void WarnAtCaller(lua_State* state, std::string message) {

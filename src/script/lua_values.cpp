@@ -7,6 +7,7 @@
 #include "script/argument_check.h"
 #include "script/bind_vector.h"
 #include "script/lua_machine.h"
+#include "script/plain_call.h"
 
 namespace soarbox::script {
 namespace {
@@ -108,8 +109,12 @@ void InstallAgentMethods(lua_State* state) {
 }
 
 void PushVector(lua_State* state, world::Vec3 vector) {
+  PushVector(state, LuaMachine::Of(state), vector);
+}
+
+void PushVector(lua_State* state, const LuaMachine& machine, world::Vec3 vector) {
   new (lua_newuserdata(state, sizeof(VectorValue))) VectorValue{ValueKind::kVector, vector};
-  PushMetatable(state, ValueKind::kVector);
+  lua_rawgeti(state, LUA_REGISTRYINDEX, machine.values.metatables[static_cast<std::size_t>(ValueKind::kVector)]);
   lua_setmetatable(state, -2);
 }
 

@@ -296,7 +296,8 @@ void Minds::Conclude(Mind& mind) {
   if (TellBreakdown(mind, body)) return;
   if (!mind.soar.commands().empty()) {
     const SaidCommand& said = mind.soar.commands().back();
-    mind.last_said = said.name + (said.parameters.empty() ? "" : " " + Describe(said.parameters));
+    mind.last_said = said.name;
+    if (!said.parameters.empty()) mind.last_said.append(" ").append(Describe(said.parameters));
     mind.last_said_s = world_.time_s();
     mind.last_answer.clear();
   }

@@ -256,12 +256,12 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
   world::Agent& body = *world.FindAgent(id);
   Minds::Mind* mind = minds->Find(id);
   // One update per command, as the thesis has it; none in a gap.
-  const std::vector<SaidCommand> commands(mind->soar.commands().begin(), mind->soar.commands().end());
-  for (const SaidCommand& command : commands) {
+  for (std::size_t i = 0; i < mind->soar.commands().size(); ++i) {
+    const SaidCommand command = mind->soar.commands()[i];  // A copy: the script may make agents with minds.
     body.SetLastCommand(command.name);
     ReportCommand(*mind, body, command);
     const bool succeeded = scripts->UpdateAgent(id, command.name, ToTable(command.parameters));
-    mind = minds->Find(id);  // The script may have made agents with minds.
+    mind = minds->Find(id);
     Outcome outcome;
     outcome.tag = command.tag;
     if (!succeeded) {

@@ -108,35 +108,38 @@ void SoarMind::Decide() {
   ReadOutput();
 }
 
+std::vector<SoarMind::Standing>::iterator SoarMind::FindStanding(std::uint64_t tag) {
+  return std::lower_bound(standing_.begin(), standing_.end(), tag,
+                          [](const Standing& standing, std::uint64_t wanted) { return standing.tag < wanted; });
+}
+
 void SoarMind::ReadOutput() {
   commands_.clear();
   withdrawn_.clear();
-  for (auto& [tag, standing] : standing_) standing.seen = false;
+  for (Standing& standing : standing_) standing.seen = false;
   if (sml::Identifier* link = agent_->GetOutputLink()) {
     for (int i = 0; i < link->GetNumberChildren(); ++i) {
       sml::WMElement* child = link->GetChild(i);
       if (child == nullptr || child->GetTimeTag() <= 0) continue;
       const auto tag = static_cast<std::uint64_t>(child->GetTimeTag());
-      const auto [at, is_new] = standing_.try_emplace(tag);
-      at->second.seen = true;
-      at->second.word = child->ConvertToIdentifier();
+      auto at = FindStanding(tag);
+      const bool is_new = !Stands(at, tag);
+      if (is_new) at = standing_.insert(at, Standing{tag});
+      at->seen = true;
+      at->word = child->ConvertToIdentifier();
       if (!is_new) continue;
       SaidCommand& said = commands_.emplace_back();
       said.tag = tag;
       said.name = child->GetAttribute();
-      said.is_object = at->second.word != nullptr;
-      if (said.is_object) said.parameters = ReadBelow(*at->second.word);
+      said.is_object = at->word != nullptr;
+      if (said.is_object) said.parameters = ReadBelow(*at->word);
       if (is_logged_) NoteSaid(said);
     }
   }
-  for (auto at = standing_.begin(); at != standing_.end();) {
-    if (at->second.seen) {
-      ++at;
-      continue;
-    }
-    withdrawn_.push_back(at->first);
-    at = standing_.erase(at);
-  }
+  std::erase_if(standing_, [this](const Standing& standing) {
+    if (!standing.seen) withdrawn_.push_back(standing.tag);
+    return !standing.seen;
+  });
 }
 
 void SoarMind::NoteSaid(const SaidCommand& said) {
@@ -145,8 +148,8 @@ void SoarMind::NoteSaid(const SaidCommand& said) {
 }
 
 void SoarMind::Complete(std::uint64_t tag) {
-  const auto at = standing_.find(tag);
-  if (at != standing_.end() && at->second.word != nullptr) at->second.word->AddStatusComplete();
+  const auto at = FindStanding(tag);
+  if (Stands(at, tag) && at->word != nullptr) at->word->AddStatusComplete();
 }
 
 void SoarMind::NoteOutcome(const std::string& command, const Outcome& outcome) {
@@ -166,16 +169,16 @@ void SoarMind::NoteOutcome(const std::string& command, const Outcome& outcome) {
 }
 
 void SoarMind::Answer(const Outcome& outcome) {
-  const auto at = standing_.find(outcome.tag);
-  if (at == standing_.end() || at->second.word == nullptr) return;
-  sml::Identifier& word = *at->second.word;
+  const auto at = FindStanding(outcome.tag);
+  if (!Stands(at, outcome.tag) || at->word == nullptr) return;
+  sml::Identifier& word = *at->word;
   if (is_logged_) NoteOutcome(word.GetAttribute(), outcome);
   switch (outcome.status) {
     case Outcome::Status::kProgress:
-      if (at->second.progress == nullptr) {
-        at->second.progress = word.CreateFloatWME("progress", static_cast<double>(outcome.progress));
+      if (at->progress == nullptr) {
+        at->progress = word.CreateFloatWME("progress", static_cast<double>(outcome.progress));
       } else {
-        agent_->Update(at->second.progress, static_cast<double>(outcome.progress));
+        agent_->Update(at->progress, static_cast<double>(outcome.progress));
       }
       break;
     case Outcome::Status::kComplete:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -82,10 +81,16 @@ class SoarMind {
 
  private:
   struct Standing {
+    std::uint64_t tag = 0;
     sml::Identifier* word = nullptr;  ///< Valid until the next Decide; null if the command is no identifier.
     sml::FloatElement* progress = nullptr;
     bool seen = false;  ///< Scratch: met in the present reading of the output link.
   };
+  /// The command of that tag, or the next one's place.
+  std::vector<Standing>::iterator FindStanding(std::uint64_t tag);
+  bool Stands(std::vector<Standing>::const_iterator at, std::uint64_t tag) const {
+    return at != standing_.end() && at->tag == tag;
+  }
   void ReadOutput();
   void NoteSaid(const SaidCommand& said);
   void NoteOutcome(const std::string& command, const Outcome& outcome);
@@ -96,7 +101,7 @@ class SoarMind {
   std::string answer_;  ///< The kernel's to the last run.
   std::vector<SaidCommand> commands_;
   std::vector<std::uint64_t> withdrawn_;
-  std::map<std::uint64_t, Standing> standing_;
+  std::vector<Standing> standing_;  ///< By tag; there are few at a time.
   MindLog log_;
   bool is_logged_ = false;
   std::uint32_t own_match_limit_ = 0;  ///< What it was allowed by itself.

@@ -55,9 +55,17 @@ void AgentGrid::Query(std::span<const AgentMotion> agents, Vec3 center, float ra
                       std::vector<std::uint32_t>& found) {
   if (!valid_ || is_stray_.size() != agents.size()) Rebuild(agents);
 
+  // Rounding errs on the side of looking at one agent too many.
+  const float range_squared = range_m * range_m * 1.0001f + 0.001f;
+  const auto is_near = [&](const AgentMotion& agent) {
+    const float x_m = agent.position.x - center.x, z_m = agent.position.z - center.z;
+    return !(x_m * x_m + z_m * z_m > range_squared);
+  };
   const float cells_across = 2 * range_m / kCell_m + 2;
   if (!(cells_across * cells_across < static_cast<float>(agents.size()))) {
-    for (std::uint32_t i = 0; i < agents.size(); ++i) found.push_back(i);
+    for (std::uint32_t i = 0; i < agents.size(); ++i) {
+      if (is_near(agents[i])) found.push_back(i);
+    }
     return;
   }
   const std::int32_t x_last = CellOf(center.x + range_m), z_last = CellOf(center.z + range_m);
@@ -66,7 +74,8 @@ void AgentGrid::Query(std::span<const AgentMotion> agents, Vec3 center, float ra
       const std::uint32_t bucket = Bucket(x, z);
       for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i) {
         const Entry& entry = entries_[i];
-        if (entry.x == x && entry.z == z && !is_stray_[entry.agent]) found.push_back(entry.agent);
+        if (entry.x == x && entry.z == z && !is_stray_[entry.agent] && is_near(agents[entry.agent]))
+          found.push_back(entry.agent);
       }
     }
   }

@@ -91,12 +91,14 @@ void DebugDraw::Circle(Vec3 center, float radius_m, Vec3 color) {
   if (!(radius_m > 0) || !IsFinite(center - reach) || !IsFinite(center + reach) || !IsFinite(color)) return;
   static const std::vector<Vec3> kUnitCircle = MakeUnitCircle();
   const Color opaque = Opaque(color);
+  std::array<LineSnapshot, kCircleSegments> circle;
   Vec3 last = center + Vec3{radius_m, 0, 0};
-  for (const Vec3& corner : kUnitCircle) {
-    const Vec3 next = center + corner * radius_m;
-    lines_.push_back({last, next, opaque});
+  for (std::size_t i = 0; i < circle.size(); ++i) {
+    const Vec3 next = center + kUnitCircle[i] * radius_m;
+    circle[i] = {last, next, opaque};
     last = next;
   }
+  lines_.insert(lines_.end(), circle.begin(), circle.end());
 }
 
 void DebugDraw::Sphere(Vec3 center, float radius_m, Vec3 color, bool filled) {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <lua.hpp>
+#include <span>
+
+#include "script/binding.h"
+#include "script/lua_machine.h"
+#include "script/lua_values.h"
+#include "script/script_context.h"
+
+namespace soarbox::script {
+
+/// A short way through a function that scripts call in every step: does what the function does if each argument is
+/// exactly what it should be, without looking at anything twice; else answers kNotPlain, before anything has happened,
+/// and the function itself sees to the call.
+struct PlainCall {
+  const char* name;
+  int (*call)(lua_State*, LuaMachine&);
+};
+inline constexpr int kNotPlain = -1;
+
+/// As the other RegisterTable, with short ways for some of the functions.
+void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings,
+                   std::span<const PlainCall> plain);
+
+/// The whole name of the function of the API that runs, "Agent.GetPosition"; null if it is no such function.
+const char* NameOfRunning(lua_State* state);
+
+/// PushVector for who knows the state's machine already.
+void PushVector(lua_State* state, const LuaMachine& machine, world::Vec3 vector);
+
+// Arguments: each of these says no to everything that is not exactly so.
+
+/// The agent at `index`; null for everything else.
+inline world::Agent* PlainAgent(lua_State* state, const LuaMachine& machine, int index) {
+  const auto* handle = static_cast<const Handle*>(lua_touserdata(state, index));
+  if (!handle || handle->kind != ValueKind::kAgent) return nullptr;
+  return machine.context()->world.FindAgent(world::EntityId{handle->number});
+}
+
+/// The number at `index`, if there is one.
+inline bool PlainNumber(lua_State* state, int index, double& number) {
+  number = lua_tonumber(state, index);
+  return number != 0 || lua_type(state, index) == LUA_TNUMBER;
+}
+inline bool PlainFloat(lua_State* state, int index, float& number) {
+  double full = 0;
+  if (!PlainNumber(state, index, full)) return false;
+  number = static_cast<float>(full);
+  return true;
+}
+
+/// The call's only argument, if that is an agent.
+inline world::Agent* OnlyAgent(lua_State* state, const LuaMachine& machine) {
+  return lua_gettop(state) == 1 ? PlainAgent(state, machine, 1) : nullptr;
+}
+
+/// The call's two arguments, if they are an agent and a vector.
+inline bool AgentAndVector(lua_State* state, const LuaMachine& machine, world::Agent*& agent, world::Vec3& vector) {
+  if (lua_gettop(state) != 2) return false;
+  agent = PlainAgent(state, machine, 1);
+  const world::Vec3* given = ToVector(state, 2);
+  if (!agent || !given) return false;
+  vector = *given;
+  return true;
+}
+
+}  // namespace soarbox::script
