@@ -6,6 +6,7 @@
 
 #include "app/desk.h"
 #include "debugger/why.h"
+#include "viewer/palette.h"
 #include "world/world.h"
 
 namespace soarbox::app {
@@ -215,7 +216,10 @@ void Desk::FillFutures(viewer::Viewer& viewer) {
     for (const world::AgentSnapshot& agent : old->scene.agents) {
       if (!agent.alive) continue;
       viewer::Ghost ghost;
-      ghost.name = agent.name + " (before)";
+      ghost.name = agent.name + " before";
+      ghost.agent_id = agent.id;
+      ghost.color = agent.team.empty() ? viewer::AgentColor(agent.kind) : viewer::TeamColor(agent.team);
+      ghost.opacity = 0.8f;
       ghost.position = agent.position;
       ghost.forward = agent.forward;
       ghost.radius_m = agent.radius_m;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 #include "app/desk.h"
 #include "app/exit_codes.h"
@@ -119,14 +120,13 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
   viewer.Show(simulation.Snapshot());
   viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
   if (options.camera.empty()) viewer.Do(viewer::ViewerCommand::kFrameAll);
-  // The camera is a moment on its way to where the agents are by now; panels ask for what they need while they are
-  // drawn, and show it in the next frame.
-  using Clock = std::chrono::steady_clock;
-  constexpr auto kOnTheWay = std::chrono::milliseconds(1500);
-  constexpr int kFrames = 6;
-  const Clock::time_point begin = Clock::now();
-  for (int i = 0; i < kFrames || Clock::now() - begin < kOnTheWay; ++i) {
-    if (desk) desk->Serve(viewer, pace);
+  // Panels ask for what they need while they are laid out, and show it a moment later; the scene is drawn at the end.
+  const int frames = desk ? 16 : 3;
+  for (int i = 0; i < frames; ++i) {
+    if (desk) {
+      desk->Serve(viewer, pace);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
     if (!viewer.RenderFrame()) return session.Finish();
   }
   if (const Result<void> saved = viewer.SaveScreenshot(options.screenshot); !saved) return Fail(saved.error());

@@ -71,6 +71,16 @@ void AddScripted(const world::Agent& body, AgentOverlay& out) {
   if (out.path.empty() && out.leader_id == 0 && body.Target() != Vec3{}) out.goal = body.Target();
 }
 
+/// What the thesis' ^distance is measured to: see Minds::Perceive.
+void AddMeasured(const world::World& world, const world::Agent& body, const Minds::Mind& mind, AgentOverlay& out) {
+  const world::Agent* leader = body.Leader() != world::kNoEntity ? world.FindAgent(body.Leader()) : nullptr;
+  if (leader != nullptr) {
+    out.measured = leader->Position();
+  } else if (!mind.follows_leader) {
+    out.measured = body.Target();
+  }
+}
+
 std::string TextOf(const world::Message& message) {
   std::string text = message.about;
   for (const world::Message::Field& field : message.fields) {
@@ -109,6 +119,7 @@ world::OverlaySnapshot TakeOverlays(const Arena& arena, Minds& minds, const worl
     const Minds::Mind* mind = minds.Find(id);
     if (mind != nullptr) out.operator_name = mind->soar.log().Operators();
     if (has_actor) AddActor(**actor, out);
+    if (mind != nullptr && mind->settings.has_distance) AddMeasured(world, body, *mind, out);
     if (!has_actor || (mind != nullptr && mind->is_scripted)) AddScripted(body, out);
   }
   for (const Arena::PastShot& past : arena.shots()) {

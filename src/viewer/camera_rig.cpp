@@ -116,9 +116,24 @@ void CameraRig::Arrive() {
 
 float CameraRig::Reach() const {
   if (mode_ != CameraMode::kFree) return distance_;
-  const Vec3 ahead = Rotate(pose_.orientation, {0, 0, -1});
-  const float reach = ahead.y < -0.02f && pose_.position.y > 0 ? pose_.position.y / -ahead.y : 30;
+  return ReachAlong(Rotate(pose_.orientation, {0, 0, -1}));
+}
+
+float CameraRig::ReachAlong(Vec3 way) const {
+  const float reach = way.y < -0.02f && pose_.position.y > 0 ? pose_.position.y / -way.y : 30;
   return std::clamp(reach, 2.0f, 120.0f);
+}
+
+void CameraRig::Zoom(const CameraInput& input, float nearest_m) {
+  const float before = distance_;
+  distance_ = std::clamp(distance_ * std::pow(0.88f, input.wheel), nearest_m, kFurthest_m);
+  if (input.wheel == 0 || input.towards == Vec3{} || mode_ == CameraMode::kFollow) return;
+  // The point at the height of the pivot that is under the cursor stays there.
+  const Vec3 way = input.towards;
+  const float fall = pose_.position.y - pivot_.y;
+  if (!(way.y < -0.05f) || !(fall > 0)) return;
+  const Vec3 under = pose_.position + way * (fall / -way.y);
+  if (world::Distance(under, pivot_) < 4 * before) pivot_ += (under - pivot_) * (1 - distance_ / before);
 }
 
 bool CameraRig::SetMode(CameraMode mode, const world::AgentSnapshot* agent) {
@@ -215,6 +230,23 @@ void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float
   distance_ = std::clamp(world::Distance(middle, best.position), kNearest_m, kFurthest_m);
 }
 
+void CameraRig::GoTo(Vec3 way) {
+  constexpr float kFurthestClick_m = 400;
+  if (!(way.y < -0.02f) || !(shown_.position.y > 0)) return;
+  const float away = shown_.position.y / -way.y;
+  if (away > kFurthestClick_m || mode_ == CameraMode::kEyes) return;
+  Glide();
+  if (mode_ == CameraMode::kFollow) mode_ = CameraMode::kOrbit;
+  pivot_ = shown_.position + way * away;
+  if (mode_ != CameraMode::kFree) {
+    distance_ = std::clamp(0.6f * distance_, mode_ == CameraMode::kMap ? 25.0f : 6.0f, kFurthest_m);
+    return;
+  }
+  distance_ = std::clamp(0.5f * away, std::min(away, 6.0f), 40.0f);
+  pose_.position = pivot_ - Rotate(pose_.orientation, {0, 0, -1}) * distance_;
+  pose_.position.y = std::max(pose_.position.y, 0.5f);
+}
+
 void CameraRig::Turn(float dx, float dy) {
   pose_.orientation = About({0, 1, 0}, -dx * kRadiansPerPixel) * pose_.orientation;
   const Quat tilted = pose_.orientation * About({1, 0, 0}, -dy * kRadiansPerPixel);
@@ -226,10 +258,10 @@ void CameraRig::Turn(float dx, float dy) {
 void CameraRig::Fly(const CameraInput& input, float seconds) {
   if (input.looking) Turn(input.mouse_dx, input.mouse_dy);
   const Quat q = pose_.orientation;
-  const float reach = Reach();
   if (input.wheel != 0) {
-    const float step = reach * (1 - std::pow(0.88f, input.wheel));
-    pose_.position += Rotate(q, {0, 0, -1}) * step;
+    // What is under the cursor stays there.
+    const Vec3 way = input.towards != Vec3{} ? input.towards : Rotate(q, {0, 0, -1});
+    pose_.position += way * (ReachAlong(way) * (1 - std::pow(0.88f, input.wheel)));
     pose_.position.y = std::max(pose_.position.y, 0.2f);
   }
   const Vec3 wish = world::Normalized(Rotate(q, {-input.left, input.up, -input.forward}));
@@ -244,7 +276,7 @@ void CameraRig::Fly(const CameraInput& input, float seconds) {
 
 void CameraRig::Circle(const CameraInput& input, float seconds, float) {
   if (input.looking) Turn(input.mouse_dx, input.mouse_dy);
-  distance_ = std::clamp(distance_ * std::pow(0.88f, input.wheel), kNearest_m, kFurthest_m);
+  Zoom(input, kNearest_m);
   if (mode_ == CameraMode::kOrbit) {
     const float yaw = YawOf(pose_.orientation);
     const float speed = distance_ * (input.fast ? 3.0f : 0.8f);
@@ -270,7 +302,7 @@ void CameraRig::Look(const CameraInput& input, float seconds, const world::Agent
 }
 
 void CameraRig::Hover(const CameraInput& input, float seconds, float height_px) {
-  distance_ = std::clamp(distance_ * std::pow(0.88f, input.wheel), 5.0f, kFurthest_m);
+  Zoom(input, 5);
   const float metres_per_px = 2 * distance_ * std::tan(pose_.vertical_fov_deg * kPi / 360) / height_px;
   if (input.looking) pivot_ += Vec3{-input.mouse_dx, 0, -input.mouse_dy} * metres_per_px;
   const float speed = distance_ * (input.fast ? 2.0f : 0.5f);

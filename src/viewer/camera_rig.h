@@ -17,6 +17,7 @@ struct CameraInput {
   bool panning = false;              ///< The middle button is held: the mouse drags the picture.
   float mouse_dx = 0, mouse_dy = 0;  ///< px
   float wheel = 0;                   ///< Notches, positive away from the user.
+  world::Vec3 towards = {};          ///< What is under the cursor lies that way; zero: the middle of the picture.
 };
 
 enum class CameraMode : std::uint8_t {
@@ -45,6 +46,10 @@ class CameraRig {
   /// can be. `best_side`: from where they are seen best, else from the side that the camera is on now.
   void Frame(std::span<const world::AgentSnapshot* const> agents, float aspect, bool best_side);
 
+  /// Glides towards the place on the ground that lies that way from the camera, and brings it to the middle of the
+  /// picture; nothing happens above the horizon.
+  void GoTo(world::Vec3 way);
+
   /// Advances by `seconds` of the user's time. `agent`: the one of agent() as it stands now; null if it is gone, which
   /// ends modes that need it. `height_px`: of the picture.
   void Update(const CameraInput& input, float seconds, const world::AgentSnapshot* agent, float height_px);
@@ -63,6 +68,9 @@ class CameraRig {
   void Hover(const CameraInput& input, float seconds, float height_px);
   /// How far the ground or the pivot is along the view: what a step of the wheel or a dragged pixel is measured by.
   float Reach() const;
+  float ReachAlong(world::Vec3 way) const;
+  /// Changes the distance from the pivot.
+  void Zoom(const CameraInput& input, float nearest_m);
 
   CameraMode mode_ = CameraMode::kFree;
   world::CameraSnapshot pose_;   ///< Where the mode wants the camera.

@@ -11,7 +11,7 @@ namespace {
 
 using Tone = std::array<float, 3>;
 
-constexpr int kCells = 4, kCellSize = 256;
+constexpr int kCells = 4;
 
 Tone Mix(const Tone& a, const Tone& b, float t) {
   return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
@@ -82,18 +82,19 @@ float WeaveOf(Cloth cloth) {
 
 }  // namespace
 
-Image ClothImage() {
-  Image image(kCells * kCellSize, kCells * kCellSize);
+Image ClothImage(int cell_size) {
+  Image image(kCells * cell_size, kCells * cell_size);
   for (int cell = 0; cell <= static_cast<int>(Cloth::kDarkHelmet); ++cell) {
     const auto cloth = static_cast<Cloth>(cell);
-    for (int y = 0; y < kCellSize; ++y) {
-      for (int x = 0; x < kCellSize; ++x) {
-        const float u = static_cast<float>(x) / kCellSize, v = static_cast<float>(y) / kCellSize;
+    for (int y = 0; y < cell_size; ++y) {
+      for (int x = 0; x < cell_size; ++x) {
+        const float u = static_cast<float>(x) / static_cast<float>(cell_size),
+                    v = static_cast<float>(y) / static_cast<float>(cell_size);
         const Tone tone = ClothTone(cloth, u, v);
         const float worn = 0.88f + 0.24f * Fractal2(u * 7, v * 7, 4, 31 + static_cast<std::uint32_t>(cell));
         const float thread = 1 + WeaveOf(cloth) * (LatticeValue(x, y, cell, 3) - 0.5f);
         const float shade = worn * thread;
-        image.Set((cell % kCells) * kCellSize + x, (cell / kCells) * kCellSize + y, tone[0] * shade, tone[1] * shade,
+        image.Set((cell % kCells) * cell_size + x, (cell / kCells) * cell_size + y, tone[0] * shade, tone[1] * shade,
                   tone[2] * shade);
       }
     }

@@ -7,7 +7,7 @@
 namespace soarbox::viewer {
 
 /// One picture for all that soldiers wear: sixteen cells, one for each cloth.
-Image ClothImage();
+Image ClothImage(int cell_size);
 
 struct ClothPlace {
   float u, v;

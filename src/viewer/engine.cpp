@@ -206,14 +206,18 @@ void Engine::Resize(int width, int height) {
 }
 
 void Engine::Draw() {
-  root_->_fireFrameStarted();
   if (hidden_) {
-    Ogre::TextureManager::getSingleton().getByName(kPictureTexture, kGroup)->getBuffer()->getRenderTarget()->update();
-  } else {
-    render_window_->update(true);
+    ImGui::Render();
+    return;
   }
+  root_->_fireFrameStarted();
+  render_window_->update(true);
   root_->_fireFrameRenderingQueued();
   root_->_fireFrameEnded();
+}
+
+bool Engine::HasInput(int milliseconds) const {
+  return SDL_WaitEventTimeout(nullptr, milliseconds) != 0;
 }
 
 void Engine::WritePicture(const std::filesystem::path& path) {

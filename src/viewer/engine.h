@@ -43,8 +43,10 @@ class Engine {
   /// be drawn anywhere.
   void SetPicture(int x, int y, int width, int height);
 
-  /// Draws once; for a visible window, onto the screen.
+  /// Draws once, onto the screen. Of a hidden window nobody would see it: only panels are laid out, WritePicture draws.
   void Draw();
+  /// Whether the user has done something that has not been read yet; waits for it up to `milliseconds`.
+  bool HasInput(int milliseconds) const;
 
   /// Draws once into a texture and writes it as a PNG. Throws Ogre::Exception, or std::runtime_error naming the path.
   void WritePicture(const std::filesystem::path& path);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/ghost_view.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "viewer/mesh_library.h"
+#include "viewer/scene_view.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::viewer {
@@ -18,36 +20,61 @@ GhostView::GhostView(Ogre::SceneManager& scene, Materials& materials) : scene_(s
   mesh_ = UploadMesh("Soarbox/Ghost", AgentMesh(kRadius_m, kHeight_m, AgentDetail::kMiddle));
 }
 
-void GhostView::Update(const std::vector<Ghost>& ghosts) {
-  while (figures_.size() < ghosts.size()) {
-    Figure figure;
-    figure.node = scene_.getRootSceneNode()->createChildSceneNode();
-    figure.entity = scene_.createEntity(mesh_);
-    figure.entity->setCastShadows(false);
-    figure.entity->setRenderQueueGroup(Ogre::RENDER_QUEUE_7);
-    figure.node->attachObject(figure.entity);
-    figures_.push_back(std::move(figure));
-  }
-  for (std::size_t i = 0; i < figures_.size(); ++i) {
-    const bool is_shown = i < ghosts.size() && world::IsFinite(ghosts[i].position);
-    figures_[i].node->setVisible(is_shown);
-    if (!is_shown) continue;
-    const Ghost& ghost = ghosts[i];
+GhostView::~GhostView() {
+  // Ogre's scene must not hold what we own when the engine takes it down.
+  for (const auto& [key, batch] : batches_) batch->detachFromParent();
+}
+
+void GhostView::Update(const std::vector<Ghost>& ghosts, const SceneView& bodies) {
+  for (auto& [key, batch] : batches_) batch->Begin();
+  std::size_t plain = 0;
+  for (const Ghost& ghost : ghosts) {
+    if (!world::IsFinite(ghost.position)) continue;
     // Opacities come in steps, so that fading does not make a material per frame.
     const int step = std::clamp(static_cast<int>(std::lround(ghost.opacity * 10)), 1, 10);
     world::Color color = ghost.color;
     color.a = static_cast<float>(step) / 10;
     const Ogre::MaterialPtr& material = materials_.Ghost(color);
-    if (figures_[i].material != material->getName()) {
-      figures_[i].material = material->getName();
-      figures_[i].entity->setMaterial(material);
-    }
     const world::Vec3 ahead = world::Normalized(world::Vec3{ghost.forward.x, 0, ghost.forward.z});
-    figures_[i].node->setPosition(ToOgre(ghost.position));
-    figures_[i].node->setOrientation(
-        Ogre::Quaternion(Ogre::Radian(std::atan2(ahead.x, ahead.z)), Ogre::Vector3::UNIT_Y));
-    figures_[i].node->setScale(ghost.radius_m / kRadius_m, ghost.height_m / kHeight_m, ghost.radius_m / kRadius_m);
+    const float heading = std::atan2(ahead.x, ahead.z);
+    if (const auto figure = bodies.FigureOf(ghost.agent_id)) {
+      std::unique_ptr<BodyBatch>& batch = batches_[{figure->look, material->getName()}];
+      if (!batch) {
+        batch = std::make_unique<BodyBatch>(library_.For(figure->look, BodyDetail::kMiddle));
+        batch->setMaterial(material);
+        batch->setCastShadows(false);
+        batch->setRenderQueueGroup(Ogre::RENDER_QUEUE_7);
+        scene_.getRootSceneNode()->createChildSceneNode()->attachObject(batch.get());
+        batch->Begin();
+      }
+      PosedBody body = *figure->body;
+      body.place.at = {ghost.position - world::Vec3{0, ghost.height_m / 2, 0}, world::Turn({0, 1, 0}, heading)};
+      batch->Add(body, true);
+      continue;
+    }
+    if (plain == figures_.size()) figures_.push_back(MakeFigure());
+    Figure& figure = figures_[plain++];
+    if (figure.material != material->getName()) {
+      figure.material = material->getName();
+      figure.entity->setMaterial(material);
+    }
+    figure.node->setVisible(true);
+    figure.node->setPosition(ToOgre(ghost.position));
+    figure.node->setOrientation(Ogre::Quaternion(Ogre::Radian(heading), Ogre::Vector3::UNIT_Y));
+    figure.node->setScale(ghost.radius_m / kRadius_m, ghost.height_m / kHeight_m, ghost.radius_m / kRadius_m);
   }
+  for (; plain < figures_.size(); ++plain) figures_[plain].node->setVisible(false);
+  for (auto& [key, batch] : batches_) batch->End();
+}
+
+GhostView::Figure GhostView::MakeFigure() {
+  Figure figure;
+  figure.node = scene_.getRootSceneNode()->createChildSceneNode();
+  figure.entity = scene_.createEntity(mesh_);
+  figure.entity->setCastShadows(false);
+  figure.entity->setRenderQueueGroup(Ogre::RENDER_QUEUE_7);
+  figure.node->attachObject(figure.entity);
+  return figure;
 }
 
 }  // namespace soarbox::viewer

@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "viewer/body_batch.h"
 #include "viewer/materials.h"
 #include "viewer/ogre_headers.h"
 
 namespace soarbox::viewer {
 
 struct Ghost;
+class SceneView;
 
 /// Translucent figures beside the truth: where somebody would be, or is believed to be.
 class GhostView {
  public:
   GhostView(Ogre::SceneManager& scene, Materials& materials);
 
-  /// Shows these instead of the ones before.
-  void Update(const std::vector<Ghost>& ghosts);
+  ~GhostView();
+  GhostView(const GhostView&) = delete;
+  GhostView& operator=(const GhostView&) = delete;
+
+  /// Shows these instead of the ones before: as the bodies of their agents are now, or as plain figures.
+  void Update(const std::vector<Ghost>& ghosts, const SceneView& bodies);
 
  private:
   struct Figure {
@@ -26,10 +35,14 @@ class GhostView {
     std::string material;
   };
 
+  Figure MakeFigure();
+
   Ogre::SceneManager& scene_;
   Materials& materials_;
   Ogre::MeshPtr mesh_;
   std::vector<Figure> figures_;
+  BodyLibrary library_;
+  std::map<std::pair<world::BodyLook, std::string>, std::unique_ptr<BodyBatch>> batches_;  ///< By material.
 };
 
 }  // namespace soarbox::viewer

@@ -56,7 +56,8 @@ void InputReader::HandleButton(const SDL_Event& event, FrameInput& input) {
       if (left_down_ && !pressed) {
         const bool far = std::abs(at.x - left_at_.x) > kDrag_px || std::abs(at.y - left_at_.y) > kDrag_px;
         const bool adds = IsHeld(SDL_GetModState(), KMOD_SHIFT | KMOD_CTRL);
-        input.picked.push_back({left_at_, far || is_box_ ? at : left_at_, far || is_box_, adds});
+        const bool is_box = far || is_box_;
+        input.picked.push_back({left_at_, is_box ? at : left_at_, is_box, !is_box && event.button.clicks == 2, adds});
       }
       left_down_ = pressed;
       is_box_ = false;
@@ -155,7 +156,7 @@ FrameInput InputReader::Read(const InputClaims& claims) {
   if (!claims.keys) ReadHeldKeys(input);
   input.camera.looking = looking_;
   input.camera.panning = panning_;
-  if (left_down_ && is_box_) input.box = Picked{left_at_, cursor_, true, false};
+  if (left_down_ && is_box_) input.box = Picked{left_at_, cursor_, true, false, false};
   if (has_cursor_ && !claims.mouse && !looking_ && !panning_ && !is_box_) input.cursor = cursor_;
   return input;
 }

@@ -19,7 +19,8 @@ namespace soarbox::viewer {
 struct Picked {
   ScreenPoint from, to;  ///< Equal for a click; else two opposite corners.
   bool is_box = false;
-  bool adds = false;  ///< Shift or Ctrl was held: it adds to the selection, or takes away from it.
+  bool is_double = false;  ///< The second click of two.
+  bool adds = false;       ///< Shift or Ctrl was held: it adds to the selection, or takes away from it.
 };
 
 /// Everything that the user did since the last frame, sorted by who cares.

@@ -4,25 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
+#include "viewer/draw_colors.h"
 #include "viewer/palette.h"
 
 namespace soarbox::viewer {
 namespace {
 
-constexpr std::size_t kMostLabels = 80;
+using Kind = ShownLabel::Kind;
+
+constexpr std::size_t kMostNames = 48, kMostSpeech = 10, kMostSpared = 48;
 constexpr float kFadeFrom_m = 95, kGone_m = 120;
-constexpr float kTop_px = 30;  // Below the bar at the top.
-constexpr ImU32 kPaper = IM_COL32(12, 17, 24, 188);
-
-ImU32 Packed(world::Color c, float alpha = 1) {
-  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a * alpha});
-}
-
-ImU32 Faded(ImU32 color, float alpha) {
-  const auto opacity = static_cast<ImU32>(static_cast<float>(color >> IM_COL32_A_SHIFT) * alpha);
-  return (color & ~IM_COL32_A_MASK) | (opacity << IM_COL32_A_SHIFT);
-}
+constexpr float kEdge_px = 4, kGap_px = 3;
+constexpr double kSpeechShown_s = 3.5, kSpeechFades_s = 0.6;
+constexpr ImU32 kPaper = IM_COL32(12, 17, 24, 200), kSpeechPaper = IM_COL32(250, 249, 242, 238);
 
 /// From red through amber to green; the length of the bar says the same to those who do not tell them apart.
 world::Color HealthColor(float share) {
@@ -30,117 +26,377 @@ world::Color HealthColor(float share) {
                       : world::Color{0.92f - 1.6f * (share - 0.5f), 0.70f, 0.08f + 0.8f * (share - 0.5f), 1};
 }
 
-std::string NameOf(const world::AgentSnapshot& agent) {
-  return agent.name.empty() ? "agent " + std::to_string(agent.id) : agent.name.substr(0, 40);
+world::Color ColorOf(const world::AgentSnapshot& agent) {
+  return agent.team.empty() ? AgentColor(agent.kind) : TeamColor(agent.team);
+}
+
+/// The first bytes of a text, cut between characters, with a sign that some are missing.
+std::string Shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  std::size_t end = most - 1;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return text.substr(0, end) + "\xe2\x80\xa6";
 }
 
 /// What an agent is about in a word or two.
 std::string StateOf(const world::AgentSnapshot& agent, const world::AgentOverlay* overlay) {
   if (agent.failed) return "stopped by an error";
   if (!agent.alive) return "dead";
-  std::string mind = overlay != nullptr ? overlay->operator_name : std::string();
+  const std::string mind = overlay != nullptr ? Shortened(overlay->operator_name, 24) : std::string();
   const std::string body = overlay != nullptr && !overlay->doing.empty() ? overlay->doing : agent.last_command;
-  if (mind.size() > 24) mind = mind.substr(0, 23) + "\xe2\x80\xa6";
-  if (mind.empty()) return body.substr(0, 30);
+  if (mind.empty()) return Shortened(body, 30);
   if (body.empty() || body == mind) return mind;
-  return mind + " \xc2\xb7 " + body.substr(0, 24);
+  return mind + " \xc2\xb7 " + Shortened(body, 24);
 }
 
-struct Label {
-  const world::AgentSnapshot* agent = nullptr;
-  float rank = 0;  ///< Smaller ones keep their place.
-  bool is_selected = false;
-  std::string name, state;
-  ImVec2 at;  ///< The middle of its lower edge.
-  ImVec2 low, high;
-  float alpha = 1;
-};
-
-ImVec2 TextSize(const ImFont* font, const std::string& text) {
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-}
-
-/// Sizes of a label's parts for the fonts of the window.
+/// Sizes that follow the fonts.
 struct Metrics {
-  ImFont *name, *state;
-  float pad, swatch, bar;
+  ImFont *name, *text;
+  float em, pad, swatch, bar;
 
-  explicit Metrics(const PanelHost& host)
-      : name(host.bold_font()),
-        state(host.panel_font()),
-        pad(name->FontSize * 0.27f),
-        swatch(name->FontSize * 0.30f),
-        bar(std::max(3.0f, name->FontSize * 0.25f)) {}
-
-  void Lay(Label& label) const {
-    const ImVec2 n = TextSize(name, label.name);
-    const ImVec2 s = label.state.empty() ? ImVec2{0, 0} : TextSize(state, label.state);
-    const float width = std::max(n.x, s.x) + 3 * pad + swatch;
-    const float height = n.y + s.y + bar + 2 * pad;
-    label.low = {std::round(label.at.x - width / 2), std::round(label.at.y - height)};
-    label.high = {label.low.x + width, label.low.y + height};
-  }
+  Metrics(ImFont* name_font, ImFont* text_font)
+      : name(name_font),
+        text(text_font),
+        em(name_font->FontSize),
+        pad(em * 0.27f),
+        swatch(em * 0.30f),
+        bar(std::max(3.0f, em * 0.25f)) {}
 };
 
-bool Overlap(const Label& a, const ScreenBox& b) {
-  return a.low.x < b.right + 2 && b.left < a.high.x + 2 && a.low.y < b.bottom + 2 && b.top < a.high.y + 2;
+/// Something to be placed and painted.
+struct Item {
+  Kind kind = Kind::kName;
+  float rank = 0;  ///< Smaller ones choose first.
+  LabelWish wish;
+  const world::AgentSnapshot* agent = nullptr;
+  const Ghost* ghost = nullptr;
+  std::string title, text;
+  bool stands_out = false;  ///< Selected or hovered.
+  float alpha = 1;
+  std::vector<ScreenPoint> speakers;                          ///< Of speech: whose heads its arrows point to.
+  std::map<std::string, std::pair<world::Color, int>> teams;  ///< Of crowds: colour and number by team.
+  LabelPlace place;
+};
+
+std::uint64_t KeyOf(const Item& item) {
+  return (static_cast<std::uint64_t>(item.kind) << 32) | (item.agent != nullptr ? item.agent->id : 0);
 }
 
-/// Finds room for a label beside those that have theirs; false if there is none.
-bool FindRoom(Label& label, const std::vector<ScreenBox>& taken, const Metrics& metrics, float top) {
-  // Above its agent if that can be, else higher, else to the sides; in widths and heights of the label.
-  const ImVec2 kPlaces[] = {{0, 0},         {0, 0.6f},    {0.6f, 0.3f},  {-0.6f, 0.3f}, {0, 1.2f},    {1.1f, -0.4f},
-                            {-1.1f, -0.4f}, {0.7f, 1.2f}, {-0.7f, 1.2f}, {0, 1.8f},     {1.2f, 0.8f}, {-1.2f, 0.8f},
-                            {0, 2.6f},      {1.3f, 1.8f}, {-1.3f, 1.8f}, {0, 3.6f}};
-  const auto covers = [&](const ScreenBox& other) { return Overlap(label, other); };
-  for (const bool is_short : {false, true}) {
-    if (is_short && label.state.empty()) break;
-    if (is_short) label.state.clear();
-    for (const ImVec2 place : kPlaces) {
-      metrics.Lay(label);
-      const ImVec2 size{label.high.x - label.low.x, label.high.y - label.low.y};
-      const float y = std::max(label.low.y - place.y * size.y, top);
-      label.low = {std::round(label.low.x + place.x * size.x), std::round(y)};
-      label.high = {label.low.x + size.x, label.low.y + size.y};
-      if (std::none_of(taken.begin(), taken.end(), covers)) return true;
+/// Collects what wants to be labelled; whatever is out of the picture is left out.
+class Collector {
+ public:
+  Collector(const LabelScene& scene, const world::CameraSnapshot& camera, const Projection& projection,
+            const Metrics& metrics, ImVec2 screen)
+      : scene_(scene), camera_(camera), projection_(projection), metrics_(metrics), screen_(screen) {}
+
+  std::vector<Item> items;
+  std::vector<ScreenBox> bodies;                                         ///< The nearest agents in the picture.
+  std::vector<std::pair<const world::AgentSnapshot*, ScreenPoint>> far;  ///< Too far away for a name.
+
+  void AddNames() {
+    for (const auto& agent : scene_.agents) {
+      if (agent.id == scene_.hidden) continue;
+      const auto at = In(agent.position + world::Vec3{0, agent.height_m / 2 + 0.22f, 0});
+      if (!at) continue;
+      const bool stands_out = StandsOut(agent.id);
+      const float distance = world::Distance(agent.position, camera_.position);
+      // From high above, as on a map, distance says little.
+      const float gone_m = std::max(kGone_m, 2.2f * camera_.position.y), fade_m = gone_m * kFadeFrom_m / kGone_m;
+      if (!(distance < gone_m) && !stands_out) {
+        if (agent.alive) far.emplace_back(&agent, *at);
+        continue;
+      }
+      Item& item = items.emplace_back();
+      item.agent = &agent;
+      item.stands_out = stands_out;
+      item.rank = stands_out ? -1 : distance + (agent.alive ? 0.0f : 1000.0f);
+      item.title = LabelName(agent);
+      item.text = StateOf(agent, OverlayOf(scene_.overlays, agent.id));
+      item.alpha = stands_out ? 1 : std::clamp((gone_m - distance) / (gone_m - fade_m), 0.25f, 1.0f);
+      if (!agent.alive) item.alpha *= 0.6f;
+      item.wish.at = *at;
+      item.wish.must_show = stands_out;
+      const ImVec2 n = SizeOf(metrics_.name, item.title.c_str());
+      const ImVec2 s = item.text.empty() ? ImVec2{0, 0} : SizeOf(metrics_.text, item.text.c_str());
+      const float frame = 3 * metrics_.pad + metrics_.swatch;
+      item.wish.width = std::ceil(std::max(n.x, s.x) + frame);
+      item.wish.height = std::ceil(n.y + s.y + metrics_.bar + 2 * metrics_.pad);
+      if (item.text.empty()) continue;
+      item.wish.short_width = std::ceil(n.x + frame);
+      item.wish.short_height = std::ceil(n.y + metrics_.bar + 2 * metrics_.pad);
     }
   }
-  return label.is_selected;
-}
 
-void Paint(const Label& label, const Metrics& metrics) {
-  ImDrawList& out = *ImGui::GetBackgroundDrawList();
-  const world::AgentSnapshot& agent = *label.agent;
-  const float alpha = label.alpha;
-  // A label that moved away keeps a thread to its agent.
-  const ImVec2 near{std::clamp(label.at.x, label.low.x + 3, label.high.x - 3),
-                    std::clamp(label.at.y, label.low.y + 3, label.high.y)};
-  if (std::abs(near.x - label.at.x) + std::abs(near.y - label.at.y) > 5)
-    out.AddLine(near, label.at, Faded(IM_COL32(255, 255, 255, 170), alpha), 1.2f);
-  const world::Color team = agent.team.empty() ? AgentColor(agent.kind) : TeamColor(agent.team);
-  out.AddRectFilled(label.low, label.high, Faded(kPaper, alpha), 4);
-  out.AddRectFilled(label.low, {label.low.x + metrics.swatch, label.high.y}, Packed(team, alpha), 4,
-                    ImDrawFlags_RoundCornersLeft);
-  if (label.is_selected) out.AddRect(label.low, label.high, Faded(IM_COL32(255, 219, 90, 255), alpha), 4, 0, 1.6f);
-  const float left = label.low.x + metrics.swatch + metrics.pad;
-  float y = label.low.y + metrics.pad * 0.6f;
-  const ImU32 ink = agent.failed ? IM_COL32(255, 150, 132, 255) : IM_COL32(255, 255, 255, 255);
-  out.AddText(metrics.name, metrics.name->FontSize, {left, y}, Faded(ink, alpha), label.name.c_str());
-  y += metrics.name->FontSize;
-  if (!label.state.empty()) {
-    const ImU32 quiet = agent.failed ? ink : IM_COL32(188, 204, 220, 255);
-    out.AddText(metrics.state, metrics.state->FontSize, {left, y}, Faded(quiet, alpha), label.state.c_str());
-    y += metrics.state->FontSize;
+  /// The newest thing that each agent said. Several who say the same beside each other share a bubble.
+  void AddSpeech() {
+    std::unordered_map<std::uint32_t, const world::SpeechSnapshot*> last;
+    for (const world::SpeechSnapshot& speech : scene_.overlays.speech) {
+      if (speech.age_s < kSpeechShown_s) last[speech.from_id] = &speech;
+    }
+    if (last.empty()) return;
+    const std::size_t first = items.size();
+    for (const auto& agent : scene_.agents) {
+      const auto found = last.find(agent.id);
+      if (found == last.end() || agent.id == scene_.hidden) continue;
+      const auto head = In(agent.position + world::Vec3{0, agent.height_m * 0.42f, 0});
+      if (!head) continue;
+      const world::SpeechSnapshot& speech = *found->second;
+      std::string text = Shortened(speech.text, 140);
+      for (const auto& other : scene_.agents) {
+        if (other.id == speech.to_id) text = "to " + LabelName(other) + ": " + text;
+      }
+      const float alpha = static_cast<float>(std::clamp((kSpeechShown_s - speech.age_s) / kSpeechFades_s, 0.0, 1.0));
+      const float rank = StandsOut(agent.id) ? -0.5f : world::Distance(agent.position, camera_.position) + 1;
+      const auto same =
+          std::find_if(items.begin() + static_cast<std::ptrdiff_t>(first), items.end(), [&](const Item& i) {
+            return i.text == text && std::abs(i.wish.at.x - head->x) < 6 * metrics_.em &&
+                   std::abs(i.wish.at.y - head->y) < 5 * metrics_.em;
+          });
+      if (same != items.end()) {
+        same->speakers.push_back(*head);
+        same->alpha = std::max(same->alpha, alpha);
+        same->rank = std::min(same->rank, rank);
+        continue;
+      }
+      Item& item = items.emplace_back();
+      item.kind = Kind::kSpeech;
+      item.agent = &agent;
+      item.rank = rank;
+      item.text = std::move(text);
+      item.alpha = alpha;
+      item.speakers = {*head};
+      item.wish.at = *head;
+      item.wish.habit = LabelHabit::kBeside;
+      const ImVec2 size = SizeOf(metrics_.text, item.text.c_str(), SpeechWrap());
+      const ImVec2 dots = SizeOf(metrics_.text, "\xe2\x80\xa6");
+      const float pad = SpeechPad();
+      item.wish.width = std::ceil(size.x + 2 * pad);
+      item.wish.height = std::ceil(size.y + 2 * pad);
+      item.wish.short_width = std::ceil(dots.x + 2 * pad);
+      item.wish.short_height = std::ceil(dots.y + pad);
+    }
   }
-  if (!agent.alive) return;
-  const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
-  const float top = label.high.y - metrics.pad * 0.7f - metrics.bar, right = label.high.x - metrics.pad;
-  out.AddRectFilled({left, top}, {right, top + metrics.bar}, Faded(IM_COL32(60, 70, 82, 255), alpha), 1);
-  out.AddRectFilled({left, top}, {left + (right - left) * share, top + metrics.bar}, Packed(HealthColor(share), alpha),
-                    1);
+
+  void AddGhosts() {
+    float rank = 0;
+    for (const Ghost& ghost : scene_.ghosts) {
+      if (ghost.name.empty()) continue;
+      const auto head = In(ghost.position + world::Vec3{0, ghost.height_m / 2 + 0.15f, 0});
+      const auto feet = projection_.Project(ghost.position - world::Vec3{0, ghost.height_m / 2, 0});
+      if (!head || !feet) continue;
+      Item& item = items.emplace_back();
+      item.kind = Kind::kGhost;
+      item.ghost = &ghost;
+      item.rank = rank += 0.01f;
+      item.text = Shortened(ghost.name, 60);
+      item.wish.at = *head;
+      item.wish.habit = LabelHabit::kAround;
+      item.wish.below_y = feet->y;
+      const ImVec2 size = SizeOf(metrics_.text, item.text.c_str());
+      item.wish.width = std::ceil(size.x + 8);
+      item.wish.height = std::ceil(size.y + 3);
+    }
+  }
+
+  void AddBodies() {
+    std::vector<std::pair<float, ScreenBox>> found;
+    for (const auto& agent : scene_.agents) {
+      if (!agent.alive || agent.id == scene_.hidden) continue;
+      const auto head = projection_.Project(agent.position + world::Vec3{0, agent.height_m / 2, 0});
+      const auto feet = projection_.Project(agent.position - world::Vec3{0, agent.height_m / 2, 0});
+      if (!head || !feet) continue;
+      const float x = (head->x + feet->x) / 2, half = std::max(2.0f, 0.2f * std::abs(feet->y - head->y));
+      found.emplace_back(world::Distance(agent.position, camera_.position),
+                         ScreenBox{x - half, std::min(head->y, feet->y), x + half, std::max(head->y, feet->y)});
+    }
+    const std::size_t most = std::min(kMostSpared, found.size());
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(most), found.end(),
+                      [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < most; ++i) bodies.push_back(found[i].second);
+  }
+
+  float SpeechWrap() const { return 15 * metrics_.em; }
+  float SpeechPad() const { return metrics_.em * 0.45f; }
+
+ private:
+  std::optional<ScreenPoint> In(world::Vec3 point) const {
+    const auto at = projection_.Project(point);
+    if (!at || at->x < 0 || at->x > screen_.x || at->y < 0 || at->y > screen_.y) return std::nullopt;
+    return at;
+  }
+  bool StandsOut(std::uint32_t id) const {
+    return id == scene_.hovered ||
+           std::find(scene_.selection.begin(), scene_.selection.end(), id) != scene_.selection.end();
+  }
+
+  const LabelScene& scene_;
+  const world::CameraSnapshot& camera_;
+  const Projection& projection_;
+  const Metrics& metrics_;
+  ImVec2 screen_;
+};
+
+/// Paints what has found its place: first the threads and arrows of all, then the labels over them.
+class Painter {
+ public:
+  explicit Painter(const Metrics& metrics) : out_(*ImGui::GetBackgroundDrawList()), metrics_(metrics) {}
+
+  void Thread(const Item& item) {
+    const ScreenBox& box = item.place.box;
+    if (item.kind == Kind::kSpeech) {
+      for (const ScreenPoint head : item.speakers) Arrow(box, {head.x, head.y}, Faded(kSpeechPaper, item.alpha));
+      return;
+    }
+    if (item.kind != Kind::kName) return;
+    // A label that moved away keeps a thread to its agent.
+    const ImVec2 at{item.wish.at.x, item.wish.at.y};
+    const ImVec2 near{std::clamp(at.x, box.left + 3, box.right - 3), std::clamp(at.y, box.top + 3, box.bottom)};
+    if (std::abs(near.x - at.x) + std::abs(near.y - at.y) > 5)
+      out_.AddLine(near, at, Faded(IM_COL32(255, 255, 255, 170), item.alpha), 1.2f);
+  }
+
+  void Label(const Item& item) {
+    switch (item.kind) {
+      case Kind::kName:
+        return Name(item);
+      case Kind::kDot:
+        return Dot(item);
+      case Kind::kCrowd:
+        return Crowd(item);
+      case Kind::kSpeech:
+        return Speech(item);
+      case Kind::kGhost:
+        return GhostName(item);
+    }
+  }
+
+ private:
+  static ImVec2 Low(const ScreenBox& box) { return {box.left, box.top}; }
+  static ImVec2 High(const ScreenBox& box) { return {box.right, box.bottom}; }
+
+  void Arrow(const ScreenBox& box, ImVec2 to, ImU32 ink) {
+    // From the point of the bubble's edge that is nearest.
+    const float x = std::clamp(to.x, box.left + 8, std::max(box.left + 8, box.right - 8));
+    const float y = std::clamp(to.y, box.top + 6, std::max(box.top + 6, box.bottom - 6));
+    const ImVec2 from{x, y};
+    const float dx = to.x - from.x, dy = to.y - from.y, length = std::sqrt(dx * dx + dy * dy);
+    if (length < 1) return;
+    const float half = 5, nx = -dy / length * half, ny = dx / length * half;
+    // It ends beside the head, not in it.
+    const float stop = std::max(0.0f, 1 - 7 / length);
+    out_.AddTriangleFilled({from.x + nx, from.y + ny}, {from.x - nx, from.y - ny},
+                           {from.x + dx * stop, from.y + dy * stop}, ink);
+  }
+
+  void Name(const Item& item) {
+    const world::AgentSnapshot& agent = *item.agent;
+    const ScreenBox& box = item.place.box;
+    const float alpha = item.alpha;
+    out_.AddRectFilled(Low(box), High(box), Faded(kPaper, alpha), 4);
+    out_.AddRectFilled(Low(box), {box.left + metrics_.swatch, box.bottom}, Packed(ColorOf(agent), alpha), 4,
+                       ImDrawFlags_RoundCornersLeft);
+    if (item.stands_out) out_.AddRect(Low(box), High(box), Faded(IM_COL32(255, 219, 90, 255), alpha), 4, 0, 1.6f);
+    const float left = box.left + metrics_.swatch + metrics_.pad;
+    float y = box.top + metrics_.pad * 0.6f;
+    const ImU32 ink = agent.failed ? IM_COL32(255, 150, 132, 255) : IM_COL32(255, 255, 255, 255);
+    out_.AddText(metrics_.name, metrics_.name->FontSize, {left, y}, Faded(ink, alpha), item.title.c_str());
+    y += metrics_.name->FontSize;
+    if (!item.place.is_short && !item.text.empty()) {
+      const ImU32 quiet = agent.failed ? ink : IM_COL32(188, 204, 220, 255);
+      out_.AddText(metrics_.text, metrics_.text->FontSize, {left, y}, Faded(quiet, alpha), item.text.c_str());
+    }
+    if (!agent.alive) return;
+    const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
+    const float top = box.bottom - metrics_.pad * 0.7f - metrics_.bar, right = box.right - metrics_.pad;
+    out_.AddRectFilled({left, top}, {right, top + metrics_.bar}, Faded(IM_COL32(60, 70, 82, 255), alpha), 1);
+    out_.AddRectFilled({left, top}, {left + (right - left) * share, top + metrics_.bar},
+                       Packed(HealthColor(share), alpha), 1);
+  }
+
+  void Dot(const Item& item) {
+    const ScreenBox& box = item.place.box;
+    const ImVec2 middle{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+    out_.AddCircleFilled(middle, box.width() / 2, Faded(kPaper, item.alpha), 12);
+    out_.AddCircleFilled(middle, box.width() / 2 - 1.5f, Packed(ColorOf(*item.agent), item.alpha), 12);
+  }
+
+  void Crowd(const Item& item) {
+    const ScreenBox& box = item.place.box;
+    out_.AddRectFilled(Low(box), High(box), kPaper, box.height() / 2);
+    float x = box.left + 2 * metrics_.pad;
+    for (const auto& [team, entry] : item.teams) {
+      const float r = metrics_.em * 0.24f;
+      out_.AddCircleFilled({x + r, (box.top + box.bottom) / 2}, r, Packed(entry.first), 12);
+      x += 2 * r + metrics_.pad * 0.7f;
+      const std::string number = std::to_string(entry.second);
+      out_.AddText(metrics_.text, metrics_.text->FontSize, {x, box.top + 1}, IM_COL32(236, 241, 246, 255),
+                   number.c_str());
+      x += SizeOf(metrics_.text, number.c_str()).x + 1.5f * metrics_.pad;
+    }
+  }
+
+  void Speech(const Item& item) {
+    const ScreenBox& box = item.place.box;
+    const float pad = metrics_.em * 0.45f;
+    out_.AddRectFilled(Low(box), High(box), Faded(kSpeechPaper, item.alpha), 7);
+    const ImU32 ink = Faded(IM_COL32(24, 30, 38, 255), item.alpha);
+    const float size = metrics_.text->FontSize;
+    if (item.place.is_short)
+      out_.AddText(metrics_.text, size, {box.left + pad, box.top + pad * 0.3f}, ink, "\xe2\x80\xa6");
+    else
+      out_.AddText(metrics_.text, size, {box.left + pad, box.top + pad}, ink, item.text.c_str(), nullptr,
+                   15 * metrics_.em);
+  }
+
+  void GhostName(const Item& item) {
+    const ScreenBox& box = item.place.box;
+    out_.AddRectFilled(Low(box), High(box), IM_COL32(12, 17, 24, 170), 3);
+    world::Color ink = item.ghost->color;
+    for (float* channel : {&ink.r, &ink.g, &ink.b}) *channel = 0.55f + 0.45f * *channel;
+    ink.a = std::clamp(0.6f + item.ghost->opacity, 0.0f, 1.0f);
+    out_.AddText(metrics_.text, metrics_.text->FontSize, {box.left + 4, box.top + 1}, Packed(ink), item.text.c_str());
+  }
+
+  ImDrawList& out_;
+  const Metrics& metrics_;
+};
+
+/// Dots for those without a name, numbers where dots would crowd.
+std::vector<Item> LessThanNames(const std::vector<std::pair<const world::AgentSnapshot*, ScreenPoint>>& agents,
+                                const Metrics& metrics) {
+  std::vector<ScreenPoint> points;
+  points.reserve(agents.size());
+  for (const auto& [agent, at] : agents) points.push_back(at);
+  std::vector<Item> items;
+  for (const LabelCrowd& crowd : GatherCrowds(points, 4.5f * metrics.em)) {
+    Item& item = items.emplace_back();
+    item.wish.at = crowd.at;
+    if (crowd.members.size() == 1) {
+      item.kind = Kind::kDot;
+      item.agent = agents[crowd.members.front()].first;
+      item.wish.width = item.wish.height = std::round(metrics.em * 0.7f);
+      continue;
+    }
+    item.kind = Kind::kCrowd;
+    float width = 2.5f * metrics.pad;
+    for (const std::size_t member : crowd.members) {
+      auto& team = item.teams[agents[member].first->team];
+      team.first = ColorOf(*agents[member].first);
+      ++team.second;
+    }
+    for (const auto& [name, team] : item.teams)
+      width += metrics.em * 0.48f + 2.2f * metrics.pad + SizeOf(metrics.text, std::to_string(team.second).c_str()).x;
+    item.wish.width = std::ceil(width);
+    item.wish.height = std::ceil(metrics.text->FontSize + 2);
+  }
+  return items;
 }
 
 }  // namespace
+
+std::string LabelName(const world::AgentSnapshot& agent) {
+  return agent.name.empty() ? "agent " + std::to_string(agent.id) : Shortened(agent.name, 40);
+}
 
 const world::AgentOverlay* OverlayOf(const world::OverlaySnapshot& overlays, std::uint32_t agent_id) {
   const auto at = std::lower_bound(overlays.agents.begin(), overlays.agents.end(), agent_id,
@@ -148,185 +404,64 @@ const world::AgentOverlay* OverlayOf(const world::OverlaySnapshot& overlays, std
   return at != overlays.agents.end() && at->id == agent_id ? &*at : nullptr;
 }
 
-void DrawAgentLabels(const PanelHost& host, const LabelScene& scene, const world::CameraSnapshot& camera,
-                     const Projection& projection, std::vector<ScreenBox>& taken) {
-  const Metrics metrics(host);
+void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& scene,
+                       const world::CameraSnapshot& camera, const Projection& projection) {
+  shown_.clear();
+  const Metrics metrics(name_font, text_font);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  std::vector<Label> candidates;
-  for (const auto& agent : scene.agents) {
-    if (agent.id == scene.hidden) continue;
-    const bool is_selected =
-        std::find(scene.selection.begin(), scene.selection.end(), agent.id) != scene.selection.end();
-    const bool stands_out = is_selected || agent.id == scene.hovered;
-    const float distance = world::Distance(agent.position, camera.position);
-    // From high above, as on a map, distance says little.
-    const float gone_m = std::max(kGone_m, 2.2f * camera.position.y), fade_m = gone_m * kFadeFrom_m / kGone_m;
-    if (!(distance < gone_m) && !stands_out) continue;
-    const auto at = projection.Project(agent.position + world::Vec3{0, agent.height_m / 2 + 0.22f, 0});
-    if (!at || at->x < -20 || at->x > screen.x + 20 || at->y < 0 || at->y > screen.y + 40) continue;
-    Label label;
-    label.agent = &agent;
-    label.is_selected = stands_out;
-    label.rank = stands_out ? 0 : distance + (agent.alive ? 0 : 1000);
-    label.name = NameOf(agent);
-    label.state = StateOf(agent, OverlayOf(scene.overlays, agent.id));
-    label.at = {at->x, at->y};
-    label.alpha = stands_out ? 1 : std::clamp((gone_m - distance) / (gone_m - fade_m), 0.0f, 1.0f);
-    if (!agent.alive) label.alpha *= 0.6f;
-    candidates.push_back(std::move(label));
+  Collector found(scene, camera, projection, metrics, screen);
+  if (scene.names) found.AddNames();
+  if (scene.speech) found.AddSpeech();
+  found.AddGhosts();
+  if (found.items.empty() && found.far.empty()) return;
+  found.AddBodies();
+  for (Item& item : found.items) {
+    const auto before = places_.find(KeyOf(item));
+    if (before == places_.end() || item.ghost != nullptr) continue;
+    item.wish.usual_place = before->second;
+    if (item.rank > 0) item.rank *= 0.9f;  // Who has a place keeps it unless another one is clearly nearer.
   }
-  // Near ones first. Equal distances keep the agents' order.
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Label& a, const Label& b) { return a.rank < b.rank; });
-  std::vector<Label> shown;
-  for (Label& label : candidates) {
-    if (shown.size() == kMostLabels) break;
-    if (!FindRoom(label, taken, metrics, kTop_px)) continue;
-    taken.push_back({label.low.x, label.low.y, label.high.x, label.high.y});
-    shown.push_back(std::move(label));
-  }
-  for (auto label = shown.rbegin(); label != shown.rend(); ++label) Paint(*label, metrics);
-}
+  // Equal ranks keep the agents' order.
+  std::stable_sort(found.items.begin(), found.items.end(),
+                   [](const Item& a, const Item& b) { return a.rank < b.rank; });
 
-void DrawSpeech(const PanelHost& host, const LabelScene& scene, const Projection& projection,
-                std::vector<ScreenBox>& taken) {
-  constexpr double kShown_s = 3.5, kFades_s = 0.6;
-  constexpr float kWidest_px = 230;
-  ImDrawList& out = *ImGui::GetBackgroundDrawList();
-  ImFont* font = host.panel_font();
-  const float pad = font->FontSize * 0.45f;
-  // The newest thing that each agent said.
-  std::unordered_map<std::uint32_t, const world::SpeechSnapshot*> last;
-  for (const world::SpeechSnapshot& speech : scene.overlays.speech) {
-    if (speech.age_s < kShown_s) last[speech.from_id] = &speech;
-  }
-  for (const auto& agent : scene.agents) {
-    const auto found = last.find(agent.id);
-    if (found == last.end() || agent.id == scene.hidden) continue;
-    const auto head = projection.Project(agent.position + world::Vec3{0, agent.height_m * 0.42f, 0});
-    if (!head) continue;
-    const world::SpeechSnapshot& speech = *found->second;
-    std::string text = speech.text.substr(0, 160);
-    for (const auto& other : scene.agents) {
-      if (other.id == speech.to_id) text = "to " + other.name + ": " + text;
+  LabelLayout layout({kEdge_px, scene.top_px + kEdge_px, screen.x - kEdge_px, screen.y - kEdge_px}, kGap_px);
+  for (const ScreenBox& box : scene.blocked) layout.Block(box);
+  for (const ScreenBox& box : found.bodies) layout.Spare(box);
+  std::vector<Item> shown;
+  std::size_t names = 0, bubbles = 0;
+  const auto place = [&](Item& item) {
+    const auto at = layout.Place(item.wish);
+    if (!at) return false;
+    item.place = *at;
+    shown.push_back(std::move(item));
+    return true;
+  };
+  for (Item& item : found.items) {
+    const world::AgentSnapshot* agent = item.agent;
+    const ScreenPoint at = item.wish.at;
+    if (item.kind == Kind::kSpeech) {
+      if (bubbles < kMostSpeech && place(item)) ++bubbles;
+    } else if (item.kind == Kind::kName) {
+      if ((names < kMostNames || item.stands_out) && place(item))
+        ++names;
+      else if (agent->alive)
+        found.far.emplace_back(agent, at);
+    } else {
+      place(item);
     }
-    const float alpha = static_cast<float>(std::clamp((kShown_s - speech.age_s) / kFades_s, 0.0, 1.0));
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, kWidest_px, text.c_str());
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    // To the right of the head, or to the left where there is no room; below bubbles that are there already.
-    bool is_left = head->x + 24 + size.x + 2 * pad > screen.x;
-    ScreenBox box;
-    box.left = is_left ? head->x - 24 - size.x - 2 * pad : head->x + 24;
-    box.top = std::max(kTop_px, head->y - size.y / 2 - pad - 6);
-    for (const ScreenBox& other : taken) {
-      const bool meets = box.left < other.right && other.left < box.left + size.x + 2 * pad &&
-                         box.top < other.bottom + 3 && other.top < box.top + size.y + 2 * pad + 3;
-      if (meets) box.top = other.bottom + 4;
-    }
-    box.right = box.left + size.x + 2 * pad;
-    box.bottom = box.top + size.y + 2 * pad;
-    taken.push_back(box);
-    const ImU32 paper = Faded(IM_COL32(250, 249, 242, 238), alpha);
-    const float x = is_left ? box.right : box.left, y = std::clamp(head->y, box.top + 6, box.bottom - 6);
-    out.AddTriangleFilled({x, y - 5}, {x, y + 5}, {head->x + (is_left ? -7.0f : 7.0f), head->y}, paper);
-    out.AddRectFilled({box.left, box.top}, {box.right, box.bottom}, paper, 7);
-    out.AddText(font, font->FontSize, {box.left + pad, box.top + pad}, Faded(IM_COL32(24, 30, 38, 255), alpha),
-                text.c_str(), nullptr, kWidest_px);
   }
-}
+  for (Item& item : LessThanNames(found.far, metrics)) place(item);
 
-void DrawGhostLabels(const PanelHost& host, const std::vector<Ghost>& ghosts, const Projection& projection,
-                     const std::vector<ScreenBox>& taken) {
-  ImDrawList& out = *ImGui::GetBackgroundDrawList();
-  ImFont* font = host.panel_font();
-  std::vector<ScreenBox> occupied = taken;
-  for (const Ghost& ghost : ghosts) {
-    if (ghost.name.empty()) continue;
-    const auto head = projection.Project(ghost.position + world::Vec3{0, ghost.height_m / 2 + 0.15f, 0});
-    const auto feet = projection.Project(ghost.position - world::Vec3{0, ghost.height_m / 2, 0});
-    if (!head || !feet) continue;
-    const ImVec2 size = TextSize(font, ghost.name);
-    ScreenBox box;
-    box.left = std::round(head->x - size.x / 2) - 4;
-    box.right = box.left + size.x + 8;
-    const auto place = [&](float top) {
-      box.top = std::round(top);
-      box.bottom = box.top + size.y + 2;
-      return std::none_of(occupied.begin(), occupied.end(), [&](const ScreenBox& other) {
-        return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
-      });
-    };
-    // Above the figure, else below its feet, else further down.
-    const float line = size.y + 4;
-    if (!place(head->y - line) && !place(feet->y + 3) && !place(feet->y + 3 + line) && !place(feet->y + 3 + 2 * line) &&
-        !place(head->y - 2 * line))
-      continue;
-    occupied.push_back(box);
-    out.AddRectFilled({box.left, box.top}, {box.right, box.bottom}, IM_COL32(12, 17, 24, 150), 3);
-    world::Color ink = ghost.color;
-    for (float* channel : {&ink.r, &ink.g, &ink.b}) *channel = 0.45f + 0.55f * *channel;
-    ink.a = std::clamp(0.5f + ghost.opacity, 0.0f, 1.0f);
-    out.AddText(font, font->FontSize, {box.left + 4, box.top + 1}, Packed(ink), ghost.name.c_str());
+  places_.clear();
+  Painter painter(metrics);
+  for (auto item = shown.rbegin(); item != shown.rend(); ++item) painter.Thread(*item);
+  for (auto item = shown.rbegin(); item != shown.rend(); ++item) {
+    painter.Label(*item);
+    if (item->place.place >= 0 && item->agent != nullptr) places_[KeyOf(*item)] = item->place.place;
+    const bool is_one = item->agent != nullptr && item->speakers.size() < 2;
+    shown_.push_back({item->kind, is_one ? item->agent->id : 0, item->place.box, item->place.is_short});
   }
-}
-
-void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays,
-                 ScreenPoint cursor) {
-  const world::AgentOverlay* overlay = OverlayOf(overlays, agent.id);
-  char text[64];
-  std::vector<std::pair<const char*, std::string>> rows{{"kind", agent.kind}, {"team", agent.team}};
-  if (overlay != nullptr && !overlay->operator_name.empty()) rows.emplace_back("operator", overlay->operator_name);
-  if (!agent.last_command.empty()) rows.emplace_back("command", agent.last_command);
-  std::snprintf(text, sizeof text, "%.0f", static_cast<double>(std::max(agent.health, 0.0f)));
-  rows.emplace_back("health", agent.alive ? text : "dead");
-  std::snprintf(text, sizeof text, "%.1f m/s",
-                static_cast<double>(world::Length(world::Vec3{agent.velocity.x, 0, agent.velocity.z})));
-  rows.emplace_back("speed", text);
-  if (agent.failed) rows.emplace_back("state", "stopped by an error");
-  std::erase_if(rows, [](const auto& row) { return row.second.empty(); });
-
-  ImFont *bold = host.bold_font(), *plain = host.panel_font();
-  const float line = plain->FontSize * 1.2f, pad = plain->FontSize * 0.6f;
-  float labels = 0, values = 0;
-  for (const auto& [label, value] : rows) {
-    labels = std::max(labels, TextSize(plain, label).x);
-    values = std::max(values, TextSize(plain, value).x);
-  }
-  const std::string name = NameOf(agent);
-  const float width = std::max(TextSize(bold, name).x, labels + pad + values) + 2 * pad;
-  const float height = line * static_cast<float>(rows.size() + 1) + 2 * pad;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 low{std::clamp(cursor.x + 16, 4.0f, std::max(4.0f, screen.x - width - 4)),
-                   std::clamp(cursor.y + 18, 4.0f, std::max(4.0f, screen.y - height - 4))};
-  ImDrawList& out = *ImGui::GetForegroundDrawList();
-  out.AddRectFilled(low, {low.x + width, low.y + height}, IM_COL32(12, 17, 24, 236), 5);
-  out.AddRect(low, {low.x + width, low.y + height}, IM_COL32(255, 255, 255, 40), 5);
-  float y = low.y + pad;
-  out.AddText(bold, bold->FontSize, {low.x + pad, y}, IM_COL32(255, 255, 255, 255), name.c_str());
-  for (const auto& [label, value] : rows) {
-    y += line;
-    out.AddText(plain, plain->FontSize, {low.x + pad, y}, IM_COL32(152, 166, 180, 255), label);
-    out.AddText(plain, plain->FontSize, {low.x + 2 * pad + labels, y}, IM_COL32(236, 241, 246, 255), value.c_str());
-  }
-}
-
-void DrawSelectionBox(ScreenPoint from, ScreenPoint to) {
-  ImDrawList& out = *ImGui::GetForegroundDrawList();
-  const ImVec2 low{std::min(from.x, to.x), std::min(from.y, to.y)},
-      high{std::max(from.x, to.x), std::max(from.y, to.y)};
-  out.AddRectFilled(low, high, IM_COL32(255, 219, 90, 36));
-  out.AddRect(low, high, IM_COL32(255, 219, 90, 220), 0, 0, 1.4f);
-}
-
-void DrawNotice(const PanelHost& host, const std::string& text, float opacity) {
-  ImDrawList& out = *ImGui::GetForegroundDrawList();
-  ImFont* font = host.panel_font();
-  const ImVec2 size = TextSize(font, text), screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 low{std::round((screen.x - size.x) / 2), std::round(screen.y * 0.86f)};
-  const float pad = font->FontSize * 0.6f;
-  out.AddRectFilled({low.x - pad, low.y - pad * 0.7f}, {low.x + size.x + pad, low.y + size.y + pad * 0.7f},
-                    Faded(IM_COL32(12, 17, 24, 225), opacity), 6);
-  out.AddText(font, font->FontSize, low, Faded(IM_COL32(255, 236, 190, 255), opacity), text.c_str());
 }
 
 }  // namespace soarbox::viewer

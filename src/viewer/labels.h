@@ -2,14 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
-#include "viewer/panel_host.h"
+#include "viewer/label_layout.h"
 #include "viewer/picking.h"
 #include "viewer/viewer.h"
 #include "world/overlay_snapshot.h"
+
+struct ImFont;
 
 namespace soarbox::viewer {
 
@@ -20,38 +23,48 @@ struct LabelScene {
   const std::vector<std::uint32_t>& selection;
   std::uint32_t hovered = 0;
   std::uint32_t hidden = 0;  ///< The agent whose eyes the camera looks out of.
+  std::span<const Ghost> ghosts = {};
+  bool names = true, speech = true;         ///< Which of them are on.
+  float top_px = 0;                         ///< A bar over the picture ends here.
+  std::span<const ScreenBox> blocked = {};  ///< Where something else stands in the picture.
 };
 
-/// A part of the picture that is taken; in px.
-struct ScreenBox {
-  float left = 0, top = 0, right = 0, bottom = 0;
+/// Something that the labels of a frame say, and where.
+struct ShownLabel {
+  enum class Kind : std::uint8_t {
+    kName,    ///< Team, name, state and health.
+    kDot,     ///< An agent without room for its name.
+    kCrowd,   ///< How many of each team stand where there is no room for names.
+    kSpeech,  ///< What one or several say.
+    kGhost,   ///< The name of a figure that is not there.
+  };
+  Kind kind = Kind::kName;
+  std::uint32_t agent_id = 0;  ///< 0: several, or none.
+  ScreenBox box;
+  bool is_short = false;
 };
 
-/// Puts name, state and health above each agent and keeps them apart: a label that would cover a nearer one moves up a
-/// little, and loses its second line or goes if that does not help. Selected ones always stay. They keep out of
-/// `taken` and add themselves to it.
-void DrawAgentLabels(const PanelHost& host, const LabelScene& scene, const world::CameraSnapshot& camera,
-                     const Projection& projection, std::vector<ScreenBox>& taken);
+/// Names above agents and bubbles for what they say. No two cover each other, and none is cut by the picture's edge:
+/// the selected and the nearest come first; who finds no room is shortened, then becomes a dot, then a number in a
+/// crowd. Where a label stood in the frame before is where it likes to stay.
+class AgentLabels {
+ public:
+  /// Draws them behind the panels of ImGui's present frame, into a picture of ImGui's display size.
+  void Draw(ImFont* name_font, ImFont* text_font, const LabelScene& scene, const world::CameraSnapshot& camera,
+            const Projection& projection);
 
-/// What agents say, in bubbles beside their heads; adds these to `taken`.
-void DrawSpeech(const PanelHost& host, const LabelScene& scene, const Projection& projection,
-                std::vector<ScreenBox>& taken);
+  /// What the last Draw drew.
+  const std::vector<ShownLabel>& shown() const { return shown_; }
 
-/// The names of figures that are not there, clear of what is taken.
-void DrawGhostLabels(const PanelHost& host, const std::vector<Ghost>& ghosts, const Projection& projection,
-                     const std::vector<ScreenBox>& taken);
-
-/// What there is to say about the agent under the cursor.
-void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays,
-                 ScreenPoint cursor);
-
-/// The box that the user draws to select what is in it.
-void DrawSelectionBox(ScreenPoint from, ScreenPoint to);
-
-/// A remark in the lower middle of the picture; opacity 0..1.
-void DrawNotice(const PanelHost& host, const std::string& text, float opacity);
+ private:
+  std::vector<ShownLabel> shown_;
+  std::unordered_map<std::uint64_t, int> places_;  ///< By kind and agent: where it stood.
+};
 
 /// The overlay of an agent; null if there is none.
 const world::AgentOverlay* OverlayOf(const world::OverlaySnapshot& overlays, std::uint32_t agent_id);
+
+/// Its name, of a length that labels can show.
+std::string LabelName(const world::AgentSnapshot& agent);
 
 }  // namespace soarbox::viewer

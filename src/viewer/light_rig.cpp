@@ -7,7 +7,7 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr std::uint16_t kShadowMapSize = 2048;
+constexpr std::uint16_t kShadowMapSize = 2048, kShadowMapSizeLow = 1024;
 constexpr std::size_t kFurtherLights = 4;
 
 /// Half the width of what each shadow map covers when the camera is near the ground, in m.
@@ -68,7 +68,7 @@ LightRig::LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre
     : values_(shaders.scene_values()) {
   scene.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
   scene.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 2);
-  const std::uint16_t map_size = kShadowMapSize;
+  const std::uint16_t map_size = low_detail ? kShadowMapSizeLow : kShadowMapSize;
   scene.setShadowTextureSettings(map_size, 2, Ogre::PF_DEPTH32);
   if (low_detail) scene.setShadowTextureConfig(1, 64, 64, Ogre::PF_DEPTH32);
   scene.setShadowTextureSelfShadow(true);

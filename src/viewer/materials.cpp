@@ -37,30 +37,6 @@ Ogre::Vector4 MeanLight(const Image& image, int first_row, int end_row) {
           0};
 }
 
-const char* PaintTexture(Look::Paint paint) {
-  switch (paint) {
-    case Look::Paint::kGround:
-      return "Soarbox/Grain";
-    case Look::Paint::kConcrete:
-      return "Soarbox/ConcretePicture";
-    case Look::Paint::kBrick:
-      return "Soarbox/BrickPicture";
-    case Look::Paint::kCrate:
-      return "Soarbox/CratePicture";
-    case Look::Paint::kCloth:
-      return "Soarbox/ClothPicture";
-    case Look::Paint::kLeaves:
-      return "Soarbox/LeafPicture";
-    case Look::Paint::kStone:
-      return "Soarbox/StonePicture";
-    case Look::Paint::kMissing:
-      return "Soarbox/Checker";
-    case Look::Paint::kPlain:
-      break;
-  }
-  return "Soarbox/WhitePicture";
-}
-
 Ogre::TexturePtr MakeTexture(const char* name, const Image& image) {
   auto texture = Ogre::TextureManager::getSingleton().createManual(
       name, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(image.width), static_cast<unsigned>(image.height),
@@ -93,16 +69,34 @@ void AddShadowMap(Ogre::Pass& pass) {
 
 }  // namespace
 
-Materials::Materials(const Shaders& shaders) : shaders_(shaders) {
-  MakeTexture("Soarbox/WhitePicture", WhiteImage());
-  MakeTexture("Soarbox/Checker", CheckerImage());
-  MakeTexture("Soarbox/Grain", GrainImage());
-  MakeTexture("Soarbox/ConcretePicture", ConcreteImage());
-  MakeTexture("Soarbox/BrickPicture", BrickImage());
-  MakeTexture("Soarbox/CratePicture", CrateImage());
-  MakeTexture("Soarbox/ClothPicture", ClothImage());
-  MakeTexture("Soarbox/LeafPicture", LeafImage());
-  MakeTexture("Soarbox/StonePicture", StoneImage());
+Materials::Materials(const Shaders& shaders, bool low_detail) : shaders_(shaders), low_detail_(low_detail) {}
+
+const char* Materials::PaintTexture(Look::Paint paint) {
+  const auto once = [](const char* name, const auto& picture) {
+    if (!Ogre::TextureManager::getSingleton().resourceExists(name, kGroup)) MakeTexture(name, picture());
+    return name;
+  };
+  switch (paint) {
+    case Look::Paint::kGround:
+      return once("Soarbox/Grain", GrainImage);
+    case Look::Paint::kConcrete:
+      return once("Soarbox/ConcretePicture", ConcreteImage);
+    case Look::Paint::kBrick:
+      return once("Soarbox/BrickPicture", BrickImage);
+    case Look::Paint::kCrate:
+      return once("Soarbox/CratePicture", CrateImage);
+    case Look::Paint::kCloth:
+      return once("Soarbox/ClothPicture", [this] { return ClothImage(low_detail_ ? 128 : 256); });
+    case Look::Paint::kLeaves:
+      return once("Soarbox/LeafPicture", LeafImage);
+    case Look::Paint::kStone:
+      return once("Soarbox/StonePicture", StoneImage);
+    case Look::Paint::kMissing:
+      return once("Soarbox/Checker", CheckerImage);
+    case Look::Paint::kPlain:
+      break;
+  }
+  return once("Soarbox/WhitePicture", WhiteImage);
 }
 
 Materials::Found Materials::Make(const std::string& name, const Look& look) {
@@ -169,7 +163,7 @@ void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
   auto& textures = Ogre::TextureManager::getSingleton();
   Ogre::TexturePtr texture = textures.getByName(kSkyTexture, kGroup);
   if (!texture) {
-    constexpr unsigned size = kSkyFaceSize;
+    const auto size = static_cast<unsigned>(sky_face_size());
     texture = textures.createManual(kSkyTexture, kGroup, Ogre::TEX_TYPE_CUBE_MAP, size, size, Ogre::MIP_UNLIMITED,
                                     Ogre::PF_BYTE_RGBA, Ogre::TU_AUTOMIPMAP);
   }

@@ -16,7 +16,8 @@ namespace soarbox::viewer {
 /// Materials by the names that scripts use, and the textures behind them, all made here and shared.
 class Materials {
  public:
-  explicit Materials(const Shaders& shaders);
+  /// Pictures are made when something first wears them; in low detail smaller ones.
+  Materials(const Shaders& shaders, bool low_detail);
 
   struct Found {
     Ogre::MaterialPtr material;
@@ -32,7 +33,7 @@ class Materials {
   const Found& Soldier(const std::string& team);
 
   /// Replaces the picture of the sky, which surfaces mirror too. Faces of other sizes are scaled.
-  static constexpr int kSkyFaceSize = 640;
+  int sky_face_size() const { return low_detail_ ? 256 : 640; }
   void SetSkyPicture(const std::array<Image, 6>& faces);
   Ogre::MaterialPtr SkyMaterial();
 
@@ -53,8 +54,11 @@ class Materials {
 
  private:
   Found Make(const std::string& name, const Look& look);
+  /// The name of the texture, which is there now.
+  const char* PaintTexture(Look::Paint paint);
 
   const Shaders& shaders_;
+  bool low_detail_;
   std::unordered_map<std::string, Found> materials_;
 };
 

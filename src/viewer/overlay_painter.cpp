@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 
 #include "viewer/interpolate.h"
@@ -20,6 +21,7 @@ using world::Vec3;
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kTrailStep_m = 0.3f;
 constexpr std::size_t kMostTrailPoints = 160;
+constexpr int kMostPushesShown = 12;  ///< Of one body; all of them count in the sum.
 constexpr double kTracer_s = 0.7, kHitMark_s = 1.8;
 constexpr Color kSight{1.0f, 0.93f, 0.55f, 1}, kHearing{0.55f, 0.85f, 1.0f, 1}, kVelocity{0.35f, 0.90f, 1.0f, 1},
     kForce{1.0f, 0.45f, 0.85f, 1}, kTracer{1.0f, 0.85f, 0.35f, 1}, kHit{1.0f, 0.22f, 0.12f, 1},
@@ -117,8 +119,17 @@ bool IsSelected(const OverlayScene& scene, std::uint32_t id) {
 }
 
 void PaintSenses(const AgentSnapshot& agent, const AgentOverlay& overlay, bool is_filled, Pen& pen) {
-  if (!overlay.has_senses || !agent.alive) return;
+  if (!agent.alive) return;
   const Vec3 ground = FeetOf(agent) + Vec3{0, 0.09f, 0};
+  if (overlay.measured) {
+    // It knows how far away this is, not where: anywhere on the circle.
+    const Vec3 place{overlay.measured->x, ground.y, overlay.measured->z};
+    const float away = world::Distance(ground, place);
+    if (away < 500) pen.Circle(ground, away, Faded(kSight, is_filled ? 0.8f : 0.4f), true);
+    pen.Dashes(ground, place, Faded(kSight, is_filled ? 0.9f : 0.5f), 0.4f);
+    pen.Circle(place, 0.3f, Faded(kSight, 0.9f));
+  }
+  if (!overlay.has_senses) return;
   const float heading = std::atan2(agent.forward.x, agent.forward.z);
   if (overlay.sight_m > 0) {
     const float half = overlay.view_deg / 2 * kPi / 180;
@@ -204,10 +215,8 @@ void PaintBelief(const OverlayScene& scene, OverlayMarks& marks, Pen& pen) {
         contact->visible ? 1.0f : static_cast<float>(std::clamp(1 - contact->age_s / contact->memory_s, 0.0, 1.0));
     const Color color = ColorOf(other);
     if (world::Distance(contact->position, other.position) < kSame_m) {
-      pen.Circle(feet, 0.6f, Faded(color, 0.35f + 0.65f * confidence));
-      if (contact->visible) continue;
-    } else {
-      pen.Dashes(contact->position, other.position, Faded(color, 0.75f), 0.25f);
+      pen.Circle(feet, 0.6f, Faded(color, 0.35f + 0.65f * confidence), !contact->visible);
+      continue;  // It is right: no ghost is needed.
     }
     char name[96];
     const char* how = contact->heard ? "heard " : "";
@@ -217,6 +226,7 @@ void PaintBelief(const OverlayScene& scene, OverlayMarks& marks, Pen& pen) {
       std::snprintf(name, sizeof name, "%.40s \xc2\xb7 %s%.1f s ago", other.name.c_str(), how, contact->age_s);
     Ghost ghost;
     ghost.name = name;
+    ghost.agent_id = other.id;
     if (!contact->alive) ghost.name += " \xc2\xb7 dead";
     ghost.position = contact->position;
     ghost.forward = contact->forward;
@@ -229,6 +239,20 @@ void PaintBelief(const OverlayScene& scene, OverlayMarks& marks, Pen& pen) {
 }
 
 }  // namespace
+
+void PaintGhostThreads(const std::vector<Ghost>& ghosts, const std::vector<AgentSnapshot>& agents,
+                       OverlayMarks& marks) {
+  Pen pen(marks);
+  for (const Ghost& ghost : ghosts) {
+    if (!world::IsFinite(ghost.position)) continue;
+    const Color color = Faded(Bright(ghost.color), 0.4f + ghost.opacity);
+    pen.Circle(ghost.position - Vec3{0, ghost.height_m / 2 - 0.07f, 0}, 0.55f, color);
+    const auto agent =
+        std::find_if(agents.begin(), agents.end(), [&](const AgentSnapshot& a) { return a.id == ghost.agent_id; });
+    if (ghost.agent_id == 0 || agent == agents.end() || !world::IsFinite(agent->position)) continue;
+    pen.Dashes(ghost.position, agent->position, color, 0.25f);
+  }
+}
 
 void OverlayPainter::Note(const world::SceneSnapshot& newest) {
   if (newest.tick == tick_ && newest.time_s == time_s_) return;
@@ -270,18 +294,39 @@ void OverlayPainter::PaintTrails(const OverlayScene& scene, OverlayMarks& marks)
 
 void OverlayPainter::PaintForces(const OverlayScene& scene, OverlayMarks& marks) const {
   Pen pen(marks);
+  // 10 m/s² are two metres long; collisions and impulses do not fill the picture.
+  const auto arrow = [&pen](Vec3 from, Vec3 acceleration, Color color) {
+    Vec3 push = acceleration * 0.2f;
+    if (const float length = world::Length(push); length > 4) push = push * (4 / length);
+    if (world::Length(push) > 0.04f) pen.Arrow(from, from + push, color);
+  };
+  const Vec3 lift{0, 0.15f, 0};
   for (const AgentSnapshot& agent : scene.agents) {
     const auto found = courses_.find(agent.id);
     if (found == courses_.end() || !agent.alive) continue;
     const Vec3 from = agent.position + Vec3{0, 0.1f, 0};
     const Vec3 velocity{agent.velocity.x, 0, agent.velocity.z};
-    Vec3 push{found->second.acceleration.x, 0, found->second.acceleration.z};
-    // 10 m/s² are two metres long; collisions do not fill the picture.
-    push = push * 0.2f;
-    if (const float length = world::Length(push); length > 4) push = push * (4 / length);
     if (world::Length(velocity) > 0.05f) pen.Arrow(from, from + velocity * 0.6f, kVelocity);
-    if (world::Length(push) > 0.04f) pen.Arrow(from + Vec3{0, 0.15f, 0}, from + push + Vec3{0, 0.15f, 0}, kForce);
+    if (scene.overlays.has_pushes) continue;
+    // Without word of what was applied: what became of it.
+    const Vec3 acceleration = found->second.acceleration;
+    arrow(from + lift, {acceleration.x, 0, acceleration.z}, kForce);
   }
+  // Each push that a script or a command gave a body; of several, their sum is the bright one.
+  struct Sum {
+    Vec3 from, acceleration;
+    int count = 0;
+  };
+  std::map<std::uint32_t, Sum> sums;
+  for (const world::PushSnapshot& push : scene.overlays.pushes) {
+    if (!(push.mass_kg > 0)) continue;
+    const AgentSnapshot* agent = Find(scene, push.owner_id);
+    Sum& sum = sums[push.owner_id];
+    sum.from = (agent != nullptr ? agent->position + Vec3{0, 0.1f, 0} : push.position) + lift;
+    sum.acceleration += push.force_n / push.mass_kg;
+    if (++sum.count <= kMostPushesShown) arrow(sum.from, push.force_n / push.mass_kg, Faded(kForce, 0.45f));
+  }
+  for (const auto& [owner, sum] : sums) arrow(sum.from, sum.acceleration, kForce);
 }
 
 void OverlayPainter::Paint(const OverlayScene& scene, OverlayMarks& marks) const {

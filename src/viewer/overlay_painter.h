@@ -27,6 +27,10 @@ struct OverlayMarks {
   std::vector<Ghost> ghosts;
 };
 
+/// A ring under each ghost, and a dashed line from there to where its agent is.
+void PaintGhostThreads(const std::vector<Ghost>& ghosts, const std::vector<world::AgentSnapshot>& agents,
+                       OverlayMarks& marks);
+
 /// Turns what is known of the agents into lines, fills and figures over the scene. Plain arithmetic, no drawing.
 class OverlayPainter {
  public:

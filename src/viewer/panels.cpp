@@ -10,7 +10,7 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr float kBarHeight = 26;
+constexpr float kBarHeight = kStatusBar_px;
 constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kText = IM_COL32(236, 241, 246, 255),
                 kQuiet = IM_COL32(152, 166, 180, 255), kGo = IM_COL32(96, 208, 132, 255),
                 kHold = IM_COL32(247, 190, 82, 255);
@@ -114,10 +114,11 @@ void DrawKeyHelp(const PanelHost& host) {
                  {"Selection", CommandGroup::kSelection},
                  {"Shown over the scene", CommandGroup::kOverlay}};
   constexpr const char* kMouse[][2] = {{"Left click, Tab", "select an agent; with Shift, one more"},
+                                       {"Double click", "go there: an agent, or a place"},
                                        {"Left drag", "select those in a box"},
                                        {"Right drag", "look around, or circle"},
                                        {"Middle drag", "move the picture"},
-                                       {"Wheel", "zoom"},
+                                       {"Wheel", "zoom to the cursor"},
                                        {"W A S D, Q E", "fly; faster with Shift"}};
   const auto row = [&](std::string_view key, std::string_view meaning) {
     ImGui::TableNextRow();
@@ -152,7 +153,7 @@ void DrawKeyHelp(const PanelHost& host) {
   ImGui::End();
 }
 
-void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed) {
+ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({16, size.y - 16}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({250, 0}, {420, size.y});
@@ -191,7 +192,9 @@ void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, boo
     ImGui::EndTable();
   }
   ImGui::TextDisabled(followed ? "C: stop following" : "C: follow");
+  const ImVec2 low = ImGui::GetWindowPos(), card = ImGui::GetWindowSize();
   ImGui::End();
+  return {low.x, low.y, low.x + card.x, low.y + card.y};
 }
 
 }  // namespace soarbox::viewer

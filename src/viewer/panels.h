@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include "viewer/label_layout.h"
 #include "viewer/panel_host.h"
 #include "viewer/picking.h"
 #include "viewer/viewer.h"
@@ -9,6 +10,8 @@ namespace soarbox::viewer {
 
 /// The window's own panels, drawn anew each frame.
 
+inline constexpr float kStatusBar_px = 26;  ///< Its height.
+
 /// A slim bar along the top: running or paused, time, tick, speed, agents, frames per second (0: not shown).
 void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene,
                    float frames_per_second);
@@ -16,7 +19,7 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
 /// The list of keys, in the middle of the window.
 void DrawKeyHelp(const PanelHost& host);
 
-/// What is known about the selected agent, at the bottom left.
-void DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed);
+/// What is known about the selected agent, at the bottom left. Returns where it stands.
+ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed);
 
 }  // namespace soarbox::viewer

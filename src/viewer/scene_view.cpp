@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/scene_view.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "viewer/interpolate.h"
 
 namespace soarbox::viewer {
@@ -11,6 +14,9 @@ using world::ShapeKind;
 
 /// How near bodies are drawn in full, and in middle detail.
 constexpr float kFineUntil_m = 14, kMiddleUntil_m = 38;
+/// How many bodies and rifles at most.
+constexpr std::size_t kMostFine = 32, kMostMiddle = 96;
+const std::string kTeamPrefix = "team/";  // Of names of materials: own cloth, with the colour of a team.
 
 /// A capsule of an agent, of the size of a body rather than of something that it carries.
 bool LooksLikeABody(const DrawableSnapshot& drawable, const world::AgentSnapshot* agent) {
@@ -22,6 +28,11 @@ bool LooksLikeABody(const DrawableSnapshot& drawable, const world::AgentSnapshot
 SceneView::SceneView(Ogre::SceneManager& scene, Materials& materials, float reach, OnWarning on_warning)
     : scene_(scene), materials_(materials), reach_(reach), on_warning_(std::move(on_warning)) {}
 
+SceneView::~SceneView() {
+  // Ogre's scene must not hold what we own when the engine takes it down.
+  for (const auto& [key, batch] : batches_) batch->detachFromParent();
+}
+
 void SceneView::WarnOnce(const std::string& kind, const std::string& name, const std::string& instead) {
   if (!warned_.insert(kind + "/" + name).second || !on_warning_) return;
   Diagnostic warning;
@@ -30,10 +41,10 @@ void SceneView::WarnOnce(const std::string& kind, const std::string& name, const
   on_warning_(warning);
 }
 
-void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend,
-                       world::Vec3 eye, std::uint32_t inside) {
+void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend) {
   ++update_count_;
   skeleton_lines_.clear();
+  bodies_shown_.clear();
   agents_.clear();
   before_.clear();
   for (const world::AgentSnapshot& agent : newest.agents) agents_[agent.id] = &agent;
@@ -50,12 +61,13 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
     const world::BodyMesh* body =
         drawable.shape == ShapeKind::kMesh && !drawable.bones.empty() ? world::FindBodyMesh(drawable.mesh) : nullptr;
     if (body != nullptr) {
-      ShowBody(thing, *body, drawable, before, blend, agent, eye);
+      ShowBody(thing, *body, drawable, before, blend, agent);
+      bodies_shown_.push_back(drawable.id);
     } else {
       Dress(thing, drawable, agent, LooksLikeABody(drawable, agent));
       Place(thing, drawable, before, blend);
     }
-    if (inside != 0 && agent != nullptr && agent->id == inside) thing.node->setVisible(false);
+    thing.agent = agent != nullptr ? agent->id : 0;
   }
   for (auto it = things_.begin(); it != things_.end();) {
     if (it->second.seen == update_count_) {
@@ -71,6 +83,7 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
                       bool agent_body) {
   const MeshLibrary::Found& mesh = meshes_.For(drawable, agent_body);
   if (mesh.is_stand_in) WarnOnce("mesh", drawable.mesh, "a box with magenta squares stands in for it");
+  thing.body.reset();
   if (thing.entity == nullptr || thing.mesh_name != mesh.mesh->getName())
     Wear(thing, mesh.mesh, drawable.shape != ShapeKind::kPlane);
 
@@ -105,57 +118,102 @@ void SceneView::Wear(Thing& thing, const Ogre::MeshPtr& mesh, bool casts_shadows
 }
 
 void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const DrawableSnapshot& drawable,
-                         const DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent,
-                         world::Vec3 eye) {
-  // Coarser from further away; a little further back than forth, so that nothing flickers at the border.
-  const float away = world::Distance(eye, drawable.position) / reach_;
-  const auto limit = [&](float metres, BodyDetail finer) {
-    return thing.body && thing.detail <= finer ? metres * 1.1f : metres;
-  };
-  const BodyDetail detail = away < limit(kFineUntil_m, BodyDetail::kFine)       ? BodyDetail::kFine
-                            : away < limit(kMiddleUntil_m, BodyDetail::kMiddle) ? BodyDetail::kMiddle
-                                                                                : BodyDetail::kCoarse;
-  // A soldier may change its uniform by the name of its material.
-  world::BodyLook look = mesh.look;
-  if (look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body") look = world::BodyLook::kSoldier;
-  if (look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body_Dark")
-    look = world::BodyLook::kDarkSoldier;
-  if (!thing.body || thing.detail != detail || thing.look != look) {
+                         const DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent) {
+  if (!thing.body) {
     Destroy(thing);
-    const char* suffix[] = {"/fine", "/middle", "/coarse"};
-    auto body = std::make_unique<SkinnedBody>(bodies_.For(look, detail), "Soarbox/body/" + std::to_string(drawable.id) +
-                                                                             suffix[static_cast<std::size_t>(detail)]);
-    Wear(thing, body->mesh(), true);
-    thing.body = std::move(body);
-    thing.detail = detail;
-    thing.look = look;
+    thing.body = std::make_unique<PosedBody>();
+    thing.body->id = drawable.id;
   }
-
+  // A soldier may change its uniform by the name of its material.
+  thing.look = mesh.look;
+  if (mesh.look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body")
+    thing.look = world::BodyLook::kSoldier;
+  if (mesh.look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body_Dark")
+    thing.look = world::BodyLook::kDarkSoldier;
   const bool is_own = drawable.material.empty() || drawable.material.starts_with("SF_");
-  const std::string team = agent != nullptr ? agent->team : "";
-  const std::string wanted = is_own ? "body/" + team : drawable.material;
-  if (wanted != thing.material_name) {
-    thing.material_name = wanted;
-    const Materials::Found& found = is_own ? materials_.Soldier(team) : materials_.Named(drawable.material);
-    if (found.is_stand_in) WarnOnce("material", drawable.material, "magenta squares stand in for it");
-    thing.entity->setMaterial(found.material);
-    thing.entity->setCastShadows(found.is_opaque);
-    thing.entity->setRenderQueueGroup(found.is_opaque ? kSolidQueue : kClearQueue);
-  }
+  thing.material_name = is_own ? kTeamPrefix + (agent != nullptr ? agent->team : std::string()) : drawable.material;
 
-  Place(thing, drawable, before, blend);
-  if (before != nullptr && before->bones.size() == drawable.bones.size()) {
-    std::vector<world::BonePose> bones(drawable.bones.size());
-    for (std::size_t i = 0; i < bones.size(); ++i) {
-      bones[i] = {world::Between(before->bones[i].position, drawable.bones[i].position, blend),
-                  BetweenOrientations(before->bones[i].orientation, drawable.bones[i].orientation, blend)};
+  PosedBody& body = *thing.body;
+  body.place = {{drawable.position, drawable.orientation}, drawable.scale};
+  body.bones = drawable.bones;
+  if (before != nullptr) {
+    body.place.at = {BetweenPositions(before->position, drawable.position, blend),
+                     BetweenOrientations(before->orientation, drawable.orientation, blend)};
+    if (before->bones.size() == body.bones.size()) {
+      for (std::size_t i = 0; i < body.bones.size(); ++i) {
+        body.bones[i] = {world::Between(before->bones[i].position, drawable.bones[i].position, blend),
+                         BetweenOrientations(before->bones[i].orientation, drawable.bones[i].orientation, blend)};
+      }
     }
-    thing.body->Move(bones);
-  } else {
-    thing.body->Move(drawable.bones);
   }
+  thing.visible = drawable.visible && IsFinite(body.place.at.position) && IsFinite(drawable.scale);
   if (drawable.shows_skeleton)
     AddSkeletonLines(mesh.rig().skeleton, {drawable.position, drawable.orientation}, drawable.bones);
+}
+
+BodyBatch& SceneView::BatchFor(const Thing& thing) {
+  std::unique_ptr<BodyBatch>& batch = batches_[{thing.look, thing.detail, thing.material_name}];
+  if (batch) return *batch;
+  batch = std::make_unique<BodyBatch>(bodies_.For(thing.look, thing.detail));
+  const bool is_own = thing.material_name.starts_with(kTeamPrefix);
+  const Materials::Found& found = is_own ? materials_.Soldier(thing.material_name.substr(kTeamPrefix.size()))
+                                         : materials_.Named(thing.material_name);
+  if (found.is_stand_in) WarnOnce("material", thing.material_name, "magenta squares stand in for it");
+  batch->setMaterial(found.material);
+  // On slow renderers what is far has no shadow.
+  batch->setCastShadows(found.is_opaque && (reach_ >= 1 || thing.detail != BodyDetail::kCoarse));
+  batch->setRenderQueueGroup(found.is_opaque ? kSolidQueue : kClearQueue);
+  scene_.getRootSceneNode()->createChildSceneNode()->attachObject(batch.get());
+  batch->Begin();
+  return *batch;
+}
+
+void SceneView::PoseBodies(const world::CameraSnapshot& camera, std::uint32_t inside) {
+  for (auto& [key, batch] : batches_) batch->Begin();
+  // The nearest first: of many, only some are worth the finer meshes.
+  std::vector<std::pair<float, Thing*>> order;
+  const float zoom = std::tan(camera.vertical_fov_deg * 0.00872665f) / std::tan(22.5f * 0.01745329f);
+  for (const std::uint32_t id : bodies_shown_) {
+    Thing& thing = things_[id];
+    if (!thing.visible || (inside != 0 && thing.agent == inside)) continue;
+    order.emplace_back(world::Distance(camera.position, thing.body->place.at.position) * zoom / reach_, &thing);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::size_t fine = 0, middle = 0;
+  for (const auto& [away, thing] : order) {
+    // A little further back than forth, so that nothing flickers at the border.
+    const auto limit = [thing = thing](float metres, BodyDetail finer) {
+      return thing->detail <= finer ? metres * 1.1f : metres;
+    };
+    if (away < limit(kFineUntil_m, BodyDetail::kFine) && fine < kMostFine) {
+      thing->detail = BodyDetail::kFine;
+      ++fine;
+    } else if (away < limit(kMiddleUntil_m, BodyDetail::kMiddle) && middle < kMostMiddle) {
+      thing->detail = BodyDetail::kMiddle;
+      ++middle;
+    } else {
+      thing->detail = BodyDetail::kCoarse;
+    }
+  }
+  // In the order of the snapshot, so that each keeps its place in its batch.
+  for (const std::uint32_t id : bodies_shown_) {
+    const Thing& thing = things_[id];
+    if (!thing.visible || (inside != 0 && thing.agent == inside)) continue;
+    BatchFor(thing).Add(*thing.body, thing.detail != BodyDetail::kCoarse);
+  }
+  for (auto& [key, batch] : batches_) batch->End();
+  for (auto& [id, thing] : things_) {
+    if (!thing.body && thing.agent != 0 && thing.agent == inside) thing.node->setVisible(false);
+  }
+}
+
+std::optional<SceneView::Figure> SceneView::FigureOf(std::uint32_t agent) const {
+  if (agent == 0) return std::nullopt;
+  for (const std::uint32_t id : bodies_shown_) {
+    const Thing& thing = things_.at(id);
+    if (thing.agent == agent && thing.look != world::BodyLook::kRifle) return Figure{thing.look, thing.body.get()};
+  }
+  return std::nullopt;
 }
 
 void SceneView::AddSkeletonLines(const world::Skeleton& skeleton, const world::BonePose& model,

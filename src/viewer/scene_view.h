@@ -2,15 +2,20 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
+#include <vector>
 
 #include "diagnostics/diagnostic.h"
+#include "viewer/body_batch.h"
 #include "viewer/materials.h"
 #include "viewer/mesh_library.h"
 #include "viewer/ogre_headers.h"
-#include "viewer/skinned_body.h"
 
 namespace soarbox::viewer {
 
@@ -20,11 +25,23 @@ class SceneView {
   using OnWarning = std::function<void(const Diagnostic&)>;
   /// reach: bodies are drawn in detail so many times further away; below 1 on slow renderers.
   SceneView(Ogre::SceneManager& scene, Materials& materials, float reach, OnWarning on_warning);
+  ~SceneView();
+  SceneView(const SceneView&) = delete;
+  SceneView& operator=(const SceneView&) = delete;
 
   /// Creates, changes, moves and removes entities. With `previous`, bodies stand between the two by `blend`, 0..1.
-  /// Bodies further from `eye` are drawn in less detail, that of the agent `inside` not at all.
-  void Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend, world::Vec3 eye,
-              std::uint32_t inside = 0);
+  void Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend);
+
+  /// Draws the bodies of the last Update for a camera: those who are far or many in less detail, that of the agent
+  /// `inside` not at all. Before each frame.
+  void PoseBodies(const world::CameraSnapshot& camera, std::uint32_t inside);
+
+  /// The body of an agent as it stands now, without what it carries; none if it has none with a skeleton.
+  struct Figure {
+    world::BodyLook look;
+    const PosedBody* body;
+  };
+  std::optional<Figure> FigureOf(std::uint32_t agent) const;
 
   /// The bones that scripts want to see, of the bodies as they stood at the last Update.
   const std::vector<world::LineSnapshot>& skeleton_lines() const { return skeleton_lines_; }
@@ -39,15 +56,18 @@ class SceneView {
     std::string mesh_name;
     std::string material_name;
     std::uint64_t seen = 0;
-    std::unique_ptr<SkinnedBody> body;  ///< Of meshes with a skeleton.
+    std::unique_ptr<PosedBody> body;  ///< Of meshes with a skeleton; these have no entity.
     BodyDetail detail = BodyDetail::kFine;
     world::BodyLook look = world::BodyLook::kSoldier;
+    bool visible = true;
+    std::uint32_t agent = 0;  ///< Whose it is; 0: nobody's.
   };
   void Place(Thing& thing, const world::DrawableSnapshot& drawable, const world::DrawableSnapshot* before, float blend);
   void Dress(Thing& thing, const world::DrawableSnapshot& drawable, const world::AgentSnapshot* agent, bool agent_body);
-  /// Dresses and moves what has a skeleton.
+  /// Dresses and poses what has a skeleton.
   void ShowBody(Thing& thing, const world::BodyMesh& mesh, const world::DrawableSnapshot& drawable,
-                const world::DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent, world::Vec3 eye);
+                const world::DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent);
+  BodyBatch& BatchFor(const Thing& thing);
   void Wear(Thing& thing, const Ogre::MeshPtr& mesh, bool casts_shadows);
   void AddSkeletonLines(const world::Skeleton& skeleton, const world::BonePose& model,
                         const std::vector<world::BonePose>& bones);
@@ -60,6 +80,9 @@ class SceneView {
   BodyLibrary bodies_;
   OnWarning on_warning_;
   std::unordered_map<std::uint32_t, Thing> things_;
+  std::vector<std::uint32_t> bodies_shown_;  ///< Things with a skeleton, in the order of the snapshot.
+  using BatchKey = std::tuple<world::BodyLook, BodyDetail, std::string>;
+  std::map<BatchKey, std::unique_ptr<BodyBatch>> batches_;
   std::unordered_map<std::uint32_t, const world::AgentSnapshot*> agents_;
   std::unordered_map<std::uint32_t, const world::DrawableSnapshot*> before_;
   std::vector<world::LineSnapshot> skeleton_lines_;

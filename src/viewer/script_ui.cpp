@@ -139,30 +139,58 @@ void MoveIntoWorld(ImDrawList& out, int first, const UiSnapshot& ui, const Proje
   for (int i = first; i < out.VtxBuffer.Size; ++i) out.VtxBuffer[i].col = 0;
 }
 
+using PanelsById = std::unordered_map<std::uint32_t, const UiSnapshot*>;
+
+PanelsById ById(const world::SceneSnapshot& snapshot) {
+  PanelsById by_id;
+  for (const UiSnapshot& ui : snapshot.ui) by_id[ui.id] = &ui;
+  return by_id;
+}
+
+/// Where a panel begins, and the one that its family hangs on.
+struct Stand {
+  ImVec2 corner;
+  const UiSnapshot* top = nullptr;
+};
+Stand StandOf(const UiSnapshot& ui, const PanelsById& by_id) {
+  Stand stand{{ui.x, ui.y}, &ui};
+  // A family is never deeper than there are panels.
+  for (std::size_t depth = 0; stand.top->parent_id != 0 && depth < by_id.size(); ++depth) {
+    const auto parent = by_id.find(stand.top->parent_id);
+    if (parent == by_id.end()) break;
+    stand.top = parent->second;
+    stand.corner = {stand.corner.x + stand.top->x, stand.corner.y + stand.top->y};
+  }
+  return stand;
+}
+
 }  // namespace
+
+std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot) {
+  std::vector<ScreenBox> boxes;
+  if (snapshot.ui.empty()) return boxes;
+  const PanelsById by_id = ById(snapshot);
+  for (const UiSnapshot& ui : snapshot.ui) {
+    const bool hides = ui.has_gradient || !ui.text.empty() || !ui.caption.empty() || !ui.material.empty();
+    if (!ui.visible || !hides || ui.width <= 0 || ui.height <= 0) continue;
+    const Stand stand = StandOf(ui, by_id);
+    if (stand.top->in_world) continue;
+    boxes.push_back({stand.corner.x, stand.corner.y, stand.corner.x + ui.width, stand.corner.y + ui.height});
+  }
+  return boxes;
+}
 
 void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host) {
   if (snapshot.ui.empty()) return;
-  std::unordered_map<std::uint32_t, const UiSnapshot*> by_id;
+  const PanelsById by_id = ById(snapshot);
   std::vector<const UiSnapshot*> order;
-  for (const UiSnapshot& ui : snapshot.ui) {
-    by_id[ui.id] = &ui;
-    order.push_back(&ui);
-  }
+  for (const UiSnapshot& ui : snapshot.ui) order.push_back(&ui);
   std::stable_sort(order.begin(), order.end(),
                    [](const UiSnapshot* a, const UiSnapshot* b) { return a->layer < b->layer; });
   ImDrawList& out = *ImGui::GetBackgroundDrawList();
   for (const UiSnapshot* ui : order) {
     if (!ui->visible || static_cast<std::size_t>(out.VtxBuffer.Size) > kMostCorners) continue;
-    ImVec2 corner{ui->x, ui->y};
-    const UiSnapshot* top = ui;
-    // A family is never deeper than there are panels.
-    for (std::size_t depth = 0; top->parent_id != 0 && depth < order.size(); ++depth) {
-      const auto parent = by_id.find(top->parent_id);
-      if (parent == by_id.end()) break;
-      top = parent->second;
-      corner = {corner.x + top->x, corner.y + top->y};
-    }
+    const auto [corner, top] = StandOf(*ui, by_id);
     const int first = out.VtxBuffer.Size;
     if (top->in_world) out.PushClipRectFullScreen();
     DrawPanel(out, *ui, corner, snapshot, host);

@@ -149,21 +149,23 @@ void SkinBuilder::Tube(const std::vector<Vec3>& points, float radius, int segmen
 }
 
 void MoveSkin(const SkinMesh& skin, const world::Skeleton& skeleton, const std::vector<world::BonePose>& bones,
-              float* out) {
-  // By bone: from the bind pose to where it is now.
-  std::vector<world::BonePose> moves;
-  moves.reserve(bones.size());
-  for (std::size_t i = 0; i < bones.size(); ++i)
-    moves.push_back(bones[i] * Inverse(skeleton.BindInModel(static_cast<int>(i))));
+              const SkinPlace& place, float* out) {
   struct Matrix {
     Vec3 x, y, z, at;
     Vec3 Turn(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
   };
-  std::vector<Matrix> matrices;
-  matrices.reserve(moves.size());
-  for (const world::BonePose& move : moves)
-    matrices.push_back({Rotate(move.orientation, {1, 0, 0}), Rotate(move.orientation, {0, 1, 0}),
-                        Rotate(move.orientation, {0, 0, 1}), move.position});
+  // By bone: from the bind pose to where it is now. A body has few bones; those beyond do not move.
+  constexpr std::size_t kMostBones = 256;
+  Matrix matrices[kMostBones];
+  const auto stretched = [&place](Vec3 v) {
+    return Rotate(place.at.orientation, Vec3{v.x * place.scale.x, v.y * place.scale.y, v.z * place.scale.z});
+  };
+  const std::size_t used = std::min(bones.size(), kMostBones);
+  for (std::size_t i = 0; i < used; ++i) {
+    const world::BonePose move = bones[i] * Inverse(skeleton.BindInModel(static_cast<int>(i)));
+    matrices[i] = {stretched(Rotate(move.orientation, {1, 0, 0})), stretched(Rotate(move.orientation, {0, 1, 0})),
+                   stretched(Rotate(move.orientation, {0, 0, 1})), place.at.position + stretched(move.position)};
+  }
   const std::size_t count = skin.mesh.vertices.size();
   for (std::size_t i = 0; i < count; ++i) {
     const MeshVertex& vertex = skin.mesh.vertices[i];

@@ -83,8 +83,15 @@ class SkinBuilder {
   SkinMesh made_;
 };
 
-/// Moves the vertices by the bones: where they are (x, y, z and the normal, six floats each) into `out`.
+/// Where a body stands, and how large it is.
+struct SkinPlace {
+  world::BonePose at;
+  world::Vec3 scale{1, 1, 1};
+  friend bool operator==(const SkinPlace&, const SkinPlace&) = default;
+};
+
+/// Moves the vertices by the bones to a place: where they are (x, y, z and the normal, six floats each) into `out`.
 void MoveSkin(const SkinMesh& skin, const world::Skeleton& skeleton, const std::vector<world::BonePose>& bones,
-              float* out);
+              const SkinPlace& place, float* out);
 
 }  // namespace soarbox::viewer

@@ -99,7 +99,7 @@ bool SkyView::Show(const std::string& name) {
     known_ = found != nullptr;
     style = found != nullptr ? found->style : SkyStyle{};
   }
-  materials_.SetSkyPicture(SkyImages(style, Materials::kSkyFaceSize));
+  materials_.SetSkyPicture(SkyImages(style, materials_.sky_face_size()));
   return known_;
 }
 

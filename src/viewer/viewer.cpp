@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <thread>
 
 #include "viewer/engine.h"
 #include "viewer/fill_batch.h"
@@ -19,6 +20,7 @@
 #include "viewer/overlay_painter.h"
 #include "viewer/panels.h"
 #include "viewer/particle_lines.h"
+#include "viewer/picture_notes.h"
 #include "viewer/scene_view.h"
 #include "viewer/script_ui.h"
 #include "viewer/sky_view.h"
@@ -83,6 +85,8 @@ struct Viewer::Impl {
   std::vector<InputEvent> events;
   std::vector<ViewerCommand> commands;
   OverlayPainter painter;
+  AgentLabels labels;
+  ScreenBox card;                                  ///< Where the selected agent's card stood in the last frame.
   std::vector<world::TriangleSnapshot> triangles;  ///< Of the scene.
   std::vector<Ghost> shown_ghosts;                 ///< Those asked for, and those of overlays.
   world::OverlaySnapshot overlays;
@@ -97,12 +101,16 @@ struct Viewer::Impl {
   float notice_s = 0;  ///< For how long it is still shown.
   bool has_framed = false;
   bool failed = false;
-  Clock::time_point last_frame = Clock::now();
+  Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
+  int scripted_frames = 0;
+  bool shows_news = true;  ///< Something else was shown since the last frame.
+  world::CameraSnapshot rested_pose;
   float frames_per_second = 0;
 
   Result<void> Build();
   void Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend);
   bool Frame();
+  bool IsIdle(Clock::time_point now);
   void Apply(const FrameInput& in, float seconds);
   void PlaceCamera();
   void DrawPanels(float seconds);
@@ -139,7 +147,7 @@ Result<void> Viewer::Impl::Build() {
   if (!loaded) return loaded.error();
   shaders = *loaded;
   Ogre::SceneManager& scene_manager = engine->scene();
-  materials.emplace(*shaders);
+  materials.emplace(*shaders, engine->low_detail());
   lights.emplace(scene_manager, *shaders, materials->ShadowCaster(), engine->low_detail());
   sky.emplace(scene_manager, *materials);
   things.emplace(scene_manager, *materials, engine->low_detail() ? 0.45f : 1.0f, options.on_diagnostic);
@@ -201,6 +209,13 @@ void Viewer::Impl::Pick(const Picked& picked) {
     found = View().AgentsIn(picked.from, picked.to, scene.agents);
   } else if (const std::uint32_t agent = View().AgentAt(picked.from, scene.agents); agent != 0) {
     found.push_back(agent);
+  }
+  if (picked.is_double) {
+    if (!found.empty())
+      Frame(found, false);
+    else
+      camera.GoTo(View().RayThrough(picked.from));
+    return;
   }
   if (!picked.adds) {
     selection = std::move(found);
@@ -308,7 +323,8 @@ void Viewer::Impl::ReportFailure(const std::string& what) {
 }
 
 void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend) {
-  things->Update(newest, previous, blend, camera.pose().position, Inside());
+  things->Update(newest, previous, blend);
+  shows_news |= newest.tick != scene.tick || newest.camera_moves != camera_moves;
   lights->Update(newest);
   lights->SetSkyRotation(newest.sky_rotation_deg);
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water stand in for it");
@@ -349,7 +365,9 @@ void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   if (in.new_width > 0) engine->Resize(in.new_width, in.new_height);
   cursor = in.cursor;
   box = in.box;
-  camera.Update(in.camera, seconds, camera.agent() != 0 ? Find(camera.agent()) : nullptr,
+  CameraInput steer = in.camera;
+  if (cursor) steer.towards = View().RayThrough(*cursor);
+  camera.Update(steer, seconds, camera.agent() != 0 ? Find(camera.agent()) : nullptr,
                 static_cast<float>(engine->height()));
   if (options.hidden) camera.Arrive();
   hovered = cursor ? View().AgentAt(*cursor, scene.agents) : 0;
@@ -370,11 +388,16 @@ void Viewer::Impl::DrawPanels(float seconds) {
   if (workspace) workspace->BeginPicture();
   const Projection view = View();
   const std::uint32_t inside = Inside();
-  std::vector<ScreenBox> taken;
-  const LabelScene labels{scene.agents, overlays, selection, hovered, inside};
-  if (IsOn(ViewerCommand::kMessages)) DrawSpeech(*panels, labels, view, taken);
-  if (IsOn(ViewerCommand::kLabels)) DrawAgentLabels(*panels, labels, camera.pose(), view, taken);
-  DrawGhostLabels(*panels, shown_ghosts, view, taken);
+  LabelScene wanted{scene.agents, overlays, selection, hovered, inside, shown_ghosts};
+  wanted.names = IsOn(ViewerCommand::kLabels);
+  wanted.speech = IsOn(ViewerCommand::kMessages);
+  std::vector<ScreenBox> blocked = BoxesOfScriptUi(scene);
+  if (!workspace) {
+    wanted.top_px = options.show_status_bar ? kStatusBar_px : 0;
+    if (Selected() != nullptr) blocked.push_back(card);
+  }
+  wanted.blocked = blocked;
+  labels.Draw(panels->bold_font(), panels->panel_font(), wanted, camera.pose(), view);
   DrawScriptUi(scene, view, *panels);
   if (box) DrawSelectionBox(box->from, box->to);
   if (const auto* agent = cursor ? Find(hovered) : nullptr; agent != nullptr && agent->id != inside)
@@ -384,7 +407,7 @@ void Viewer::Impl::DrawPanels(float seconds) {
     workspace->EndPicture();
     DrawWorkspace();
   } else {
-    if (const auto* agent = Selected()) DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow);
+    if (const auto* agent = Selected()) card = DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow);
     if (IsOn(ViewerCommand::kHelp)) DrawKeyHelp(*panels);
     if (options.show_status_bar) DrawStatusBar(*panels, status, scene, options.hidden ? 0 : frames_per_second);
   }
@@ -406,6 +429,23 @@ void Viewer::Impl::DrawWorkspace() {
   for (const ViewerCommand command : asked.commands) Do(command);
 }
 
+/// Whether the last frame still shows all there is to see; then a moment is spent waiting for the user.
+bool Viewer::Impl::IsIdle(Clock::time_point now) {
+  constexpr auto kSettles = std::chrono::milliseconds(500), kAtLeastEvery = std::chrono::milliseconds(250);
+  constexpr int kWait_ms = 20;
+  const bool can_rest = !options.hidden && options.ui_script.empty() && status.paused && !shows_news && notice_s <= 0;
+  shows_news = false;
+  const world::CameraSnapshot& pose = camera.pose();
+  const bool stands = pose.position == rested_pose.position && pose.orientation == rested_pose.orientation;
+  rested_pose = pose;
+  if (!can_rest || !stands || engine->HasInput(0)) {
+    awake_until = now + kSettles;
+    return false;
+  }
+  if (now < awake_until || now - last_drawn > kAtLeastEvery) return false;
+  return !engine->HasInput(kWait_ms);
+}
+
 bool Viewer::Impl::Frame() {
   const Clock::time_point now = Clock::now();
   const float seconds = std::chrono::duration<float>(now - last_frame).count();
@@ -415,6 +455,7 @@ bool Viewer::Impl::Frame() {
     frames_per_second = frames_per_second == 0 ? rate : frames_per_second + 0.08f * (rate - frames_per_second);
   }
   if (workspace) workspace->PlacePicture();
+  if (IsIdle(now)) return true;
   const FrameInput in = input->Read(workspace ? workspace->Claims() : InputClaims{});
   Apply(in, seconds);
   if (in.closed) {
@@ -427,17 +468,35 @@ bool Viewer::Impl::Frame() {
   }
   OverlayMarks drawn;
   painter.Paint({scene.agents, overlays, selection, on, Inside()}, drawn);
+  shown_ghosts.clear();
+  for (const Ghost& ghost : ghosts) {
+    // Who stands where its ghost would needs none.
+    constexpr float kSame_m = 0.3f;
+    const auto* agent = ghost.agent_id != 0 ? Find(ghost.agent_id) : nullptr;
+    if (agent == nullptr || !agent->alive || world::Distance(agent->position, ghost.position) >= kSame_m)
+      shown_ghosts.push_back(ghost);
+  }
+  shown_ghosts.insert(shown_ghosts.end(), drawn.ghosts.begin(), drawn.ghosts.end());
+  PaintGhostThreads(shown_ghosts, scene.agents, drawn);
   marks.insert(marks.end(), drawn.lines.begin(), drawn.lines.end());
   drawn.triangles.insert(drawn.triangles.end(), triangles.begin(), triangles.end());
   lines->Update(scene.lines, marks);
   fills->Update(drawn.triangles);
-  shown_ghosts = ghosts;
-  shown_ghosts.insert(shown_ghosts.end(), drawn.ghosts.begin(), drawn.ghosts.end());
-  ghost_view->Update(shown_ghosts);
+  ghost_view->Update(shown_ghosts, *things);
   skeleton_lines->Update(things->skeleton_lines(), {});
   PlaceCamera();
+  things->PoseBodies(camera.pose(), Inside());
   DrawPanels(seconds);
-  engine->Draw();
+  // A script that plays a user reads where panels lay their texts; of the frames that nobody watches one in four is
+  // drawn.
+  if (options.ui_script.empty() || ++scripted_frames % 4 == 0)
+    engine->Draw();
+  else
+    ImGui::Render();
+  last_drawn = Clock::now();
+  // Where the processor draws, more frames than a screen shows would only keep it from the world.
+  constexpr auto kFrame = std::chrono::microseconds(16'600);
+  if (engine->low_detail() && !options.hidden && options.ui_script.empty()) std::this_thread::sleep_until(now + kFrame);
   if (workspace) {
     workspace->AfterDrawing(scene, View(), [this](const fs::path& file) { return SavePicture(file); });
   }
@@ -521,12 +580,13 @@ const std::vector<std::uint32_t>& Viewer::selection() const {
 }
 
 void Viewer::ShowOverlays(const world::OverlaySnapshot& overlays) {
+  impl_->shows_news |= overlays.tick != impl_->overlays.tick;
   impl_->overlays = overlays;
   impl_->has_overlays = true;
 }
 world::OverlayWants Viewer::overlay_wants() const {
   return {impl_->IsOn(ViewerCommand::kNavigation), impl_->IsOn(ViewerCommand::kInfluence),
-          impl_->IsOn(ViewerCommand::kPhysics)};
+          impl_->IsOn(ViewerCommand::kPhysics), impl_->IsOn(ViewerCommand::kForces)};
 }
 void Viewer::SetGhosts(std::vector<Ghost> ghosts) {
   impl_->ghosts = std::move(ghosts);

@@ -56,7 +56,8 @@ struct RunStatus {
 /// A figure that is not there, drawn translucent with its name: where somebody would be in another future.
 struct Ghost {
   std::string name;
-  world::Vec3 position;  ///< Of the middle of the body, as in AgentSnapshot.
+  std::uint32_t agent_id = 0;  ///< Whose figure it is: a dashed line leads to where that one is; 0: nobody's.
+  world::Vec3 position;        ///< Of the middle of the body, as in AgentSnapshot.
   world::Vec3 forward{0, 0, 1};
   world::Color color{0.75f, 0.85f, 1, 1};
   float opacity = 0.6f;  ///< 0..1

@@ -115,7 +115,7 @@ TEST(BodyMeshes, TheBindPoseLeavesVerticesWhereTheyAre) {
   std::vector<world::BonePose> bones;
   for (int i = 0; i < skeleton.count(); ++i) bones.push_back(skeleton.BindInModel(i));
   std::vector<float> out(6 * mesh.mesh.vertices.size());
-  MoveSkin(mesh, skeleton, bones, out.data());
+  MoveSkin(mesh, skeleton, bones, {}, out.data());
   for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
     const world::Vec3 moved{out[6 * i], out[6 * i + 1], out[6 * i + 2]};
     ASSERT_LT(world::Distance(moved, mesh.mesh.vertices[i].position), 1e-4f);
@@ -339,6 +339,54 @@ TEST(CameraRig, TheMiddleButtonDragsWhatIsUnderTheCursorAlong) {
   ASSERT_TRUE(before && after);
   EXPECT_NEAR(after->x - before->x, 100, 1);
   EXPECT_NEAR(after->y - before->y, -40, 1);
+}
+
+TEST(CameraRig, TheWheelKeepsWhatIsUnderTheCursorWhereItIs) {
+  for (const CameraMode mode : {CameraMode::kFree, CameraMode::kOrbit, CameraMode::kMap}) {
+    CameraRig rig;
+    world::CameraSnapshot start;
+    start.position = {3, 12, 20};
+    start.orientation = {std::cos(0.3f), -std::sin(0.3f), 0, 0};
+    rig.MoveTo(start);
+    ASSERT_TRUE(rig.SetMode(mode, nullptr));
+    rig.Arrive();
+    rig.Update({}, 0.016f, nullptr, 720);
+    rig.Arrive();
+    const ScreenPoint cursor{900, 500};
+    const Vec3 way = Projection(rig.pose(), 1280, 720).RayThrough(cursor);
+    const Vec3 under = rig.pose().position + way * (rig.pose().position.y / -way.y);
+    CameraInput input;
+    input.wheel = 2;
+    input.towards = way;
+    const float before = world::Distance(rig.pose().position, under);
+    rig.Update(input, 0.016f, nullptr, 720);
+    EXPECT_LT(world::Distance(rig.pose().position, under), 0.9f * before);
+    const auto at = Projection(rig.pose(), 1280, 720).Project(under);
+    ASSERT_TRUE(at.has_value());
+    // Orbits turn round a point a little above the ground.
+    EXPECT_NEAR(at->x, cursor.x, 14) << static_cast<int>(mode);
+    EXPECT_NEAR(at->y, cursor.y, 14) << static_cast<int>(mode);
+  }
+}
+
+TEST(CameraRig, GoesToAPlaceOnTheGroundAndNotToTheSky) {
+  CameraRig rig;
+  world::CameraSnapshot start;
+  start.position = {0, 15, 30};
+  start.orientation = {std::cos(0.25f), -std::sin(0.25f), 0, 0};
+  rig.MoveTo(start);
+  rig.GoTo({0, 0.2f, -0.98f});
+  rig.Arrive();
+  EXPECT_EQ(rig.pose().position, start.position);
+  const Vec3 way = Projection(start, 1280, 720).RayThrough({300, 600});
+  const Vec3 place = start.position + way * (15 / -way.y);
+  rig.GoTo(way);
+  rig.Arrive();
+  const auto at = Projection(rig.pose(), 1280, 720).Project(place);
+  ASSERT_TRUE(at.has_value());
+  EXPECT_NEAR(at->x, 640, 2);
+  EXPECT_NEAR(at->y, 360, 2);
+  EXPECT_LT(world::Distance(rig.pose().position, place), world::Distance(start.position, place));
 }
 
 TEST(Picking, ABoxHoldsTheAgentsWhoseMiddleIsInIt) {

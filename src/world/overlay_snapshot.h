@@ -14,6 +14,7 @@ namespace soarbox::world {
 /// What a viewer wants to know for its overlays; what costs little is always told.
 struct OverlayWants {
   bool navigation = false, influence = false, physics = false;
+  bool forces = false;
   friend bool operator==(const OverlayWants&, const OverlayWants&) = default;
 };
 
@@ -37,11 +38,12 @@ struct AgentOverlay {
   bool has_senses = false;
   float sight_m = 0, view_deg = 360, hearing_m = 0;
   Vec3 eyes;
-  std::vector<Vec3> path;       ///< Corners still to pass, in order; empty: none planned.
-  bool path_is_whole = false;   ///< The path is all of it, those already passed included.
-  std::optional<Vec3> goal;     ///< The place that it goes to or aims at.
-  std::uint32_t target_id = 0;  ///< The agent that it has in mind; 0: none.
-  std::uint32_t leader_id = 0;  ///< The agent that it follows; 0: none.
+  std::optional<Vec3> measured;  ///< The place to which it perceives the distance, but not the direction.
+  std::vector<Vec3> path;        ///< Corners still to pass, in order; empty: none planned.
+  bool path_is_whole = false;    ///< The path is all of it, those already passed included.
+  std::optional<Vec3> goal;      ///< The place that it goes to or aims at.
+  std::uint32_t target_id = 0;   ///< The agent that it has in mind; 0: none.
+  std::uint32_t leader_id = 0;   ///< The agent that it follows; 0: none.
   std::vector<ContactSnapshot> contacts;
 };
 
@@ -61,6 +63,14 @@ struct SpeechSnapshot {
   double age_s = 0;
 };
 
+/// A push that a script or a command of the vocabulary gave a body for the last step.
+struct PushSnapshot {
+  std::uint32_t owner_id = 0;  ///< The agent or object.
+  Vec3 position;               ///< Of the body's middle now.
+  Vec3 force_n;                ///< For one step; of a change of velocity the force that would have made it.
+  float mass_kg = 1;
+};
+
 /// Everything that overlays need besides the scene, at the end of one tick. Recordings do not hold it.
 struct OverlaySnapshot {
   std::uint64_t tick = 0;
@@ -70,6 +80,8 @@ struct OverlaySnapshot {
   bool has_navigation = false;  ///< There is a navigation mesh, it is ready and was wanted.
   bool has_influence = false;   ///< The same of an influence map.
   // Only what was wanted.
+  bool has_pushes = false;                  ///< They were wanted; there may have been none.
+  std::vector<PushSnapshot> pushes;         ///< In the order in which they were given.
   std::vector<LineSnapshot> lines;          ///< Edges of navigation meshes, wireframes of bodies.
   std::vector<TriangleSnapshot> triangles;  ///< Fills of navigation meshes and the influence map.
 };

@@ -64,7 +64,8 @@ struct PhysicsWorld::Impl {
   explicit Impl(const WorldSettings& settings)
       : dispatcher(&configuration),
         world(&dispatcher, &broadphase, &solver, &configuration),
-        gravity(settings.gravity) {
+        gravity(settings.gravity),
+        step_s(settings.step_s) {
     InstallFrictionRule();
     // Finds several corners of a box on a plane in one step; with one corner per step small boxes rock for ever.
     configuration.setPlaneConvexMultipointIterations(3, 3);
@@ -102,6 +103,10 @@ struct PhysicsWorld::Impl {
     if (!body.rigid->isStaticObject()) body.rigid->activate(true);
   }
 
+  void NotePush(BodyId id, Vec3 force_n) {
+    if (pushes.size() < kMostPushes) pushes.push_back({id, force_n});
+  }
+
   void KeepInRange();
   void GatherCollisions();
 
@@ -113,9 +118,11 @@ struct PhysicsWorld::Impl {
   btDiscreteDynamicsWorld world;
   CrowdControl crowd{world, pair_limit};
   Vec3 gravity;
+  float step_s;
   std::vector<std::unique_ptr<Body>> bodies{1};  // Index 0 is BodyId::kNone.
   std::vector<BodyId> free;
   std::vector<Collision> collisions;
+  std::vector<Push> pushes, last_pushes;
   /// Grows whenever a body that is not upright moves, comes, goes or changes its mass.
   std::uint64_t changes = 0;
   std::uint64_t obstacles_of = ~0ull;  ///< The value of changes that obstacles belong to.
@@ -244,6 +251,9 @@ void PhysicsWorld::SetOrientation(BodyId id, Quat orientation) {
 
 void PhysicsWorld::SetVelocity(BodyId id, Vec3 velocity) {
   Body& body = Get(id);
+  const float inverse_mass = static_cast<float>(body.rigid->getInvMass());
+  const Vec3 change = velocity - FromBullet(body.rigid->getLinearVelocity());
+  if (inverse_mass > 0 && change != Vec3{}) impl_->NotePush(id, change / (inverse_mass * impl_->step_s));
   body.rigid->setLinearVelocity(ToBullet(velocity));
   impl_->Wake(body);
 }
@@ -300,6 +310,17 @@ void PhysicsWorld::ApplyForce(BodyId id, Vec3 force_n) {
   Body& body = Get(id);
   body.rigid->applyCentralForce(ToBullet(force_n));
   impl_->Wake(body);
+  impl_->NotePush(id, force_n);
+}
+
+const std::vector<PhysicsWorld::Push>& PhysicsWorld::LastPushes() const {
+  return impl_->last_pushes;
+}
+
+EntityId PhysicsWorld::OwnerOf(BodyId id) const {
+  const auto index = static_cast<std::size_t>(id);
+  if (index >= impl_->bodies.size() || !impl_->bodies[index]) return kNoEntity;
+  return static_cast<EntityId>(impl_->bodies[index]->rigid->getUserIndex());
 }
 
 void PhysicsWorld::ApplyAngularImpulse(BodyId id, Vec3 impulse) {
@@ -309,6 +330,8 @@ void PhysicsWorld::ApplyAngularImpulse(BodyId id, Vec3 impulse) {
 }
 
 void PhysicsWorld::Step(float step_s) {
+  impl_->pushes.swap(impl_->last_pushes);
+  impl_->pushes.clear();
   impl_->world.stepSimulation(step_s, 0);
   impl_->KeepInRange();
   impl_->crowd.CheckAll();

@@ -71,11 +71,22 @@ class PhysicsWorld {
   void SetMass(BodyId body, float mass_kg);
   void SetGravity(BodyId body, Vec3 gravity);
   void SetDamping(BodyId body, float linear, float angular);
+  /// For one step.
   void ApplyForce(BodyId body, Vec3 force_n);
   void ApplyAngularImpulse(BodyId body, Vec3 impulse);
 
   /// One step. Bodies that leave the range of the numbers are put back to its edge, at rest.
   void Step(float step_s);
+  struct Push {
+    BodyId body = BodyId::kNone;
+    Vec3 force_n;
+  };
+  /// What was applied for the last step, in the order of the calls, the first kMostPushes of them: forces, and of
+  /// velocities that were set the force that would have changed them so. Nothing in a run depends on it.
+  const std::vector<Push>& LastPushes() const;
+  static constexpr std::size_t kMostPushes = 8192;
+  /// Whether the body is still there, and whose it is.
+  EntityId OwnerOf(BodyId body) const;
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "world/modular_meshes.h"
+#include "world/overlay_snapshot.h"
 #include "world/random.h"
 #include "world/rotation.h"
 #include "world/world.h"
@@ -81,6 +82,33 @@ TEST(WorldPhysics, AnImpulseIsAForceForOneStep) {
   Tick(world);
   EXPECT_NEAR(block.Velocity().x, 33.33f, 0.01f);
   EXPECT_TRUE(world.TakeWarnings().empty());
+}
+
+TEST(WorldPhysics, OverlaysTellWhatPushedBodiesInTheLastStep) {
+  World world;
+  const EntityId block_id = world.CreateObject("models/nobiax_modular/modular_block.mesh");
+  Object& block = *world.FindObject(block_id);
+  block.SetMass(15);
+  block.SetPosition({0, 100, 0});
+  block.ApplyImpulse({15000, 0, 0});
+  block.ApplyForce({0, 0, 30});
+  block.SetVelocity({0, 2, 0});
+  Tick(world);
+  OverlaySnapshot told;
+  world.AddOverlays({}, told);
+  EXPECT_FALSE(told.has_pushes);
+  world.AddOverlays({.forces = true}, told);
+  EXPECT_TRUE(told.has_pushes);
+  ASSERT_EQ(told.pushes.size(), 3u);
+  EXPECT_EQ(told.pushes[0].owner_id, Number(block_id));
+  EXPECT_EQ(told.pushes[0].force_n, (Vec3{15000, 0, 0}));
+  EXPECT_EQ(told.pushes[1].force_n, (Vec3{0, 0, 30}));
+  EXPECT_NEAR(told.pushes[2].force_n.y, 2 * 15 * 30, 0.1f) << "a change of velocity by a force for one step";
+  EXPECT_FLOAT_EQ(told.pushes[2].mass_kg, 15);
+  Tick(world);
+  OverlaySnapshot later;
+  world.AddOverlays({.forces = true}, later);
+  EXPECT_TRUE(later.pushes.empty()) << "they were for one step";
 }
 
 TEST(WorldPhysics, AnAngularImpulseSpinsAtOnce) {

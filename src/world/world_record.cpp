@@ -55,6 +55,14 @@ void World::AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) co
   if (wants.navigation) impl_->navigation.FillOverlay(overlays);
   if (wants.influence && impl_->influence) impl_->influence->FillOverlay(overlays);
   if (wants.physics) impl_->physics.AddDebugLines(overlays.lines);
+  if (!wants.forces) return;
+  overlays.has_pushes = true;
+  for (const PhysicsWorld::Push& push : impl_->physics.LastPushes()) {
+    const EntityId owner = impl_->physics.OwnerOf(push.body);
+    if (owner == kNoEntity) continue;  // Its body has gone since.
+    overlays.pushes.push_back(
+        {Number(owner), impl_->physics.Position(push.body), push.force_n, impl_->physics.Mass(push.body)});
+  }
 }
 
 SceneSnapshot World::Snapshot() const {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+#include "viewer/panel_host.h"
+#include "viewer/picking.h"
+#include "world/overlay_snapshot.h"
+
+namespace soarbox::viewer {
+
+/// What there is to say about the agent under the cursor.
+void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays,
+                 ScreenPoint cursor);
+
+/// The box that the user draws to select what is in it.
+void DrawSelectionBox(ScreenPoint from, ScreenPoint to);
+
+/// A remark in the lower middle of the picture; opacity 0..1.
+void DrawNotice(const PanelHost& host, const std::string& text, float opacity);
+
+}  // namespace soarbox::viewer
