@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/event_printer.h"
+#include "diagnostics/plain_text.h"
 
 namespace soarbox::app {
 namespace {
@@ -87,7 +88,10 @@ class TextPrinter : public EventPrinter {
 
  private:
   void Line(const sim::Event& event, const std::string& text) {
-    out_ << fmt::format("{:8.2f} s  {:<14} {}\n", event.time_s, event.agent.empty() ? "sandbox" : event.agent, text);
+    // What scripts and rules print is theirs but for what would steer the terminal.
+    out_ << fmt::format("{:8.2f} s  {:<14} {}\n", event.time_s,
+                        event.agent.empty() ? "sandbox" : Printable(event.agent, nullptr),
+                        Printable(text, "", text.size()));
   }
 
   /// Flushes first, so that a problem stands where it happened also when both streams share a terminal.

@@ -88,7 +88,12 @@ int Why(const WhyOptions& options) {
   const std::vector<std::string> lines = world.Why(agent);
   if (lines.empty()) {
     Diagnostic problem;
-    problem.message = "there is no agent '" + agent + "' with a mind";
+    problem.message =
+        agent.empty() ? "no agent of this scenario has a Soar mind" : "there is no agent '" + agent + "' with a mind";
+    if (agent.empty()) {
+      problem.hint = "scripts alone move these agents: soarbox run shows what they print";
+      return refuse(problem);
+    }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     if (const std::string_view near = Suggest(agent, candidates); !near.empty()) {
       problem.hint = "did you mean '" + std::string(near) + "'?";

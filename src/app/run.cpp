@@ -63,8 +63,13 @@ int Run(const RunOptions& given) {
 
   // What the command line leaves open the scenario's file may say.
   if (!scenario.value().definition.empty()) {
-    Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario.value().definition);
-    if (!file) return CannotStart(file.error());
+    std::vector<Diagnostic> further;
+    Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario.value().definition, &further);
+    if (!file) {
+      const int code = CannotStart(file.error());
+      for (const Diagnostic& problem : further) std::cerr << Format(problem);
+      return code;
+    }
     if (!options.seed) options.seed = file->seed;
     if (!options.seconds && options.headless) options.seconds = file->seconds;
   }

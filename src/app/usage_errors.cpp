@@ -138,7 +138,8 @@ Diagnostic BadValue(const CLI::App& command, const CLI::ParseError& error) {
   const CLI::Option* option = OptionNamed(command, sentence);
   if (option == nullptr) return problem;
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
-    problem.message = name + ": " + option->get_name() + " takes a value, and none is given";
+    problem.message = name + ": " + option->get_name() +
+                      (option->count() > 1 ? " is given more than once" : " takes a value, and none is given");
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
     problem.message =
         name + ": " + (option->get_positional() ? "the argument " : "") + option->get_name() + " is missing";

@@ -8,6 +8,7 @@
 #include "cli/load_image.h"
 #include "cli/percepts.h"
 #include "cli/source_run.h"
+#include "diagnostics/plain_text.h"
 #include "kernel/agent.h"
 #include "kernel/rules/rule_gaps.h"
 
@@ -54,6 +55,17 @@ void ReportPlace(CommandCall& call, const std::string& path, int line, std::size
 
 /// Carries out the commands of a text, all of them, whatever fails; false if any did.
 bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std::string_view text) {
+  if (std::string why = WhyNoPlainText(text); !why.empty()) {
+    Diagnostic diagnostic;
+    diagnostic.file = path;
+    diagnostic.line = 1;
+    diagnostic.message = std::move(why);
+    const std::size_t first_diagnostic = call.result.diagnostics.size();
+    call.result.diagnostics.push_back(std::move(diagnostic));
+    ReportPlace(call, path, 1, first_diagnostic);
+    call.failure = CommandCall::Failure::kWithMessage;
+    return false;
+  }
   CommandReader reader(text);
   std::vector<Word> words;
   bool ok = true;
@@ -184,7 +196,8 @@ bool LoadFile(CommandCall& call) {
     return call.Fail("Failed to open file for reading: " + file);
   }
   const bool is_image = path.extension() == ".soarx";
-  const std::string text = is_image ? std::string() : TextOf(in, path);
+  const std::string content = is_image ? std::string() : TextOf(in, path);
+  const std::string_view text = WithoutByteOrderMark(content);
 
   SourceRun own;
   SourceRun*& current = call.interpreter.source_run();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "diagnostics/plain_text.h"
+
 namespace soarbox {
 namespace {
 
@@ -36,10 +38,41 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+constexpr int kWidestExcerpt = 300;
+constexpr int kBeforeColumn = 100;
+
+/// The line of a source with a mark below the place. Of a long line the part around the place; what a terminal would
+/// not show as it is becomes one character each, so that the mark stays below its place.
+std::string FormatExcerpt(const Diagnostic& diagnostic) {
+  std::string excerpt = diagnostic.excerpt;
+  int column = diagnostic.column;
+  if (column > kBeforeColumn && static_cast<int>(excerpt.size()) > kWidestExcerpt) {
+    const int cut = std::min(column, static_cast<int>(excerpt.size())) - kBeforeColumn;
+    excerpt.erase(0, static_cast<std::size_t>(cut));
+    column -= cut;
+  }
+  if (static_cast<int>(excerpt.size()) > kWidestExcerpt) excerpt.resize(kWidestExcerpt);
+  for (char& c : excerpt) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && byte != '\t') || byte == 0x7F) c = '?';
+  }
+  std::string text = "   " + excerpt + '\n';
+  if (column <= 0) return text;
+  // Tabs are kept, so that the caret stands under its character whatever a tab's width.
+  std::string pad;
+  for (int i = 0; i + 1 < column; ++i) {
+    const bool is_tab = i < static_cast<int>(excerpt.size()) && excerpt[static_cast<std::size_t>(i)] == '\t';
+    pad += is_tab ? '\t' : ' ';
+  }
+  const int marked = std::min(diagnostic.excerpt_length, kWidestExcerpt);
+  text += "   " + pad + '^' + std::string(static_cast<std::size_t>(std::max(0, marked - 1)), '~') + '\n';
+  return text;
+}
+
 }  // namespace
 
 std::string Format(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file;
+  std::string text = Printable(diagnostic.file, nullptr);
   if (diagnostic.line > 0) {
     if (!text.empty()) text += ':';
     text += std::to_string(diagnostic.line);
@@ -47,20 +80,9 @@ std::string Format(const Diagnostic& diagnostic) {
   }
   if (!text.empty()) text += ": ";
   text += Word(diagnostic.severity);
-  text += ": " + diagnostic.message + '\n';
-  if (!diagnostic.excerpt.empty()) {
-    text += "   " + diagnostic.excerpt + '\n';
-    if (diagnostic.column > 0) {
-      // Tabs are kept, so that the caret stands under its character whatever a tab's width.
-      std::string pad;
-      for (int i = 0; i + 1 < diagnostic.column; ++i) {
-        const bool is_tab = i < static_cast<int>(diagnostic.excerpt.size()) && diagnostic.excerpt[i] == '\t';
-        pad += is_tab ? '\t' : ' ';
-      }
-      text += "   " + pad + '^' + std::string(std::max(0, diagnostic.excerpt_length - 1), '~') + '\n';
-    }
-  }
-  if (!diagnostic.hint.empty()) text += "   note: " + diagnostic.hint + '\n';
+  text += ": " + Printable(diagnostic.message) + '\n';
+  if (!diagnostic.excerpt.empty()) text += FormatExcerpt(diagnostic);
+  if (!diagnostic.hint.empty()) text += "   note: " + Printable(diagnostic.hint) + '\n';
   if (diagnostic.more > 0) {
     text += "   note: the same in " + std::to_string(diagnostic.more) + " more place" +
             (diagnostic.more == 1 ? "" : "s") + '\n';

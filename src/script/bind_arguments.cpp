@@ -88,9 +88,11 @@ world::NodeId BodyArgument(lua_State* state, int index) {
 }
 
 std::string_view TextArgument(lua_State* state, int index) {
+  if (lua_isstring(state, index) == 0)
+    ArgumentError(state, index, lua_pushfstring(state, "string expected, got %s", NameOfValue(state, index)));
   std::size_t length = 0;
-  const char* text = luaL_checklstring(state, index, &length);
-  luaL_argcheck(state, length <= kLongestText, index, "a text that the world keeps has 65536 bytes at most");
+  const char* text = lua_tolstring(state, index, &length);
+  if (length > kLongestText) ArgumentError(state, index, "a text that the world keeps has 65536 bytes at most");
   return {text, length};
 }
 

@@ -6,6 +6,7 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/script_error.h"
 
 // Sandbox: making and finding agents and objects.
 
@@ -15,8 +16,10 @@ namespace {
 using world::EntityId;
 
 /// Reads the options table into the request; raises an error for values that are no option. Vectors and tables within
-/// become options with dotted names: "position.x", "senses.sight"; lists "senses.only.1".
-void ReadOptions(lua_State* state, int index, AgentCreationRequest& request, const std::string& prefix = {}) {
+/// become options with dotted names: "position.x", "senses.sight"; lists "senses.only.1". `argument` is the table that
+/// was handed over, `index` the one within it that is read.
+void ReadOptions(lua_State* state, int argument, int index, AgentCreationRequest& request,
+                 const std::string& prefix = {}) {
   constexpr std::size_t kMostOptions = 200;
   luaL_checktype(state, index, LUA_TTABLE);
   luaL_checkstack(state, 6, "nested options");
@@ -28,10 +31,10 @@ void ReadOptions(lua_State* state, int index, AgentCreationRequest& request, con
     } else if (lua_type(state, -2) == LUA_TSTRING) {
       name += lua_tostring(state, -2);
     } else {
-      ArgumentError(state, index, "the names of options are strings");
+      ArgumentError(state, argument, "the names of options are strings");
     }
     if (request.options.size() >= kMostOptions || name.size() > 200)
-      ArgumentError(state, index, "these are too many options");
+      ArgumentError(state, argument, "these are too many options");
     switch (lua_type(state, -1)) {
       case LUA_TBOOLEAN:
         request.options[name] = lua_toboolean(state, -1) != 0;
@@ -43,7 +46,7 @@ void ReadOptions(lua_State* state, int index, AgentCreationRequest& request, con
         request.options[name] = std::string(lua_tostring(state, -1));
         break;
       case LUA_TTABLE:
-        ReadOptions(state, lua_gettop(state), request, name + ".");
+        ReadOptions(state, argument, lua_gettop(state), request, name + ".");
         break;
       default: {
         const world::Vec3* vector = ToVector(state, -1);
@@ -56,7 +59,7 @@ void ReadOptions(lua_State* state, int index, AgentCreationRequest& request, con
           const auto* agent = ContextOf(state).world.FindAgent(EntityId{handle->number});
           request.options[name] = agent != nullptr ? agent->name() : std::string();
         } else {
-          ArgumentError(state, index,
+          ArgumentError(state, argument,
                         "the values of options are strings, numbers, booleans, vectors, agents and tables");
         }
       }
@@ -86,9 +89,10 @@ int MakeAgent(lua_State* state, const char* kind) {
   if (!SandboxArgument(state, 1)) return 0;
   AgentCreationRequest request;
   request.kind = kind;
+  LocateCaller(state, request.made_in, request.made_in_line);
   if (lua_istable(state, 2) && request.kind == "soar") {
     // All in one table: the agent needs no script.
-    ReadOptions(state, 2, request);
+    ReadOptions(state, 2, 2, request);
     for (const auto& [option, field] : {std::pair{"rules", &request.rules}, std::pair{"script", &request.script}}) {
       const auto given = request.options.find(option);
       if (given == request.options.end()) continue;
@@ -99,7 +103,7 @@ int MakeAgent(lua_State* state, const char* kind) {
   }
   request.script = TextArgument(state, 2);
   if (!lua_isnoneornil(state, 3)) request.rules = TextArgument(state, 3);
-  if (!lua_isnoneornil(state, 4)) ReadOptions(state, 4, request);
+  if (!lua_isnoneornil(state, 4)) ReadOptions(state, 4, 4, request);
   return PushMadeAgent(state, request);
 }
 

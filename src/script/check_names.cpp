@@ -126,4 +126,10 @@ std::vector<Diagnostic> CheckNames(std::string_view text, const std::string& fil
   return std::move(names.found);
 }
 
+std::vector<Diagnostic> CheckCallbackNames(std::string_view text, const std::string& file) {
+  Names names{text, CodeOf(text), file, {}};
+  names.CheckDefinitions();
+  return std::move(names.found);
+}
+
 }  // namespace soarbox::script

@@ -20,6 +20,10 @@ struct AgentCreationRequest {
   /// The options table, field by field. "name" is the agent's name.
   std::map<std::string, std::variant<bool, double, std::string>> options;
 
+  /// The script and its line where this was asked for; empty if none.
+  std::string made_in;
+  int made_in_line = 0;
+
   bool HasMind() const { return kind != "lua"; }
 };
 

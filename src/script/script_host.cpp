@@ -5,6 +5,7 @@
 #include <lua.hpp>
 
 #include "script/bind_api.h"
+#include "script/check_names.h"
 #include "script/keep_state.h"
 #include "script/lua_values.h"
 #include "world/state_hash.h"
@@ -108,6 +109,7 @@ bool ScriptHost::LoadSandbox(std::string_view script) {
   auto error = sandbox_->Protected([](lua_State* state) { BindApi(state, ApiSide::kSandbox); });
   if (!error) error = sandbox_->RunFile(script);
   if (error) reporter_.FailedForGood(EntityId::kSandbox, *error);
+  if (!error) WarnOfSlips(script);
   return !error;
 }
 
@@ -264,7 +266,7 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
     // Its body is not a script's matter; the minds give it one.
     if (const Result<void> made = minds_->MakeMind(id, request); !made.ok()) {
       world_.FindAgent(id)->SetFailed(true);
-      reporter_.FailedForGood(id, ScriptError{made.error(), {}});
+      reporter_.FailedForGood(id, ScriptError{PlacedAt(request, made.error()), {}});
     }
     return id;
   }
@@ -288,6 +290,7 @@ void ScriptHost::InitializeAgent(AgentScript& script) {
     StopAgent(script, *error);
     return;
   }
+  WarnOfSlips(script.request.script);
   script.runs = true;
   if (script.request.HasMind()) world_.FindAgent(script.id)->SetTarget({0, 0, 10});
   error = script.machine->CallGlobal("Agent_Initialize", [&](lua_State* state) {
@@ -297,7 +300,22 @@ void ScriptHost::InitializeAgent(AgentScript& script) {
   NoteResult(script.id, "Agent_Initialize", error);
   if (!script.request.HasMind()) return;
   if (const Result<void> made = minds_->MakeMind(script.id, script.request); !made.ok())
-    StopAgent(script, ScriptError{made.error(), {}});
+    StopAgent(script, ScriptError{PlacedAt(script.request, made.error()), {}});
+}
+
+Diagnostic ScriptHost::PlacedAt(const AgentCreationRequest& request, Diagnostic problem) const {
+  if (problem.line > 0 || !problem.file.empty() || request.made_in.empty()) return problem;
+  problem.file = path_.PathOf(request.made_in);
+  problem.line = request.made_in_line;
+  problem.excerpt = path_.LineOf(request.made_in, request.made_in_line);
+  return problem;
+}
+
+void ScriptHost::WarnOfSlips(std::string_view script) {
+  if (!looked_over_.emplace(script).second) return;
+  const Result<const ScriptSource*> source = path_.Load(script);
+  if (!source.ok()) return;
+  for (const Diagnostic& slip : CheckCallbackNames(source.value()->content, source.value()->path)) reporter_.Warn(slip);
 }
 
 std::string ScriptHost::NameFor(const AgentCreationRequest& request) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -98,6 +99,10 @@ class ScriptHost final : private AgentMaker {
   AgentScript* Find(world::EntityId agent);
   const AgentScript* Find(world::EntityId agent) const;
   std::string NameFor(const AgentCreationRequest& request);
+  /// A problem that tells no place gets the one where a script asked for the agent.
+  Diagnostic PlacedAt(const AgentCreationRequest& request, Diagnostic problem) const;
+  /// Warns of functions that are nearly those that a sandbox calls; once for each script.
+  void WarnOfSlips(std::string_view script);
   bool MayRun(const LuaMachine& machine) const;
   /// Notes how a call ended; `error` may be null. False if it failed.
   bool NoteResult(world::EntityId agent, const char* callback, const ScriptError* error);
@@ -120,6 +125,7 @@ class ScriptHost final : private AgentMaker {
   std::unique_ptr<LuaMachine> sandbox_;
   std::vector<std::unique_ptr<AgentScript>> agents_;  // In creation order, thus in ascending id.
   std::map<std::string, int> names_;                  // How many agents of each name's stem there are.
+  std::set<std::string, std::less<>> looked_over_;    // Scripts whose slips were told.
   int creation_depth_ = 0;
 };
 

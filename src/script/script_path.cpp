@@ -7,6 +7,8 @@
 #include <optional>
 #include <sstream>
 
+#include "diagnostics/plain_text.h"
+
 namespace soarbox::script {
 namespace {
 
@@ -43,6 +45,18 @@ std::optional<fs::path> FindIn(const fs::path& folder, const fs::path& name) {
   return std::nullopt;
 }
 
+/// More than anyone writes; a file of this size is something else.
+constexpr std::size_t kLargestScript = 8 << 20;
+
+/// What stands under a name in place of a file; empty if nothing does.
+std::string OtherThan(const fs::path& place) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(place, error);
+  if (error || !fs::exists(status)) return {};
+  if (fs::is_symlink(status) && !fs::exists(place, error)) return "a link that leads nowhere";
+  return fs::is_directory(place, error) ? "a folder" : "no plain file";
+}
+
 }  // namespace
 
 bool ScriptPath::LinksOutside(const fs::path& file) const {
@@ -73,6 +87,13 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
     error.message = "this script is a link that leads out of the scenario's folder";
     return error;
   }
+  for (const fs::path& folder : folders_) {
+    if (found) break;
+    if (const std::string other = OtherThan(folder / fs::path(name)); !other.empty()) {
+      error.message = "the script \"" + std::string(name) + "\" is " + other;
+      return error;
+    }
+  }
   if (!found) {
     error.message = "no such script file: \"" + std::string(name) + "\"";
     std::vector<std::string> names;
@@ -85,11 +106,20 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
     error.hint = near.empty() ? "searched in " + searched : "did you mean \"" + std::string(near) + "\"?";
     return error;
   }
+  std::error_code unknown;
+  if (const std::uintmax_t size = fs::file_size(*found, unknown); !unknown && size > kLargestScript) {
+    error.message = "the script \"" + std::string(name) + "\" is too large: " + std::to_string(size >> 20) + " MB";
+    return error;
+  }
   std::ifstream file(*found, std::ios::binary);
   std::ostringstream content;
   content << file.rdbuf();
   if (!file) {
     error.message = "cannot read script file " + found->string();
+    return error;
+  }
+  if (const std::string why = WhyNoPlainText(content.view()); !why.empty()) {
+    error.message = "the script \"" + std::string(name) + "\" cannot be read: " + why;
     return error;
   }
   ScriptSource source{std::string(name), found->string(), std::move(content).str()};

@@ -127,54 +127,101 @@ Result<bool> SetBodyProperty(BodyKind& body, const std::string& name, const Valu
   return false;
 }
 
-Result<AgentOptions> ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds) {
+namespace {
+
+/// Sets what the options say of a body by the name of its kind.
+std::optional<Diagnostic> ChooseBody(const Value& given, const std::vector<BodyKind>& kinds, BodyKind& body) {
+  const std::string* name = std::get_if<std::string>(&given);
+  if (name == nullptr) return WrongType("body", "the name of a body");
+  const auto at = std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind& kind) { return kind.name == *name; });
+  if (at != kinds.end()) {
+    body = *at;
+    return std::nullopt;
+  }
+  std::vector<std::string_view> names;
+  std::string all = "there are:";
+  for (const BodyKind& kind : kinds) {
+    names.push_back(kind.name);
+    all += " " + kind.name;
+  }
+  const std::string_view near = Suggest(*name, names);
+  return Bad("there is no body '" + *name + "'", near.empty() ? all : "did you mean '" + std::string(near) + "'?");
+}
+
+bool IsCoordinate(const std::string& name) {
+  return name.starts_with("position.") && name.size() == 10 &&
+         std::string_view("xyz123").find(name[9]) != std::string_view::npos;
+}
+
+/// Sets any option but a coordinate and the kind of body.
+std::optional<Diagnostic> SetOption(const std::string& name, const Value& value, AgentOptions& read) {
+  const std::string* text = std::get_if<std::string>(&value);
+  if (name == "name" || name == "team" || name == "leader") {
+    if (text == nullptr) return WrongType(name, "a name");
+    if (name == "team") read.team = *text;
+    if (name == "leader") read.leader = *text;
+    return std::nullopt;
+  }
+  if (name == "heading") {
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr || !std::isfinite(*number)) return WrongType(name, "degrees");
+    read.heading_deg = static_cast<float>(*number);
+    return std::nullopt;
+  }
+  const Result<bool> set = SetBodyProperty(read.body, name, value);
+  if (!set) return set.error();
+  if (!set.value()) return UnknownOption(name);
+  return std::nullopt;
+}
+
+}  // namespace
+
+AgentOptions ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds,
+                              std::vector<OptionProblem>& problems) {
   AgentOptions read;
   read.body = kinds.front();
-  if (const auto given = options.find("body"); given != options.end()) {
-    const std::string* name = std::get_if<std::string>(&given->second);
-    if (name == nullptr) return WrongType("body", "the name of a body");
-    const auto at = std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind& kind) { return kind.name == *name; });
-    if (at == kinds.end()) {
-      std::vector<std::string_view> names;
-      std::string all = "there are:";
-      for (const BodyKind& kind : kinds) {
-        names.push_back(kind.name);
-        all += " " + kind.name;
-      }
-      const std::string_view near = Suggest(*name, names);
-      return Bad("there is no body '" + *name + "'", near.empty() ? all : "did you mean '" + std::string(near) + "'?");
-    }
-    read.body = *at;
-  }
+  const auto note = [&problems](const std::string& name, std::optional<Diagnostic> problem) {
+    if (problem) problems.push_back({name, std::move(*problem)});
+  };
+  // The kind first: the other options change it.
+  if (const auto given = options.find("body"); given != options.end())
+    note("body", ChooseBody(given->second, kinds, read.body));
   std::optional<double> x, z;
+  bool bad_position = false;
   for (const auto& [name, value] : options) {
-    const double* number = std::get_if<double>(&value);
-    const std::string* text = std::get_if<std::string>(&value);
     if (name.starts_with("senses.")) read.has_senses = true;
-    if (name == "body" || name == "name") {
-      if (text == nullptr) return WrongType(name, "a name");
-    } else if (name == "team" || name == "leader") {
-      if (text == nullptr) return WrongType(name, "a name");
-      (name == "team" ? read.team : read.leader) = *text;
-    } else if (name.starts_with("position.") && name.size() == 10 &&
-               std::string_view("xyz123").find(name[9]) != std::string_view::npos) {
-      if (number == nullptr || !std::isfinite(*number)) return WrongType("position", "numbers: [x, z]");
-      // [x, z], [x, y, z] or a vector; height follows from the ground.
-      const bool has_three = options.contains("position.3");
-      if (name[9] == 'x' || name[9] == '1') x = *number;
-      if (name[9] == 'z' || name[9] == '3' || (name[9] == '2' && !has_three)) z = *number;
-    } else if (name == "heading") {
-      if (number == nullptr || !std::isfinite(*number)) return WrongType(name, "degrees");
-      read.heading_deg = static_cast<float>(*number);
-    } else {
-      const Result<bool> set = SetBodyProperty(read.body, name, value);
-      if (!set) return set.error();
-      if (!set.value()) return UnknownOption(name);
+    if (name == "body") continue;
+    if (!IsCoordinate(name)) {
+      note(name, SetOption(name, value, read));
+      continue;
     }
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr || !std::isfinite(*number)) {
+      if (!bad_position) note("position", WrongType("position", "numbers: [x, z]"));
+      bad_position = true;
+      continue;
+    }
+    // [x, z], [x, y, z] or a vector; height follows from the ground.
+    const bool has_three = options.contains("position.3");
+    if (name[9] == 'x' || name[9] == '1') x = *number;
+    if (name[9] == 'z' || name[9] == '3' || (name[9] == '2' && !has_three)) z = *number;
   }
-  if (x.has_value() != z.has_value()) return WrongType("position", "two numbers: [x, z]");
-  if (x) read.position = world::Vec3{static_cast<float>(*x), 0, static_cast<float>(*z)};
+  if (x.has_value() != z.has_value() && !bad_position) note("position", WrongType("position", "two numbers: [x, z]"));
+  if (x && z) read.position = world::Vec3{static_cast<float>(*x), 0, static_cast<float>(*z)};
   return read;
+}
+
+Result<AgentOptions> ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds) {
+  std::vector<OptionProblem> problems;
+  AgentOptions read = ReadAgentOptions(options, kinds, problems);
+  if (problems.empty()) return read;
+  Diagnostic all = problems.front().problem;
+  for (std::size_t i = 1; i < problems.size(); ++i) {
+    all.message += "; " + problems[i].problem.message;
+    if (!problems[i].problem.hint.empty() && problems[i].problem.hint != all.hint)
+      all.hint += (all.hint.empty() ? "" : "; ") + problems[i].problem.hint;
+  }
+  return all;
 }
 
 }  // namespace soarbox::sim

@@ -27,8 +27,19 @@ struct AgentOptions {
   std::optional<double> rounds;
 };
 
-/// Reads the options against the kinds of bodies. An option that nothing knows is an error with a suggestion.
+/// What is wrong with one option, by its dotted name.
+struct OptionProblem {
+  std::string option;
+  Diagnostic problem;
+};
+
+/// Reads the options against the kinds of bodies. What is wrong is added to the problems, each option on its own; one
+/// that nothing knows gets a suggestion.
+AgentOptions ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds,
+                              std::vector<OptionProblem>& problems);
+/// The same; all that is wrong in one diagnostic.
 Result<AgentOptions> ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds);
+
 /// Sets one property of a body by its option's name ("speed", "senses.sight", "weapon.range"). False if there is no
 /// such property; an error if the value is of the wrong type or out of range.
 Result<bool> SetBodyProperty(BodyKind& body, const std::string& name,

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "diagnostics/plain_text.h"
 #include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "sim/reasons.h"
@@ -127,6 +128,8 @@ class Checker {
     if (!fs::is_regular_file(file, error)) {
       problems.push_back(Problem(file, "there is no such file",
                                  "name files of rules (.soar), scripts (.lua), scenarios (.toml) or folders"));
+    } else if (const std::string why = WhyNoPlainText(ReadAll(file)); !why.empty()) {
+      problems.push_back(Problem(file, why));
     } else if (file.extension() == ".soar") {
       CheckRules(file);
     } else if (file.extension() == ".lua") {
@@ -298,7 +301,12 @@ std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::stri
 std::vector<Diagnostic> CheckFiles(const std::vector<fs::path>& files) {
   Checker checker;
   for (const fs::path& file : files) checker.Check(file);
-  return std::move(checker.problems);
+  // Files that source each other are read more than once.
+  std::vector<Diagnostic> distinct;
+  std::set<std::string> told;
+  for (Diagnostic& problem : checker.problems)
+    if (told.insert(Format(problem)).second) distinct.push_back(std::move(problem));
+  return distinct;
 }
 
 }  // namespace soarbox::sim

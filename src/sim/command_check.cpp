@@ -33,6 +33,13 @@ bool IsGood(const ParameterRow& row, const Percept& value) {
   return row.min == row.max || (*number >= row.min && *number <= row.max);
 }
 
+/// Another value of the same parameter.
+const Percept* OtherValue(const std::vector<Percept>& parameters, const Percept& given) {
+  for (const Percept& each : parameters)
+    if (&each != &given && each.attribute == given.attribute) return &each;
+  return nullptr;
+}
+
 std::string UnknownParameter(const CommandRow& row, const std::string& name) {
   std::vector<std::string_view> names;
   for (const ParameterRow& parameter : row.parameters) names.push_back(parameter.name);
@@ -72,6 +79,11 @@ CommandFault CheckCommand(const SaidCommand& command) {
     if (parameter == nullptr) {
       if (is_message) continue;
       return {"unknown-parameter", given.attribute, UnknownParameter(*row, given.attribute)};
+    }
+    if (const Percept* other = OtherValue(command.parameters, given); other != nullptr) {
+      return {"bad-value", given.attribute,
+              "^" + given.attribute + " of " + command.name + " has two values, " + DescribeValue(given) + " and " +
+                  DescribeValue(*other) + ": it takes one; a sum is (+ 1 2), and ^name <n> - takes the old value away"};
     }
     if (!IsGood(*parameter, given)) {
       const std::string range = DescribeRange(parameter->unit, parameter->min, parameter->max, parameter->words);

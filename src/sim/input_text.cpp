@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "diagnostics/plain_text.h"
 #include "sim/input_names.h"
 
 namespace soarbox::sim {
@@ -258,6 +259,7 @@ struct Writer {
 
 InputText ReadInputs(std::string_view text, const std::string& file) {
   InputText read;
+  text = WithoutByteOrderMark(text);
   Place pointer;
   int number = 0;
   for (std::size_t begin = 0; begin < text.size();) {

@@ -115,6 +115,24 @@ Result<std::filesystem::path> Minds::FindRules(const std::string& agent, const A
   }
   Diagnostic problem;
   problem.file = wanted;
+  const std::filesystem::path name(wanted);
+  if (name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end()) {
+    problem.message = "the rules of " + agent + ", " + wanted + ", are not below the scenario's folder";
+    problem.hint = "name them from that folder on, without '..'; --path adds a folder";
+    return problem;
+  }
+  for (const std::filesystem::path& folder : scenario_.rule_folders) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::symlink_status(folder / wanted, error);
+    const bool is_there = !error && std::filesystem::exists(status);
+    if (!is_there) continue;
+    problem.message = "the rules of " + agent + ", " + wanted + ", are ";
+    problem.message += std::filesystem::is_directory(status) ? "a folder"
+                       : std::filesystem::is_symlink(status)
+                           ? "a link that leads out of the scenario's folder, or nowhere"
+                           : "no plain file";
+    return problem;
+  }
   problem.message = "the rules of " + agent + ", " + wanted + ", are in none of these folders:";
   for (const std::filesystem::path& folder : scenario_.rule_folders) problem.message += " " + folder.string();
   problem.hint = near.empty() ? "check the name, or add the folder with --path" : "did you mean '" + near + "'?";

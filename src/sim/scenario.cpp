@@ -147,6 +147,15 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
   }
   if (main.empty()) return NotFound(argument, data);
 
+  const fs::path kind = main.extension();
+  if (kind != ".toml" && kind != ".soar" && kind != ".lua") {
+    Diagnostic problem;
+    problem.file = main.string();
+    problem.message = "this is no file of rules, script or scenario";
+    problem.hint = "they end in .soar, .lua and .toml";
+    return problem;
+  }
+
   const fs::path own = main.has_parent_path() ? main.parent_path() : fs::path(".");
   std::error_code error;
   const fs::path canonical = fs::canonical(own, error);

@@ -8,25 +8,27 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <system_error>
+
+#include "diagnostics/plain_text.h"
 
 namespace soarbox::sim {
 namespace {
 
 constexpr std::size_t kMostEntries = 10'000;
 constexpr double kFarthest_m = 1e5;
+constexpr std::size_t kLongestName = 100;
+constexpr std::uintmax_t kLargestFile = 4 << 20;
 
-/// Reads tables and keeps what is wrong with them.
-/// The entry of a table that a message is about: the one whose key or value it quotes.
-const toml::node& Meant(const toml::table& table, const std::string& message) {
-  for (const auto& [key, value] : table) {
-    const auto text = value.value_exact<std::string>();
-    if (message.find("'" + std::string(key.str()) + "'") != std::string::npos) return value;
-    if (text && message.find("'" + *text + "'") != std::string::npos) return value;
-    if (const toml::table* below = value.as_table()) {
-      if (const toml::node& found = Meant(*below, message); &found != below) return found;
-    }
-  }
-  return table;
+/// What stands under a dotted name in a table; the nearest above it, if that is no entry of its own.
+const toml::node& EntryAt(const toml::table& table, std::string_view name) {
+  const std::size_t dot = name.find('.');
+  const toml::node* entry = table.get(name.substr(0, dot));
+  if (entry == nullptr) return table;
+  const toml::table* below = entry->as_table();
+  if (dot == std::string_view::npos || below == nullptr) return *entry;
+  const toml::node& found = EntryAt(*below, name.substr(dot + 1));
+  return &found == below ? *entry : found;
 }
 
 /// What to do about the reader's complaint.
@@ -41,6 +43,7 @@ std::string HintOf(std::string_view complaint) {
   return "scenario files are TOML; docs/scenarios.md shows one";
 }
 
+/// Reads tables and keeps what is wrong with them.
 class Reader {
  public:
   Reader(std::string file, std::vector<Diagnostic>& problems) : file_(std::move(file)), problems_(problems) {}
@@ -76,6 +79,24 @@ class Reader {
     if (const auto text = node->value_exact<std::string>()) return *text;
     Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
     return otherwise;
+  }
+
+  /// A name: people write it in rules and read it in messages.
+  std::string Name(const toml::table& table, std::string otherwise = {}) {
+    std::string name = Text(table, "name", std::move(otherwise));
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
+    if (std::any_of(name.begin(), name.end(), is_control))
+      Problem(*table.get("name"), "this name has control characters");
+    if (name.size() > kLongestName)
+      Problem(*table.get("name"), "this name has " + std::to_string(name.size()) + " characters: 100 at most");
+    return name;
+  }
+
+  std::optional<int> WholeNumber(const toml::table& table, std::string_view key, int min, int max) {
+    const std::optional<double> number = Number(table, key, min, max);
+    if (!number) return std::nullopt;
+    if (*number != std::floor(*number)) Problem(*table.get(key), "'" + std::string(key) + "' takes a whole number");
+    return static_cast<int>(*number);
   }
 
   std::optional<double> Number(const toml::table& table, std::string_view key, double min, double max) {
@@ -157,7 +178,7 @@ void ReadPlaces(Reader& reader, const toml::table& root, ScenarioFile& read) {
   for (const toml::table* table : reader.Tables(root, "waypoint")) {
     reader.CheckKeys(*table, "a waypoint", {"name", "position"});
     Waypoint& made = read.waypoints.emplace_back();
-    made.name = reader.Text(*table, "name", "waypoint-" + std::to_string(read.waypoints.size()));
+    made.name = reader.Name(*table, "waypoint-" + std::to_string(read.waypoints.size()));
     const auto position = reader.Point(*table, "position");
     if (!position && !table->contains("position")) reader.Problem(*table, "this waypoint has no 'position'");
     made.position = position.value_or(world::Vec3{});
@@ -167,7 +188,7 @@ void ReadPlaces(Reader& reader, const toml::table& root, ScenarioFile& read) {
   for (const toml::table* table : reader.Tables(root, "region")) {
     reader.CheckKeys(*table, "a region", {"name", "position", "radius", "size"});
     Region& made = read.regions.emplace_back();
-    made.name = reader.Text(*table, "name", "region-" + std::to_string(read.regions.size()));
+    made.name = reader.Name(*table, "region-" + std::to_string(read.regions.size()));
     made.center = reader.Point(*table, "position").value_or(world::Vec3{});
     made.radius_m = static_cast<float>(reader.Number(*table, "radius", 0.1, kFarthest_m).value_or(0));
     if (const auto size = reader.Point(*table, "size")) {
@@ -190,7 +211,7 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
       }
       ScenarioFile::Thing& made = read.things.emplace_back();
       made.is_item = is_item;
-      made.name = reader.Text(*table, "name");
+      made.name = reader.Name(*table);
       made.position = reader.Point(*table, "position").value_or(world::Vec3{});
       made.material = reader.Text(*table, "material", is_item ? "White" : "Ground2");
       if (is_item) {
@@ -217,7 +238,7 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
 
 void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
   std::vector<BodyKind> kinds(BodyKinds().begin(), BodyKinds().end());
-  const auto check = [&](const toml::table& at, const Result<bool>& set, const std::string& name) {
+  const auto check = [&](const toml::node& at, const Result<bool>& set, const std::string& name) {
     if (!set) reader.Problem(at, set.error().message, set.error().hint);
     if (set && !set.value()) reader.Problem(at, "a body has no '" + name + "'", "docs/scenarios.md lists the options");
   };
@@ -226,14 +247,14 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     const auto like = std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind& kind) { return kind.name == base; });
     if (like == kinds.end()) reader.Problem(*table->get("like"), "there is no body '" + base + "'");
     BodyKind made = like == kinds.end() ? kinds.front() : *like;
-    made.name = reader.Text(*table, "name");
+    made.name = reader.Name(*table);
     made.meaning = reader.Text(*table, "meaning");
     if (made.name.empty()) reader.Problem(*table, "this body has no 'name'");
     Options options;
     reader.Flatten(*table, {}, options);
     for (const auto& [name, value] : options) {
       if (name != "name" && name != "like" && name != "meaning")
-        check(*table, SetBodyProperty(made, name, value), name);
+        check(EntryAt(*table, name), SetBodyProperty(made, name, value), name);
     }
     kinds.push_back(made);
     read.bodies.push_back(std::move(made));
@@ -242,16 +263,18 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
   for (const toml::table* table : reader.Tables(root, "agent")) {
     ScenarioFile::Agent& made = read.agents.emplace_back();
     made.line = static_cast<int>(table->source().begin.line);
-    made.name = reader.Text(*table, "name");
+    made.name = reader.Name(*table);
     made.rules = reader.Text(*table, "rules");
-    made.count = static_cast<int>(reader.Number(*table, "count", 1, 1000).value_or(1));
-    made.across = static_cast<int>(reader.Number(*table, "across", 1, 1000).value_or(made.across));
+    made.count = reader.WholeNumber(*table, "count", 1, 1000).value_or(1);
+    made.across = reader.WholeNumber(*table, "across", 1, 1000).value_or(made.across);
     reader.Flatten(*table, {}, made.options);
     made.options.erase("rules");
     made.options.erase("count");
     made.options.erase("across");
-    if (const Result<AgentOptions> options = ReadAgentOptions(made.options, kinds); !options)
-      reader.Problem(Meant(*table, options.error().message), options.error().message, options.error().hint);
+    std::vector<OptionProblem> wrong;
+    ReadAgentOptions(made.options, kinds, wrong);
+    for (const OptionProblem& each : wrong)
+      reader.Problem(EntryAt(*table, each.option), each.problem.message, each.problem.hint);
     total += static_cast<std::size_t>(made.count);
   }
   if (total > kMostEntries) reader.Problem(root, "these are too many agents");
@@ -268,7 +291,7 @@ void ReadConditions(Reader& reader, const toml::table& root, ScenarioFile& read)
       made.agent = reader.Text(*table, "agent");
       made.region = reader.Text(*table, "region");
       made.dead = reader.Text(*table, "dead");
-      made.name = reader.Text(*table, "name", "the end");
+      made.name = reader.Name(*table, "the end");
       if (made.agent.empty() != made.region.empty())
         reader.Problem(*table, "'agent' and 'region' belong together: the agent is in the region");
       if (!made.after_s && made.team_down.empty() && made.agent.empty() && made.dead.empty())
@@ -284,8 +307,15 @@ void ReadConditions(Reader& reader, const toml::table& root, ScenarioFile& read)
 
 ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::path& file,
                                std::vector<Diagnostic>& problems) {
+  const auto before = static_cast<std::ptrdiff_t>(problems.size());
   ScenarioFile read;
   read.file = file;
+  if (const std::string why = WhyNoPlainText(text); !why.empty()) {
+    Diagnostic& problem = problems.emplace_back();
+    problem.file = file.string();
+    problem.message = why;
+    return read;
+  }
   toml::table root;
   try {
     root = toml::parse(text, file.string());
@@ -300,37 +330,41 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
     return read;
   }
   Reader reader(file.string(), problems);
-  reader.CheckKeys(root, "a scenario",
-                   {"description", "script", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body",
-                    "agent", "end", "goal"});
+  reader.CheckKeys(
+      root, "a scenario",
+      {"description", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body", "agent", "end", "goal"});
   read.description = reader.Text(root, "description");
-  read.script = reader.Text(root, "script");
   if (const auto seed = reader.Number(root, "seed", 0, 9e15)) read.seed = static_cast<std::uint64_t>(*seed);
   read.seconds = reader.Number(root, "seconds", 0, 1e6);
   ReadPlaces(reader, root, read);
   ReadThings(reader, root, read);
   ReadAgents(reader, root, read);
   ReadConditions(reader, root, read);
+  std::stable_sort(problems.begin() + before, problems.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
   return read;
 }
 
-Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file) {
+Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::vector<Diagnostic>* further) {
+  Diagnostic refusal;
+  refusal.file = file.string();
+  std::error_code error;
+  if (const std::uintmax_t size = std::filesystem::file_size(file, error); !error && size > kLargestFile) {
+    refusal.message = "this scenario file is too large: " + std::to_string(size >> 20) + " MB";
+    return refusal;
+  }
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   if (!in) {
-    Diagnostic problem;
-    problem.file = file.string();
-    problem.message = "this scenario file cannot be read";
-    return problem;
+    refusal.message = "this scenario file cannot be read";
+    return refusal;
   }
   std::vector<Diagnostic> problems;
   ScenarioFile read = ParseScenarioFile(text.str(), file, problems);
-  if (!problems.empty()) {
-    problems.front().more = static_cast<int>(problems.size()) - 1;
-    return problems.front();
-  }
-  return read;
+  if (problems.empty()) return read;
+  if (further != nullptr) further->assign(problems.begin() + 1, problems.end());
+  return problems.front();
 }
 
 }  // namespace soarbox::sim

@@ -43,7 +43,6 @@ struct ScenarioFile {
 
   std::filesystem::path file;
   std::string description;
-  std::string script;  ///< Lua that sets up the world; empty: the plain one.
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
   std::vector<Waypoint> waypoints;
@@ -57,8 +56,8 @@ struct ScenarioFile {
 /// Reads a text; everything that is wrong is added to the problems.
 ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::path& file,
                                std::vector<Diagnostic>& problems);
-/// Reads a file; the first problem if there is any.
-Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file);
+/// Reads a file; the first problem if there is any. The others are added to `further`.
+Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::vector<Diagnostic>* further = nullptr);
 /// Where a scenario that is only rules gets its world from: this word stands in place of an agent's rules.
 inline constexpr std::string_view kGivenRules = "RULES";
 

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Files, names and values that nobody means: each is told in words that help, and nothing else suffers."""
+import os
+import unittest
+
+from soarbox_command import WALKER, Run, ScenarioCase, run_json
+
+SANDBOX = """
+function Sandbox_Initialize(sandbox)
+    Sandbox.CreatePlane(sandbox, 200, 200);
+    walker = Sandbox.CreateAgent(sandbox, "Walker.lua");
+    %s
+end
+"""
+AGENT = '[[agent]]\nname = "hero"\nrules = "hero.soar"\n'
+RULES = "sp {hero*go (state <s> ^superstate nil ^io.output-link <o>) --> (<o> ^wander <c>)}\n"
+
+# What stands in place of a file -> what is said.
+OTHER_FILES = {
+    "UTF-16": (lambda path: path.write_bytes(RULES.encode("utf-16")), "this file is UTF-16: save it as UTF-8"),
+    "binary": (lambda path: path.write_bytes(bytes(range(256))), "this is no text: line 1 holds a zero byte"),
+    "folder": (lambda path: path.mkdir(), "a folder"),
+    "pipe": (os.mkfifo, "no plain file"),
+    "dangling link": (lambda path: path.symlink_to("nowhere"), "a link that leads"),
+    "link to a device": (lambda path: path.symlink_to("/dev/zero"), "a link that leads"),
+}
+
+
+class Files(ScenarioCase):
+    def put(self, name, make):
+        path = self.folder / name
+        if path.is_dir():
+            path.rmdir()
+        elif path.is_symlink() or path.exists():
+            path.unlink()
+        make(path)
+
+    def test_what_is_no_file_of_rules_is_told_with_its_name(self):
+        self.write("scenario.toml", AGENT)
+        for name, (make, said) in OTHER_FILES.items():
+            with self.subTest(name):
+                self.put("hero.soar", make)
+                run = Run("run", self.folder, "--headless", "--seconds", 0.1)
+                self.assertIn(run.code, (1, 3), run.err)
+                self.assertIn(said, run.err)
+                self.assertIn("hero.soar", run.err)
+
+    def test_what_is_no_script_is_told_with_its_name_and_the_world_goes_on(self):
+        lines = ""
+        for number, (name, (make, _)) in enumerate(OTHER_FILES.items()):
+            self.put(f"Bad{number}.lua", make)
+            lines += f'print(pcall(Sandbox.CreateAgent, sandbox, "Bad{number}.lua"));\n'
+        self.put("Large.lua", lambda path: path.write_text("--" + "x" * (9 << 20)))
+        self.write("Sandbox.lua", SANDBOX % (lines + 'Sandbox.CreateAgent(sandbox, "Large.lua");'))
+        self.write("Walker.lua", WALKER)
+        run = run_json(self.folder, "--seconds", 0.5)
+        self.assertEqual(run.code, 1)
+        told = [event["text"] for event in run.of("log")]
+        for number, (_, said) in enumerate(OTHER_FILES.values()):
+            said = "no plain file" if "device" in list(OTHER_FILES)[number] else said
+            self.assertIn(said, told[number])
+            self.assertIn(f'"Bad{number}.lua"', told[number])
+        self.assertIn('"Large.lua" is too large: 9 MB', run.diagnostics()[0]["message"])
+
+    def test_a_byte_order_mark_and_foreign_line_ends_are_no_mistake(self):
+        mark = "\ufeff"
+        self.write("scenario.toml", mark + AGENT.replace("\n", "\r\n"))
+        self.write("hero.soar", mark + RULES.replace("\n", "\r\n"))
+        self.write("keys.txt", mark + "1 key f1_key press\r\n")
+        run = run_json(self.folder, "--seconds", 0.1, "--input", self.folder / "keys.txt")
+        self.assertEqual((run.code, run.err), (0, ""))
+        self.assertTrue(run.of("command", command="wander"))
+
+    def test_files_that_source_each_other_are_told_once(self):
+        self.write("a.soar", "source b.soar\n")
+        self.write("b.soar", "source a.soar\n")
+        run = Run("check", self.folder / "a.soar")
+        self.assertEqual(run.out.count("nested too deeply"), 1, run.out)
+
+    def test_other_files_are_no_scenarios(self):
+        (self.folder / "x.png").write_bytes(b"\x89PNG")
+        run = Run("run", self.folder / "x.png", "--headless")
+        self.assertEqual(run.code, 3)
+        self.assertIn("this is no file of rules, script or scenario", run.err)
+
+
+class Scenarios(ScenarioCase):
+    def test_all_that_is_wrong_in_a_scenario_is_told_at_once_with_its_place(self):
+        self.write("hero.soar", RULES)
+        self.write("scenario.toml", AGENT + 'speed = "fast"\nheigth = 2\nteam = 5\nposition = ["a"]\nsenses.sight = -1\n'
+                   'body = "persn"\ncount = 2.5\nscript = "x"\n[[agent]]\nname = "a\\nb"\n[[agent]]\nname = "' + "x" * 200 + '"\n')
+        run = Run("run", self.folder, "--headless")
+        self.assertEqual(run.code, 3)
+        for place, said in {"4:9": "'speed' takes a number", "5:10": "has an option 'heigth'", "6:8": "'team' takes a name",
+                            "7:12": "'position' takes numbers", "8:16": "'senses.sight' is -1", "9:8": "no body 'persn'",
+                            "10:9": "'count' takes a whole number", "11:10": "has an option 'script'",
+                            "13:8": "this name has control characters", "15:8": "this name has 200 characters"}.items():
+            self.assertRegex(run.err, rf"scenario\.toml:{place}: error: .*{said}")
+        self.assertIn("did you mean 'height'?", run.err)
+
+    def test_a_parameter_with_two_values_is_told_as_the_mistake_that_it_is(self):
+        self.write("scenario.toml", AGENT)
+        self.write("hero.soar", RULES.replace("(<o> ^wander <c>)", "(<o> ^set-speed <c>) (<c> ^speed 1 + 2)"))
+        run = run_json(self.folder, "--seconds", 0.1)
+        self.assertTrue(any("^speed of set-speed has two values, 2 and 1" in event["text"] for event in run.of("outcome")),
+                        run.out)
+
+    def test_an_option_that_is_given_twice_is_told(self):
+        run = Run("run", "thesis", "--headless", "--seed", 1, "--seed", 2)
+        self.assertEqual(run.code, 2)
+        self.assertIn("--seed is given more than once", run.err)
+
+
+class Scripts(ScenarioCase):
+    def run_(self, line, *arguments, **files):
+        self.write("Sandbox.lua", SANDBOX % line)
+        self.write("Walker.lua", WALKER)
+        for name, text in files.items():
+            self.write(f"{name}.lua", text)
+        return Run("run", self.folder, "--headless", "--seconds", 0.1, *arguments)
+
+    def test_no_text_of_a_scenario_steers_the_terminal_or_passes_for_a_message(self):
+        run = self.run_("print('\\27[31mred'); walker:SetTeam('\\27[2J'); pcall(Sandbox.CreateObject, sandbox, '\\27[1m.mesh');\n"
+                        "error('\\27[2Jlost\\nother.lua:1: error: you lost');")
+        self.assertNotIn("\x1b", run.out + run.err)
+        self.assertIn("\\x1b[31mred", run.out)
+        self.assertIn("\n   other.lua:1: error: you lost", run.err)
+
+    def test_functions_that_nothing_calls_are_told_by_a_run_too(self):
+        run = self.run_("Sandbox.CreateAgent(sandbox, 'Other.lua');", Other="function Agent_handleEvent(agent, event)\nend\n")
+        self.assertEqual(run.code, 0)
+        self.assertIn("Other.lua:1:10: warning: nothing calls the function Agent_handleEvent", run.err)
+        self.assertIn("did you mean Agent_HandleEvent?", run.err)
+
+    def test_options_of_an_agent_are_told_with_the_line_that_asked_for_it(self):
+        run = self.run_("\nSandbox.CreateSoarAgent(sandbox, 'Walker.lua', 'x.soar', { speed = 'a', foo = 1 });")
+        self.assertRegex(run.err, r"Sandbox\.lua:6: error: no agent has an option 'foo'; the option 'speed' takes a number")
+
+    def test_the_argument_that_is_wrong_is_named_within_pcall_and_tables(self):
+        run = self.run_("print(pcall(Sandbox.CreateSoarAgent, sandbox, nil));\nlocal t = {}; t.t = t;\n"
+                        "print(pcall(Sandbox.CreateSoarAgent, sandbox, 'Walker.lua', 'x.soar', t));")
+        self.assertIn("bad argument #2 to 'Sandbox.CreateSoarAgent' (string expected, got nil)", run.out)
+        self.assertIn("bad argument #4 to 'Sandbox.CreateSoarAgent' (these are too many options)", run.out)
+
+    def test_why_nobody_thinks_is_told(self):
+        self.run_("")
+        run = Run("why", self.folder, "--at", 0.1)
+        self.assertEqual(run.code, 3)
+        self.assertIn("no agent of this scenario has a Soar mind", run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
