@@ -1,6 +1,8 @@
 -- A Soar seeker that starts anywhere on the plain and draws nothing but its goal.
 require "CrowdBody";
 
+local kGoalColor = Vector.new(1, 0.8, 0);
+
 function Agent_Initialize(agent)
     CrowdBody_Create(agent);
 end
@@ -10,5 +12,5 @@ function Agent_Update(agent, deltaTimeInMillis, soarCommand)
         agent:SetTarget(CrowdBody_Somewhere());
     end
     Steering_WalkToTarget(agent, deltaTimeInMillis);
-    Core.DrawCircle(agent:GetTarget(), 0.4, Vector.new(1, 0.8, 0));
+    Core.DrawCircle(agent:GetTarget(), 0.4, kGoalColor);
 end

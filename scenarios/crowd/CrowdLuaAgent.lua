@@ -2,6 +2,7 @@
 require "CrowdBody";
 
 local kNearSquared = 3;
+local kGoalColor = Vector.new(0, 0.8, 1);
 
 function Agent_Initialize(agent)
     CrowdBody_Create(agent);
@@ -12,5 +13,5 @@ function Agent_Update(agent, deltaTimeInMillis)
         agent:SetTarget(CrowdBody_Somewhere());
     end
     Steering_WalkToTarget(agent, deltaTimeInMillis);
-    Core.DrawCircle(agent:GetTarget(), 0.4, Vector.new(0, 0.8, 1));
+    Core.DrawCircle(agent:GetTarget(), 0.4, kGoalColor);
 end

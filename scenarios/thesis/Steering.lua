@@ -13,7 +13,7 @@ end
 
 -- Walks towards the agent's target, round agents and objects that are in the way.
 function Steering_WalkToTarget(agent, deltaTimeInMillis)
-    agent:WalkTo(agent:GetTarget(), deltaTimeInMillis / 1000);
+    agent:WalkToTarget(deltaTimeInMillis / 1000);
 end
 
 -- Closes up to the leader, but keeps a distance from everybody.

@@ -73,6 +73,12 @@ print(acceleration.z > 0)  --> true)",
      "Walks towards a place, round the agents and movable objects that are in the way: a step of this length with all "
      "of the agent's strength, no faster than its top speed. The weight is that of giving way beside getting there.",
      R"(agent:WalkTo(Vector.new(9, 0, 0), 1 / 30))", true},
+    {"Agent.WalkToTarget", "agent: Agent, time: number [s], lookAhead: number [s] = 1.5, weight: number = 3", "",
+     "Agent.WalkTo to the agent's target.",
+     R"(agent:SetTarget(Vector.new(9, 0, 0))
+agent:WalkToTarget(1 / 30)
+print(agent:GetForward().x > 0.99)  --> true)",
+     true},
 };
 
 }  // namespace

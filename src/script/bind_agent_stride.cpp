@@ -52,15 +52,20 @@ int ClampSpeed(lua_State* state) {
   return 0;
 }
 
+/// ([look-ahead in seconds [, weight]]) from `index` on.
+world::GivingWay GivingWayArguments(lua_State* state, int index) {
+  world::GivingWay giving_way;
+  if (lua_gettop(state) >= index) giving_way.look_ahead_s = CheckFloat(state, index);
+  if (lua_gettop(state) > index) giving_way.weight = CheckFloat(state, index + 1);
+  return giving_way;
+}
+
 /// (agent, position, seconds [, look-ahead in seconds [, weight]])
 int WalkTo(lua_State* state) {
   Agent& agent = AgentArgument(state, 1);
   const Vec3 goal = CheckVector(state, 2);
   const double step_s = luaL_checknumber(state, 3);
-  world::GivingWay giving_way;
-  if (lua_gettop(state) > 3) giving_way.look_ahead_s = CheckFloat(state, 4);
-  if (lua_gettop(state) > 4) giving_way.weight = CheckFloat(state, 5);
-  Stride(state, agent, ForceToWalk(agent, goal, giving_way), step_s);
+  Stride(state, agent, ForceToWalk(agent, goal, GivingWayArguments(state, 4)), step_s);
   return 0;
 }
 
@@ -70,6 +75,22 @@ int PlainWalkTo(lua_State* state, LuaMachine& machine) {
   double step_s = 0;
   if (!agent || !goal || !PlainNumber(state, 3, step_s)) return kNotPlain;
   Stride(state, *agent, ForceToWalk(*agent, *goal, {}), step_s);
+  return 0;
+}
+
+/// (agent, seconds [, look-ahead in seconds [, weight]])
+int WalkToTarget(lua_State* state) {
+  Agent& agent = AgentArgument(state, 1);
+  const double step_s = luaL_checknumber(state, 2);
+  Stride(state, agent, ForceToWalk(agent, agent.Target(), GivingWayArguments(state, 3)), step_s);
+  return 0;
+}
+
+int PlainWalkToTarget(lua_State* state, LuaMachine& machine) {
+  Agent* agent = lua_gettop(state) == 2 ? PlainAgent(state, machine, 1) : nullptr;
+  double step_s = 0;
+  if (!agent || !PlainNumber(state, 2, step_s)) return kNotPlain;
+  Stride(state, *agent, ForceToWalk(*agent, agent->Target(), {}), step_s);
   return 0;
 }
 
@@ -89,16 +110,16 @@ int PlainClampSpeed(lua_State* state, LuaMachine& machine) {
 }
 
 constexpr Binding kBindings[] = {
-    {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError},
-    {"Push", Push, 3, 3, WrongCount::kError},
-    {"PushSmoothly", PushSmoothly, 4, 4, WrongCount::kError},
-    {"WalkTo", WalkTo, 3, 5, WrongCount::kError},
+    {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError},     {"Push", Push, 3, 3, WrongCount::kError},
+    {"PushSmoothly", PushSmoothly, 4, 4, WrongCount::kError}, {"WalkTo", WalkTo, 3, 5, WrongCount::kError},
+    {"WalkToTarget", WalkToTarget, 2, 4, WrongCount::kError},
 };
 
 constexpr PlainCall kPlainCalls[] = {
     {"ClampSpeed", PlainClampSpeed},
     {"Push", PlainPush},
     {"WalkTo", PlainWalkTo},
+    {"WalkToTarget", PlainWalkToTarget},
 };
 
 }  // namespace

@@ -183,7 +183,15 @@ int LuaMachine::OnError(lua_State* state) {
 }
 
 bool LuaMachine::PushGlobalFunction(lua_State* state, const char* name) {
-  lua_getglobal(state, name);
+  // The same few names, again and again: their texts are kept, so that they need not be looked for among all texts.
+  auto known = std::find_if(names_.begin(), names_.end(), [&](const auto& entry) { return entry.first == name; });
+  if (known == names_.end()) {
+    lua_pushstring(state, name);
+    const int text = luaL_ref(state, LUA_REGISTRYINDEX);
+    known = names_.insert(names_.end(), {name, text});
+  }
+  lua_rawgeti(state, LUA_REGISTRYINDEX, known->second);
+  lua_gettable(state, LUA_GLOBALSINDEX);
   if (lua_isfunction(state, -1)) return true;
   lua_pop(state, 1);
   return false;

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "script/script_error.h"
 #include "script/script_memory.h"
@@ -90,12 +92,12 @@ class LuaMachine {
                         const_cast<void*>(static_cast<const void*>(&body)));
   }
 
-  /// Calls the global function of this name with the arguments that push(lua_State*) pushes and counts. Nothing
-  /// happens if there is no such function; `called`, if given, tells.
+  /// Calls the global function of this name (a literal) with the arguments that push(lua_State*) pushes and counts.
+  /// Nothing happens if there is no such function; `called`, if given, tells.
   template <class Push>
   std::optional<ScriptError> CallGlobal(const char* name, Push&& push, bool* called = nullptr) {
     return Protected([&](lua_State* state) {
-      const bool found = PushGlobalFunction(state, name);
+      const bool found = Of(state).PushGlobalFunction(state, name);
       if (called) *called = found;
       if (found) Call(state, push(state));
     });
@@ -147,6 +149,7 @@ class LuaMachine {
   struct ValueReferences {
     std::array<int, 7> metatables{};  ///< By ValueKind.
     int agent_handles = 0;
+    int own_handle = 0;  ///< Of the machine's own agent; 0: not made yet.
   };
   ValueReferences values;
   const ScriptMemory& memory() const { return memory_; }
@@ -159,7 +162,7 @@ class LuaMachine {
   ScriptError TakeError(int status);
   void ArmBudget();
   static void* Allocate(void* machine, void* block, std::size_t old_size, std::size_t new_size);
-  static bool PushGlobalFunction(lua_State* state, const char* name);
+  bool PushGlobalFunction(lua_State* state, const char* name);
   static void PushKept(lua_State* state, int reference);
   static void Call(lua_State* state, int argument_count);
   static int RunBody(lua_State* state);
@@ -171,8 +174,9 @@ class LuaMachine {
   lua_State* state_ = nullptr;
   int run_body_ = 0;  // Kept functions, so that a call needs no memory before it is protected.
   int on_error_ = 0;
-  int nested_calls_ = 0;  // See NestedCall.
-  int depth_ = 0;         // Of protected calls within each other.
+  std::vector<std::pair<const char*, int>> names_;  // Of functions called from outside, and where their texts are kept.
+  int nested_calls_ = 0;                            // See NestedCall.
+  int depth_ = 0;                                   // Of protected calls within each other.
   std::set<std::string> loading_;
   std::uint64_t instructions_left_ = 0;
   std::uint64_t armed_ = 0;   // What the present call began with.

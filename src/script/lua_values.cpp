@@ -69,6 +69,11 @@ void InstallHandleMetatable(lua_State* state, ValueKind kind) {
 
 /// Agents never go, so one handle for each serves: scripts ask for all agents in every step.
 bool PushKnownAgent(lua_State* state, std::uint32_t number) {
+  const LuaMachine& machine = LuaMachine::Of(state);
+  if (number == machine.owner() && machine.values.own_handle != 0) {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, machine.values.own_handle);
+    return true;
+  }
   PushAgentHandles(state);
   lua_rawgeti(state, -1, static_cast<int>(number));
   lua_remove(state, -2);
@@ -78,6 +83,11 @@ bool PushKnownAgent(lua_State* state, std::uint32_t number) {
 }
 
 void KeepAgent(lua_State* state, std::uint32_t number) {
+  LuaMachine& machine = LuaMachine::Of(state);
+  if (number == machine.owner()) {
+    lua_pushvalue(state, -1);
+    machine.values.own_handle = luaL_ref(state, LUA_REGISTRYINDEX);
+  }
   PushAgentHandles(state);
   lua_pushvalue(state, -2);
   lua_rawseti(state, -2, static_cast<int>(number));

@@ -273,6 +273,8 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
   agents_.push_back(std::make_unique<AgentScript>());
   AgentScript& script = *agents_.back();
   script.id = id;
+  if (by_id_.size() <= Number(id)) by_id_.resize(Number(id) + std::size_t{1});
+  by_id_[Number(id)] = &script;
   script.request = request;
   script.random = std::make_unique<WorldRandom>(world_.FindAgent(id)->random(), world_.settings().seed, Number(id));
   script.machine = MakeMachine(request.script, id, settings_.agent_limits, *script.random);
@@ -334,9 +336,7 @@ ScriptHost::AgentScript* ScriptHost::Find(EntityId agent) {
 }
 
 const ScriptHost::AgentScript* ScriptHost::Find(EntityId agent) const {
-  const auto it = std::lower_bound(agents_.begin(), agents_.end(), agent,
-                                   [](const auto& script, EntityId id) { return Number(script->id) < Number(id); });
-  return it != agents_.end() && (*it)->id == agent ? it->get() : nullptr;
+  return Number(agent) < by_id_.size() ? by_id_[Number(agent)] : nullptr;
 }
 
 bool ScriptHost::MayRun(const LuaMachine& machine) const {

@@ -124,6 +124,7 @@ class ScriptHost final : private AgentMaker {
   std::unique_ptr<RandomSource> sandbox_random_;
   std::unique_ptr<LuaMachine> sandbox_;
   std::vector<std::unique_ptr<AgentScript>> agents_;  // In creation order, thus in ascending id.
+  std::vector<AgentScript*> by_id_;                   // Null for ids without a script.
   std::map<std::string, int> names_;                  // How many agents of each name's stem there are.
   std::set<std::string, std::less<>> looked_over_;    // Scripts whose slips were told.
   int creation_depth_ = 0;

@@ -189,6 +189,9 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   if (!loaded) return loaded.error();
   minds_.push_back(
       {agent, settings, kind->follows_leader, is_scripted, *rules, SoarMind(*loaded->agent, settings), loaded->thread});
+  // An agent that another one makes while it is made itself has its mind first.
+  if (place_by_id_.size() <= Number(agent)) place_by_id_.resize(Number(agent) + std::size_t{1});
+  place_by_id_[Number(agent)] = static_cast<std::uint32_t>(minds_.size());
   return {};
 }
 
@@ -228,9 +231,8 @@ void Minds::Restore() {
 }
 
 Minds::Mind* Minds::Find(world::EntityId agent) {
-  const auto at = std::lower_bound(minds_.begin(), minds_.end(), agent,
-                                   [](const Mind& mind, world::EntityId id) { return mind.agent < id; });
-  return at != minds_.end() && at->agent == agent ? &*at : nullptr;
+  const std::uint32_t place = Number(agent) < place_by_id_.size() ? place_by_id_[Number(agent)] : 0;
+  return place != 0 ? &minds_[place - 1] : nullptr;
 }
 
 Minds::Mind* Minds::FindNamed(std::string_view agent) {

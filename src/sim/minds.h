@@ -126,8 +126,9 @@ class Minds final : public script::MindFactory {
   SenseScript sense_script_;
   MindDetail detail_ = MindDetail::kNone;
   std::vector<BodyKind> body_kinds_;
-  std::vector<Mind> minds_;         ///< In creation order, thus in ascending agent id.
-  std::vector<std::size_t> ready_;  ///< Scratch: places of the minds that decide in this tick.
+  std::vector<Mind> minds_;                 ///< In creation order, thus in ascending agent id.
+  std::vector<std::uint32_t> place_by_id_;  ///< In minds_, one more than that; 0 for agents without a mind.
+  std::vector<std::size_t> ready_;          ///< Scratch: places of the minds that decide in this tick.
   WorkerPool pool_;
   int asked_ = 0;  ///< How often a mind was asked why it does nothing.
   std::size_t memory_limit_ = script::WorldLimits{}.mind_memory_bytes;

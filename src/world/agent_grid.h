@@ -9,7 +9,8 @@
 
 namespace soarbox::world {
 
-/// Finds the agents near a place: a hashed grid over the ground plane, sorted by counting.
+/// Finds the agents near a place: a grid over the ground plane, sorted by counting. Its cells lie row by row, so that a
+/// query reads each row at once; where agents stand too far apart for that, cells are hashed.
 ///
 /// Invariant: every agent is either in the cell of its position or on the list of strays, which every query looks at.
 /// Moved() puts an agent on that list; when it grows long, the next query rebuilds the grid. Queries return a superset
@@ -30,11 +31,16 @@ class AgentGrid {
     std::uint32_t agent;
   };
   void Rebuild(std::span<const AgentMotion> agents);
+  /// Chooses between rows and hashes; returns the number of buckets.
+  std::size_t LayOut(std::span<const AgentMotion> agents);
   std::uint32_t Bucket(std::int32_t x, std::int32_t z) const;
 
   bool valid_ = false;
-  std::vector<Entry> entries_;         ///< Sorted by bucket.
-  std::vector<std::uint32_t> starts_;  ///< First entry of each bucket; one more than there are buckets.
+  bool in_rows_ = false;
+  std::int32_t first_x_ = 0, first_z_ = 0;  ///< Of the rows.
+  std::int32_t width_ = 0, rows_ = 0;       ///< In cells.
+  std::vector<Entry> entries_;              ///< Sorted by bucket.
+  std::vector<std::uint32_t> starts_;       ///< First entry of each bucket; one more than there are buckets.
   std::vector<std::uint32_t> strays_;
   std::vector<bool> is_stray_;
 };
