@@ -118,6 +118,8 @@ void Arena::BuildWays() {
   config.min_region_cells = 8;
   config.merge_region_cells = 20;
   has_ways_ = world_.CreateNavigationMesh(kWays, config).ok();
+  for (const world::EntityId id : world_.ObjectIds())
+    if (!places_.items.contains(id)) things_of_ways_.push_back(id);
 }
 
 std::vector<world::Vec3> Arena::FindWay(world::Vec3 from, world::Vec3 to) {
@@ -128,6 +130,14 @@ std::vector<world::Vec3> Arena::FindWay(world::Vec3 from, world::Vec3 to) {
   std::vector<world::Vec3> way = mesh.value()->FindPath(from, to);
   if (!way.empty()) way.erase(way.begin());
   return way;
+}
+
+bool Arena::MayReach(world::Vec3 from, world::Vec3 to, float within_m) {
+  const Result<const world::NavigationMesh*> mesh = world_.navigation().Find(kWays);
+  if (!has_ways_ || !mesh.ok()) return true;
+  const auto things = world_.ObjectIds();
+  return !std::includes(things.begin(), things.end(), things_of_ways_.begin(), things_of_ways_.end()) ||
+         mesh.value()->MayReach(from, to, within_m);
 }
 
 void Arena::Step() {

@@ -44,6 +44,9 @@ class Arena {
   void BuildWays();
   /// The corners of the way, without its start; empty if there is no mesh or no way.
   std::vector<world::Vec3> FindWay(world::Vec3 from, world::Vec3 to);
+  /// False if the mesh shows that there is no way to within this distance of the place; true where it cannot tell, as
+  /// after a thing has gone that was there when the mesh was made.
+  bool MayReach(world::Vec3 from, world::Vec3 to, float within_m);
 
   void Step();
   /// Collisions of the world's last step, as happenings of those who took part.
@@ -80,6 +83,7 @@ class Arena {
   std::vector<std::unique_ptr<Actor>> actors_;  ///< In creation order, thus in ascending id.
   world::EntityId ground_ = world::kNoEntity;
   bool has_ways_ = false;
+  std::vector<world::EntityId> things_of_ways_;  ///< What stood there when the mesh was made, in ascending id.
   std::set<std::pair<world::EntityId, world::EntityId>> touching_;
   std::deque<PastShot> shots_;
 };

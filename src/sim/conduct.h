@@ -24,8 +24,8 @@ std::span<const Conduct> OtherConducts();      // conduct_other.cpp
 /// Null for a command that has none.
 ConductStep FindConduct(std::string_view command);
 
-/// Walks towards a point, round what is in the way. `slow_down`: comes to rest on it. Fails with "blocked" after 4 s
-/// without progress. For the conducts.
+/// Walks towards a point, round what is in the way. `slow_down`: comes to rest on it. Fails with "no-way" as soon as
+/// the ways show that there is none, and with "blocked" after 4 s without progress. For the conducts.
 struct WalkOrder {
   world::Vec3 goal;
   float within_m = 0.75f;

@@ -35,8 +35,20 @@ bool IsFree(const Actor& actor, Vec3 direction, float ahead_m, world::EntityId t
   return true;
 }
 
-/// Where to head for now on the way to the goal: the next corner of the navigation mesh's way, or the goal itself.
-Vec3 NextCorner(Actor& actor, Running& command, Vec3 goal) {
+/// Whether there may be a way for who stands on the ground; who stands on something may jump down.
+bool MayReach(Actor& actor, const WalkOrder& order) {
+  constexpr float kOnGround_m = 0.5f;
+  // The mesh keeps half a metre from walls; people go nearer.
+  constexpr float kSlack_m = 0.75f;
+  Vec3 foot = actor.body().Position();
+  foot.y -= actor.body().Height() / 2;
+  return foot.y > kOnGround_m || actor.arena().MayReach(foot, order.goal, order.within_m + kSlack_m);
+}
+
+/// Where to head for now on the way to the goal: the next corner of the navigation mesh's way, or the goal itself;
+/// nothing if there is no way.
+std::optional<Vec3> NextCorner(Actor& actor, Running& command, const WalkOrder& order) {
+  const Vec3 goal = order.goal;
   constexpr float kPassed_m = 0.5f;
   constexpr float kSameGoal_m = 1;
   constexpr float kAgain_s = 3;
@@ -47,6 +59,7 @@ Vec3 NextCorner(Actor& actor, Running& command, Vec3 goal) {
     command.path = actor.arena().FindWay(here, goal);
     command.path_goal = goal;
     command.path_tick = tick;
+    if (command.path.empty() && !MayReach(actor, order)) return std::nullopt;
   }
   while (!command.path.empty() && FlatDistance(here, command.path.front()) < kPassed_m)
     command.path.erase(command.path.begin());
@@ -220,9 +233,10 @@ StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order) {
   if ((stuck_s > kBlockedAfter_s && speed < 0.3f) || stuck_s > 6 * kBlockedAfter_s)
     return StepResult::Failed("blocked");
 
-  const Vec3 next = NextCorner(actor, command, order.goal);
-  const Vec3 wanted = world::Normalized(Flat(next - here));
-  const float ahead_m = std::min(FlatDistance(here, next), 1.2f + 0.5f * order.speed_mps);
+  const std::optional<Vec3> next = NextCorner(actor, command, order);
+  if (!next) return StepResult::Failed("no-way");
+  const Vec3 wanted = world::Normalized(Flat(*next - here));
+  const float ahead_m = std::min(FlatDistance(here, *next), 1.2f + 0.5f * order.speed_mps);
   float pace = order.speed_mps;
   if (order.slow_down) pace = std::min(pace, std::max(0.4f, 1.6f * (left_m - order.within_m * 0.5f)));
   actor.Walk(FreeDirection(actor, wanted, ahead_m, order.through, command.turn_deg) * pace);

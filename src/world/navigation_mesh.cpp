@@ -56,7 +56,8 @@ struct NavigationMesh::Impl {
   std::unique_ptr<dtNavMeshQuery, QueryFree> query{dtAllocNavMeshQuery()};
   dtQueryFilter filter;
   std::vector<std::array<Vec3, 3>> triangles;
-  std::vector<float> area_sums_m2;  ///< On the map; of each triangle and all before it.
+  std::vector<std::size_t> islands;  ///< Of each polygon; those of one number hang together.
+  std::vector<float> area_sums_m2;   ///< On the map; of each triangle and all before it.
   Vec3 min, max;
   bool keeps_points = false;
   // Kept from query to query.
@@ -71,7 +72,27 @@ struct NavigationMesh::Impl {
       return 0;
     return polygon;
   }
+  void FindIslands();
+  std::size_t IslandOf(dtPolyRef polygon) const { return islands[mesh->decodePolyIdPoly(polygon)]; }
 };
+
+void NavigationMesh::Impl::FindIslands() {
+  constexpr std::size_t kNone = ~std::size_t{0};
+  const dtMeshTile& tile = *static_cast<const dtNavMesh&>(*mesh).getTile(0);
+  islands.assign(static_cast<std::size_t>(tile.header->polyCount), kNone);
+  std::vector<std::size_t> waiting;
+  for (std::size_t first = 0; first < islands.size(); ++first) {
+    if (islands[first] == kNone) waiting.push_back(first);
+    while (!waiting.empty()) {
+      const std::size_t polygon = waiting.back();
+      waiting.pop_back();
+      if (islands[polygon] != kNone) continue;
+      islands[polygon] = first;
+      for (unsigned link = tile.polys[polygon].firstLink; link != DT_NULL_LINK; link = tile.links[link].next)
+        waiting.push_back(mesh->decodePolyIdPoly(tile.links[link].ref));
+    }
+  }
+}
 
 Result<void> NavigationMesh::Check(const NavigationGeometry& geometry, const NavigationConfig& config) {
   const Range ranges[] = {
@@ -133,6 +154,7 @@ Result<std::unique_ptr<NavigationMesh>> NavigationMesh::Build(const NavigationGe
   const int polygons = static_cast<int>(built->triangles.size());
   const int nodes = std::clamp(2 * polygons, 2048, 65'000);
   if (dtStatusFailed(impl->query->init(impl->mesh.get(), nodes))) return no_memory;
+  impl->FindIslands();
   impl->keeps_points = config.keeps_points;
   impl->triangles = std::move(built->triangles);
   impl->corridor.resize(static_cast<std::size_t>(std::clamp(polygons, 1, kMaxPathPoints)));
@@ -174,6 +196,28 @@ std::vector<Vec3> NavigationMesh::FindPath(Vec3 from, Vec3 to) const {
     if (path.empty() || path.back() != point) path.push_back(point);
   }
   return path;
+}
+
+bool NavigationMesh::MayReach(Vec3 from, Vec3 to, float within_m) const {
+  constexpr int kMostNear = 512;
+  constexpr float kAnyHeight_m = 1000;
+  float start[3];
+  const dtPolyRef first = impl_->Nearest(from, kSnapPath_m, start);
+  const bool covers = to.x > impl_->min.x && to.x < impl_->max.x && to.z > impl_->min.z && to.z < impl_->max.z;
+  if (first == 0 || !covers || !(within_m >= 0)) return true;
+  const float center[3] = {to.x, to.y, to.z}, half[3] = {within_m, kAnyHeight_m, within_m};
+  std::array<dtPolyRef, kMostNear> near;
+  int count = 0;
+  const dtStatus asked =
+      impl_->query->queryPolygons(center, half, &impl_->filter, near.data(), &count, static_cast<int>(near.size()));
+  if (dtStatusFailed(asked) || count == kMostNear) return true;
+  return std::any_of(near.begin(), near.begin() + count, [&](dtPolyRef polygon) {
+    if (impl_->IslandOf(polygon) != impl_->IslandOf(first)) return false;
+    float nearest[3];
+    if (dtStatusFailed(impl_->query->closestPointOnPoly(polygon, center, nearest, nullptr))) return true;
+    const float x = nearest[0] - to.x, z = nearest[2] - to.z;
+    return x * x + z * z <= within_m * within_m;
+  });
 }
 
 Vec3 NavigationMesh::FindClosestPoint(Vec3 point) const {

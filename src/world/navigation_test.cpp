@@ -54,6 +54,27 @@ TEST_F(NavigationTest, PathsLeadThroughTheGapAndKeepTheRadiusFromTheWall) {
   EXPECT_NEAR(path.back().z, 5, 0.01f);
 }
 
+TEST_F(NavigationTest, APlaceWithinWallsIsOutOfReachAndOnlyThat) {
+  // A pen of 4 by 4 m behind the wall.
+  AddFixedBox(world_, {4.5f, 2, 0.5f}, {-6, 1, 4});
+  AddFixedBox(world_, {4.5f, 2, 0.5f}, {-6, 1, 8});
+  AddFixedBox(world_, {0.5f, 2, 4.5f}, {-8, 1, 6});
+  AddFixedBox(world_, {0.5f, 2, 4.5f}, {-4, 1, 6});
+  const NavigationMesh& mesh = Make(config_);
+  const Vec3 pen{-6, 0, 6}, outside{0, 0, 6}, far_side{-6, 0, -5};
+  for (const Vec3 from : {outside, far_side}) {
+    EXPECT_FALSE(mesh.MayReach(from, pen, 1));
+    EXPECT_TRUE(mesh.MayReach(from, pen, 4)) << "so far counts as there";
+    EXPECT_FALSE(mesh.MayReach(pen, from, 1)) << "nor out of it";
+  }
+  EXPECT_TRUE(mesh.MayReach(outside, far_side, 1));
+  EXPECT_TRUE(mesh.MayReach(pen, {-6.5f, 0, 5.5f}, 0.1f));
+  EXPECT_FALSE(mesh.MayReach(outside, {-8, 1, 6}, 0.3f)) << "inside a wall";
+  EXPECT_TRUE(mesh.MayReach(outside, {40, 0, 0}, 1)) << "beyond the mesh";
+  EXPECT_TRUE(mesh.MayReach({40, 0, 0}, pen, 1)) << "from beyond it";
+  EXPECT_TRUE(mesh.MayReach(outside, {std::numeric_limits<float>::quiet_NaN(), 0, 0}, 1));
+}
+
 TEST_F(NavigationTest, ThereIsNoPathFromOrToPlacesFarFromTheMesh) {
   const NavigationMesh& mesh = Make(config_);
   EXPECT_TRUE(mesh.FindPath({0, 0, -5}, {50, 0, 0}).empty());

@@ -42,8 +42,10 @@ class Lessons(unittest.TestCase):
     def test_5_the_climber_learns_that_the_hut_is_closed(self):
         run = run_json(LESSONS / "5-answers")
         texts = [event["text"] for event in run.of("log", agent="climber")]
-        self.assertEqual(texts, ["to the hut", "no way to the hut: blocked", "to the well"])
+        self.assertEqual(texts, ["to the hut", "no way to the hut: no-way", "to the well"])
         self.assertTrue(run.of("outcome", command="move-to", text="complete"))
+        failed = run.of("outcome", command="move-to", text="error no-way: There is no way to the place")
+        self.assertLess(failed[0]["time"], 2, "told before walking there")
 
     def test_6_the_sheep_flees_in_time_and_grazes_again(self):
         run = run_json(LESSONS / "6-danger", "--report", 0.2)
