@@ -246,12 +246,7 @@ void Minds::Decide() {
     mind.decide_s = 0;
     if (mind.soar.is_logged()) mind.soar.log().Clear();
   }
-  // Senses draw from their agents' own streams and see the world as it is now, so that one pass serves both.
-  for (const auto& actor : arena_.actors()) {
-    if (!actor->IsAlive()) continue;
-    HearOrders(*actor);
-    if (IsSenseTick(*actor)) NoticeOthers(*actor);
-  }
+  Notice();
   // Scripts that sense may make agents: minds are looked up by place.
   ready_.clear();
   for (std::size_t i = 0; i < minds_.size(); ++i) {
@@ -262,6 +257,7 @@ void Minds::Decide() {
   pool_.Run([this](std::size_t thread) {
     for (const std::size_t i : ready_) {
       if (minds_[i].thread != thread || !host_.IsConnected()) continue;
+      if (!minds_[i].is_scripted) PerceiveWorld(minds_[i]);
       const auto begin = std::chrono::steady_clock::now();
       minds_[i].soar.Decide();
       minds_[i].decide_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -271,8 +267,25 @@ void Minds::Decide() {
   KeepWithinMemory();
 }
 
-/// Writes what the mind perceives now. False if it perceives nothing at all and is not to decide.
-bool Minds::Perceive(Mind& mind, const world::Agent& body) {
+/// Bodies learn of orders and of each other. Each changes only what it knows itself, draws from its own stream and sees
+/// the world as it is now, so that it does not matter which thread is whose.
+void Minds::Notice() {
+  constexpr std::size_t kWorthThreads = 16;
+  const auto actors = arena_.actors();
+  world_.PrepareForReaders();
+  const auto notice = [&](std::size_t first, std::size_t step) {
+    for (std::size_t i = first; i < actors.size(); i += step) {
+      if (!actors[i]->IsAlive()) continue;
+      HearOrders(*actors[i]);
+      if (IsSenseTick(*actors[i])) NoticeOthers(*actors[i]);
+    }
+  };
+  if (actors.size() < kWorthThreads) return notice(0, 1);
+  pool_.Run([&](std::size_t thread) { notice(thread, host_.threads()); });
+}
+
+/// Writes the thesis' percept. False if the mind perceives nothing at all and is not to decide.
+bool Minds::PerceiveDistance(Mind& mind, const world::Agent& body) {
   if (mind.settings.has_distance) {
     world::Vec3 goal = body.Target();
     const bool has_leader = body.Leader() != world::kNoEntity;
@@ -281,11 +294,15 @@ bool Minds::Perceive(Mind& mind, const world::Agent& body) {
     mind.distance_squared_m2 = world::LengthSquared(goal - body.Position());
     mind.soar.SetDistance(mind.distance_squared_m2);
   }
-  if (const Actor* actor = arena_.Find(mind.agent)) {
-    mind.soar.ShowOwnBody(SenseOwnBody(*actor));
-    if (IsSenseTick(*actor)) mind.soar.ShowSurroundings(SenseSurroundings(*actor));
-  }
   return true;
+}
+
+/// Writes what its senses tell; on the thread that its mind decides on.
+void Minds::PerceiveWorld(Mind& mind) {
+  const Actor* actor = arena_.Find(mind.agent);
+  if (actor == nullptr) return;
+  mind.soar.ShowOwnBody(SenseOwnBody(*actor));
+  if (IsSenseTick(*actor)) mind.soar.ShowSurroundings(SenseSurroundings(*actor));
 }
 
 bool Minds::Prepare(Mind& mind) {
@@ -293,7 +310,8 @@ bool Minds::Prepare(Mind& mind) {
   const bool is_actor_dead = !mind.is_scripted && body.Health() <= 0;
   mind.decided = false;
   if (body.Failed() || mind.lost || is_actor_dead || !host_.IsConnected()) return false;
-  if (!Perceive(mind, body)) return false;
+  if (!PerceiveDistance(mind, body)) return false;
+  if (mind.is_scripted) PerceiveWorld(mind);
   if (mind.is_scripted && sense_script_) {
     const world::EntityId agent = mind.agent;
     const std::size_t count = minds_.size();

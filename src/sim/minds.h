@@ -104,7 +104,9 @@ class Minds final : public script::MindFactory {
   bool Prepare(Mind& mind);
   /// After it has.
   void Conclude(Mind& mind);
-  bool Perceive(Mind& mind, const world::Agent& body);
+  void Notice();
+  bool PerceiveDistance(Mind& mind, const world::Agent& body);
+  void PerceiveWorld(Mind& mind);
   void LimitMemory();
   void KeepWithinMemory();
   void HaltForMemory(Mind& mind);

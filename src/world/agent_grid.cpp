@@ -71,10 +71,12 @@ void AgentGrid::Rebuild(std::span<const AgentMotion> agents) {
   valid_ = true;
 }
 
-void AgentGrid::Query(std::span<const AgentMotion> agents, Vec3 center, float range_m,
-                      std::vector<std::uint32_t>& found) {
+void AgentGrid::Update(std::span<const AgentMotion> agents) {
   if (!valid_ || is_stray_.size() != agents.size()) Rebuild(agents);
+}
 
+void AgentGrid::Query(std::span<const AgentMotion> agents, Vec3 center, float range_m,
+                      std::vector<std::uint32_t>& found) const {
   // Rounding errs on the side of looking at one agent too many.
   const float range_squared = range_m * range_m * 1.0001f + 0.001f;
   const auto is_near = [&](const AgentMotion& agent) {

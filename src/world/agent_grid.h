@@ -21,9 +21,11 @@ class AgentGrid {
   void Invalidate() { valid_ = false; }
   /// One agent has moved.
   void Moved(std::uint32_t index);
+  /// Brings the grid up to date; to be called before Query.
+  void Update(std::span<const AgentMotion> agents);
   /// Appends the indices of all agents within range_m of center, and perhaps of others, to found; order unspecified
-  /// but reproducible.
-  void Query(std::span<const AgentMotion> agents, Vec3 center, float range_m, std::vector<std::uint32_t>& found);
+  /// but reproducible. Several threads may ask at a time.
+  void Query(std::span<const AgentMotion> agents, Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Entry {

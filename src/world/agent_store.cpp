@@ -55,8 +55,15 @@ void AgentStore::SpeedOrRadiusChanged(std::size_t index) {
 
 std::span<const std::uint32_t> AgentStore::Near(Vec3 center, float range_m) {
   scratch_.clear();
+  grid_.Update(motions_);
   grid_.Query(motions_, center, range_m, scratch_);
   return scratch_;
+}
+
+void AgentStore::CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  grid_.Query(motions_, center, range_m, found);
+  std::sort(found.begin(), found.end());
 }
 
 std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_m) {

@@ -58,6 +58,10 @@ class AgentStore {
   std::span<const std::uint32_t> Near(Vec3 center, float range_m);
   /// The same in ascending order.
   std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m);
+  /// Until an agent moves or comes, several threads may call CopyNear at a time.
+  void PrepareCopyNear() { grid_.Update(motions_); }
+  /// Replaces `found` by what NearInOrder finds.
+  void CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
   /// Indices of agents by id, in order; ids of others are left out.
   std::span<const std::uint32_t> Indices(std::span<const EntityId> ids);
 

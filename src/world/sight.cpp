@@ -16,9 +16,12 @@ bool SeesAgent(const Agent& from, const Agent& target, Vec3 point) {
 }
 
 std::vector<EntityId> AgentsNear(const Agent& agent, float range_m) {
-  AgentStore& store = AgentStore::Of(agent);
+  const AgentStore& store = AgentStore::Of(agent);
+  std::vector<std::uint32_t> indices;
+  store.CopyNear(agent.Position(), range_m, indices);
   std::vector<EntityId> near;
-  for (const std::uint32_t index : store.NearInOrder(agent.Position(), range_m)) near.push_back(store.ids()[index]);
+  near.reserve(indices.size());
+  for (const std::uint32_t index : indices) near.push_back(store.ids()[index]);
   return near;
 }
 

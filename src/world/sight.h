@@ -12,7 +12,8 @@ namespace soarbox::world {
 /// eyes.
 bool SeesAgent(const Agent& from, const Agent& target, Vec3 point);
 
-/// All agents within this distance, and perhaps some beyond, in ascending id.
+/// All agents within this distance, and perhaps some beyond, in ascending id. Several threads may ask at a time if
+/// World::PrepareForReaders was called since an agent last moved.
 std::vector<EntityId> AgentsNear(const Agent& agent, float range_m);
 
 }  // namespace soarbox::world

@@ -151,6 +151,10 @@ NodeId World::NodeOf(EntityId id) const {
   return object ? object->node() : NodeId::kNone;
 }
 
+void World::PrepareForReaders() {
+  impl_->agents.PrepareCopyNear();
+}
+
 std::optional<RayHit> World::RayCast(Vec3 from, Vec3 to) const {
   if (!IsFinite(from) || !IsFinite(to)) return std::nullopt;
   return impl_->physics.RayCast(LimitPosition(from), LimitPosition(to));

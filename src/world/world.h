@@ -100,6 +100,8 @@ class World {
 
   /// The node of the sandbox, an agent or an object, as parent for Scene::Create*; kNone for unknown ids.
   NodeId NodeOf(EntityId id) const;
+  /// From now until something moves, comes or goes, several threads may call what is const, and sight.h.
+  void PrepareForReaders();
   /// The first body on the segment, agents and fixed bodies included; a body around its start is not hit.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
 
