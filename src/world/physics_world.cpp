@@ -6,8 +6,10 @@
 #include <mutex>
 
 #include "world/physics_bullet.h"
+#include "world/physics_capsule_plane.h"
 #include "world/physics_crowd.h"
 #include "world/physics_debug.h"
+#include "world/physics_dynamics.h"
 #include "world/physics_shape.h"
 #include "world/physics_sight.h"
 #include "world/rotation.h"
@@ -19,6 +21,10 @@ namespace {
 constexpr float kSweepThreshold_m = 0.5f;
 constexpr float kFriction = 0.5f;
 constexpr float kPenetrationRecovery = 0.8f;
+// The solver ends before its last iteration once no contact changes a velocity by more than 1e-5 m/s.
+constexpr float kSolvedEnough = 1e-10f;
+// Bounding boxes in the broad phase reach ahead by so many half widths of the body, so that they last for some steps.
+constexpr float kBoxAhead = 2;
 
 /// Contacts never turn it.
 bool CannotTurn(const btCollisionObject* object) {
@@ -43,8 +49,9 @@ void InstallFrictionRule() {
   std::call_once(once, [] { gCalculateCombinedRollingFrictionCallback = ProductOfRollingFrictions; });
 }
 
-bool OutOfRange(Vec3 v, float limit) {
-  return !IsFinite(v) || std::abs(v.x) > limit || std::abs(v.y) > limit || std::abs(v.z) > limit;
+/// False for what is not finite, too.
+bool IsWithin(const btVector3& v, btScalar limit) {
+  return std::abs(v.x()) <= limit && std::abs(v.y()) <= limit && std::abs(v.z()) <= limit;
 }
 
 float Within(float value, float limit) {
@@ -67,6 +74,7 @@ struct PhysicsWorld::Impl {
         gravity(settings.gravity),
         step_s(settings.step_s) {
     InstallFrictionRule();
+    FindCapsulesOnPlanes(dispatcher);
     // Finds several corners of a box on a plane in one step; with one corner per step small boxes rock for ever.
     configuration.setPlaneConvexMultipointIterations(3, 3);
     // The scalar solver rows: the vector ones differ from processor to processor.
@@ -79,6 +87,8 @@ struct PhysicsWorld::Impl {
     info.m_numIterations = std::clamp(settings.solver_iterations, 1, 1000);
     info.m_splitImpulse = true;
     info.m_erp2 = kPenetrationRecovery;
+    info.m_leastSquaresResidualThreshold = kSolvedEnough;
+    broadphase.setVelocityPrediction(kBoxAhead);
     broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&pair_limit);
     world.setForceUpdateAllAabbs(false);
   }
@@ -115,7 +125,7 @@ struct PhysicsWorld::Impl {
   CrowdBroadphase broadphase;
   PairLimit pair_limit{*broadphase.getOverlappingPairCache()};
   btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world;
+  DynamicsWorld world;
   CrowdControl crowd{world, pair_limit};
   Vec3 gravity;
   float step_s;
@@ -168,7 +178,10 @@ BodyId PhysicsWorld::Add(const BodyDef& def) {
     body->rigid->setCcdMotionThreshold(kSweepThreshold_m);
     body->rigid->setCcdSweptSphereRadius(body->shape.swept_radius_m);
   }
-  if (def.upright) body->rigid->setAngularFactor(0);
+  if (def.upright) {
+    body->rigid->setAngularFactor(0);
+    body->rigid->setFlags(body->rigid->getFlags() & ~BT_ENABLE_GYROPSCOPIC_FORCE);
+  }
   body->rigid->setUserIndex(static_cast<int>(Number(def.owner)));
   impl_->AddToWorld(*body);
   if (!def.upright) ++impl_->changes;
@@ -341,14 +354,14 @@ void PhysicsWorld::Step(float step_s) {
 
 void PhysicsWorld::Impl::KeepInRange() {
   for (const auto& body : bodies) {
-    if (!body || body->rigid->isStaticObject()) continue;
+    if (!body || body->rigid->isStaticObject() || !body->rigid->isActive()) continue;
     btRigidBody& rigid = *body->rigid;
-    const Vec3 position = FromBullet(rigid.getWorldTransform().getOrigin());
-    const Vec3 velocity = FromBullet(rigid.getLinearVelocity());
-    const bool strayed = OutOfRange(position, kMaxCoordinate_m) || OutOfRange(velocity, kMaxSpeed_mps) ||
-                         OutOfRange(FromBullet(rigid.getAngularVelocity()), kMaxSpeed_mps) ||
-                         !IsFinite(FromBullet(rigid.getWorldTransform().getRotation()));
-    if (!strayed) continue;
+    const btMatrix3x3& turn = rigid.getWorldTransform().getBasis();
+    const btVector3& place = rigid.getWorldTransform().getOrigin();
+    if (IsWithin(place, kMaxCoordinate_m) && IsWithin(rigid.getLinearVelocity(), kMaxSpeed_mps) &&
+        IsWithin(rigid.getAngularVelocity(), kMaxSpeed_mps) && IsWithin(turn[0] + turn[1] + turn[2], 9))
+      continue;
+    const Vec3 position = FromBullet(place);
     const btVector3 edge(Within(position.x, kMaxCoordinate_m), Within(position.y, kMaxCoordinate_m),
                          Within(position.z, kMaxCoordinate_m));
     rigid.setWorldTransform(btTransform(btQuaternion::getIdentity(), edge));
