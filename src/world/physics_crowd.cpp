@@ -17,6 +17,15 @@ btCollisionObject& ObjectOf(const btBroadphaseProxy& proxy) {
   return *static_cast<btCollisionObject*>(proxy.m_clientObject);
 }
 
+/// Bounding boxes of who walks reach ahead by so many half widths of the body, so that they last for some steps. Those
+/// of things that roll and rest, and of what was put elsewhere, do not: they would go on meeting what is not there.
+btScalar BoxAhead(const btBroadphaseProxy& proxy, const btVector3& low) {
+  constexpr btScalar kWalker = 2, kFarthestStep_m = 0.5f;
+  const btRigidBody* body = btRigidBody::upcast(&ObjectOf(proxy));
+  const bool walks = body != nullptr && body->getAngularFactor().isZero() && !body->isStaticObject();
+  return walks && (low - proxy.m_aabbMin).length2() < kFarthestStep_m * kFarthestStep_m ? kWalker : 0;
+}
+
 }  // namespace
 
 bool PairLimit::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
@@ -35,6 +44,7 @@ void CrowdBroadphase::setAabb(btBroadphaseProxy* proxy, const btVector3& low, co
                               btDispatcher* dispatcher) {
   if (!CrowdControl::IsAside(ObjectOf(*proxy))) {
     LeaveAside(proxy);
+    m_prediction = BoxAhead(*proxy, low);
     return btDbvtBroadphase::setAabb(proxy, low, high, dispatcher);
   }
   btDbvtVolume where = btDbvtVolume::FromMM(low, high);

@@ -23,8 +23,6 @@ constexpr float kFriction = 0.5f;
 constexpr float kPenetrationRecovery = 0.8f;
 // The solver ends before its last iteration once no contact changes a velocity by more than 1e-5 m/s.
 constexpr float kSolvedEnough = 1e-10f;
-// Bounding boxes in the broad phase reach ahead by so many half widths of the body, so that they last for some steps.
-constexpr float kBoxAhead = 2;
 
 /// Contacts never turn it.
 bool CannotTurn(const btCollisionObject* object) {
@@ -88,7 +86,6 @@ struct PhysicsWorld::Impl {
     info.m_splitImpulse = true;
     info.m_erp2 = kPenetrationRecovery;
     info.m_leastSquaresResidualThreshold = kSolvedEnough;
-    broadphase.setVelocityPrediction(kBoxAhead);
     broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&pair_limit);
     world.setForceUpdateAllAabbs(false);
   }
