@@ -41,7 +41,9 @@ std::string Describe(const PerceptList& list) {
 void AddNumber(PerceptList& list, const PerceptRow& row, double value) {
   if (!std::isfinite(value)) return;
   if (row.min != row.max) value = std::clamp(value, row.min, row.max);
-  if (row.step > 0) {
+  if (row.step == 1) {
+    value = std::round(value) + 0.0;  // No negative zero.
+  } else if (row.step > 0) {
     // Division by a whole number of steps keeps 0.1 and its like exactly what a rule's text says.
     const double per_unit = 1 / row.step;
     const double whole = std::round(per_unit);
@@ -62,15 +64,16 @@ void AddWord(PerceptList& list, const PerceptRow& row, std::string_view value, s
   Percept& made = list.emplace_back();
   made.attribute = row.Attribute();
   made.key = key;
-  made.value = std::string(value);
+  made.value.emplace<std::string>(value);
 }
 
-PerceptList& AddObject(PerceptList& list, const PerceptRow& row, std::uint32_t key) {
+PerceptList& AddObject(PerceptList& list, const PerceptRow& row, std::uint32_t key, std::size_t room) {
   Percept& made = list.emplace_back();
   made.attribute = row.Attribute();
   made.key = key;
-  made.value = PerceptList{};
-  return std::get<PerceptList>(made.value);
+  PerceptList& below = made.value.emplace<PerceptList>();
+  below.reserve(room);
+  return below;
 }
 
 }  // namespace soarbox::sim

@@ -52,10 +52,10 @@ std::string_view WeaponWord(const Actor& actor) {
 
 void SenseSelf(const Actor& actor, PerceptList& list) {
   const world::Agent& body = actor.body();
-  PerceptList& self = AddObject(list, RowOf("self"));
+  PerceptList& self = AddObject(list, RowOf("self"), 0, 14);
   AddWord(self, RowOf("self.name"), body.name());
   AddWord(self, RowOf("self.team"), body.Team());
-  PerceptList& position = AddObject(self, RowOf("self.position"));
+  PerceptList& position = AddObject(self, RowOf("self.position"), 0, 2);
   AddNumber(position, RowOf("self.position.x"), static_cast<double>(body.Position().x));
   AddNumber(position, RowOf("self.position.z"), static_cast<double>(body.Position().z));
   const double heading = std::round(static_cast<double>(HeadingOf(body.Forward())));
@@ -131,9 +131,10 @@ void SenseOrder(const Actor& actor, PerceptList& list) {
 }
 
 void SenseAgents(const Actor& actor, PerceptList& list) {
+  list.reserve(list.size() + actor.contacts().size());
   for (const auto& [id, contact] : actor.contacts()) {
     const world::Agent& other = *actor.world().FindAgent(id);
-    PerceptList& seen = AddObject(list, RowOf("agent"), Number(id));
+    PerceptList& seen = AddObject(list, RowOf("agent"), Number(id), 14);
     AddWord(seen, RowOf("agent.name"), other.name());
     AddWord(seen, RowOf("agent.team"), other.Team());
     AddWord(seen, RowOf("agent.relation"), other.Team() == actor.body().Team() ? "friend" : "enemy");
@@ -145,7 +146,7 @@ void SenseAgents(const Actor& actor, PerceptList& list) {
                                                                  : "memory");
     AddNumber(seen, RowOf("agent.range"), static_cast<double>(FlatDistance(actor.body().Position(), contact.position)));
     AddNumber(seen, RowOf("agent.bearing"), BearingTo(actor, contact.position));
-    PerceptList& position = AddObject(seen, RowOf("agent.position"));
+    PerceptList& position = AddObject(seen, RowOf("agent.position"), 0, 2);
     AddNumber(position, RowOf("agent.position.x"), static_cast<double>(contact.position.x));
     AddNumber(position, RowOf("agent.position.z"), static_cast<double>(contact.position.z));
     AddNumber(seen, RowOf("agent.speed"), static_cast<double>(world::Length(Flat(contact.velocity))));
@@ -175,7 +176,7 @@ void SenseObjects(const Actor& actor, PerceptList& list) {
       continue;
     const Vec3 center = object.Position();
     if (!IsInView(actor, center) || !HasLineOfSight(world, actor.body(), center, id)) continue;
-    PerceptList& seen = AddObject(list, RowOf("object"), Number(id));
+    PerceptList& seen = AddObject(list, RowOf("object"), Number(id), 7);
     AddWord(seen, RowOf("object.name"), actor.arena().NameOfObject(id));
     const bool is_item = actor.arena().places().items.contains(id);
     const world::ObjectKind kind = object.kind();
@@ -187,7 +188,7 @@ void SenseObjects(const Actor& actor, PerceptList& list) {
                                                         : "capsule");
     AddNumber(seen, RowOf("object.range"), static_cast<double>(FlatDistance(actor.body().Position(), center)));
     AddNumber(seen, RowOf("object.bearing"), BearingTo(actor, center));
-    PerceptList& position = AddObject(seen, RowOf("object.position"));
+    PerceptList& position = AddObject(seen, RowOf("object.position"), 0, 2);
     AddNumber(position, RowOf("object.position.x"), static_cast<double>(center.x));
     AddNumber(position, RowOf("object.position.z"), static_cast<double>(center.z));
     AddNumber(seen, RowOf("object.radius"), static_cast<double>(object.Radius()));
@@ -257,6 +258,7 @@ std::vector<world::EntityId> NearOrKnown(const Actor& actor) {
 PerceptList SenseOwnBody(const Actor& actor) {
   const SenseSettings& senses = actor.kind().senses;
   PerceptList list;
+  list.reserve(8);
   if (senses.Has("time")) AddNumber(list, RowOf("time"), actor.world().time_s());
   if (senses.Has("self")) SenseSelf(actor, list);
   if (senses.Has("path")) SensePath(actor, list);
