@@ -97,6 +97,8 @@ float Hazed(float distance_m)
 #endif
 }
 
+// Costs much where the processor draws, even if there are none: only scenes that have such lights use programs with it.
+#ifdef FURTHER_LIGHTS
 vec3 FurtherLight(vec3 albedo, vec3 normal)
 {
     vec3 light = vec3(0.0);
@@ -111,6 +113,9 @@ vec3 FurtherLight(vec3 albedo, vec3 normal)
     }
     return light;
 }
+#else
+vec3 FurtherLight(vec3 albedo, vec3 normal) { return vec3(0.0); }
+#endif
 
 // Light on dull ground, for slow renderers: sun, shadow, sky and haze, no shine, no mirrored sky.
 vec3 ShadeDull(vec3 albedo, vec3 normal)

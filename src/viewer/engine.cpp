@@ -163,7 +163,7 @@ void Engine::PlaceViewport(Ogre::RenderTarget& target) {
                                                static_cast<float>(height_) / height);
 }
 
-Ogre::RenderTarget* Engine::PictureTarget() {
+Ogre::RenderTarget* Engine::PictureTarget() const {
   const Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().getByName(kPictureTexture, kGroup);
   return texture ? texture->getBuffer()->getRenderTarget() : nullptr;
 }
@@ -214,6 +214,22 @@ void Engine::Draw() {
   render_window_->update(true);
   root_->_fireFrameRenderingQueued();
   root_->_fireFrameEnded();
+}
+
+void Engine::CountLast(std::size_t& draw_calls, std::size_t& triangles) const {
+  draw_calls = triangles = 0;
+  const auto add = [&](const Ogre::RenderTarget* target) {
+    if (target == nullptr) return;
+    draw_calls += target->getStatistics().batchCount;
+    triangles += target->getStatistics().triangleCount;
+  };
+  if (hidden_)
+    add(PictureTarget());
+  else
+    add(render_window_);
+  for (std::size_t map = 0; map < 2; ++map) {
+    if (const Ogre::TexturePtr& texture = scene_->getShadowTexture(map)) add(texture->getBuffer()->getRenderTarget());
+  }
 }
 
 bool Engine::HasInput(int milliseconds) const {

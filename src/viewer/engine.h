@@ -45,6 +45,8 @@ class Engine {
 
   /// Draws once, onto the screen. Of a hidden window nobody would see it: only panels are laid out, WritePicture draws.
   void Draw();
+  /// What the last drawing handed to the renderer, shadow maps included.
+  void CountLast(std::size_t& draw_calls, std::size_t& triangles) const;
   /// Whether the user has done something that has not been read yet; waits for it up to `milliseconds`.
   bool HasInput(int milliseconds) const;
 
@@ -69,7 +71,7 @@ class Engine {
   /// One viewport for the scene, and one over it for panels alone.
   void AddViewports(Ogre::RenderTarget& target);
   void PlaceViewport(Ogre::RenderTarget& target);
-  Ogre::RenderTarget* PictureTarget();
+  Ogre::RenderTarget* PictureTarget() const;
   void MakePictureTarget();
   void DropPictureTarget();
 

@@ -83,7 +83,7 @@ std::optional<LabelPlace> LabelLayout::Place(const LabelWish& wish) {
     taken_.push_back(box);
     return LabelPlace{box, is_short, place};
   };
-  const int count = CountOf(wish.habit);
+  const int count = std::min(CountOf(wish.habit), wish.places);
   for (const bool is_short : {false, true}) {
     const float width = is_short ? wish.short_width : wish.width, height = is_short ? wish.short_height : wish.height;
     if (width <= 0) continue;

@@ -37,6 +37,7 @@ struct LabelWish {
   float width = 0, height = 0;              ///< px
   float short_width = 0, short_height = 0;  ///< In its short form; 0: it has none.
   bool must_show = false;                   ///< Rather far away than not at all.
+  int places = 100;                         ///< How many of its places may be tried; few where many crowd.
   int usual_place = -1;                     ///< Where it stood in the frame before, so that it does not hop about.
 };
 

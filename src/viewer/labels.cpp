@@ -15,6 +15,10 @@ namespace {
 using Kind = ShownLabel::Kind;
 
 constexpr std::size_t kMostNames = 48, kMostSpeech = 10, kMostSpared = 48;
+/// So much of the picture may names cover; and with so many in it, each stays near its agent.
+constexpr float kMostCovered = 0.08f;
+constexpr std::size_t kMany = 24;
+constexpr int kPlacesOfMany = 5;
 constexpr float kFadeFrom_m = 95, kGone_m = 120;
 constexpr float kEdge_px = 4, kGap_px = 3;
 constexpr double kSpeechShown_s = 3.5, kSpeechFades_s = 0.6;
@@ -430,6 +434,8 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
   for (const ScreenBox& box : found.bodies) layout.Spare(box);
   std::vector<Item> shown;
   std::size_t names = 0, bubbles = 0;
+  const bool are_many = found.items.size() > kMany;
+  float left = kMostCovered * screen.x * screen.y;
   const auto place = [&](Item& item) {
     const auto at = layout.Place(item.wish);
     if (!at) return false;
@@ -443,10 +449,14 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
     if (item.kind == Kind::kSpeech) {
       if (bubbles < kMostSpeech && place(item)) ++bubbles;
     } else if (item.kind == Kind::kName) {
-      if ((names < kMostNames || item.stands_out) && place(item))
+      if (are_many && !item.stands_out) item.wish.places = kPlacesOfMany;
+      const bool may_show = item.stands_out || (names < kMostNames && left > 0) || !are_many;
+      if (may_show && place(item)) {
         ++names;
-      else if (agent->alive)
+        left -= shown.back().place.box.width() * shown.back().place.box.height();
+      } else if (agent->alive) {
         found.far.emplace_back(agent, at);
+      }
     } else {
       place(item);
     }

@@ -84,7 +84,7 @@ LightRig::LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre
   SetSkyRotation({});
 }
 
-void LightRig::Update(const world::SceneSnapshot& snapshot) {
+bool LightRig::Update(const world::SceneSnapshot& snapshot) {
   const world::LightSnapshot* sun = nullptr;
   Ogre::Vector4 place[kFurtherLights], colour[kFurtherLights], fade[kFurtherLights];
   std::fill(std::begin(place), std::end(place), Ogre::Vector4(0, 1, 0, 0));
@@ -115,6 +115,7 @@ void LightRig::Update(const world::SceneSnapshot& snapshot) {
   values_.setNamedConstant("light_place", place[0].ptr(), 4 * kFurtherLights);
   values_.setNamedConstant("light_colour", colour[0].ptr(), 4 * kFurtherLights);
   values_.setNamedConstant("light_fade", fade[0].ptr(), 4 * kFurtherLights);
+  return further > 0;
 }
 
 void LightRig::SetSkyRotation(world::Vec3 degrees) {

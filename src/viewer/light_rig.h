@@ -16,7 +16,8 @@ class LightRig {
  public:
   LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre::MaterialPtr& caster, bool low_detail);
 
-  void Update(const world::SceneSnapshot& snapshot);
+  /// Returns whether there are further lights.
+  bool Update(const world::SceneSnapshot& snapshot);
 
   /// Turns the sky's picture against the world.
   void SetSkyRotation(world::Vec3 degrees);

@@ -37,6 +37,8 @@ Ogre::Vector4 MeanLight(const Image& image, int first_row, int end_row) {
           0};
 }
 
+const std::vector<std::string> kSurfaceSamplers{"paint", "shadow_near", "shadow_far", "sky"};
+
 Ogre::TexturePtr MakeTexture(const char* name, const Image& image) {
   auto texture = Ogre::TextureManager::getSingleton().createManual(
       name, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(image.width), static_cast<unsigned>(image.height),
@@ -107,8 +109,8 @@ Materials::Found Materials::Make(const std::string& name, const Look& look) {
   AddShadowMap(pass);
   AddTexture(pass, kSkyTexture, false);
   const bool ground = look.paint == Look::Paint::kGround;
-  shaders_.Use(pass, "surface.vert", ground ? "ground.frag" : "surface.frag",
-               {"paint", "shadow_near", "shadow_far", "sky"});
+  const std::string fragment = ground ? "ground.frag" : "surface.frag";
+  shaders_.Use(pass, "surface.vert", further_lights_ ? Shaders::WithLights(fragment) : fragment, kSurfaceSamplers);
   const auto params = pass.getFragmentProgramParameters();
   params->setNamedConstant("base_colour", Four(look.base));
   params->setNamedConstant("trim_colour", Four(look.trim));
@@ -119,6 +121,24 @@ Materials::Found Materials::Make(const std::string& name, const Look& look) {
     pass.setDepthWriteEnabled(false);
   }
   return found;
+}
+
+void Materials::UseFurtherLights() {
+  if (further_lights_) return;
+  further_lights_ = true;
+  for (const auto& [name, found] : materials_) {
+    Ogre::Pass& pass = *found.material->getTechnique(0)->getPass(0);
+    const std::string fragment = pass.getFragmentProgramName();
+    if (fragment != "surface.frag" && fragment != "ground.frag") continue;
+    const Ogre::GpuProgramParametersSharedPtr before = pass.getFragmentProgramParameters();
+    shaders_.Use(pass, "surface.vert", Shaders::WithLights(fragment), kSurfaceSamplers);
+    for (const char* value : {"base_colour", "trim_colour", "finish"}) {
+      const auto* held = before->_findNamedConstantDefinition(value);
+      if (held == nullptr) continue;
+      pass.getFragmentProgramParameters()->setNamedConstant(
+          value, Ogre::Vector4(before->getFloatPointer(held->physicalIndex)));
+    }
+  }
 }
 
 const Materials::Found& Materials::Named(const std::string& name) {

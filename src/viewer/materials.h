@@ -25,6 +25,8 @@ class Materials {
     bool is_stand_in = false;  ///< The name is unknown; this is the magenta checker.
   };
   const Found& Named(const std::string& name);
+  /// From now on surfaces are lit by further lights than the sun.
+  void UseFurtherLights();
 
   /// The body of an agent: its kind's colour, dull if it failed, grey if it died.
   const Found& AgentBody(std::string_view kind, bool alive, bool failed);
@@ -59,6 +61,7 @@ class Materials {
 
   const Shaders& shaders_;
   bool low_detail_;
+  bool further_lights_ = false;
   std::unordered_map<std::string, Found> materials_;
 };
 

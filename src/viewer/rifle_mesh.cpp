@@ -18,7 +18,7 @@ class RifleBuilder {
   explicit RifleBuilder(BodyDetail detail)
       : b_(detail == BodyDetail::kFine     ? 1.0f
            : detail == BodyDetail::kMiddle ? 0.6f
-                                           : 0.4f),
+                                           : 0.3f),
         coarse_(detail == BodyDetail::kCoarse) {
     b_.place.position = world::HoldOfRifle().grip;
   }

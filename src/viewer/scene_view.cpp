@@ -15,7 +15,7 @@ using world::ShapeKind;
 /// How near bodies are drawn in full, and in middle detail.
 constexpr float kFineUntil_m = 14, kMiddleUntil_m = 38;
 /// How many bodies and rifles at most.
-constexpr std::size_t kMostFine = 32, kMostMiddle = 96;
+constexpr std::size_t kMostFine = 24, kMostMiddle = 64, kMostFineSlow = 6, kMostMiddleSlow = 16;
 const std::string kTeamPrefix = "team/";  // Of names of materials: own cloth, with the colour of a team.
 
 /// A capsule of an agent, of the size of a body rather than of something that it carries.
@@ -179,16 +179,19 @@ void SceneView::PoseBodies(const world::CameraSnapshot& camera, std::uint32_t in
     order.emplace_back(world::Distance(camera.position, thing.body->place.at.position) * zoom / reach_, &thing);
   }
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const bool is_slow = reach_ < 1;
+  const std::size_t most_fine = is_slow ? kMostFineSlow : kMostFine,
+                    most_middle = is_slow ? kMostMiddleSlow : kMostMiddle;
   std::size_t fine = 0, middle = 0;
   for (const auto& [away, thing] : order) {
     // A little further back than forth, so that nothing flickers at the border.
     const auto limit = [thing = thing](float metres, BodyDetail finer) {
       return thing->detail <= finer ? metres * 1.1f : metres;
     };
-    if (away < limit(kFineUntil_m, BodyDetail::kFine) && fine < kMostFine) {
+    if (away < limit(kFineUntil_m, BodyDetail::kFine) && fine < most_fine) {
       thing->detail = BodyDetail::kFine;
       ++fine;
-    } else if (away < limit(kMiddleUntil_m, BodyDetail::kMiddle) && middle < kMostMiddle) {
+    } else if (away < limit(kMiddleUntil_m, BodyDetail::kMiddle) && middle < most_middle) {
       thing->detail = BodyDetail::kMiddle;
       ++middle;
     } else {

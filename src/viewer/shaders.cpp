@@ -83,8 +83,11 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
       error.hint = "the media folder of Soarbox belongs beside its library; name another one if it was moved";
       return error;
     }
-    auto program = Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(file.name, kGroup, "glsl", file.type);
-    program->setSource(source);
+    auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
+    programs.createProgram(file.name, kGroup, "glsl", file.type)->setSource(source);
+    if (source.find("FURTHER_LIGHTS") == std::string::npos) continue;
+    source.insert(source.find('\n', source.find("#version")) + 1, "#define FURTHER_LIGHTS 1\n");
+    programs.createProgram(WithLights(file.name), kGroup, "glsl", file.type)->setSource(source);
   }
   auto values = Ogre::GpuProgramManager::getSingleton().createSharedParameters(kSceneValues);
   for (const char* name : {"sun_direction", "sun_colour", "ambient_colour", "haze", "sky_mean", "haze_colour"}) {
@@ -96,6 +99,10 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
   values->addConstantDefinition("sky_turn", Ogre::GCT_MATRIX_4X4);
   shaders.scene_values_ = values;
   return shaders;
+}
+
+std::string Shaders::WithLights(const std::string& fragment) {
+  return fragment + "/lights";
 }
 
 void Shaders::Use(Ogre::Pass& pass, const std::string& vertex, const std::string& fragment,

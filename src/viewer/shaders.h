@@ -18,6 +18,9 @@ class Shaders {
   /// Low detail leaves out what costs most per pixel.
   static Result<Shaders> Load(const std::filesystem::path& folder, bool low_detail);
 
+  /// The program that also counts lights besides the sun.
+  static std::string WithLights(const std::string& fragment);
+
   /// Makes `pass` draw with the two programs ("surface" or "ground" and so on), and binds what Ogre knows: matrices,
   /// camera, viewport, shadow maps. Textures are bound by name in the order of `samplers`.
   void Use(Ogre::Pass& pass, const std::string& vertex, const std::string& fragment,

@@ -13,6 +13,7 @@ namespace {
 using world::Vec3;
 
 constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kFar = 0.31f;  ///< Below this fineness nobody looks closely.
 
 /// A power that keeps the sign.
 float Power(float value, float exponent) {
@@ -80,8 +81,14 @@ void SkinBuilder::AddGrid(const std::vector<std::vector<Vec3>>& rows, const std:
   }
 }
 
-void SkinBuilder::Loft(const std::vector<Ring>& rings, int segments, Vec3 ahead, bool closed_ends) {
+void SkinBuilder::Loft(const std::vector<Ring>& given, int segments, Vec3 ahead, bool closed_ends) {
   const int around = Count(segments);
+  // From afar every other ring will do; the ends stay.
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == given.size();
+    if (is_end || fineness_ >= kFar || given.size() < 5 || i % 2 == 0) rings.push_back(given[i]);
+  }
   std::vector<std::vector<Vec3>> rows;
   std::vector<SkinVertex> skins;
   std::vector<float> lights;
@@ -118,7 +125,7 @@ void SkinBuilder::Round(Vec3 centre, Vec3 half, float round, int segments, float
 
 void SkinBuilder::Round(Vec3 centre, Vec3 half, float round, int segments, float from, float to,
                         const std::function<Vec3(Vec3)>& bend) {
-  const int around = Count(segments), up = std::max(4, around / 2);
+  const int around = Count(segments), up = std::max(fineness_ < kFar ? 3 : 4, around / 2);
   std::vector<std::vector<Vec3>> rows;
   for (int r = 0; r <= up; ++r) {
     const float t = from + (to - from) * static_cast<float>(r) / static_cast<float>(up);

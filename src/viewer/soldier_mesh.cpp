@@ -27,7 +27,7 @@ class SoldierBuilder {
   SoldierBuilder(BodyDetail detail, bool dark)
       : b_(detail == BodyDetail::kFine     ? 1.0f
            : detail == BodyDetail::kMiddle ? 0.55f
-                                           : 0.34f),
+                                           : 0.26f),
         dark_(dark),
         coarse_(detail == BodyDetail::kCoarse) {}
 

@@ -5,6 +5,7 @@
 #include <bitset>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <optional>
 #include <thread>
@@ -44,6 +45,24 @@ fs::path DefaultMediaDir() {
   }
   return SOARBOX_MEDIA_DIR;
 }
+
+/// Adds the processor time of this thread from one call to the next to a sum.
+class Stopwatch {
+ public:
+  void Lap(double& sum_s) {
+    const double now = Now();
+    sum_s += now - last_s_;
+    last_s_ = now;
+  }
+
+ private:
+  static double Now() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+  double last_s_ = Now();
+};
 
 /// A ring on the ground around a selected agent; the first one's is bright.
 void AddRing(const world::AgentSnapshot& agent, bool is_first, std::vector<world::LineSnapshot>& out) {
@@ -102,6 +121,7 @@ struct Viewer::Impl {
   bool has_framed = false;
   bool failed = false;
   Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
+  FrameCosts costs;
   int scripted_frames = 0;
   bool shows_news = true;  ///< Something else was shown since the last frame.
   world::CameraSnapshot rested_pose;
@@ -325,7 +345,7 @@ void Viewer::Impl::ReportFailure(const std::string& what) {
 void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend) {
   things->Update(newest, previous, blend);
   shows_news |= newest.tick != scene.tick || newest.camera_moves != camera_moves;
-  lights->Update(newest);
+  if (lights->Update(newest)) materials->UseFurtherLights();
   lights->SetSkyRotation(newest.sky_rotation_deg);
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water stand in for it");
 
@@ -462,6 +482,7 @@ bool Viewer::Impl::Frame() {
     commands.push_back(ViewerCommand::kQuit);
     return false;
   }
+  Stopwatch watch;
   std::vector<world::LineSnapshot> marks;
   for (const std::uint32_t id : selection) {
     if (const auto* agent = Find(id)) AddRing(*agent, id == selection.front(), marks);
@@ -485,14 +506,19 @@ bool Viewer::Impl::Frame() {
   ghost_view->Update(shown_ghosts, *things);
   skeleton_lines->Update(things->skeleton_lines(), {});
   PlaceCamera();
+  watch.Lap(costs.marks_s);
   things->PoseBodies(camera.pose(), Inside());
+  watch.Lap(costs.bodies_s);
   DrawPanels(seconds);
+  watch.Lap(costs.panels_s);
   // A script that plays a user reads where panels lay their texts; of the frames that nobody watches one in four is
   // drawn.
   if (options.ui_script.empty() || ++scripted_frames % 4 == 0)
     engine->Draw();
   else
     ImGui::Render();
+  watch.Lap(costs.draw_s);
+  ++costs.frames;
   last_drawn = Clock::now();
   // Where the processor draws, more frames than a screen shows would only keep it from the world.
   constexpr auto kFrame = std::chrono::microseconds(16'600);
@@ -530,7 +556,9 @@ Result<std::unique_ptr<Viewer>> Viewer::Open(const ViewerOptions& options) {
 void Viewer::Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, double blend) {
   if (impl_->failed) return;
   try {
+    Stopwatch watch;
     impl_->Show(newest, previous, static_cast<float>(std::clamp(blend, 0.0, 1.0)));
+    watch.Lap(impl_->costs.show_s);
   } catch (const std::exception& error) {
     impl_->ReportFailure(error.what());
   }
@@ -548,6 +576,11 @@ bool Viewer::RenderFrame() {
     impl_->ReportFailure(error.what());
     return false;
   }
+}
+
+const FrameCosts& Viewer::costs() const {
+  impl_->engine->CountLast(impl_->costs.draw_calls, impl_->costs.triangles);
+  return impl_->costs;
 }
 
 std::vector<InputEvent> Viewer::TakeEvents() {

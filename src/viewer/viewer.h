@@ -64,6 +64,18 @@ struct Ghost {
   float radius_m = 0.35f, height_m = 1.75f;
 };
 
+/// What frames have cost the thread that draws, in seconds of processor time, and what the last one handed to the
+/// renderer, shadow maps included. For benchmarks.
+struct FrameCosts {
+  std::uint64_t frames = 0;
+  double show_s = 0;    ///< Show: entities, poses between two ticks.
+  double bodies_s = 0;  ///< Vertices of bodies follow their bones.
+  double marks_s = 0;   ///< Overlays, lines, ghosts.
+  double panels_s = 0;  ///< Labels and panels.
+  double draw_s = 0;    ///< The renderer; where the processor draws, most of it is other threads' work.
+  std::size_t draw_calls = 0, triangles = 0;
+};
+
 /// The window: it shows the newest snapshot of a world and reports what the user does.
 ///
 /// One viewer at a time per process, used by the thread that opened it. It never changes the world: keys and mouse
@@ -105,6 +117,8 @@ class Viewer {
   void Do(ViewerCommand command);
   /// Whether an overlay is on, a camera in use, the list of keys shown; false for other commands.
   bool IsOn(ViewerCommand command) const;
+
+  const FrameCosts& costs() const;
 
   /// Draws one frame and reads the user's input; false once the window was closed or can no longer be drawn.
   bool RenderFrame();

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-2-Clause
-/// A developer's tool: shows a hand-made, moving scene in the window, without a world behind it.
+/// A developer's tool: shows a hand-made, moving scene in the window, without a world behind it, or measures what
+/// frames of a scenario cost.
 ///
 ///   viewer_demo [--screenshot FILE] [--at SECONDS] [--agents N] [--view NUMBER] [--sky NAME] ...
+///   viewer_demo --scenario FOLDER_OR_FILE [--at SECONDS] [--frames N] [--full]
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <numbers>
+#include <utility>
 
+#include "sim/simulation.h"
 #include "viewer/demo_scene.h"
 #include "viewer/viewer.h"
 
@@ -20,12 +26,12 @@ using soarbox::viewer::Viewer;
 using soarbox::viewer::ViewerCommand;
 
 struct Arguments {
-  std::string screenshot, sky;
+  std::string screenshot, sky, scenario;
   double at_s = 3;
   int agents = 6;
   int view = 0;
   int frames = 0;
-  bool hidden = false, help = false, select = false;
+  bool hidden = false, help = false, select = false, full = false;
 };
 
 bool Parse(int argc, char** argv, Arguments& out) {
@@ -36,6 +42,10 @@ bool Parse(int argc, char** argv, Arguments& out) {
       out.screenshot = value();
     else if (word == "--sky")
       out.sky = value();
+    else if (word == "--scenario")
+      out.scenario = value();
+    else if (word == "--full")
+      out.full = true;
     else if (word == "--at")
       out.at_s = std::atof(value());
     else if (word == "--agents")
@@ -56,6 +66,69 @@ bool Parse(int argc, char** argv, Arguments& out) {
   return true;
 }
 
+double ProcessSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Runs a scenario to a moment, then draws frames, four for each tick, and says what a frame costs by part.
+int Measure(Viewer& viewer, const Arguments& arguments) {
+  using namespace soarbox;
+  const std::string root = SOARBOX_SOURCE_DIR;
+  const auto scenario = sim::FindScenario(arguments.scenario, {root + "/scenarios", root + "/media"});
+  if (!scenario) {
+    std::fputs(Format(scenario.error()).c_str(), stderr);
+    return 1;
+  }
+  auto made = sim::Simulation::Create(*scenario, {});
+  if (!made) {
+    std::fputs(Format(made.error()).c_str(), stderr);
+    return 1;
+  }
+  sim::Simulation& simulation = **made;
+  while (simulation.time_s() < arguments.at_s) {
+    simulation.Tick();
+    simulation.TakeEvents();
+  }
+  world::SceneSnapshot before = simulation.Snapshot(), now = before;
+  const int frames = arguments.frames > 0 ? arguments.frames : 40;
+  constexpr int kFramesPerTick = 4, kFirst = 12;
+  viewer::FrameCosts start;
+  double spent_s = 0, wall_s = 0;
+  for (int frame = 0; frame < kFirst + frames; ++frame) {
+    if (frame == kFirst) start = viewer.costs();
+    if (frame % kFramesPerTick == 0) {
+      simulation.Tick();
+      simulation.TakeEvents();
+      before = std::exchange(now, simulation.Snapshot());
+      viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
+    }
+    const double begin_s = ProcessSeconds();
+    const auto begin = std::chrono::steady_clock::now();
+    viewer.Show(now, &before, static_cast<double>(frame % kFramesPerTick) / kFramesPerTick);
+    if (!viewer.RenderFrame()) return 1;
+    if (frame < kFirst) continue;
+    spent_s += ProcessSeconds() - begin_s;
+    wall_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  const viewer::FrameCosts& end = viewer.costs();
+  const auto ms = [&](double seconds) { return 1000 * seconds / frames; };
+  std::printf("%zu agents, %dx%d: %zu draw calls, %zu triangles\n", now.agents.size(), viewer.width(), viewer.height(),
+              end.draw_calls, end.triangles);
+  std::printf("ms of processor time per frame: all threads %.2f; of the drawing thread: show %.2f, bodies %.2f, ",
+              ms(spent_s), ms(end.show_s - start.show_s), ms(end.bodies_s - start.bodies_s));
+  std::printf("marks %.2f, labels and panels %.2f, renderer %.2f; wall clock %.2f\n", ms(end.marks_s - start.marks_s),
+              ms(end.panels_s - start.panels_s), ms(end.draw_s - start.draw_s), ms(wall_s));
+  if (!arguments.screenshot.empty()) {
+    if (auto saved = viewer.SaveScreenshot(arguments.screenshot); !saved) {
+      std::fputs(Format(saved.error()).c_str(), stderr);
+      return 1;
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,13 +136,17 @@ int main(int argc, char** argv) {
   if (!Parse(argc, argv, arguments)) {
     std::fprintf(stderr,
                  "usage: viewer_demo [--screenshot FILE.png] [--at SECONDS] [--agents N] [--view 0..3] [--frames N]\n"
-                 "                   [--sky NAME] [--hidden] [--help-panel] [--select]\n");
+                 "                   [--sky NAME] [--hidden] [--help-panel] [--select]\n"
+                 "       viewer_demo --scenario FOLDER_OR_FILE [--at SECONDS] [--frames N] [--full]\n");
     return 2;
   }
   soarbox::viewer::ViewerOptions options;
   options.title = "Soarbox viewer demo";
   options.hidden = arguments.hidden;
   options.show_help = arguments.help;
+  options.frame_agents = !arguments.scenario.empty();
+  if (arguments.full) options.detail = soarbox::viewer::Detail::kFull;
+  options.vsync = arguments.scenario.empty();
   options.on_diagnostic = [](const soarbox::Diagnostic& d) { std::fputs(soarbox::Format(d).c_str(), stderr); };
   auto viewer = Viewer::Open(options);
   if (!viewer) {
@@ -77,6 +154,7 @@ int main(int argc, char** argv) {
     return 1;
   }
 
+  if (!arguments.scenario.empty()) return Measure(**viewer, arguments);
   DemoScene demo(arguments.agents, arguments.view, (*viewer)->width(), (*viewer)->height());
   if (arguments.select && arguments.agents > 1) (*viewer)->SelectAgent(2);
   RunStatus status;
