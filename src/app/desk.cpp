@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/desk.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace soarbox::app {
@@ -9,25 +10,51 @@ namespace {
 constexpr std::size_t kMostProblems = 500;
 
 bool IsProblem(const sim::Event& event) {
-  return event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed ||
+  return event.kind == sim::EventKind::kMindLost || event.kind == sim::EventKind::kMindBack ||
+         event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed ||
          (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity != Severity::kNote);
+}
+
+std::uint64_t FirstOf(const record::Reader& recording, record::TickRange range) {
+  return std::clamp(range.first, recording.first_tick(), recording.last_tick());
+}
+std::uint64_t LastOf(const record::Reader& recording, record::TickRange range) {
+  return std::clamp(range.last, FirstOf(recording, range), recording.last_tick());
+}
+
+/// What a kernel in another process does is told in words; others come with a diagnostic.
+Diagnostic DiagnosticOf(const sim::Event& event) {
+  Diagnostic diagnostic = event.diagnostic;
+  const bool is_lost = event.kind == sim::EventKind::kMindLost;
+  if (!is_lost && event.kind != sim::EventKind::kMindBack) return diagnostic;
+  diagnostic.severity = is_lost ? Severity::kError : Severity::kNote;
+  diagnostic.message = event.text;
+  if (is_lost) diagnostic.hint = "the world goes on; start a kernel there again (soarbox kernel --port N)";
+  return diagnostic;
 }
 
 }  // namespace
 
 Desk::Desk(RunSession& session, const record::Header& header, const sim::Scenario& scenario,
            const sim::SimulationSettings& settings)
-    : session_(session), past_(header, scenario, settings) {
-  session_.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
+    : session_(&session), past_(header, scenario, settings) {
+  session.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
 }
 
+Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range)
+    : recording_(&recording),
+      next_tick_(recording.first_tick()),
+      recorded_(recording.header().level),
+      past_(recording, data, FirstOf(recording, range), LastOf(recording, range)) {}
+
 Desk::~Desk() {
-  session_.Watch({});
+  if (session_ != nullptr) session_->Watch({});
 }
 
 void Desk::Prepare() {
   hit_is_new_ = false;
-  sim::Simulation& simulation = session_.simulation();
+  if (session_ == nullptr) return;
+  sim::Simulation& simulation = session_->simulation();
   breakpoints_.Prepare(simulation);
   if (noted_agent_ == agent_ || past_.branches() > 0) return;  // Minds of another future note all.
   // Breakpoints may need the one before; they ask again in each frame.
@@ -38,21 +65,16 @@ void Desk::Prepare() {
 
 void Desk::OnTick(const record::TickRecord& tick) {
   past_.Add(tick);
-  models_.Add(tick);
+  Learn(tick);
   for (const sim::Event& event : tick.events) {
-    if (!IsProblem(event)) continue;
-    problems_.push_back({event.diagnostic, event.agent, tick.tick, tick.scene.time_s});
-    if (problems_.size() > kMostProblems) problems_.erase(problems_.begin());
-  }
-  for (auto& [agent, coverage] : coverage_) {
-    if (const record::MindRecord* mind = record::FindMind(tick, agent)) coverage.Add(tick.tick, *mind);
+    if (event.kind == sim::EventKind::kMindLost || event.kind == sim::EventKind::kMindBack) news_ = event.text;
   }
   for (auto& [agent, console] : consoles_) {
     const std::size_t before = console.lines().size();
     console.Add(tick.events);
     if (console.lines().size() != before) ++console_lines_;
   }
-  const sim::Simulation& simulation = session_.simulation();
+  const sim::Simulation& simulation = session_->simulation();
   models_.plots.Sample(simulation);
   if (breakpoints_.list().empty()) return;
   if (std::vector<debugger::BreakHit> hits = breakpoints_.Check(simulation); !hits.empty()) {
@@ -62,17 +84,94 @@ void Desk::OnTick(const record::TickRecord& tick) {
   }
 }
 
+void Desk::Learn(const record::TickRecord& tick) {
+  models_.Add(tick);
+  for (const sim::Event& event : tick.events) {
+    if (!IsProblem(event)) continue;
+    problems_.push_back({DiagnosticOf(event), event.agent, tick.tick, tick.scene.time_s});
+    if (problems_.size() > kMostProblems) problems_.erase(problems_.begin());
+  }
+  for (auto& [agent, coverage] : coverage_) {
+    if (const record::MindRecord* mind = record::FindMind(tick, agent)) coverage.Add(tick.tick, *mind);
+  }
+}
+
+void Desk::Show(std::uint64_t tick) {
+  past_.Seek(tick);
+}
+
+void Desk::ReadOn() {
+  if (recording_ == nullptr) return;
+  constexpr auto kSlice = std::chrono::milliseconds(12);
+  const Clock::time_point begin = Clock::now();
+  const auto is_out_of_time = [&] { return Clock::now() - begin > kSlice; };
+  // Damaged ticks are left out; what is drawn of them is told elsewhere.
+  const std::uint64_t shown = past_.shown_tick();
+  if (!recorded_.empty() && recorded_.last_tick() > shown) recorded_.Clear();
+  while (!is_out_of_time()) {
+    const std::uint64_t tick = recorded_.empty() ? recording_->first_tick() : recorded_.last_tick() + 1;
+    if (!recorded_.empty() && recorded_.last_tick() >= shown) break;
+    const Result<const record::TickRecord*> record = recording_->At(tick);
+    if (record) {
+      recorded_.Add(**record);
+    } else {
+      record::TickRecord missing;
+      missing.tick = tick;
+      recorded_.Add(missing);
+    }
+    is_stale_ |= recorded_.last_tick() == shown;
+  }
+  while (next_tick_ <= past_.last_tick() && !is_out_of_time()) {
+    if (const Result<const record::TickRecord*> record = recording_->At(next_tick_)) Learn(**record);
+    is_stale_ |= ++next_tick_ > past_.last_tick();
+  }
+}
+
+void Desk::FillPlots() {
+  if (histories_.empty() || past_.empty()) return;
+  constexpr auto kSlice = std::chrono::milliseconds(8);
+  const Clock::time_point begin = Clock::now();
+  debugger::PlotHistory& history = histories_.front();
+  std::uint64_t tick = std::max(history_tick_, past_.first_tick());
+  while (tick <= past_.last_tick() && Clock::now() - begin < kSlice) {
+    if (const record::TickRecord* record = past_.At(tick)) history.Add(*record);
+    ++tick;
+  }
+  history_tick_ = tick;
+  if (tick <= past_.last_tick()) return;
+  models_.plots.Prepend(history.agent(), history.what(), history.points());
+  histories_.pop_front();
+  history_tick_ = 0;
+}
+
+bool Desk::HasMind(const std::string& agent) {
+  if (agent.empty()) return false;
+  if (const sim::Simulation* live = Live()) return live->HasMind(agent);
+  if (const sim::Simulation* past = past_.past()) return past->HasMind(agent);
+  // Until it is known, nobody is told that there is none.
+  const bool is_known = HasReadOn() && recording_->header().level != record::Level::kWorld;
+  return !is_known || recorded_.Find(agent) != nullptr;
+}
+
 void Desk::NoteProblem(Diagnostic diagnostic, std::string agent) {
-  const sim::Simulation& simulation = session_.simulation();
-  problems_.push_back({std::move(diagnostic), std::move(agent), simulation.tick(), simulation.time_s()});
+  const sim::Simulation* simulation = Live();
+  const std::uint64_t tick = simulation != nullptr ? simulation->tick() : past_.shown_tick();
+  const double time_s =
+      simulation != nullptr ? simulation->time_s() : static_cast<double>(tick) * recording_->header().step_s;
+  problems_.push_back({std::move(diagnostic), std::move(agent), tick, time_s});
   is_stale_ = true;
 }
 
 const world::SceneSnapshot* Desk::PastScene() {
   if (past_.is_live()) return nullptr;
   if (past_scene_tick_ != past_.shown_tick()) {
-    if (const record::TickRecord* record = past_.Shown()) past_scene_ = record->scene;
     past_scene_tick_ = past_.shown_tick();
+    if (const record::TickRecord* record = past_.Shown()) {
+      past_scene_ = record->scene;
+    } else if (recording_ != nullptr && !std::exchange(has_told_damage_, true)) {
+      // The last scene that could be read stays.
+      if (const auto damaged = recording_->At(past_scene_tick_); !damaged) NoteProblem(damaged.error(), {});
+    }
   }
   return &past_scene_;
 }
@@ -84,7 +183,7 @@ void Desk::GoOn() {
 }
 
 sim::Simulation* Desk::Looked() {
-  return past_.is_live() ? &session_.simulation() : past_.past();
+  return past_.is_live() ? Live() : past_.past();
 }
 
 debugger::Console& Desk::ConsoleOf(const std::string& agent) {

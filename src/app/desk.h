@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,14 +16,18 @@
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
 #include "debugger/edit.h"
+#include "debugger/recorded_mind.h"
 #include "debugger/rules.h"
 #include "debugger/run_models.h"
+#include "record/export.h"
+#include "record/reader.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::app {
 
 /// What the window's panels work with: follows the run tick by tick, carries out what the user asks for in panels, and
-/// fills in what the visible ones show when the tick or the question has changed.
+/// fills in what the visible ones show when the tick or the question has changed. A recording is shown by the same
+/// code: it is a run whose every tick is past.
 ///
 /// The run itself is the same with it and without, but for what the user does.
 class Desk {
@@ -30,8 +35,15 @@ class Desk {
   /// The session tells it of each tick from now on and must outlive it.
   Desk(RunSession& session, const record::Header& header, const sim::Scenario& scenario,
        const sim::SimulationSettings& settings);
+  /// Of these ticks of a recording, which must live longer.
+  Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range);
   ~Desk();
 
+  /// Shows another tick of a recording; the user's hand on the scrubber may have moved it since.
+  void Show(std::uint64_t tick);
+  std::uint64_t shown_tick() const { return past_.shown_tick(); }
+  std::uint64_t first_tick() const { return past_.first_tick(); }
+  std::uint64_t last_tick() const { return past_.last_tick(); }
   /// Before the ticks of a frame: minds note what breakpoints and the selected agent's panels need.
   void Prepare();
   /// Whether a breakpoint was hit in the last tick: the world is to stand still.
@@ -50,6 +62,20 @@ class Desk {
   using Clock = std::chrono::steady_clock;
 
   void OnTick(const record::TickRecord& tick);
+  /// What the models that grow with a run take from a tick, live or recorded.
+  void Learn(const record::TickRecord& tick);
+  /// Reads on in a recording, a slice of time per call: for the models up to its end, for recorded minds up to the tick
+  /// that is shown.
+  void ReadOn();
+  /// Recorded minds are those of the tick that is shown.
+  bool HasReadOn() const { return !recorded_.empty() && recorded_.last_tick() == past_.shown_tick(); }
+  /// The run that is under way; null for a recording.
+  sim::Simulation* Live() const { return session_ == nullptr ? nullptr : &session_->simulation(); }
+  /// Reads what was before plots that were asked for late, a slice of time per call.
+  void FillPlots();
+  bool HasMind(const std::string& agent);
+  /// Why a recording tells nothing of the selected agent's mind at the tick that is shown.
+  std::string NotRecorded() const;
   void NoteProblem(Diagnostic diagnostic, std::string agent);
 
   // What the user asks for (desk_requests.cpp).
@@ -70,13 +96,19 @@ class Desk {
   sim::Simulation* Looked();
   debugger::Console& ConsoleOf(const std::string& agent);
 
-  RunSession& session_;
+  RunSession* session_ = nullptr;        ///< Null: a recording.
+  record::Reader* recording_ = nullptr;  ///< Null: a live run.
+  std::uint64_t next_tick_ = 0;          ///< Of the recording, for the models.
+  debugger::RecordedMinds recorded_;
   TimeMachine past_;
   debugger::RunModels models_;
+  std::deque<debugger::PlotHistory> histories_;  ///< Still to be read; the first one is under way.
+  std::uint64_t history_tick_ = 0;               ///< Next for it; 0: not begun.
   debugger::Breakpoints breakpoints_;
   std::vector<debugger::BreakHit> hits_;
   bool hit_is_new_ = false;
   std::vector<viewer::ProblemRow> problems_;
+  std::string news_;  ///< To be told in the picture; empty: nothing.
   std::map<std::string, debugger::Console> consoles_;
   std::uint64_t console_lines_ = 0;
   std::map<std::string, debugger::Coverage> coverage_;
@@ -103,6 +135,7 @@ class Desk {
   Clock::time_point sought_at_;
   world::SceneSnapshot past_scene_;
   std::uint64_t past_scene_tick_ = ~std::uint64_t{0};
+  bool has_told_damage_ = false;
 };
 
 }  // namespace soarbox::app

@@ -20,7 +20,10 @@ constexpr auto kRefreshEvery = std::chrono::milliseconds(120);
 constexpr auto kRest = std::chrono::milliseconds(250);
 constexpr double kRebuildSlice_s = 0.012;
 
-const char* const kNoKernel = "Not available there: the Soar kernel in the other process does not tell.";
+const char* const kNoKernel =
+    "This mind cannot be looked into: its Soar kernel has gone, or it was halted because it needed too much memory. "
+    "The "
+    "world goes on; the panel Problems tells more.";
 
 std::uint64_t VisiblePanels(const viewer::Viewer& viewer) {
   std::uint64_t panels = 0;
@@ -42,6 +45,10 @@ std::string NameOf(const world::SceneSnapshot& scene, std::uint32_t id) {
 void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
   for (const viewer::PanelRequest& request : viewer.TakePanelRequests()) Obey(request, viewer, pace);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
+  for (Diagnostic& warning : past_.TakeWarnings()) NoteProblem(std::move(warning), {});
+  if (!news_.empty()) viewer.Tell(std::exchange(news_, {}));
+  ReadOn();
+  FillPlots();
 
   const record::TickRecord* shown = past_.Shown();
   const std::string agent = shown != nullptr ? NameOf(shown->scene, viewer.selected_agent()) : std::string{};
@@ -54,7 +61,8 @@ void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
     timetag_ = 0;
     why_ = {};
     viewer.panel_contents().coverage.clear();
-    if (!agent_.empty()) coverage_.try_emplace(agent_);  // Notes are taken of it from now on.
+    // Notes are taken of it from now on.
+    if (!agent_.empty()) coverage_.try_emplace(agent_, models_.coverage[agent_]);
     is_stale_ = true;
   }
   const std::uint64_t panels = VisiblePanels(viewer);
@@ -72,15 +80,27 @@ void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
   is_stale_ = false;
 }
 
+std::string Desk::NotRecorded() const {
+  if (!HasReadOn()) {
+    const std::uint64_t goal = std::max<std::uint64_t>(1, past_.shown_tick());
+    return "Reading the recording: " + std::to_string(100 * recorded_.last_tick() / goal) + " %";
+  }
+  if (recording_->header().level == record::Level::kWorld)
+    return "Minds are not recorded at this level: record with --record-level decisions or all. " + past_.PastNote();
+  return past_.PastNote();
+}
+
 void Desk::FillMoment(viewer::PanelContents& contents) {
   viewer::Moment& at = contents.moment;
   at.first_tick = past_.first_tick();
   at.last_tick = past_.last_tick();
   at.shown_tick = past_.shown_tick();
-  at.step_s = static_cast<double>(std::as_const(session_.simulation()).world().settings().step_s);
+  const sim::Simulation* live = Live();
+  at.step_s = live != nullptr ? static_cast<double>(live->world().settings().step_s) : recording_->header().step_s;
+  at.is_recording = past_.is_recording();
   at.is_live = past_.is_live();
   at.can_go_back = past_.last_tick() > past_.first_tick();
-  at.can_resume = past_.past() != nullptr;
+  at.can_resume = past_.past() != nullptr && !at.is_recording;
   at.resume_refusal = at.can_resume ? "" : past_.PastNote();
   at.branch_tick = past_.branch_tick();
   at.branches = past_.branches();
@@ -105,15 +125,15 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   const record::TickRecord* shown = past_.Shown();
   sim::Simulation* world = Looked();
   if (visible(PanelId::kAgents) && shown != nullptr) {
-    contents.agents = past_.is_live() ? debugger::ListAgents(session_.simulation(), models_.troubles, &models_.timeline)
+    contents.agents = past_.is_live() ? debugger::ListAgents(*Live(), models_.troubles, &models_.timeline)
                                       : debugger::ListAgents(*shown, models_.timeline, models_.troubles);
   }
-  contents.has_mind = !agent_.empty() && std::as_const(session_.simulation()).HasMind(agent_);
+  contents.has_mind = HasMind(agent_);
   contents.console = contents.has_mind ? &ConsoleOf(agent_) : nullptr;
   contents.console_lines = console_lines_;
   contents.completion = completion_;
   contents.completed_line = completed_line_;
-  if (visible(PanelId::kEdit)) contents.files = debugger::FilesOf(session_.simulation(), agent_);
+  if (visible(PanelId::kEdit) && Live() != nullptr) contents.files = debugger::FilesOf(*Live(), agent_);
   changes_ = {};
   if (shown != nullptr) {
     if (const record::MindRecord* mind = record::FindMind(*shown, agent_))
@@ -121,11 +141,18 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   }
   std::unique_ptr<sim::Inspector> mind = world != nullptr && contents.has_mind ? world->Inspect(agent_) : nullptr;
   contents.not_available.clear();
-  if (world == nullptr) {
+  contents.past_note.clear();
+  if (world == nullptr && recording_ != nullptr) {
+    // What was recorded stands in for the mind until it is simulated again.
+    if (HasReadOn()) mind = recorded_.Inspect(agent_);
+    contents.past_note = past_.PastNote();
+    if (mind == nullptr) contents.not_available = NotRecorded();
+  } else if (world == nullptr) {
     contents.not_available = past_.PastNote();
   } else if (contents.has_mind && mind == nullptr) {
     contents.not_available = kNoKernel;
   }
+  contents.not_recorded = mind == nullptr ? std::string{} : debugger::MemoryAbsence(*mind);
   if (mind != nullptr) FillMind(viewer, *mind);
   if (visible(PanelId::kWhy)) FillWhy(contents, mind.get());
   FillFutures(viewer);
@@ -172,15 +199,24 @@ void Desk::FillMind(viewer::Viewer& viewer, sim::Inspector& mind) {
 void Desk::FillWhy(viewer::PanelContents& contents, sim::Inspector* mind) {
   contents.why = {};
   sim::Simulation* world = Looked();
-  if (agent_.empty() || world == nullptr) return;
+  if (agent_.empty() || (world == nullptr && mind == nullptr)) return;
   using About = viewer::WhyRequest::About;
   viewer::WhyContents& why = contents.why;
   if (why_.about == About::kAgent) {
     why.question = "Why does " + agent_ + " do what it does?";
-    why.answer = debugger::WhyAgent(*world, agent_);
+    if (world != nullptr) {
+      why.answer = debugger::WhyAgent(*world, agent_);
+    } else if (const debugger::RecordedMind* recorded = recorded_.Find(agent_)) {
+      why.answer = debugger::WhyRecorded(*recorded, agent_);
+    }
     return;
   }
   if (mind == nullptr) return;
+  if (world == nullptr) {
+    why.question = "Why, or why not, " + why_.what + "?";
+    why.answer = debugger::WhyNode{"Not recorded. It is told once this moment is simulated again.", "reason", {}, {}};
+    return;
+  }
   switch (why_.about) {
     case About::kOperator:
       why.question = "Why the operator " + why_.what + "?";

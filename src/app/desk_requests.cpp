@@ -36,7 +36,7 @@ struct Desk::Visitor {
   void operator()(const viewer::ResumeRequest&) const { desk.Resume(pace); }
   void operator()(const viewer::SpeedRequest& request) const { pace.SetSpeed(request.speed); }
   void operator()(const viewer::SavePictureRequest&) const {
-    const std::string file = "soarbox-" + std::to_string(desk.session_.simulation().tick()) + ".png";
+    const std::string file = "soarbox-" + std::to_string(desk.past_.shown_tick()) + ".png";
     if (const Result<void> saved = viewer.SaveScreenshot(file); !saved) {
       desk.NoteProblem(saved.error(), {});
     } else {
@@ -59,7 +59,8 @@ struct Desk::Visitor {
   void operator()(const viewer::WhyRequest& request) const { desk.why_ = request; }
   void operator()(const viewer::PlotRequest& request) const {
     if (request.is_on) {
-      desk.models_.plots.Plot(request.agent, request.what);
+      if (desk.models_.plots.Plot(request.agent, request.what))
+        desk.histories_.emplace_back(request.agent, request.what);
     } else {
       desk.models_.plots.Remove(request.agent, request.what);
     }
@@ -67,6 +68,7 @@ struct Desk::Visitor {
   void operator()(const viewer::EditRequest& request) const { desk.OpenEdit(request); }
   void operator()(const viewer::EditTextRequest& request) const { desk.ChangeText(request); }
   void operator()(const viewer::BreakRequest& request) const {
+    if (desk.session_ == nullptr) return viewer.Tell("Nothing stops a recording: breakpoints are for a run");
     if (const Result<int> set = desk.breakpoints_.Set(request.kind, request.agent, request.what); !set)
       desk.NoteProblem(set.error(), request.agent);
   }
@@ -87,15 +89,20 @@ void Desk::Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pac
 
 void Desk::Type(const viewer::ConsoleRequest& request) {
   sim::Simulation* world = Looked();
-  if (world == nullptr) return;
+  if (world == nullptr) {
+    ConsoleOf(request.agent).Refuse(request.line, past_.PastNote());
+    ++console_lines_;
+    return;
+  }
   ConsoleOf(request.agent).Run(*world, request.line);
+  if (recording_ != nullptr) past_.Spoil();
   ++console_lines_;
 }
 
 void Desk::Resume(Pace& pace) {
   std::unique_ptr<sim::Simulation> simulation = past_.Resume();
-  if (simulation == nullptr) return;
-  session_.GoOnWith(std::move(simulation));
+  if (simulation == nullptr || session_ == nullptr) return;
+  session_->GoOnWith(std::move(simulation));
   noted_agent_.clear();
   hits_.clear();
   // Who goes back wants to see it happen.
@@ -103,8 +110,8 @@ void Desk::Resume(Pace& pace) {
 }
 
 void Desk::OpenEdit(const viewer::EditRequest& request) {
-  sim::Simulation& simulation = session_.simulation();
-  std::vector<sim::WatchedFile> files = debugger::FilesOf(simulation, {});
+  std::vector<sim::WatchedFile> files;
+  if (sim::Simulation* live = Live()) files = debugger::FilesOf(*live, {});
   const std::filesystem::path wanted(request.file);
   const auto found = std::find_if(files.begin(), files.end(), [&](const sim::WatchedFile& file) {
     return file.file == wanted || file.file.filename() == wanted;

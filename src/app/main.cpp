@@ -191,6 +191,16 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   AddRange(*replay, options);
   replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
   replay->add_flag("--json", options.json, "Print it as lines of JSON");
+  replay->add_option("--select", options.select, "Select this agent from the start");
+  replay->add_option("--panels", options.panels, "As for `soarbox run`");
+  replay->add_option("--text", options.text_percent, "As for `soarbox run`")
+      ->capture_default_str()
+      ->check(CLI::Range(75, 200));
+  replay->add_option("--detail", options.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
+  replay->add_option("--width", options.width_px, "As for `soarbox run`; the recorded window's if it is not said")
+      ->check(NumberIn(160, 7680));
+  replay->add_option("--height", options.height_px, "Likewise")->check(NumberIn(120, 4320));
+  replay->add_option("--ui-script", options.ui_script, "Play the user of the window from this file, then end");
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
   AddRecordingFile(*verify, options);
   AddThreads(*verify, options);

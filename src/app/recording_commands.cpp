@@ -83,7 +83,7 @@ int Replay(const RecordingOptions& options) {
   if (!options.headless && !options.json && CanShowReplay()) {
     const Result<sim::DataFolders> data = FindDataFolders();
     if (!data) return CannotStart(data.error());
-    return ShowReplay(**reader, RangeOf(**reader, options), *data);
+    return ShowReplay(**reader, RangeOf(**reader, options), *data, options);
   }
   const record::TickRange range = RangeOf(**reader, options);
   const Result<void> printed =

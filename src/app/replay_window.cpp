@@ -1,74 +1,136 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/replay_window.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "app/desk.h"
 #include "app/exit_codes.h"
 #include "app/pace.h"
 #include "app/run_session.h"
+#include "app/window_layout.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::app {
 namespace {
 
-/// Where in a recording the user is, and what is shown there.
-class ReplayHead {
+int Fail(const Diagnostic& problem) {
+  std::cerr << Format(problem);
+  return kCannotStart;
+}
+
+viewer::ViewerOptions OptionsOf(const record::Reader& recording, const sim::DataFolders& data,
+                                const RecordingOptions& options) {
+  const record::Header& header = recording.header();
+  viewer::ViewerOptions window;
+  window.width = options.width_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_width_px, 7680)));
+  window.height = options.height_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_height_px, 4320)));
+  window.title = "Soarbox replay: " + recording.file().filename().string();
+  window.media_dir = data.media;
+  window.frame_agents = true;
+  window.detail = options.detail == "low"    ? viewer::Detail::kLow
+                  : options.detail == "full" ? viewer::Detail::kFull
+                                             : viewer::Detail::kAuto;
+  window.ui_script = options.ui_script;
+  window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
+  return window;
+}
+
+/// A recording in a window: the desk's panels, with a head that runs along it.
+class ReplayWindow {
  public:
-  ReplayHead(record::Reader& recording, std::uint64_t first, std::uint64_t last)
-      : recording_(recording), first_(first), last_(last), tick_(first) {}
+  ReplayWindow(record::Reader& recording, record::TickRange range, const sim::DataFolders& data, viewer::Viewer& viewer,
+               bool has_script)
+      : recording_(recording),
+        viewer_(viewer),
+        desk_(recording, data, range),
+        step_s_(recording.header().step_s),
+        ticks_per_second_(std::max<std::int64_t>(1, std::llround(1 / recording.header().step_s))),
+        has_script_(has_script) {}
 
-  std::uint64_t tick() const { return tick_; }
-  std::uint64_t last() const { return last_; }
-  bool AtEnd() const { return tick_ == last_; }
-
-  /// Goes so many ticks on, or back.
-  void Move(std::int64_t ticks) {
-    const auto at = static_cast<std::int64_t>(tick_) + ticks;
-    Go(static_cast<std::uint64_t>(std::clamp(at, static_cast<std::int64_t>(first_), static_cast<std::int64_t>(last_))));
-  }
-  void Go(std::uint64_t tick) { tick_ = std::clamp(tick, first_, last_); }
-
-  /// The scene of the tick; a damaged part of the recording shows the last scene that could be read and says so once.
-  const world::SceneSnapshot& Scene() {
-    if (shown_ == tick_) return scene_;
-    shown_ = tick_;
-    if (const Result<const record::TickRecord*> record = recording_.At(tick_)) {
-      scene_ = (*record)->scene;
-    } else if (!told_) {
-      told_ = true;
-      std::cerr << Format(record.error());
+  /// The agent that is selected from the start: this one, or else one that has a mind. False if it is not there.
+  bool Select(const std::string& wanted) {
+    const world::SceneSnapshot& scene = *desk_.PastScene();
+    viewer_.Show(scene);
+    for (const world::AgentSnapshot& agent : scene.agents) {
+      const bool is_meant = wanted.empty() ? agent.kind.starts_with("soar") : agent.name == wanted;
+      if (is_meant && viewer_.selected_agent() == 0) viewer_.SelectAgent(agent.id);
     }
-    return scene_;
+    return wanted.empty() || viewer_.selected_agent() != 0;
+  }
+
+  int Run() {
+    while (!WasInterrupted() && !pace_.quit()) {
+      const bool is_over = desk_.shown_tick() >= desk_.last_tick();
+      viewer_.SetStatus(
+          {.paused = pace_.paused(),
+           .speed = pace_.speed(),
+           .message = "replay of " + recording_.file().filename().string() + (is_over ? ", the end" : "")});
+      viewer_.Show(*desk_.PastScene());
+      if (!viewer_.RenderFrame()) break;
+      for (const viewer::ViewerCommand command : viewer_.TakeCommands()) Obey(command);
+      for (const viewer::InputEvent& event : viewer_.TakeEvents()) Obey(event);
+      Move(pace_.TicksDue(step_s_));
+      desk_.Serve(viewer_, pace_);
+      if (has_script_ && viewer_.ui_script_over()) break;
+    }
+    return kOk;
   }
 
  private:
-  record::Reader& recording_;
-  std::uint64_t first_, last_, tick_;
-  std::uint64_t shown_ = ~std::uint64_t{0};
-  world::SceneSnapshot scene_;
-  bool told_ = false;
-};
-
-/// Arrow keys move by a second, with the page keys by ten; comma steps back; with insert and end it goes to the ends.
-void Obey(const viewer::InputEvent& event, ReplayHead& head, Pace& pace, std::int64_t ticks_per_second) {
-  if (event.kind != viewer::InputKind::kKey || !event.pressed) return;
-  if (event.name == "left_key") head.Move(-ticks_per_second);
-  if (event.name == "right_key") head.Move(ticks_per_second);
-  if (event.name == "page_up_key") head.Move(-10 * ticks_per_second);
-  if (event.name == "page_down_key") head.Move(10 * ticks_per_second);
-  if (event.name == "insert_key") head.Go(0);
-  if (event.name == "end_key") head.Go(head.last());
-  if (event.name == "comma_key") {
-    pace.Pause();
-    head.Move(-1);
+  /// Goes so many ticks on, or back.
+  void Move(std::int64_t ticks) {
+    if (ticks == 0) return;
+    const auto first = static_cast<std::int64_t>(desk_.first_tick()),
+               last = static_cast<std::int64_t>(desk_.last_tick());
+    const auto at = static_cast<std::int64_t>(desk_.shown_tick()) + ticks;
+    desk_.Show(static_cast<std::uint64_t>(std::clamp(at, first, last)));
   }
-  if (event.name == "space_key") pace.Obey(viewer::ViewerCommand::kTogglePause);
-}
+
+  void Obey(viewer::ViewerCommand command) {
+    using viewer::ViewerCommand;
+    if (command == ViewerCommand::kReset) {
+      desk_.Show(desk_.first_tick());
+    } else if (command == ViewerCommand::kNextSeed || command == ViewerCommand::kStepDecision ||
+               command == ViewerCommand::kStepPhase) {
+      viewer_.Tell(std::string(viewer::InfoOf(command).title) + ": only in a run; this is a recording of one");
+    } else {
+      // At the end, to go on means to begin again.
+      const bool is_at_end = desk_.shown_tick() >= desk_.last_tick();
+      if (command == ViewerCommand::kTogglePause && pace_.paused() && is_at_end) desk_.Show(desk_.first_tick());
+      pace_.Obey(command);
+    }
+  }
+
+  /// Arrow keys move by a second, with the page keys by ten; comma steps back; with insert and end it goes to the ends.
+  void Obey(const viewer::InputEvent& event) {
+    if (event.kind != viewer::InputKind::kKey || !event.pressed) return;
+    if (event.name == "left_key") Move(-ticks_per_second_);
+    if (event.name == "right_key") Move(ticks_per_second_);
+    if (event.name == "page_up_key") Move(-10 * ticks_per_second_);
+    if (event.name == "page_down_key") Move(10 * ticks_per_second_);
+    if (event.name == "insert_key") desk_.Show(desk_.first_tick());
+    if (event.name == "end_key") desk_.Show(desk_.last_tick());
+    if (event.name == "comma_key") {
+      pace_.Pause();
+      Move(-1);
+    }
+    if (event.name == "space_key") Obey(viewer::ViewerCommand::kTogglePause);
+  }
+
+  record::Reader& recording_;
+  viewer::Viewer& viewer_;
+  Desk desk_;
+  double step_s_;
+  std::int64_t ticks_per_second_;
+  bool has_script_;  ///< A script plays the user; the window closes with it.
+  Pace pace_{1};
+};
 
 }  // namespace
 
@@ -77,38 +139,34 @@ bool CanShowReplay() {
   return display != nullptr && *display != '\0';
 }
 
-int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data) {
-  viewer::ViewerOptions window;
-  window.width = static_cast<int>(std::min<std::uint32_t>(recording.header().screen_width_px, 7680));
-  window.height = static_cast<int>(std::min<std::uint32_t>(recording.header().screen_height_px, 4320));
-  window.title = "Soarbox replay: " + recording.file().filename().string();
-  window.media_dir = data.media;
-  window.frame_agents = true;
-  window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
+int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
+               const RecordingOptions& options) {
+  viewer::ViewerOptions window = OptionsOf(recording, data, options);
+  // As with a run: the user's own arrangement unless one is asked for.
+  const bool is_own = options.panels.empty() && options.ui_script.empty();
+  if (!options.panels.empty()) {
+    Result<viewer::Layout> layout = LayoutNamed(options.panels, options.text_percent);
+    if (!layout) return Fail(layout.error());
+    window.layout = *layout;
+  } else {
+    window.layout = is_own ? viewer::LoadLayout(viewer::LayoutFile()) : viewer::DefaultLayout();
+  }
   Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
-  if (!opened) {
-    std::cerr << Format(opened.error());
-    return kCannotStart;
-  }
+  if (!opened) return Fail(opened.error());
   viewer::Viewer& viewer = **opened;
-  const double step_s = recording.header().step_s;
-  const auto ticks_per_second = std::max<std::int64_t>(1, std::llround(1 / step_s));
-  const std::uint64_t first = std::max(range.first, recording.first_tick());
-  ReplayHead head(recording, first, std::max(first, std::min(range.last, recording.last_tick())));
-  Pace pace(1);
-  while (!WasInterrupted() && !pace.quit()) {
-    viewer.SetStatus(
-        {.paused = pace.paused(),
-         .speed = pace.speed(),
-         .message = fmt::format("replay {:.1f} of {:.1f} s{}", static_cast<double>(head.tick()) * step_s,
-                                static_cast<double>(head.last()) * step_s, head.AtEnd() ? ", the end" : "")});
-    viewer.Show(head.Scene());
-    if (!viewer.RenderFrame()) break;
-    for (const viewer::ViewerCommand command : viewer.TakeCommands()) pace.Obey(command);
-    for (const viewer::InputEvent& event : viewer.TakeEvents()) Obey(event, head, pace, ticks_per_second);
-    head.Move(pace.TicksDue(step_s));
+  ReplayWindow replay(recording, range, data, viewer, !options.ui_script.empty());
+  if (!replay.Select(options.select)) {
+    Diagnostic problem;
+    problem.message = "there is no agent '" + options.select + "' to select at the beginning";
+    return Fail(problem);
   }
-  return kOk;
+  const int code = replay.Run();
+  if (is_own && !viewer::LayoutFile().empty()) {
+    if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)
+      std::cerr << Format(saved.error());
+  }
+  if (viewer.ui_script_failure()) return Fail(*viewer.ui_script_failure());
+  return code;
 }
 
 }  // namespace soarbox::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include "app/recording_commands.h"
 #include "record/export.h"
 #include "record/reader.h"
 #include "sim/scenario.h"
@@ -10,7 +11,9 @@ namespace soarbox::app {
 /// Whether this build has a window and there is a display to open it on.
 bool CanShowReplay();
 
-/// Shows a recording in the window, forwards and backwards; returns an ExitCode once the window was closed.
-int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data);
+/// Shows a recording in the window, forwards and backwards, with the panels of a run around it; returns an ExitCode
+/// once the window was closed.
+int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
+               const RecordingOptions& options);
 
 }  // namespace soarbox::app

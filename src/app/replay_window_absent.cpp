@@ -8,7 +8,7 @@ bool CanShowReplay() {
   return false;
 }
 
-int ShowReplay(record::Reader&, record::TickRange, const sim::DataFolders&) {
+int ShowReplay(record::Reader&, record::TickRange, const sim::DataFolders&, const RecordingOptions&) {
   return kCannotStart;  // Never asked for where CanShowReplay says no.
 }
 

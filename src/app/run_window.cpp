@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <sstream>
 #include <thread>
 
 #include "app/desk.h"
 #include "app/exit_codes.h"
 #include "app/live_window.h"
+#include "app/window_layout.h"
 #include "viewer/viewer.h"
 #include "world/world.h"
 
@@ -68,36 +68,6 @@ Result<void> Prepare(viewer::Viewer& viewer, const world::SceneSnapshot& scene, 
   return {};
 }
 
-/// The panels that a picture is to show: "default", or their words with commas between.
-Result<viewer::Layout> LayoutNamed(const RunOptions& options) {
-  viewer::Layout layout = viewer::DefaultLayout();
-  if (options.panels != "default") {
-    std::vector<viewer::PanelId> panels;
-    std::istringstream words(options.panels);
-    for (std::string word; std::getline(words, word, ',');) {
-      const auto panel = viewer::FindPanel(word);
-      if (!panel) {
-        Diagnostic problem;
-        problem.message = "there is no panel '" + word + "'";
-        std::vector<std::string_view> all;
-        for (const viewer::PanelInfo& info : viewer::kPanelInfos) all.push_back(info.word);
-        const std::string_view near = Suggest(word, all);
-        if (!near.empty()) {
-          problem.hint = "did you mean '" + std::string(near) + "'?";
-        } else {
-          problem.hint = "there are:";
-          for (const std::string_view known : all) problem.hint += " " + std::string(known);
-        }
-        return problem;
-      }
-      panels.push_back(*panel);
-    }
-    layout = viewer::LayoutOf(panels);
-  }
-  layout.SetText(options.text_percent);
-  return layout;
-}
-
 /// Runs to the moment asked for without drawing, then draws it.
 int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options) {
   sim::Simulation& simulation = session.simulation();
@@ -152,7 +122,7 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   // What is asked for by name is for once; else the user's own arrangement is used, and remembered.
   const bool is_own = options.panels.empty() && !window.hidden && options.ui_script.empty();
   if (!options.panels.empty()) {
-    Result<viewer::Layout> layout = LayoutNamed(options);
+    Result<viewer::Layout> layout = LayoutNamed(options.panels, options.text_percent);
     if (!layout) return Fail(layout.error());
     window.layout = *layout;
   } else if (is_own) {

@@ -15,6 +15,10 @@ TimeMachine::TimeMachine(const record::Header& header, sim::Scenario scenario, s
   histories_.push_back(std::make_unique<record::History>(header));
 }
 
+TimeMachine::TimeMachine(record::Timeline& recording, const sim::DataFolders& data, std::uint64_t first,
+                         std::uint64_t last)
+    : recording_(&recording), data_(data), first_(first), last_(last), shown_(first) {}
+
 void TimeMachine::Add(const record::TickRecord& tick) {
   history().Add(tick);
   if (futures_) futures_->See(tick);
@@ -23,30 +27,47 @@ void TimeMachine::Add(const record::TickRecord& tick) {
 void TimeMachine::Seek(std::uint64_t tick) {
   if (empty()) return;
   tick = std::clamp(tick, first_tick(), last_tick());
-  if (tick == last_tick()) return GoLive();
+  if (recording_ == nullptr && tick == last_tick()) return GoLive();
   if (shown_ == tick) return;
   shown_ = tick;
+  if (recording_ != nullptr) {
+    // That it cannot be simulated again stays so. A world of it goes on with what is shown; it never goes back.
+    if (branch_ != nullptr && (branch_->tick() > tick || std::exchange(is_spoilt_, false))) branch_.reset();
+    return;
+  }
   trouble_.clear();
-  // A world that is on its way to an earlier tick can go on; it never goes back.
   branch_.reset();
 }
 
 void TimeMachine::GoLive() {
+  if (recording_ != nullptr) return Seek(last_);
   shown_.reset();
   branch_.reset();
   trouble_.clear();
 }
 
 const record::TickRecord* TimeMachine::Shown() {
-  if (empty()) return nullptr;
-  const Result<const record::TickRecord*> record = history().At(shown_tick());
+  return empty() ? nullptr : At(shown_tick());
+}
+
+const record::TickRecord* TimeMachine::At(std::uint64_t tick) {
+  record::Timeline& timeline = recording_ != nullptr ? *recording_ : history();
+  const Result<const record::TickRecord*> record = timeline.At(tick);
   return record ? *record : nullptr;
+}
+
+Result<std::unique_ptr<record::Branch>> TimeMachine::Begin() {
+  if (recording_ == nullptr) return record::Branch::Begin(history(), scenario_, settings_, *shown_);
+  // It goes on with what is shown, up to the end.
+  Result<std::unique_ptr<record::Branch>> begun = record::Branch::Begin(*recording_, data_, recording_->last_tick());
+  if (begun && !std::exchange(has_warned_, true)) warnings_ = (*begun)->warnings();
+  return begun;
 }
 
 void TimeMachine::Rebuild(double most_s) {
   if (!shown_ || !trouble_.empty()) return;
   if (branch_ == nullptr) {
-    Result<std::unique_ptr<record::Branch>> begun = record::Branch::Begin(history(), scenario_, settings_, *shown_);
+    Result<std::unique_ptr<record::Branch>> begun = Begin();
     if (!begun) {
       trouble_ = begun.error().message;
       return;
@@ -54,9 +75,11 @@ void TimeMachine::Rebuild(double most_s) {
     branch_ = std::move(*begun);
   }
   const auto begin = std::chrono::steady_clock::now();
-  while (!branch_->IsThere() &&
+  constexpr std::uint64_t kAtOnce = 5;
+  while (branch_->tick() < *shown_ &&
          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < most_s) {
-    if (const Result<void> advanced = branch_->Advance(5); !advanced) {
+    const std::uint64_t ticks = std::min(kAtOnce, *shown_ - branch_->tick());
+    if (const Result<void> advanced = branch_->Advance(ticks); !advanced) {
       trouble_ = advanced.error().message;
       branch_.reset();
       return;
@@ -65,7 +88,9 @@ void TimeMachine::Rebuild(double most_s) {
 }
 
 sim::Simulation* TimeMachine::past() {
-  return branch_ != nullptr && branch_->IsThere() ? &branch_->simulation() : nullptr;
+  const bool is_there =
+      branch_ != nullptr && shown_ && branch_->tick() == *shown_ && (recording_ != nullptr || branch_->IsThere());
+  return is_there ? &branch_->simulation() : nullptr;
 }
 
 std::string TimeMachine::PastNote() const {
@@ -75,7 +100,7 @@ std::string TimeMachine::PastNote() const {
 }
 
 std::unique_ptr<sim::Simulation> TimeMachine::Resume() {
-  if (past() == nullptr) return nullptr;
+  if (past() == nullptr || recording_ != nullptr) return nullptr;
   const std::uint64_t tick = *shown_;
   std::unique_ptr<sim::Simulation> simulation = branch_->TakeSimulation();
   futures_.emplace(branch_->CompareFutures());

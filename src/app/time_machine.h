@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "record/branch.h"
@@ -15,20 +16,31 @@
 namespace soarbox::app {
 
 /// The past of a live run: shows any of its ticks, rebuilds the world and its minds as they were then, and lets the run
-/// go on from there, with the old future kept for comparison.
+/// go on from there, with the old future kept for comparison. Or a recording, which has nothing but a past: there is
+/// always a tick of it that is shown, and nothing goes on from it.
 class TimeMachine {
  public:
   /// `header` tells which run it is; the same scenario and settings make it again.
   TimeMachine(const record::Header& header, sim::Scenario scenario, sim::SimulationSettings settings);
 
-  /// The next tick of the run.
+  /// The ticks of this range of a recording, which must live longer. Its scenario is looked for again below `data`.
+  TimeMachine(record::Timeline& recording, const sim::DataFolders& data, std::uint64_t first, std::uint64_t last);
+
+  /// The next tick of a live run.
   void Add(const record::TickRecord& tick);
 
-  std::uint64_t first_tick() const { return history().empty() ? 0 : history().first_tick(); }
-  std::uint64_t last_tick() const { return history().empty() ? 0 : history().last_tick(); }
-  bool empty() const { return history().empty(); }
+  bool is_recording() const { return recording_ != nullptr; }
+  std::uint64_t first_tick() const {
+    if (recording_ != nullptr) return first_;
+    return history().empty() ? 0 : history().first_tick();
+  }
+  std::uint64_t last_tick() const {
+    if (recording_ != nullptr) return last_;
+    return history().empty() ? 0 : history().last_tick();
+  }
+  bool empty() const { return recording_ == nullptr && history().empty(); }
 
-  /// Shows a past tick from now on; the last one: that of the live run.
+  /// Shows a past tick from now on; of a live run, the last one: that of the run.
   void Seek(std::uint64_t tick);
   void GoLive();
   bool is_live() const { return !shown_.has_value(); }
@@ -36,12 +48,18 @@ class TimeMachine {
   /// What is recorded of the tick that is shown; null if it cannot be read. Valid until the next call.
   const record::TickRecord* Shown();
 
+  /// The record of any tick; null if it cannot be read. Valid until the next call.
+  const record::TickRecord* At(std::uint64_t tick);
+
   /// Rebuilds the world of the tick that is shown, a slice of about this long at a time. Nothing to do while live.
   void Rebuild(double most_s);
   /// The rebuilt world; null while it is not there.
   sim::Simulation* past();
   /// Why not: how far it is, or what went wrong.
   std::string PastNote() const;
+
+  /// Somebody has changed the rebuilt world: it is made anew for the next tick that is shown.
+  void Spoil() { is_spoilt_ = true; }
 
   /// Hands over the world of the tick that is shown, for the run to go on with; null if it is not there. What came
   /// after it becomes the old future.
@@ -51,10 +69,19 @@ class TimeMachine {
   record::Futures* futures() { return futures_ ? &*futures_ : nullptr; }
   std::optional<std::uint64_t> branch_tick() const { return branch_tick_; }
   /// How often the run went back and on.
-  std::uint32_t branches() const { return static_cast<std::uint32_t>(histories_.size() - 1); }
+  std::uint32_t branches() const { return histories_.empty() ? 0 : static_cast<std::uint32_t>(histories_.size() - 1); }
+  /// What may make a rebuilt past differ from the recorded one; each once.
+  std::vector<Diagnostic> TakeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
   record::History& history() const { return *histories_.back(); }
+  Result<std::unique_ptr<record::Branch>> Begin();
+
+  record::Timeline* recording_ = nullptr;  ///< Null: a live run.
+  sim::DataFolders data_;
+  std::uint64_t first_ = 0, last_ = 0;  ///< Of the recording.
+  std::vector<Diagnostic> warnings_;
+  bool has_warned_ = false, is_spoilt_ = false;
 
   sim::Scenario scenario_;
   sim::SimulationSettings settings_;

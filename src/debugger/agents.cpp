@@ -11,7 +11,8 @@
 namespace soarbox::debugger {
 namespace {
 
-AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles) {
+/// What is known at the end of a tick; what comes later may be known already.
+AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles, std::uint64_t tick) {
   AgentRow row;
   row.id = agent.id;
   row.name = agent.name;
@@ -23,23 +24,24 @@ AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles)
   row.health = agent.health;
   row.command = agent.last_command;
   const std::vector<AgentTroubles::Trouble>& told = troubles.Of(agent.name);
-  row.errors = told.size();
-  if (told.empty()) return row;
-  const Diagnostic& newest = told.back().diagnostic;
+  row.errors = static_cast<std::size_t>(
+      std::count_if(told.begin(), told.end(), [&](const AgentTroubles::Trouble& t) { return t.tick <= tick; }));
+  if (row.errors == 0) return row;
+  const Diagnostic& newest = told[row.errors - 1].diagnostic;
   row.error = Format(newest);
   row.error_file = newest.file;
   row.error_line = newest.line;
   return row;
 }
 
-/// The operator that came last; empty if there was none.
-std::string LastOperator(const Timeline& timeline, std::string_view agent) {
+/// The operator that came last, up to a tick; empty if there was none.
+std::string LastOperator(const Timeline& timeline, std::string_view agent, std::uint64_t tick) {
   const TimelineTrack* track = timeline.Find(agent);
   if (track == nullptr) return {};
-  const auto is_operator = [](const TimelineSpan& span) { return !span.is_state; };
-  if (const auto at = std::find_if(track->open.rbegin(), track->open.rend(), is_operator); at != track->open.rend())
+  const auto is_meant = [&](const TimelineSpan& span) { return !span.is_state && span.first_tick <= tick; };
+  if (const auto at = std::find_if(track->open.rbegin(), track->open.rend(), is_meant); at != track->open.rend())
     return NameAndId(at->text, at->id);
-  const auto at = std::find_if(track->spans.rbegin(), track->spans.rend(), is_operator);
+  const auto at = std::find_if(track->spans.rbegin(), track->spans.rend(), is_meant);
   return at == track->spans.rend() ? std::string() : NameAndId(at->text, at->id);
 }
 
@@ -82,7 +84,7 @@ std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentT
   }
   std::vector<AgentRow> rows;
   for (const world::AgentSnapshot& agent : simulation.Snapshot().agents) {
-    AgentRow& row = rows.emplace_back(RowOf(agent, troubles));
+    AgentRow& row = rows.emplace_back(RowOf(agent, troubles, simulation.tick()));
     const auto time = times_us.find(agent.name);
     row.has_mind = time != times_us.end();
     if (!row.has_mind) continue;
@@ -97,7 +99,7 @@ std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentT
       row.state = state.level == 1 ? state.id : state.id + " (" + state.attribute + " " + state.impasse + ")";
       if (!state.operator_id.empty()) row.op = NameAndId(state.operator_name, state.operator_id);
     }
-    row.last_op = row.op.empty() && timeline != nullptr ? LastOperator(*timeline, row.name) : row.op;
+    row.last_op = row.op.empty() && timeline != nullptr ? LastOperator(*timeline, row.name, simulation.tick()) : row.op;
   }
   return rows;
 }
@@ -106,7 +108,7 @@ std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline&
                                  const AgentTroubles& troubles) {
   std::vector<AgentRow> rows;
   for (const world::AgentSnapshot& agent : tick.scene.agents) {
-    AgentRow& row = rows.emplace_back(RowOf(agent, troubles));
+    AgentRow& row = rows.emplace_back(RowOf(agent, troubles, tick.tick));
     for (const TimelineSpan& span : timeline.At(agent.name, tick.tick)) {
       row.has_mind = true;
       if (span.is_state) {
@@ -115,7 +117,7 @@ std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline&
         row.op = NameAndId(span.text, span.id);
       }
     }
-    row.last_op = row.op.empty() ? LastOperator(timeline, row.name) : row.op;
+    row.last_op = row.op.empty() ? LastOperator(timeline, row.name, tick.tick) : row.op;
   }
   return rows;
 }

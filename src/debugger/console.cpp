@@ -58,6 +58,11 @@ void Console::Run(sim::Simulation& simulation, const std::string& line) {
   }
 }
 
+void Console::Refuse(const std::string& line, std::string_view why) {
+  Keep(ConsoleLine::Kind::kInput, 0, line);
+  Keep(ConsoleLine::Kind::kError, 0, why);
+}
+
 void Console::Add(const sim::EventList& events) {
   for (const sim::Event& event : events) {
     const bool failed = event.kind == sim::EventKind::kDiagnostic && !event.news.empty();

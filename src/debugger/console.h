@@ -29,6 +29,8 @@ class Console {
   /// Carries out a line and keeps what it printed; an error keeps a hint at what may have been meant. Blank lines do
   /// nothing.
   void Run(sim::Simulation& simulation, const std::string& line);
+  /// Keeps a line that cannot be carried out now, and why.
+  void Refuse(const std::string& line, std::string_view why);
   /// What others (edits, debuggers, a replayed input) had the agent do, from a tick's events: leaves out its own.
   void Add(const sim::EventList& events);
   const std::deque<ConsoleLine>& lines() const { return lines_; }

@@ -12,6 +12,8 @@ namespace soarbox::debugger {
 
 /// What a view says where a kernel does not tell something.
 inline constexpr std::string_view kNotAvailable = "not available there";
+/// The same of a recording.
+inline constexpr std::string_view kNotRecorded = "not recorded";
 
 /// "S1 ^color red", "S1 ^operator O1 +".
 std::string Describe(const sim::ElementFact& element);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "debugger/facts_text.h"
+#include "debugger/recorded_mind.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -146,7 +147,10 @@ MemoryObject LookAtObject(sim::Inspector& mind, std::string_view id, const Memor
   object.id = id;
   TreeReader reader(mind, changes);
   object.rows = reader.Read(id, std::max<std::size_t>(depth, 1), &object.about, &object.exists);
-  if (!object.exists) object.note = "nothing is known of " + object.id + " now";
+  if (!object.exists) {
+    object.note = MemoryAbsence(mind);
+    if (object.note.empty()) object.note = "nothing is known of " + object.id + " now";
+  }
   if (reader.is_cut()) object.note = "only the first " + std::to_string(kMostRows) + " elements are shown";
   return object;
 }
@@ -158,7 +162,7 @@ std::optional<ElementStory> LookAtElement(sim::Inspector& mind, std::uint64_t ti
   story.element = *element;
   story.makers = mind.MakersOf(timetag);
   story.testers = mind.TestersOf(timetag);
-  if (!mind.TellsAll()) story.note = "who made it and who tests it: " + std::string(kNotAvailable);
+  if (!mind.TellsAll()) story.note = "who made it and who tests it: " + std::string(Absence(mind));
   return story;
 }
 

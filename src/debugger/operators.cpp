@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "debugger/facts_text.h"
+#include "debugger/recorded_mind.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -263,7 +264,8 @@ OperatorsView LookAtOperators(sim::Inspector& mind, std::string_view state) {
     return none;
   }
   OperatorsView view = Weigh(facts);
-  if (!mind.TellsAll()) view.note = "what the preferences rest on: " + std::string(kNotAvailable);
+  if (!mind.TellsAll()) view.note = "what the preferences rest on: " + std::string(Absence(mind));
+  TellRecorded(mind, view);
   return view;
 }
 

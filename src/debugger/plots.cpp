@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "debugger/percept_help.h"
+
 namespace soarbox::debugger {
 namespace {
 
@@ -53,18 +55,49 @@ std::optional<double> OfBody(const record::TickRecord& tick, std::string_view ag
   return what == "health" ? at->health : world::Length(at->velocity);
 }
 
-void NumbersBelow(sim::Inspector& mind, const std::string& id, const std::string& path, int depth,
+/// A way through working memory, and the same as a percept's path as long as no attribute on it stands twice.
+struct PathNames {
+  std::string memory;
+  std::optional<std::string> percept;
+};
+
+void NumbersBelow(sim::Inspector& mind, const std::string& id, const PathNames& path, int depth,
                   std::vector<std::string>& paths) {
   constexpr std::size_t kMostPaths = 500;
-  for (const sim::ElementFact& element : mind.ElementsOf(id)) {
+  const std::vector<sim::ElementFact> elements = mind.ElementsOf(id);
+  for (const sim::ElementFact& element : elements) {
     if (paths.size() >= kMostPaths) return;
-    const std::string name = path + "." + element.attribute;
+    PathNames name{path.memory + "." + element.attribute, std::nullopt};
+    const bool is_alone = std::ranges::count(elements, element.attribute, &sim::ElementFact::attribute) == 1;
+    if (path.percept && is_alone)
+      name.percept = path.percept->empty() ? element.attribute : *path.percept + "." + element.attribute;
+    const std::string& shown = name.percept ? *name.percept : name.memory;
     if (element.is_object) {
       if (depth > 1) NumbersBelow(mind, element.value, name, depth - 1, paths);
-    } else if (Number(element.value) && std::ranges::find(paths, name) == paths.end()) {
-      paths.push_back(name);
+    } else if (Number(element.value) && std::ranges::find(paths, shown) == paths.end()) {
+      paths.push_back(shown);
     }
   }
+}
+
+/// What the record of a tick tells of a number; percepts are those of the agent at its end.
+std::optional<double> ValueIn(const record::TickRecord& tick, std::string_view agent, std::string_view what,
+                              const std::map<std::string, record::PerceptValues, std::less<>>& percepts,
+                              bool& has_firings) {
+  const record::MindRecord* mind = record::FindMind(tick, agent);
+  if (what == "health" || what == "speed") return OfBody(tick, agent, what);
+  if (what == "decisions") return mind == nullptr ? 0.0 : static_cast<double>(mind->decisions.size());
+  if (what == "fired") {
+    has_firings |= mind != nullptr && !mind->details.empty();
+    if (!has_firings) return std::nullopt;
+    return mind == nullptr ? 0.0 : static_cast<double>(std::ranges::count_if(mind->details, [](const std::string& d) {
+      return d.find(' ') != std::string::npos && std::string_view(d).substr(d.find(' ')).starts_with(" fire ");
+    }));
+  }
+  const auto known = percepts.find(agent);
+  if (known == percepts.end()) return std::nullopt;
+  const auto percept = known->second.find(what);
+  return percept == known->second.end() ? std::nullopt : Number(percept->second);
 }
 
 }  // namespace
@@ -73,7 +106,12 @@ bool Plots::Plot(std::string agent, std::string what) {
   const bool is_there = std::ranges::any_of(
       series_, [&](const PlotSeries& series) { return series.agent == agent && series.what == what; });
   if (is_there) return false;
-  series_.push_back({std::move(agent), std::move(what), {}, 0, 0});
+  PlotSeries& series = series_.emplace_back();
+  series.agent = std::move(agent);
+  series.what = std::move(what);
+  if (series.what != "decide_us") return true;
+  if (const auto times = times_.find(series.agent); times != times_.end())
+    for (const PlotPoint& point : times->second) Point(series, point.tick, point.value);
   return true;
 }
 
@@ -90,36 +128,39 @@ void Plots::Point(PlotSeries& series, std::uint64_t tick, double value) {
   series.maximum = is_first ? value : std::max(series.maximum, value);
 }
 
+void Plots::Prepend(std::string_view agent, std::string_view what, const std::vector<PlotPoint>& points) {
+  const auto series =
+      std::ranges::find_if(series_, [&](const PlotSeries& one) { return one.agent == agent && one.what == what; });
+  if (series == series_.end()) return;  // It was taken away meanwhile.
+  std::deque<PlotPoint> later;
+  later.swap(series->points);
+  for (const PlotPoint& point : points)
+    if (later.empty() || point.tick < later.front().tick) Point(*series, point.tick, point.value);
+  for (const PlotPoint& point : later) Point(*series, point.tick, point.value);
+}
+
 void Plots::Add(const record::TickRecord& tick) {
   for (const record::MindRecord& mind : tick.minds) record::ApplyPercepts(mind.percepts, percepts_[mind.agent]);
   for (PlotSeries& series : series_) {
     while (!series.points.empty() && series.points.back().tick >= tick.tick) series.points.pop_back();
-    std::optional<double> value;
-    const record::MindRecord* mind = record::FindMind(tick, series.agent);
-    if (series.what == "health" || series.what == "speed") {
-      value = OfBody(tick, series.agent, series.what);
-    } else if (series.what == "decisions") {
-      value = mind == nullptr ? 0.0 : static_cast<double>(mind->decisions.size());
-    } else if (series.what == "fired") {
-      value =
-          mind == nullptr ? 0.0 : static_cast<double>(std::ranges::count_if(mind->details, [](const std::string& d) {
-            return d.find(' ') != std::string::npos && std::string_view(d).substr(d.find(' ')).starts_with(" fire ");
-          }));
-    } else if (const auto known = percepts_.find(series.agent); known != percepts_.end()) {
-      if (const auto percept = known->second.find(series.what); percept != known->second.end())
-        value = Number(percept->second);
-    }
+    const std::optional<double> value = ValueIn(tick, series.agent, series.what, percepts_, series.has_firings);
     if (value) Point(series, tick.tick, *value);
   }
 }
 
 void Plots::Sample(const sim::Simulation& simulation) {
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+    const sim::MindReport report = simulation.Mind(i);
+    std::deque<PlotPoint>& times = times_[report.agent];
+    while (!times.empty() && times.back().tick >= simulation.tick()) times.pop_back();
+    times.push_back({simulation.tick(), report.decide_s * 1e6});
+    if (times.size() > kMostPoints) times.pop_front();
+  }
   for (PlotSeries& series : series_) {
     if (series.what == "decide_us") {
-      for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
-        const sim::MindReport report = simulation.Mind(i);
-        if (report.agent == series.agent) Point(series, simulation.tick(), report.decide_s * 1e6);
-      }
+      const auto times = times_.find(series.agent);
+      if (times != times_.end() && times->second.back().tick == simulation.tick())
+        Point(series, simulation.tick(), times->second.back().value);
     } else if (IsMemoryPath(series.what)) {
       const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(series.agent);
       if (mind == nullptr) continue;
@@ -128,11 +169,41 @@ void Plots::Sample(const sim::Simulation& simulation) {
   }
 }
 
+PlotHistory::PlotHistory(std::string agent, std::string what)
+    : agent_(std::move(agent)),
+      what_(std::move(what)),
+      is_memory_(IsMemoryPath(what_)),
+      mind_(record::Level::kAll, agent_) {}
+
+void PlotHistory::Add(const record::TickRecord& tick) {
+  std::optional<double> value;
+  if (is_memory_) {
+    mind_.Add(tick);
+    if (const std::unique_ptr<sim::Inspector> mind = mind_.Inspect(agent_)) value = Follow(*mind, what_);
+  } else {
+    if (const record::MindRecord* mind = record::FindMind(tick, agent_))
+      record::ApplyPercepts(mind->percepts, percepts_[agent_]);
+    value = ValueIn(tick, agent_, what_, percepts_, has_firings_);
+  }
+  if (value) points_.push_back({tick.tick, *value});
+}
+
+std::string PlotTitle(std::string_view what) {
+  if (what == "speed") return "speed (m/s)";
+  if (what == "decisions") return "decisions per tick";
+  if (what == "fired") return "rules fired per tick";
+  if (what == "decide_us") return "decision time (\xc2\xb5s)";
+  std::string title(what);
+  const sim::PerceptRow* row = PerceptOf(what);
+  if (row != nullptr && !row->unit.empty()) title.append(" (").append(row->unit).append(")");
+  return title;
+}
+
 std::vector<std::string> Plottable(sim::Inspector& mind) {
   std::vector<std::string> paths = {"health", "speed", "decisions", "fired", "decide_us"};
   const sim::MindFacts facts = mind.Mind();
   constexpr int kDepth = 4;
-  if (!facts.input_link.empty()) NumbersBelow(mind, facts.input_link, facts.input_link, kDepth, paths);
+  if (!facts.input_link.empty()) NumbersBelow(mind, facts.input_link, {facts.input_link, std::string()}, kDepth, paths);
   for (const sim::StateFact& state : mind.Stack())
     for (const sim::ElementFact& element : mind.ElementsOf(state.id))
       if (!element.is_object && Number(element.value)) paths.push_back(state.id + "." + element.attribute);

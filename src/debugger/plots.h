@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "debugger/json.h"
+#include "debugger/recorded_mind.h"
 #include "record/percept_text.h"
 #include "record/tick_record.h"
 #include "sim/simulation.h"
@@ -27,6 +28,7 @@ struct PlotSeries {
   std::string what;  ///< See Plots.
   std::deque<PlotPoint> points;
   double minimum = 0, maximum = 0;  ///< Of the points.
+  bool has_firings = false;         ///< Of "fired": firings were noted, so that none means none.
 };
 
 /// Numbers over ticks. What can be plotted of an agent:
@@ -36,13 +38,15 @@ struct PlotSeries {
 ///   a way through working memory from an identifier ("S1.reward-link.reward.value"; only of a live run).
 class Plots {
  public:
-  /// False if it is there already.
+  /// Begins with what is known of it; false if it is there already.
   bool Plot(std::string agent, std::string what);
   bool Remove(std::string_view agent, std::string_view what);
   void Clear() { series_.clear(); }
 
   /// What a tick's record tells. Ticks come in order; an earlier one takes back the points from there on.
   void Add(const record::TickRecord& tick);
+  /// Puts what was before a plot's first point (see PlotHistory) in front of it.
+  void Prepend(std::string_view agent, std::string_view what, const std::vector<PlotPoint>& points);
   /// What only the live run tells: call after Add of the same tick.
   void Sample(const sim::Simulation& simulation);
 
@@ -55,9 +59,34 @@ class Plots {
 
   std::vector<PlotSeries> series_;
   std::map<std::string, record::PerceptValues, std::less<>> percepts_;  ///< By agent.
+  /// By agent, noted always: nobody can tell them later.
+  std::map<std::string, std::deque<PlotPoint>, std::less<>> times_;
 };
 
-/// Paths that can be plotted of an agent now: numbers among its percepts and what is always there.
+/// One number of an agent in ticks that are over, for a plot that begins after them. Decision times are not among what
+/// is recorded of a tick; a way through working memory is followed where its elements were noted.
+class PlotHistory {
+ public:
+  PlotHistory(std::string agent, std::string what);
+
+  const std::string& agent() const { return agent_; }
+  const std::string& what() const { return what_; }
+  /// Ticks in order.
+  void Add(const record::TickRecord& tick);
+  const std::vector<PlotPoint>& points() const { return points_; }
+
+ private:
+  std::string agent_, what_;
+  bool is_memory_, has_firings_ = false;
+  std::map<std::string, record::PerceptValues, std::less<>> percepts_;
+  RecordedMinds mind_;
+  std::vector<PlotPoint> points_;
+};
+
+/// What is measured and its unit: "decision time (µs)", "self.position.x (m)".
+std::string PlotTitle(std::string_view what);
+
+/// Paths that can be plotted of an agent now: what is always there, numbers among its percepts, numbers of its states.
 std::vector<std::string> Plottable(sim::Inspector& mind);
 
 std::string ToText(const std::vector<PlotSeries>& series);

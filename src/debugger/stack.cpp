@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "debugger/facts_text.h"
+#include "debugger/recorded_mind.h"
 
 namespace soarbox::debugger {
 
@@ -17,7 +18,7 @@ const std::vector<std::string>& Phases() {
 StackView LookAtStack(sim::Inspector& mind) {
   StackView view;
   sim::MindFacts facts = mind.Mind();
-  if (!mind.TellsAll()) view.note = "phase and counts: " + std::string(kNotAvailable);
+  if (!mind.TellsAll()) view.note = "phase and counts: " + std::string(Absence(mind));
   view.phase = std::move(facts.phase);
   view.within_phase = facts.within_phase;
   view.halted = facts.halted;

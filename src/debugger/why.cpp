@@ -9,6 +9,7 @@
 #include "debugger/facts_text.h"
 #include "debugger/io.h"
 #include "debugger/operators.h"
+#include "debugger/recorded_mind.h"
 #include "debugger/rules.h"
 #include "diagnostics/diagnostic.h"
 #include "sim/rule_text.h"
@@ -165,7 +166,7 @@ WhyNode WhyElement(sim::Inspector& mind, std::uint64_t timetag) {
   const std::optional<sim::ElementFact> element = mind.Element(timetag);
   if (!element) return {"there is no element " + std::to_string(timetag) + " now", "reason", "", {}};
   WhyNode node = Tracer(mind).Element(*element, kDepth);
-  if (!mind.TellsAll()) node.below.push_back({"who made it: " + std::string(kNotAvailable), "reason", "", {}});
+  if (!mind.TellsAll()) node.below.push_back({"who made it: " + std::string(Absence(mind)), "reason", "", {}});
   return node;
 }
 
@@ -191,7 +192,7 @@ WhyNode WhyCommand(sim::Inspector& mind, std::string_view command) {
     WhyNode node{CommandText(row), "command", row.name, {}};
     if (const std::optional<sim::ElementFact> element = mind.Element(row.timetag)) {
       node.below = Tracer(mind).Element(*element, kDepth).below;
-      if (!mind.TellsAll()) node.below.push_back({"who said it: " + std::string(kNotAvailable), "reason", "", {}});
+      if (!mind.TellsAll()) node.below.push_back({"who said it: " + std::string(Absence(mind)), "reason", "", {}});
     }
     return node;
   }

@@ -4,6 +4,8 @@
 #include <SDL.h>
 #include <imgui_internal.h>
 
+#include "viewer/panels/layout_audit.h"
+
 namespace soarbox::viewer {
 namespace {
 
@@ -121,7 +123,13 @@ void WorkspaceHost::AfterDrawing(const world::SceneSnapshot& scene, const Projec
   const ImDrawData* drawn = ImGui::GetDrawData();
   if (!script_ || script_->is_over() || drawn == nullptr) return;
   const std::vector<ShownText> shown = CaptureText(*drawn, *ImGui::GetIO().Fonts);
-  UiStage stage{shown, scene.tick, scene.time_s, input_.idle(), {}, save_picture};
+  UiStage stage{shown,
+                scene.tick,
+                scene.time_s,
+                input_.idle(),
+                {},
+                save_picture,
+                [] { return AuditLayout(*ImGui::GetIO().Fonts); }};
   stage.place_of = [&](const std::string& name) -> std::optional<ImVec2> {
     for (const world::AgentSnapshot& agent : scene.agents) {
       if (agent.name != name) continue;

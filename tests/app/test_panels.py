@@ -2,10 +2,13 @@
 """A user of the window, with real events of mouse and keyboard: looks into an agent, stops it, changes it, goes back."""
 import pathlib
 import shutil
+import socket
 import subprocess
 import tempfile
+import time
 import unittest
 
+from png_picture import Picture
 from soarbox_command import COMMAND
 
 WORLD = """
@@ -102,17 +105,33 @@ class Panels(unittest.TestCase):
         for name, text in (("scenario.toml", WORLD), ("walker.soar", WALKER), ("idler.soar", IDLER)):
             (self.folder / name).write_text(text, encoding="utf-8")
 
-    def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
-        """Plays a user and expects that everything could be done; 1: something in the run was a problem."""
+    def window(self, script, *command, size=(1280, 720)):
+        """The command line that opens a window and plays a user in it."""
         file = self.folder / "user.txt"
         file.write_text(script, encoding="utf-8")
+        return ["xvfb-run", "-a", "-s", f"-screen 0 {size[0]}x{size[1]}x24", COMMAND, *command, "--width",
+                str(size[0]), "--height", str(size[1]), "--ui-script", str(file), "--detail", "low"]
+
+    def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
+        """Plays a user and expects that everything could be done; 1: something in the run was a problem."""
         done = subprocess.run(
-            ["xvfb-run", "-a", "-s", f"-screen 0 {size[0]}x{size[1]}x24", COMMAND, "run", str(self.folder),
-             record, "--port", "0", "--width", str(size[0]), "--height", str(size[1]), "--ui-script", str(file),
-             "--detail", "low", *arguments],
+            self.window(script, "run", str(self.folder), record, "--port", "0", *arguments, size=size),
             capture_output=True, text=True, timeout=280, check=False, cwd=self.folder)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
+
+    def record(self, level):
+        """Records three seconds of the run and returns the file."""
+        file = self.folder / f"{level}.soarrec"
+        done = subprocess.run([COMMAND, "run", str(self.folder), "--headless", "--seconds", "3", "--record", str(file),
+                               "--record-level", level], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return file
+
+    def replay(self, file, script):
+        done = subprocess.run(self.window(script, "replay", str(file)), capture_output=True, text=True, timeout=280,
+                              check=False, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_a_learner_finds_out_why(self):
         self.play("""
@@ -156,6 +175,11 @@ class Panels(unittest.TestCase):
         self.play("""
             until 0.2
             key P
+            expect "Paused"
+            click "Phase"
+            expect "walker: one phase, next is"
+            click "Decision"
+            expect "walker: one decision; the world stands still"
             click "Console"
             click "a Soar command"
             type "print s"
@@ -221,6 +245,136 @@ class Panels(unittest.TestCase):
             checked = subprocess.run([COMMAND, "verify", str(self.folder / name)], capture_output=True, text=True,
                                      timeout=60, check=False)
             self.assertEqual(checked.returncode, 0, checked.stderr + checked.stdout)
+
+    def test_a_recording_has_the_panels_of_a_run(self):
+        self.replay(self.record("decisions"), """
+            key P
+            expect "Paused"
+            click-at 500 704
+            expect "Goal stack"
+            expect "walker*prefer*north"
+            expect "Standing"
+            expect "End"
+            expect-not "Resume here"
+            click "Why"
+            expect "Why does walker do what it does?"
+            expect "command seek"
+            click "Senses"
+            expect "Percepts (input link)"
+            expect "free-ahead"
+            click "Breakpoints"
+            expect "Nothing stops a recording."
+            click "Trace"
+            expect "walker"
+            audit "a replay"
+            """)
+
+    def test_a_recording_whose_scenario_has_gone_tells_what_it_holds(self):
+        file = self.record("decisions")
+        (self.folder / "scenario.toml").unlink()
+        self.replay(file, """
+            key P
+            expect "Paused"
+            click-at 500 704
+            expect "as recorded"
+            expect "Goal stack"
+            expect "seek"
+            expect "preferences: not recorded"
+            click "Memory"
+            expect "Not recorded at this level"
+            click "Senses"
+            expect "Percepts (input link)"
+            expect "free-ahead"
+            click "Why"
+            expect "as it was recorded"
+            expect "command seek"
+            """)
+
+    def test_every_panel_is_drawn_over_a_filled_run(self):
+        (self.folder / "walker.soar").write_text(
+            WALKER.replace("(<out> ^seek <command>)", "(<out> ^seek <command> ^broadcast <call>)\n"
+                           "   (<call> ^about contact ^text |follow me|)") + "sp {walker*broken (state <s> -->}\n",
+            encoding="utf-8")
+        (self.folder / "scenario.toml").write_text(
+            WORLD.replace('body = "runner"', 'body = "runner"\nteam = "red"'), encoding="utf-8")
+        self.play("""
+            until 1.5
+            key P
+            expect "Paused"
+            audit "the default layout"
+            click "Problems"
+            expect "walker*broken"
+            click "Why"
+            click "Messages"
+            expect "team red"
+            expect "follow me"
+            audit "Problems, Why and Messages"
+            picture first.png
+            click "Memory"
+            click "Plots"
+            click "Plot a number of walker"
+            expect "decision time"
+            click "health"
+            expect "100"
+            audit "Memory and Plots"
+            click "Rules"
+            click "Trace"
+            expect "broadcast"
+            audit "Rules and Trace"
+            click "Edit"
+            click "Choose a file"
+            click "walker.soar"
+            expect "sp {walker*propose*seek"
+            audit "Edit"
+            picture second.png
+            """, code=1)
+        for name in ("first.png", "second.png"):
+            picture = Picture(self.folder / name)
+            # Left, right and bottom panels below their tabs: neither blank nor of few colours only.
+            for left, top, right, bottom in ((10, 110, 260, 400), (930, 130, 1270, 400), (290, 530, 900, 680)):
+                colours = {picture.at(x, y) for x in range(left, right, 3) for y in range(top, bottom, 3)}
+                self.assertGreater(len(colours), 12, (name, left, top))
+
+    def test_the_window_goes_on_without_a_kernel_that_has_gone(self):
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = str(free.getsockname()[1])
+        kernel = subprocess.Popen([COMMAND, "kernel", "--port", port], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(kernel.stdout.close)
+        self.addCleanup(kernel.wait)
+        self.addCleanup(kernel.kill)
+        kernel.stdout.readline()
+        mark = self.folder / "mark.png"
+        run = subprocess.Popen(
+            self.window("""
+                until 0.5
+                expect "Goal stack"
+                expect "seek"
+                expect "not available there"
+                click "Memory"
+                expect "^superstate"
+                click "Senses"
+                expect "Percepts (input link)"
+                click "Why"
+                expect "Why does walker do what it does?"
+                click "Mind"
+                picture mark.png
+                expect "cannot be looked into"
+                click "Problems"
+                expect "has gone"
+                click "Why"
+                click "Memory"
+                until 4
+                expect "Running"
+                """, "run", str(self.folder), "--no-record", "--kernel", f"127.0.0.1:{port}", "--kernel-limit", "0.5"),
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder)
+        self.addCleanup(run.kill)
+        end = time.monotonic() + 120
+        while not mark.exists() and run.poll() is None and time.monotonic() < end:
+            time.sleep(0.1)
+        kernel.kill()
+        _, errors = run.communicate(timeout=150)
+        self.assertIn(run.returncode, (0, 1), errors)
 
 
 if __name__ == "__main__":

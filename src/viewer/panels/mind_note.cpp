@@ -18,6 +18,12 @@ bool HasMind(PanelFrame& frame) {
     EmptyNote(contents.not_available);
     return false;
   }
+  if (!contents.past_note.empty()) {
+    Tag("as recorded", theme::kAccent);
+    Tooltip("What the recording holds of this moment. " + contents.past_note);
+    ImGui::SameLine();
+    CutText(contents.past_note, ImGui::GetContentRegionAvail().x, theme::kQuiet);
+  }
   return true;
 }
 

@@ -10,18 +10,13 @@
 
 #include "viewer/panels/layout.h"
 #include "viewer/panels/panel_contents.h"
+#include "viewer/panels/panel_fonts.h"
 #include "viewer/panels/panel_request.h"
 #include "viewer/viewer.h"
 #include "viewer/viewer_command.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::viewer {
-
-struct PanelFonts {
-  ImFont* plain = nullptr;
-  ImFont* bold = nullptr;
-  ImFont* mono = nullptr;
-};
 
 /// What the panels of one frame read, and what the user asked for while they were drawn.
 struct PanelFrame {

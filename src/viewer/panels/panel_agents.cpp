@@ -3,6 +3,7 @@
 
 #include "viewer/palette.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/terms.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
@@ -54,6 +55,7 @@ class AgentsPanel final : public Panel {
     if (is_wide) column("Kind", 2, AgentColumn::kKind);
     if (is_wide) column("Decision", 2, AgentColumn::kTime);
     ImGui::TableHeadersRow();
+    Tooltip("Click to sort by this");
     std::vector<AgentRow> rows = filter_.empty() ? all : debugger::FilterAgents(all, filter_);
     if (const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsCount > 0) {
       const ImGuiTableColumnSortSpecs& by = specs->Specs[0];
@@ -89,25 +91,28 @@ class AgentsPanel final : public Panel {
                                                 ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1}));
     ImGui::SetCursorScreenPos({at.x + font * 1.1f, at.y});
     const bool dull = !row.alive || row.failed;
-    ColoredText(dull ? theme::kQuiet : theme::kText, row.name);
+    const std::string errors = "\xe2\x9a\xa0" + std::to_string(row.errors);
+    const float beside = row.errors > 0 ? ImGui::CalcTextSize(errors.c_str()).x + font * 0.5f : 0;
+    CutText(row.name, ImGui::GetContentRegionAvail().x - beside, dull ? theme::kQuiet : theme::kText);
     if (row.errors > 0) {
       ImGui::SameLine(0, font * 0.4f);
-      if (Link("problems", "\xe2\x9a\xa0" + std::to_string(row.errors), theme::kBad)) {
+      if (Link("problems", errors, theme::kBad)) {
         frame.selected = row.id;
         frame.layout.Show(PanelId::kProblems);
       }
     }
     if (is_wide) {
       ImGui::TableNextColumn();
-      ColoredText(theme::kQuiet, row.team);
+      CutText(row.team, theme::kQuiet);
     }
     ImGui::TableNextColumn();
-    ColoredText(IsInImpasse(row) ? theme::kWarn : theme::kText, Doing(row));
+    CutText(Doing(row), IsInImpasse(row) ? theme::kWarn : theme::kText);
+    if (IsInImpasse(row)) TermTooltip(Doing(row));
     ImGui::TableNextColumn();
     ColoredText(row.health < 35 || dull ? theme::kBad : theme::kQuiet, Condition(row));
     if (is_wide) {
       ImGui::TableNextColumn();
-      ColoredText(theme::kQuiet, row.kind);
+      CutText(row.kind, theme::kQuiet);
       ImGui::TableNextColumn();
       if (row.decide_us > 0) ColoredText(theme::kQuiet, Formatted("%.0f \xc2\xb5s", row.decide_us));
     }

@@ -26,11 +26,15 @@ class BreakpointsPanel final : public Panel {
       ImGui::SameLine();
       WrappedText(theme::kWarn, hit.why);
     }
+    if (contents.moment.is_recording) {
+      EmptyNote("Nothing stops a recording.", "Breakpoints are for a run: search its trace or click in its timeline.");
+      return;
+    }
     ColoredText(theme::kText, "Stop the world when");
     ImGui::SetNextItemWidth(frame.Px(150));
     ImGui::Combo("##kind", &kind_, kTitles, IM_ARRAYSIZE(kTitles));
-    ImGui::SameLine();
     const std::string only = contents.agent.empty() ? "in any agent" : "in " + contents.agent + " only";
+    FlowLine(ButtonWidth(only.c_str()) + ImGui::GetFrameHeight());
     ImGui::BeginDisabled(contents.agent.empty());
     ImGui::Checkbox(only.c_str(), &only_selected_);
     ImGui::EndDisabled();

@@ -43,6 +43,7 @@ struct Moment {
   std::uint64_t shown_tick = 0;
   std::uint64_t last_tick = 0;  ///< The newest.
   double step_s = 1.0 / 30;
+  bool is_recording = false;                 ///< All of it is past: nothing but the moment that is shown can change.
   bool is_live = true;                       ///< Shows the newest tick and follows it.
   bool can_go_back = false;                  ///< There is a history.
   bool can_resume = false;                   ///< The run can go on from a past tick.
@@ -83,6 +84,10 @@ struct PanelContents {
   bool has_mind = false;
   /// Not empty: why nothing of the mind's inside is shown now.
   std::string not_available;
+  /// Not empty: how far a recorded moment is from being simulated again, or why it cannot be.
+  std::string past_note;
+  /// Not empty: what stands in the panels comes from a recording, which does not hold the mind's memory.
+  std::string not_recorded;
 
   std::vector<debugger::AgentRow> agents;
   std::vector<ProblemRow> problems;  ///< In order of time.

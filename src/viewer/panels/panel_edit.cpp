@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/rule_source.h"
 #include "viewer/panels/widgets.h"
@@ -21,7 +22,11 @@ class EditPanel final : public Panel {
     DrawFiles(frame);
     const EditContents& edit = frame.contents.edit;
     if (edit.file.empty()) {
-      EmptyNote("No file is open.", "Choose one above, or press Edit at a rule.");
+      EmptyNote(
+          frame.contents.moment.is_recording ? "A recording has no files to edit." : "No file is open.",
+          frame.contents.moment.is_recording
+              ? "Run its scenario, or go on from a moment of it: soarbox resume FILE --at SECONDS --rules NEW.soar"
+              : "Choose one above, or press Edit at a rule.");
       return;
     }
     if (file_ != edit.file || version_ != edit.version) {
@@ -66,9 +71,9 @@ class EditPanel final : public Panel {
     using What = EditTextRequest::What;
     const EditContents& edit = frame.contents.edit;
     const auto button = [&](const char* label, What what, const char* tip) {
+      if (what != What::kApply) FlowLine(ButtonWidth(label), frame.Px(4));
       if (ImGui::Button(label)) frame.Ask(EditTextRequest{what, text_});
       Tooltip(tip);
-      ImGui::SameLine(0, frame.Px(4));
     };
     button(
         "Apply", What::kApply,
@@ -77,6 +82,7 @@ class EditPanel final : public Panel {
     button("Check", What::kCheck, "Look for errors; change nothing");
     button("Save", What::kSave, "Write the file");
     button("Revert", What::kRevert, "Back to what is on the disk");
+    FlowLine(ButtonWidth("Open in editor"), frame.Px(4));
     if (ImGui::Button("Open in editor")) frame.Ask(OpenFileRequest{edit.file, went_to_});
     Tooltip("With $VISUAL, $EDITOR or what your desktop takes for it; what you save there is reloaded by itself");
     const bool unsaved = text_ != edit.text || edit.is_unsaved, changed = text_ != edit.text || edit.is_changed;
@@ -113,6 +119,7 @@ class EditPanel final : public Panel {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)))
       frame.Ask(EditTextRequest{EditTextRequest::What::kApply, text_});
+    MayCut(corner, ImGui::GetItemRectMax());  // Long lines go on to the right of it.
     const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
     if (!children.empty()) DrawOver(frame, *children.back(), corner, gutter);
     ImGui::PopFont();

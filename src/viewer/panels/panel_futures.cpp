@@ -10,6 +10,12 @@ namespace {
 class FuturesPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
+    if (frame.contents.moment.is_recording) {
+      EmptyNote("A recording has one future.",
+                "soarbox resume FILE --at SECONDS goes on from a moment of it, soarbox compare tells where two "
+                "recordings part.");
+      return;
+    }
     if (!frame.contents.futures) {
       EmptyNote(
           "There is one future yet.",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/percept_help.h"
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/terms.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
@@ -17,7 +19,9 @@ class LinksPanel final : public Panel {
     if (!HasMind(frame)) return;
     const debugger::IoView& io = frame.contents.io;
     Heading(frame, "Commands (output link)");
-    if (io.commands.empty()) ColoredText(theme::kQuiet, "It has said nothing that still stands.");
+    TermTooltip("output link");
+    if (io.commands.empty())
+      WrappedText(theme::kQuiet, "It has said nothing that still stands. Rules say commands on the output link.");
     int number = 0;
     for (const CommandRow& command : io.commands) {
       ImGui::PushID(++number);
@@ -26,11 +30,12 @@ class LinksPanel final : public Panel {
     }
     ImGui::Separator();
     Heading(frame, "Percepts (input link)");
+    TermTooltip("input link");
     SearchField("##filter", "Filter by attribute or value", filter_);
     ImGui::BeginChild("percepts", {0, 0}, false, ImGuiWindowFlags_NoNav);
     if (io.input.rows.empty())
       WrappedText(theme::kQuiet, io.input.note.empty() ? "It perceives nothing." : io.input.note);
-    for (const MemoryRow& row : io.input.rows) DrawPercept(frame, row, 0);
+    for (const MemoryRow& row : io.input.rows) DrawPercept(frame, row, {}, 0);
     ImGui::EndChild();
   }
 
@@ -70,10 +75,11 @@ class LinksPanel final : public Panel {
     return false;
   }
 
-  void DrawPercept(PanelFrame& frame, const MemoryRow& row, int depth) {
+  void DrawPercept(PanelFrame& frame, const MemoryRow& row, const std::string& above, int depth) {
     constexpr int kDeepest = 12;
     if (depth > kDeepest || !IsWanted(row)) return;
     const sim::ElementFact& element = row.element;
+    const std::string path = above.empty() ? element.attribute : above + "." + element.attribute;
     ImGui::PushID(static_cast<int>(element.timetag));
     const bool open = element.is_object && !row.below.empty();
     ImGui::Dummy({frame.Px(14) * static_cast<float>(depth), 1});
@@ -85,17 +91,22 @@ class LinksPanel final : public Panel {
     }
     if (element.is_object) {
       if (Link("object", element.attribute)) ShowObject(frame, element.value);
+      Tooltip(debugger::DescribePercept(path));
       if (!row.about.empty()) {
         ImGui::SameLine(0, frame.Px(6));
-        ColoredText(theme::kQuiet, row.about);
+        CutText(row.about, theme::kQuiet);
       }
     } else {
       ColoredText(theme::kAccent, element.attribute);
+      Tooltip(debugger::DescribePercept(path));
       ImGui::SameLine(0, frame.Px(8));
-      ColoredText(row.change == Change::kRemoved ? theme::kQuiet : theme::kText, ShortNumber(element.value));
+      std::string value = ShortNumber(element.value);
+      const sim::PerceptRow* known = debugger::PerceptOf(path);
+      if (known != nullptr && !known->unit.empty()) value.append(" ").append(known->unit);
+      CutText(value, row.change == Change::kRemoved ? theme::kQuiet : theme::kText);
     }
     if (open) {
-      for (const MemoryRow& below : row.below) DrawPercept(frame, below, depth + 1);
+      for (const MemoryRow& below : row.below) DrawPercept(frame, below, path, depth + 1);
     }
     ImGui::PopID();
   }
@@ -109,11 +120,12 @@ class MessagesPanel final : public Panel {
   void Draw(PanelFrame& frame) override {
     if (frame.contents.messages == nullptr || frame.contents.messages->rows().empty()) {
       EmptyNote("Nobody has said anything to anybody yet.",
-                "Agents talk with the commands tell, broadcast and their like: see docs/commands.md.");
+                "Agents talk with the commands say and broadcast: see docs/commands.md.");
       return;
     }
     if (!frame.contents.agent.empty()) {
-      ImGui::Checkbox("only of the selected agent", &only_selected_);
+      ImGui::Checkbox("selected agent", &only_selected_);
+      Tooltip("Only what the selected agent says and hears");
       ImGui::SameLine();
     }
     SearchField("##filter", "Search", filter_);
@@ -123,7 +135,7 @@ class MessagesPanel final : public Panel {
                                ImGuiTableFlags_SizingStretchProp))
       return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Time", 0, 1.2f);
+    ImGui::TableSetupColumn("Time", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00:00.00").x);
     ImGui::TableSetupColumn("From", 0, 1.6f);
     ImGui::TableSetupColumn("To", 0, 1.6f);
     ImGui::TableSetupColumn("Message", 0, 6);
@@ -139,14 +151,11 @@ class MessagesPanel final : public Panel {
         if (Link("time", TimeText(row.time_s), theme::kQuiet)) frame.Ask(SeekRequest{row.tick});
         ImGui::PopID();
         ImGui::TableNextColumn();
-        ColoredText(theme::kText, row.from.empty() ? "you" : row.from);
+        CutText(row.from.empty() ? "you" : row.from);
         ImGui::TableNextColumn();
-        ColoredText(theme::kText, row.to);
+        CutText(row.to);
         ImGui::TableNextColumn();
-        ColoredText(theme::kAccent, row.about.empty() ? "" : row.about + " ");
-        ImGui::SameLine(0, 0);
-        ColoredText(theme::kText, row.text);
-        Tooltip(row.text);
+        CutText(row.text);
       }
     }
     ImGui::EndTable();

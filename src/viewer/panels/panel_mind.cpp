@@ -3,6 +3,7 @@
 
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/terms.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
@@ -25,7 +26,7 @@ class MindPanel final : public Panel {
   static void DrawPhases(PanelFrame& frame) {
     const debugger::StackView& stack = frame.contents.stack;
     const auto& phases = debugger::Phases();
-    for (std::size_t i = 0; i < phases.size(); ++i) {
+    for (std::size_t i = 0; !stack.phase.empty() && i < phases.size(); ++i) {
       if (i > 0) {
         ImGui::SameLine(0, frame.Px(3));
         ColoredText(theme::kQuiet, "\xe2\x86\x92");
@@ -35,11 +36,13 @@ class MindPanel final : public Panel {
         Tag(phases[i], theme::kAccent);
       else
         ColoredText(theme::kQuiet, phases[i]);
+      Tooltip(std::string(MeaningOf(phases[i])) + (phases[i] == stack.phase ? " It runs next." : ""));
     }
-    if (!stack.phase.empty()) Tooltip("The phases of a decision cycle; the one that runs next is marked");
-    ColoredText(theme::kQuiet,
-                Formatted("decision %llu, %zu elements, %zu rules", static_cast<unsigned long long>(stack.decisions),
-                          stack.elements, stack.rules));
+    std::string counts = Formatted("decision %llu", static_cast<unsigned long long>(stack.decisions));
+    if (stack.elements > 0) counts += Formatted(", %zu elements", stack.elements);
+    if (stack.rules > 0) counts += Formatted(", %zu rules", stack.rules);
+    ColoredText(theme::kQuiet, counts);
+    Tooltip("Decisions so far; elements in working memory and rules now");
     if (!stack.breakdown.empty())
       WrappedText(theme::kBad, "At its end: " + stack.breakdown);
     else if (stack.halted)
@@ -49,12 +52,14 @@ class MindPanel final : public Panel {
 
   static void DrawStack(PanelFrame& frame) {
     Heading(frame, "Goal stack");
+    TermTooltip("goal stack");
     for (const debugger::StackLevel& level : frame.contents.stack.levels) {
       ImGui::PushID(level.state.c_str());
       const bool is_chosen = level.state == frame.contents.operators.state;
       const ImVec2 at = ImGui::GetCursorScreenPos();
       if (ImGui::Selectable("##state", is_chosen)) frame.Ask(StateRequest{level.state});
-      Tooltip("Click to see the operators of this state");
+      Tooltip(level.impasse.empty() ? "Click to see the operators of this state"
+                                    : std::string(MeaningOf(level.impasse)) + "\nClick to see its operators");
       ImGui::SetCursorScreenPos({at.x + frame.Px(12) * static_cast<float>(level.level - 1), at.y});
       ColoredText(theme::kVariable, level.state);
       if (!level.impasse.empty()) {
@@ -63,9 +68,11 @@ class MindPanel final : public Panel {
       }
       ImGui::SameLine();
       if (level.operator_id.empty()) {
-        ColoredText(theme::kQuiet, "no operator");
+        CutText("no operator", theme::kQuiet);
       } else {
-        ColoredText(theme::kGood, "\xe2\x96\xb8 " + level.operator_name + " (" + level.operator_id + ")");
+        CutText("\xe2\x96\xb8 " + (level.operator_name.empty() ? level.operator_id
+                                                               : level.operator_name + " (" + level.operator_id + ")"),
+                theme::kGood);
       }
       ImGui::PopID();
     }
@@ -74,6 +81,7 @@ class MindPanel final : public Panel {
   void DrawOperators(PanelFrame& frame) {
     const debugger::OperatorsView& view = frame.contents.operators;
     Heading(frame, "Operators of " + view.state);
+    TermTooltip("operator");
     if (!view.note.empty()) WrappedText(theme::kQuiet, view.note);
     if (!view.sentence.empty()) {
       const bool is_impasse = view.selected.empty();
@@ -81,7 +89,11 @@ class MindPanel final : public Panel {
       WrappedText(is_impasse ? theme::kWarn : theme::kGood, view.sentence);
       ImGui::PopStyleColor();
     }
-    if (view.rows.empty()) return;
+    if (view.rows.empty()) {
+      if (view.sentence.empty() && view.note.empty())
+        WrappedText(theme::kQuiet, "No operator is proposed here. In the panel Why, ask why not one that you miss.");
+      return;
+    }
     const bool has_numbers =
         std::any_of(view.rows.begin(), view.rows.end(), [](const OperatorRow& row) { return row.value.has_value(); });
     if (!ImGui::BeginTable("operators", has_numbers ? 4 : 2,
@@ -102,7 +114,8 @@ class MindPanel final : public Panel {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(row.id.c_str());
-    const std::string title = (row.selected ? "\xe2\x9c\x93 " : "") + row.name + " (" + row.id + ")";
+    std::string title(row.selected ? "\xe2\x9c\x93 " : "");
+    title.append(row.name.empty() ? row.id : row.name + " (" + row.id + ")");
     ImGui::PushStyleColor(ImGuiCol_Text, row.selected ? theme::kGood : theme::kText);
     const bool open = ImGui::TreeNodeEx("row", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
     ImGui::PopStyleColor();
@@ -143,7 +156,8 @@ class MindPanel final : public Panel {
     std::string what = preference.sign + " " + preference.type;
     if (!preference.referent.empty())
       what += " " + (preference.other_name.empty() ? preference.referent : preference.other_name);
-    ColoredText(theme::kText, what);
+    CutText(what);
+    TermTooltip(preference.type);
     ImGui::TableNextColumn();
     if (preference.maker.rule.empty()) {
       ColoredText(theme::kQuiet, "the architecture");

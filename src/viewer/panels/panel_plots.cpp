@@ -49,22 +49,40 @@ class PlotsPanel final : public Panel {
   }
 
   void Choice(PanelFrame& frame, const std::string& what) {
-    if (!HasPart(what, filter_)) return;
-    if (ImGui::Selectable(what.c_str())) frame.Ask(PlotRequest{frame.contents.agent, what, true});
+    if (!HasPart(debugger::PlotTitle(what), filter_)) return;
+    if (ImGui::Selectable((debugger::PlotTitle(what) + "##" + what).c_str()))
+      frame.Ask(PlotRequest{frame.contents.agent, what, true});
+  }
+
+  /// Why a plot has no points, or where they begin.
+  static std::string NoteOf(const debugger::PlotSeries& series, const Moment& moment) {
+    if (series.points.empty()) {
+      if (series.what == "decide_us" && moment.is_recording) return "not recorded: it is measured while a run goes on";
+      if (series.what == "fired") {
+        return moment.is_recording ? "not recorded at this level: it takes --record-level all"
+                                   : "noted while the agent is selected, from the next tick on";
+      }
+      return "no value yet";
+    }
+    return {};
   }
 
   static void DrawPlot(PanelFrame& frame, const debugger::PlotSeries& series, std::size_t number, float height) {
     ImGui::PushID(static_cast<int>(number));
     const ImVec4 color = theme::kSeries[number % (sizeof theme::kSeries / sizeof theme::kSeries[0])];
-    GraphCurve curve{series.what, color, {}};
+    GraphCurve curve{debugger::PlotTitle(series.what), color, {}};
     curve.points.reserve(series.points.size());
     for (const debugger::PlotPoint& point : series.points)
       curve.points.emplace_back(static_cast<double>(point.tick), point.value);
-    ColoredText(color, series.agent + "  " + series.what);
-    if (!series.points.empty()) {
-      ImGui::SameLine();
-      ColoredText(theme::kText, Formatted("%.5g", series.points.back().value));
-    }
+    // The value and the button keep their places at the right, whatever the name's length.
+    std::string value = NoteOf(series, frame.contents.moment);
+    if (!series.points.empty()) value = Formatted("%.5g", series.points.back().value);
+    const float gap = ImGui::GetStyle().ItemSpacing.x, button = ButtonWidth("\xc3\x97") + gap;
+    const float room = ImGui::GetContentRegionAvail().x - button - gap;
+    const std::string title = series.agent + "  " + debugger::PlotTitle(series.what);
+    CutText(title, std::max(room * 0.5f, room - ImGui::CalcTextSize(value.c_str()).x - gap), color);
+    ImGui::SameLine();
+    CutText(value, ImGui::GetContentRegionAvail().x - button, series.points.empty() ? theme::kQuiet : theme::kText);
     ImGui::SameLine();
     if (ImGui::SmallButton("\xc3\x97")) frame.Ask(PlotRequest{series.agent, series.what, false});
     Tooltip("No longer plot it");

@@ -29,8 +29,9 @@ class ProblemsPanel final : public Panel {
     }
     const world::AgentSnapshot* agent = frame.Selected();
     if (agent != nullptr) {
-      ImGui::Checkbox("only of the selected agent", &only_selected_);
-      ImGui::SameLine();
+      ImGui::Checkbox("selected agent", &only_selected_);
+      Tooltip("Only the problems of the selected agent");
+      FlowLine(ButtonWidth("Clear"));
     }
     if (ImGui::SmallButton("Clear")) frame.Ask(ClearProblemsRequest{});
     ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NoNav);

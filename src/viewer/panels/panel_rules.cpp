@@ -4,6 +4,7 @@
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/rule_source.h"
+#include "viewer/panels/terms.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
@@ -22,6 +23,7 @@ class RulesPanel final : public Panel {
     ImGui::SetNextItemWidth(frame.Px(110));
     const int before = set_;
     ImGui::Combo("##set", &set_, sets, IM_ARRAYSIZE(sets));
+    Tooltip("Which rules are listed. coverage: which took part in the run, and where the others stop");
     if (set_ == kCoverage && before != kCoverage) frame.Ask(CoverageRequest{});
     ImGui::SameLine();
     SearchField("##filter", "Filter by name", filter_);
@@ -52,7 +54,13 @@ class RulesPanel final : public Panel {
       if (IsWanted(rule)) rules.push_back(&rule);
     }
     if (rules.empty()) {
-      EmptyNote(frame.contents.rules.empty() ? "This mind has no rules." : "No rule is like this.");
+      if (!frame.contents.rules.empty()) {
+        EmptyNote("No rule is like this.", "Clear the filter, or choose 'all'.");
+      } else if (!frame.contents.not_recorded.empty()) {
+        EmptyNote(frame.contents.not_recorded);
+      } else {
+        EmptyNote("This mind has no rules.", "Add some in the panel Edit, or type a rule into the Console.");
+      }
       return;
     }
     if (!ImGui::BeginTable("rules", 3,
@@ -92,10 +100,13 @@ class RulesPanel final : public Panel {
   static void DrawName(PanelFrame& frame, const std::string& name, ImVec4 color) {
     const bool chosen = frame.contents.rule && frame.contents.rule->rule.name == name;
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    if (ImGui::Selectable(name.c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns))
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::Selectable(("##" + name).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns))
       frame.Ask(RuleRequest{chosen ? "" : name});
     ImGui::PopStyleColor();
     Tooltip(name);
+    ImGui::SetCursorScreenPos(at);
+    CutText(name, color);
   }
 
   void DrawCoverage(PanelFrame& frame) {
@@ -139,16 +150,22 @@ class RulesPanel final : public Panel {
     }
     Tooltip(rule.file.empty() ? "It was typed, or learned: there is no file"
                               : rule.file + ":" + std::to_string(rule.line));
-    ImGui::SameLine();
+    FlowLine(ButtonWidth("Break when it fires"));
     if (ImGui::SmallButton("Break when it fires")) {
       frame.Ask(BreakRequest{debugger::BreakKind::kFire, frame.contents.agent, rule.name});
       frame.layout.Show(PanelId::kBreakpoints);
     }
-    ImGui::SameLine();
+    FlowLine(ButtonWidth("Close"));
     if (ImGui::SmallButton("Close")) frame.Ask(RuleRequest{});
     ImGui::BeginChild("rule", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    if (view.source.empty()) {
+      WrappedText(theme::kQuiet, frame.contents.past_note.empty()
+                                     ? "Its text is not available there."
+                                     : "Its text is not recorded: it is shown once the moment is simulated again.");
+    }
     ColoredText(theme::kQuiet, rule.type + ", fired " + std::to_string(rule.firings) + " times, " +
                                    std::to_string(rule.matches) + (rule.matches == 1 ? " match" : " matches") + " now");
+    TermTooltip(rule.type);
     if (!rule.documentation.empty()) WrappedText(rule.documentation);
     DrawMatch(frame, view.match);
     ImGui::PushFont(frame.fonts.mono);

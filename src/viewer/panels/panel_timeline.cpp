@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/widgets.h"
 
@@ -122,6 +123,7 @@ class TimelinePanel final : public Panel {
     ImGui::PushID(track.agent.c_str());
     if (ImGui::InvisibleButton("name", {name_width_ - frame.Px(6), full})) Select(frame, track.agent);
     ImGui::PopID();
+    MayCut(at, {at.x + name_width_ - frame.Px(6), at.y + full});
     out.PushClipRect(at, {at.x + name_width_ - frame.Px(6), at.y + full}, true);
     out.AddText({at.x, at.y}, theme::Packed(is_whole ? theme::kText : theme::kQuiet),
                 track.agent.empty() ? "world" : track.agent.c_str());
@@ -140,6 +142,7 @@ class TimelinePanel final : public Panel {
       const float from = std::max(x, left_) + frame.Px(3);
       if (end - from > frame.Px(14)) {
         out.PushClipRect({from, y}, {end - 1, y + height}, true);
+        MayCut({from, y}, {end - 1, y + height});
         out.AddText({from, y + frame.Px(1)}, theme::Packed(theme::kText), text.c_str());
         out.PopClipRect();
       }

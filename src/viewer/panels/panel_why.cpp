@@ -38,7 +38,10 @@ class WhyPanel final : public Panel {
     DrawField(frame);
     Tooltip("The name of an operator or a command, then Enter: why is it not chosen?");
     ImGui::Separator();
-    Heading(frame, contents.why.question);
+    ImGui::PushFont(frame.fonts.bold);
+    WrappedText(contents.why.question);
+    ImGui::PopFont();
+    if (!contents.past_note.empty()) CutText("As recorded. " + contents.past_note, theme::kQuiet);
     if (!contents.why.answer) {
       WrappedText(theme::kQuiet,
                   contents.not_available.empty() ? "There is no answer to this." : contents.not_available);

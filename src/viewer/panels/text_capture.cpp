@@ -85,9 +85,8 @@ class Collector {
     }
     const bool seen = letter.right > clip.x + 0.5f && letter.left < clip.z - 0.5f && letter.bottom > clip.y + 0.5f &&
                       letter.top < clip.w - 0.5f;
-    const bool whole = letter.left >= clip.x - 1 && letter.right <= clip.z + 1 && letter.top >= clip.y - 1 &&
-                       letter.bottom <= clip.w + 1;
-    if (!whole) run_.is_cut = true;
+    if (letter.left < clip.x - 1 || letter.right > clip.z + 1) run_.is_cut = run_.is_cut_x = true;
+    if (letter.top < clip.y - 1 || letter.bottom > clip.w + 1) run_.is_cut = run_.is_cut_y = true;
     if (seen) {
       any_seen_ = true;
       std::string bytes;

@@ -19,9 +19,9 @@ constexpr int kMostWait = 400;
 /// Frames that the window gets to answer a step before the next.
 constexpr int kSettle = 2;
 
-constexpr std::array<std::string_view, 14> kWords{"click",      "click-agent", "double-click", "right-click", "hover",
+constexpr std::array<std::string_view, 15> kWords{"click",      "click-agent", "double-click", "right-click", "hover",
                                                   "click-at",   "drag",        "type",         "key",         "expect",
-                                                  "expect-not", "wait",        "until",        "picture"};
+                                                  "expect-not", "wait",        "until",        "picture",     "audit"};
 
 void Push(SDL_Event event) {
   SDL_PushEvent(&event);
@@ -167,6 +167,12 @@ bool UiScript::Do(const Step& step, const UiStage& stage) {
   }
   if (step.word == "picture") {
     if (const Result<void> saved = stage.save_picture(what); !saved) Fail(step, saved.error().message, stage);
+    return true;
+  }
+  if (step.word == "audit") {
+    std::string complaints;
+    for (const std::string& complaint : stage.audit()) complaints += "\n     " + complaint;
+    if (!complaints.empty()) Fail(step, what + " does not look as it should:" + complaints, stage);
     return true;
   }
   return DoMouse(step, stage);

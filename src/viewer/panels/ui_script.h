@@ -21,6 +21,8 @@ struct UiStage {
   /// Where an agent stands on the screen; none if it is not in the picture.
   std::function<std::optional<ImVec2>(const std::string& agent)> place_of;
   std::function<Result<void>(const std::filesystem::path&)> save_picture;
+  /// What is cut or lies over something else (layout_audit.h).
+  std::function<std::vector<std::string>()> audit;
 };
 
 /// Plays a user: reads lines like
@@ -31,6 +33,7 @@ struct UiStage {
 ///     key Return               also Ctrl+R, F11, ...
 ///     expect "operator tie"    waits until it stands there; expect-not: until it does not
 ///     picture docs/why.png
+///     audit "panel Why"        fails if a text is cut or windows overlap; the name is for the message
 ///
 /// and does them through real events of mouse and keyboard, one a frame. A line that fails ends the script.
 class UiScript {

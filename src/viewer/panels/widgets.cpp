@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "viewer/panels/layout_audit.h"
+
 namespace soarbox::viewer {
 namespace {
 
@@ -51,6 +53,20 @@ void CutText(std::string_view text, float width, ImVec4 color) {
   Tooltip(text);
 }
 
+void CutText(std::string_view text, ImVec4 color) {
+  CutText(text, ImGui::GetContentRegionAvail().x, color);
+}
+
+void FlowLine(float next_width, float gap) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float space = gap < 0 ? ImGui::GetStyle().ItemSpacing.x : gap;
+  if (ImGui::GetItemRectMax().x + space + next_width <= right) ImGui::SameLine(0, space);
+}
+
+float ButtonWidth(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 bool Link(const char* id, std::string_view text, ImVec4 color) {
   ImGui::PushID(id);
   const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
@@ -78,8 +94,11 @@ void Tooltip(std::string_view text) {
 
 bool SearchField(const char* id, const char* hint, std::string& text, float right) {
   ImGui::SetNextItemWidth(right > 0 ? -right : -1);
-  return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1, ImGuiInputTextFlags_CallbackResize,
-                                  GrowText, &text);
+  const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
+                                                ImGuiInputTextFlags_CallbackResize, GrowText, &text);
+  MayCut(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  if (ImGui::CalcTextSize(hint).x + 2 * ImGui::GetStyle().FramePadding.x > ImGui::GetItemRectSize().x) Tooltip(hint);
+  return changed;
 }
 
 void EmptyNote(std::string_view what, std::string_view advice) {

@@ -19,6 +19,12 @@ void WrappedText(std::string_view text);
 void WrappedText(ImVec4 color, std::string_view text);
 /// Text that is cut with "..." at `width` px; whole in a tooltip.
 void CutText(std::string_view text, float width, ImVec4 color = theme::kText);
+/// The same in the width that is left.
+void CutText(std::string_view text, ImVec4 color = theme::kText);
+/// Puts the next item beside the one before if it has room there, else below.
+void FlowLine(float next_width, float gap = -1);
+/// The width of a button with this label.
+float ButtonWidth(const char* label);
 /// Text that answers a click; looks like a link while the mouse is over it.
 bool Link(const char* id, std::string_view text, ImVec4 color = theme::kAccent);
 /// Shown over the item before, after a moment.

@@ -125,11 +125,12 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
   };
   button(status.paused ? Icon::kPlay : Icon::kPause, ViewerCommand::kTogglePause, status.paused ? "Run" : "Pause");
   button(Icon::kStepTick, ViewerCommand::kSingleStep, "Tick");
-  button(Icon::kStepDecision, ViewerCommand::kStepDecision, "Decision", frame.contents.has_mind);
-  button(Icon::kStepPhase, ViewerCommand::kStepPhase, "Phase", frame.contents.has_mind);
+  const bool is_run = !frame.contents.moment.is_recording;
+  button(Icon::kStepDecision, ViewerCommand::kStepDecision, "Decision", is_run && frame.contents.has_mind);
+  button(Icon::kStepPhase, ViewerCommand::kStepPhase, "Phase", is_run && frame.contents.has_mind);
   ImGui::SameLine(0, frame.Px(14));
   button(Icon::kReset, ViewerCommand::kReset, "Reset");
-  button(Icon::kNextSeed, ViewerCommand::kNextSeed, "Next seed");
+  button(Icon::kNextSeed, ViewerCommand::kNextSeed, "Next seed", is_run);
   ImGui::SameLine(0, frame.Px(14));
 
   ImGui::AlignTextToFramePadding();
@@ -175,6 +176,9 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   BeginBar("Time", m.height - m.scrubber, m.width, m.scrubber, theme::kRaised);
   const Moment& at = frame.contents.moment;
   const auto seek = [&](std::uint64_t tick) { frame.Ask(SeekRequest{std::clamp(tick, at.first_tick, at.last_tick)}); };
+  const bool offers_resume = !at.is_live && !at.is_recording;
+  const bool is_newest = at.is_live || (at.is_recording && at.shown_tick >= at.last_tick);
+  const char* const newest = at.is_recording ? "End" : "Live";
   const bool can = at.can_go_back;
   const char* const hint = can ? "" : "There is nothing to go back to yet";
   const auto tip = [&](const char* text) { return can ? std::string(text) : std::string(hint); };
@@ -183,7 +187,7 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   if (IconButton(Icon::kStepBack, "back", "", tip("Back by a tick"), can && at.shown_tick > at.first_tick))
     seek(at.shown_tick - 1);
   ImGui::SameLine(0, frame.Px(3));
-  if (IconButton(Icon::kPlay, "on", "", tip("On by a tick"), can && !at.is_live)) seek(at.shown_tick + 1);
+  if (IconButton(Icon::kPlay, "on", "", tip("On by a tick"), can && !is_newest)) seek(at.shown_tick + 1);
   ImGui::SameLine(0, frame.Px(8));
 
   const std::string now = TimeText(static_cast<double>(at.shown_tick) * at.step_s) + " / " +
@@ -191,31 +195,32 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   const float pad = ImGui::GetStyle().FramePadding.x, icon = ImGui::GetFontSize() + 2 * pad;
   const auto word = [&](const char* text) { return ImGui::CalcTextSize(text).x + icon + 0.6f * pad; };
   const char* resume = "Resume here";
-  float right = ImGui::CalcTextSize(now.c_str()).x + frame.Px(16) + word("Live") + frame.Px(6);
-  if (!at.is_live) right += word(resume) + frame.Px(6);
+  float right = ImGui::CalcTextSize(now.c_str()).x + frame.Px(16) + word(newest) + frame.Px(6);
+  if (offers_resume) right += word(resume) + frame.Px(6);
   ImGui::SetNextItemWidth(
       std::max(frame.Px(60), m.width - ImGui::GetCursorPosX() - right - ImGui::GetStyle().WindowPadding.x));
   const std::uint64_t least = at.first_tick, most = std::max(at.last_tick, at.first_tick + 1);
   std::uint64_t tick = at.shown_tick;
   ImGui::BeginDisabled(!can);
-  if (!at.is_live) ImGui::PushStyleColor(ImGuiCol_SliderGrab, theme::kWarn);
+  if (offers_resume) ImGui::PushStyleColor(ImGuiCol_SliderGrab, theme::kWarn);
   if (ImGui::SliderScalar("##scrubber", ImGuiDataType_U64, &tick, &least, &most, "")) seek(tick);
-  if (!at.is_live) ImGui::PopStyleColor();
+  if (offers_resume) ImGui::PopStyleColor();
   ImGui::EndDisabled();
   Tooltip(tip("Drag to see any moment of the run: scene, panels and plots go along"));
   ImGui::SameLine(0, frame.Px(8));
-  ColoredText(at.is_live ? theme::kText : theme::kWarn, now);
+  ColoredText(at.is_live || at.is_recording ? theme::kText : theme::kWarn, now);
   ImGui::SameLine(0, frame.Px(8));
-  if (!at.is_live) {
+  if (offers_resume) {
     const std::string about = at.can_resume ? "The run goes on from this moment; what came after it stays as ghosts, "
                                               "for comparison"
                                             : at.resume_refusal;
     if (IconButton(Icon::kBranch, "resume", resume, about, at.can_resume, true)) frame.Ask(ResumeRequest{});
     ImGui::SameLine(0, frame.Px(6));
   }
-  if (IconButton(Icon::kToEnd, "live", "Live", at.is_live ? "This is the newest moment" : "Back to the newest moment",
-                 !at.is_live))
-    frame.Ask(LiveRequest{});
+  const char* const to_newest = is_newest         ? "This is the newest moment"
+                                : at.is_recording ? "To the end of the recording"
+                                                  : "Back to the newest moment";
+  if (IconButton(Icon::kToEnd, "live", newest, to_newest, !is_newest)) frame.Ask(LiveRequest{});
   ImGui::End();
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+#include "diagnostics/result.h"
+#include "viewer/panels/layout.h"
+
+namespace soarbox::app {
+
+/// The panels that a window is to show for once: "default", or their words with commas between.
+Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent);
+
+}  // namespace soarbox::app

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "debugger/operators.h"
+#include "debugger/why.h"
+#include "record/header.h"
+#include "record/percept_text.h"
+#include "record/tick_record.h"
+#include "sim/inspector.h"
+
+namespace soarbox::debugger {
+
+/// What the records of ticks tell of one mind at the end of the last of them.
+struct RecordedMind {
+  struct Command {
+    std::string name, parameters;  ///< "^waypoint gate ^within 0.8"
+    std::string status;            ///< Empty: under way.
+    std::string reason;
+    std::string rule;  ///< That said it; empty if it is not known.
+    std::uint64_t tick = 0;
+  };
+
+  record::Level level = record::Level::kDecisions;
+  bool is_whole = true;  ///< Known since the beginning of its run.
+  std::vector<sim::StateFact> stack;
+  std::map<int, std::string> reasons;  ///< By level of the stack: why its operator was selected.
+  record::PerceptValues percepts;
+  std::map<std::uint64_t, sim::ElementFact> elements;  ///< Level::kAll, by time tag.
+  std::map<std::string, std::uint64_t> firings;        ///< Level::kAll, by rule.
+  std::deque<Command> commands;                        ///< Newest first.
+  std::uint64_t decisions = 0, fired = 0;
+  bool halted = false;
+};
+
+/// Minds of a recording, for moments that are not simulated again: goal stack, percepts and commands at
+/// Level::kDecisions, working memory and firings at Level::kAll. Fed tick by tick.
+class RecordedMinds {
+ public:
+  /// `only`: the one mind that is wanted; empty: all.
+  explicit RecordedMinds(record::Level level = record::Level::kDecisions, std::string only = {})
+      : level_(level), only_(std::move(only)) {}
+
+  /// Ticks come in order, from the first that is recorded on. For an earlier one begin again with Clear.
+  void Add(const record::TickRecord& tick);
+  void Clear();
+  bool empty() const { return !has_ticks_; }
+  std::uint64_t last_tick() const { return last_tick_; }
+
+  /// Null if nothing was recorded of such a mind up to now.
+  const RecordedMind* Find(std::string_view agent) const;
+  /// The same to look at as at a living mind; valid as long as this, until the next Add. What is not recorded is
+  /// empty, and the views say so.
+  std::unique_ptr<sim::Inspector> Inspect(std::string_view agent) const;
+
+ private:
+  record::Level level_;
+  std::string only_;
+  bool has_ticks_ = false, from_begin_ = false;
+  std::uint64_t last_tick_ = 0;
+  std::map<std::string, RecordedMind, std::less<>> minds_;
+};
+
+/// What a view says of that which this mind does not tell: "not available there", or of a recorded one "not recorded".
+std::string_view Absence(const sim::Inspector& mind);
+/// Why a view of a recorded mind's memory or rules is empty, and what to do; empty for others, and where they are
+/// recorded.
+std::string MemoryAbsence(const sim::Inspector& mind);
+
+/// Takes out of a view of operators what a recording cannot know, and puts the recorded reason in; others stay.
+void TellRecorded(const sim::Inspector& mind, OperatorsView& view);
+
+/// Why it does what it does, as far as that is recorded.
+WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent);
+
+}  // namespace soarbox::debugger

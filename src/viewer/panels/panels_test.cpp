@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Every panel over a filled run: what stands in it, and that nothing of it is cut. ImGui alone, without a display.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "debugger/edit.h"
+#include "debugger/run_models.h"
+#include "record/recorder.h"
+#include "viewer/panels/layout_audit.h"
+#include "viewer/panels/terms.h"
+#include "viewer/panels/text_capture.h"
+#include "viewer/panels/theme.h"
+#include "viewer/panels/workspace.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const char* const kWorld = R"(
+[[agent]]
+name = "walker"
+rules = "walker.soar"
+body = "soldier"
+team = "red"
+[[agent]]
+name = "listener-with-a-rather-long-name"
+rules = "listener.soar"
+body = "soldier"
+team = "red"
+position = [6, 0]
+[[waypoint]]
+name = "east"
+position = [18, 0]
+[[waypoint]]
+name = "north"
+position = [0, -18]
+)";
+
+const char* const kWalker = R"(
+sp {walker*propose*seek
+   (state <s> ^superstate nil ^reward-link <r> ^io.input-link.waypoint <w>)
+   (<w> ^name <name> ^here no)
+-->
+   (<s> ^operator <o> +)
+   (<r> ^reward.value 0.5)
+   (<o> ^name seek ^waypoint <name>)
+}
+sp {walker*prefer*north
+   (state <s> ^superstate nil ^operator <a> + ^operator <b> +)
+   (<a> ^waypoint north)
+   (<b> ^waypoint east)
+-->
+   (<s> ^operator <a> > <b>)
+}
+sp {walker*apply*seek
+   (state <s> ^operator <o> ^io.output-link <out>)
+   (<o> ^name seek ^waypoint <name>)
+-->
+   (<out> ^seek <command> ^broadcast <call>)
+   (<command> ^waypoint <name> ^within 0.8)
+   (<call> ^about contact ^text |I am on my way to a waypoint, follow me as soon as you can| ^range 12)
+}
+sp {walker*propose*flee
+   (state <s> ^superstate nil ^io.input-link.self.health < 10)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name flee)
+}
+)";
+
+const char* const kListener = R"(
+sp {listener*propose*first
+   (state <s> ^superstate nil)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name first)
+}
+sp {listener*propose*second
+   (state <s> ^superstate nil)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name second)
+}
+)";
+
+/// A run of some seconds, and the panels drawn over it into nothing.
+class PanelStage {
+ public:
+  PanelStage() {
+    std::string name = (std::filesystem::temp_directory_path() / "soarbox-panels-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+    Write("scenario.toml", kWorld);
+    Write("walker.soar", kWalker);
+    Write("listener.soar", kListener);
+    const std::string root = SOARBOX_SOURCE_DIR;
+    const auto scenario = sim::FindScenario(folder_.string(), {root + "/scenarios", root + "/media"});
+    sim::SimulationSettings settings;
+    settings.mind_detail = sim::MindDetail::kAll;
+    settings.soar.threads = 1;
+    simulation = std::move(*sim::Simulation::Create(*scenario, settings));
+    for (const char* what : {"health", "self.position.x", "decide_us", "S1.reward-link.reward.value"})
+      models.plots.Plot("walker", what);
+    constexpr int kTicks = 45;
+    for (int i = 0; i <= kTicks; ++i) {
+      if (i > 0) simulation->Tick();
+      record::Observe(*simulation, simulation->TakeEvents(), record::Level::kAll, last);
+      models.Add(last);
+      models.plots.Sample(*simulation);
+    }
+    context_ = ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+  }
+  ~PanelStage() {
+    ImGui::DestroyContext(context_);
+    std::filesystem::remove_all(folder_);
+  }
+
+  void SetSize(int new_width, int new_height, int new_percent) {
+    width = new_width;
+    height = new_height;
+    percent = new_percent;
+    const float scale = static_cast<float>(percent) / 100;
+    ImGui::GetIO().DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    ImGui::GetIO().DeltaTime = 1.0f / 30;
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    fonts_ = AddPanelFonts(scale);
+    ImGui::GetIO().FontDefault = fonts_.plain;
+    ApplyTheme(scale);
+    unsigned char* pixels = nullptr;
+    int pixels_wide = 0, pixels_high = 0;
+    atlas.GetTexDataAsRGBA32(&pixels, &pixels_wide, &pixels_high);
+  }
+
+  /// What a selected agent's panels show.
+  void Fill(const std::string& agent) {
+    contents = {};
+    Moment& at = contents.moment;
+    at.last_tick = at.shown_tick = last.tick;
+    at.can_go_back = true;
+    contents.agent = agent;
+    contents.timeline = &models.timeline;
+    contents.trace = &models.trace;
+    contents.messages = &models.messages;
+    contents.plots = &models.plots.series();
+    contents.agents = debugger::ListAgents(*simulation, models.troubles, &models.timeline);
+    Diagnostic problem;
+    problem.file = "/home/somebody/scenarios/of/my/own/walker.soar";
+    problem.line = 14;
+    problem.column = 12;
+    problem.message = "variable <t> is used on the right-hand side but no condition binds it";
+    problem.excerpt = "   (<s> ^target <t>)";
+    problem.excerpt_length = 3;
+    problem.hint = "did you mean <target>?";
+    contents.problems.push_back({problem, "walker", 12, 0.4});
+    const std::unique_ptr<sim::Inspector> mind = simulation->Inspect(agent);
+    contents.has_mind = mind != nullptr;
+    if (mind == nullptr) return;
+    console_.emplace(agent);
+    console_->Run(*simulation, "print s1");
+    contents.console = &*console_;
+    contents.stack = debugger::LookAtStack(*mind);
+    contents.operators = debugger::LookAtOperators(*mind);
+    for (const char* id : {"S1", "I2"}) contents.objects[id] = debugger::LookAtObject(*mind, id);
+    contents.rules = debugger::ListRules(*mind);
+    contents.rule = debugger::LookAtRule(*mind, agent == "walker" ? "walker*propose*flee" : "listener*propose*first");
+    contents.why.question = "Why does " + agent + " do what it does?";
+    contents.why.answer = debugger::WhyAgent(*simulation, agent);
+    contents.io = debugger::LookAtIo(*mind);
+    contents.files = debugger::FilesOf(*simulation, agent);
+    contents.edit.file = (folder_ / "walker.soar").string();
+    contents.edit.text = kWalker;
+    contents.edit.problems = {problem};
+    contents.breakpoints = {{1, debugger::BreakKind::kFire, "walker", "walker*propose*flee", true, 2}};
+    contents.hits = {{1, "walker", 30, "breakpoint 1: walker: rule walker*propose*flee fired"}};
+    contents.plottable = debugger::Plottable(*mind);
+  }
+
+  /// Draws some frames with this panel open, as a user would find it, and reads the last one back.
+  void Draw(const Layout& arranged) {
+    Workspace workspace(arranged);
+    workspace.layout.SetText(percent);
+    const world::SceneSnapshot scene = simulation->Snapshot();
+    const RunStatus status;
+    std::uint32_t selected = 0;
+    for (const world::AgentSnapshot& agent : scene.agents)
+      if (agent.name == contents.agent) selected = agent.id;
+    constexpr int kFrames = 3;  // Tables and windows know after the first how large they are.
+    for (int i = 0; i < kFrames; ++i) {
+      std::vector<PanelRequest> requests;
+      std::vector<ViewerCommand> commands;
+      ImGui::NewFrame();
+      PanelFrame frame{contents,
+                       scene,
+                       status,
+                       fonts_,
+                       static_cast<float>(percent) / 100,
+                       workspace.layout,
+                       selected,
+                       requests,
+                       commands,
+                       workspace.shown_object,
+                       [](ViewerCommand) { return false; }};
+      workspace.Draw(frame, width, height, 60);
+      ImGui::Render();
+    }
+    shown.clear();
+    for (const ShownText& text : CaptureText(*ImGui::GetDrawData(), *ImGui::GetIO().Fonts)) shown += text.text + "\n";
+    complaints = AuditLayout(*ImGui::GetIO().Fonts);
+  }
+
+  void Draw(PanelId panel) {
+    Layout layout = DefaultLayout();
+    layout.Show(panel);
+    Draw(layout);
+  }
+
+  std::unique_ptr<sim::Simulation> simulation;
+  debugger::RunModels models;
+  record::TickRecord last;
+  PanelContents contents;
+  int width = 1280, height = 720, percent = 100;
+  std::string shown;
+  std::vector<std::string> complaints;
+
+ private:
+  void Write(const char* file, const char* text) const { std::ofstream(folder_ / file) << text; }
+
+  std::filesystem::path folder_;
+  ImGuiContext* context_ = nullptr;
+  PanelFonts fonts_;
+  std::optional<debugger::Console> console_;
+};
+
+class Panels : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { stage = std::make_unique<PanelStage>(); }
+  static void TearDownTestSuite() { stage.reset(); }
+  static std::unique_ptr<PanelStage> stage;
+};
+std::unique_ptr<PanelStage> Panels::stage;
+
+struct Size {
+  int width, height, percent;
+};
+constexpr Size kSizes[] = {{1280, 720, 100}, {2560, 1440, 150}, {1280, 720, 150}};
+
+TEST_F(Panels, NothingIsCutAndNothingOverlapsWhateverIsOpen) {
+  for (const Size& size : kSizes) {
+    stage->SetSize(size.width, size.height, size.percent);
+    for (const char* agent : {"walker", "listener-with-a-rather-long-name", ""}) {
+      if (*agent != 'w' && size.height != 720) continue;  // Once is enough.
+      stage->Fill(agent);
+      for (const PanelInfo& info : kPanelInfos) {
+        stage->Draw(info.id);
+        EXPECT_THAT(stage->complaints, IsEmpty()) << info.word << " of '" << agent << "' at " << size.width << "x"
+                                                  << size.height << ", " << size.percent << " %";
+      }
+    }
+  }
+}
+
+TEST_F(Panels, AnAuditFindsWhatIsCutAndWhatOverlaps) {
+  stage->SetSize(1280, 720, 100);
+  for (int i = 0; i < 3; ++i) {  // How far its contents reach a window knows one frame later.
+    ImGui::NewFrame();
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings;
+    for (const char* name : {"first", "second"}) {
+      ImGui::SetNextWindowPos({10, 10});
+      ImGui::SetNextWindowSize({80, 60});
+      ImGui::Begin(name, nullptr, kFlags);
+      ImGui::TextUnformatted("a text that has no room in so small a window");
+      ImGui::End();
+    }
+    ImGui::SetNextWindowPos({1250, 300});
+    ImGui::SetNextWindowSize({80, 120});
+    ImGui::Begin("third", nullptr, kFlags);
+    if (ImGui::BeginTable("cells", 2, ImGuiTableFlags_SizingFixedFit)) {
+      ImGui::TableSetupColumn("narrow", ImGuiTableColumnFlags_WidthFixed, 20);
+      ImGui::TableSetupColumn("wide", ImGuiTableColumnFlags_WidthFixed, 20);
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted("wwwwww");
+      ImGui::EndTable();
+    }
+    ImGui::End();
+    ImGui::Render();
+  }
+  std::string all;
+  for (const std::string& complaint : AuditLayout(*ImGui::GetIO().Fonts)) all += complaint + "\n";
+  EXPECT_THAT(all, HasSubstr("first: what stands in it is"));
+  EXPECT_THAT(all, HasSubstr("second: lies over first"));
+  EXPECT_THAT(all, HasSubstr("third: leaves the window"));
+  EXPECT_THAT(all, HasSubstr("third: cells of column 1 are cut"));
+}
+
+TEST_F(Panels, EachShowsWhatTheRunHolds) {
+  stage->SetSize(1280, 720, 100);
+  stage->Fill("walker");
+  const std::vector<std::pair<PanelId, std::vector<const char*>>> wanted = {
+      {PanelId::kAgents, {"walker", "listener", "seek", "operator", "100"}},
+      {PanelId::kMind, {"Goal stack", "propose", "seek", "Standing", "better than"}},
+      {PanelId::kMemory, {"S1", "^superstate", "nil", "^operator"}},
+      {PanelId::kRules, {"walker*apply*seek", "Fired", "Break when it fires", "health"}},
+      {PanelId::kWhy, {"Why does walker do what it does?", "command", "walker*propose*seek", "north"}},
+      {PanelId::kLinks,
+       {"Commands (output link)", "seek", "broadcast", "^waypoint north", "Percepts (input link)",
+        "Filter by attribute"}},
+      {PanelId::kMessages, {"From", "walker", "team red", "I am on my way"}},
+      {PanelId::kTimeline, {"walker", "seek"}},
+      {PanelId::kTrace, {"seek", "walker"}},
+      {PanelId::kPlots, {"Plot a number of walker", "health", "self.position.x (m)"}},
+      {PanelId::kConsole, {"print s1", "superstate nil"}},
+      {PanelId::kEdit, {"Apply", "walker*propose*seek", "line 14", "variable <t>"}},
+      {PanelId::kBreakpoints, {"stopped", "walker*propose*flee", "Hits"}},
+      {PanelId::kFutures, {"There is one future yet."}},
+      {PanelId::kProblems, {"error", "variable <t>", "did you mean", "walker.soar:14", "Open in editor"}},
+  };
+  ASSERT_EQ(wanted.size(), kPanelCount);
+  for (const auto& [panel, texts] : wanted) {
+    stage->Draw(panel);
+    for (const char* text : texts) EXPECT_THAT(stage->shown, HasSubstr(text)) << InfoOf(panel).word;
+  }
+  // Where there is room, all plots stand there.
+  Layout tall = DefaultLayout();
+  tall.Move(PanelId::kPlots, Area::kRight);
+  stage->Draw(tall);
+  for (const char* text : {"decision time (\xc2\xb5s)", "reward", "0.5"}) EXPECT_THAT(stage->shown, HasSubstr(text));
+}
+
+TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
+  stage->SetSize(1280, 720, 100);
+  stage->Fill("walker");
+  debugger::RecordedMinds minds(record::Level::kDecisions);
+  record::TickRecord tick = stage->last;
+  tick.tick = 0;
+  for (record::MindRecord& mind : tick.minds) {
+    mind.decisions = {"==>S: S1", "O: O3 (seek)"};
+    mind.reasons = {"", "better than the other"};
+    mind.details.clear();
+  }
+  ASSERT_FALSE(tick.minds.empty());
+  minds.Add(tick);
+  const std::unique_ptr<sim::Inspector> mind = minds.Inspect("walker");
+  ASSERT_NE(mind, nullptr);
+  PanelContents& contents = stage->contents;
+  contents.moment.is_recording = true;
+  contents.moment.is_live = false;
+  contents.past_note = "The mind at this moment cannot be rebuilt: the scenario has gone";
+  contents.not_recorded = debugger::MemoryAbsence(*mind);
+  contents.stack = debugger::LookAtStack(*mind);
+  contents.operators = debugger::LookAtOperators(*mind);
+  contents.objects = {{"S1", debugger::LookAtObject(*mind, "S1")}};
+  contents.rules = debugger::ListRules(*mind);
+  contents.rule.reset();
+  contents.story.reset();
+  const std::vector<std::pair<PanelId, std::vector<const char*>>> wanted = {
+      {PanelId::kMind, {"as recorded", "seek", "better than the other", "preferences: not recorded"}},
+      {PanelId::kMemory, {"Not recorded at this level"}},
+      {PanelId::kRules, {"Not recorded at this level"}},
+      {PanelId::kBreakpoints, {"Nothing stops a recording."}},
+      {PanelId::kFutures, {"A recording has one future."}},
+  };
+  for (const auto& [panel, texts] : wanted) {
+    stage->Draw(panel);
+    for (const char* text : texts) EXPECT_THAT(stage->shown, HasSubstr(text)) << InfoOf(panel).word;
+    EXPECT_THAT(stage->shown, testing::Not(HasSubstr("Resume here")));
+    EXPECT_THAT(stage->complaints, IsEmpty()) << InfoOf(panel).word;
+  }
+}
+
+TEST(Terms, EveryPhaseAndEveryImpasseIsExplained) {
+  for (const std::string& phase : debugger::Phases()) EXPECT_FALSE(MeaningOf(phase).empty()) << phase;
+  for (const char* term : {"operator tie", "operator conflict", "operator constraint-failure", "operator no-change",
+                           "state no-change", "i-support", "o-support", "operator", "better", "numeric"})
+    EXPECT_FALSE(MeaningOf(term).empty()) << term;
+  EXPECT_TRUE(MeaningOf("no term of Soar").empty());
+}
+
+}  // namespace
+}  // namespace soarbox::viewer

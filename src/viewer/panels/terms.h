@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+namespace soarbox::viewer {
+
+/// What a term of Soar means, for somebody who meets it for the first time: phases ("propose"), impasses ("operator
+/// tie"), preferences ("better"), kinds of rules ("chunk"), and words such as "goal stack". Empty for other words.
+std::string_view MeaningOf(std::string_view term);
+
+/// Shows it over the item before, after a moment; nothing for other words.
+void TermTooltip(std::string_view term);
+
+}  // namespace soarbox::viewer
