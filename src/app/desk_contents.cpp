@@ -220,23 +220,21 @@ void Desk::FillWhy(viewer::PanelContents& contents, sim::Inspector* mind) {
   switch (why_.about) {
     case About::kOperator:
       why.question = "Why the operator " + why_.what + "?";
-      why.answer = debugger::WhyOperator(*mind, why_.what);
       break;
     case About::kCommand:
       why.question = "Why the command " + why_.what + "?";
-      why.answer = debugger::WhyCommand(*mind, why_.what);
+      break;
+    case About::kNot:
+      why.question = "Why not " + why_.what + "?";
       break;
     case About::kElement:
       why.question = "Where does element " + why_.what + " come from?";
       why.answer = debugger::WhyElement(*mind, std::strtoull(why_.what.c_str(), nullptr, 10));
-      break;
-    case About::kNot:
-      why.question = "Why not " + why_.what + "?";
-      why.answer = debugger::WhyNot(*mind, why_.what);
-      break;
+      return;
     case About::kAgent:
-      break;
+      return;
   }
+  why.answer = debugger::WhyNameOrError(*world, agent_, why_.what);
 }
 
 void Desk::FillFutures(viewer::Viewer& viewer) {

@@ -9,6 +9,7 @@
 #include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
 #include "app/run_session.h"
+#include "debugger/why.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "sim/check.h"
@@ -107,10 +108,14 @@ int Why(const WhyOptions& options) {
     for (const std::string& line : lines) std::cout << line << '\n';
     return kOk;
   }
-  const Result<std::vector<std::string>> tree = world.WhyTopic(agent, options.topic);
-  if (!tree) return refuse(tree.error());
+  const Result<debugger::WhyNode> why = debugger::WhyName(world, agent, options.topic);
+  if (!why) return refuse(why.error());
   std::cout << lines.front() << ", " << options.topic << '\n';
-  for (const std::string& line : *tree) std::cout << line << '\n';
+  if (why->kind == "topic") {
+    for (const debugger::WhyNode& reason : why->below) std::cout << debugger::ToText(reason, 1);
+  } else {
+    std::cout << debugger::ToText(*why, 1);
+  }
   return kOk;
 }
 

@@ -147,9 +147,9 @@ TEST_F(Debugger, WhyLeadsFromTheAgentToThePercept) {
   EXPECT_THAT(text, HasSubstr("won: it is better than rest"));
   EXPECT_THAT(text, HasSubstr("rule hero*elaborate"));
   EXPECT_THAT(text, HasSubstr("^health 100 (perceived)"));
-  EXPECT_THAT(ToText(WhyCommand(*Mind(), "move")), HasSubstr("rule hero*apply*walk"));
-  EXPECT_THAT(ToText(WhyNot(*Mind(), "rest")), HasSubstr("is not selected: worse than walk"));
-  EXPECT_THAT(ToText(WhyNot(*Mind(), "rst")), HasSubstr("did you mean rest?"));
+  EXPECT_THAT(ToText(*WhyCommand(*Mind(), "move")), HasSubstr("rule hero*apply*walk"));
+  EXPECT_THAT(ToText(WhyNameOrError(*simulation_, "hero", "rest")), HasSubstr("worse than walk"));
+  EXPECT_THAT(ToText(WhyNameOrError(*simulation_, "hero", "rst")), HasSubstr("did you mean rest?"));
   EXPECT_THAT(ToText(WhyAgent(*simulation_, "nobody")), HasSubstr("there is no agent nobody"));
 }
 

@@ -125,9 +125,7 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
   if (request.view == "why") {
     if (of.empty()) return Both(WhyAgent(*source.simulation, agent));
     if (const std::uint64_t timetag = WholeNumber(of); timetag != 0) return Both(WhyElement(mind, timetag));
-    const std::vector<CommandRow> commands = LookAtIo(mind).commands;
-    const bool is_command = std::ranges::any_of(commands, [&](const CommandRow& row) { return row.name == of; });
-    return Both(is_command ? WhyCommand(mind, of) : WhyOperator(mind, of));
+    return Both(WhyNameOrError(*source.simulation, agent, of));
   }
   Console console(agent);
   console.Run(*source.simulation, of);

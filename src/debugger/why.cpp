@@ -10,15 +10,11 @@
 #include "debugger/io.h"
 #include "debugger/operators.h"
 #include "debugger/recorded_mind.h"
-#include "debugger/rules.h"
-#include "diagnostics/diagnostic.h"
-#include "sim/rule_text.h"
 
 namespace soarbox::debugger {
 namespace {
 
 constexpr int kDepth = 4;  ///< How many rules an answer goes back.
-constexpr std::size_t kMostRulesRead = 2'000;
 constexpr std::size_t kMostBelow = 12;
 
 /// What matters of a rule's elements: neither the ways to the links nor those that only lead on to another one.
@@ -99,41 +95,6 @@ std::optional<FoundOperator> Find(sim::Inspector& mind, std::string_view op) {
   return std::nullopt;
 }
 
-std::vector<sim::RuleText> ReadAllRules(sim::Inspector& mind) {
-  std::vector<sim::RuleText> rules;
-  for (const sim::RuleFact& rule : mind.Rules()) {
-    if (rules.size() >= kMostRulesRead) break;
-    for (sim::RuleText& read : sim::ReadRules(mind.RuleSource(rule.name))) rules.push_back(std::move(read));
-  }
-  return rules;
-}
-
-/// One rule, and how far it matches.
-WhyNode RuleState(sim::Inspector& mind, const std::string& rule, const std::string& does) {
-  WhyNode node{"rule " + rule + " " + does, "rule", rule, {}};
-  if (const std::optional<PartialMatch> match = LookAtMatch(mind, rule)) node.text += ", and " + match->sentence;
-  return node;
-}
-
-WhyNode NotProposed(sim::Inspector& mind, const std::string& name, const std::vector<sim::RuleText>& rules) {
-  WhyNode node{"no operator " + name + " is proposed now", "operator", name, {}};
-  for (const sim::RuleText& rule : rules)
-    if (rule.proposes.contains(name)) node.below.push_back(RuleState(mind, rule.name, "would propose it"));
-  return node;
-}
-
-/// Names of operators and commands that rules speak of, near to this one.
-std::string NearName(const std::vector<sim::RuleText>& rules, std::string_view name) {
-  std::set<std::string> known;
-  for (const sim::RuleText& rule : rules) {
-    known.insert(rule.proposes.begin(), rule.proposes.end());
-    known.insert(rule.says.begin(), rule.says.end());
-  }
-  known.erase("");
-  const std::vector<std::string_view> names(known.begin(), known.end());
-  return std::string(Suggest(name, names));
-}
-
 std::string CommandText(const CommandRow& command) {
   std::string text = "command " + command.name;
   for (const MemoryRow& row : command.parameters) text += " ^" + row.element.attribute + " " + row.element.value;
@@ -149,6 +110,12 @@ void Nest(WhyNode& root, const std::vector<std::string>& lines, std::size_t& nex
     WhyNode node{line.substr(blanks), "reason", "", {}};
     if (node.text.starts_with("command ")) node.kind = "command";
     if (node.text.starts_with('^')) node.kind = "percept";
+    for (const char* kind : {"rule", "operator"}) {
+      const std::string begin = std::string(kind) + " ";
+      if (!node.text.starts_with(begin)) continue;
+      node.kind = kind;
+      node.link = node.text.substr(begin.size(), node.text.find_first_of(" :,;", begin.size()) - begin.size());
+    }
     ++next;
     Nest(node, lines, next, blanks + 1);
     root.below.push_back(std::move(node));
@@ -170,9 +137,9 @@ WhyNode WhyElement(sim::Inspector& mind, std::uint64_t timetag) {
   return node;
 }
 
-WhyNode WhyOperator(sim::Inspector& mind, std::string_view op) {
+std::optional<WhyNode> WhyOperator(sim::Inspector& mind, std::string_view op) {
   const std::optional<FoundOperator> found = Find(mind, op);
-  if (!found) return WhyNot(mind, op);
+  if (!found) return std::nullopt;
   const auto& [view, row] = *found;
   WhyNode node{view.sentence, "operator", row.id, {}};
   if (!row.selected) node.text = NameAndId(row.name, row.id) + ": " + row.verdict + ". " + view.sentence;
@@ -186,7 +153,7 @@ WhyNode WhyOperator(sim::Inspector& mind, std::string_view op) {
   return node;
 }
 
-WhyNode WhyCommand(sim::Inspector& mind, std::string_view command) {
+std::optional<WhyNode> WhyCommand(sim::Inspector& mind, std::string_view command) {
   for (const CommandRow& row : LookAtIo(mind).commands) {
     if (row.name != command && row.id != command) continue;
     WhyNode node{CommandText(row), "command", row.name, {}};
@@ -196,47 +163,28 @@ WhyNode WhyCommand(sim::Inspector& mind, std::string_view command) {
     }
     return node;
   }
-  return WhyNot(mind, command);
+  return std::nullopt;
 }
 
-WhyNode WhyNot(sim::Inspector& mind, std::string_view given) {
-  const std::string name(given);
-  if (const std::optional<FoundOperator> found = Find(mind, given)) {
-    const auto& [view, row] = *found;
-    WhyNode node{NameAndId(row.name, row.id) + (row.selected ? " is selected: " : " is not selected: ") +
-                     (row.selected ? view.sentence : row.verdict + ". " + view.sentence),
-                 "operator",
-                 row.id,
-                 {}};
-    Tracer tracer(mind);
-    for (const sim::PreferenceFact& preference : row.preferences) node.below.push_back(tracer.Preference(preference));
-    return node;
+Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std::string_view name) {
+  if (const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent)) {
+    if (std::optional<WhyNode> command = WhyCommand(*mind, name)) return *std::move(command);
+    if (std::optional<WhyNode> op = WhyOperator(*mind, name)) return *std::move(op);
   }
-  for (const CommandRow& command : LookAtIo(mind).commands)
-    if (command.name == name) return {CommandText(command) + "; it stands on the output link", "command", name, {}};
-  const std::vector<sim::RuleText> rules = ReadAllRules(mind);
-  const auto proposes = [&](const sim::RuleText& rule) { return rule.proposes.contains(name); };
-  if (std::ranges::any_of(rules, proposes)) return NotProposed(mind, name, rules);
-  WhyNode node{"command " + name + " is not said now", "command", name, {}};
-  std::set<std::string> told;
-  for (const sim::RuleText& rule : rules) {
-    if (!rule.says.contains(name)) continue;
-    WhyNode& says = node.below.emplace_back(RuleState(mind, rule.name, "would say it"));
-    for (const std::string& op : rule.applies) {
-      if (op.empty() || !told.insert(op).second) continue;
-      const std::optional<FoundOperator> applied = Find(mind, op);
-      says.below.push_back(
-          applied ? WhyNode{"operator " + NameAndId(applied->row.name, applied->row.id) + ": " + applied->row.verdict,
-                            "operator",
-                            applied->row.id,
-                            {}}
-                  : NotProposed(mind, op, rules));
-    }
-  }
-  if (!node.below.empty()) return node;
-  node.text = "no rule proposes an operator or says a command " + name;
-  if (const std::string near = NearName(rules, name); !near.empty()) node.text += ": did you mean " + near + "?";
-  return node;
+  const Result<std::vector<std::string>> lines = simulation.WhyTopic(agent, std::string(name));
+  if (!lines) return lines.error();
+  WhyNode root{"why not " + std::string(name), "topic", "", {}};
+  std::size_t next = 0;
+  Nest(root, *lines, next, 0);
+  return root;
+}
+
+WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std::string_view name) {
+  Result<WhyNode> why = WhyName(simulation, agent, name);
+  if (why) return std::move(*why);
+  std::string text = why.error().message;
+  if (!why.error().hint.empty()) text += ": " + why.error().hint;
+  return {std::move(text), "reason", "", {}};
 }
 
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
@@ -257,10 +205,10 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
         node.link = rest.substr(0, rest.find_first_of(" ,"));
       }
       for (const sim::StateFact& state : mind->Stack())
-        if (!state.operator_id.empty()) node.below.push_back(WhyOperator(*mind, state.operator_id));
+        if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) node.below.push_back(*std::move(op));
       if (node.below.empty()) {
         // What said it may still stand, with what it rested on.
-        if (!node.link.empty()) node.below = WhyCommand(*mind, node.link).below;
+        if (const std::optional<WhyNode> command = WhyCommand(*mind, node.link)) node.below = command->below;
         node.below.push_back({"no operator is selected now", "reason", "", {}});
       }
     }
@@ -269,9 +217,9 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
   return root;
 }
 
-std::string ToText(const WhyNode& node) {
+std::string ToText(const WhyNode& node, std::size_t indent) {
   std::string text;
-  Append(text, node, 0);
+  Append(text, node, indent);
   return text;
 }
 

@@ -129,7 +129,7 @@ class Inspect(ScenarioCase):
         for view in ["stack", "operators", "memory 31", "why move"]:
             with self.subTest(view):
                 self.assertIn("not available there", self.text(view, *far))
-        self.assertIn("stops at condition 2 of 2", self.text("why flee", *far))
+        self.assertIn("needs ^vigour < 10, and it is 100", self.text("why flee", *far))
 
     def test_what_is_not_there_is_told(self):
         for view, message in [("stak", "did you mean 'stack'?"), ("rule", "needs a name"),
