@@ -286,7 +286,11 @@ int Main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return Main(argc, argv);
+    const int code = Main(argc, argv);
+    std::cout.flush();
+    if (std::cout) return code;
+    std::cerr << "soarbox: error: standard output cannot be written; is the disk full?\n";
+    return soarbox::app::kCannotStart;
   } catch (const std::exception& error) {
     std::cerr << "soarbox: error: " << error.what() << '\n';
     return soarbox::app::kCannotStart;

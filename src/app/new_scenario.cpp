@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <string>
 #include <system_error>
 
 #include "app/exit_codes.h"
@@ -40,6 +42,19 @@ std::string WithName(std::string_view text, const std::string& name) {
   return filled;
 }
 
+/// What comes next, in words that can be typed as they stand: `dev` says how it was called.
+void TellNextSteps(const fs::path& folder) {
+  const char* called = std::getenv("SOARBOX_CALLED_AS");
+  const std::string command = called != nullptr && *called != '\0' ? called : "soarbox";
+  std::string tester;
+  if (command != "soarbox") {
+    std::error_code error;
+    tester = "SOARBOX=" + fs::read_symlink("/proc/self/exe", error).string() + " ";
+  }
+  std::cout << "\nrun it:   " << command << " run " << folder.string() << "\ncheck it: " << command << " check "
+            << folder.string() << "\ntest it:  " << tester << "sh " << (folder / "test.sh").string() << '\n';
+}
+
 }  // namespace
 
 int NewScenario(const NewOptions& options) {
@@ -68,8 +83,7 @@ int NewScenario(const NewOptions& options) {
     if (!out) return Refuse(path.string(), "this file cannot be written", "check that the folder may be written to");
     std::cout << path.string() << ": " << file.meaning << '\n';
   }
-  std::cout << "\nrun it:   soarbox run " << folder.string() << "\ncheck it: soarbox check " << folder.string()
-            << "\ntest it:  sh " << (folder / "test.sh").string() << '\n';
+  TellNextSteps(folder);
   return kOk;
 }
 

@@ -88,9 +88,11 @@ region = "goal"
 
 constexpr std::string_view kTest = R"TEXT(#!/bin/sh
 # Runs the scenario headless with three seeds and checks what a viewer would see.
+# SOARBOX=/path/to/soarbox sh test.sh takes another soarbox than the installed one.
+soarbox=${SOARBOX:-soarbox}
 cd "$(dirname "$0")" || exit 1
 for seed in 1 2 3; do
-  soarbox run . --headless --seconds 60 --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
+  "$soarbox" run . --headless --seconds 60 --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
   grep -q '"event":"reached"' run.json || { echo "seed $seed: no goal was reached in 60 s"; exit 1; }
 done
 rm -f run.json
@@ -114,10 +116,10 @@ function Sandbox_Initialize(sandbox)
 end
 )TEXT";
 
-constexpr std::string_view kLuaWalker = R"TEXT(# NAME: stroll about, and turn round when something bumps into it.
+constexpr std::string_view kLuaWalker = R"TEXT(# NAME: strolls about as long as it lives.
 
 sp {NAME*propose*wander
-   (state <s> ^superstate nil ^io.input-link.time)
+   (state <s> ^superstate nil ^io.input-link.self.health > 0)
 -->
    (<s> ^operator <o> + =)
    (<o> ^name wander)
@@ -172,9 +174,11 @@ sp {lamp*apply*shine
 
 constexpr std::string_view kLuaTest = R"TEXT(#!/bin/sh
 # Runs the scenario headless with three seeds and checks what a viewer would see.
+# SOARBOX=/path/to/soarbox sh test.sh takes another soarbox than the installed one.
+soarbox=${SOARBOX:-soarbox}
 cd "$(dirname "$0")" || exit 1
 for seed in 1 2 3; do
-  soarbox run . --headless --seconds 10 --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
+  "$soarbox" run . --headless --seconds 10 --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
   grep -q 'shines for the 5. time' run.json || { echo "seed $seed: the lamp did not shine"; exit 1; }
   grep -q '"command":"wander"' run.json || { echo "seed $seed: nobody wandered"; exit 1; }
 done
@@ -292,9 +296,11 @@ sp {fighter*apply*reload
 
 constexpr std::string_view kTeamTest = R"TEXT(#!/bin/sh
 # Runs the scenario headless with three seeds and checks what a viewer would see.
+# SOARBOX=/path/to/soarbox sh test.sh takes another soarbox than the installed one.
+soarbox=${SOARBOX:-soarbox}
 cd "$(dirname "$0")" || exit 1
 for seed in 1 2 3; do
-  soarbox run . --headless --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
+  "$soarbox" run . --headless --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
   grep -q '"news":"shoots"' run.json || { echo "seed $seed: nobody shot"; exit 1; }
   grep -q ' wins"' run.json || { echo "seed $seed: nobody won"; exit 1; }
 done

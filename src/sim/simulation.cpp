@@ -229,7 +229,8 @@ void Simulation::Impl::ReportNewAgents() {
     Event event;
     event.kind = EventKind::kAgentCreated;
     event.agent = body.name();
-    event.text = body.kind() + ", " + body.script();
+    event.text = body.kind();
+    if (!body.script().empty()) event.text += ", " + body.script();
     Report(std::move(event));
   }
 }

@@ -108,7 +108,8 @@ std::vector<TextLine> PlainLines(const std::string& text, world::UiFont font) {
 void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world::SceneSnapshot& snapshot,
                const PanelHost& host) {
   DrawBackground(out, ui, corner);
-  const TextArea area{corner.x + ui.margin_left, corner.y + ui.margin_top, corner.x + ui.width - ui.margin_left,
+  // The margin keeps texts off the edge where they begin; a line that needs it may use the one at its end.
+  const TextArea area{corner.x + ui.margin_left, corner.y + ui.margin_top, corner.x + ui.width,
                       corner.y + ui.height - ui.margin_top};
   const ImU32 plain = Packed(ui.text_color);
   const auto plain_color = [plain](const TextRun&) { return plain; };

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Files, names and values that nobody means: each is told in words that help, and nothing else suffers."""
 import os
+import subprocess
 import unittest
 
-from soarbox_command import WALKER, Run, ScenarioCase, run_json
+from soarbox_command import COMMAND, WALKER, Run, ScenarioCase, run_json
 
 SANDBOX = """
 function Sandbox_Initialize(sandbox)
@@ -104,6 +105,20 @@ class Scenarios(ScenarioCase):
         run = run_json(self.folder, "--seconds", 0.1)
         self.assertTrue(any("^speed of set-speed has two values, 2 and 1" in event["text"] for event in run.of("outcome")),
                         run.out)
+
+    def test_rules_that_fire_without_end_are_told_once(self):
+        self.write("scenario.toml", AGENT)
+        self.write("hero.soar", "sp {hero*count (state <s> ^superstate nil ^n <n>) --> (<s> ^n (+ <n> 1))}\n"
+                                "sp {hero*begin (state <s> ^superstate nil) --> (<s> ^n 1)}\n")
+        run = run_json(self.folder, "--seconds", 0.3)
+        told = [event["text"] for event in run.of("log") if "fire again and again" in event["text"]]
+        self.assertEqual(len(told), 1, run.out)
+
+    def test_a_full_disk_behind_standard_output_is_told(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([COMMAND, "list"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("standard output cannot be written", done.stderr)
 
     def test_an_option_that_is_given_twice_is_told(self):
         run = Run("run", "thesis", "--headless", "--seed", 1, "--seed", 2)

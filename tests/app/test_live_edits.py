@@ -3,7 +3,6 @@
 import json
 import os
 import subprocess
-import time
 import unittest
 
 from soarbox_command import COMMAND, ScenarioCase
@@ -24,12 +23,17 @@ class LiveEdits(ScenarioCase):
             self.write("hero.soar", rules)
             self.write("scenario.toml", WORLD)
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-        run = subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "1", "--seconds", "6", "--watch"],
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
-        time.sleep(2.5)
-        edit()
-        out, err = run.communicate(timeout=60)
-        events = [json.loads(line) for line in out.splitlines()]
+        with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "4", "--seconds", "6", "--watch"],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment) as run:
+            lines = []
+            # The edit comes after a second of the world, however fast the machine is.
+            for line in run.stdout:
+                lines.append(line)
+                if json.loads(line).get("tick", 0) >= 30:
+                    break
+            edit()
+            out, err = run.communicate(timeout=60)
+        events = [json.loads(line) for line in [*lines, *out.splitlines()]]
         self.last_tick = max((event["tick"] for event in events if event["event"] == "log"), default=0)
         return [event["text"] for event in events if event["event"] == "log"], err, events[-1]
 

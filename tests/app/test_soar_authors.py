@@ -317,6 +317,21 @@ class Starters(ScenarioCase):
             done = subprocess.run(["sh", str(folder / "test.sh")], capture_output=True, text=True, env=environment, check=False)
             self.assertEqual((done.returncode, done.stdout.strip()), (0, "passed"), done.stderr)
 
+    def test_of_a_scripted_world_says_its_command_once(self):
+        folder = self.folder / "stroller"
+        self.assertEqual(Run("new", folder, "--lua").code, 0)
+        run = run_json(folder, "--seconds", 1)
+        self.assertEqual(len(run.of("command", agent="stroller", command="wander")), 1, run.out)
+
+    def test_tell_the_next_steps_as_they_are_to_be_typed(self):
+        for called, command in (("", "soarbox"), ("./dev soarbox", "./dev soarbox")):
+            with self.subTest(called):
+                name = "a" if called else "b"
+                done = subprocess.run([COMMAND, "new", name], cwd=self.folder, capture_output=True, text=True, check=True,
+                                      env=dict(os.environ, SOARBOX_CALLED_AS=called))
+                self.assertIn(f"run it:   {command} run {name}\n", done.stdout)
+                self.assertEqual("SOARBOX=/" in done.stdout, bool(called))
+
     def test_overwrite_nothing(self):
         self.assertEqual(Run("new", self.folder).code, 3)
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <utility>
+
 #include "cli/object_printer.h"
 #include "cli/stack_printer.h"
 #include "kernel/agent.h"
@@ -47,8 +49,11 @@ class LocalObservation final : public Observation, kernel::Observer {
   void OnError(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
   void OnWarning(const kernel::Agent&, kernel::WarningKind kind, std::string_view text) override {
     // Of the warnings, what matters to whoever reads what rules write.
-    if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply)
-      listener_.OnWritten("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
+    // Once: it comes in each decision from then on.
+    if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply) {
+      if (!std::exchange(told_of_elaborations_, true))
+        listener_.OnWritten("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
+    }
     if (kind == kernel::WarningKind::kMaxDecisionTime || kind == kernel::WarningKind::kOther) listener_.OnWritten(text);
   }
   void OnRuleInterrupt(const kernel::Agent& agent, kernel::ProductionId rule, std::uint32_t) override {
@@ -79,6 +84,7 @@ class LocalObservation final : public Observation, kernel::Observer {
 
   kernel::Agent& agent_;
   MindObserver& listener_;
+  bool told_of_elaborations_ = false;
 };
 
 /// Null if the kernel is in another process.
