@@ -84,7 +84,7 @@ void RunSession::Record(std::unique_ptr<record::Recorder> recorder, bool last_ti
 
 void RunSession::RecordTick() {
   if (recorder_ != nullptr) {
-    if (const Result<void> taken = recorder_->Take(*simulation_, std::exchange(unrecorded_, {})); !taken)
+    if (const Result<void> taken = recorder_->Take(*simulation_, unrecorded_); !taken)
       std::cerr << Format(taken.error());
   }
   if (on_tick_) {
@@ -131,6 +131,10 @@ void RunSession::Watch(OnTick on_tick) {
   const bool is_begun = simulation_->tick() == 0 && unrecorded_.empty();
   record::Observe(*simulation_, is_begun ? set_up_ : unrecorded_, record::Level::kAll, seen_);
   on_tick_(seen_);
+  if (recorder_ != nullptr) return;
+  // They are told: the next tick does not tell them again.
+  if (simulation_->tick() == 0 && set_up_.empty()) set_up_ = unrecorded_;
+  unrecorded_.clear();
 }
 
 void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation) {

@@ -328,7 +328,7 @@ class Panels(unittest.TestCase):
             expect "sp {walker*propose*seek"
             audit "Edit"
             picture second.png
-            """, code=1)
+            """, code=1, record=f"--record={self.folder / 'filled.soarrec'}")
         for name in ("first.png", "second.png"):
             picture = Picture(self.folder / name)
             # Left, right and bottom panels below their tabs: neither blank nor of few colours only.

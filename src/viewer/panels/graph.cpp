@@ -11,7 +11,14 @@ namespace {
 
 struct Range {
   double low = 0, high = 1;
+  bool is_flat = false;  ///< There is one value only.
 };
+
+/// As short as it can be read: "68390", "0.25", "1.2e+07".
+std::string NumberText(double value) {
+  const double size = std::abs(value);
+  return Formatted(size >= 1000 && size < 1e6 ? "%.0f" : "%.4g", value);
+}
 
 Range RangeOf(std::span<const GraphCurve> curves) {
   bool any = false;
@@ -25,6 +32,7 @@ Range RangeOf(std::span<const GraphCurve> curves) {
     }
   }
   if (range.high - range.low < 1e-9) {
+    range.is_flat = any;
     range.low -= 0.5;
     range.high += 0.5;
   }
@@ -68,8 +76,19 @@ std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::s
   const float now = x_of(static_cast<double>(moment.shown_tick));
   out.AddLine({now, at.y}, {now, end.y}, theme::Packed(moment.is_live ? theme::kQuiet : theme::kWarn), 1);
   const float font = ImGui::GetFontSize();
-  out.AddText({at.x + pad, at.y + 1}, theme::Packed(theme::kQuiet), Formatted("%.4g", range.high).c_str());
-  out.AddText({at.x + pad, end.y - font - 1}, theme::Packed(theme::kQuiet), Formatted("%.4g", range.low).c_str());
+  // On a ground of their own, so that a curve behind them leaves them legible.
+  const auto label = [&](float y, double value) {
+    const std::string text = NumberText(value);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    out.AddRectFilled({at.x, y}, {at.x + size.x + 2 * pad, y + size.y}, theme::Packed(theme::kField, 0.8f), 3);
+    out.AddText({at.x + pad, y}, theme::Packed(theme::kQuiet), text.c_str());
+  };
+  if (range.is_flat) {
+    label(at.y + 1, (range.low + range.high) / 2);
+  } else {
+    label(at.y + 1, range.high);
+    label(end.y - font - 2, range.low);
+  }
   out.PopClipRect();
   if (!hovered) return std::nullopt;
   const double tick = first + static_cast<double>((ImGui::GetIO().MousePos.x - at.x) / width) * span;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/panels/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -85,6 +87,10 @@ bool Link(const char* id, std::string_view text, ImVec4 color) {
 
 void Tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;
+  // Who only passes by is not told.
+  constexpr float kWait_s = 0.35f;
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.HoveredId != 0 && context.HoveredIdTimer < kWait_s) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
