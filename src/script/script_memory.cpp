@@ -6,11 +6,13 @@
 #include <cstring>
 #include <new>
 
+#include "script/script_pages.h"
 #include "script/world_budget.h"
 
 namespace soarbox::script {
 namespace {
 
+constexpr std::size_t kSmallestSharedChunk = std::size_t{32} * 1024;
 constexpr std::size_t kLargestSharedChunk = std::size_t{1024} * 1024;
 
 }  // namespace
@@ -37,7 +39,8 @@ void* ScriptMemory::Take(std::size_t size_class) {
     world_refused_ = world_ != nullptr && !world_->TakeMemory(chunk_size, reserved_bytes_);
     if (world_refused_) return nullptr;
     reserved_bytes_ += chunk_size;
-    Chunk chunk{std::unique_ptr<std::byte[]>(new (std::nothrow) std::byte[chunk_size]), chunk_size};
+    if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 4);  // Nothing below may throw.
+    Chunk chunk{std::unique_ptr<std::byte[]>(TakePages(chunk_size)), chunk_size};
     if (!chunk.bytes) {
       if (world_ != nullptr) world_->GiveMemoryBack(chunk_size);
       reserved_bytes_ -= chunk_size;
@@ -48,7 +51,8 @@ void* ScriptMemory::Take(std::size_t size_class) {
     if (own_chunk) return start;
     next_ = start;
     rest_ = chunk_size;
-    next_chunk_size_ = std::min(next_chunk_size_ * 2, kLargestSharedChunk);
+    // A quarter more each time: of a small machine nearly all is in use.
+    next_chunk_size_ = std::clamp(std::bit_floor(reserved_bytes_ / 4), kSmallestSharedChunk, kLargestSharedChunk);
   }
   void* block = next_;
   next_ += size;
@@ -63,6 +67,7 @@ void ScriptMemory::GiveBack(void* block, std::size_t size_class) {
 }
 
 ScriptMemory::~ScriptMemory() {
+  for (Chunk& chunk : chunks_) GivePagesBack(chunk.bytes.release(), chunk.size);
   if (world_ != nullptr) world_->GiveMemoryBack(reserved_bytes_);
 }
 
