@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/starter_files.h"
 
+#include <initializer_list>
+#include <string>
+
 namespace soarbox::app {
 namespace {
 
@@ -86,19 +89,6 @@ agent = "NAME"
 region = "goal"
 )TEXT";
 
-constexpr std::string_view kTest = R"TEXT(#!/bin/sh
-# Runs the scenario headless with three seeds and checks what a viewer would see.
-# SOARBOX=/path/to/soarbox sh test.sh takes another soarbox than the installed one.
-soarbox=${SOARBOX:-soarbox}
-cd "$(dirname "$0")" || exit 1
-for seed in 1 2 3; do
-  "$soarbox" run . --headless --seconds 60 --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
-  grep -q '"event":"reached"' run.json || { echo "seed $seed: no goal was reached in 60 s"; exit 1; }
-done
-rm -f run.json
-echo "passed"
-)TEXT";
-
 constexpr std::string_view kLuaWorld = R"TEXT(-- NAME: a world made by a script, with an agent whose mind is Soar rules.
 require "SoarWorld";
 
@@ -170,20 +160,6 @@ sp {lamp*apply*shine
    (<out> ^shine <command>)
    (<command> ^number <n>)
 }
-)TEXT";
-
-constexpr std::string_view kLuaTest = R"TEXT(#!/bin/sh
-# Runs the scenario headless with three seeds and checks what a viewer would see.
-# SOARBOX=/path/to/soarbox sh test.sh takes another soarbox than the installed one.
-soarbox=${SOARBOX:-soarbox}
-cd "$(dirname "$0")" || exit 1
-for seed in 1 2 3; do
-  "$soarbox" run . --headless --seconds 10 --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
-  grep -q 'shines for the 5. time' run.json || { echo "seed $seed: the lamp did not shine"; exit 1; }
-  grep -q '"command":"wander"' run.json || { echo "seed $seed: nobody wandered"; exit 1; }
-done
-rm -f run.json
-echo "passed"
 )TEXT";
 
 constexpr std::string_view kTeamScenario = R"TEXT(# NAME: two teams of two. Both use the same rules.
@@ -294,26 +270,41 @@ sp {fighter*apply*reload
 }
 )TEXT";
 
-constexpr std::string_view kTeamTest = R"TEXT(#!/bin/sh
+/// Something that must stand in what a run prints; else `fault` is told.
+struct Check {
+  std::string_view printed, fault;
+};
+
+/// A script that runs the scenario with three seeds. `seconds`: how long, as options say it; may be empty.
+std::string Test(std::string_view seconds, std::initializer_list<Check> checks) {
+  std::string text = R"TEXT(#!/bin/sh
 # Runs the scenario headless with three seeds and checks what a viewer would see.
 # SOARBOX=/path/to/soarbox sh test.sh takes another soarbox than the installed one.
 soarbox=${SOARBOX:-soarbox}
 cd "$(dirname "$0")" || exit 1
 for seed in 1 2 3; do
-  "$soarbox" run . --headless --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
-  grep -q '"news":"shoots"' run.json || { echo "seed $seed: nobody shot"; exit 1; }
-  grep -q ' wins"' run.json || { echo "seed $seed: nobody won"; exit 1; }
-done
+  "$soarbox" run . --headless)TEXT";
+  text.append(seconds);
+  text.append(R"TEXT( --seed $seed --json > run.json || { echo "seed $seed: the run failed"; exit 1; }
+)TEXT");
+  for (const Check& check : checks) {
+    text.append("  grep -q '").append(check.printed).append("' run.json || { echo \"seed $seed: ");
+    text.append(check.fault).append("\"; exit 1; }\n");
+  }
+  text.append(R"TEXT(done
 rm -f run.json
 echo "passed"
-)TEXT";
+)TEXT");
+  return text;
+}
 
 }  // namespace
 
 std::vector<StarterFile> SoarStarter() {
   return {{"scenario.toml", "the world: bodies, places, obstacles, goals", std::string(kSoarScenario)},
           {"NAME.soar", "the agent's rules", Rules(kWalkerRules, "NAME")},
-          {"test.sh", "runs it with three seeds and checks that the goal is reached", std::string(kTest)}};
+          {"test.sh", "runs it with three seeds and checks that the goal is reached",
+           Test(" --seconds 60", {{R"("event":"reached")", "no goal was reached in 60 s"}})}};
 }
 
 std::vector<StarterFile> LuaStarter() {
@@ -321,13 +312,16 @@ std::vector<StarterFile> LuaStarter() {
           {"NAME.soar", "the rules of an agent whose body comes with the program", std::string(kLuaWalker)},
           {"Lamp.lua", "a body of one's own, with a percept and a command of its own", std::string(kLamp)},
           {"lamp.soar", "the rules of that body", Rules(kLampRules, "lamp")},
-          {"test.sh", "runs it with three seeds and checks what the agents do", std::string(kLuaTest)}};
+          {"test.sh", "runs it with three seeds and checks what the agents do",
+           Test(" --seconds 10",
+                {{"shines for the 5. time", "the lamp did not shine"}, {R"("command":"wander")", "nobody wandered"}})}};
 }
 
 std::vector<StarterFile> TeamStarter() {
   return {{"scenario.toml", "the world: two teams, a wall, two ends", std::string(kTeamScenario)},
           {"fighter.soar", "the rules of all four", Rules(kFighterRules, "fighter")},
-          {"test.sh", "runs it with three seeds and checks that a team wins", std::string(kTeamTest)}};
+          {"test.sh", "runs it with three seeds and checks that a team wins",
+           Test("", {{R"("news":"shoots")", "nobody shot"}, {R"( wins")", "nobody won"}})}};
 }
 
 }  // namespace soarbox::app

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "diagnostics/plain_text.h"
+#include "diagnostics/read_text.h"
 #include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "sim/reasons.h"
@@ -26,13 +27,6 @@ namespace soarbox::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string ReadAll(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
   Diagnostic problem;
@@ -128,7 +122,7 @@ class Checker {
     if (!fs::is_regular_file(file, error)) {
       problems.push_back(Problem(file, "there is no such file",
                                  "name files of rules (.soar), scripts (.lua), scenarios (.toml) or folders"));
-    } else if (const std::string why = WhyNoPlainText(ReadAll(file)); !why.empty()) {
+    } else if (const std::string why = WhyNoPlainText(ReadText(file).value_or("")); !why.empty()) {
       problems.push_back(Problem(file, why));
     } else if (file.extension() == ".soar") {
       CheckRules(file);
@@ -156,7 +150,7 @@ class Checker {
   }
 
   void CheckScenario(const fs::path& file) {
-    const ScenarioFile read = ParseScenarioFile(ReadAll(file), file, problems);
+    const ScenarioFile read = ParseScenarioFile(ReadText(file).value_or(""), file, problems);
     for (const ScenarioFile::Agent& agent : read.agents) {
       if (agent.rules.empty() || agent.rules == kGivenRules) continue;
       const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -168,7 +162,7 @@ class Checker {
   }
 
   void CheckLua(const fs::path& file) {
-    const std::string text = ReadAll(file);
+    const std::string text = ReadText(file).value_or("");
     if (const auto error = script::CheckSyntax(text, file.string())) {
       problems.push_back(*error);
       if (error->line > 0) problems.back().excerpt = LineOf(text, error->line);
@@ -189,13 +183,13 @@ class Checker {
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) {
       if (file.extension() == ".lua") {
-        const std::string text = ReadAll(file);
+        const std::string text = ReadText(file).value_or("");
         at->second.has_lua_body |= text.find("Agent_Update") != std::string::npos;
         const std::set<std::string> words = WordsOf(text);
         at->second.lua_words.insert(words.begin(), words.end());
       } else if (file.extension() == ".soar") {
         // Attributes that right-hand sides make are found rule by rule; this only knows that a word follows a ^.
-        const std::string text = BlankComments(ReadAll(file));
+        const std::string text = BlankComments(ReadText(file).value_or(""));
         for (std::size_t arrow = text.find("-->"); arrow != std::string::npos; arrow = text.find("-->", arrow + 3)) {
           const std::size_t end = std::min(text.find("\nsp", arrow), text.size());
           const std::string side = text.substr(arrow, end - arrow);
@@ -221,7 +215,7 @@ class Checker {
     MindReasons reasons(*loaded->agent);
     const bool complete = std::none_of(loaded->problems.begin(), loaded->problems.end(),
                                        [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
-    Lint(file, BlankComments(ReadAll(file)), reasons.rules(), complete);
+    Lint(file, BlankComments(ReadText(file).value_or("")), reasons.rules(), complete);
   }
 
   void Lint(const fs::path& file, const std::string& text, const std::vector<RuleText>& rules, bool complete) {

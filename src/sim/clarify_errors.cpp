@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "diagnostics/read_text.h"
 #include "sim/rule_text.h"
 
 namespace soarbox::sim {
@@ -45,10 +45,8 @@ std::vector<std::string> SplitLines(const std::string& text) {
 }
 
 SourceFile ReadSource(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return {SplitLines(text.str()), SplitLines(BlankComments(text.str()))};
+  const std::string text = ReadText(file).value_or("");
+  return {SplitLines(text), SplitLines(BlankComments(text))};
 }
 
 std::string Trimmed(const std::string& text) {

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
 
 #include "diagnostics/plain_text.h"
+
+#include "diagnostics/read_text.h"
 
 namespace soarbox::sim {
 namespace {
@@ -353,15 +355,13 @@ Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::ve
     refusal.message = "this scenario file is too large: " + std::to_string(size >> 20) + " MB";
     return refusal;
   }
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) {
+  const std::optional<std::string> text = ReadText(file);
+  if (!text) {
     refusal.message = "this scenario file cannot be read";
     return refusal;
   }
   std::vector<Diagnostic> problems;
-  ScenarioFile read = ParseScenarioFile(text.str(), file, problems);
+  ScenarioFile read = ParseScenarioFile(*text, file, problems);
   if (problems.empty()) return read;
   if (further != nullptr) further->assign(problems.begin() + 1, problems.end());
   return problems.front();
