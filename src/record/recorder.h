@@ -6,7 +6,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "record/tick_record.h"
 #include "record/writer.h"
@@ -18,6 +20,20 @@ namespace soarbox::record {
 /// those of the tick (Simulation::TakeEvents hands them out once).
 void Observe(const sim::Simulation& simulation, sim::EventList events, Level level, TickRecord& record);
 
+/// Leaves out what a recording of this level does not hold.
+void KeepLevel(TickRecord& record, Level level);
+
+/// A tick as the run's thread leaves it to the writing thread, which makes words of what minds noted.
+struct NotedTick {
+  struct Mind {
+    std::string agent;
+    sim::MindNotes notes;
+  };
+  TickRecord record;        ///< Without the minds, unless they are in words already.
+  std::vector<Mind> minds;  ///< The first mind_count of them; the memory of the others is for later ticks.
+  std::size_t mind_count = 0;
+};
+
 /// Puts each tick of a run into a file. The run's thread only notes what there is; a thread of its own writes it down.
 class Recorder {
  public:
@@ -28,8 +44,8 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   /// Call after the set-up and after each tick. A problem (a full disk) is told once, a little later perhaps; the run
-  /// goes on without.
-  Result<void> Take(const sim::Simulation& simulation, sim::EventList events);
+  /// goes on without. `seen`: what somebody has observed of this very tick, if anybody has; it is not looked at again.
+  Result<void> Take(const sim::Simulation& simulation, sim::EventList events, const TickRecord* seen = nullptr);
   /// The same for a tick that is known already.
   Result<void> Take(TickRecord record);
   /// Ends the recording: all is in the file then, or the problem is told if it was not yet. Nothing may follow.
@@ -37,6 +53,8 @@ class Recorder {
 
  private:
   void Write();
+  NotedTick Blank();
+  Result<void> Push(NotedTick tick);
 
   std::unique_ptr<Writer> writer_;  ///< The writing thread's.
   Level level_;
@@ -44,7 +62,8 @@ class Recorder {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<TickRecord> waiting_;  ///< For the writing thread.
+  std::deque<NotedTick> waiting_;   ///< For the writing thread.
+  std::vector<NotedTick> written_;  ///< Their memory is used again.
   bool is_over_ = false;            ///< Nothing more comes.
   std::optional<Diagnostic> failure_;
   std::thread thread_;

@@ -37,10 +37,11 @@ std::vector<TickRecord> RunAndRecord(const std::filesystem::path& file, const st
   std::vector<TickRecord> live;
   while (true) {
     TickRecord record;
-    Observe(*simulation, simulation->TakeEvents(), Level::kAll, record);
+    const sim::EventList events = simulation->TakeEvents();
+    Observe(*simulation, events, Level::kAll, record);
     if (change) change(record);
     live.push_back(record);
-    EXPECT_TRUE(recorder.Take(std::move(record)));
+    EXPECT_TRUE(change ? recorder.Take(std::move(record)) : recorder.Take(*simulation, events));
     if (simulation->tick() >= static_cast<std::uint64_t>(ticks)) break;
     if (meddle) meddle(*simulation);
     simulation->Tick();
@@ -57,28 +58,41 @@ Verdict VerdictOn(const std::filesystem::path& file, int threads = 1) {
   return *verdict;
 }
 
-TEST(Verify, ARecordingIsTheRunByteByByteAndSoIsTheRunOnceMore) {
-  for (const char* name : {"crowd/crowd_10.lua", "soar_skirmish"}) {
-    const ScratchFolder scratch;
-    const std::filesystem::path file = scratch.path() / "run";
-    const std::vector<TickRecord> live = RunAndRecord(file, name, 24);
-    const Result<std::unique_ptr<Reader>> reader = Reader::Open(file);
-    ASSERT_TRUE(reader) << Format(reader.error());
-    ASSERT_EQ((*reader)->last_tick(), 24u);
-    for (std::uint64_t tick = 0; tick <= 24; ++tick)
-      ASSERT_EQ(Bytes(**(*reader)->At(tick)), Bytes(live[tick])) << name << " " << tick;
-    for (const int threads : {1, 4}) {
-      Result<Rerun> rerun = Restart(**reader, Data(), {.threads = threads});
-      ASSERT_TRUE(rerun);
-      TickRecord now;
-      for (std::uint64_t tick = 0; tick <= 24; ++tick) {
-        if (tick > 0) rerun->simulation->Tick();
-        Observe(*rerun->simulation, rerun->simulation->TakeEvents(), Level::kAll, now);
-        ASSERT_EQ(Bytes(now), Bytes(live[tick])) << name << " " << tick << ", threads: " << threads;
-      }
+/// The file holds each tick as it ran, and so does the run once more, with so many threads.
+void ExpectEqualBytes(const std::string& name, std::uint64_t ticks, std::vector<int> thread_counts) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path() / "run";
+  const std::vector<TickRecord> live = RunAndRecord(file, name, static_cast<int>(ticks));
+  const Result<std::unique_ptr<Reader>> reader = Reader::Open(file);
+  ASSERT_TRUE(reader) << Format(reader.error());
+  ASSERT_EQ((*reader)->last_tick(), ticks);
+  for (std::uint64_t tick = 0; tick <= ticks; ++tick)
+    ASSERT_EQ(Bytes(**(*reader)->At(tick)), Bytes(live[tick])) << name << " " << tick;
+  for (const int threads : thread_counts) {
+    Result<Rerun> rerun = Restart(**reader, Data(), {.threads = threads});
+    ASSERT_TRUE(rerun) << Format(rerun.error());
+    EXPECT_TRUE(rerun->warnings.empty());
+    TickRecord now;
+    for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
+      if (tick > 0) rerun->simulation->Tick();
+      Observe(*rerun->simulation, rerun->simulation->TakeEvents(), Level::kAll, now);
+      ASSERT_EQ(Bytes(now), Bytes(live[tick])) << name << " " << tick << ", threads: " << threads;
     }
   }
 }
+
+TEST(Verify, ARecordingIsTheRunByteByByteAndSoIsTheRunOnceMore) {
+  for (const char* name : {"crowd/crowd_10.lua", "soar_skirmish"}) ExpectEqualBytes(name, 24, {1, 4});
+}
+
+class EveryScenario : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScenario, IsRecordedAndRunsOnceMoreByteByByte) {
+  ExpectEqualBytes(GetParam(), 60, {2});
+}
+
+INSTANTIATE_TEST_SUITE_P(Verify, EveryScenario, testing::ValuesIn(sim::ListScenarios(Data())),
+                         [](const auto& scenario) { return scenario.param; });
 
 TEST(Verify, OneBitOfAStateIsFoundAndNamed) {
   const ScratchFolder scratch;

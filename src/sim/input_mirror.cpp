@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim/mind_notes.h"
 #include "sml_Client.h"
 
 namespace soarbox::sim {
@@ -14,26 +15,21 @@ void InputMirror::Show(const PerceptList& wanted) {
   Update(nodes_, wanted, *agent_->GetInputLink());
 }
 
-namespace {
-
-std::string NameOf(const std::string& attribute, std::uint32_t key) {
-  return key == 0 ? attribute : attribute + "#" + std::to_string(key);
-}
-
-}  // namespace
-
 void InputMirror::NoteValue(const Node& node) {
-  if (notes_ == nullptr) return;
-  notes_->push_back(path_ + NameOf(node.attribute, node.key) + " " + DescribeValue(node.constant));
+  if (notes_ != nullptr) notes_->NotePercept(path_, node.constant);
 }
 
 void InputMirror::NoteGone(const Node& node) {
-  if (notes_ != nullptr) notes_->push_back("-" + path_ + NameOf(node.attribute, node.key));
+  if (notes_ != nullptr) notes_->NotePerceptGone(path_, node.attribute, node.key);
 }
 
 void InputMirror::UpdateBelow(Node& node, const Percept& percept, sml::Identifier& object) {
   const std::size_t length = path_.size();
-  if (notes_ != nullptr) path_ += NameOf(node.attribute, node.key) + ".";
+  if (notes_ != nullptr) {
+    path_ += node.attribute;
+    if (node.key != 0) path_.append("#").append(std::to_string(node.key));
+    path_ += '.';
+  }
   Update(node.children, std::get<Percept::Object>(percept.value), object);
   path_.resize(length);
 }

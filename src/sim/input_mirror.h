@@ -14,6 +14,8 @@ class WMElement;
 
 namespace soarbox::sim {
 
+class MindNotes;
+
 /// Keeps an agent's input link equal to a list of percepts and writes only the differences.
 ///
 /// Invariant: what it keeps is what the client library was told last. Other elements on the input link (the thesis'
@@ -24,8 +26,8 @@ class InputMirror {
 
   /// Makes the input link show this; an object that is found again (attribute and key) keeps its identifier.
   void Show(const PerceptList& wanted);
-  /// Notes each change from now on as MindLog::percepts has them; null: does not. Not owned.
-  void SetNotes(std::vector<std::string>* notes) { notes_ = notes; }
+  /// Notes each change from now on; null: does not. Not owned.
+  void SetNotes(MindNotes* notes) { notes_ = notes; }
   /// How many elements the last Show wrote, changed or removed.
   std::size_t changes() const { return changes_; }
 
@@ -49,7 +51,7 @@ class InputMirror {
   sml::Agent* agent_;
   std::vector<Node> nodes_;
   std::size_t changes_ = 0;
-  std::vector<std::string>* notes_ = nullptr;
+  MindNotes* notes_ = nullptr;
   std::string path_;  ///< Of the object that is under way, with a dot behind it; kept with notes only.
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
@@ -13,9 +14,10 @@
 namespace soarbox::sim {
 namespace {
 
-struct MindNotes {
-  std::vector<std::string> percepts, commands, command_rules, decisions, reasons, details;
-  std::vector<std::pair<std::uint64_t, std::string>> rules_of_output;  ///< By time tag.
+struct TickOfMind {
+  MindNotes notes;
+  MindWords words;         ///< Of the notes when they had so many bytes.
+  std::size_t worded = 0;  ///< None: no words.
 };
 
 }  // namespace
@@ -23,30 +25,22 @@ struct MindNotes {
 #ifdef SOARBOX_OWN_KERNEL
 
 struct MindLog::Listener final : MindObserver {
-  static std::string Indent(int level) {
-    return std::string(level > 1 ? 3 * static_cast<std::size_t>(level - 1) : 0, ' ');
-  }
-  /// Says how many decisions stand in front of a detail.
-  std::string After() const { return std::to_string(notes.decisions.size()) + " "; }
-
   /// Notes what a level of the goal stack is about now; those below it are gone.
   void Settle(int level, std::string_view operator_name) {
     waits_in.clear();
     if (level < 1 || level > 1000) return;
-    operators.resize(static_cast<std::size_t>(level - 1));
-    if (!operator_name.empty()) operators.emplace_back(operator_name);
-  }
-  void Decided(std::string line) {
-    is_told = true;
-    notes.decisions.push_back(std::move(line));
-    notes.reasons.emplace_back();
+    const auto above = static_cast<std::size_t>(level - 1);
+    // Names keep their memory from decision to decision.
+    if (operators.size() < above + 1) operators.resize(above + 1);
+    for (std::size_t i = depth; i < above; ++i) operators[i].clear();
+    operators[above] = operator_name;
+    depth = operator_name.empty() ? above : above + 1;
   }
 
   void OnOperator(int level, std::string_view, std::string_view id, std::string_view name) override {
+    is_told = true;
     Settle(level, name.empty() ? id : name);
-    std::string line = Indent(level) + "O: " + std::string(id);
-    if (!name.empty()) line.append(" (").append(name).append(")");
-    Decided(std::move(line));
+    tick.notes.NoteOperator(level, id, name);
   }
   void OnState(int level, std::string_view state, std::string_view impasse, std::string_view attribute) override {
     // A program that waits says so in each cycle; once is enough, however long it waits.
@@ -54,36 +48,34 @@ struct MindLog::Listener final : MindObserver {
     if (!is_told) return;
     Settle(level, {});
     waits_in = state;
-    std::string line = Indent(level) + "==>S: " + std::string(state);
-    if (level > 1) line.append(" (").append(attribute).append(" ").append(impasse).append(")");
-    Decided(std::move(line));
+    tick.notes.NoteState(level, state, impasse, attribute);
   }
   void OnStateGone(int level, std::string_view state) override {
+    is_told = true;
     Settle(level, {});
-    Decided(Indent(level) + "<==S: " + std::string(state));
+    tick.notes.NoteStateGone(level, state);
   }
-  void OnHalt() override { Decided("halt"); }
+  void OnHalt() override {
+    is_told = true;
+    tick.notes.NoteHalt();
+  }
   void OnReason(std::string_view reason) override {
-    if (is_told) notes.reasons.back() = reason;
+    if (is_told) tick.notes.NoteReason(reason);
   }
   void OnCommand(std::uint64_t timetag, std::string_view, std::string_view rule) override {
-    if (!rule.empty()) notes.rules_of_output.emplace_back(timetag, rule);
+    if (!rule.empty()) tick.notes.NoteRuleOfCommand(timetag, rule);
   }
-  void OnFiring(std::string_view rule, int, bool retracts) override {
-    notes.details.push_back(After() + (retracts ? "retract " : "fire ") + std::string(rule));
-  }
+  void OnFiring(std::string_view rule, int, bool retracts) override { tick.notes.NoteFiring(rule, retracts); }
   void OnElement(bool added, std::uint64_t timetag, std::string_view id, std::string_view attribute,
                  std::string_view value, bool acceptable) override {
-    std::string line = After() + (added ? "+ " : "- ") + std::to_string(timetag) + ": ";
-    line.append(id).append(" ^").append(attribute).append(" ").append(value);
-    if (acceptable) line.append(" +");
-    notes.details.push_back(std::move(line));
+    tick.notes.NoteElement(added, timetag, id, attribute, value, acceptable);
   }
 
-  MindNotes notes;
-  std::vector<std::string> operators;  ///< By level of the goal stack.
-  std::string waits_in;                ///< The state that was told last, if nothing was since.
-  bool is_told = false;                ///< The last decision was, so that its reason counts.
+  TickOfMind tick;
+  std::vector<std::string> operators;  ///< By level of the goal stack, the first `depth` of them.
+  std::size_t depth = 0;
+  std::string waits_in;  ///< The state that was told last, if nothing was since.
+  bool is_told = false;  ///< The last decision was, so that its reason counts.
   std::unique_ptr<Observation> observation;
 };
 
@@ -98,8 +90,9 @@ void MindLog::Listen(sml::Agent& agent, MindDetail detail) {
 #else
 
 struct MindLog::Listener {
-  MindNotes notes;
+  TickOfMind tick;
   std::vector<std::string> operators;
+  std::size_t depth = 0;
 };
 
 void MindLog::Listen(sml::Agent&, MindDetail) {}
@@ -112,55 +105,36 @@ MindLog::MindLog(MindLog&&) noexcept = default;
 MindLog& MindLog::operator=(MindLog&&) noexcept = default;
 
 void MindLog::Clear() {
-  MindNotes& notes = listener_->notes;
-  for (auto* lines :
-       {&notes.percepts, &notes.commands, &notes.command_rules, &notes.decisions, &notes.reasons, &notes.details})
-    lines->clear();
-  notes.rules_of_output.clear();
+  TickOfMind& tick = listener_->tick;
+  tick.notes.Clear();
+  if (tick.worded > 0) tick.words = {};
+  tick.worded = 0;
 }
 
-std::vector<std::string>& MindLog::percepts() {
-  return listener_->notes.percepts;
+MindNotes& MindLog::notes() {
+  return listener_->tick.notes;
 }
 
-const std::vector<std::string>& MindLog::percepts() const {
-  return listener_->notes.percepts;
+const MindNotes& MindLog::notes() const {
+  return listener_->tick.notes;
 }
 
-const std::vector<std::string>& MindLog::commands() const {
-  return listener_->notes.commands;
-}
-
-const std::vector<std::string>& MindLog::command_rules() const {
-  return listener_->notes.command_rules;
-}
-
-void MindLog::Say(std::string command, std::uint64_t tag) {
-  MindNotes& notes = listener_->notes;
-  notes.commands.push_back(std::move(command));
-  const auto at = std::find_if(notes.rules_of_output.begin(), notes.rules_of_output.end(),
-                               [&](const auto& entry) { return entry.first == tag; });
-  notes.command_rules.push_back(at == notes.rules_of_output.end() ? std::string() : at->second);
-}
-
-const std::vector<std::string>& MindLog::reasons() const {
-  return listener_->notes.reasons;
-}
-
-const std::vector<std::string>& MindLog::decisions() const {
-  return listener_->notes.decisions;
+const MindWords& MindLog::words() const {
+  TickOfMind& tick = listener_->tick;
+  if (tick.notes.bytes() != tick.worded) {
+    tick.words = tick.notes.Words();
+    tick.worded = tick.notes.bytes();
+  }
+  return tick.words;
 }
 
 std::string MindLog::Operators() const {
   std::string all;
-  for (const std::string& name : listener_->operators) {
+  for (std::size_t i = 0; i < listener_->depth; ++i) {
+    const std::string& name = listener_->operators[i];
     if (!name.empty()) all += (all.empty() ? "" : " > ") + name;
   }
   return all;
-}
-
-const std::vector<std::string>& MindLog::details() const {
-  return listener_->notes.details;
 }
 
 }  // namespace soarbox::sim

@@ -70,6 +70,17 @@ Diagnostic NotFound(std::string_view argument, const DataFolders& data) {
 
 }  // namespace
 
+fs::path Scenario::Original(const fs::path& file) const {
+  for (const auto& [stand_in, original] : stand_ins) {
+    const auto [at, rest] = std::mismatch(stand_in.begin(), stand_in.end(), file.begin(), file.end());
+    if (at != stand_in.end()) continue;
+    fs::path path = original;
+    for (auto part = rest; part != file.end(); ++part) path /= *part;
+    return path;
+  }
+  return file;
+}
+
 fs::path FindInFolders(std::string_view name, const std::vector<fs::path>& folders) {
   const fs::path wanted(name);
   if (wanted.is_absolute() || std::find(wanted.begin(), wanted.end(), "..") != wanted.end()) return {};

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "diagnostics/result.h"
@@ -27,6 +29,12 @@ struct Scenario {
   std::vector<std::filesystem::path> fallback_rule_folders;
   std::filesystem::path definition;  ///< A scenario file (TOML) that fills the world besides; empty: none.
   std::filesystem::path rules;       ///< Rules that take the place of "RULES" in the definition; empty: none.
+  /// Folders that stand in for others, with those: a recorded run is made again from copies of its files.
+  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> stand_ins;
+  std::shared_ptr<const void> keeps;  ///< What must live as long as this does: such copies.
+
+  /// Where a file of the scenario belongs; itself if it lies in no folder that stands in for another.
+  std::filesystem::path Original(const std::filesystem::path& file) const;
 };
 
 /// Finds a scenario: a folder that holds scenario.toml or Sandbox.lua, a scenario file (.toml), a Lua file, a file of

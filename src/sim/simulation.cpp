@@ -414,6 +414,9 @@ const world::World& Simulation::world() const {
 world::SceneSnapshot Simulation::Snapshot() const {
   return impl_->world.Snapshot();
 }
+void Simulation::Snapshot(world::SceneSnapshot& scene) const {
+  impl_->world.Snapshot(scene);
+}
 world::OverlaySnapshot Simulation::Overlays(const world::OverlayWants& wants) const {
   return TakeOverlays(*impl_->arena, *impl_->minds, wants);
 }
@@ -429,15 +432,15 @@ std::size_t Simulation::soar_agents() const {
 }
 MindReport Simulation::Mind(std::size_t index) const {
   const Minds::Mind& mind = impl_->minds->all()[index];
-  const MindLog& log = mind.soar.log();
-  return {impl_->world.FindAgent(mind.agent)->name(),
-          log.percepts(),
-          log.decisions(),
-          log.details(),
-          log.commands(),
-          log.reasons(),
-          log.command_rules(),
-          mind.decide_s};
+  const MindWords& words = mind.soar.log().words();
+  return {AgentOfMind(index), words.percepts, words.decisions,     words.details,
+          words.commands,     words.reasons,  words.command_rules, mind.decide_s};
+}
+const MindNotes& Simulation::NotesOfMind(std::size_t index) const {
+  return impl_->minds->all()[index].soar.log().notes();
+}
+const std::string& Simulation::AgentOfMind(std::size_t index) const {
+  return impl_->world.FindAgent(impl_->minds->all()[index].agent)->name();
 }
 bool Simulation::HasMind(std::string_view agent) const {
   return impl_->minds->FindNamed(agent) != nullptr;
@@ -499,6 +502,7 @@ std::vector<WatchedFile> Simulation::Files() {
     }
     if (const Minds::Mind* mind = impl_->minds->Find(id)) files.push_back({agent.name(), mind->rules, true});
   }
+  for (WatchedFile& file : files) file.file = impl_->scenario.Original(file.file);
   return files;
 }
 

@@ -26,7 +26,7 @@ class World;
 
 namespace soarbox::sim {
 
-/// What one Soar mind did in a tick (see MindLog for the words).
+/// What one Soar mind did in a tick (see MindWords for the words).
 struct MindReport {
   std::string agent;
   std::span<const std::string> percepts, decisions, details, commands;
@@ -79,6 +79,8 @@ class Simulation {
   double time_s() const;
   const world::World& world() const;
   world::SceneSnapshot Snapshot() const;
+  /// The same in the place of an earlier one, whose memory is used again.
+  void Snapshot(world::SceneSnapshot& scene) const;
   /// What overlays draw besides.
   world::OverlaySnapshot Overlays(const world::OverlayWants& wants) const;
   /// Hash of all that decides the world's future (World::Hash, and what the bodies are about).
@@ -86,6 +88,9 @@ class Simulation {
   std::size_t soar_agents() const;
   /// What the mind of this number, in creation order, did in the last tick. Valid until the next.
   MindReport Mind(std::size_t index) const;
+  /// The same without words, for whoever copies it and makes them later, on another thread perhaps.
+  const MindNotes& NotesOfMind(std::size_t index) const;
+  const std::string& AgentOfMind(std::size_t index) const;
   /// Whether there is an agent of this name with a Soar mind.
   bool HasMind(std::string_view agent) const;
   /// Looks into the mind of an agent; null if there is no such agent with a Soar mind, or its kernel has gone. Valid

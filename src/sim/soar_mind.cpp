@@ -92,14 +92,13 @@ void SoarMind::SetDetail(MindDetail detail) {
   log_.Clear();
   log_.Listen(*agent_, detail);
   for (InputMirror* mirror : {&own_body_, &surroundings_, &rows_})
-    mirror->SetNotes(is_logged_ ? &log_.percepts() : nullptr);
+    mirror->SetNotes(is_logged_ ? &log_.notes() : nullptr);
 }
 
 void SoarMind::SetDistance(float distance_squared_m2) {
   if (distance_ == nullptr) return;
   const auto value = static_cast<double>(distance_squared_m2);
-  if (is_logged_ && value != distance_->GetValue())
-    log_.percepts().push_back("distance " + DescribeValue({"distance", 0, value}));
+  if (is_logged_ && value != distance_->GetValue()) log_.notes().NoteNumber({}, "distance", 0, value);
   agent_->Update(distance_, value);
 }
 
@@ -144,7 +143,7 @@ void SoarMind::ReadOutput() {
 
 void SoarMind::NoteSaid(const SaidCommand& said) {
   const std::string parameters = Describe(said.parameters);
-  log_.Say(parameters.empty() ? said.name : said.name + " " + parameters, said.tag);
+  log_.notes().NoteCommand(parameters.empty() ? said.name : said.name + " " + parameters, said.tag);
 }
 
 void SoarMind::Complete(std::uint64_t tag) {
@@ -157,13 +156,13 @@ void SoarMind::NoteOutcome(const std::string& command, const Outcome& outcome) {
     case Outcome::Status::kProgress:
       return;
     case Outcome::Status::kComplete:
-      log_.Say(command + ": complete");
+      log_.notes().NoteCommand(command + ": complete", 0);
       return;
     case Outcome::Status::kInterrupted:
-      log_.Say(command + ": interrupted");
+      log_.notes().NoteCommand(command + ": interrupted", 0);
       return;
     case Outcome::Status::kError:
-      log_.Say(command + ": error " + outcome.reason);
+      log_.notes().NoteCommand(command + ": error " + outcome.reason, 0);
       return;
   }
 }

@@ -116,10 +116,18 @@ void Scene::PlaceWorldNode(NodeId node, Vec3 position, Quat orientation) {
 }
 
 WorldTransform Scene::Transform(NodeId node, const BodyOf* body_of) const {
+  const Node* found = Find(node);
+  return found ? TransformOf(*found, body_of) : WorldTransform{};
+}
+
+WorldTransform Scene::TransformOf(const Node& node, const BodyOf* body_of) const {
   WorldTransform result;
   const Node* above = nullptr;
-  for (const Node* at = Find(node); at; at = above) {
-    above = Find(at->parent);
+  for (const Node* at = &node; at; at = above) {
+    const bool is_root = at->parent == NodeId::kNone;
+    // The root, which is the first of all nodes, seldom turns or moves anything.
+    if (is_root && at->position == Vec3{} && at->orientation == Quat{} && at->scale == Vec3{1, 1, 1}) break;
+    above = is_root ? nullptr : at->parent == NodeId::kRoot ? &nodes_.begin()->second : Find(at->parent);
     WorldTransform local{at->position, at->orientation, at->scale};
     if (body_of && at->belongs_to_entity && at->owner != EntityId::kSandbox) {
       if (const std::optional<BonePose> body = (*body_of)(at->owner, at->owner_is_agent)) {
@@ -132,6 +140,10 @@ WorldTransform Scene::Transform(NodeId node, const BodyOf* body_of) const {
           above->animator->Bones()[static_cast<std::size_t>(at->bone)] * BonePose{local.position, local.orientation};
       local.position = hung.position;
       local.orientation = hung.orientation;
+    }
+    if (at == &node) {
+      result = local;
+      continue;
     }
     result.position = local.Apply(result.position);
     result.orientation = local.orientation * result.orientation;

@@ -145,6 +145,7 @@ class Scene {
   /// What hangs on the bones of a body, the first on top.
   void AddCarried(const Node& body, std::vector<NodeId>& carried) const;
   WorldTransform Transform(NodeId node, const BodyOf* body_of = nullptr) const;
+  WorldTransform TransformOf(const Node& node, const BodyOf* body_of) const;
   // Give a node its drawable; also for the nodes of objects, which wear theirs themselves.
   void ShapeBox(Node& node, float width_m, float height_m, float length_m, float u_tile, float v_tile);
   void ShapeCapsule(Node& node, float height_m, float radius_m);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "world/refill.h"
 #include "world/scene.h"
 #include "world/scene_node.h"
 
@@ -36,16 +37,20 @@ void Scene::FillSnapshot(SceneSnapshot& snapshot, const BodyOf& body_of) const {
   snapshot.ambient = ambient_;
   snapshot.sky = sky_;
   snapshot.sky_rotation_deg = sky_rotation_deg_;
-  snapshot.drawables.reserve(nodes_.size());
+  snapshot.lines.clear();
+  Refill<DrawableSnapshot> drawables(snapshot.drawables, snapshot.drawables.empty() ? nodes_.size() : 0);
+  Refill<LightSnapshot> lights(snapshot.lights, 0);
+  Refill<ParticleSnapshot> particles(snapshot.particles, 0);
 
   for (const auto& [id, node] : nodes_) {
     if (node.content == NodeContent::kNone) continue;
-    const WorldTransform transform = Transform(id, &body_of);
+    const WorldTransform transform = TransformOf(node, &body_of);
     switch (node.content) {
       case NodeContent::kNone:
         break;
       case NodeContent::kDrawable: {
-        DrawableSnapshot& drawable = snapshot.drawables.emplace_back(node.drawable);
+        DrawableSnapshot& drawable = drawables.Next();
+        drawable = node.drawable;
         drawable.id = Number(id);
         drawable.owner_id = Number(node.owner);
         drawable.belongs_to_agent = node.owner_is_agent;
@@ -64,14 +69,16 @@ void Scene::FillSnapshot(SceneSnapshot& snapshot, const BodyOf& body_of) const {
         break;
       case NodeContent::kLight: {
         if (!node.visible) break;
-        LightSnapshot& light = snapshot.lights.emplace_back(node.light);
+        LightSnapshot& light = lights.Next();
+        light = node.light;
         light.id = Number(id);
         light.position = transform.position;
         light.direction = Rotate(transform.orientation, node.light.direction);
         break;
       }
       case NodeContent::kParticle: {
-        ParticleSnapshot& particle = snapshot.particles.emplace_back(node.particle);
+        ParticleSnapshot& particle = particles.Next();
+        particle = node.particle;
         particle.id = Number(id);
         particle.position = transform.position;
         particle.orientation = transform.orientation;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/refill.h"
 #include "world/rotation.h"
 
 namespace soarbox::world {
@@ -247,13 +248,13 @@ std::string_view Ui::FontName(UiFont font) {
 
 void Ui::FillSnapshot(SceneSnapshot& snapshot) const {
   snapshot.markup_palette = palette_;
-  snapshot.ui.reserve(components_.size());
+  Refill<UiSnapshot> panels(snapshot.ui, components_.size());
   for (const auto& [id, component] : components_) {
-    UiSnapshot view = component.view;
+    UiSnapshot& view = panels.Next();
+    view = component.view;
     view.is_markup = !component.markup.empty();
     view.text = view.is_markup ? component.markup : component.caption;
     if (view.is_markup) view.caption = component.caption;
-    snapshot.ui.push_back(std::move(view));
   }
 }
 

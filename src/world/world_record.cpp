@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "world/overlay_snapshot.h"
+#include "world/refill.h"
 #include "world/state_hash.h"
 #include "world/world.h"
 #include "world/world_impl.h"
@@ -67,6 +68,11 @@ void World::AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) co
 
 SceneSnapshot World::Snapshot() const {
   SceneSnapshot snapshot;
+  Snapshot(snapshot);
+  return snapshot;
+}
+
+void World::Snapshot(SceneSnapshot& snapshot) const {
   snapshot.tick = impl_->tick;
   snapshot.time_s = time_s();
   impl_->scene.FillSnapshot(snapshot, [this](EntityId owner, bool is_agent) -> std::optional<BonePose> {
@@ -87,10 +93,10 @@ SceneSnapshot World::Snapshot() const {
   snapshot.camera = impl_->camera.state();
   snapshot.camera_moves = impl_->camera.moves();
 
-  snapshot.agents.reserve(impl_->agents.size());
+  Refill<AgentSnapshot> agents(snapshot.agents, impl_->agents.size());
   for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
     const Agent& agent = impl_->agents.agent(i);
-    AgentSnapshot& seen = snapshot.agents.emplace_back();
+    AgentSnapshot& seen = agents.Next();
     seen.id = Number(agent.id());
     seen.name = agent.name();
     seen.kind = agent.kind();
@@ -106,7 +112,6 @@ SceneSnapshot World::Snapshot() const {
     seen.last_command = agent.LastCommand();
     seen.failed = agent.Failed();
   }
-  return snapshot;
 }
 
 }  // namespace soarbox::world

@@ -160,13 +160,38 @@ const kernel::Slot& OperatorSlot(const kernel::Agent& agent, kernel::GoalLevel l
 
 }  // namespace
 
-std::string ReasonOfOperator(const kernel::Agent& agent, const kernel::GoalInfo& goal) {
-  if (goal.level == 0 || goal.level > agent.goals().depth()) return {};
-  Contest contest(agent, OperatorSlot(agent, goal.level), goal.op);
-  std::string reason = contest.Reason();
-  if (const kernel::Preference* proposal = contest.proposal())
-    reason.append("; proposed by ").append(agent.ProductionName(proposal->instantiation));
-  return reason;
+namespace {
+
+/// What proposes the operator if nothing else is proposed and nothing requires it, which needs no contest; else null.
+const kernel::Preference* OnlyProposal(const kernel::Agent& agent, const kernel::Slot& slot, Symbol winner) {
+  const kernel::WorkingMemory& memory = agent.memory();
+  const kernel::Preference* first = nullptr;
+  for (kernel::PreferenceId p = slot.acceptable; p != kernel::PreferenceId::kNone;
+       p = memory.preference(p).next_in_slot) {
+    const kernel::Preference& preference = memory.preference(p);
+    if (preference.value != winner) return nullptr;
+    if (first == nullptr) first = &preference;
+  }
+  for (kernel::PreferenceId p = slot.others; p != kernel::PreferenceId::kNone; p = memory.preference(p).next_in_slot)
+    if (memory.preference(p).type == PreferenceType::kRequire) return nullptr;
+  return first;
+}
+
+}  // namespace
+
+void AppendReasonOfOperator(const kernel::Agent& agent, const kernel::GoalInfo& goal, bool is_forced,
+                            std::string& text) {
+  if (goal.level == 0 || goal.level > agent.goals().depth()) return;
+  const kernel::Slot& slot = OperatorSlot(agent, goal.level);
+  const kernel::Preference* proposal = is_forced ? nullptr : OnlyProposal(agent, slot, goal.op);
+  if (proposal != nullptr) {
+    text += "the only one proposed";
+  } else {
+    Contest contest(agent, slot, goal.op);
+    text += is_forced ? "forced by select (or foretold by predict)" : contest.Reason();
+    proposal = contest.proposal();
+  }
+  if (proposal != nullptr) text.append("; proposed by ").append(agent.ProductionName(proposal->instantiation));
 }
 
 std::string ReasonOfState(const kernel::Agent& agent, const kernel::GoalInfo& goal) {
@@ -183,7 +208,7 @@ std::string ReasonOfState(const kernel::Agent& agent, const kernel::GoalInfo& go
   return "proposed are " + Listed(agent, candidates);
 }
 
-std::string RuleOfOutput(const kernel::Agent& agent, Symbol attribute, std::uint64_t timetag) {
+std::string_view RuleOfOutput(const kernel::Agent& agent, Symbol attribute, std::uint64_t timetag) {
   const kernel::WorkingMemory& memory = agent.memory();
   const kernel::SlotId slot = memory.FindSlot(agent.output().identifier(), attribute);
   if (slot == kernel::SlotId::kNone) return {};
@@ -191,7 +216,7 @@ std::string RuleOfOutput(const kernel::Agent& agent, Symbol attribute, std::uint
     if (memory.wme(wme).timetag != timetag) continue;
     const kernel::PreferenceId preference = memory.record(wme).preference;
     if (preference == kernel::PreferenceId::kNone) return {};
-    return std::string(agent.ProductionName(memory.preference(preference).instantiation));
+    return agent.ProductionName(memory.preference(preference).instantiation);
   }
   return {};
 }

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "cli/object_printer.h"
@@ -16,12 +20,52 @@ namespace {
 using cli::SymbolText;
 using kernel::Event;
 
+/// "S1", made in place.
+class IdentifierText {
+ public:
+  IdentifierText(const kernel::Agent& agent, kernel::Symbol symbol) {
+    if (!symbol.IsIdentifier()) {
+      other_ = SymbolText(agent, symbol);
+      return;
+    }
+    text_[0] = agent.symbols().Letter(symbol);
+    const char* const end = std::to_chars(text_ + 1, text_ + sizeof text_, agent.symbols().Number(symbol)).ptr;
+    size_ = static_cast<std::size_t>(end - text_);
+  }
+  std::string_view view() const { return size_ == 0 ? std::string_view(other_) : std::string_view(text_, size_); }
+
+ private:
+  char text_[24];
+  std::size_t size_ = 0;
+  std::string other_;  ///< Of operators that are constants.
+};
+
+/// Names as they are printed. The same few come again and again, and it takes a while to see whether one needs bars.
+class PrintedNames {
+ public:
+  /// Valid until the next call.
+  std::string_view Of(const kernel::Agent& agent, kernel::Symbol symbol) {
+    if (!symbol.IsString()) return other_ = SymbolText(agent, symbol);
+    const std::string_view text = agent.symbols().Text(symbol);
+    Entry& entry = entries_[text.empty() ? 0 : static_cast<unsigned char>(text.back()) % entries_.size()];
+    if (entry.printed.empty() || entry.text != text) entry = {std::string(text), SymbolText(agent, symbol)};
+    return entry.printed;
+  }
+
+ private:
+  struct Entry {
+    std::string text, printed;
+  };
+  std::array<Entry, 8> entries_;
+  std::string other_;
+};
+
 /// Passes on what a kernel in this process tells of one agent.
 class LocalObservation final : public Observation, kernel::Observer {
  public:
   LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
       : agent_(agent), listener_(listener) {
-    kernel::EventMask events = Event::kDecision | Event::kRun | Event::kOutput;
+    kernel::EventMask events = Event::kPhase | Event::kDecision | Event::kRun | Event::kOutput;
     if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
     if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
     agent_.AddObserver(*this, events);
@@ -29,14 +73,19 @@ class LocalObservation final : public Observation, kernel::Observer {
   ~LocalObservation() override { agent_.RemoveObserver(*this); }
 
  private:
+  void OnPhaseBegin(const kernel::Agent& agent, kernel::Phase phase) override {
+    if (phase == kernel::Phase::kDecide) forced_ = agent.selected_operator();
+  }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
-    const std::string state = SymbolText(agent, goal.goal);
+    const IdentifierText state(agent, goal.goal);
     if (goal.op) {
-      listener_.OnOperator(static_cast<int>(goal.level), state, SymbolText(agent, goal.op),
-                           cli::OperatorName(agent, goal.op));
-      listener_.OnReason(ReasonOfOperator(agent, goal));
+      const IdentifierText op(agent, goal.op);
+      listener_.OnOperator(static_cast<int>(goal.level), state.view(), op.view(), NameOf(agent, goal.op));
+      reason_.clear();
+      AppendReasonOfOperator(agent, goal, !forced_.empty() && op.view() == forced_, reason_);
+      listener_.OnReason(reason_);
     } else {
-      listener_.OnState(static_cast<int>(goal.level), state, cli::ImpasseName(goal.impasse),
+      listener_.OnState(static_cast<int>(goal.level), state.view(), cli::ImpasseName(goal.impasse),
                         goal.on_operator ? "operator" : "state");
       listener_.OnReason(ReasonOfState(agent, goal));
     }
@@ -64,7 +113,7 @@ class LocalObservation final : public Observation, kernel::Observer {
     const kernel::Symbol link = agent.output().identifier();
     for (const kernel::OutputChange& change : agent.output().changes()) {
       if (!change.added || change.id != link) continue;
-      listener_.OnCommand(change.timetag, SymbolText(agent, change.attribute),
+      listener_.OnCommand(change.timetag, names_.Of(agent, change.attribute),
                           RuleOfOutput(agent, change.attribute, change.timetag));
     }
   }
@@ -82,9 +131,24 @@ class LocalObservation final : public Observation, kernel::Observer {
                         SymbolText(agent, wme.value), wme.acceptable);
   }
 
+  /// The operator's ^name; empty if it has none. Valid until the next name is asked for.
+  std::string_view NameOf(const kernel::Agent& agent, kernel::Symbol op) {
+    if (!op.IsIdentifier()) return {};
+    // The symbol may have been swept, and its place taken by another.
+    const kernel::SymbolTable& symbols = agent.symbols();
+    if (!name_ || !symbols.IsLive(name_) || symbols.Text(name_) != "name") name_ = symbols.FindString("name");
+    if (!name_) return {};
+    const kernel::Symbol value = agent.memory().ValueOf(op, name_);
+    return value ? names_.Of(agent, value) : std::string_view();
+  }
+
   kernel::Agent& agent_;
   MindObserver& listener_;
   bool told_of_elaborations_ = false;
+  kernel::Symbol name_;  ///< "name".
+  PrintedNames names_;
+  std::string forced_;  ///< The operator that `select` or `predict` had settled before the decision; empty: none.
+  std::string reason_;  ///< Keeps its memory from decision to decision.
 };
 
 /// Null if the kernel is in another process.

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/percept.h"
+
+namespace soarbox::sim {
+
+/// What one mind did in a tick, in words.
+struct MindWords {
+  /// What changed on the input link: "path value", or "-path" for what has gone. Paths are attributes joined by dots;
+  /// "agent#3" is the one of several with that key.
+  std::vector<std::string> percepts;
+  /// "O: O1 (seek)", "==>S: S2 (operator tie)", "<==S: S2" with three blanks per level of the goal stack. A program
+  /// that waits in a state (soar wait-snc) tells that once. A kernel in another process, or one that is not ours, does
+  /// not tell them, nor details.
+  std::vector<std::string> decisions;
+  /// "fire RULE", "retract RULE", "+ 12: S1 ^a b", "- 12: S1 ^a b", after a count of the decisions before it: they
+  /// stand between decisions[count - 1] and decisions[count].
+  std::vector<std::string> details;
+  /// "move-to ^waypoint gate", and how commands went: "move-to: complete".
+  std::vector<std::string> commands;
+  /// For each of the decisions: why it was taken ("the only one proposed; proposed by RULE"), or nothing.
+  std::vector<std::string> reasons;
+  /// For each of the commands: the rule that made it, where that is known and it is a command.
+  std::vector<std::string> command_rules;
+};
+
+/// What one mind did in a tick, as it was noted: bytes that are quick to add to while the mind runs, and quick to copy.
+/// Words are made of them afterwards, by whoever wants them and on any thread.
+class MindNotes {
+ public:
+  void Clear() { used_ = 0; }
+  bool empty() const { return used_ == 0; }
+  /// What the notes take; grows with each of them.
+  std::size_t bytes() const { return used_; }
+
+  /// A constant of the input link has come or changed. `path`: that of its object, with a dot behind it, or nothing.
+  void NotePercept(std::string_view path, const Percept& constant);
+  void NoteNumber(std::string_view path, std::string_view attribute, std::uint32_t key, double value);
+  void NotePerceptGone(std::string_view path, std::string_view attribute, std::uint32_t key);
+  /// Something said, or how it went; `tag` is its time tag if it is a command.
+  void NoteCommand(std::string_view command, std::uint64_t tag);
+  /// A rule has made an element of the output link, which may be a command.
+  void NoteRuleOfCommand(std::uint64_t tag, std::string_view rule);
+
+  // Decisions; levels count from 1.
+  void NoteOperator(int level, std::string_view id, std::string_view name);
+  void NoteState(int level, std::string_view state, std::string_view impasse, std::string_view attribute);
+  void NoteStateGone(int level, std::string_view state);
+  void NoteHalt();
+  /// Of the last decision.
+  void NoteReason(std::string_view reason);
+
+  // Details.
+  void NoteFiring(std::string_view rule, bool retracts);
+  void NoteElement(bool added, std::uint64_t tag, std::string_view id, std::string_view attribute,
+                   std::string_view value, bool acceptable);
+
+  /// The words; without details they are left out.
+  MindWords Words(bool with_details = true) const;
+
+ private:
+  enum class Kind : std::uint8_t;
+  struct Head;
+  void Add(Kind kind, std::uint64_t number, std::string_view first = {}, std::string_view second = {},
+           std::string_view third = {}, std::uint32_t key = 0);
+
+  std::string bytes_;  ///< Heads, each with its texts behind it: the first used_ bytes.
+  std::size_t used_ = 0;
+};
+
+/// "agent", or "agent#3" for the one of several with that key.
+std::string NameOfPercept(std::string_view attribute, std::uint32_t key);
+
+}  // namespace soarbox::sim
