@@ -102,7 +102,7 @@ void Desk::Type(const viewer::ConsoleRequest& request) {
 void Desk::Resume(Pace& pace) {
   std::unique_ptr<sim::Simulation> simulation = past_.Resume();
   if (simulation == nullptr || session_ == nullptr) return;
-  session_->GoOnWith(std::move(simulation));
+  session_->GoOnWith(std::move(simulation), past_.branch_record(), past_.Inputs());
   noted_agent_.clear();
   hits_.clear();
   // Who goes back wants to see it happen.

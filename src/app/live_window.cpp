@@ -124,7 +124,6 @@ Result<void> LiveWindow::Obey() {
     if (!obeyed) return obeyed.error();
   }
   if (!control.has_begun_again) return {};
-  header_.seed = session_.seed();
   desk_.emplace(session_, header_, scenario_, settings_);
   viewer_.SetGhosts({});
   viewer_.panel_contents() = {};

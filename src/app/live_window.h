@@ -59,8 +59,8 @@ class LiveWindow {
   viewer::Viewer& viewer_;
   const sim::Scenario& scenario_;
   const sim::SimulationSettings& settings_;  ///< With the seed of the present run.
-  record::Header header_;
-  bool has_script_;  ///< A script plays the user; the run ends with it.
+  const record::Header& header_;             ///< Likewise.
+  bool has_script_;                          ///< A script plays the user; the run ends with it.
   std::optional<Desk> desk_;
   Pace pace_;
   Deliverer deliverer_;

@@ -204,6 +204,8 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
   AddRecordingFile(*verify, options);
   AddThreads(*verify, options);
+  verify->add_flag("--as-recorded", options.as_recorded,
+                   "With the scenario's files as they were when the run began, not as they are now");
   CLI::App* export_data = program.add_subcommand("export", "Write a recording as a table or as JSON");
   AddRecordingFile(*export_data, options);
   AddRange(*export_data, options);

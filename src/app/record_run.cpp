@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -13,7 +14,9 @@
 #include <map>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "record/recorder.h"
 #include "world/world.h"
 
 namespace soarbox::app {
@@ -42,7 +45,7 @@ fs::path UsualFolder() {
   return error ? fs::path{} : folder;
 }
 
-/// The number in "run-0012.soarrec", or 0.
+/// The number in "run-0012.soarrec", and in "run-0012-2.soarrec", which left that run for another future; else 0.
 unsigned NumberOf(const fs::path& file) {
   const std::string name = file.filename().string();
   constexpr std::string_view kBefore = "run-", kAfter = ".soarrec";
@@ -50,19 +53,22 @@ unsigned NumberOf(const fs::path& file) {
   unsigned number = 0;
   const char* const end = name.data() + name.size() - kAfter.size();
   const auto [at, error] = std::from_chars(name.data() + kBefore.size(), end, number);
-  return error == std::errc{} && at == end ? number : 0;
+  const bool is_ours =
+      at == end || (*at == '-' && std::all_of(at, end, [](char c) { return c == '-' || (c >= '0' && c <= '9'); }));
+  return error == std::errc{} && is_ours ? number : 0;
 }
 
-/// A new file for a run that nobody named one for: numbered on from the newest; the oldest go. Empty if there can be
-/// none.
+/// A new file for a run that nobody named one for: numbered on from the newest; the oldest go, with the other futures
+/// that they were left for. Empty if there can be none.
 fs::path UsualFile() {
   const fs::path folder = UsualFolder();
   if (folder.empty()) return {};
-  std::map<unsigned, fs::path> there;
+  std::map<unsigned, std::vector<fs::path>> there;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (const unsigned number = NumberOf(it->path()); number != 0) there[number] = it->path();
-  for (; there.size() >= kUsualFilesKept; there.erase(there.begin())) fs::remove(there.begin()->second, error);
+    if (const unsigned number = NumberOf(it->path()); number != 0) there[number].push_back(it->path());
+  for (; there.size() >= kUsualFilesKept; there.erase(there.begin()))
+    for (const fs::path& file : there.begin()->second) fs::remove(file, error);
   unsigned number = there.empty() ? 1 : there.rbegin()->first + 1;
   // Another window may be about to take the same number.
   for (const unsigned last = number + 100; number < last; ++number) {
@@ -92,26 +98,56 @@ fs::path NextRecording(const fs::path& file) {
   }
 }
 
-std::string RecordRun(RunSession& session, const RunOptions& options, const sim::Scenario& scenario,
-                      const sim::SimulationSettings& settings, record::Level level) {
-  const bool is_usual = options.record.empty();
-  const fs::path file = is_usual ? UsualFile() : options.record;
-  if (file.empty()) return {};
+record::Header HeaderOfRun(const RunOptions& options, const sim::Scenario& scenario,
+                           const sim::SimulationSettings& settings, const sim::Simulation& simulation,
+                           record::Level level) {
   record::Header header =
-      record::HeaderOf(scenario, settings, static_cast<double>(session.simulation().world().settings().step_s), level);
+      record::HeaderOf(scenario, settings, static_cast<double>(simulation.world().settings().step_s), level);
   header.scenario = options.scenario;
   for (const fs::path& folder : options.extra_folders) header.extra_folders.push_back(folder.string());
+  return header;
+}
+
+std::string RunRecordings::Begin(RunSession& session, const record::Header& header) {
+  const bool is_first = file_.empty();
+  fs::path file = options_.record.empty() ? UsualFile() : options_.record;
+  if (!is_first && !options_.record.empty()) file = NextRecording(file);
+  return Write(session, file, header, nullptr, {});
+}
+
+std::string RunRecordings::GoOn(RunSession& session, const record::Header& header, record::TickRecord at,
+                                std::vector<record::TickInputs> inputs) {
+  if (file_.empty()) return {};
+  record::Header branch = header;
+  std::error_code error;
+  branch.branched_from = fs::absolute(file_, error).string();
+  branch.branch_tick = at.tick;
+  record::KeepLevel(at, header.level);
+  std::erase_if(inputs, [&](const record::TickInputs& entry) { return entry.tick >= at.tick; });
+  return Write(session, NextRecording(file_), branch, &at, inputs);
+}
+
+std::string RunRecordings::Write(RunSession& session, const fs::path& file, const record::Header& header,
+                                 const record::TickRecord* at, const std::vector<record::TickInputs>& inputs) {
+  if (file.empty()) return {};
+  const bool is_usual = options_.record.empty();
   record::WriterSettings writing;
-  const double limit_mb = options.record_limit_mb.value_or(is_usual ? kUsualLimitMb : 0);
+  const double limit_mb = options_.record_limit_mb.value_or(is_usual ? kUsualLimitMb : 0);
   writing.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);
-  Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(file, header, writing);
-  if (!writer) {
-    Diagnostic problem = writer.error();
-    if (is_usual) problem.severity = Severity::kWarning;
+  const auto fail = [&](Diagnostic problem) -> std::string {
+    if (is_usual || at != nullptr) problem.severity = Severity::kWarning;
     std::cerr << Format(problem);
     return {};
+  };
+  Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(file, header, writing);
+  if (!writer) return fail(writer.error());
+  if (const Result<void> added = (*writer)->AddEarlierInputs(inputs); !added) return fail(added.error());
+  auto recorder = std::make_unique<record::Recorder>(std::move(*writer), header.level);
+  if (at != nullptr) {
+    if (const Result<void> taken = recorder->Take(*at); !taken) return fail(taken.error());
   }
-  session.Record(std::make_unique<record::Recorder>(std::move(*writer), level));
+  session.Record(std::move(recorder), at == nullptr);
+  file_ = file;
   return "recording to " + file.string();
 }
 

@@ -9,11 +9,13 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/replay_window.h"
 #include "app/run_session.h"
+#include "diagnostics/read_text.h"
 #include "record/compare.h"
 #include "record/export.h"
 #include "record/reader.h"
@@ -98,7 +100,8 @@ int Verify(const RecordingOptions& options) {
   if (!data) return CannotStart(data.error());
   CatchInterrupts();
   const Result<record::Verdict> verdict =
-      record::Verify(**reader, *data, ShownProgress((*reader)->last_tick()), options.threads);
+      record::Verify(**reader, *data, ShownProgress((*reader)->last_tick()), options.threads,
+                     options.as_recorded ? record::FilesFrom::kRecording : record::FilesFrom::kDisk);
   if (!verdict) return CannotStart(verdict.error());
   Tell(verdict->warnings);
   if (verdict->interrupted) {
@@ -191,15 +194,15 @@ int Resume(const RecordingOptions& options) {
   if (!data) return CannotStart(data.error());
   std::string rules;
   for (const std::filesystem::path& file : options.rules) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) {
+    const std::optional<std::string> text = ReadText(file);
+    if (!text) {
       Diagnostic problem;
       problem.file = file.string();
       problem.message = "these rules cannot be read";
       problem.hint = "check the name";
       return CannotStart(problem);
     }
-    rules.append(std::istreambuf_iterator<char>(in), {}).append("\n");
+    rules.append(*text).append("\n");
   }
   CatchInterrupts();
   const std::uint64_t at = TickAt(**reader, options.at_s);
@@ -233,6 +236,9 @@ int Resume(const RecordingOptions& options) {
   if (!options.output.empty()) {
     record::Header header = (*reader)->header();
     header.build = record::BuildId();
+    std::error_code error;
+    header.branched_from = std::filesystem::absolute(options.file, error).string();
+    header.branch_tick = at;
     Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(options.output, header);
     if (!writer) return CannotStart(writer.error());
     if ((*reader)->first_tick() > 0) {

@@ -25,6 +25,7 @@ struct RecordingOptions {
   bool as_recording = false;                 ///< export: a part as a recording of its own.
   std::filesystem::path output;              ///< export, resume: where to; empty: standard output, or no recording.
   double at_s = 0;                           ///< resume.
+  bool as_recorded = false;                  ///< verify: with the scenario's files as they were then.
   int threads = 0;                           ///< verify, resume: for the minds; 0: one per core.
   std::optional<double> seconds;             ///< resume: how long to go on; none: as long as the recording did.
   std::vector<std::filesystem::path> rules;  ///< resume: files of rules that replace those of the same names.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <sstream>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
@@ -12,6 +13,7 @@
 #include "app/run_options.h"
 #include "app/run_session.h"
 #include "app/run_window.h"
+#include "diagnostics/read_text.h"
 #include "record/header.h"
 #include "record/recorder.h"
 #include "sim/input_text.h"
@@ -31,17 +33,15 @@ int CannotStart(const Diagnostic& problem) {
 /// Reads the file of inputs; false if it cannot be read or any line is wrong, after telling which.
 bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
   if (file.empty()) return true;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || text.fail()) {
+  const std::optional<std::string> text = ReadText(file);
+  if (!text) {
     Diagnostic problem;
     problem.file = file;
     problem.message = "this file of inputs cannot be read";
     std::cerr << Format(problem);
     return false;
   }
-  const sim::InputText read = sim::ReadInputs(text.str(), file);
+  const sim::InputText read = sim::ReadInputs(*text, file);
   for (const Diagnostic& problem : read.problems) std::cerr << Format(problem);
   for (const sim::Input& input : read.inputs) simulation.Submit(input);
   return read.problems.empty();
@@ -152,12 +152,17 @@ int Run(const RunOptions& given) {
       options.json ? EventPrinter::MakeJson(std::cout) : EventPrinter::MakeText(std::cout, std::cerr);
   printer->Begin({scenario.value().name, seed, options.headless});
   RunSession session(std::move(*simulation), std::move(printer), options);
+  record::Header header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
+  RunRecordings recordings(options);
   if (is_recorded) {
-    const std::string note = RecordRun(session, options, *scenario, settings, *level);
+    const std::string note = recordings.Begin(session, header);
     if (note.empty() && !options.record.empty()) return kCannotStart;
     options.remark = note;
     if (!note.empty() && options.record.empty()) std::cerr << "soarbox: " << note << '\n';
   }
+  const auto tell = [](const std::string& note) {
+    if (!note.empty()) std::cerr << "soarbox: " << note << '\n';
+  };
   session.SetMake(
       seed, scenario.value().name,
       [&](std::uint64_t with_seed) {
@@ -165,17 +170,13 @@ int Run(const RunOptions& given) {
         return sim::Simulation::Create(*scenario, settings);
       },
       [&] {
-        if (!is_recorded) return;
-        RunOptions again = options;
-        if (!again.record.empty()) again.record = NextRecording(again.record);
-        const std::string note = RecordRun(session, again, *scenario, settings, *level);
-        if (!note.empty()) std::cerr << "soarbox: " << note << '\n';
+        header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
+        if (is_recorded) tell(recordings.Begin(session, header));
       });
+  session.SetOnBranch([&](const record::TickRecord& at, const std::vector<record::TickInputs>& inputs) {
+    tell(recordings.GoOn(session, header, at, inputs));
+  });
   if (options.headless) return RunHeadless(session, options);
-  record::Header header = record::HeaderOf(
-      *scenario, settings, static_cast<double>(std::as_const(session.simulation()).world().settings().step_s), *level);
-  header.scenario = options.scenario;
-  for (const std::filesystem::path& folder : options.extra_folders) header.extra_folders.push_back(folder.string());
   return RunWindow(session, options, data.value(), {*scenario, settings, header});
 }
 

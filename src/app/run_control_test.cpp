@@ -9,7 +9,13 @@
 
 #include "app/event_printer.h"
 #include "app/pace.h"
+#include "app/record_run.h"
 #include "app/run_session.h"
+#include "app/time_machine.h"
+#include "record/compare.h"
+#include "record/reader.h"
+#include "record/rerun.h"
+#include "record/test_ticks.h"
 #include "sim/scenario.h"
 #include "world/world.h"
 
@@ -113,6 +119,59 @@ TEST(RunSession, AMindCanTakeAStepAloneWhileTheWorldStandsStill) {
   EXPECT_NE(simulation.Inspect("blue-1")->Mind().phase, phase);
   run.HashAfter(10);
   EXPECT_EQ(simulation.tick(), tick + 10);
+}
+
+TEST(RunSession, WhatComesAfterGoingBackIsRecordedInAFileOfItsOwn) {
+  const record::ScratchFolder scratch;
+  const std::string root = SOARBOX_SOURCE_DIR;
+  const sim::DataFolders data{root + "/scenarios", root + "/media"};
+  RunOptions options;
+  options.scenario = "soar_skirmish";
+  options.record = scratch.path() / "fight.soarrec";
+  const std::filesystem::path other = scratch.path() / "fight-2.soarrec";
+  {
+    SkirmishRun run(4);
+    sim::SimulationSettings settings;
+    settings.seed = settings.soar.seed = 4;
+    const record::Header header =
+        HeaderOfRun(options, run.scenario, settings, run.session->simulation(), record::Level::kDecisions);
+    RunRecordings recordings(options);
+    EXPECT_EQ(recordings.Begin(*run.session, header), "recording to " + options.record.string());
+    TimeMachine past(header, run.scenario, settings);
+    run.session->Watch([&](const record::TickRecord& tick) { past.Add(tick); });
+    std::string told;
+    run.session->SetOnBranch([&](const record::TickRecord& at, const std::vector<record::TickInputs>& inputs) {
+      told = recordings.GoOn(*run.session, header, at, inputs);
+    });
+    run.session->simulation().Submit(sim::OrderInput{"blue-1", "hold here"});
+    run.HashAfter(40);
+    past.Seek(20);
+    while (past.past() == nullptr) past.Rebuild(1);
+    std::unique_ptr<sim::Simulation> simulation = past.Resume();
+    run.session->GoOnWith(std::move(simulation), past.branch_record(), past.Inputs());
+    EXPECT_EQ(told, "recording to " + other.string());
+    run.HashAfter(10);
+    run.session->Watch({});
+  }
+  const Result<std::unique_ptr<record::Reader>> first = record::Reader::Open(options.record);
+  const Result<std::unique_ptr<record::Reader>> second = record::Reader::Open(other);
+  ASSERT_TRUE(first) << Format(first.error());
+  ASSERT_TRUE(second) << Format(second.error());
+  EXPECT_EQ((*first)->last_tick(), 40u);
+  EXPECT_TRUE((*first)->header().branched_from.empty());
+  EXPECT_EQ((*second)->first_tick(), 20u);
+  EXPECT_EQ((*second)->last_tick(), 30u);
+  EXPECT_EQ((*second)->header().branched_from, options.record.string());
+  EXPECT_EQ((*second)->header().branch_tick, 20u);
+  // Nothing was changed, so both futures are one; and the second is whole enough to be run again.
+  const Result<record::Comparison> compared = record::Compare(**first, **second);
+  ASSERT_TRUE(compared) << Format(compared.error());
+  EXPECT_FALSE(compared->difference) << compared->difference->element;
+  EXPECT_EQ((*second)->Inputs().value().size(), 1u) << "what came in before the branch";
+  const Result<record::Verdict> verdict = record::Verify(**second, data);
+  ASSERT_TRUE(verdict) << Format(verdict.error());
+  EXPECT_FALSE(verdict->difference) << verdict->difference->element;
+  EXPECT_EQ(verdict->last_tick, 30u);
 }
 
 }  // namespace

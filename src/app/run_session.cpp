@@ -83,16 +83,14 @@ void RunSession::Record(std::unique_ptr<record::Recorder> recorder, bool last_ti
 }
 
 void RunSession::RecordTick() {
-  if (recorder_ != nullptr) {
-    if (const Result<void> taken = recorder_->Take(*simulation_, unrecorded_); !taken)
-      std::cerr << Format(taken.error());
-  }
-  if (on_tick_) {
-    record::Observe(*simulation_, unrecorded_, record::Level::kAll, seen_);
-    on_tick_(seen_);
-  }
   if (simulation_->tick() == 0 && set_up_.empty()) set_up_ = unrecorded_;
-  unrecorded_.clear();
+  if (on_tick_) record::Observe(*simulation_, unrecorded_, record::Level::kAll, seen_);
+  sim::EventList events = std::exchange(unrecorded_, {});
+  if (recorder_ != nullptr) {
+    const Result<void> taken = recorder_->Take(*simulation_, std::move(events), on_tick_ ? &seen_ : nullptr);
+    if (!taken) std::cerr << Format(taken.error());
+  }
+  if (on_tick_) on_tick_(seen_);
 }
 
 void RunSession::SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made) {
@@ -137,23 +135,26 @@ void RunSession::Watch(OnTick on_tick) {
   unrecorded_.clear();
 }
 
-void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation) {
-  if (recorder_ != nullptr) {
+void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation, const record::TickRecord& at,
+                          const std::vector<record::TickInputs>& inputs) {
+  const bool was_recorded = recorder_ != nullptr;
+  if (was_recorded) {
     Diagnostic note;
     note.severity = Severity::kNote;
     note.message = "the recording ends at tick " + std::to_string(simulation_->tick()) +
                    ": the run goes on from tick " + std::to_string(simulation->tick());
     std::cerr << Format(note);
+    if (const Result<void> written = recorder_->Finish(); !written) std::cerr << Format(written.error());
     recorder_.reset();
   }
-  const bool watches = edits_ != nullptr;
-  edits_.reset();
   simulation_->Finish();
   simulation_->TakeEvents();
   simulation->TakeEvents();  // Those were told when they happened.
   simulation_ = std::move(simulation);
   unrecorded_.clear();
-  if (watches) edits_ = std::make_unique<sim::LiveEdits>(*simulation_);
+  // What was edited on disk since then reaches the run as an edit of its own.
+  if (edits_ != nullptr) edits_ = std::make_unique<sim::LiveEdits>(*simulation_, *edits_);
+  if (was_recorded && on_branch_) on_branch_(at, inputs);
 }
 
 bool RunSession::IsOver() const {

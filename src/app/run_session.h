@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/event_printer.h"
 #include "app/run_options.h"
@@ -30,8 +32,12 @@ class RunSession {
   /// Hears of each tick from now on, and of what is there now first; an empty function: nobody does.
   using OnTick = std::function<void(const record::TickRecord&)>;
   void Watch(OnTick on_tick);
-  /// Goes on with another simulation of the same run, as it was at an earlier tick. A recording ends there.
-  void GoOnWith(std::unique_ptr<sim::Simulation> simulation);
+  /// Goes on with another simulation of the same run, as it was at an earlier tick, which is recorded as `at`; `inputs`
+  /// are what had come in by then. A recording ends, and on_branch may begin another one.
+  void GoOnWith(std::unique_ptr<sim::Simulation> simulation, const record::TickRecord& at,
+                const std::vector<record::TickInputs>& inputs);
+  using OnBranch = std::function<void(const record::TickRecord& at, const std::vector<record::TickInputs>& inputs)>;
+  void SetOnBranch(OnBranch on_branch) { on_branch_ = std::move(on_branch); }
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
@@ -70,6 +76,7 @@ class RunSession {
   std::string scenario_name_;
   Make make_;
   std::function<void()> on_made_;
+  OnBranch on_branch_;
 };
 
 /// Makes SIGINT (Ctrl-C) and SIGTERM end the run: scripts are stopped where they are, the footer is printed, and after

@@ -11,7 +11,7 @@ namespace soarbox::app {
 /// Whether this build can open a window at all (CMake option SOARBOX_VIEWER).
 extern const bool kHasWindow;
 
-/// What a run was made from, so that a window can make it again.
+/// What a run was made from, so that a window can make it again; kept up to date when it begins again.
 struct WindowRun {
   const sim::Scenario& scenario;
   const sim::SimulationSettings& settings;

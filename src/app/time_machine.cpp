@@ -99,12 +99,18 @@ std::string TimeMachine::PastNote() const {
   return "Rebuilding the minds of this moment: " + std::to_string(100 * at / goal) + " %";
 }
 
+std::vector<record::TickInputs> TimeMachine::Inputs() const {
+  Result<std::vector<record::TickInputs>> inputs = history().Inputs();
+  return inputs ? std::move(*inputs) : std::vector<record::TickInputs>();
+}
+
 std::unique_ptr<sim::Simulation> TimeMachine::Resume() {
   if (past() == nullptr || recording_ != nullptr) return nullptr;
   const std::uint64_t tick = *shown_;
   std::unique_ptr<sim::Simulation> simulation = branch_->TakeSimulation();
   futures_.emplace(branch_->CompareFutures());
   branch_tick_ = tick;
+  if (const record::TickRecord* record = Shown()) branch_record_ = *record;
   histories_.push_back(history().UpTo(tick));
   GoLive();
   return simulation;

@@ -68,6 +68,10 @@ class TimeMachine {
   /// The old future: null before the first Resume.
   record::Futures* futures() { return futures_ ? &*futures_ : nullptr; }
   std::optional<std::uint64_t> branch_tick() const { return branch_tick_; }
+  /// What is recorded of that tick; nothing before the first Resume.
+  const record::TickRecord& branch_record() const { return branch_record_; }
+  /// All that has come in since the run began.
+  std::vector<record::TickInputs> Inputs() const;
   /// How often the run went back and on.
   std::uint32_t branches() const { return histories_.empty() ? 0 : static_cast<std::uint32_t>(histories_.size() - 1); }
   /// What may make a rebuilt past differ from the recorded one; each once.
@@ -92,6 +96,7 @@ class TimeMachine {
   std::string trouble_;
   std::optional<record::Futures> futures_;
   std::optional<std::uint64_t> branch_tick_;
+  record::TickRecord branch_record_;
 };
 
 }  // namespace soarbox::app

@@ -32,7 +32,7 @@ Result<std::unique_ptr<Branch>> Branch::Begin(Timeline& past, Result<Rerun> reru
 Result<std::unique_ptr<Branch>> Branch::Begin(Timeline& past, const sim::Scenario& scenario,
                                               const sim::SimulationSettings& settings, std::uint64_t tick) {
   if (tick > past.last_tick()) return NotThere(past, tick);
-  return Begin(past, Restart(past, scenario, settings, tick), tick);
+  return Begin(past, Restart(past, scenario, settings, {.last_tick = tick}), tick);
 }
 
 Result<std::unique_ptr<Branch>> Branch::Begin(Timeline& past, const sim::DataFolders& data, std::uint64_t tick,

@@ -38,7 +38,8 @@ class Branch {
   std::uint64_t tick() const { return tick_; }
   std::uint64_t goal() const { return goal_; }
   bool IsThere() const { return tick_ == goal_ && is_checked_; }
-  /// What may make it go another way: the scenario's files have changed, another build made the recording.
+  /// What may make it go another way: another build made the recording, files of the scenario have changed (which does
+  /// not if they were kept).
   const std::vector<Diagnostic>& warnings() const { return warnings_; }
 
   /// The simulation, at the end of the tick. Only once it is there, and only once.

@@ -67,6 +67,10 @@ Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out) {
   head["scenario"] = header.scenario;
   head["seed"] = header.seed;
   head["level"] = NameOf(header.level);
+  if (!header.branched_from.empty()) {
+    head["branched_from"] = header.branched_from;
+    head["branch_tick"] = header.branch_tick;
+  }
   head["step_s"] = header.step_s;
   head["first_tick"] = recording.first_tick();
   head["last_tick"] = recording.last_tick();

@@ -7,12 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "record/byte_stream.h"
-#include "world/state_hash.h"
 
 namespace soarbox::record {
 namespace fs = std::filesystem;
@@ -61,7 +58,9 @@ Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& se
   header.build = BuildId();
   header.scenario = scenario.name;
   header.folder = fs::current_path(error).string();
-  header.scenario_digest = DigestOf(scenario);
+  ScenarioFiles files = ReadScenarioFiles(scenario);
+  header.scenario_digest = files.digest;
+  header.files = std::move(files.files);
   header.seed = settings.seed;
   header.screen_width_px = static_cast<std::uint32_t>(settings.screen_width_px);
   header.screen_height_px = static_cast<std::uint32_t>(settings.screen_height_px);
@@ -84,10 +83,18 @@ std::string EncodeHeader(const Header& header) {
   out.Double(header.step_s);
   out.Byte(static_cast<std::uint8_t>(header.level));
   out.Byte(header.own_kernel ? 1 : 0);
+  out.Text(header.branched_from);
+  out.Number(header.branch_tick);
+  out.Number(header.files.size());
+  for (const KeptFile& file : header.files) {
+    out.Number(file.folder);
+    out.Text(file.name);
+    out.Text(file.content);
+  }
   return bytes;
 }
 
-Result<Header> DecodeHeader(std::string_view bytes) {
+Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
   Header header;
   ByteReader in(bytes);
   for (std::string* text : {&header.build, &header.scenario, &header.folder}) *text = in.Text();
@@ -100,6 +107,19 @@ Result<Header> DecodeHeader(std::string_view bytes) {
   header.step_s = in.Double();
   const std::uint8_t level = in.Byte();
   header.own_kernel = in.Byte() != 0;
+  if (version >= 3) {
+    header.branched_from = in.Text();
+    header.branch_tick = in.Number();
+    constexpr std::size_t kMostFiles = 100'000;  // Far more than are ever kept.
+    const std::size_t files = in.Count(3);
+    if (files > kMostFiles) in.Fail();
+    header.files.resize(in.failed() ? 0 : files);
+    for (KeptFile& file : header.files) {
+      file.folder = static_cast<std::uint32_t>(std::min<std::uint64_t>(in.Number(), 0xffffffff));
+      file.name = in.Text();
+      file.content = in.Text();
+    }
+  }
   const bool sensible = width > 0 && width <= 65535 && height > 0 && height <= 65535 && header.step_s > 0 &&
                         header.step_s <= 10 && level < kLevels.size();
   if (in.failed() || !sensible) {
@@ -116,35 +136,6 @@ Result<Header> DecodeHeader(std::string_view bytes) {
 std::string BuildId() {
   static const std::string id = std::string(SOARBOX_VERSION) + " " + LinkersId();
   return id;
-}
-
-std::uint64_t DigestOf(const sim::Scenario& scenario) {
-  constexpr std::array<std::string_view, 5> kEndings = {".lua", ".soar", ".toml", ".txt", ".json"};
-  constexpr std::size_t kMostFiles = 2000;
-  constexpr std::size_t kMostLookedAt = 50'000;  // The folder may be somebody's home.
-  const fs::path folder = scenario.script.parent_path();
-  std::vector<fs::path> files;
-  std::error_code error;
-  std::size_t looked_at = 0;
-  for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
-       !error && it != end && ++looked_at <= kMostLookedAt; it.increment(error)) {
-    std::error_code ignored;
-    const std::string ending = it->path().extension().string();
-    if (it->is_regular_file(ignored) && std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end())
-      files.push_back(it->path());
-  }
-  std::sort(files.begin(), files.end());
-  files.resize(std::min(files.size(), kMostFiles));
-  for (const fs::path& file : {scenario.definition, scenario.rules})
-    if (!file.empty()) files.push_back(file);
-  world::StateHash hash;
-  for (const fs::path& file : files) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    hash.Add(std::string_view(file.lexically_relative(folder).generic_string()));
-    hash.Add(std::string_view(content));
-  }
-  return hash.value();
 }
 
 std::string_view NameOf(Level level) {

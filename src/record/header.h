@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "diagnostics/result.h"
+#include "record/format.h"
+#include "record/kept_files.h"
 #include "record/tick_record.h"
 #include "sim/scenario.h"
 #include "sim/simulation.h"
@@ -20,13 +22,16 @@ struct Header {
   std::string scenario;  ///< As the user named it, from `folder`.
   std::string folder;    ///< The working directory of the run, absolute.
   std::vector<std::string> extra_folders;
-  std::uint64_t scenario_digest = 0;  ///< Of the scenario's own files (DigestOf).
+  std::uint64_t scenario_digest = 0;  ///< Of the scenario's files (ReadScenarioFiles).
   std::uint64_t seed = 1;
   std::uint32_t screen_width_px = 1280;
   std::uint32_t screen_height_px = 720;
   double step_s = 1.0 / 30;  ///< Simulated seconds per tick.
   Level level = Level::kDecisions;
-  bool own_kernel = true;  ///< False: minds lived in a kernel that is not ours, which tells less.
+  bool own_kernel = true;         ///< False: minds lived in a kernel that is not ours, which tells less.
+  std::vector<KeptFile> files;    ///< What it was made from, as it was then; empty if that was not kept.
+  std::string branched_from;      ///< The recording of the run that this one went back in and left; empty: of none.
+  std::uint64_t branch_tick = 0;  ///< The last tick that both have.
 };
 
 /// The header for a run of this scenario, made with these settings from the present folder. `scenario` and
@@ -35,14 +40,11 @@ Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& se
 
 /// The header's block, without the block's own frame (format.h).
 std::string EncodeHeader(const Header& header);
-Result<Header> DecodeHeader(std::string_view bytes);
+/// `version`: that of the format, which says how far a header goes.
+Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version = kVersion);
 
 /// Names this program: its version and the linker's hash of it. Two builds with one id behave alike.
 std::string BuildId();
-
-/// A digest of the scenario's own files: those below its script's folder that a run may read (.lua, .soar, .toml and
-/// the like; the first 2,000 by name), its scenario file and its rules.
-std::uint64_t DigestOf(const sim::Scenario& scenario);
 
 /// "world", "decisions", "all".
 std::string_view NameOf(Level level);

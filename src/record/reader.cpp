@@ -67,11 +67,12 @@ Result<void> Reader::ReadFrames() {
       ending_ = "after " + std::to_string(at) + " bytes something follows that is no complete block";
       break;
     }
-    if (block.frame.version != kVersion) {
+    if (block.frame.version < kOldestVersion || block.frame.version > kVersion) {
       Diagnostic problem;
       problem.file = path_.string();
       problem.message = "this recording has format " + std::to_string(block.frame.version) +
-                        ", and this program reads " + std::to_string(kVersion);
+                        ", and this program reads " + std::to_string(kOldestVersion) + " to " +
+                        std::to_string(kVersion);
       problem.hint = "use the version of Soarbox that made it";
       return problem;
     }
@@ -86,7 +87,7 @@ Result<void> Reader::ReadFrames() {
         if (has_header) return Damaged(block.payload_at, "a second header stands in the recording");
         const Result<std::string> payload = ReadPayload(block);
         if (!payload) return payload.error();
-        Result<Header> header = DecodeHeader(*payload);
+        Result<Header> header = DecodeHeader(*payload, block.frame.version);
         if (!header) return Damaged(block.payload_at, header.error().message);
         header_ = std::move(*header);
         has_header = true;

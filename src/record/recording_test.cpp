@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -177,6 +180,80 @@ TEST_F(RecordingTest, WhatIsNoRecordingIsRefusedByName) {
   EXPECT_NE(Reader::Open(file()).error().message.find("no recording"), std::string::npos);
   EXPECT_FALSE(Reader::Open(folder()));
   EXPECT_FALSE(Writer::Create(folder() / "no" / "such" / "folder", SomeHeader()));
+}
+
+/// The header of SomeHeader as version 2 of the format had it: without what a run was made from and branched from.
+std::string HeaderOfVersion2() {
+  Header header = SomeHeader();
+  header.files.clear();
+  header.branched_from.clear();
+  header.branch_tick = 0;
+  std::string bytes = EncodeHeader(header);
+  bytes.resize(bytes.size() - 3);  // Each an empty text or a zero.
+  return bytes;
+}
+
+TEST_F(RecordingTest, TheVersionBeforeIsStillReadAndOthersAreRefused) {
+  BlockFrame frame;
+  frame.kind = BlockKind::kHeader;
+  const auto put = [&](std::uint16_t version, const std::string& header) {
+    frame.version = version;
+    Put(file(), std::string(kMagic) + EncodeBlock(frame, header));
+    return Reader::Open(file());
+  };
+  const Result<std::unique_ptr<Reader>> older = put(2, HeaderOfVersion2());
+  // It holds no ticks, and says so; but it is understood.
+  EXPECT_NE(older.error().message.find("no tick"), std::string::npos) << older.error().message;
+  for (const std::uint16_t version : {1, 4, 65535}) {
+    const Result<std::unique_ptr<Reader>> refused = put(version, EncodeHeader(SomeHeader()));
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("format " + std::to_string(version)), std::string::npos);
+  }
+  const Result<Header> header = DecodeHeader(HeaderOfVersion2(), 2);
+  ASSERT_TRUE(header);
+  EXPECT_TRUE(header->files.empty());
+  EXPECT_EQ(header->seed, SomeHeader().seed);
+}
+
+TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {
+  const std::vector<TickRecord> ticks = SomeTicks(60);
+  std::mt19937 random(8);
+  std::size_t used = 0;
+  for (int i = 0; i < 100; ++i) {
+    fs::remove(file());
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      // It writes on and on, until it is killed.
+      Result<std::unique_ptr<Writer>> writer = Writer::Create(file(), SomeHeader(), {.ticks_per_block = 5});
+      TickRecord tick;
+      for (std::uint64_t number = 0; writer; ++number) {
+        tick = ticks[number % ticks.size()];
+        tick.tick = tick.scene.tick = number;
+        if (!(*writer)->Add(tick)) _exit(1);
+      }
+      _exit(1);
+    }
+    usleep(1000 + random() % 5000);
+    kill(child, SIGKILL);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    const Result<std::unique_ptr<Reader>> opened = Reader::Open(file());
+    if (!opened) continue;  // Killed before its first block was complete.
+    Reader& reader = **opened;
+    ++used;
+    EXPECT_EQ(reader.first_tick(), 0u);
+    EXPECT_EQ((reader.last_tick() + 1) % 5, 0u);
+    for (const std::uint64_t tick : {reader.first_tick(), reader.last_tick() / 2, reader.last_tick()}) {
+      TickRecord expected = ticks[tick % ticks.size()];
+      expected.tick = expected.scene.tick = tick;
+      const Result<const TickRecord*> read = reader.At(tick);
+      ASSERT_TRUE(read) << Format(read.error());
+      ASSERT_EQ(Bytes(**read), Bytes(expected));
+    }
+  }
+  EXPECT_GT(used, 30u);
 }
 
 TEST_F(RecordingTest, AFullDiskEndsTheRecordingAndIsTold) {

@@ -59,20 +59,28 @@ Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const R
   settings.screen_width_px = static_cast<int>(header.screen_width_px);
   settings.screen_height_px = static_cast<int>(header.screen_height_px);
   settings.soar.threads = rerun.threads;
-  return Restart(recording, *scenario, settings, rerun.last_tick);
+  return Restart(recording, *scenario, settings, rerun);
 }
 
-Result<Rerun> Restart(Timeline& recording, const sim::Scenario& scenario, const sim::SimulationSettings& given,
-                      std::uint64_t last_tick) {
+Result<Rerun> Restart(Timeline& recording, const sim::Scenario& given_scenario, const sim::SimulationSettings& given,
+                      const RerunSettings& how) {
   const Header& header = recording.header();
+  sim::Scenario scenario = given_scenario;
   Rerun rerun;
   if (header.build != BuildId()) {
     rerun.warnings.push_back(Warning(recording, "another build of Soarbox made this recording (" + header.build + ")",
                                      "it may take another course than the recording does"));
   }
-  if (header.scenario_digest != DigestOf(scenario)) {
-    rerun.warnings.push_back(Warning(recording, "files of the scenario have changed since this was recorded",
-                                     "the run may take another course than the recording does"));
+  if (header.scenario_digest != ReadScenarioFiles(scenario).digest) {
+    std::string hint = "the run may take another course than the recording does";
+    if (how.files == FilesFrom::kRecording && !header.files.empty()) {
+      Result<sim::Scenario> kept = WithKeptFiles(scenario, header.files);
+      if (!kept) return kept.error();
+      scenario = std::move(*kept);
+      hint = "the run is made from them as they were then";
+    }
+    rerun.warnings.push_back(
+        Warning(recording, "files of the scenario have changed since this was recorded", std::move(hint)));
   }
   if (!header.own_kernel) {
     rerun.warnings.push_back(Warning(recording,
@@ -91,7 +99,7 @@ Result<Rerun> Restart(Timeline& recording, const sim::Scenario& scenario, const 
   const Result<std::vector<TickInputs>> inputs = recording.Inputs();
   if (!inputs) return inputs.error();
   for (const TickInputs& entry : *inputs) {
-    if (entry.tick > last_tick) break;
+    if (entry.tick > how.last_tick) break;
     std::string text;
     for (const std::string& line : entry.inputs) text += line + "\n";
     sim::InputText read = sim::ReadInputs(text, recording.name());
@@ -101,8 +109,9 @@ Result<Rerun> Restart(Timeline& recording, const sim::Scenario& scenario, const 
   return rerun;
 }
 
-Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const Progress& progress, int threads) {
-  Result<Rerun> rerun = Restart(recording, data, {.threads = threads});
+Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const Progress& progress, int threads,
+                       FilesFrom files) {
+  Result<Rerun> rerun = Restart(recording, data, {.threads = threads, .files = files});
   if (!rerun) return rerun.error();
   Verdict verdict;
   verdict.first_tick = recording.first_tick();

@@ -22,17 +22,24 @@ struct Rerun {
   std::vector<Diagnostic> warnings;  ///< Another build made the recording; the scenario's files have changed.
 };
 
+/// What a run is made from again if files of its scenario have changed since.
+enum class FilesFrom : std::uint8_t {
+  kRecording,  ///< The files as they were then, if they were kept: it can always be gone on with.
+  kDisk,       ///< The files as they are now: to see what the change makes of the run.
+};
+
 struct RerunSettings {
   std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();  ///< What came in later is left out.
   int threads = 0;                                                      ///< For the minds; 0: one per core.
+  FilesFrom files = FilesFrom::kRecording;
 };
 
 /// Makes the simulation of a recording as it was before its first tick, with the recorded inputs waiting. Its scenario
-/// is looked for again, by name. Fails if it is no longer there or does not load.
+/// is looked for again, by name. Fails if it is no longer there or does not load. Warnings say if files have changed.
 Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const RerunSettings& settings = {});
 /// The same for a running world, of this scenario and made with these settings.
 Result<Rerun> Restart(Timeline& recording, const sim::Scenario& scenario, const sim::SimulationSettings& settings,
-                      std::uint64_t last_tick);
+                      const RerunSettings& rerun);
 
 /// Told the tick that was reached, for showing progress; false ends the work.
 using Progress = std::function<bool(std::uint64_t tick)>;
@@ -46,9 +53,10 @@ struct Verdict {
   std::vector<Diagnostic> warnings;
 };
 
-/// Runs a recording again and compares each tick: state hash, bodies and minds.
+/// Runs a recording again and compares each tick: state hash, bodies and minds. With the scenario's files as they are
+/// now, unless asked otherwise.
 Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const Progress& progress = {},
-                       int threads = 0);
+                       int threads = 0, FilesFrom files = FilesFrom::kDisk);
 
 /// Runs a recording again up to the end of a tick, with its hash checked there. Fails if the tick is not recorded, or
 /// if the run has come to another state (the message names the tick, the agent and what differs).

@@ -40,6 +40,9 @@ inline Header SomeHeader() {
   header.scenario_digest = 0x123456789abcdef0;
   header.seed = 77;
   header.level = Level::kAll;
+  header.files = {{0, "scout.soar", "sp {a (state <s>) --> (halt)}\n"}, {1, "more/x.lua", ""}};
+  header.branched_from = "/somewhere/run.soarrec";
+  header.branch_tick = 17;
   return header;
 }
 

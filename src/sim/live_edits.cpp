@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/live_edits.h"
 
+#include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
 
+#include "diagnostics/read_text.h"
 #include "script/check_syntax.h"
 #include "script/keep_state.h"
 #include "sim/rule_text.h"
@@ -17,18 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ReadAll(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// The files that a file of rules sources, with all below them.
 void AddSourced(const fs::path& file, std::set<fs::path>& found) {
   constexpr std::size_t kMostFiles = 500;
   if (found.size() >= kMostFiles || !found.insert(file).second) return;
-  std::istringstream lines(BlankComments(ReadAll(file)));
+  std::istringstream lines(BlankComments(ReadText(file).value_or("")));
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string command, name;
@@ -111,6 +106,20 @@ LiveEdits::LiveEdits(Simulation& simulation) : simulation_(simulation) {
   Watch();
 }
 
+LiveEdits::LiveEdits(Simulation& simulation, const LiveEdits& earlier) : simulation_(simulation) {
+  for (const auto& [file, version] : earlier.versions_) {
+    Version& then = versions_[file];
+    then = version;
+    const auto held = std::find_if(then.earlier.begin(), then.earlier.end(),
+                                   [&](const auto& text) { return simulation.tick() <= text.first; });
+    if (held == then.earlier.end()) continue;
+    then.text = held->second;
+    then.earlier.erase(held, then.earlier.end());
+    then.time = {};  // Whatever is there now is newer.
+  }
+  Watch();
+}
+
 /// Agents come and go; files that are new are taken as they are now.
 void LiveEdits::Watch() {
   files_ = WithSourced(simulation_.Files());
@@ -119,7 +128,7 @@ void LiveEdits::Watch() {
     if (!is_new) continue;
     std::error_code error;
     at->second.time = fs::last_write_time(file.file, error);
-    at->second.text = ReadAll(file.file);
+    at->second.text = ReadText(file.file).value_or("");
   }
 }
 
@@ -156,16 +165,20 @@ std::vector<std::string> LiveEdits::Poll() {
       const auto time = fs::last_write_time(file.file, error);
       if (error || time == version.time) continue;
       version.time = time;
-      std::string text = ReadAll(file.file);
-      if (text == version.text) continue;
-      before[file.file] = std::exchange(version.text, std::move(text));
+      std::optional<std::string> text = ReadText(file.file);
+      if (!text || *text == version.text) continue;
+      before[file.file] = std::exchange(version.text, std::move(*text));
+      version.earlier.emplace_back(simulation_.tick(), before[file.file]);
       changed.insert(file.file);
     }
     if (failed.contains(file.file)) continue;
     if (!Edit(file, before[file.file], version.text, told)) {
       failed.insert(file.file);
       // The next good version is compared with what runs, not with what never did.
-      if (!told.empty()) version.text = before[file.file];
+      if (!told.empty()) {
+        version.text = before[file.file];
+        version.earlier.pop_back();
+      }
     }
   }
   for (const fs::path& file : changed)

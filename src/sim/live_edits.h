@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace soarbox::sim {
@@ -38,6 +40,9 @@ std::vector<std::string> EditsBetween(const SplitText& before, const SplitText& 
 class LiveEdits {
  public:
   explicit LiveEdits(Simulation& simulation);
+  /// For a simulation that went back in the run that `earlier` watched: its files count as they were in that run at
+  /// this tick, so that what was edited since reaches it as an edit of its own, soon.
+  LiveEdits(Simulation& simulation, const LiveEdits& earlier);
 
   /// Looks at all files; what it did is told in lines.
   std::vector<std::string> Poll();
@@ -46,6 +51,7 @@ class LiveEdits {
   struct Version {
     std::filesystem::file_time_type time;
     std::string text;
+    std::vector<std::pair<std::uint64_t, std::string>> earlier;  ///< Texts that held up to the end of a tick.
   };
   void Watch();
   bool Edit(const WatchedFile& file, const std::string& before, const std::string& after,

@@ -153,6 +153,18 @@ class Verify(Recorded):
         self.assertEqual(done.code, 1, done.out + done.err)
         self.assertIn("files of the scenario have changed", done.err)
         self.assertRegex(done.out, r"tick \d+ .* differs: .*command")
+        # The recording keeps what the run was made from: it is verified and gone on with as it was.
+        done = Run("verify", file, "--as-recorded")
+        self.assertEqual(done.code, 0, done.out + done.err)
+        self.assertIn("made from them as they were then", done.err)
+        again = self.folder / "again.soarrec"
+        done = Run("resume", file, "--at", 1, "--record", again)
+        self.assertIn("tick 30 reached", done.out, done.err)
+        self.assertEqual(Run("compare", file, again).code, 0)
+        head = self.exported(again)[0]
+        self.assertEqual((head["branched_from"], head["branch_tick"]), (str(file), 30))
+        (world / "scout.soar").unlink()
+        self.assertEqual(Run("resume", file, "--at", 1).code, 3)
 
 
 class EveryScenario(unittest.TestCase):

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/kept_files.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "diagnostics/read_text.h"
+#include "world/state_hash.h"
+
+namespace soarbox::record {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kMostFiles = 2000;
+constexpr std::size_t kMostLookedAt = 20'000;  // The folder may be somebody's home.
+constexpr int kDeepest = 8;
+
+/// The scripts, rules and scenario files below a folder, in order of their names.
+std::vector<fs::path> FilesBelow(const fs::path& folder) {
+  constexpr std::array<std::string_view, 3> kEndings = {".lua", ".soar", ".toml"};
+  std::vector<fs::path> files;
+  std::error_code error;
+  std::size_t looked_at = 0;
+  for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && it != end && ++looked_at <= kMostLookedAt; it.increment(error)) {
+    if (it.depth() >= kDeepest) it.disable_recursion_pending();
+    std::error_code ignored;
+    const std::string ending = it->path().extension().string();
+    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() && it->is_regular_file(ignored))
+      files.push_back(it->path());
+  }
+  std::sort(files.begin(), files.end());
+  files.resize(std::min(files.size(), kMostFiles));
+  return files;
+}
+
+Diagnostic CannotRestore(const std::string& why) {
+  Diagnostic problem;
+  problem.message = "the files that this run was made from cannot be restored: " + why;
+  return problem;
+}
+
+/// Goes with all that is in it.
+class PassingFolder {
+ public:
+  explicit PassingFolder(fs::path path) : path_(std::move(path)) {}
+  ~PassingFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+
+ private:
+  fs::path path_;
+};
+
+/// True for names that stay below the folder that they are looked for in.
+bool IsInside(const fs::path& name) {
+  return !name.empty() && name.is_relative() && name.has_filename() &&
+         std::none_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".." || part == "."; });
+}
+
+Result<void> Restore(const KeptFile& kept, const fs::path& folder) {
+  const fs::path name(kept.name);
+  if (!IsInside(name)) return CannotRestore("it names a file outside of its folder, '" + kept.name + "'");
+  std::error_code error;
+  fs::create_directories((folder / name).parent_path(), error);
+  std::ofstream out(folder / name, std::ios::binary);
+  out << kept.content;
+  out.close();
+  if (!out) return CannotRestore((folder / name).string() + ": " + std::strerror(errno));
+  return {};
+}
+
+/// The path as it is below another folder; itself if it does not lie below `from`.
+fs::path Moved(const fs::path& path, const fs::path& from, const fs::path& to) {
+  if (path.empty()) return path;
+  const fs::path inside = path.lexically_normal().lexically_relative(from.lexically_normal());
+  std::error_code error;
+  return !inside.empty() && *inside.begin() != ".." && fs::exists(to / inside, error) ? to / inside : path;
+}
+
+}  // namespace
+
+ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
+  ScenarioFiles all;
+  world::StateHash hash;
+  std::size_t bytes = 0;
+  for (std::uint32_t folder = 0; folder < scenario.rule_folders.size(); ++folder) {
+    const fs::path& root = scenario.rule_folders[folder];
+    for (const fs::path& file : FilesBelow(root)) {
+      KeptFile kept{folder, file.lexically_relative(root).generic_string(), ReadText(file).value_or("")};
+      hash.Add(std::uint64_t{kept.folder});
+      hash.Add(std::string_view(kept.name));
+      hash.Add(std::string_view(kept.content));
+      bytes += kept.content.size();
+      if (bytes <= kMostKeptBytes) all.files.push_back(std::move(kept));
+    }
+  }
+  if (bytes > kMostKeptBytes) all.files.clear();
+  for (const fs::path& file : {scenario.script, scenario.definition, scenario.rules})
+    if (!file.empty()) hash.Add(std::string_view(ReadText(file).value_or("")));
+  all.digest = hash.value();
+  return all;
+}
+
+Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::vector<KeptFile>& files) {
+  if (files.empty()) return CannotRestore("they were not kept");
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "soarbox-run-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) return CannotRestore(name + ": " + std::strerror(errno));
+  const fs::path folder = name;
+  sim::Scenario kept = scenario;
+  kept.keeps = std::make_shared<PassingFolder>(folder);
+  for (std::size_t i = 0; i < scenario.rule_folders.size(); ++i) {
+    const fs::path from = scenario.rule_folders[i], to = folder / std::to_string(i);
+    fs::create_directories(to, error);
+    for (const KeptFile& file : files) {
+      if (file.folder != i) continue;
+      if (const Result<void> restored = Restore(file, to); !restored) return restored.error();
+    }
+    for (auto* folders : {&kept.script_folders, &kept.rule_folders})
+      std::replace(folders->begin(), folders->end(), from, to);
+    for (fs::path* file : {&kept.script, &kept.definition, &kept.rules}) *file = Moved(*file, from, to);
+    kept.stand_ins.emplace_back(to, from);
+  }
+  return kept;
+}
+
+}  // namespace soarbox::record

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Recordings keep what a run was made from, so that it can be gone on with whatever became of the files.
+#include "record/kept_files.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "diagnostics/read_text.h"
+#include "record/branch.h"
+#include "record/history.h"
+#include "record/recorder.h"
+#include "record/test_ticks.h"
+#include "sim/live_edits.h"
+#include "sim/simulation.h"
+#include "world/world.h"
+
+namespace soarbox::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+sim::DataFolders Data() {
+  const std::string root = SOARBOX_SOURCE_DIR;
+  return {root + "/scenarios", root + "/media"};
+}
+
+constexpr const char* kWalk = R"(sp {walk*propose
+   (state <s> ^superstate nil ^io.input-link.self)
+-->
+   (<s> ^operator <o> + =)
+   (<o> ^name SAY)
+}
+sp {walk*apply
+   (state <s> ^operator.name SAY ^io.output-link <out>)
+-->
+   (<out> ^set-speed <c>)
+   (<c> ^speed 1)
+}
+)";
+
+std::string Rules(const std::string& word) {
+  std::string text = kWalk;
+  for (std::size_t at = 0; (at = text.find("SAY", at)) != std::string::npos;) text.replace(at, 3, word);
+  return text;
+}
+
+void Put(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+/// A world of one agent, whose rules source a neighbour's.
+class KeptFilesTest : public testing::Test {
+ protected:
+  KeptFilesTest() {
+    Put(folder() / "scout.soar", "source more/walk.soar\n");
+    Put(folder() / "more" / "walk.soar", Rules("amble"));
+    Put(folder() / "notes.txt", "nobody's business");
+    scenario = sim::FindScenario((folder() / "scout.soar").string(), Data()).value();
+    settings.soar.threads = 1;
+    settings.mind_detail = sim::MindDetail::kDecisions;
+    simulation = std::move(sim::Simulation::Create(scenario, settings).value());
+    history = std::make_unique<History>(HeaderOf(scenario, settings, 1.0 / 30, Level::kDecisions));
+    Note();
+  }
+  void Note() {
+    TickRecord record;
+    Observe(*simulation, simulation->TakeEvents(), Level::kDecisions, record);
+    history->Add(record);
+  }
+  void Run(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      simulation->Tick();
+      Note();
+    }
+  }
+  Result<std::unique_ptr<Branch>> Arrive(std::uint64_t tick) {
+    Result<std::unique_ptr<Branch>> branch = Branch::Begin(*history, scenario, settings, tick);
+    while (branch && !(*branch)->IsThere())
+      if (const Result<void> gone = (*branch)->Advance(100); !gone) return gone.error();
+    return branch;
+  }
+  const fs::path& folder() const { return scratch_.path(); }
+
+  sim::Scenario scenario;
+  sim::SimulationSettings settings;
+  std::unique_ptr<sim::Simulation> simulation;
+  std::unique_ptr<History> history;
+
+ private:
+  ScratchFolder scratch_;
+};
+
+TEST_F(KeptFilesTest, ScriptsRulesAndScenarioFilesAreKeptAndNothingElse) {
+  const ScenarioFiles files = ReadScenarioFiles(scenario);
+  EXPECT_EQ(files.files, (std::vector<KeptFile>{{0, "more/walk.soar", Rules("amble")},
+                                                {0, "scout.soar", "source more/walk.soar\n"}}));
+  EXPECT_EQ(ReadScenarioFiles(scenario).digest, files.digest);
+  Put(folder() / "more" / "walk.soar", Rules("stroll"));
+  EXPECT_NE(ReadScenarioFiles(scenario).digest, files.digest);
+}
+
+TEST_F(KeptFilesTest, ARunIsGoneOnWithAsItWasWhateverBecameOfItsFiles) {
+  Run(20);
+  Put(folder() / "more" / "walk.soar", "sp {other (state <s> ^superstate nil) --> (halt)}\n");
+  const Result<std::unique_ptr<Branch>> branch = Arrive(12);
+  ASSERT_TRUE(branch) << Format(branch.error());
+  ASSERT_EQ((*branch)->warnings().size(), 1u);
+  EXPECT_NE((*branch)->warnings()[0].message.find("have changed"), std::string::npos);
+  Futures futures = (*branch)->CompareFutures();
+  std::unique_ptr<sim::Simulation> again = (*branch)->TakeSimulation();
+  TickRecord now;
+  for (int i = 0; i < 8; ++i) {
+    again->Tick();
+    Observe(*again, again->TakeEvents(), Level::kDecisions, now);
+    futures.See(now);
+  }
+  EXPECT_FALSE(futures.comparison().difference);
+  EXPECT_EQ(futures.comparison().last_tick, 20u);
+  // Whoever edits is led to the user's own file, not to the copy.
+  for (const sim::WatchedFile& file : again->Files())
+    EXPECT_EQ(file.file.string().find("soarbox-run-"), std::string::npos) << file.file;
+}
+
+TEST_F(KeptFilesTest, WhatWasEditedSinceComesOnTop) {
+  sim::LiveEdits edits(*simulation);
+  Run(10);
+  Put(folder() / "more" / "walk.soar", Rules("stroll"));
+  fs::last_write_time(folder() / "more" / "walk.soar", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  EXPECT_FALSE(edits.Poll().empty());
+  Run(10);
+  // Before the edit: the old rule runs, and the edit comes again. After it: it is there already.
+  for (const std::uint64_t tick : {5u, 15u}) {
+    const Result<std::unique_ptr<Branch>> branch = Arrive(tick);
+    ASSERT_TRUE(branch) << Format(branch.error());
+    const std::unique_ptr<sim::Simulation> again = (*branch)->TakeSimulation();
+    sim::LiveEdits later(*again, edits);
+    EXPECT_EQ(later.Poll().empty(), tick == 15) << tick;
+    again->Tick();
+    const Result<std::string> rule = again->Command(again->Mind(0).agent, "print walk*propose");
+    ASSERT_TRUE(rule) << Format(rule.error());
+    EXPECT_NE(rule->find("stroll"), std::string::npos) << *rule;
+    EXPECT_TRUE(later.Poll().empty());
+  }
+}
+
+TEST_F(KeptFilesTest, CopiesGoWithTheLastWhoNeedsThem) {
+  Result<sim::Scenario> kept = WithKeptFiles(scenario, ReadScenarioFiles(scenario).files);
+  ASSERT_TRUE(kept) << Format(kept.error());
+  const fs::path rules = kept->rules;
+  EXPECT_NE(rules, scenario.rules);
+  EXPECT_EQ(ReadText(rules), "source more/walk.soar\n");
+  EXPECT_EQ(kept->Original(rules), scenario.rules);
+  auto user = std::make_unique<sim::Scenario>(*kept);
+  kept = sim::Scenario();
+  EXPECT_TRUE(fs::exists(rules));
+  user.reset();
+  EXPECT_FALSE(fs::exists(rules.parent_path()));
+}
+
+TEST_F(KeptFilesTest, NamesThatLeadElsewhereAreRefused) {
+  for (const char* name : {"../x.soar", "/tmp/x.soar", "a/../../x.soar", "", ".", "..", "a/"}) {
+    const Result<sim::Scenario> kept = WithKeptFiles(scenario, {{0, name, "x"}});
+    EXPECT_FALSE(kept) << name;
+  }
+  EXPECT_FALSE(WithKeptFiles(scenario, {}));
+}
+
+}  // namespace
+}  // namespace soarbox::record
