@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "diagnostics/plain_text.h"
-
 #include "diagnostics/read_text.h"
 
 namespace soarbox::sim {
