@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -92,6 +93,35 @@ fs::path Moved(const fs::path& path, const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
+namespace {
+
+void AddTo(world::StateHash& hash, std::uint32_t folder, std::string_view name, std::string_view content) {
+  hash.Add(std::uint64_t{folder});
+  hash.Add(name);
+  hash.Add(content);
+}
+
+/// What the scenario itself names, wherever it is.
+void AddNamedFiles(const sim::Scenario& scenario, world::StateHash& hash) {
+  for (const fs::path& file : {scenario.script, scenario.definition, scenario.rules})
+    if (!file.empty()) hash.Add(std::string_view(ReadText(file).value_or("")));
+}
+
+}  // namespace
+
+bool HaveChanged(const sim::Scenario& scenario, std::uint64_t digest_then, const std::vector<KeptFile>& then) {
+  if (then.empty()) return ReadScenarioFiles(scenario).digest != digest_then;
+  world::StateHash hash;
+  for (const KeptFile& file : then) {
+    if (file.folder >= scenario.rule_folders.size() || !IsInside(file.name)) return true;
+    const std::optional<std::string> now = ReadText(scenario.rule_folders[file.folder] / file.name);
+    if (!now) return true;
+    AddTo(hash, file.folder, file.name, *now);
+  }
+  AddNamedFiles(scenario, hash);
+  return hash.value() != digest_then;
+}
+
 ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
   ScenarioFiles all;
   world::StateHash hash;
@@ -100,16 +130,13 @@ ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
     const fs::path& root = scenario.rule_folders[folder];
     for (const fs::path& file : FilesBelow(root)) {
       KeptFile kept{folder, file.lexically_relative(root).generic_string(), ReadText(file).value_or("")};
-      hash.Add(std::uint64_t{kept.folder});
-      hash.Add(std::string_view(kept.name));
-      hash.Add(std::string_view(kept.content));
+      AddTo(hash, folder, kept.name, kept.content);
       bytes += kept.content.size();
       if (bytes <= kMostKeptBytes) all.files.push_back(std::move(kept));
     }
   }
   if (bytes > kMostKeptBytes) all.files.clear();
-  for (const fs::path& file : {scenario.script, scenario.definition, scenario.rules})
-    if (!file.empty()) hash.Add(std::string_view(ReadText(file).value_or("")));
+  AddNamedFiles(scenario, hash);
   all.digest = hash.value();
   return all;
 }

@@ -29,6 +29,9 @@ inline constexpr std::size_t kMostKeptBytes = 16u << 20;
 /// folders added to it, with what is below them. What comes with the program (the Lua library) is not among them.
 ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario);
 
+/// Whether files have changed or gone since `then`. Further files beside them change nothing.
+bool HaveChanged(const sim::Scenario& scenario, std::uint64_t digest_then, const std::vector<KeptFile>& then);
+
 /// The scenario with its files as they were kept: written into a folder of their own, which goes when the last copy of
 /// the scenario does. Fails if nothing is kept, if a name would lead out of the folder, or if it cannot be written.
 Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::vector<KeptFile>& files);

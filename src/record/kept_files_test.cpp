@@ -101,6 +101,18 @@ TEST_F(KeptFilesTest, ScriptsRulesAndScenarioFilesAreKeptAndNothingElse) {
   EXPECT_NE(ReadScenarioFiles(scenario).digest, files.digest);
 }
 
+TEST_F(KeptFilesTest, FilesThatAreAddedChangeNothing) {
+  const ScenarioFiles then = ReadScenarioFiles(scenario);
+  Put(folder() / "another.soar", Rules("stroll"));
+  EXPECT_FALSE(HaveChanged(scenario, then.digest, then.files));
+  Put(folder() / "more" / "walk.soar", Rules("amble") + "\n");
+  EXPECT_TRUE(HaveChanged(scenario, then.digest, then.files));
+  Put(folder() / "more" / "walk.soar", Rules("amble"));
+  EXPECT_FALSE(HaveChanged(scenario, then.digest, then.files));
+  fs::remove(folder() / "more" / "walk.soar");
+  EXPECT_TRUE(HaveChanged(scenario, then.digest, then.files));
+}
+
 TEST_F(KeptFilesTest, ARunIsGoneOnWithAsItWasWhateverBecameOfItsFiles) {
   Run(20);
   Put(folder() / "more" / "walk.soar", "sp {other (state <s> ^superstate nil) --> (halt)}\n");

@@ -71,7 +71,7 @@ Result<Rerun> Restart(Timeline& recording, const sim::Scenario& given_scenario, 
     rerun.warnings.push_back(Warning(recording, "another build of Soarbox made this recording (" + header.build + ")",
                                      "it may take another course than the recording does"));
   }
-  if (header.scenario_digest != ReadScenarioFiles(scenario).digest) {
+  if (HaveChanged(scenario, header.scenario_digest, header.files)) {
     std::string hint = "the run may take another course than the recording does";
     if (how.files == FilesFrom::kRecording && !header.files.empty()) {
       Result<sim::Scenario> kept = WithKeptFiles(scenario, header.files);

@@ -99,6 +99,12 @@ void MindLog::Listen(sml::Agent&, MindDetail) {}
 
 #endif
 
+void MindLog::BeforeRun() {
+#ifdef SOARBOX_OWN_KERNEL
+  if (listener_->observation != nullptr) listener_->observation->BeforeRun();
+#endif
+}
+
 MindLog::MindLog() : listener_(std::make_unique<Listener>()) {}
 MindLog::~MindLog() = default;
 MindLog::MindLog(MindLog&&) noexcept = default;

@@ -14,6 +14,7 @@ enum class MindNotes::Kind : std::uint8_t {
   kText,
   kGone,
   kCommand,
+  kOutcome,  // Command, how it went, reason.
   kRuleOfCommand,
   kOperator,  // The number is the level; id, name.
   kState,     // State, impasse, attribute.
@@ -80,6 +81,9 @@ void MindNotes::NotePerceptGone(std::string_view path, std::string_view attribut
 }
 void MindNotes::NoteCommand(std::string_view command, std::uint64_t tag) {
   Add(Kind::kCommand, tag, command);
+}
+void MindNotes::NoteOutcome(std::string_view command, std::string_view how, std::string_view reason) {
+  Add(Kind::kOutcome, 0, command, how, reason);
 }
 void MindNotes::NoteRuleOfCommand(std::uint64_t tag, std::string_view rule) {
   Add(Kind::kRuleOfCommand, tag, rule);
@@ -166,6 +170,13 @@ MindWords MindNotes::Words(bool with_details) const {
           rule = name;
           break;
         }
+        break;
+      }
+      case Kind::kOutcome: {
+        std::string& line = words.commands.emplace_back(first);
+        line.append(": ").append(second);
+        if (!third.empty()) line.append(" ").append(third);
+        words.command_rules.emplace_back();
         break;
       }
       case Kind::kRuleOfCommand:

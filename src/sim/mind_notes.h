@@ -43,8 +43,10 @@ class MindNotes {
   void NotePercept(std::string_view path, const Percept& constant);
   void NoteNumber(std::string_view path, std::string_view attribute, std::uint32_t key, double value);
   void NotePerceptGone(std::string_view path, std::string_view attribute, std::uint32_t key);
-  /// Something said, or how it went; `tag` is its time tag if it is a command.
+  /// Something said, with its time tag.
   void NoteCommand(std::string_view command, std::uint64_t tag);
+  /// How it went: "complete"; "error", with a reason.
+  void NoteOutcome(std::string_view command, std::string_view how, std::string_view reason = {});
   /// A rule has made an element of the output link, which may be a command.
   void NoteRuleOfCommand(std::uint64_t tag, std::string_view rule);
 

@@ -41,11 +41,12 @@ TEST(MindNotes, CommandsHaveTheRuleThatMadeThem) {
   notes.NoteRuleOfCommand(17, "scout*move");
   notes.NoteRuleOfCommand(18, "scout*shoot");
   notes.NoteCommand("shoot ^at red-1", 18);
-  notes.NoteCommand("move-to: complete", 0);
+  notes.NoteOutcome("move-to", "complete");
+  notes.NoteOutcome("aim", "error", "no-target");
   notes.NoteCommand("wander", 19);
   const MindWords words = notes.Words();
-  EXPECT_EQ(words.commands, (Lines{"shoot ^at red-1", "move-to: complete", "wander"}));
-  EXPECT_EQ(words.command_rules, (Lines{"scout*shoot", "", ""}));
+  EXPECT_EQ(words.commands, (Lines{"shoot ^at red-1", "move-to: complete", "aim: error no-target", "wander"}));
+  EXPECT_EQ(words.command_rules, (Lines{"scout*shoot", "", "", ""}));
 }
 
 TEST(MindNotes, DetailsCountTheDecisionsBeforeThemAndCanBeLeftOut) {

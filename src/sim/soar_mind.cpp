@@ -103,6 +103,7 @@ void SoarMind::SetDistance(float distance_squared_m2) {
 }
 
 void SoarMind::Decide() {
+  if (is_logged_) log_.BeforeRun();
   answer_ = agent_->RunSelfTilOutput();
   ReadOutput();
 }
@@ -151,18 +152,18 @@ void SoarMind::Complete(std::uint64_t tag) {
   if (Stands(at, tag) && at->word != nullptr) at->word->AddStatusComplete();
 }
 
-void SoarMind::NoteOutcome(const std::string& command, const Outcome& outcome) {
+void SoarMind::NoteOutcome(std::string_view command, const Outcome& outcome) {
   switch (outcome.status) {
     case Outcome::Status::kProgress:
       return;
     case Outcome::Status::kComplete:
-      log_.notes().NoteCommand(command + ": complete", 0);
+      log_.notes().NoteOutcome(command, "complete");
       return;
     case Outcome::Status::kInterrupted:
-      log_.notes().NoteCommand(command + ": interrupted", 0);
+      log_.notes().NoteOutcome(command, "interrupted");
       return;
     case Outcome::Status::kError:
-      log_.notes().NoteCommand(command + ": error " + outcome.reason, 0);
+      log_.notes().NoteOutcome(command, "error", outcome.reason);
       return;
   }
 }

@@ -93,7 +93,7 @@ class SoarMind {
   }
   void ReadOutput();
   void NoteSaid(const SaidCommand& said);
-  void NoteOutcome(const std::string& command, const Outcome& outcome);
+  void NoteOutcome(std::string_view command, const Outcome& outcome);
 
   sml::Agent* agent_;
   sml::FloatElement* distance_ = nullptr;

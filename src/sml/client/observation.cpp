@@ -65,24 +65,24 @@ class LocalObservation final : public Observation, kernel::Observer {
  public:
   LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
       : agent_(agent), listener_(listener) {
-    kernel::EventMask events = Event::kPhase | Event::kDecision | Event::kRun | Event::kOutput;
+    kernel::EventMask events = Event::kDecision | Event::kRun | Event::kOutput;
     if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
     if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
     agent_.AddObserver(*this, events);
   }
   ~LocalObservation() override { agent_.RemoveObserver(*this); }
+  void BeforeRun() override { forced_ = agent_.selected_operator(); }
 
  private:
-  void OnPhaseBegin(const kernel::Agent& agent, kernel::Phase phase) override {
-    if (phase == kernel::Phase::kDecide) forced_ = agent.selected_operator();
-  }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
     const IdentifierText state(agent, goal.goal);
     if (goal.op) {
       const IdentifierText op(agent, goal.op);
       listener_.OnOperator(static_cast<int>(goal.level), state.view(), op.view(), NameOf(agent, goal.op));
       reason_.clear();
-      AppendReasonOfOperator(agent, goal, !forced_.empty() && op.view() == forced_, reason_);
+      const bool is_forced = !forced_.empty() && op.view() == forced_;
+      AppendReasonOfOperator(agent, goal, is_forced, reason_);
+      if (is_forced) forced_.clear();
       listener_.OnReason(reason_);
     } else {
       listener_.OnState(static_cast<int>(goal.level), state.view(), cli::ImpasseName(goal.impasse),
@@ -147,7 +147,7 @@ class LocalObservation final : public Observation, kernel::Observer {
   bool told_of_elaborations_ = false;
   kernel::Symbol name_;  ///< "name".
   PrintedNames names_;
-  std::string forced_;  ///< The operator that `select` or `predict` had settled before the decision; empty: none.
+  std::string forced_;  ///< The operator that `select` or `predict` had settled before the run; empty: none.
   std::string reason_;  ///< Keeps its memory from decision to decision.
 };
 

@@ -61,6 +61,8 @@ enum class MindDetail : std::uint8_t {
 class EXPORT Observation {
  public:
   virtual ~Observation() = default;
+  /// Call before the agent runs, so that a choice that `decide select` has settled is told as such.
+  virtual void BeforeRun() = 0;
 };
 
 /// Null if the agent's kernel is in another process: then only the client API tells what there is.

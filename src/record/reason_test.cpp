@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What a recording tells of why operators were selected, with minds that run.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "record/recorder.h"
+#include "record/test_ticks.h"
+#include "sim/simulation.h"
+
+namespace soarbox::record {
+namespace {
+
+sim::DataFolders Data() {
+  const std::string root = SOARBOX_SOURCE_DIR;
+  return {root + "/scenarios", root + "/media"};
+}
+
+/// What an agent with these rules decides first, after a command, if there is one.
+MindRecord FirstDecisions(const std::string& rules, const std::string& command) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "scout.soar") << rules;
+  const sim::Scenario scenario = sim::FindScenario((scratch.path() / "scout.soar").string(), Data()).value();
+  sim::SimulationSettings settings;
+  settings.soar.threads = 1;
+  settings.mind_detail = DetailOf(Level::kDecisions);
+  const std::unique_ptr<sim::Simulation> simulation = std::move(sim::Simulation::Create(scenario, settings).value());
+  if (!command.empty()) simulation->Submit(sim::CommandInput{simulation->AgentOfMind(0), command});
+  TickRecord record;
+  for (int i = 0; i < 5 && (record.minds.empty() || record.minds[0].decisions.empty()); ++i) {
+    simulation->Tick();
+    Observe(*simulation, simulation->TakeEvents(), Level::kDecisions, record);
+  }
+  return record.minds.at(0);
+}
+
+constexpr const char* kEither = R"(sp {scout*either
+   (state <s> ^superstate nil ^io.input-link.self)
+-->
+   (<s> ^operator <one> + = ^operator <two> + =)
+   (<one> ^name one)
+   (<two> ^name two)
+})";
+
+TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
+  const MindRecord free = FirstDecisions(kEither, "");
+  ASSERT_FALSE(free.decisions.empty());
+  EXPECT_EQ(free.reasons[0], "at random, one of 2 indifferent ones; proposed by scout*either");
+  const std::string other = free.decisions[0].find("O: O1") != std::string::npos ? "O2" : "O1";
+  const MindRecord forced = FirstDecisions(kEither, "decide select " + other);
+  ASSERT_FALSE(forced.decisions.empty());
+  EXPECT_EQ(forced.decisions[0].find("O: " + other), 0u) << forced.decisions[0];
+  EXPECT_EQ(forced.reasons[0], "forced by select (or foretold by predict); proposed by scout*either");
+  EXPECT_EQ(FirstDecisions(kEither, "decide select O9").reasons, free.reasons) << "there is no such operator";
+}
+
+TEST(Reasons, AMindThatWaitsSaysSoOnce) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "scout.soar") << "soar wait-snc on\n" << kEither;
+  std::ofstream(scratch.path() / "scout.soar", std::ios::app)
+      << "\nsp {scout*never (state <s> ^superstate nil ^io.input-link.self.health < 0) --> (halt)}\nexcise "
+         "scout*either\n";
+  const sim::Scenario scenario = sim::FindScenario((scratch.path() / "scout.soar").string(), Data()).value();
+  sim::SimulationSettings settings;
+  settings.soar.threads = 1;
+  settings.mind_detail = DetailOf(Level::kDecisions);
+  const std::unique_ptr<sim::Simulation> simulation = std::move(sim::Simulation::Create(scenario, settings).value());
+  std::vector<std::string> decisions;
+  for (int i = 0; i < 20; ++i) {
+    simulation->Tick();
+    for (const std::string& line : simulation->Mind(0).decisions) decisions.push_back(line);
+  }
+  EXPECT_EQ(decisions, std::vector<std::string>{"==>S: S1"});
+}
+
+}  // namespace
+}  // namespace soarbox::record
