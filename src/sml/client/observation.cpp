@@ -35,7 +35,7 @@ class IdentifierText {
   std::string_view view() const { return size_ == 0 ? std::string_view(other_) : std::string_view(text_, size_); }
 
  private:
-  char text_[24];
+  char text_[24] = {};
   std::size_t size_ = 0;
   std::string other_;  ///< Of operators that are constants.
 };
