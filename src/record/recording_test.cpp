@@ -234,7 +234,11 @@ TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {
       }
       _exit(1);
     }
-    usleep(1000 + random() % 5000);
+    // It is killed at some moment after it has come so far; nobody waits longer than two seconds.
+    const std::uintmax_t far = random() % 30'000;
+    std::error_code error;
+    for (int waits = 0; waits < 10'000; ++waits, usleep(200))
+      if (const std::uintmax_t size = fs::file_size(file(), error); !error && size > far) break;
     kill(child, SIGKILL);
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
