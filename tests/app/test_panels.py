@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """A user of the window, with real events of mouse and keyboard: looks into an agent, stops it, changes it, goes back."""
 import pathlib
-import shutil
 import socket
 import subprocess
 import tempfile
@@ -10,6 +9,7 @@ import unittest
 
 from png_picture import Picture
 from soarbox_command import COMMAND
+from virtual_display import can_draw, environment
 
 WORLD = """
 seconds = 60
@@ -92,10 +92,6 @@ sp {idler*propose*flee
 """
 
 
-def can_draw():
-    return shutil.which("xvfb-run") is not None
-
-
 @unittest.skipUnless(can_draw(), "no virtual display at hand")
 class Panels(unittest.TestCase):
     def setUp(self):
@@ -109,14 +105,14 @@ class Panels(unittest.TestCase):
         """The command line that opens a window and plays a user in it."""
         file = self.folder / "user.txt"
         file.write_text(script, encoding="utf-8")
-        return ["xvfb-run", "-a", "-s", f"-screen 0 {size[0]}x{size[1]}x24", COMMAND, *command, "--width",
-                str(size[0]), "--height", str(size[1]), "--ui-script", str(file), "--detail", "low"]
+        return [COMMAND, *command, "--width", str(size[0]), "--height", str(size[1]), "--ui-script", str(file),
+                "--detail", "low"]
 
     def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
         """Plays a user and expects that everything could be done; 1: something in the run was a problem."""
         done = subprocess.run(
             self.window(script, "run", str(self.folder), record, "--port", "0", *arguments, size=size),
-            capture_output=True, text=True, timeout=280, check=False, cwd=self.folder)
+            capture_output=True, text=True, timeout=280, check=False, cwd=self.folder, env=environment(*size))
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
@@ -130,7 +126,7 @@ class Panels(unittest.TestCase):
 
     def replay(self, file, script):
         done = subprocess.run(self.window(script, "replay", str(file)), capture_output=True, text=True, timeout=280,
-                              check=False, cwd=self.folder)
+                              check=False, cwd=self.folder, env=environment(1280, 720))
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_a_learner_finds_out_why(self):
@@ -368,7 +364,8 @@ class Panels(unittest.TestCase):
                 until 4
                 expect "Running"
                 """, "run", str(self.folder), "--no-record", "--kernel", f"127.0.0.1:{port}", "--kernel-limit", "0.5"),
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder)
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
+            env=environment(1280, 720))
         self.addCleanup(run.kill)
         end = time.monotonic() + 120
         while not mark.exists() and run.poll() is None and time.monotonic() < end:

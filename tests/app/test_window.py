@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """The window shows the thesis' world: sky, ground, agents, debug lines and the scripts' text panel."""
 import pathlib
-import shutil
 import subprocess
 import tempfile
 import unittest
 
 from png_picture import Picture
 from soarbox_command import COMMAND
+from virtual_display import can_draw, environment
 
 WIDTH, HEIGHT = 1280, 720
 
@@ -36,7 +36,7 @@ def is_text(r, g, b):
     return min(r, g, b) > 200
 
 
-@unittest.skipUnless(shutil.which("xvfb-run"), "no virtual display at hand")
+@unittest.skipUnless(can_draw(), "no virtual display at hand")
 class Window(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -45,9 +45,8 @@ class Window(unittest.TestCase):
         path = pathlib.Path(folder.name) / "picture.png"
         # Soon after the beginning the window still shows all agents, as it opened on them.
         cls.done = subprocess.run(
-            ["xvfb-run", "-a", "-s", f"-screen 0 {WIDTH}x{HEIGHT}x24", COMMAND, "run", "thesis",
-             "--screenshot", str(path), "--at", "2"],
-            capture_output=True, text=True, timeout=240, check=False)
+            [COMMAND, "run", "thesis", "--screenshot", str(path), "--at", "2"],
+            capture_output=True, text=True, timeout=240, check=False, env=environment(WIDTH, HEIGHT))
         cls.picture = Picture(path) if path.exists() else None
 
     def setUp(self):

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Virtual displays for the tests of the window: one of each size, from its first use to the end of the tests."""
+import atexit
+import functools
+import os
+import shutil
+import subprocess
+
+
+def can_draw():
+    return shutil.which("Xvfb") is not None
+
+
+@functools.lru_cache(maxsize=None)
+def display(width, height):
+    """Starts a virtual display and returns its name, such as ":99"; it picks a number that is free."""
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp",
+                               "-noreset"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write)
+
+    def end():
+        server.terminate()
+        server.wait()
+
+    atexit.register(end)
+    with os.fdopen(read) as said:
+        number = said.readline().strip()
+    if not number:
+        raise RuntimeError("the virtual display did not start")
+    return f":{number}"
+
+
+def environment(width, height):
+    """The environment of a program whose window opens on the virtual display of this size."""
+    changed = {name: value for name, value in os.environ.items() if name not in ("WAYLAND_DISPLAY", "XAUTHORITY")}
+    changed["DISPLAY"] = display(width, height)
+    return changed
