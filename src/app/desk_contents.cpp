@@ -22,8 +22,7 @@ constexpr double kRebuildSlice_s = 0.012;
 
 const char* const kNoKernel =
     "This mind cannot be looked into: its Soar kernel has gone, or it was halted because it needed too much memory. "
-    "The "
-    "world goes on; the panel Problems tells more.";
+    "The world goes on; the panel Problems tells more.";
 
 std::uint64_t VisiblePanels(const viewer::Viewer& viewer) {
   std::uint64_t panels = 0;

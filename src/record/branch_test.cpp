@@ -9,6 +9,7 @@
 #include "record/history.h"
 #include "record/reader.h"
 #include "record/recorder.h"
+#include "record/test_run.h"
 #include "record/test_ticks.h"
 #include "record/writer.h"
 #include "sim/simulation.h"
@@ -19,13 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-sim::DataFolders Data() {
-  const std::string root = SOARBOX_SOURCE_DIR;
-  return {root + "/scenarios", root + "/media"};
-}
-
 /// A run with its history, as a window keeps one.
-struct LiveRun {
+struct LiveRun : NotedRun {
   LiveRun(const std::string& name, int threads) {
     scenario = sim::FindScenario(name, Data()).value();
     settings.seed = 7;
@@ -38,23 +34,8 @@ struct LiveRun {
     history = std::make_unique<History>(header, HistorySettings{.ticks_per_block = 10});
     Note();
   }
-  void Note() {
-    TickRecord record;
-    Observe(*simulation, simulation->TakeEvents(), Level::kDecisions, record);
-    history->Add(record);
-  }
-  void Run(int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-      simulation->Tick();
-      Note();
-    }
-  }
 
-  sim::Scenario scenario;
-  sim::SimulationSettings settings;
-  std::unique_ptr<sim::Simulation> simulation;
   Header header;
-  std::unique_ptr<History> history;
 };
 
 /// Brings a branch to its goal in slices of five ticks.

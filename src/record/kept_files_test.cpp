@@ -10,6 +10,7 @@
 #include "record/branch.h"
 #include "record/history.h"
 #include "record/recorder.h"
+#include "record/test_run.h"
 #include "record/test_ticks.h"
 #include "sim/live_edits.h"
 #include "sim/simulation.h"
@@ -19,11 +20,6 @@ namespace soarbox::record {
 namespace {
 
 namespace fs = std::filesystem;
-
-sim::DataFolders Data() {
-  const std::string root = SOARBOX_SOURCE_DIR;
-  return {root + "/scenarios", root + "/media"};
-}
 
 constexpr const char* kWalk = R"(sp {walk*propose
    (state <s> ^superstate nil ^io.input-link.self)
@@ -51,8 +47,10 @@ void Put(const fs::path& file, const std::string& text) {
 }
 
 /// A world of one agent, whose rules source a neighbour's.
-class KeptFilesTest : public testing::Test {
+class KeptFilesTest : public testing::Test, protected NotedRun {
  protected:
+  using NotedRun::Run;  // Not the one of testing::Test.
+
   KeptFilesTest() {
     Put(folder() / "scout.soar", "source more/walk.soar\n");
     Put(folder() / "more" / "walk.soar", Rules("amble"));
@@ -64,17 +62,6 @@ class KeptFilesTest : public testing::Test {
     history = std::make_unique<History>(HeaderOf(scenario, settings, 1.0 / 30, Level::kDecisions));
     Note();
   }
-  void Note() {
-    TickRecord record;
-    Observe(*simulation, simulation->TakeEvents(), Level::kDecisions, record);
-    history->Add(record);
-  }
-  void Run(int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-      simulation->Tick();
-      Note();
-    }
-  }
   Result<std::unique_ptr<Branch>> Arrive(std::uint64_t tick) {
     Result<std::unique_ptr<Branch>> branch = Branch::Begin(*history, scenario, settings, tick);
     while (branch && !(*branch)->IsThere())
@@ -82,11 +69,6 @@ class KeptFilesTest : public testing::Test {
     return branch;
   }
   const fs::path& folder() const { return scratch_.path(); }
-
-  sim::Scenario scenario;
-  sim::SimulationSettings settings;
-  std::unique_ptr<sim::Simulation> simulation;
-  std::unique_ptr<History> history;
 
  private:
   ScratchFolder scratch_;

@@ -7,16 +7,12 @@
 #include <string>
 
 #include "record/recorder.h"
+#include "record/test_run.h"
 #include "record/test_ticks.h"
 #include "sim/simulation.h"
 
 namespace soarbox::record {
 namespace {
-
-sim::DataFolders Data() {
-  const std::string root = SOARBOX_SOURCE_DIR;
-  return {root + "/scenarios", root + "/media"};
-}
 
 /// What an agent with these rules decides first, after a command, if there is one.
 MindRecord FirstDecisions(const std::string& rules, const std::string& command) {

@@ -7,17 +7,13 @@
 #include "record/reader.h"
 #include "record/recorder.h"
 #include "record/rerun.h"
+#include "record/test_run.h"
 #include "record/test_ticks.h"
 #include "sim/simulation.h"
 #include "world/world.h"
 
 namespace soarbox::record {
 namespace {
-
-sim::DataFolders Data() {
-  const std::string root = SOARBOX_SOURCE_DIR;
-  return {root + "/scenarios", root + "/media"};
-}
 
 using Change = std::function<void(TickRecord&)>;
 using Meddle = std::function<void(sim::Simulation&)>;
