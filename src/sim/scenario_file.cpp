@@ -12,6 +12,7 @@
 
 #include "diagnostics/plain_text.h"
 #include "diagnostics/read_text.h"
+#include "world/body_values.h"
 
 namespace soarbox::sim {
 namespace {
@@ -202,6 +203,21 @@ void ReadPlaces(Reader& reader, const toml::table& root, ScenarioFile& read) {
   }
 }
 
+/// A size that no body could have would be another one than what is written.
+void CheckSize(Reader& reader, const toml::table& table, ScenarioFile::Thing& made) {
+  const toml::node& at = table.contains("size") ? *table.get("size") : static_cast<const toml::node&>(table);
+  const auto check = [&](const world::BodyValue& taken, float& size) {
+    if (!taken.problem.empty()) reader.Problem(at, taken.problem.substr(0, taken.problem.find(':')));
+    size = taken.value;
+  };
+  check(world::BodySize("width", made.size.x), made.size.x);
+  check(world::BodySize("height", made.size.y), made.size.y);
+  check(world::BodySize("length", made.size.z), made.size.z);
+  if (made.shape != "column") return;
+  if (made.size.x != made.size.z) reader.Problem(at, "a column is as long as it is wide");
+  if (made.size.y < made.size.x) reader.Problem(at, "a column is at least as high as it is wide");
+}
+
 void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
   for (const bool is_item : {false, true}) {
     for (const toml::table* table : reader.Tables(root, is_item ? "item" : "obstacle")) {
@@ -227,10 +243,7 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
       if (made.shape != "box" && made.shape != "column")
         reader.Problem(*table->get("shape"), "an obstacle's shape is \"box\" or \"column\"");
       made.size = reader.Point(*table, "size", true).value_or(world::Vec3{1, 2, 1});
-      if (made.size.x <= 0 || made.size.y <= 0 || made.size.z <= 0) {
-        reader.Problem(*table, "an obstacle's size is above 0 in all directions");
-        made.size = {1, 1, 1};
-      }
+      CheckSize(reader, *table, made);
       made.heading_deg = static_cast<float>(reader.Number(*table, "heading", -360, 360).value_or(0));
       made.mass_kg = static_cast<float>(reader.Number(*table, "mass", 0, 1e6).value_or(0));
     }

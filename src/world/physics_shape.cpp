@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "world/body_values.h"
 #include "world/modular_meshes.h"
 #include "world/physics_bullet.h"
 
@@ -10,7 +11,7 @@ namespace soarbox::world {
 namespace {
 
 float Usable(float size_m) {
-  return std::clamp(size_m, PhysicsWorld::kMinSize_m, PhysicsWorld::kMaxSize_m);
+  return BodySize("size", size_m).value;
 }
 
 void AddBox(PhysicsShape& result, btCompoundShape& compound, Vec3 min, Vec3 max) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/scenario_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace soarbox::sim {
+namespace {
+
+using testing::ElementsAre;
+
+/// "line: what is wrong", for an obstacle of these lines.
+std::vector<std::string> ProblemsOf(const std::string& lines) {
+  std::vector<Diagnostic> problems;
+  ParseScenarioFile("[[obstacle]]\n" + lines, "yard.toml", problems);
+  std::vector<std::string> told;
+  for (const Diagnostic& problem : problems) told.push_back(std::to_string(problem.line) + ": " + problem.message);
+  return told;
+}
+
+TEST(ScenarioFile, ObstaclesThatNoBodyCouldBeAreRefusedWithTheirLine) {
+  EXPECT_THAT(ProblemsOf("size = [5, 2, 0.5]\nmass = 10"), ElementsAre());
+  EXPECT_THAT(ProblemsOf("mass = 3\nsize = [-5, 2, 1e-9]"),
+              ElementsAre("3: a width of -5 m is none that a body can have",
+                          "3: a length of 1e-09 m is none that a body can have"));
+  EXPECT_THAT(ProblemsOf("size = [nan, 2, 1]"), ElementsAre("2: 'size' takes [width, height, length] in metres"));
+  EXPECT_THAT(ProblemsOf("mass = -1"), ElementsAre("2: 'mass' takes a number from 0 to 1e+06"));
+  EXPECT_THAT(ProblemsOf("mass = nan"), ElementsAre("2: 'mass' takes a number from 0 to 1e+06"));
+}
+
+TEST(ScenarioFile, AColumnIsRound) {
+  EXPECT_THAT(ProblemsOf("shape = 'column'\nsize = [1, 2.5, 1]"), ElementsAre());
+  EXPECT_THAT(ProblemsOf("shape = 'column'\nsize = [3, 2, 1]"),
+              ElementsAre("3: a column is as long as it is wide", "3: a column is at least as high as it is wide"));
+}
+
+}  // namespace
+}  // namespace soarbox::sim
