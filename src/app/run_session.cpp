@@ -182,6 +182,8 @@ int RunSession::Finish() {
   footer.soar_agents = simulation_->soar_agents();
   footer.problems = problems_;
   printer_->End(footer);
+  // A script's exit code is one byte, as a process' is.
+  if (const int asked = simulation_->ExitCode() & 0xff; asked != 0) return asked;
   return problems_ == 0 ? kOk : kProblems;
 }
 

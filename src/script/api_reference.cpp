@@ -22,6 +22,11 @@ A wrong argument is an error that names the first one that is wrong. Three thing
 warning: a wrong number of arguments to some functions, a first argument that is not the sandbox, and an object or scene
 node of a kind that the function is not for. A name that is nearly one of a table's functions is an error that says which.
 
+The language is Lua 5.1 with `table`, `string`, `math`, `bit` and `coroutine`; `io`, `debug` and bytecode are missing, `require`
+finds scripts of the scenario and of the library. Of `os` there are `clock`, `time`, `date` and `difftime`, by the clock of the
+simulation, which begins at midnight of 1 January 2000, and `exit([code])`, which ends all scripts: a headless run ends with that
+exit code, a window stays open. Random numbers come from the run's seed.
+
 [The Lua library](library.md) is made of these functions and saves much of the work.
 
 In the examples `sandbox` is the sandbox, `agent` and `other` are agents that stand, `object` is a box of 1 m, `node`,

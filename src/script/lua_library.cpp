@@ -8,6 +8,7 @@
 #include "script/lua_guarded.h"
 #include "script/lua_machine.h"
 #include "script/lua_order.h"
+#include "script/lua_os.h"
 #include "script/lua_pattern.h"
 #include "script/lua_text.h"
 #include "script/nested_call.h"
@@ -208,6 +209,7 @@ void InstallLibrary(lua_State* state) {
   InstallText(state);
   InstallOrder(state);
   InstallPatterns(state);
+  InstallOs(state);
 }
 
 void RunChunk(lua_State* state, std::string_view text, std::string_view name) {

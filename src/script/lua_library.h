@@ -8,7 +8,8 @@ struct lua_State;
 namespace soarbox::script {
 
 /// Opens the standard library as scripts may have it: the language's own functions, table, string, math, bit and
-/// coroutine, without files, processes, bytecode or a view into the machine, with `require` and `print` of our own.
+/// coroutine, and what is harmless of os, without files, processes, bytecode or a view into the machine, with `require`
+/// and `print` of our own.
 /// Call inside a protected call.
 void InstallLibrary(lua_State* state);
 

@@ -82,6 +82,7 @@ std::optional<ScriptError> LuaMachine::RunProtected(RawBody body, void* data) {
         "not enough memory to start a Lua machine: the limit is " + std::to_string(memory_.limit_bytes() >> 10) + " KB";
     return ScriptError{std::move(error), {}};
   }
+  if (setup_.world && setup_.world->end()) return std::nullopt;
   const RawBody outer_body = std::exchange(body_, body);
   void* const outer_data = std::exchange(body_data_, data);
   if (depth_++ == 0) {
@@ -146,6 +147,10 @@ void LuaMachine::RaiseOutOfBudget(lua_State* state) {
   lua_sethook(state, OnCount, LUA_MASKCOUNT, 1);
   if (interrupted.load(std::memory_order_relaxed)) {
     lua_pushliteral(state, "the run is being ended");
+    lua_error(state);
+  }
+  if (setup_.world && setup_.world->end()) {
+    lua_pushliteral(state, "the scripts are ended");
     lua_error(state);
   }
   if (world_bound_) {

@@ -62,8 +62,9 @@ struct MachineSetup {
   ScriptContext* context = nullptr;  ///< What the bindings of the sandbox's API work on; null for bare machines.
 };
 
-/// One Lua machine: LuaJIT with the language of Lua 5.1, its standard library without what reaches outside (io, os,
-/// debug, ffi, bytecode), stable iteration order, seeded random numbers and limits on memory and instructions.
+/// One Lua machine: LuaJIT with the language of Lua 5.1, its standard library without what reaches outside (io,
+/// most of os, debug, ffi, bytecode), stable iteration order, seeded random numbers and limits on memory and
+/// instructions.
 ///
 /// The just-in-time compiler stays off: compiled loops do not pass the instruction count, so an endless loop could not
 /// be stopped, and what gets compiled depends on more than the script. The interpreter alone is deterministic.

@@ -90,12 +90,27 @@ TEST_F(MachineTest, SpeaksLua51) {
 }
 
 TEST_F(MachineTest, OffersNothingThatReachesOutside) {
-  EXPECT_EQ(Run("print(io, os, debug, ffi, jit, dofile, loadfile, string.dump, newproxy, module)"),
+  EXPECT_EQ(Run("print(io, os.execute, debug, ffi, jit, dofile, loadfile, string.dump, newproxy, module)"),
             "nil\tnil\tnil\tnil\tnil\tnil\tnil\tnil\tnil\tnil");
   EXPECT_EQ(Run("print(loadstring('return 1')(), load(function() return nil end)())"), "1");
   EXPECT_EQ(Run("print((loadstring('\\27LJ')))"), "nil");
   EXPECT_NE(Run("require 'os'").find("error: no such script file: \"os.lua\""), std::string::npos);
   EXPECT_EQ(Run("print(getmetatable('').__index == string, package.path)"), "true\tnil");
+}
+
+TEST_F(MachineTest, TellsTheTimeOfTheSimulation) {
+  EXPECT_EQ(Run("print(os.clock(), os.time(), os.date('%Y-%m-%d %H:%M:%S'), os.getenv('HOME'))"),
+            "0\t946684800\t2000-01-01 00:00:00\tnil");
+  EXPECT_EQ(Run("print(os.time{year = 1970, month = 1, day = 1, hour = 0}, os.time{year = 2026, month = 14, day = 1})"),
+            "0\t1801483200");
+  EXPECT_EQ(Run("local d = os.date('!*t', 86399) print(d.year, d.hour, d.sec, d.wday, d.yday, d.isdst)"),
+            "1970\t23\t59\t5\t1\tfalse");
+  EXPECT_EQ(Run("print(os.difftime(7, 3), os.date('100%% %y', 0))"), "4\t100% 70");
+  EXPECT_NE(Run("os.time{year = 2000, month = 1}").find("field 'day' missing in date table"), std::string::npos);
+  EXPECT_NE(Run("os.time{year = 1e300, month = 1, day = 1}").find("out of range"), std::string::npos);
+  EXPECT_NE(Run("os.date('%Q')").find("'%' is followed by a letter that no date has"), std::string::npos);
+  EXPECT_NE(Run("os.date('%')").find("'%' is followed by a letter that no date has"), std::string::npos);
+  EXPECT_NE(Run("os.date('%c', 0 / 0)").find("out of range"), std::string::npos);
 }
 
 TEST_F(MachineTest, VisitsTablesInTheOrderOfTheirKeys) {

@@ -110,7 +110,7 @@ bool ScriptHost::LoadSandbox(std::string_view script) {
   if (!error) error = sandbox_->RunFile(script);
   if (error) reporter_.FailedForGood(EntityId::kSandbox, *error);
   if (!error) WarnOfSlips(script);
-  return !error;
+  return !error || End();
 }
 
 bool ScriptHost::Initialize() {

@@ -83,6 +83,9 @@ class ScriptHost final : private AgentMaker {
   /// Tells it what was not told because it came again and again, at the end of a run.
   void TellCounts() { reporter_.TellCounts(); }
 
+  /// How a script ended all scripts (os.exit): none is called any more. Nothing if none did.
+  const std::optional<ScriptsEnd>& End() const { return budget_.end(); }
+
   /// True if the agent is driven by its script alone, false if a mind decides.
   bool IsLuaAgent(world::EntityId agent) const;
   /// How the agent was asked for; null for unknown ids.

@@ -33,12 +33,14 @@ class ScriptReporter final : public PrintSink {
   ScriptReporter(ScriptListener& listener, WorldBudget& budget) : listener_(listener), budget_(budget) {}
 
   void OnPrint(std::string_view script, std::string_view text) override;
-  void FailedForGood(world::EntityId agent, const ScriptError& error) { listener_.OnScriptFailed(agent, error); }
+  void FailedForGood(world::EntityId agent, const ScriptError& error) {
+    if (!budget_.end()) listener_.OnScriptFailed(agent, error);
+  }
   void Warn(const Diagnostic& warning);
 
   /// A call of a script failed, or ended well.
   void Failed(world::EntityId agent, std::string_view callback, const ScriptError& error) {
-    if (!LuaMachine::Interrupted()) ledger_.Failed(agent, callback, error);
+    if (!LuaMachine::Interrupted() && !budget_.end()) ledger_.Failed(agent, callback, error);
   }
   void Succeeded(world::EntityId agent, std::string_view callback) { ledger_.Succeeded(agent, callback); }
   /// Tells what went wrong since the last call.

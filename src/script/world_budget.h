@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace soarbox::script {
 
@@ -26,6 +29,12 @@ struct WorldLimits {
   std::size_t print_bytes_per_tick = std::size_t{16} << 10;
 };
 
+/// How a script ended all scripts of its world (os.exit).
+struct ScriptsEnd {
+  std::string script;  ///< Who asked for it.
+  int exit_code = 0;
+};
+
 /// What is left of it. Whoever asks for much when little is left is refused first: a call may use a tenth of the
 /// instructions that are left, and a machine may grow by an eighth of the memory, so that scripts which ask for more
 /// than their share stop long before the others go short.
@@ -35,6 +44,12 @@ class WorldBudget {
       : limits_(limits), instructions_left_(limits.setup_instructions), print_left_(limits.print_bytes) {}
 
   const WorldLimits& limits() const { return limits_; }
+
+  /// From now on no script of the world runs any more. The first who asks is the one that counts.
+  void EndScripts(ScriptsEnd end) {
+    if (!end_) end_ = std::move(end);
+  }
+  const std::optional<ScriptsEnd>& end() const { return end_; }
 
   void BeginTick() {
     instructions_left_ = limits_.tick_instructions;
@@ -71,6 +86,7 @@ class WorldBudget {
   std::uint64_t instructions_left_;
   std::size_t print_left_;
   std::size_t used_bytes_ = 0;
+  std::optional<ScriptsEnd> end_;
 };
 
 }  // namespace soarbox::script

@@ -69,6 +69,8 @@ struct Simulation::Impl final : script::ScriptListener {
   void ApplyInputs();
   void ReportNewAgents();
   void ReportWarningsOfWorld();
+  void ReportEnd(const std::string& reached);
+  void ReportEndOfScripts();
   void ReportCommand(Minds::Mind& mind, const world::Agent& body, const SaidCommand& command);
   void ActByScript(world::EntityId id);
   /// Carries out what the agent's mind decided, or just updates an agent that its script alone drives.
@@ -83,6 +85,7 @@ struct Simulation::Impl final : script::ScriptListener {
   std::unique_ptr<Minds> minds;
   std::unique_ptr<script::ScriptHost> scripts;
   std::unique_ptr<ScenarioEnd> end;  ///< Null without a scenario file.
+  bool end_of_scripts_told = false;
   InputDoor door;
   std::vector<std::pair<CommandInput, Result<std::string>>> answered;  ///< Between the last tick and the next.
   std::optional<std::uint64_t> flood_told_at;                          ///< Tick.
@@ -222,6 +225,21 @@ void Simulation::Impl::ReportAnswer(const CommandInput& asked, const Result<std:
   Report(std::move(event));
 }
 
+void Simulation::Impl::ReportEnd(const std::string& reached) {
+  Event event;
+  event.kind = EventKind::kEnded;
+  event.text = reached;
+  Report(std::move(event));
+}
+
+void Simulation::Impl::ReportEndOfScripts() {
+  if (end_of_scripts_told || !scripts->End()) return;
+  end_of_scripts_told = true;
+  const script::ScriptsEnd& asked = *scripts->End();
+  ReportEnd("the end that " + asked.script + " asked for by os.exit(" + std::to_string(asked.exit_code) +
+            "); no script runs any more");
+}
+
 void Simulation::Impl::ReportNewAgents() {
   const std::span<const world::EntityId> ids = world.AgentIds();
   for (; agents_reported < ids.size(); ++agents_reported) {
@@ -345,6 +363,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   impl->ReportNewAgents();
   impl->scripts->TellTroubles();
   impl->ReportWarningsOfWorld();
+  impl->ReportEndOfScripts();
   return std::unique_ptr<Simulation>(new Simulation(std::move(impl)));
 }
 
@@ -380,18 +399,18 @@ void Simulation::Tick() {
   s.scripts->TellTroubles();
   s.ReportWarningsOfWorld();
   if (s.end) {
-    if (const std::string reached = s.end->Check(); !reached.empty()) {
-      Event event;
-      event.kind = EventKind::kEnded;
-      event.text = reached;
-      s.Report(std::move(event));
-    }
+    if (const std::string reached = s.end->Check(); !reached.empty()) s.ReportEnd(reached);
   }
+  s.ReportEndOfScripts();
   watch.Lap(s.costs.rest_s);
 }
 
 bool Simulation::HasEnded() const {
-  return impl_->end != nullptr && impl_->end->IsOver();
+  return impl_->scripts->End() || (impl_->end != nullptr && impl_->end->IsOver());
+}
+
+int Simulation::ExitCode() const {
+  return impl_->scripts->End() ? impl_->scripts->End()->exit_code : 0;
 }
 
 void Simulation::Idle() {

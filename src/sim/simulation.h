@@ -73,8 +73,10 @@ class Simulation {
   /// Lets debuggers that are attached have their say; called while the world is paused. Tick does so by itself.
   void Idle();
 
-  /// The scenario's end is reached (its file says when); ticks may go on.
+  /// The scenario's end is reached (its file says when, or a script by os.exit); ticks may go on.
   bool HasEnded() const;
+  /// The exit code that a script asked for (os.exit); 0 if none did.
+  int ExitCode() const;
   std::uint64_t tick() const;
   double time_s() const;
   const world::World& world() const;
