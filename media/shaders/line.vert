@@ -5,6 +5,7 @@
 uniform mat4 view_projection;
 uniform vec4 viewport;     // Width and height in pixels.
 uniform vec4 width_px;
+uniform vec4 line_scale;      // x: pixels of the picture that is drawn for each that is shown.
 
 in vec4 vertex;            // This end, w unused.
 in vec3 normal;            // The other end.
@@ -29,7 +30,7 @@ void main()
     vec2 across = vec2(-along.y, along.x) * uv0.x * (uv0.y > 0.5 ? -1.0 : 1.0);
     side = uv0.x;
     line_colour = colour;
-    here.xy += (across - along * 0.3) * (width_px.x + 1.0) / viewport.xy * here.w;
+    here.xy += (across - along * 0.3) * (width_px.x * line_scale.x + 1.0) / viewport.xy * here.w;
     here.z -= 0.0004 * here.w;
     gl_Position = here;
 }

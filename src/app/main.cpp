@@ -51,6 +51,10 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "Of the picture: low, full, or auto, which is low without a graphics card")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "low", "full"}));
+  run->add_option("--render-scale", options.render_scale,
+                  "Draw the scene in this share of the picture's width and height, 0.5 to 1, and bring it up to it; "
+                  "texts stay sharp (default: 1 with a graphics card, else what 30 pictures per second allow)")
+      ->check(NumberIn(0.5, 1.0));
   run->add_option(
          "--show", options.show,
          "Overlays that are on from the start, apart by commas: labels, trails, senses, paths, targets, shots, "
@@ -197,6 +201,7 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(75, 200));
   replay->add_option("--detail", options.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
+  replay->add_option("--render-scale", options.render_scale, "As for `soarbox run`")->check(NumberIn(0.5, 1.0));
   replay->add_option("--width", options.width_px, "As for `soarbox run`; the recorded window's if it is not said")
       ->check(NumberIn(160, 7680));
   replay->add_option("--height", options.height_px, "Likewise")->check(NumberIn(120, 4320));

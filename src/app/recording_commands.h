@@ -17,6 +17,7 @@ struct RecordingOptions {
   std::string panels;                      ///< replay: as of `soarbox run`.
   std::string select;                      ///< replay: name of the agent that is selected from the start.
   std::string detail = "auto";             ///< replay: as of `soarbox run`.
+  double render_scale = 0;                 ///< replay: as of `soarbox run`; 0: what suits the machine.
   int text_percent = 100;                  ///< replay: of the panels named.
   std::optional<int> width_px, height_px;  ///< replay: none: as large as the run's window was.
   std::filesystem::path ui_script;         ///< replay: plays the user of the window.

@@ -36,6 +36,7 @@ viewer::ViewerOptions OptionsOf(const record::Reader& recording, const sim::Data
   window.detail = options.detail == "low"    ? viewer::Detail::kLow
                   : options.detail == "full" ? viewer::Detail::kFull
                                              : viewer::Detail::kAuto;
+  window.render_scale = options.render_scale;
   window.ui_script = options.ui_script;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
   return window;

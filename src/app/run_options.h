@@ -22,7 +22,8 @@ struct RunOptions {
   std::optional<double> report_s;  ///< Print all agents each so many simulated seconds.
   std::string screenshot;          ///< PNG file; empty: none.
   double screenshot_at_s = 5;
-  std::string detail = "auto";      ///< Of the picture: low, full, or what suits the machine.
+  std::string detail = "auto";  ///< Of the picture: low, full, or what suits the machine.
+  double render_scale = 0;      ///< Share of the picture\'s size that the scene is drawn in; 0: what suits the machine.
   std::vector<std::string> show;    ///< Overlays that are on from the start: "trails", "belief".
   std::string select;               ///< Name of the agent that is selected from the start.
   std::string camera;               ///< "map", "follow"; empty: all agents are framed.

@@ -117,6 +117,7 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   window.detail = options.detail == "low"    ? viewer::Detail::kLow
                   : options.detail == "full" ? viewer::Detail::kFull
                                              : viewer::Detail::kAuto;
+  window.render_scale = options.render_scale;
   window.ui_script = options.ui_script;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
   // What is asked for by name is for once; else the user's own arrangement is used, and remembered.

@@ -109,6 +109,8 @@ void Arena::BuildWays() {
     if (world::Object* slab = world_.FindObject(ground_)) {
       slab->SetMass(0);
       slab->SetPosition({0, -kThick_m / 2 - kBelow_m, 0});
+      // Nobody sees it, but drawing what the ground hides would cost as much as the ground.
+      world_.scene().SetVisible(world_.NodeOf(ground_), false);
     }
   }
   world::NavigationConfig config;

@@ -5,10 +5,12 @@
 #include <SDL_syswm.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "viewer/ogre_headers.h"
+#include "viewer/scaled_scene.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::viewer {
@@ -109,7 +111,8 @@ void Engine::StartOgre(const ViewerOptions& options) {
   SDL_VERSION(&info.version);
   if (SDL_GetWindowWMInfo(sdl_window_, &info) == SDL_FALSE) throw std::runtime_error(SDL_GetError());
   const auto handle = std::to_string(static_cast<unsigned long>(info.info.x11.window));
-  low_detail_ = options.detail == Detail::kLow || (options.detail == Detail::kAuto && !hidden_ && DrawsInSoftware());
+  in_software_ = options.detail == Detail::kAuto && !hidden_ && DrawsInSoftware();
+  low_detail_ = options.detail == Detail::kLow || in_software_;
   Ogre::NameValuePairList settings{{"parentWindowHandle", handle},
                                    {"vsync", options.vsync && !hidden_ ? "true" : "false"},
                                    {"FSAA", hidden_ || low_detail_ ? "0" : "4"}};
@@ -136,7 +139,6 @@ void Engine::StartOgre(const ViewerOptions& options) {
   camera_node_->attachObject(camera_);
   camera_->setNearClipDistance(0.1f);
   camera_->setFarClipDistance(2000);
-  camera_->setAutoAspectRatio(true);
   if (hidden_) {
     MakePictureTarget();
   } else {
@@ -158,9 +160,33 @@ void Engine::AddViewports(Ogre::RenderTarget& target) {
 
 void Engine::PlaceViewport(Ogre::RenderTarget& target) {
   const auto width = static_cast<float>(window_width_), height = static_cast<float>(window_height_);
-  target.getViewportByZOrder(0)->setDimensions(static_cast<float>(x_) / width, static_cast<float>(y_) / height,
-                                               static_cast<float>(width_) / width,
-                                               static_cast<float>(height_) / height);
+  Ogre::Viewport* picture = target.getViewportByZOrder(0);
+  picture->setDimensions(static_cast<float>(x_) / width, static_cast<float>(y_) / height,
+                         static_cast<float>(width_) / width, static_cast<float>(height_) / height);
+  // The picture's own, not that of the scaled one, whose sides are whole pixels.
+  camera_->setAspectRatio(static_cast<float>(width_) / static_cast<float>(height_));
+  const bool is_scaled = scaled_ && scale_ < 1;
+  picture->setCamera(is_scaled ? &scaled_->camera() : camera_);
+  picture->setShadowsEnabled(!is_scaled);
+  if (!is_scaled) return;
+  const auto scaled = [this](int size) { return std::max(1, static_cast<int>(std::lround(size * scale_))); };
+  scaled_->SetSize(scaled(width_), scaled(height_));
+}
+
+void Engine::PrepareScaling(Materials& materials) {
+  scaled_ = std::make_unique<ScaledScene>(*root_, *camera_, materials, low_detail_ ? 0u : 4u);
+}
+
+void Engine::SetScale(double scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  if (!hidden_) PlaceViewport(*render_window_);
+  if (Ogre::RenderTarget* target = PictureTarget()) PlaceViewport(*target);
+}
+
+void Engine::Update(Ogre::RenderTarget& target, bool swaps) {
+  if (scaled_ && scale_ < 1) scaled_->Draw();
+  target.update(swaps);
 }
 
 Ogre::RenderTarget* Engine::PictureTarget() const {
@@ -211,7 +237,7 @@ void Engine::Draw() {
     return;
   }
   root_->_fireFrameStarted();
-  render_window_->update(true);
+  Update(*render_window_, true);
   root_->_fireFrameRenderingQueued();
   root_->_fireFrameEnded();
 }
@@ -227,6 +253,7 @@ void Engine::CountLast(std::size_t& draw_calls, std::size_t& triangles) const {
     add(PictureTarget());
   else
     add(render_window_);
+  if (scaled_ && scale_ < 1) add(scaled_->target());
   for (std::size_t map = 0; map < 2; ++map) {
     if (const Ogre::TexturePtr& texture = scene_->getShadowTexture(map)) add(texture->getBuffer()->getRenderTarget());
   }
@@ -243,7 +270,7 @@ void Engine::WritePicture(const std::filesystem::path& path) {
   };
   try {
     const Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().getByName(kPictureTexture, kGroup);
-    texture->getBuffer()->getRenderTarget()->update();
+    Update(*texture->getBuffer()->getRenderTarget(), true);
     Ogre::Image image;
     texture->convertToImage(image);
     image.save(path.string());
@@ -260,6 +287,7 @@ Engine::~Engine() {
     panel_scene_->removeRenderQueueListener(overlays_.get());
     DropPictureTarget();
     if (render_window_ != nullptr) render_window_->removeAllViewports();
+    scaled_.reset();
     root_->destroySceneManager(scene_);
     root_->destroySceneManager(panel_scene_);
   }

@@ -23,6 +23,8 @@ class Viewport;
 
 namespace soarbox::viewer {
 
+class Materials;
+class ScaledScene;
 struct ViewerOptions;
 
 /// Brings up SDL (window and input) and Ogre (drawing), and takes them down in the right order.
@@ -43,6 +45,13 @@ class Engine {
   /// be drawn anywhere.
   void SetPicture(int x, int y, int width, int height);
 
+  /// The scene may from now on be drawn smaller than it is shown.
+  void PrepareScaling(Materials& materials);
+  /// The scene is drawn in this share of the picture's width and height, 0 to 1, and brought up to it; panels are not.
+  /// Does nothing if that did not change.
+  void SetScale(double scale);
+  double scale() const { return scale_; }
+
   /// Draws once, onto the screen. Of a hidden window nobody would see it: only panels are laid out, WritePicture draws.
   void Draw();
   /// What the last drawing handed to the renderer, shadow maps included.
@@ -50,7 +59,8 @@ class Engine {
   /// Whether the user has done something that has not been read yet; waits for it up to `milliseconds`.
   bool HasInput(int milliseconds) const;
 
-  /// Draws once into a texture and writes it as a PNG. Throws Ogre::Exception, or std::runtime_error naming the path.
+  /// Draws once into a texture, in the present scale, and writes it as a PNG. Throws Ogre::Exception, or
+  /// std::runtime_error naming the path.
   void WritePicture(const std::filesystem::path& path);
 
   SDL_Window* window() const { return sdl_window_; }
@@ -58,6 +68,8 @@ class Engine {
   Ogre::Camera& camera() const { return *camera_; }
   Ogre::SceneNode& camera_node() const { return *camera_node_; }
   bool low_detail() const { return low_detail_; }
+  /// Whether the processor draws; known only of a window that was opened with Detail::kAuto.
+  bool in_software() const { return in_software_; }
   /// Of the part that the scene fills.
   int width() const { return width_; }
   int height() const { return height_; }
@@ -71,6 +83,8 @@ class Engine {
   /// One viewport for the scene, and one over it for panels alone.
   void AddViewports(Ogre::RenderTarget& target);
   void PlaceViewport(Ogre::RenderTarget& target);
+  /// Draws the scene first if it is drawn smaller.
+  void Update(Ogre::RenderTarget& target, bool swaps);
   Ogre::RenderTarget* PictureTarget() const;
   void MakePictureTarget();
   void DropPictureTarget();
@@ -87,7 +101,9 @@ class Engine {
   Ogre::SceneManager* panel_scene_ = nullptr;  ///< Empty: panels are drawn without going through the scene twice.
   Ogre::Camera* panel_camera_ = nullptr;
   bool hidden_ = false;
-  bool low_detail_ = false;
+  bool low_detail_ = false, in_software_ = false;
+  std::unique_ptr<ScaledScene> scaled_;
+  double scale_ = 1;
   int x_ = 0, y_ = 0, width_ = 0, height_ = 0;
   int window_width_ = 0, window_height_ = 0;
 };

@@ -247,6 +247,19 @@ const Ogre::MaterialPtr& Materials::Ghost(world::Color color) {
   return found->second.material;
 }
 
+Ogre::MaterialPtr Materials::Enlarged() {
+  Ogre::MaterialPtr material;
+  Ogre::Pass& pass = NewPass("Soarbox/Enlarged", material);
+  Ogre::TextureUnitState* unit = pass.createTextureUnitState();
+  unit->setTextureFiltering(Ogre::FO_LINEAR, Ogre::FO_LINEAR, Ogre::FO_NONE);
+  unit->setTextureAddressingMode(Ogre::TextureUnitState::TAM_CLAMP);
+  shaders_.Use(pass, "enlarge.vert", "enlarge.frag", {"picture"});
+  pass.setDepthCheckEnabled(false);
+  pass.setDepthWriteEnabled(false);
+  pass.setCullingMode(Ogre::CULL_NONE);
+  return material;
+}
+
 Ogre::MaterialPtr Materials::ShadowCaster() {
   Ogre::MaterialPtr material;
   Ogre::Pass& pass = NewPass("Soarbox/ShadowCaster", material);

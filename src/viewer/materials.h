@@ -51,6 +51,9 @@ class Materials {
   /// A figure that is not there; the colour's alpha says how much it shows.
   const Ogre::MaterialPtr& Ghost(world::Color color);
 
+  /// Shows its first texture, to be set by whoever uses it, in another size.
+  Ogre::MaterialPtr Enlarged();
+
   /// Renders depth only, for shadow maps.
   Ogre::MaterialPtr ShadowCaster();
 

@@ -31,9 +31,9 @@ inline world::Vec3 FromOgre(const Ogre::Vector3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// The order of drawing: solid things (Ogre's main group), the sky behind them, then what is see-through; fills and
-/// lines come after (groups 7 and 8).
-inline constexpr std::uint8_t kSolidQueue = 50, kSkyQueue = 55, kClearQueue = 60;
+/// The order of drawing: solid things (Ogre's main group), the ground below and the sky behind them, of which only what
+/// shows is painted then, and what is see-through; fills and lines come after (groups 7 and 8).
+inline constexpr std::uint8_t kSolidQueue = 50, kGroundQueue = 52, kSkyQueue = 55, kClearQueue = 60;
 static_assert(kSolidQueue == Ogre::RENDER_QUEUE_MAIN);
 
 /// The one resource group that everything of ours lives in.

@@ -104,7 +104,8 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
     thing.entity->getManualLodLevel(i)->setMaterial(found.material);
   }
   thing.entity->setCastShadows(found.is_opaque && drawable.shape != ShapeKind::kPlane);
-  thing.entity->setRenderQueueGroup(found.is_opaque ? kSolidQueue : kClearQueue);
+  const bool is_ground = drawable.shape == ShapeKind::kPlane;
+  thing.entity->setRenderQueueGroup(!found.is_opaque ? kClearQueue : is_ground ? kGroundQueue : kSolidQueue);
 }
 
 void SceneView::Wear(Thing& thing, const Ogre::MeshPtr& mesh, bool casts_shadows) {

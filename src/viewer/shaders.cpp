@@ -68,7 +68,8 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
                              {"sky.frag", Ogre::GPT_FRAGMENT_PROGRAM},    {"line.vert", Ogre::GPT_VERTEX_PROGRAM},
                              {"line.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"panel.vert", Ogre::GPT_VERTEX_PROGRAM},
                              {"panel.frag", Ogre::GPT_FRAGMENT_PROGRAM},  {"fill.vert", Ogre::GPT_VERTEX_PROGRAM},
-                             {"fill.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"ghost.frag", Ogre::GPT_FRAGMENT_PROGRAM}};
+                             {"fill.frag", Ogre::GPT_FRAGMENT_PROGRAM},   {"ghost.frag", Ogre::GPT_FRAGMENT_PROGRAM},
+                             {"enlarge.vert", Ogre::GPT_VERTEX_PROGRAM},  {"enlarge.frag", Ogre::GPT_FRAGMENT_PROGRAM}};
 
   Shaders shaders;
   for (const File& file : kFiles) {
@@ -90,7 +91,8 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
     programs.createProgram(WithLights(file.name), kGroup, "glsl", file.type)->setSource(source);
   }
   auto values = Ogre::GpuProgramManager::getSingleton().createSharedParameters(kSceneValues);
-  for (const char* name : {"sun_direction", "sun_colour", "ambient_colour", "haze", "sky_mean", "haze_colour"}) {
+  for (const char* name :
+       {"sun_direction", "sun_colour", "ambient_colour", "haze", "sky_mean", "haze_colour", "line_scale"}) {
     values->addConstantDefinition(name, Ogre::GCT_FLOAT4);
   }
   for (const char* name : {"light_place", "light_colour", "light_fade"}) {

@@ -22,6 +22,7 @@
 #include "viewer/panels.h"
 #include "viewer/particle_lines.h"
 #include "viewer/picture_notes.h"
+#include "viewer/render_scale.h"
 #include "viewer/scene_view.h"
 #include "viewer/script_ui.h"
 #include "viewer/sky_view.h"
@@ -126,6 +127,9 @@ struct Viewer::Impl {
   bool shows_news = true;  ///< Something else was shown since the last frame.
   world::CameraSnapshot rested_pose;
   float frames_per_second = 0;
+  std::optional<AutoScale> auto_scale;  ///< Looks for the largest scale that is fast enough.
+  double slept_s = 0;                   ///< Since the last frame began.
+  double drawing_s = 0;                 ///< What the last frame took.
 
   Result<void> Build();
   void Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend);
@@ -135,6 +139,8 @@ struct Viewer::Impl {
   void PlaceCamera();
   void DrawPanels(float seconds);
   void DrawWorkspace();
+  void ChooseScale(ViewerCommand command);
+  void UseScale(double scale);
   Result<void> SavePicture(const fs::path& path);
   void ReportFailure(const std::string& what);
   void Do(ViewerCommand command);
@@ -178,6 +184,12 @@ Result<void> Viewer::Impl::Build() {
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(lines.get());
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(skeleton_lines.get());
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(fills.get());
+  engine->PrepareScaling(*materials);
+  UseScale(1);
+  if (options.render_scale > 0)
+    UseScale(std::clamp(options.render_scale, 0.5, 1.0));
+  else
+    ChooseScale(ViewerCommand::kScaleAuto);
   panels.emplace(*materials);
   input.emplace(engine->window());
   if (options.layout) {
@@ -307,9 +319,36 @@ void Viewer::Impl::Do(ViewerCommand command) {
     case ViewerCommand::kHelp:
       on.flip(static_cast<std::size_t>(command));
       break;
+    case ViewerCommand::kScaleAuto:
+    case ViewerCommand::kScaleFull:
+    case ViewerCommand::kScaleThreeQuarters:
+    case ViewerCommand::kScaleHalf:
+      ChooseScale(command);
+      break;
     default:
       break;
   }
+}
+
+void Viewer::Impl::ChooseScale(ViewerCommand command) {
+  constexpr double kUsualLow = 0.75;
+  for (const auto each : {ViewerCommand::kScaleAuto, ViewerCommand::kScaleFull, ViewerCommand::kScaleThreeQuarters,
+                          ViewerCommand::kScaleHalf}) {
+    on[static_cast<std::size_t>(each)] = each == command;
+  }
+  auto_scale.reset();
+  if (command == ViewerCommand::kScaleAuto) {
+    // A script that plays a user has its pictures alike everywhere.
+    if (engine->in_software() && options.ui_script.empty()) auto_scale.emplace();
+    UseScale(auto_scale ? auto_scale->scale() : engine->low_detail() && !options.hidden ? kUsualLow : 1);
+  } else {
+    UseScale(command == ViewerCommand::kScaleFull ? 1 : command == ViewerCommand::kScaleHalf ? 0.5 : 0.75);
+  }
+}
+
+void Viewer::Impl::UseScale(double scale) {
+  engine->SetScale(scale);
+  shaders->scene_values().setNamedConstant("line_scale", Ogre::Vector4(static_cast<float>(scale), 0, 0, 0));
 }
 
 bool Viewer::Impl::IsOn(ViewerCommand command) const {
@@ -475,7 +514,15 @@ bool Viewer::Impl::Frame() {
     frames_per_second = frames_per_second == 0 ? rate : frames_per_second + 0.08f * (rate - frames_per_second);
   }
   if (workspace) workspace->PlacePicture();
-  if (IsIdle(now)) return true;
+  if (IsIdle(now)) {
+    drawing_s = 0;
+    return true;
+  }
+  if (auto_scale && drawing_s > 0) {
+    auto_scale->Note(drawing_s, seconds - slept_s);
+    if (auto_scale->scale() != engine->scale()) UseScale(auto_scale->scale());
+  }
+  slept_s = 0;
   const FrameInput in = input->Read(workspace ? workspace->Claims() : InputClaims{});
   Apply(in, seconds);
   if (in.closed) {
@@ -520,9 +567,11 @@ bool Viewer::Impl::Frame() {
   watch.Lap(costs.draw_s);
   ++costs.frames;
   last_drawn = Clock::now();
+  drawing_s = std::chrono::duration<double>(last_drawn - now).count();
   // Where the processor draws, more frames than a screen shows would only keep it from the world.
   constexpr auto kFrame = std::chrono::microseconds(16'600);
   if (engine->low_detail() && !options.hidden && options.ui_script.empty()) std::this_thread::sleep_until(now + kFrame);
+  slept_s = std::chrono::duration<double>(Clock::now() - last_drawn).count();
   if (workspace) {
     workspace->AfterDrawing(scene, View(), [this](const fs::path& file) { return SavePicture(file); });
   }
@@ -576,6 +625,10 @@ bool Viewer::RenderFrame() {
     impl_->ReportFailure(error.what());
     return false;
   }
+}
+
+double Viewer::render_scale() const {
+  return impl_->engine->scale();
 }
 
 const FrameCosts& Viewer::costs() const {
@@ -642,12 +695,15 @@ Result<void> Viewer::Impl::SavePicture(const fs::path& path) {
     failure.message = "a screenshot can be written as a PNG only";
     return failure;
   }
+  const double scale = engine->scale();
+  UseScale(options.render_scale > 0 ? scale : 1);
   try {
     engine->WritePicture(path);
   } catch (const std::exception& error) {
     failure.message = std::string("the screenshot cannot be written: ") + error.what();
-    return failure;
   }
+  UseScale(scale);
+  if (!failure.message.empty()) return failure;
   return {};
 }
 

@@ -34,6 +34,10 @@ struct ViewerOptions {
                                          ///< program, or where the build had it.
   bool hidden = false;                   ///< Draws without a visible window (it still needs a display), for pictures.
   Detail detail = Detail::kAuto;
+  /// The scene is drawn in this share of the picture's width and height, 0.5 to 1, and brought up to it; texts and
+  /// panels are not. 0: in full, but three quarters for a visible window in low detail, and what thirty frames per
+  /// second take if Detail::kAuto found a software renderer. Pictures are saved in full unless it is said here.
+  double render_scale = 0;
   bool vsync = true;
   bool show_labels = true;    ///< Names above agents at the start (L toggles).
   bool show_help = false;     ///< The list of keys at the start (H toggles).
@@ -119,6 +123,8 @@ class Viewer {
   bool IsOn(ViewerCommand command) const;
 
   const FrameCosts& costs() const;
+  /// The share of the picture's width and height that the scene is drawn in now.
+  double render_scale() const;
 
   /// Draws one frame and reads the user's input; false once the window was closed or can no longer be drawn.
   bool RenderFrame();

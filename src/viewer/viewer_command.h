@@ -37,6 +37,11 @@ enum class ViewerCommand : std::uint8_t {
   kSelectNext,
   kSelectPrevious,
   kSelectNone,
+  // How large the scene is drawn before it is brought up to the picture's size; one of them is on.
+  kScaleAuto,
+  kScaleFull,
+  kScaleThreeQuarters,
+  kScaleHalf,
   // What is drawn over the scene; each is on or off.
   kLabels,
   kTrails,
@@ -55,7 +60,7 @@ enum class ViewerCommand : std::uint8_t {
 
 inline constexpr int kViewerCommands = static_cast<int>(ViewerCommand::kHelp) + 1;
 
-enum class CommandGroup : std::uint8_t { kRun, kCamera, kSelection, kOverlay, kHelp };
+enum class CommandGroup : std::uint8_t { kRun, kCamera, kSelection, kScale, kOverlay, kHelp };
 
 /// A command as menus and the list of keys show it.
 struct CommandInfo {

@@ -3,7 +3,7 @@
 /// frames of a scenario cost.
 ///
 ///   viewer_demo [--screenshot FILE] [--at SECONDS] [--agents N] [--view NUMBER] [--sky NAME] ...
-///   viewer_demo --scenario FOLDER_OR_FILE [--at SECONDS] [--frames N] [--full]
+///   viewer_demo --scenario FOLDER_OR_FILE [--at SECONDS] [--frames N] [--full] [--render-scale SHARE]
 
 #include <chrono>
 #include <cmath>
@@ -27,7 +27,7 @@ using soarbox::viewer::ViewerCommand;
 
 struct Arguments {
   std::string screenshot, sky, scenario;
-  double at_s = 3;
+  double at_s = 3, render_scale = 0;
   int agents = 6;
   int view = 0;
   int frames = 0;
@@ -48,6 +48,8 @@ bool Parse(int argc, char** argv, Arguments& out) {
       out.full = true;
     else if (word == "--at")
       out.at_s = std::atof(value());
+    else if (word == "--render-scale")
+      out.render_scale = std::atof(value());
     else if (word == "--agents")
       out.agents = std::atoi(value());
     else if (word == "--view")
@@ -114,8 +116,8 @@ int Measure(Viewer& viewer, const Arguments& arguments) {
   }
   const viewer::FrameCosts& end = viewer.costs();
   const auto ms = [&](double seconds) { return 1000 * seconds / frames; };
-  std::printf("%zu agents, %dx%d: %zu draw calls, %zu triangles\n", now.agents.size(), viewer.width(), viewer.height(),
-              end.draw_calls, end.triangles);
+  std::printf("%zu agents, %dx%d, the scene at %.0f %%: %zu draw calls, %zu triangles\n", now.agents.size(),
+              viewer.width(), viewer.height(), 100 * viewer.render_scale(), end.draw_calls, end.triangles);
   std::printf("ms of processor time per frame: all threads %.2f; of the drawing thread: show %.2f, bodies %.2f, ",
               ms(spent_s), ms(end.show_s - start.show_s), ms(end.bodies_s - start.bodies_s));
   std::printf("marks %.2f, labels and panels %.2f, renderer %.2f; wall clock %.2f\n", ms(end.marks_s - start.marks_s),
@@ -137,7 +139,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr,
                  "usage: viewer_demo [--screenshot FILE.png] [--at SECONDS] [--agents N] [--view 0..3] [--frames N]\n"
                  "                   [--sky NAME] [--hidden] [--help-panel] [--select]\n"
-                 "       viewer_demo --scenario FOLDER_OR_FILE [--at SECONDS] [--frames N] [--full]\n");
+                 "       viewer_demo --scenario FOLDER_OR_FILE [--at SECONDS] [--frames N] [--full]\n"
+                 "                   [--render-scale 0.5..1]\n");
     return 2;
   }
   soarbox::viewer::ViewerOptions options;
@@ -145,6 +148,7 @@ int main(int argc, char** argv) {
   options.hidden = arguments.hidden;
   options.show_help = arguments.help;
   options.frame_agents = !arguments.scenario.empty();
+  options.render_scale = arguments.render_scale;
   if (arguments.full) options.detail = soarbox::viewer::Detail::kFull;
   options.vsync = arguments.scenario.empty();
   options.on_diagnostic = [](const soarbox::Diagnostic& d) { std::fputs(soarbox::Format(d).c_str(), stderr); };

@@ -13,6 +13,7 @@
 #include "viewer/modular_meshes.h"
 #include "viewer/palette.h"
 #include "viewer/picking.h"
+#include "viewer/render_scale.h"
 #include "viewer/scenery_meshes.h"
 #include "viewer/shape_meshes.h"
 #include "world/body_meshes.h"
@@ -153,6 +154,51 @@ TEST(Palette, KindsOfAgentsDifferInColour) {
   for (const auto& a : kinds) {
     for (const auto& b : kinds) EXPECT_EQ(a == b, AgentColor(a) == AgentColor(b)) << a << ", " << b;
   }
+}
+
+/// Draws for so many seconds with an AutoScale; a frame takes `full_s` at scale 1, and some of it at any scale.
+double ScaleAfter(AutoScale& scale, double seconds, double full_s, double ticks_s = 0, int* changes = nullptr) {
+  double last = scale.scale();
+  for (double time_s = 0; time_s < seconds;) {
+    const double drawing_s = full_s * (0.2 + 0.8 * scale.scale() * scale.scale());
+    scale.Note(drawing_s, drawing_s + ticks_s);
+    time_s += drawing_s + ticks_s;
+    if (changes != nullptr && scale.scale() != last) ++*changes;
+    last = scale.scale();
+  }
+  return scale.scale();
+}
+
+TEST(AutoScale, DrawsInFullWhereThereIsTime) {
+  AutoScale scale;
+  EXPECT_LT(scale.scale(), 1) << "slow machines begin smoothly";
+  EXPECT_EQ(ScaleAfter(scale, 10, 0.010), 1);
+}
+
+TEST(AutoScale, DrawsSmallerWhereFramesAreSlowAndStaysThere) {
+  AutoScale scale;
+  EXPECT_EQ(ScaleAfter(scale, 10, 0.2), 0.5);
+  AutoScale middle;
+  const double found = ScaleAfter(middle, 20, 0.055);
+  EXPECT_GT(found, 0.5);
+  EXPECT_LT(found, 1);
+  int changes = 0;
+  ScaleAfter(middle, 600, 0.055, 0, &changes);
+  EXPECT_LT(changes, 20) << "in ten minutes";
+}
+
+TEST(AutoScale, GoesUpAgainWhenTheSceneBecomesEasierButNotForATick) {
+  AutoScale scale;
+  ScaleAfter(scale, 10, 0.2);
+  for (int i = 0; i < 4; ++i) scale.Note(0.005, 0.005);
+  EXPECT_EQ(ScaleAfter(scale, 10, 0.2), 0.5);
+  EXPECT_EQ(ScaleAfter(scale, 60, 0.012), 1);
+}
+
+TEST(AutoScale, DoesNotBlurThePictureForTicksThatAreSlow) {
+  AutoScale scale;
+  ScaleAfter(scale, 10, 0.010);
+  EXPECT_EQ(ScaleAfter(scale, 10, 0.010, 0.100), 1);
 }
 
 TEST(SkyImages, CloudsAreAboveAndWaterIsBelow) {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Draws real pictures and looks at them. Without a display the program starts itself again under xvfb-run.
+// Draws real pictures and looks at them. Without a display the program starts a virtual one of its own.
 #include <OgreColourValue.h>
 #include <OgreDataStream.h>
 #include <OgreImage.h>
 #include <SDL.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 
 #include "viewer/demo_scene.h"
 #include "viewer/picking.h"
@@ -61,7 +64,7 @@ class Picture {
 class PictureTest : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::getenv("DISPLAY") == nullptr) GTEST_SKIP() << "there is no display, and xvfb-run is not installed";
+    if (std::getenv("DISPLAY") == nullptr) GTEST_SKIP() << "there is no display, and Xvfb is not installed";
     path_ = std::filesystem::temp_directory_path() / ("soarbox-picture-" + std::to_string(getpid()) + ".png");
   }
   void TearDown() override { std::filesystem::remove(path_); }
@@ -123,6 +126,66 @@ TEST_F(PictureTest, ShowsSkyGroundAgentsAndText) {
   EXPECT_GT(letters, 1000);
   EXPECT_GT(dark, 300 * 180 / 2);
   EXPECT_THAT(diagnostics_, testing::IsEmpty());
+}
+
+TEST_F(PictureTest, ASceneThatIsDrawnSmallerLooksTheSameAndTextsStaySharp) {
+  world::SceneSnapshot scene = DemoScene(6, 0, kWidth, kHeight).At(3);
+  std::vector<Picture> pictures;
+  for (const double scale : {1.0, 0.75}) {
+    ViewerOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    options.hidden = true;
+    options.detail = Detail::kLow;
+    options.render_scale = scale;
+    const auto viewer = Viewer::Open(options);
+    ASSERT_TRUE(viewer.ok());
+    EXPECT_EQ((*viewer)->render_scale(), scale);
+    pictures.push_back(Draw(**viewer, scene));
+  }
+  // The same things at the same places: only edges differ.
+  double difference = 0;
+  int edges = 0, count = 0;
+  for (int y = 40; y < 480; y += 3) {
+    for (int x = 0; x < kWidth; x += 3, ++count) {
+      const Pixel a = pictures[0].At(x, y), b = pictures[1].At(x, y);
+      const int apart = std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+      difference += apart;
+      edges += apart > 120 ? 1 : 0;
+    }
+  }
+  EXPECT_LT(difference / count, 12);
+  EXPECT_LT(edges, count / 50);
+  EXPECT_GT(difference, 0);
+  // The help text lies in its box over the scene; its letters are those of the large picture.
+  int different_letters = 0;
+  for (int y = 505; y < 685; ++y) {
+    for (int x = 960; x < 1260; ++x) {
+      const bool was = pictures[0].At(x, y).light() > 600, is = pictures[1].At(x, y).light() > 600;
+      different_letters += was != is ? 1 : 0;
+    }
+  }
+  EXPECT_LT(different_letters, 60);
+}
+
+TEST_F(PictureTest, PicturesAreSavedInFullUnlessASizeWasAskedFor) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  const world::SceneSnapshot scene = DemoScene(6, 0, kSmallWidth, kSmallHeight).At(3);
+  const Picture before = Draw(*viewer, scene);
+  viewer->Do(ViewerCommand::kScaleHalf);
+  EXPECT_EQ(viewer->render_scale(), 0.5);
+  EXPECT_TRUE(viewer->IsOn(ViewerCommand::kScaleHalf));
+  EXPECT_FALSE(viewer->IsOn(ViewerCommand::kScaleAuto));
+  const Picture after = Draw(*viewer, scene);
+  EXPECT_EQ(viewer->render_scale(), 0.5);
+  int different = 0;
+  for (int y = 0; y < kSmallHeight; y += 2) {
+    for (int x = 0; x < kSmallWidth; x += 2) different += before.At(x, y).light() != after.At(x, y).light() ? 1 : 0;
+  }
+  EXPECT_EQ(different, 0);
+  viewer->Do(ViewerCommand::kScaleAuto);
+  EXPECT_EQ(viewer->render_scale(), 1);
 }
 
 TEST_F(PictureTest, ThingsCastShadowsAndWhatIsMissingIsMagentaAndReportedOnce) {
@@ -402,18 +465,50 @@ TEST_F(PictureTest, MistakesComeBackAsDiagnostics) {
 }  // namespace
 }  // namespace soarbox::viewer
 
+namespace {
+
+/// A display of the tests' own where there is none, from here to the end of the program.
+class VirtualDisplay {
+ public:
+  VirtualDisplay() {
+    int said[2];
+    if (pipe(said) != 0) return;
+    server_ = fork();
+    if (server_ == 0) {
+      const std::string number = std::to_string(said[1]);
+      close(said[0]);
+      // Without -noreset the server restarts whenever a test has closed its window, and refuses the next one meanwhile.
+      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp",
+             "-noreset", static_cast<char*>(nullptr));
+      _exit(127);  // It is not installed; then the tests are skipped.
+    }
+    close(said[1]);
+    // It says the number that it picked once it can be used.
+    std::string number;
+    for (char digit = 0; read(said[0], &digit, 1) == 1 && digit != '\n';) number += digit;
+    close(said[0]);
+    if (!number.empty()) setenv("DISPLAY", (":" + number).c_str(), 1);
+  }
+  ~VirtualDisplay() {
+    if (server_ <= 0) return;
+    kill(server_, SIGTERM);
+    waitpid(server_, nullptr, 0);
+  }
+  VirtualDisplay(const VirtualDisplay&) = delete;
+  VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+ private:
+  pid_t server_ = -1;
+};
+
+}  // namespace
+
 int main(int argc, char** argv) {
   bool only_lists = false;
   for (int i = 1; i < argc; ++i)
     only_lists = only_lists || std::string(argv[i]).find("list_tests") != std::string::npos;
-  if (std::getenv("DISPLAY") == nullptr && !only_lists) {
-    // Without -noreset the server restarts whenever a test has closed its window, and refuses the next one meanwhile.
-    std::vector<char*> command{const_cast<char*>("xvfb-run"), const_cast<char*>("-a"), const_cast<char*>("-s"),
-                               const_cast<char*>("-screen 0 1280x720x24 -noreset")};
-    command.insert(command.end(), argv, argv + argc);
-    command.push_back(nullptr);
-    execvp(command[0], command.data());  // Comes back only if xvfb-run is missing; then the tests are skipped.
-  }
+  std::optional<VirtualDisplay> display;
+  if (std::getenv("DISPLAY") == nullptr && !only_lists) display.emplace();
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -60,6 +60,11 @@ void Workspace::DrawMenus(PanelFrame& frame) {
     CommandItems(frame, CommandGroup::kCamera);
     ImGui::Separator();
     CommandItems(frame, CommandGroup::kOverlay);
+    ImGui::Separator();
+    if (ImGui::BeginMenu("Sharpness of the scene")) {
+      CommandItems(frame, CommandGroup::kScale);
+      ImGui::EndMenu();
+    }
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Run")) {
