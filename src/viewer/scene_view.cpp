@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viewer/interpolate.h"
 
@@ -43,6 +44,12 @@ void SceneView::WarnOnce(const std::string& kind, const std::string& name, const
 
 void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend) {
   ++update_count_;
+  if (newest.tick != tick_) {
+    const auto ticks = newest.tick > tick_ ? newest.tick - tick_ : 0;
+    tick_s_ = ticks > 0 ? (newest.time_s - time_s_) / static_cast<double>(ticks) : 0;
+    tick_ = newest.tick;
+    time_s_ = newest.time_s;
+  }
   skeleton_lines_.clear();
   bodies_shown_.clear();
   agents_.clear();
@@ -136,20 +143,46 @@ void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const Drawab
 
   PosedBody& body = *thing.body;
   body.place = {{drawable.position, drawable.orientation}, drawable.scale};
-  body.bones = drawable.bones;
+  const bool walks = agent != nullptr && thing.look != world::BodyLook::kRifle;
+  if (walks) HoldFeet(thing, drawable, before);
+  const std::vector<world::BonePose>& bones = walks ? thing.feet->now : drawable.bones;
+  body.bones = bones;
   if (before != nullptr) {
     body.place.at = {BetweenPositions(before->position, drawable.position, blend),
                      BetweenOrientations(before->orientation, drawable.orientation, blend)};
-    if (before->bones.size() == body.bones.size()) {
-      for (std::size_t i = 0; i < body.bones.size(); ++i) {
-        body.bones[i] = {world::Between(before->bones[i].position, drawable.bones[i].position, blend),
-                         BetweenOrientations(before->bones[i].orientation, drawable.bones[i].orientation, blend)};
+    const std::vector<world::BonePose>& last = walks ? thing.feet->before : before->bones;
+    if (last.size() == bones.size()) {
+      for (std::size_t i = 0; i < bones.size(); ++i) {
+        body.bones[i] = {world::Between(last[i].position, bones[i].position, blend),
+                         BetweenOrientations(last[i].orientation, bones[i].orientation, blend)};
       }
     }
   }
   thing.visible = drawable.visible && IsFinite(body.place.at.position) && IsFinite(drawable.scale);
   if (drawable.shows_skeleton)
     AddSkeletonLines(mesh.rig().skeleton, {drawable.position, drawable.orientation}, drawable.bones);
+}
+
+void SceneView::HoldFeet(Thing& thing, const DrawableSnapshot& drawable, const DrawableSnapshot* before) {
+  if (!thing.feet) thing.feet = std::make_unique<Feet>();
+  Feet& feet = *thing.feet;
+  if (!feet.now.empty() && feet.tick == tick_) return;
+  // Of a few ticks that nobody saw, the last one is known.
+  constexpr std::uint64_t kFew = 5;
+  const bool goes_on = !feet.now.empty() && tick_ > feet.tick && tick_ - feet.tick <= kFew && tick_s_ > 0;
+  auto missed = static_cast<float>(goes_on ? tick_ - feet.tick : 1);
+  if (!goes_on) feet.plant.Forget();
+  const auto follow = [&](const DrawableSnapshot& at, float ticks) {
+    feet.before = std::exchange(feet.now, at.bones);
+    const SkinPlace place{{at.position, at.orientation}, at.scale};
+    feet.plant.Follow(place, ticks * static_cast<float>(tick_s_ > 0 ? tick_s_ : 1 / 30.0), feet.now);
+  };
+  if (before != nullptr && (!goes_on || missed > 1)) {
+    follow(*before, std::max(1.0f, missed - 1));
+    missed = 1;
+  }
+  follow(drawable, missed);
+  feet.tick = tick_;
 }
 
 BodyBatch& SceneView::BatchFor(const Thing& thing) {

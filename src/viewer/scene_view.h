@@ -13,6 +13,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "viewer/body_batch.h"
+#include "viewer/foot_plant.h"
 #include "viewer/materials.h"
 #include "viewer/mesh_library.h"
 #include "viewer/ogre_headers.h"
@@ -50,6 +51,12 @@ class SceneView {
   void WarnOnce(const std::string& kind, const std::string& name, const std::string& instead);
 
  private:
+  /// The feet of an agent's soldier, and its bones at the last two ticks with the feet held.
+  struct Feet {
+    FootPlant plant;
+    std::uint64_t tick = 0;
+    std::vector<world::BonePose> before, now;
+  };
   struct Thing {
     Ogre::SceneNode* node = nullptr;
     Ogre::Entity* entity = nullptr;
@@ -57,6 +64,7 @@ class SceneView {
     std::string material_name;
     std::uint64_t seen = 0;
     std::unique_ptr<PosedBody> body;  ///< Of meshes with a skeleton; these have no entity.
+    std::unique_ptr<Feet> feet;
     BodyDetail detail = BodyDetail::kFine;
     world::BodyLook look = world::BodyLook::kSoldier;
     bool visible = true;
@@ -67,6 +75,8 @@ class SceneView {
   /// Dresses and poses what has a skeleton.
   void ShowBody(Thing& thing, const world::BodyMesh& mesh, const world::DrawableSnapshot& drawable,
                 const world::DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent);
+  /// Brings the feet to the newest tick.
+  void HoldFeet(Thing& thing, const world::DrawableSnapshot& drawable, const world::DrawableSnapshot* before);
   BodyBatch& BatchFor(const Thing& thing);
   void Wear(Thing& thing, const Ogre::MeshPtr& mesh, bool casts_shadows);
   void AddSkeletonLines(const world::Skeleton& skeleton, const world::BonePose& model,
@@ -88,6 +98,8 @@ class SceneView {
   std::vector<world::LineSnapshot> skeleton_lines_;
   std::set<std::string> warned_;
   std::uint64_t update_count_ = 0;
+  std::uint64_t tick_ = 0;
+  double time_s_ = 0, tick_s_ = 0;  ///< Of the newest snapshot; between it and the one before.
 };
 
 }  // namespace soarbox::viewer
