@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,26 +15,35 @@ namespace soarbox::world {
 /// Finds the agents near a place: a grid over the ground plane, sorted by counting. Its cells lie row by row, so that a
 /// query reads each row at once; where agents stand too far apart for that, cells are hashed.
 ///
-/// Invariant: every agent is either in the cell of its position or on the list of strays, which every query looks at.
-/// Moved() puts an agent on that list; when it grows long, the next query rebuilds the grid. Queries return a superset
-/// of the agents within the range, each once; callers test the distance themselves.
+/// Invariant: every agent is either in the cell of its position, with that position beside it, or on the list of
+/// strays, which every query looks at. Moved() puts an agent on that list; when it grows long, the next query rebuilds
+/// the grid. Queries may find agents beyond the range too; callers test the distance themselves. Several threads may
+/// ask at a time, after Update.
 class AgentGrid {
  public:
   /// The number of agents or all their positions have changed.
   void Invalidate() { valid_ = false; }
   /// One agent has moved.
   void Moved(std::uint32_t index);
-  /// Brings the grid up to date; to be called before Query.
+  /// Brings the grid up to date; to be called before Query and Visit.
   void Update(std::span<const AgentMotion> agents);
-  /// Appends the indices of all agents within range_m of center, and perhaps of others, to found; order unspecified
-  /// but reproducible. Several threads may ask at a time.
+  /// Appends the indices of all agents within range_m of center to found, each once; order unspecified but
+  /// reproducible.
   void Query(std::span<const AgentMotion> agents, Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
+  /// Calls visit(index) for all agents within range_m of center, those around it first; it returns how far is still of
+  /// interest, so that of a crowd few have to be looked at. Agents further away than that may be left out from then on.
+  template <class Visitor>
+  void Visit(std::span<const AgentMotion> agents, Vec3 center, float range_m, Visitor visit) const;
 
  private:
   struct Entry {
-    std::int32_t x, z;
+    float x_m, z_m;  ///< Not finite for a stray.
     std::uint32_t agent;
   };
+  static constexpr float kCell_m = 4.0f;
+  // Positions are limited (PhysicsWorld::kMaxCoordinate_m); agents without a body are limited likewise.
+  static std::int32_t CellOf(float coordinate) { return static_cast<std::int32_t>(std::floor(coordinate / kCell_m)); }
+
   void Rebuild(std::span<const AgentMotion> agents);
   /// Chooses between rows and hashes; returns the number of buckets.
   std::size_t LayOut(std::span<const AgentMotion> agents);
@@ -44,7 +56,70 @@ class AgentGrid {
   std::vector<Entry> entries_;              ///< Sorted by bucket.
   std::vector<std::uint32_t> starts_;       ///< First entry of each bucket; one more than there are buckets.
   std::vector<std::uint32_t> strays_;
-  std::vector<bool> is_stray_;
+  std::vector<std::uint32_t> places_;  ///< Of each agent in entries_.
 };
+
+template <class Visitor>
+void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float range_m, Visitor visit) const {
+  // Rounding errs on the side of looking at one agent too many.
+  const auto squared = [](float range) { return range * range * 1.0001f + 0.001f; };
+  float range = range_m, range_squared = squared(range);
+  // Some at a time, so that the memory of all of them is under way when the first is looked at.
+  std::array<std::uint32_t, 32> batch;
+  const auto scan = [&](std::size_t begin, std::size_t end) {
+    while (begin < end) {
+      std::size_t count = 0;
+      for (; begin < end && count < batch.size(); ++begin) {
+        const Entry& entry = entries_[begin];
+        const float x_m = entry.x_m - center.x, z_m = entry.z_m - center.z;
+        if (!(x_m * x_m + z_m * z_m <= range_squared)) continue;
+        __builtin_prefetch(&agents[entry.agent]);
+        batch[count++] = entry.agent;
+      }
+      for (std::size_t i = 0; i < count; ++i) range = visit(batch[i]);
+      if (count > 0) range_squared = squared(range);
+    }
+  };
+  for (const std::uint32_t stray : strays_) range = visit(stray);
+  range_squared = squared(range);
+
+  const float cells_across = 2 * range / kCell_m + 2;
+  if (!(cells_across * cells_across < static_cast<float>(entries_.size()))) return scan(0, entries_.size());
+  if (!in_rows_) {
+    const std::int32_t x_last = CellOf(center.x + range), z_last = CellOf(center.z + range);
+    for (std::int32_t z = CellOf(center.z - range); z <= z_last; ++z) {
+      for (std::int32_t x = CellOf(center.x - range); x <= x_last; ++x) {
+        // Cells that share a bucket are told apart by the places of who is in it.
+        const std::uint32_t bucket = Bucket(x, z);
+        for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
+          if (CellOf(entries_[i].x_m) == x && CellOf(entries_[i].z_m) == z) scan(i, i + 1);
+      }
+    }
+    return;
+  }
+
+  const auto scan_row = [&](std::int32_t z, std::int32_t from, std::int32_t to) {
+    if (z < first_z_ || z >= first_z_ + rows_) return;
+    from = std::max(from, first_x_);
+    to = std::min(to, first_x_ + width_ - 1);
+    if (from <= to) scan(starts_[Bucket(from, z)], starts_[Bucket(to, z) + 1]);
+  };
+  // The cell of the place and those around it; then the rows, from there outwards, without these.
+  const std::int32_t own_x = CellOf(center.x), own_z = CellOf(center.z);
+  for (std::int32_t z = own_z - 1; z <= own_z + 1; ++z) scan_row(z, own_x - 1, own_x + 1);
+  const auto scan_rest_of_row = [&](std::int32_t z) {
+    const std::int32_t from = CellOf(center.x - range), to = CellOf(center.x + range);
+    if (std::abs(z - own_z) > 1) return scan_row(z, from, to);
+    scan_row(z, from, own_x - 2);
+    scan_row(z, own_x + 2, to);
+  };
+  scan_rest_of_row(own_z);
+  for (std::int32_t step = 1;; ++step) {
+    const bool below = own_z - step >= CellOf(center.z - range), above = own_z + step <= CellOf(center.z + range);
+    if (below) scan_rest_of_row(own_z - step);
+    if (above) scan_rest_of_row(own_z + step);
+    if (!below && !above) return;
+  }
+}
 
 }  // namespace soarbox::world

@@ -7,16 +7,18 @@ namespace soarbox::world {
 
 /// How an agent stands and moves, as steering sees it. Invariants: forward, left and up are the rotated z, x and y
 /// axes; speed is the horizontal length of velocity, or the stored speed of an agent without a body.
-struct AgentMotion {
+///
+/// What others look at in each step stands first, within one line of the processor's cache.
+struct alignas(64) AgentMotion {
   Vec3 position;
   Vec3 velocity;  ///< m/s
   Vec3 forward{0, 0, 1};
-  Vec3 left{1, 0, 0};
-  Vec3 up{0, 1, 0};
-  Quat orientation;
   float speed = 0;    ///< m/s
   float radius = 0;   ///< m
   bool alive = true;  ///< Health above 0.
+  Vec3 left{1, 0, 0};
+  Vec3 up{0, 1, 0};
+  Quat orientation;
 };
 
 }  // namespace soarbox::world

@@ -59,9 +59,12 @@ Vec3 Agent::ForceToStayOnPath(float look_ahead_s) const {
 }
 
 Vec3 Agent::ForceToAvoidAgents(float look_ahead_s) const {
-  const float seconds = LookAhead(look_ahead_s);
-  const float range = AvoidAgentsRange(motion(), seconds, store_.max_speed(), store_.max_radius());
-  return SteerAvoidAgents(index_, store_.motions(), store_.Near(Position(), range), seconds);
+  Lookout lookout(index_, store_.motions(), LookAhead(look_ahead_s), store_.max_speed(), store_.max_radius());
+  store_.VisitNear(Position(), lookout.range_m(), [&](std::uint32_t other) {
+    lookout.Look(other);
+    return lookout.range_m();
+  });
+  return lookout.Force();
 }
 
 Vec3 Agent::ForceToAvoidObjects(float look_ahead_s) const {

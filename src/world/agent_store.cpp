@@ -53,13 +53,6 @@ void AgentStore::SpeedOrRadiusChanged(std::size_t index) {
   max_radius_ = std::max(max_radius_, motions_[index].radius);
 }
 
-std::span<const std::uint32_t> AgentStore::Near(Vec3 center, float range_m) {
-  scratch_.clear();
-  grid_.Update(motions_);
-  grid_.Query(motions_, center, range_m, scratch_);
-  return scratch_;
-}
-
 void AgentStore::CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>& found) const {
   found.clear();
   grid_.Query(motions_, center, range_m, found);
@@ -67,7 +60,9 @@ void AgentStore::CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>
 }
 
 std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_m) {
-  Near(center, range_m);
+  scratch_.clear();
+  grid_.Update(motions_);
+  grid_.Query(motions_, center, range_m, scratch_);
   std::sort(scratch_.begin(), scratch_.end());
   return scratch_;
 }

@@ -54,9 +54,13 @@ class AgentStore {
   float max_speed() const { return max_speed_; }
   float max_radius() const { return max_radius_; }
 
-  /// Indices of a superset of the agents within range_m; valid until the next call of Near or Indices.
-  std::span<const std::uint32_t> Near(Vec3 center, float range_m);
-  /// The same in ascending order.
+  /// AgentGrid::Visit.
+  template <class Visitor>
+  void VisitNear(Vec3 center, float range_m, Visitor visit) {
+    grid_.Update(motions_);
+    grid_.Visit(motions_, center, range_m, visit);
+  }
+  /// Indices of a superset of the agents within range_m in ascending order; valid until the next call of it or Indices.
   std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m);
   /// Until an agent moves or comes, several threads may call CopyNear at a time.
   void PrepareCopyNear() { grid_.Update(motions_); }
