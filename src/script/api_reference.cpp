@@ -35,6 +35,9 @@ world, `mesh` is a soldier and `animation` one of its animations. What a line pr
 
 Types: `Thing` is an agent, an object, a scene node or the sandbox; `Scene` the same but agents; `Placed` an object or a
 scene node; `Node` a scene node; `value` is anything. Arguments with a default may be left out at the end.
+
+A number beyond its range, or a vector with a component beyond it, counts as the nearest that is within; a warning says so,
+once for each place in a script. Numbers that are not finite (0 / 0) change nothing, with a warning.
 )";
 
 std::string FileOf(std::string_view group) {
@@ -82,16 +85,25 @@ std::string WithoutBrackets(std::string_view results) {
   return text;
 }
 
+/// "0 to 1"; of vectors it is that of each component.
+std::string RangeOf(const ApiArgument& argument) {
+  if (argument.range.empty()) return {};
+  const std::size_t dots = argument.range.find("..");
+  const std::string_view high = argument.range.substr(dots + 2);
+  const std::string low(argument.range.substr(0, dots));
+  return high == "inf" ? "from " + low : low + " to " + std::string(high);
+}
+
 std::string Section(const ApiFunction& function) {
   std::string text = "\n## " + std::string(function.name) + "\n\n```\n" + Call(function) + "\n```\n\n" +
                      std::string(function.text) + "\n\n";
   const auto arguments = ParseArguments(function.arguments);
   if (!arguments.empty()) {
-    text += "| argument | type | unit | default |\n| --- | --- | --- | --- |\n";
+    text += "| argument | type | range | unit | default |\n| --- | --- | --- | --- | --- |\n";
     for (const ApiArgument& argument : arguments) {
       text += "| `" + std::string(argument.name) + "` | " + std::string(argument.type_name) + " | " +
-              std::string(argument.unit) + " | " + (argument.optional ? std::string(argument.default_value) : "") +
-              " |\n";
+              RangeOf(argument) + " | " + std::string(argument.unit) + " | " +
+              (argument.optional ? std::string(argument.default_value) : "") + " |\n";
     }
     text += "\n";
   }

@@ -2,7 +2,9 @@
 #include "script/api_table.h"
 
 #include <cassert>
+#include <cstdlib>
 #include <map>
+#include <string>
 
 #include "diagnostics/diagnostic.h"
 
@@ -30,7 +32,16 @@ std::string_view Trimmed(std::string_view text) {
   return text;
 }
 
-/// "name: Type [unit] = default".
+/// "0..1".
+void ParseRange(std::string_view range, ApiArgument& argument) {
+  const std::size_t dots = range.find("..");
+  assert(dots != std::string_view::npos);
+  argument.range = range;
+  argument.low = std::strtod(std::string(range.substr(0, dots)).c_str(), nullptr);
+  argument.high = std::strtod(std::string(range.substr(dots + 2)).c_str(), nullptr);
+}
+
+/// "name: Type range [unit] = default".
 ApiArgument ParseArgument(std::string_view text) {
   ApiArgument argument;
   const std::size_t colon = text.find(':');
@@ -46,7 +57,10 @@ ApiArgument ParseArgument(std::string_view text) {
     argument.unit = rest.substr(bracket + 1, rest.find(']') - bracket - 1);
     rest = rest.substr(0, bracket);
   }
-  argument.type_name = Trimmed(rest);
+  rest = Trimmed(rest);
+  const std::size_t space = rest.find(' ');
+  argument.type_name = rest.substr(0, space);
+  if (space != std::string_view::npos) ParseRange(rest.substr(space + 1), argument);
   bool known = false;
   for (const auto& [name, type] : kTypes) {
     if (name != argument.type_name) continue;

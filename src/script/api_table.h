@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,12 +13,13 @@ namespace soarbox::script {
 /// One function of the sandbox's API as its users know it. The checks of arguments, the suggestions for misspelt names
 /// and the pages of docs/lua/ all read this table; a test holds it against what is registered.
 struct ApiFunction {
-  std::string_view name;       ///< "Agent.SetPosition".
-  std::string_view arguments;  ///< "agent: Agent, position: Vector [m], seconds: number [s] = 0.1"; see ParseArguments.
-  std::string_view results;    ///< "Vector [m]", "number, table"; empty: none.
-  std::string_view text;       ///< What it does: whole sentences.
-  std::string_view example;    ///< Lua; a comment "--> text" ends a line that prints just that.
-  bool own = false;            ///< Beyond the 192 functions of the first sandbox.
+  std::string_view name;  ///< "Agent.SetPosition".
+  /// "agent: Agent, position: Vector [m], seconds: number 0.1..1000 [s] = 0.1"; see ParseArguments.
+  std::string_view arguments;
+  std::string_view results;  ///< "Vector [m]", "number, table"; empty: none.
+  std::string_view text;     ///< What it does: whole sentences.
+  std::string_view example;  ///< Lua; a comment "--> text" ends a line that prints just that.
+  bool own = false;          ///< Beyond the 192 functions of the first sandbox.
 };
 
 /// What an argument has to be. The sandbox, objects, nodes, things and meshes that are wrong make a call do nothing,
@@ -48,6 +50,9 @@ struct ApiArgument {
   std::string_view unit;           ///< Without brackets; empty: none.
   std::string_view default_value;  ///< Only if optional.
   bool optional = false;
+  std::string_view
+      range;  ///< Of numbers, and of each component of vectors: "0..1", "0..inf"; empty: whatever is finite.
+  double low = -std::numeric_limits<float>::max(), high = std::numeric_limits<float>::max();
 };
 
 /// All functions of all tables, by group.

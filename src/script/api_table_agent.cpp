@@ -7,7 +7,7 @@ namespace soarbox::script {
 namespace {
 
 constexpr ApiFunction kFunctions[] = {
-    {"Agent.ApplyForce", "agent: Agent, force: Vector [N]", "",
+    {"Agent.ApplyForce", "agent: Agent, force: Vector -1e12..1e12 [N]", "",
      "Pushes the agent during the next step. Forces of one step add up; an agent without a body is not moved.",
      R"(agent:ApplyForce(Vector.new(0, 0, 500)))"},
     {"Agent.GetDistanceAlongPath", "agent: Agent, point: Vector [m]", "number [m]",
@@ -74,7 +74,7 @@ print(agent:GetVelocity().z)  --> 2)"},
      R"(print(agent:HasPath())  --> false)"},
     {"Agent.IsAgent", "value: value", "boolean", "Whether a value is an agent.",
      R"(print(Agent.IsAgent(agent), Agent.IsAgent(object))  --> true	false)"},
-    {"Agent.PredictFuturePosition", "agent: Agent, time: number [s]", "Vector [m]",
+    {"Agent.PredictFuturePosition", "agent: Agent, time: number 0..1e6 [s]", "Vector [m]",
      "Where the agent will be if it goes on as it moves now.",
      R"(agent:SetVelocity(Vector.new(2, 0, 0))
 print(agent:PredictFuturePosition(1.5).x)  --> 3)"},
@@ -91,16 +91,16 @@ print(agent:HasPath())  --> false)"},
     {"Agent.SetHealth", "agent: Agent, health: number", "", "Sets the agent's health; no limits are kept.",
      R"(agent:SetHealth(agent:GetHealth() - 5)
 print(agent:GetHealth())  --> 95)"},
-    {"Agent.SetHeight", "agent: Agent, height: number [m]", "",
+    {"Agent.SetHeight", "agent: Agent, height: number 0..100000 [m]", "",
      "Gives the agent a body of another height around the same middle; it comes to a stand.",
      R"(agent:SetHeight(1.3))"},
     {"Agent.SetLeader", "agent: Agent, leader: value", "", "Whom the agent follows; nil for nobody.",
      R"(agent:SetLeader(other))", true},
     {"Agent.SetMass", "agent: Agent, mass: number [kg]", "", "Changes the agent's mass; 0 nails it down.",
      R"(agent:SetMass(60))"},
-    {"Agent.SetMaxForce", "agent: Agent, force: number [N]", "", "See GetMaxForce; negative counts as 0.",
+    {"Agent.SetMaxForce", "agent: Agent, force: number 0..1e12 [N]", "", "See GetMaxForce.",
      R"(agent:SetMaxForce(1500))"},
-    {"Agent.SetMaxSpeed", "agent: Agent, speed: number [m/s]", "", "See GetMaxSpeed; negative counts as 0.",
+    {"Agent.SetMaxSpeed", "agent: Agent, speed: number 0..1e6 [m/s]", "", "See GetMaxSpeed.",
      R"(agent:SetMaxSpeed(3))"},
     {"Agent.SetPath", "agent: Agent, points: table [m], cyclic: boolean = false", "",
      "Gives the agent a path: an array of vectors, in which other values are skipped. A cyclic one is closed by a copy "
@@ -108,25 +108,27 @@ print(agent:GetHealth())  --> 95)"},
      "its first point. The path is as wide as the agent.",
      R"(agent:SetPath({Vector.new(), Vector.new(10, 0, 0), Vector.new(10, 0, 10)}, true)
 print(#agent:GetPath())  --> 4)"},
-    {"Agent.SetPosition", "agent: Agent, position: Vector [m]", "",
+    {"Agent.SetPosition", "agent: Agent, position: Vector -1e6..1e6 [m]", "",
      "Puts the agent's middle somewhere at once; its velocity stays.",
      R"(agent:SetPosition(Vector.new(4, agent:GetHeight() / 2, 0))
 print(agent:GetPosition().x)  --> 4)"},
-    {"Agent.SetRadius", "agent: Agent, radius: number [m]", "",
+    {"Agent.SetRadius", "agent: Agent, radius: number 0..100000 [m]", "",
      "Gives the agent a body of another radius; it comes to a stand.", R"(agent:SetRadius(0.4))"},
-    {"Agent.SetSpeed", "agent: Agent, speed: number [m/s]", "",
-     "Sets the speed of an agent without a body; with one it has no effect.", R"(agent:SetSpeed(2))"},
+    {"Agent.SetSpeed", "agent: Agent, speed: number -100000..100000 [m/s]", "",
+     "Sets the speed of an agent without a body; with one it has no effect.", R"(agent:RemovePhysics()
+agent:SetSpeed(2)
+print(agent:GetSpeed())  --> 2)"},
     {"Agent.SetTarget", "agent: Agent, target: Vector [m]", "",
      "Keeps a place for scripts to go to; nothing goes there by itself.",
      R"(agent:SetTarget(Vector.new(10, 0, 0))
 print(agent:GetTarget().x)  --> 10)"},
-    {"Agent.SetTargetRadius", "agent: Agent, radius: number [m]", "", "See GetTargetRadius; negative counts as 0.",
+    {"Agent.SetTargetRadius", "agent: Agent, radius: number 0..1e6 [m]", "", "See GetTargetRadius.",
      R"(agent:SetTargetRadius(1.5))"},
     {"Agent.SetTeam", "agent: Agent, team: string", "", "Puts the agent into a team.",
      R"(agent:SetTeam("team2")
 print(agent:GetTeam())  --> team2)"},
-    {"Agent.SetVelocity", "agent: Agent, velocity: Vector [m/s]", "", "Changes how the agent moves, at once.",
-     R"(agent:SetVelocity(Vector.new(0, 5, 0)))"},
+    {"Agent.SetVelocity", "agent: Agent, velocity: Vector -100000..100000 [m/s]", "",
+     "Changes how the agent moves, at once.", R"(agent:SetVelocity(Vector.new(0, 5, 0)))"},
 };
 
 }  // namespace

@@ -48,7 +48,7 @@ print(Animation.IsEnabled(animation))  --> true)"},
      R"(Animation.SetLocomotion(mesh, true, "aim"))", true},
     {"Animation.SetLooping", "animation: Animation, looping: boolean", "",
      "Lets it start again at its end, or stay there.", R"(Animation.SetLooping(animation, false))"},
-    {"Animation.SetNormalizedTime", "animation: Animation, time: number", "",
+    {"Animation.SetNormalizedTime", "animation: Animation, time: number 0..1", "",
      "Goes to a place from 0, the start, to 1, the end.",
      R"(Animation.SetNormalizedTime(animation, 0.5)
 print(Animation.GetNormalizedTime(animation))  --> 0.5)"},

@@ -29,26 +29,27 @@ end))"},
      R"(local walker = Sandbox.CreateAgent(sandbox, "Quiet.lua")
 walker:SetPosition(Vector.new(2, 0.8, 0)))"},
     {"Sandbox.CreateBox",
-     "sandbox: Sandbox, width: number [m], height: number [m], length: number [m], u_tiles: number = 1, v_tiles: "
-     "number = "
-     "1",
+     "sandbox: Sandbox, width: number 0.001..100000 [m], height: number 0.001..100000 [m], length: number "
+     "0.001..100000 "
+     "[m], u_tiles: number = 1, v_tiles: number = 1",
      "Object", "A box with a body of 1 kg at the origin; the texture repeats as often as told on each side.",
      R"(local floor = Sandbox.CreateBox(sandbox, 20, 1, 20, 10, 10)
 Core.SetMass(floor, 0)
 Core.SetPosition(floor, Vector.new(0, -0.5, 0)))"},
-    {"Sandbox.CreateCapsule", "sandbox: Sandbox, height: number [m], radius: number [m]", "Object",
-     "An upright capsule with a body of 1 kg at the origin; the height includes the caps.",
+    {"Sandbox.CreateCapsule", "sandbox: Sandbox, height: number 0.001..100000 [m], radius: number 0.001..100000 [m]",
+     "Object", "An upright capsule with a body of 1 kg at the origin; the height includes the caps.",
      R"(local pillar = Sandbox.CreateCapsule(sandbox, 3, 0.5))"},
     {"Sandbox.CreateObject", "sandbox: Sandbox, mesh: string", "Object",
      "A mesh of the media library with a body of 1 kg at the origin.",
      R"(local block = Sandbox.CreateObject(sandbox, "models/nobiax_modular/modular_block.mesh"))"},
-    {"Sandbox.CreatePhysicsCapsule", "sandbox: Sandbox, height: number [m], radius: number [m]", "Object",
+    {"Sandbox.CreatePhysicsCapsule",
+     "sandbox: Sandbox, height: number 0.001..100000 [m], radius: number 0.001..100000 [m]", "Object",
      "The body of a capsule, of 1 kg, that nobody sees.",
      R"(local bullet = Sandbox.CreatePhysicsCapsule(sandbox, 0.3, 0.01)
 Core.SetMass(bullet, 0.1))"},
-    {"Sandbox.CreatePhysicsSphere", "sandbox: Sandbox, radius: number [m]", "Object",
+    {"Sandbox.CreatePhysicsSphere", "sandbox: Sandbox, radius: number 0.001..100000 [m]", "Object",
      "The body of a ball, of 1 kg, that nobody sees.", R"(local ball = Sandbox.CreatePhysicsSphere(sandbox, 0.2))"},
-    {"Sandbox.CreatePlane", "sandbox: Sandbox, length: number [m], width: number [m]", "Object",
+    {"Sandbox.CreatePlane", "sandbox: Sandbox, length: number 0..1e6 [m], width: number 0..1e6 [m]", "Object",
      "A visible plane at y = 0 on an endless fixed floor. It is not part of navigation meshes.",
      R"(local ground = Sandbox.CreatePlane(sandbox, 200, 200)
 Core.SetMaterial(ground, "Ground2"))"},
@@ -141,8 +142,8 @@ print(Sandbox.GetCameraForward(sandbox).z)  --> 1)"},
     {"Sandbox.SetDrawPhysicsWorld", "sandbox: Sandbox, draw: boolean", "", "Draws all bodies as wires, or no longer.",
      R"(Sandbox.SetDrawPhysicsWorld(sandbox, true))"},
     {"Sandbox.SetMarkupColor",
-     "sandbox: Sandbox, index: number, red: number, green: number, blue: number, alpha: number = 1", "",
-     "Changes what %0 to %9 stand for in markup texts; 0 to 1 per channel.",
+     "sandbox: Sandbox, index: number, red: number 0..1, green: number 0..1, blue: number 0..1, alpha: number 0..1 = 1",
+     "", "Changes what %0 to %9 stand for in markup texts; 0 to 1 per channel.",
      R"(Sandbox.SetMarkupColor(sandbox, 1, 1, 0, 0))"},
 };
 

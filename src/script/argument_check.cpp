@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/argument_check.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <lua.hpp>
 #include <map>
 #include <mutex>
+#include <string>
 
 #include "script/bind_arguments.h"
 #include "script/binding.h"
@@ -81,6 +85,71 @@ bool IsPlainlyRight(lua_State* state, int index, ApiType type) {
   }
 }
 
+bool IsWithin(double value, const ApiArgument& argument) {
+  return value >= argument.low && value <= argument.high;
+}
+
+/// The nearest in range; of what is no number at all what is nearest to 0.
+double Nearest(double value, const ApiArgument& argument) {
+  return std::clamp(std::isnan(value) ? 0.0 : value, argument.low, argument.high);
+}
+
+std::string Shortly(double value) {
+  if (std::isnan(value)) return "nan";  // Whatever its sign.
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// Warns of a number or a component that is out of range, and says what counts instead.
+void WarnOfRange(lua_State* state, int index, const ApiArgument& argument, double value, double taken) {
+  const std::string unit = argument.unit.empty() ? std::string() : " " + std::string(argument.unit);
+  const bool is_bounded = !argument.range.empty();
+  std::string text = "argument " + std::to_string(index) + ", the " + std::string(argument.name) + ", ";
+  if (argument.type == ApiType::kVector) text += "has a component that ";
+  text += "is " + Shortly(value);
+  if (is_bounded) text += ": " + Shortly(taken) + unit + " is taken";
+  if (!is_bounded) text += ", no finite number";
+  WarnAtCallerOnce(state, std::move(text), argument.name);
+}
+
+/// Looks at a number or a vector that is there. False if the call is to do nothing.
+bool CheckRange(lua_State* state, int index, const ApiArgument& argument, const CheckedCall& call) {
+  const world::Vec3* vector = argument.type == ApiType::kVector ? ToVector(state, index) : nullptr;
+  world::Vec3 replaced = vector ? *vector : world::Vec3{static_cast<float>(lua_tonumber(state, index)), 0, 0};
+  float* const components[] = {&replaced.x, &replaced.y, &replaced.z};
+  bool is_changed = false;
+  for (int i = 0; i < (vector ? 3 : 1); ++i) {
+    const double value = *components[i];
+    if (IsWithin(value, argument)) continue;
+    if (!std::isfinite(value) && !call.gives_result) {
+      WarnIgnored(state, lua_pushfstring(state, "argument %d, the %s, is not finite", index,
+                                         std::string(argument.name).c_str()));
+      return false;
+    }
+    const double taken = Nearest(value, argument);
+    if (!is_changed) WarnOfRange(state, index, argument, value, taken);
+    is_changed = true;
+    *components[i] = static_cast<float>(taken);
+  }
+  if (!is_changed || argument.range.empty()) return true;
+  // A vector of its own: the caller's stays as it is.
+  if (vector) {
+    PushVector(state, replaced);
+  } else {
+    lua_pushnumber(state, replaced.x);
+  }
+  lua_replace(state, index);
+  return true;
+}
+
+bool IsInRange(lua_State* state, int index, const ApiArgument& argument) {
+  if (argument.type == ApiType::kNumber) return IsWithin(static_cast<float>(lua_tonumber(state, index)), argument);
+  if (argument.type != ApiType::kVector) return true;
+  const world::Vec3& vector = *ToVector(state, index);
+  return IsWithin(vector.x, argument) && IsWithin(vector.y, argument) && IsWithin(vector.z, argument);
+}
+
 /// Raises for the first handle before `end` whose thing is gone: that is what is wrong first then.
 void CheckAlive(lua_State* state, int end) {
   for (int index = 1; index < end; ++index) {
@@ -105,21 +174,29 @@ int ReadUnknownName(lua_State* state) {
 
 }  // namespace
 
-const std::vector<ApiArgument>& ArgumentsOf(const ApiFunction& function) {
+const CheckedCall& CheckedCallOf(const ApiFunction& function) {
   // Worlds of several threads share the table.
   static std::mutex mutex;
-  static std::map<const ApiFunction*, std::vector<ApiArgument>> parsed;
+  static std::map<const ApiFunction*, CheckedCall> parsed;
   const std::lock_guard lock(mutex);
   auto [place, is_new] = parsed.try_emplace(&function);
-  if (is_new) place->second = ParseArguments(function.arguments);
+  if (is_new)
+    place->second = {ParseArguments(function.arguments), function.name.starts_with("Vector."),
+                     !function.results.empty()};
   return place->second;
 }
 
-bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments) {
-  const int count = std::min(lua_gettop(state), static_cast<int>(arguments.size()));
+bool CheckArguments(lua_State* state, const CheckedCall& call) {
+  const int count = std::min(lua_gettop(state), static_cast<int>(call.arguments.size()));
+  const auto is_fit = [&](int index, const ApiArgument& argument) {
+    return call.takes_any_number || IsInRange(state, index, argument) || CheckRange(state, index, argument, call);
+  };
   for (int index = 1; index <= count; ++index) {
-    const ApiArgument& argument = arguments[static_cast<std::size_t>(index) - 1];
-    if (IsPlainlyRight(state, index, argument.type)) continue;
+    const ApiArgument& argument = call.arguments[static_cast<std::size_t>(index) - 1];
+    if (IsPlainlyRight(state, index, argument.type)) {
+      if (!is_fit(index, argument)) return false;
+      continue;
+    }
     if (argument.optional && lua_isnil(state, index)) continue;
     if (const char* wanted = WantedInstead(argument, ToHandle(state, index))) {
       CheckAlive(state, index);
@@ -131,6 +208,7 @@ bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments)
       CheckAlive(state, index);
       ArgumentError(state, index, lua_pushfstring(state, "%s expected, got %s", expected, NameOfValue(state, index)));
     }
+    if (!is_fit(index, argument)) return false;
   }
   return true;
 }

@@ -10,12 +10,18 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// The arguments of one function, as ParseArguments reads them from the table; made once for each function.
-const std::vector<ApiArgument>& ArgumentsOf(const ApiFunction& function);
+/// What a call of one function is held to; made once for each function.
+struct CheckedCall {
+  std::vector<ApiArgument> arguments;  ///< As ParseArguments reads them from the table.
+  bool takes_any_number = false;       ///< It only reckons: what is not finite goes in and comes out.
+  bool gives_result = false;
+};
+const CheckedCall& CheckedCallOf(const ApiFunction& function);
 
 /// Looks at the arguments on the stack from the first to the last. The first that is wrong is a Lua error; or, if it is
-/// one of those that only make a call do nothing, a warning, and the answer is false.
-bool CheckArguments(lua_State* state, const std::vector<ApiArgument>& arguments);
+/// one of those that only make a call do nothing, a warning, and the answer is false. Numbers and vectors out of range
+/// are replaced by the nearest in range, with a warning; what is not finite makes a call without results do nothing.
+bool CheckArguments(lua_State* state, const CheckedCall& call);
 
 /// As luaL_argerror, but for functions of the API their name is right also where Lua does not know it (called by pcall,
 /// for example).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <lua.hpp>
 
+#include "script/argument_check.h"
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
@@ -79,6 +80,26 @@ template <bool (Agent::*Setter)(float)>
 int SetNumber(lua_State* state) {
   const float number = CheckFloat(state, 2);
   WarnUnless(state, (AgentArgument(state, 1).*Setter)(number));
+  return 0;
+}
+
+/// The thesis' world lets the mass be anything, but not that of the body.
+int SetMass(lua_State* state) {
+  const float mass = CheckFloat(state, 2);
+  Agent& agent = AgentArgument(state, 1);
+  if (mass < 0) WarnAtCallerOnce(state, "the mass is below 0 kg: the body counts as fixed, as with 0 kg", "mass");
+  WarnUnless(state, agent.SetMass(mass));
+  return 0;
+}
+
+int SetSpeed(lua_State* state) {
+  const float speed = CheckFloat(state, 2);
+  Agent& agent = AgentArgument(state, 1);
+  if (agent.HasBody()) {
+    WarnIgnored(state, "the agent has a body, which SetVelocity and forces move");
+  } else {
+    WarnUnless(state, agent.SetSpeed(speed));
+  }
   return 0;
 }
 
@@ -173,7 +194,9 @@ int GetPointOnPath(lua_State* state) {
 /// Agent.SetLeader(agent, leader); nil leaves the agent without a leader.
 int SetLeader(lua_State* state) {
   Agent& agent = AgentArgument(state, 1);
-  agent.SetLeader(lua_isnil(state, 2) ? world::kNoEntity : AgentArgument(state, 2).id());
+  const world::EntityId leader = lua_isnil(state, 2) ? world::kNoEntity : AgentArgument(state, 2).id();
+  if (leader == agent.id()) return ArgumentError(state, 2, "an agent cannot be its own leader");
+  agent.SetLeader(leader);
   return 0;
 }
 
@@ -217,13 +240,13 @@ constexpr Binding kBindings[] = {
     {"SetHealth", SetNumber<&Agent::SetHealth>, 2, 2, WrongCount::kError},
     {"SetHeight", SetNumber<&Agent::SetHeight>, 2, 2, WrongCount::kError},
     {"SetLeader", SetLeader, 2, 2, WrongCount::kError},
-    {"SetMass", SetNumber<&Agent::SetMass>, 2, 2, WrongCount::kError},
+    {"SetMass", SetMass, 2, 2, WrongCount::kError},
     {"SetMaxForce", SetNumber<&Agent::SetMaxForce>, 2, 2, WrongCount::kError},
     {"SetMaxSpeed", SetNumber<&Agent::SetMaxSpeed>, 2, 2, WrongCount::kError},
     {"SetPath", SetPath, 2, 3, WrongCount::kError},
     {"SetPosition", SetVector<&Agent::SetPosition>, 2, 2, WrongCount::kError},
     {"SetRadius", SetNumber<&Agent::SetRadius>, 2, 2, WrongCount::kError},
-    {"SetSpeed", SetNumber<&Agent::SetSpeed>, 2, 2, WrongCount::kError},
+    {"SetSpeed", SetSpeed, 2, 2, WrongCount::kError},
     {"SetTarget", SetVector<&Agent::SetTarget>, 2, 2, WrongCount::kError},
     {"SetTargetRadius", SetNumber<&Agent::SetTargetRadius>, 2, 2, WrongCount::kError},
     {"SetTeam", SetTeam, 2, 2, WrongCount::kError},

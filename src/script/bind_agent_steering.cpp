@@ -115,6 +115,7 @@ template <Vec3 (Agent::*Force)(EntityId, float) const>
 int PushChaseForce(lua_State* state) {
   const Agent& agent = AgentArgument(state, 1);
   const EntityId other = AgentArgument(state, 2).id();
+  if (other == agent.id()) WarnAtCaller(state, "the agent chases or flees itself: there is no force");
   PushVector(state, (agent.*Force)(other, lua_gettop(state) > 2 ? CheckFloat(state, 3) : 1.0f));
   return 1;
 }

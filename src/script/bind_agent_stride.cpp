@@ -73,7 +73,8 @@ int PlainWalkTo(lua_State* state, LuaMachine& machine) {
   Agent* agent = lua_gettop(state) == 3 ? PlainAgent(state, machine, 1) : nullptr;
   const Vec3* goal = ToVector(state, 2);
   double step_s = 0;
-  if (!agent || !goal || !PlainNumber(state, 3, step_s)) return kNotPlain;
+  if (!agent || !goal || !IsUsual(*goal) || !PlainNumber(state, 3, step_s) || !IsUsual(static_cast<float>(step_s)))
+    return kNotPlain;
   Stride(state, *agent, ForceToWalk(*agent, *goal, {}), step_s);
   return 0;
 }
@@ -89,7 +90,7 @@ int WalkToTarget(lua_State* state) {
 int PlainWalkToTarget(lua_State* state, LuaMachine& machine) {
   Agent* agent = lua_gettop(state) == 2 ? PlainAgent(state, machine, 1) : nullptr;
   double step_s = 0;
-  if (!agent || !PlainNumber(state, 2, step_s)) return kNotPlain;
+  if (!agent || !PlainNumber(state, 2, step_s) || !IsUsual(static_cast<float>(step_s))) return kNotPlain;
   Stride(state, *agent, ForceToWalk(*agent, agent->Target(), {}), step_s);
   return 0;
 }
@@ -97,7 +98,9 @@ int PlainWalkToTarget(lua_State* state, LuaMachine& machine) {
 int PlainPush(lua_State* state, LuaMachine& machine) {
   Agent* agent = lua_gettop(state) == 3 ? PlainAgent(state, machine, 1) : nullptr;
   double step_s = 0;
-  if (!agent || !ToVector(state, 2) || !PlainNumber(state, 3, step_s)) return kNotPlain;
+  const Vec3* force = ToVector(state, 2);
+  if (!agent || !force || !IsUsual(*force) || !PlainNumber(state, 3, step_s) || !IsUsual(static_cast<float>(step_s)))
+    return kNotPlain;
   WarnUnless(state, PushAlongGround(*agent, FlattenedForce(state, *agent), step_s));
   return 0;
 }

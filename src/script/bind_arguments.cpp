@@ -2,10 +2,12 @@
 #include "script/bind_arguments.h"
 
 #include <lua.hpp>
+#include <string>
 
 #include "script/argument_check.h"
 #include "script/binding.h"
 #include "script/lua_order.h"
+#include "world/rotation.h"
 
 namespace soarbox::script {
 namespace {
@@ -118,7 +120,13 @@ std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {
       lua_rawgeti(state, -1, i);
       lua_rawget(state, index);
     }
-    if (const world::Vec3* vector = ToVector(state, -1)) vectors.push_back(*vector);
+    if (const world::Vec3* vector = ToVector(state, -1); vector && world::IsFinite(*vector)) {
+      vectors.push_back(*vector);
+    } else {
+      const char* what = vector ? "a Vector that is not finite" : NameOfValue(state, -1);
+      WarnAtCallerOnce(state, "point " + std::to_string(i) + " is " + what + ": what is no place is left out",
+                       "points");
+    }
     lua_pop(state, 1);
   }
   if (!plain) lua_pop(state, 1);
@@ -127,6 +135,11 @@ std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {
 
 void WarnUnless(lua_State* state, bool accepted) {
   if (!accepted) WarnIgnored(state, "a value is not a finite number or does not fit here");
+}
+
+void WarnOfShortCapsule(lua_State* state, float height, float radius) {
+  if (height >= 2 * radius) return;
+  WarnAtCallerOnce(state, "the height is less than the two radii of the caps: their sum is taken", "capsule");
 }
 
 void ChargeForCreation(lua_State* state, Made made) {

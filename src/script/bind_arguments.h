@@ -25,11 +25,13 @@ world::NodeId BodyArgument(lua_State* state, int index);
 std::string_view TextArgument(lua_State* state, int index);
 /// Lua's truth: everything but nil and false.
 bool TruthArgument(lua_State* state, int index);
-/// The vectors in a table, in its order; others are skipped.
+/// The vectors in a table, in its order; others, and those that are not finite, are skipped with a warning.
 std::vector<world::Vec3> VectorsArgument(lua_State* state, int index);
 
 /// Says so if the world refused a value; for the results of setters.
 void WarnUnless(lua_State* state, bool accepted);
+/// A capsule is as tall as its caps at least: says so where it was to be shorter.
+void WarnOfShortCapsule(lua_State* state, float height, float radius);
 /// What a script makes, for ChargeForCreation.
 enum class Made : unsigned char { kNode, kLight, kObject, kAgent, kPanel, kOther };
 /// Takes the price of making a thing off the script's budget, so that an endless loop cannot fill the world; a Lua

@@ -36,6 +36,7 @@ int CreateBox(lua_State* state) {
 
 int CreateCapsule(lua_State* state) {
   const float height = CheckFloat(state, 2), radius = CheckFloat(state, 3);
+  WarnOfShortCapsule(state, height, radius);
   return MakeNode(
       state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateCapsule(parent, height, radius); });
 }
@@ -74,6 +75,7 @@ int CreateParticle(lua_State* state) {
 
 int CreateDirectionalLight(lua_State* state) {
   const world::Vec3 direction = CheckVector(state, 2);
+  if (direction == world::Vec3{}) WarnAtCaller(state, "the light has no direction: it shines straight down");
   return MakeNode(
       state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateDirectionalLight(parent, direction); },
       Made::kLight);

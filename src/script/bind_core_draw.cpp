@@ -35,7 +35,9 @@ int PlainDrawCircle(lua_State* state, LuaMachine& machine) {
   const Vec3* center = ToVector(state, 1);
   const Vec3* color = ToVector(state, 3);
   float radius = 0;
-  if (lua_gettop(state) != 3 || !center || !color || !PlainFloat(state, 2, radius)) return kNotPlain;
+  if (lua_gettop(state) != 3 || !center || !color || !PlainFloat(state, 2, radius) || !IsUsual(*center) ||
+      !IsUsual(radius) || radius < 0 || !IsUsual(*color))
+    return kNotPlain;
   DebugOf(state, machine).Circle(*center, radius, *color);
   return 0;
 }
@@ -44,7 +46,8 @@ int PlainDrawLine(lua_State* state, LuaMachine& machine) {
   const Vec3* from = ToVector(state, 1);
   const Vec3* to = ToVector(state, 2);
   const Vec3* color = ToVector(state, 3);
-  if (lua_gettop(state) != 3 || !from || !to || !color) return kNotPlain;
+  if (lua_gettop(state) != 3 || !from || !to || !color || !IsUsual(*from) || !IsUsual(*to) || !IsUsual(*color))
+    return kNotPlain;
   DebugOf(state, machine).Line(*from, *to, *color);
   return 0;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <cmath>
 #include <lua.hpp>
 
 #include "script/bind_api.h"
@@ -103,9 +104,17 @@ int SetRotation(lua_State* state) {
   return 0;
 }
 
+bool AreAxes(Vec3 x, Vec3 y, Vec3 z) {
+  constexpr float kSlack = 0.01f;
+  return std::abs(LengthSquared(x) - 1) < kSlack && std::abs(LengthSquared(y) - 1) < kSlack &&
+         LengthSquared(Cross(x, y) - z) < kSlack * kSlack;
+}
+
 int SetAxis(lua_State* state) {
-  const Vec3 x = CheckVector(state, 2), y = CheckVector(state, 3);
-  Orient(state, world::FromAxes(x, y, CheckVector(state, 4)));
+  const Vec3 x = CheckVector(state, 2), y = CheckVector(state, 3), z = CheckVector(state, 4);
+  if (!AreAxes(x, y, z))
+    WarnAtCaller(state, "the axes are not perpendicular, of length 1 and right-handed: a turn near them is taken");
+  Orient(state, world::FromAxes(x, y, z));
   return 0;
 }
 

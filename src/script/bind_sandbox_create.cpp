@@ -145,6 +145,7 @@ int CreateBox(lua_State* state) {
 
 int CreateCapsule(lua_State* state) {
   const float height = CheckFloat(state, 2), radius = CheckFloat(state, 3);
+  WarnOfShortCapsule(state, height, radius);
   return MakeObject(state, [&](world::World& world) { return world.CreateCapsule(height, radius); });
 }
 
@@ -155,6 +156,7 @@ int CreateObject(lua_State* state) {
 
 int CreatePhysicsCapsule(lua_State* state) {
   const float height = CheckFloat(state, 2), radius = CheckFloat(state, 3);
+  WarnOfShortCapsule(state, height, radius);
   return MakeObject(state, [&](world::World& world) { return world.CreatePhysicsCapsule(height, radius); });
 }
 

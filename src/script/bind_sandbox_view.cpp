@@ -133,9 +133,12 @@ int CreateUIComponent3d(lua_State* state) {
   return 1;
 }
 
+/// -1 after a warning.
 int ColorIndex(lua_State* state) {
   const double index = luaL_checknumber(state, 2);
-  return index >= 0 && index < 10 ? static_cast<int>(index) : -1;
+  if (index >= 0 && index < 10) return static_cast<int>(index);
+  WarnAtCaller(state, "a markup colour is a number from 0 to 9: this one is none");
+  return -1;
 }
 
 /// (sandbox, index, r, g, b [, a]); the alpha counts only if it is the last of exactly six.

@@ -111,16 +111,21 @@ int SetVisible(lua_State* state) {
   return 0;
 }
 
-/// Components on the screen have no place in the world: for them nothing happens.
+/// Components on the screen have no place in the world.
+void WarnUnlessInWorld(lua_State* state, bool is_in_world) {
+  if (!is_in_world)
+    WarnIgnored(state, "this panel is on the screen; Sandbox.CreateUIComponent3d makes one in the world");
+}
+
 int SetWorldPosition(lua_State* state) {
   const UiId id = UiArgument(state, 1);
-  UiOf(state).SetWorldPosition(id, CheckVector(state, 2));
+  WarnUnlessInWorld(state, UiOf(state).SetWorldPosition(id, CheckVector(state, 2)));
   return 0;
 }
 
 int SetWorldRotation(lua_State* state) {
   const UiId id = UiArgument(state, 1);
-  UiOf(state).SetWorldOrientation(id, world::FromRotationVector(CheckVector(state, 2)));
+  WarnUnlessInWorld(state, UiOf(state).SetWorldOrientation(id, world::FromRotationVector(CheckVector(state, 2))));
   return 0;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/bind_vector.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <lua.hpp>
+#include <string>
 
 #include "script/binding.h"
 #include "script/lua_values.h"
@@ -36,6 +38,7 @@ int New(lua_State* state) {
     PushVector(state, {CheckFloat(state, 1), CheckFloat(state, 2), CheckFloat(state, 3)});
     return 1;
   }
+  WarnAtCaller(state, "Vector.new takes nothing, a vector, a number or three numbers: this gives nil");
   lua_pushnil(state);
   return 1;
 }
@@ -86,15 +89,22 @@ int DotProduct(lua_State* state) {
   return 1;
 }
 
-int Length(lua_State* state) {
+/// The vector to measure; null after a warning.
+const Vec3* MeasuredVector(lua_State* state) {
   const Vec3* vector = ToVector(state, 1);
+  if (!vector) WarnIgnored(state, lua_pushfstring(state, "argument 1 is not a vector but %s", NameOfValue(state, 1)));
+  return vector;
+}
+
+int Length(lua_State* state) {
+  const Vec3* vector = MeasuredVector(state);
   if (!vector) return 0;
   lua_pushnumber(state, Length(*vector));
   return 1;
 }
 
 int LengthSquared(lua_State* state) {
-  const Vec3* vector = ToVector(state, 1);
+  const Vec3* vector = MeasuredVector(state);
   if (!vector) return 0;
   lua_pushnumber(state, LengthSquared(*vector));
   return 1;
@@ -136,9 +146,21 @@ constexpr PlainCall kPlainCalls[] = {
     {"DistanceSquared", PlainDistanceSquared},
 };
 
+/// Says why an operation on vectors gives nil.
+void WarnOfOperands(lua_State* state, const char* operation) {
+  if (!ToVector(state, 1) && lua_type(state, 1) == LUA_TNUMBER) {
+    WarnAtCaller(state, std::string("a number ") + operation + " a vector gives nil: the vector stands on the left");
+    return;
+  }
+  const int wrong = ToVector(state, 1) ? 2 : 1;
+  std::string text = "a vector " + std::string(operation) + " " + NameOfValue(state, wrong);
+  if (wrong == 1) text = NameOfValue(state, 1) + (" " + std::string(operation)) + " a vector";
+  WarnAtCaller(state, text + " gives nil: on the right stands a vector or a number");
+}
+
 /// v op w and v op s, component by component; nil if the left side is no vector or the right side is neither.
 template <class Operation>
-int Componentwise(lua_State* state, Operation operation) {
+int Componentwise(lua_State* state, const char* name, Operation operation) {
   const Vec3* left = ToVector(state, 1);
   const Vec3* right = ToVector(state, 2);
   Vec3 operand;
@@ -151,6 +173,7 @@ int Componentwise(lua_State* state, Operation operation) {
     left = nullptr;
   }
   if (!left) {
+    WarnOfOperands(state, name);
     lua_pushnil(state);
   } else {
     PushVector(state, {operation(left->x, operand.x), operation(left->y, operand.y), operation(left->z, operand.z)});
@@ -159,16 +182,16 @@ int Componentwise(lua_State* state, Operation operation) {
 }
 
 int Add(lua_State* state) {
-  return Componentwise(state, [](float a, float b) { return a + b; });
+  return Componentwise(state, "+", [](float a, float b) { return a + b; });
 }
 int Subtract(lua_State* state) {
-  return Componentwise(state, [](float a, float b) { return a - b; });
+  return Componentwise(state, "-", [](float a, float b) { return a - b; });
 }
 int Multiply(lua_State* state) {
-  return Componentwise(state, [](float a, float b) { return a * b; });
+  return Componentwise(state, "*", [](float a, float b) { return a * b; });
 }
 int Divide(lua_State* state) {
-  return Componentwise(state, [](float a, float b) { return a / b; });
+  return Componentwise(state, "/", [](float a, float b) { return a / b; });
 }
 
 int Negate(lua_State* state) {
@@ -200,6 +223,13 @@ float* Component(Vec3& vector, lua_State* state, int key_index) {
   }
 }
 
+/// A key for messages: its text, or what it is.
+std::string NameOfKey(lua_State* state, int index) {
+  std::size_t length = 0;
+  const char* text = lua_type(state, index) == LUA_TSTRING ? lua_tolstring(state, index, &length) : nullptr;
+  return text ? std::string(text, std::min<std::size_t>(length, 40)) : NameOfValue(state, index);
+}
+
 int Index(lua_State* state) {
   Vec3* vector = ToVector(state, 1);
   const float* component = vector ? Component(*vector, state, 2) : nullptr;
@@ -211,7 +241,14 @@ int Index(lua_State* state) {
 int NewIndex(lua_State* state) {
   Vec3* vector = ToVector(state, 1);
   float* component = vector ? Component(*vector, state, 2) : nullptr;
-  if (component) *component = CheckFloat(state, 3);
+  if (!component) {
+    WarnAtCaller(state, std::string("a vector has x, y and z: the field '") + NameOfKey(state, 2) + "' is not set");
+    return 0;
+  }
+  if (!lua_isnumber(state, 3))
+    return luaL_error(state, "the field '%s' of a vector is a number, not %s", lua_tostring(state, 2),
+                      NameOfValue(state, 3));
+  *component = static_cast<float>(lua_tonumber(state, 3));
   return 0;
 }
 

@@ -22,13 +22,14 @@ namespace {
 
 /// In instructions: so that a loop over calls is stopped as early as any other loop of the same length in time.
 constexpr std::uint64_t kCallPrice = 20;
+constexpr std::uint64_t kWarningPrice = 200;
 
 /// What every machine's function of this binding refers to.
 struct Bound {
   const Binding* binding;
-  std::string name;                           ///< "Table.Name".
-  const std::vector<ApiArgument>* arguments;  ///< In the table of the API; null: it is not there.
-  int (*plain)(lua_State*, LuaMachine&);      ///< May be null.
+  std::string name;                       ///< "Table.Name".
+  const CheckedCall* call;                ///< From the table of the API; null: it is not there.
+  int (*plain)(lua_State*, LuaMachine&);  ///< May be null.
 };
 
 /// Made once for each binding; it stays where it is.
@@ -45,7 +46,7 @@ const Bound& BoundOf(const Binding& binding, const char* table, std::span<const 
       plain.begin(), plain.end(), [&](const PlainCall& call) { return std::string_view(call.name) == binding.name; });
   return all
       .emplace(std::pair{&binding, std::string_view(table)},
-               Bound{&binding, std::move(name), entry ? &ArgumentsOf(*entry) : nullptr,
+               Bound{&binding, std::move(name), entry ? &CheckedCallOf(*entry) : nullptr,
                      short_way != plain.end() ? short_way->call : nullptr})
       .first->second;
 }
@@ -54,7 +55,7 @@ int CallChecked(lua_State* state, const Bound& bound) {
   const Binding& binding = *bound.binding;
   const int count = lua_gettop(state);
   if (count >= binding.min_arguments && count <= binding.max_arguments) {
-    if (bound.arguments && !CheckArguments(state, *bound.arguments)) return 0;
+    if (bound.call && !CheckArguments(state, *bound.call)) return 0;
     return binding.function(state);
   }
 
@@ -115,8 +116,13 @@ const char* NameOfRunning(lua_State* state) {
 }
 
 void WarnAtCaller(lua_State* state, std::string message) {
+  WarnAtCallerOnce(state, std::move(message), {});
+}
+
+void WarnAtCallerOnce(lua_State* state, std::string message, std::string_view subject) {
   ScriptContext* context = LuaMachine::Of(state).context();
   if (!context) return;
+  LuaMachine::Of(state).Charge(kWarningPrice);
   Diagnostic warning;
   warning.severity = Severity::kWarning;
   LocateCaller(state, warning.file, warning.line);
@@ -124,7 +130,7 @@ void WarnAtCaller(lua_State* state, std::string message) {
   warning.excerpt = path.LineOf(warning.file, warning.line);
   warning.file = path.PathOf(warning.file);
   warning.message = std::move(message);
-  context->reporter.Warn(warning);
+  context->reporter.Warn(warning, subject);
 }
 
 void WarnIgnored(lua_State* state, const char* why) {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 struct lua_State;
 
@@ -32,6 +33,8 @@ void RegisterTable(lua_State* state, const char* table, std::span<const Binding>
 
 /// Warns of something at the script's line; once for each place in a script.
 void WarnAtCaller(lua_State* state, std::string message);
+/// The same of a subject ("radius"), whose messages may differ from call to call: the first is told.
+void WarnAtCallerOnce(lua_State* state, std::string message, std::string_view subject);
 /// Warns that the call in progress was ignored, and why; once for each place in a script.
 void WarnIgnored(lua_State* state, const char* why);
 

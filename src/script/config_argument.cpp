@@ -69,7 +69,11 @@ world::Color ColorArgument(lua_State* state, int index) {
   float channels[4] = {0, 0, 0, 0};
   for (int i = 0; i < 4; ++i) {
     lua_rawgeti(state, index, i + 1);
-    if (lua_isnumber(state, -1)) channels[i] = static_cast<float>(lua_tonumber(state, -1));
+    if (lua_isnumber(state, -1)) {
+      channels[i] = static_cast<float>(lua_tonumber(state, -1));
+    } else {
+      WarnAtCaller(state, "a colour is a table of four numbers, red, green, blue and alpha: 0 is taken for the others");
+    }
     lua_pop(state, 1);
   }
   return {channels[0], channels[1], channels[2], channels[3]};

@@ -4,8 +4,14 @@
 #include <lua.hpp>
 #include <utility>
 
+#include "script/binding.h"
+
 namespace soarbox::script {
 namespace {
+
+void WarnOfField(lua_State* state, const std::string& key, const char* what) {
+  WarnAtCallerOnce(state, "the event's field '" + key.substr(0, 40) + "' is " + what + ", which no event carries", key);
+}
 
 /// Puts the value on top of the stack into the event if it can travel.
 void CopyField(lua_State* state, std::string key, ScriptEvent& event) {
@@ -22,6 +28,10 @@ void CopyField(lua_State* state, std::string key, ScriptEvent& event) {
   } else if (const Handle* handle = ToHandle(state, -1)) {
     if (handle->kind == ValueKind::kAgent || handle->kind == ValueKind::kObject || handle->kind == ValueKind::kSandbox)
       event.fields[std::move(key)] = *handle;
+    else
+      WarnOfField(state, key, NameOf(handle->kind));
+  } else {
+    WarnOfField(state, key, luaL_typename(state, -1));
   }
 }
 
@@ -38,7 +48,10 @@ struct PushValue {
 
 ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index) {
   ScriptEvent event{std::string(type), {}};
-  if (!lua_istable(state, index)) return event;
+  if (!lua_istable(state, index)) {
+    if (!lua_isnil(state, index)) WarnAtCaller(state, "the event is no table: it goes without fields");
+    return event;
+  }
   lua_pushnil(state);
   while (lua_next(state, index) != 0) {
     const int key_type = lua_type(state, -2);

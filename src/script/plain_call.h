@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cmath>
 #include <lua.hpp>
 #include <span>
 
@@ -51,17 +52,25 @@ inline bool PlainFloat(lua_State* state, int index, float& number) {
   return true;
 }
 
+/// Finite, and within every range that the table of the API knows, but for those that end at 0.
+inline bool IsUsual(float number) {
+  return std::abs(number) <= 1e5f;
+}
+inline bool IsUsual(world::Vec3 vector) {
+  return IsUsual(vector.x) && IsUsual(vector.y) && IsUsual(vector.z);
+}
+
 /// The call's only argument, if that is an agent.
 inline world::Agent* OnlyAgent(lua_State* state, const LuaMachine& machine) {
   return lua_gettop(state) == 1 ? PlainAgent(state, machine, 1) : nullptr;
 }
 
-/// The call's two arguments, if they are an agent and a vector.
+/// The call's two arguments, if they are an agent and a usual vector.
 inline bool AgentAndVector(lua_State* state, const LuaMachine& machine, world::Agent*& agent, world::Vec3& vector) {
   if (lua_gettop(state) != 2) return false;
   agent = PlainAgent(state, machine, 1);
   const world::Vec3* given = ToVector(state, 2);
-  if (!agent || !given) return false;
+  if (!agent || !given || !IsUsual(*given)) return false;
   vector = *given;
   return true;
 }

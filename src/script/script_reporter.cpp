@@ -23,8 +23,12 @@ void ScriptReporter::OnPrint(std::string_view script, std::string_view text) {
   listener_.OnScriptWarning(warning);
 }
 
-void ScriptReporter::Warn(const Diagnostic& warning) {
-  if (seen_.size() >= kMostWarnings || !seen_.insert(Format(warning)).second) return;
+void ScriptReporter::Warn(const Diagnostic& warning, std::string_view subject) {
+  if (seen_.size() >= kMostWarnings) return;
+  const std::string known = subject.empty()
+                                ? Format(warning)
+                                : warning.file + ":" + std::to_string(warning.line) + ":" + std::string(subject);
+  if (!seen_.insert(known).second) return;
   listener_.OnScriptWarning(warning);
   if (seen_.size() < kMostWarnings) return;
   Diagnostic last;

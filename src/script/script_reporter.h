@@ -36,7 +36,8 @@ class ScriptReporter final : public PrintSink {
   void FailedForGood(world::EntityId agent, const ScriptError& error) {
     if (!budget_.end()) listener_.OnScriptFailed(agent, error);
   }
-  void Warn(const Diagnostic& warning);
+  /// `subject`: what it is about, if not each of its messages is to be told, but one for each place in a script.
+  void Warn(const Diagnostic& warning, std::string_view subject = {});
 
   /// A call of a script failed, or ended well.
   void Failed(world::EntityId agent, std::string_view callback, const ScriptError& error) {

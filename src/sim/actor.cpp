@@ -197,10 +197,14 @@ std::optional<Actor::Sighting> Actor::Find(world::EntityId agent, std::string_vi
     reason = "no-such-agent";
     return std::nullopt;
   }
+  if (agent == id_) {
+    reason = "itself";
+    return std::nullopt;
+  }
   const auto known = contacts_.find(agent);
   // Friends carry a radio: each knows where the others are.
   const bool is_friend = other->Team() == body_->Team();
-  if (is_friend || agent == id_ || (known != contacts_.end() && known->second.visible)) {
+  if (is_friend || (known != contacts_.end() && known->second.visible)) {
     return Sighting{other->Position(), other->Velocity(), other->Forward(), true, other->Health() > 0};
   }
   if (known == contacts_.end()) {

@@ -45,6 +45,7 @@ StepResult SetTarget(Actor& actor, Running& command) {
   const std::string name = command.Word("agent");
   const world::EntityId id = name == "none" ? world::kNoEntity : actor.arena().FindAgentNamed(name);
   if (id == world::kNoEntity && name != "none") return StepResult::Failed("no-such-agent");
+  if (id == actor.id()) return StepResult::Failed("itself");
   actor.SetTarget(id);
   return StepResult::Done();
 }
@@ -76,6 +77,7 @@ StepResult Post(Actor& actor, Running& command, world::EntityId to) {
 StepResult Say(Actor& actor, Running& command) {
   const world::EntityId to = actor.arena().FindAgentNamed(command.Word("to"));
   if (to == world::kNoEntity) return StepResult::Failed("no-such-agent");
+  if (to == actor.id()) return StepResult::Failed("itself");
   return Post(actor, command, to);
 }
 

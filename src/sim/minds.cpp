@@ -149,6 +149,12 @@ Result<void> Minds::MakeBody(world::Agent& body, const AgentOptions& options) {
       problem.hint = "make the leader before those who follow it";
       return problem;
     }
+    if (leader == body.id()) {
+      Diagnostic problem;
+      problem.message = body.name() + " cannot be its own leader";
+      problem.hint = "name another agent, or none";
+      return problem;
+    }
     body.SetLeader(leader);
   }
   if (options.position) {
