@@ -77,6 +77,11 @@ class LuaMachine {
   LuaMachine(const LuaMachine&) = delete;
   LuaMachine& operator=(const LuaMachine&) = delete;
 
+  /// Asks the processor for the memory that a call begins with: its own first, then that of its Lua state. Between the
+  /// two and the call others of a crowd have their turn, so that nobody waits for it.
+  void FetchSelf() const;
+  void FetchState() const;
+
   /// The machine that a Lua state belongs to.
   static LuaMachine& Of(lua_State* state);
 

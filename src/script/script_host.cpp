@@ -182,6 +182,13 @@ bool ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> com
   return NoteResult(agent, "Agent_Update", error);
 }
 
+void ScriptHost::Foresee(std::span<const EntityId> order, std::size_t next) const {
+  const auto script_at = [&](std::size_t place) { return place < order.size() ? Find(order[place]) : nullptr; };
+  if (const AgentScript* script = script_at(next + 3)) __builtin_prefetch(&script->machine);
+  if (const AgentScript* script = script_at(next + 2); script && script->machine) script->machine->FetchSelf();
+  if (const AgentScript* script = script_at(next + 1); script && script->machine) script->machine->FetchState();
+}
+
 std::optional<Table> ScriptHost::SenseAgent(EntityId agent) {
   AgentScript* script = Find(agent);
   if (!script || !script->runs || !script->senses) return std::nullopt;

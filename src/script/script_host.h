@@ -71,6 +71,9 @@ class ScriptHost final : private AgentMaker {
   /// failed.
   bool UpdateAgent(world::EntityId agent, std::optional<std::string_view> command = std::nullopt,
                    const Table& parameters = {});
+  /// Agents are about to be updated in this order, and `next` is the next: the memory of those behind it is asked for,
+  /// so that the scripts of a crowd, each in a place of its own, need not wait for it.
+  void Foresee(std::span<const world::EntityId> order, std::size_t next) const;
   /// What Agent_Sense(agent) returns; nothing if there is no such function, it fails or it returns no table.
   std::optional<Table> SenseAgent(world::EntityId agent);
   void HandleCollisions();

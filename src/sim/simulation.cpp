@@ -384,7 +384,10 @@ void Simulation::Tick() {
   watch.Lap(s.costs.decide_s);
   // Act.
   s.order.assign(s.world.AgentIds().begin(), s.world.AgentIds().end());
-  for (const world::EntityId id : s.order) s.Act(id);
+  for (std::size_t i = 0; i < s.order.size(); ++i) {
+    s.scripts->Foresee(s.order, i);
+    s.Act(s.order[i]);
+  }
   s.arena->Step();
   s.minds->Answer();
   watch.Lap(s.costs.act_s);

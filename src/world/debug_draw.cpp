@@ -77,7 +77,9 @@ Color Opaque(Vec3 color) {
 }  // namespace
 
 void DebugDraw::Line(Vec3 from, Vec3 to, Vec3 color) {
-  if (IsFinite(from) && IsFinite(to) && IsFinite(color)) lines_.push_back({from, to, Opaque(color)});
+  if (!IsFinite(from) || !IsFinite(to) || !IsFinite(color)) return;
+  shapes_.push_back({from, to, color});
+  ++line_count_;
 }
 
 void DebugDraw::Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color) {
@@ -89,16 +91,26 @@ void DebugDraw::Circle(Vec3 center, float radius_m, Vec3 color) {
   // A circle whose box is finite has nothing that is not.
   const Vec3 reach{radius_m, 0, radius_m};
   if (!(radius_m > 0) || !IsFinite(center - reach) || !IsFinite(center + reach) || !IsFinite(color)) return;
+  shapes_.push_back({center, {radius_m, 0, 0}, color, true});
+  line_count_ += kCircleSegments;
+}
+
+void DebugDraw::AppendLines(std::vector<LineSnapshot>& lines) const {
   static const std::vector<Vec3> kUnitCircle = MakeUnitCircle();
-  const Color opaque = Opaque(color);
-  std::array<LineSnapshot, kCircleSegments> circle;
-  Vec3 last = center + Vec3{radius_m, 0, 0};
-  for (std::size_t i = 0; i < circle.size(); ++i) {
-    const Vec3 next = center + kUnitCircle[i] * radius_m;
-    circle[i] = {last, next, opaque};
-    last = next;
+  lines.reserve(lines.size() + line_count_);
+  for (const Shape& shape : shapes_) {
+    const Color color = Opaque(shape.color);
+    if (!shape.is_circle) {
+      lines.push_back({shape.from, shape.to, color});
+      continue;
+    }
+    Vec3 last = shape.from + shape.to;
+    for (const Vec3 corner : kUnitCircle) {
+      const Vec3 next = shape.from + corner * shape.to.x;
+      lines.push_back({last, next, color});
+      last = next;
+    }
   }
-  lines_.insert(lines_.end(), circle.begin(), circle.end());
 }
 
 void DebugDraw::Sphere(Vec3 center, float radius_m, Vec3 color, bool filled) {
@@ -122,7 +134,8 @@ void DebugDraw::Square(Vec3 center, float side_m, Vec3 color, bool filled) {
 }
 
 void DebugDraw::Clear() {
-  lines_.clear();
+  shapes_.clear();
+  line_count_ = 0;
   triangles_.clear();
 }
 

@@ -20,14 +20,25 @@ class DebugDraw {
   void Square(Vec3 center, float side_m, Vec3 color, bool filled = false);
   void Clear();
 
-  std::size_t size() const { return lines_.size() + triangles_.size(); }
-  const std::vector<LineSnapshot>& lines() const { return lines_; }
+  /// Of lines and triangles.
+  std::size_t size() const { return line_count_ + triangles_.size(); }
+  /// In the order of the calls.
+  void AppendLines(std::vector<LineSnapshot>& lines) const;
   const std::vector<TriangleSnapshot>& triangles() const { return triangles_; }
 
  private:
   void Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color);
 
-  std::vector<LineSnapshot> lines_;
+  /// Lines and circles; who draws them is the first to make lines of a circle.
+  struct Shape {
+    Vec3 from;  ///< Of a circle: its centre.
+    Vec3 to;    ///< Of a circle: its radius in x.
+    Vec3 color;
+    bool is_circle = false;
+  };
+
+  std::vector<Shape> shapes_;
+  std::size_t line_count_ = 0;
   std::vector<TriangleSnapshot> triangles_;
 };
 

@@ -84,8 +84,7 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
   });
   impl_->ui.FillSnapshot(snapshot);
 
-  const auto& lines = impl_->debug.lines();
-  snapshot.lines.insert(snapshot.lines.end(), lines.begin(), lines.end());
+  impl_->debug.AppendLines(snapshot.lines);
   snapshot.lines.insert(snapshot.lines.end(), impl_->physics_lines.begin(), impl_->physics_lines.end());
   snapshot.triangles = impl_->debug.triangles();
   impl_->navigation.FillSnapshot(snapshot);
