@@ -93,7 +93,7 @@ function SandboxUtilities_ShootBullet(sandbox)
     Core.SetMass(bullet, 0.1);
     Core.SetGravity(bullet, Vector.new(0, -0.01, 0));
     -- The capsule is upright: its y axis is turned to where it flies.
-    Core.SetAxis(bullet, Sandbox.GetCameraLeft(sandbox), forward, Sandbox.GetCameraUp(sandbox));
+    Core.SetAxis(bullet, Sandbox.GetCameraLeft(sandbox), forward, -Sandbox.GetCameraUp(sandbox));
     Core.SetPosition(bullet, Sandbox.GetCameraPosition(sandbox) + forward * 2);
     Core.SetParticleDirection(Core.CreateParticle(bullet, "Bullet"), forward);
     Core.ApplyImpulse(bullet, forward * 750);
