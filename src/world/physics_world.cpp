@@ -10,6 +10,7 @@
 #include "world/physics_crowd.h"
 #include "world/physics_debug.h"
 #include "world/physics_dynamics.h"
+#include "world/physics_lift.h"
 #include "world/physics_shape.h"
 #include "world/physics_sight.h"
 #include "world/rotation.h"
@@ -116,6 +117,7 @@ struct PhysicsWorld::Impl {
 
   void KeepInRange();
   void GatherCollisions();
+  void LiftSunken();
 
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher;
@@ -124,6 +126,7 @@ struct PhysicsWorld::Impl {
   btSequentialImpulseConstraintSolver solver;
   DynamicsWorld world;
   CrowdControl crowd{world, pair_limit};
+  SunkenBodies sunken;
   Vec3 gravity;
   float step_s;
   std::vector<std::unique_ptr<Body>> bodies{1};  // Index 0 is BodyId::kNone.
@@ -206,6 +209,7 @@ void PhysicsWorld::Remove(BodyId id) {
   }
   if (!body.upright) ++impl_->changes;
   impl_->crowd.Forget(*body.rigid);
+  impl_->sunken.Forget(*body.rigid);
   impl_->world.removeRigidBody(body.rigid.get());
   impl_->bodies[static_cast<std::size_t>(id)].reset();
   impl_->free.push_back(id);
@@ -346,6 +350,7 @@ void PhysicsWorld::Step(float step_s) {
   impl_->KeepInRange();
   impl_->crowd.CheckAll();
   impl_->GatherCollisions();
+  impl_->LiftSunken();
   ++impl_->changes;
 }
 
@@ -385,6 +390,21 @@ void PhysicsWorld::Impl::GatherCollisions() {
   }
   std::stable_sort(collisions.begin(), collisions.end(),
                    [](const Collision& x, const Collision& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+}
+
+void PhysicsWorld::Impl::LiftSunken() {
+  sunken.BeginStep();
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    btRigidBody* rigid = sunken.Look(*dispatcher.getManifoldByIndexInternal(i));
+    if (rigid == nullptr) continue;
+    const btVector3 place = SunkenBodies::FreePlaceAbove(world, *rigid);
+    if (place == rigid->getWorldTransform().getOrigin()) continue;
+    rigid->getWorldTransform().setOrigin(place);
+    rigid->setInterpolationWorldTransform(rigid->getWorldTransform());
+    rigid->setLinearVelocity(btVector3(0, 0, 0));
+    world.updateSingleAabb(rigid);
+    crowd.Check(*rigid);
+  }
 }
 
 const std::vector<Collision>& PhysicsWorld::Collisions() const {

@@ -52,6 +52,34 @@ TEST(WorldPhysics, AnAgentMadeInsideTheFloorIsLiftedOntoIt) {
   EXPECT_NEAR(agent.Position().y, 0.800f, 0.001f);
 }
 
+TEST(WorldPhysics, AnAgentPutIntoAFloorBetweenTwoBlocksIsLiftedOntoThem) {
+  World world;
+  world.CreatePlane(200, 200);
+  for (const float x : {-1.5f, 1.5f}) {
+    Object& block = *world.FindObject(world.CreateBox(3, 4, 3));
+    block.SetMass(0);
+    block.SetPosition({x, 2, 0});
+  }
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  agent.SetPosition({0.2f, 4, 0});
+  Tick(world, 60);
+  EXPECT_NEAR(agent.Position().y, 4.8f, 0.1f);
+  const Vec3 stands = agent.Position();
+  Tick(world, 30);
+  EXPECT_NEAR(Length(agent.Position() - stands), 0, 0.01f);
+}
+
+TEST(WorldPhysics, AnAgentWithoutRoomAboveItStaysWhereItIs) {
+  World world;
+  Object& block = *world.FindObject(world.CreateBox(8, 20, 8));
+  block.SetMass(0);
+  block.SetPosition({0, 10, 0});
+  Agent& agent = *world.FindAgent(world.CreateAgent({}));
+  agent.SetPosition({0, 10, 0});
+  Tick(world, 60);
+  EXPECT_TRUE(IsFinite(agent.Position().y));
+}
+
 TEST(WorldPhysics, AConstantForceOvercomesFrictionAsMeasured) {
   World world;
   world.CreatePlane(200, 200);
