@@ -16,11 +16,15 @@ function SoldierBody_GiveRifle(parent, soldier)
 end
 
 -- Gives the agent the looks of a soldier who moves as the agent moves; helmet and arms show its team's colour.
--- style: "ready" (the rifle across the chest), "aim" or "crouch"; dark: the darker uniform.
+-- style: "ready" (the rifle across the chest), "aim", "crouch", or "unarmed", which has no rifle; dark: the darker
+-- uniform.
 function SoldierBody_Create(agent, style, dark)
     local soldier = Core.CreateMesh(agent, dark and SoldierBody.DarkMesh or SoldierBody.Mesh);
     Core.SetPosition(soldier, Vector.new(0, -agent:GetHeight() / 2, 0));
-    local rifle = SoldierBody_GiveRifle(agent, soldier);
+    local rifle = nil;
+    if (style ~= "unarmed") then
+        rifle = SoldierBody_GiveRifle(agent, soldier);
+    end
     Animation.SetLocomotion(soldier, true, style or "ready");
     return soldier, rifle;
 end

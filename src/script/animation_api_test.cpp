@@ -75,7 +75,7 @@ TEST_F(AnimationApiTest, MistakesAreToldWithWhatWasMeant) {
             "0\t1");
   EXPECT_EQ(Run("Animation.SetTime(fire) print(Animation.GetTime(fire))"), "0");
   EXPECT_EQ(Run("print(pcall(Animation.SetLocomotion, body, true, 'moonwalk'))"),
-            "false\tbad argument #3 to 'Animation.SetLocomotion' (a style is ready, aim or crouch)");
+            "false\tbad argument #3 to 'Animation.SetLocomotion' (a style is ready, aim, crouch or unarmed)");
 }
 
 TEST_F(AnimationApiTest, BonesAreFoundInTheBodyAndInWhatItCarries) {

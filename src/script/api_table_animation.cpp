@@ -43,8 +43,9 @@ Animation.SetEnabled(idle, true))"},
      R"(Animation.SetEnabled(animation, true)
 print(Animation.IsEnabled(animation))  --> true)"},
     {"Animation.SetLocomotion", "mesh: Scene, walks: boolean, style: string = ready", "",
-     "Lets a soldier on an agent walk, run, turn and fall by itself as the agent does; the style is ready, aim or "
-     "crouch. What scripts enable goes before it; shooting and reloading leave the legs walking.",
+     "Lets a soldier on an agent walk, run, turn and fall by itself as the agent does; the style is ready, aim, "
+     "crouch or unarmed (with empty hands). What scripts enable goes before it; shooting and reloading leave the legs "
+     "walking.",
      R"(Animation.SetLocomotion(mesh, true, "aim"))", true},
     {"Animation.SetLooping", "animation: Animation, looping: boolean", "",
      "Lets it start again at its end, or stay there.", R"(Animation.SetLooping(animation, false))"},

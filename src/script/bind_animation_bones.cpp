@@ -99,12 +99,13 @@ int SetDisplaySkeleton(lua_State* state) {
   return 0;
 }
 
-/// Ours: the body walks, runs, turns and falls by itself as its agent does. Style: "ready", "aim" or "crouch".
+/// Ours: the body walks, runs, turns and falls by itself as its agent does. Style: "ready", "aim", "crouch" or
+/// "unarmed".
 int SetLocomotion(lua_State* state) {
-  static constexpr std::array<std::string_view, world::kLocomotionStyles> kStyles{"ready", "aim", "crouch"};
+  static constexpr std::array<std::string_view, world::kLocomotionStyles> kStyles{"ready", "aim", "crouch", "unarmed"};
   const std::string_view wanted = lua_isnoneornil(state, 3) ? kStyles[0] : TextArgument(state, 3);
   const auto found = std::find(kStyles.begin(), kStyles.end(), wanted);
-  if (found == kStyles.end()) return ArgumentError(state, 3, "a style is ready, aim or crouch");
+  if (found == kStyles.end()) return ArgumentError(state, 3, "a style is ready, aim, crouch or unarmed");
   const auto style = static_cast<world::LocomotionStyle>(found - kStyles.begin());
   const NodeId body = BodyArgument(state, 1);
   if (body == NodeId::kNone) return 0;

@@ -56,8 +56,9 @@ void Actor::SetLooks(world::NodeId looks) {
 void Actor::SetStance(std::string_view stance) {
   stance_ = stance;
   if (world::Animator* animator = world_.scene().AnimatorOf(looks_)) {
-    animator->SetLocomotion(true,
-                            stance_ == "standing" ? world::LocomotionStyle::kReady : world::LocomotionStyle::kCrouch);
+    using Style = world::LocomotionStyle;
+    const Style upright = kind_.armed ? Style::kReady : Style::kUnarmed;
+    animator->SetLocomotion(true, stance_ == "standing" ? upright : Style::kCrouch);
   }
 }
 

@@ -98,19 +98,33 @@ struct Motion {
   float forward_mps, left_mps, turn_rad_s;
 };
 
-constexpr auto kReady = LocomotionStyle::kReady, kAim = LocomotionStyle::kAim, kCrouch = LocomotionStyle::kCrouch;
+constexpr auto kReady = LocomotionStyle::kReady, kAim = LocomotionStyle::kAim, kCrouch = LocomotionStyle::kCrouch,
+               kUnarmed = LocomotionStyle::kUnarmed;
 constexpr Motion kMotions[] = {
-    {"strolls", kReady, 0.4f, 0, 0},        {"walks slowly", kReady, 0.8f, 0, 0},
-    {"walks", kReady, 1.3f, 0, 0},          {"walks fast", kReady, 2.0f, 0, 0},
-    {"runs", kReady, 3.2f, 0, 0},           {"runs fast", kReady, 4.5f, 0, 0},
-    {"sprints", kReady, 6.0f, 0, 0},        {"walks aiming", kAim, 1.2f, 0, 0},
-    {"runs aiming", kAim, 3.0f, 0, 0},      {"goes back", kReady, -1.0f, 0, 0},
-    {"goes back fast", kAim, -2.0f, 0, 0},  {"strafes left", kAim, 0, 1.0f, 0},
-    {"strafes right", kAim, 0, -1.0f, 0},   {"strafes slowly", kAim, 0, 0.5f, 0},
-    {"goes aslant", kAim, 1.0f, 0.7f, 0},   {"crouches", kCrouch, 1.0f, 0, 0},
-    {"creeps", kCrouch, 0.5f, 0, 0},        {"creeps back", kCrouch, -0.8f, 0, 0},
-    {"turns slowly", kReady, 0, 0, 0.5f},   {"turns", kReady, 0, 0, 1.5f},
-    {"turns fast", kAim, 0, 0, -3.0f},      {"walks round", kReady, 1.3f, 0, 0.6f},
+    {"strolls", kReady, 0.4f, 0, 0},
+    {"walks slowly", kReady, 0.8f, 0, 0},
+    {"walks", kReady, 1.3f, 0, 0},
+    {"walks fast", kReady, 2.0f, 0, 0},
+    {"runs", kReady, 3.2f, 0, 0},
+    {"runs fast", kReady, 4.5f, 0, 0},
+    {"sprints", kReady, 6.0f, 0, 0},
+    {"walks aiming", kAim, 1.2f, 0, 0},
+    {"runs aiming", kAim, 3.0f, 0, 0},
+    {"goes back", kReady, -1.0f, 0, 0},
+    {"goes back fast", kAim, -2.0f, 0, 0},
+    {"strafes left", kAim, 0, 1.0f, 0},
+    {"strafes right", kAim, 0, -1.0f, 0},
+    {"strafes slowly", kAim, 0, 0.5f, 0},
+    {"goes aslant", kAim, 1.0f, 0.7f, 0},
+    {"crouches", kCrouch, 1.0f, 0, 0},
+    {"creeps", kCrouch, 0.5f, 0, 0},
+    {"creeps back", kCrouch, -0.8f, 0, 0},
+    {"turns slowly", kReady, 0, 0, 0.5f},
+    {"turns", kReady, 0, 0, 1.5f},
+    {"turns fast", kAim, 0, 0, -3.0f},
+    {"walks round", kReady, 1.3f, 0, 0.6f},
+    {"walks unarmed", kUnarmed, 1.3f, 0, 0},
+    {"hurries unarmed", kUnarmed, 2.4f, 0, 0.3f},
     {"runs round", kReady, 3.2f, 0, -0.8f},
 };
 

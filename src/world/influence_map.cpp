@@ -17,7 +17,7 @@ constexpr int kMaxPasses = 20;
 constexpr float kNegligible = 0.01f;
 /// Of a triangle against a cell.
 constexpr double kMaxTests = 20e6;
-constexpr Color kOutline{0, 0, 0, 0.5f};
+constexpr Color kOutline{0, 0, 0, 0.08f};  // Neighbours draw it twice.
 constexpr float kLift_m = 0.03f;
 constexpr float kBelow_cells = 0.001f;
 

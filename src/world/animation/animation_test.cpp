@@ -116,12 +116,12 @@ TEST(Animator, MixesByWeightAndFillsUpWithTheBindPose) {
 /// An agent that walks at a steady speed with a body that walks by itself.
 class Walker {
  public:
-  explicit Walker(float speed_mps) : speed_(speed_mps) {
+  explicit Walker(float speed_mps, LocomotionStyle style = LocomotionStyle::kReady) : speed_(speed_mps) {
     world_.CreatePlane(400, 400);
     id_ = world_.CreateAgent({});
     body_ = world_.scene().CreateMesh(world_.NodeOf(id_), kSoldier);
     world_.scene().SetPosition(body_, {0, -0.8f, 0});
-    world_.scene().AnimatorOf(body_)->SetLocomotion(true, LocomotionStyle::kReady);
+    world_.scene().AnimatorOf(body_)->SetLocomotion(true, style);
     world_.FindAgent(id_)->SetPosition({0, 0.8f, 0});
   }
   void Tick() {
@@ -167,6 +167,44 @@ TEST(Locomotion, FeetThatStandDoNotSlide) {
     }
     EXPECT_LT(slid, 0.06f * walked) << "at " << speed << " m/s";
   }
+}
+
+TEST(Locomotion, WhoHasNoRifleLetsHisArmsHang) {
+  Walker walker(0, LocomotionStyle::kUnarmed);
+  for (int i = 0; i < 10; ++i) walker.Tick();
+  for (const int hand : {kLeftHand, kRightHand}) {
+    EXPECT_LT(walker.Drawn(hand).y, 1.0f);
+    EXPECT_LT(std::abs(walker.Drawn(hand).z), 0.2f);
+  }
+  // Walking, hands go to and fro against each other.
+  Walker on_his_way(1.3f, LocomotionStyle::kUnarmed);
+  float most = 0;
+  for (int i = 0; i < 60; ++i) {
+    on_his_way.Tick();
+    const float apart = on_his_way.Drawn(kLeftHand).z - on_his_way.Drawn(kRightHand).z;
+    const float feet = on_his_way.Drawn(kLeftFoot).z - on_his_way.Drawn(kRightFoot).z;
+    most = std::max(most, std::abs(apart));
+    if (i > 20 && std::abs(feet) > 0.3f) {
+      EXPECT_LT(apart * feet, 0) << i;
+    }
+  }
+  EXPECT_GT(most, 0.2f);
+}
+
+TEST(Locomotion, GoesOverToAnotherStyleWithoutAJump) {
+  Walker walker(0);
+  for (int i = 0; i < 10; ++i) walker.Tick();
+  for (const LocomotionStyle style :
+       {LocomotionStyle::kCrouch, LocomotionStyle::kAim, LocomotionStyle::kUnarmed, LocomotionStyle::kReady}) {
+    walker.world().scene().AnimatorOf(walker.body())->SetLocomotion(true, style);
+    for (int i = 0; i < 15; ++i) {
+      const Vec3 hand = walker.Drawn(kRightHand), head = walker.Drawn(kHead);
+      walker.Tick();
+      EXPECT_LT(Distance(hand, walker.Drawn(kRightHand)), 0.12f);
+      EXPECT_LT(Distance(head, walker.Drawn(kHead)), 0.12f);
+    }
+  }
+  EXPECT_GT(walker.Drawn(kHead).y, 1.4f);
 }
 
 TEST(Locomotion, FallsWhenItsAgentDies) {

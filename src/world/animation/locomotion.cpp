@@ -15,6 +15,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kSmoothing_s = 0.12f;   ///< Speeds follow the body within this time.
 constexpr float kStanding_mps = 0.08f;  ///< Slower than this is standing.
 constexpr float kDyingBlend_s = 0.2f;
+constexpr float kStyleBlend_s = 0.25f;
 constexpr float kFullTurn_rad_s = 2.0f;  ///< Feet step at full weight from here on.
 constexpr float kMostCadence = 2.6f;     ///< Cycles per second; faster legs would only blur.
 
@@ -64,7 +65,14 @@ void Locomotion::AddStanding(const Rig&, const Gaits& gaits, float weight, float
 void Locomotion::Update(const Rig& rig, const BodyMotion& motion, float seconds) {
   rig_ = &rig;
   shares_.clear();
-  const Gaits& gaits = rig.gaits->styles[static_cast<std::size_t>(style_)];
+  // The style goes over to the one that is wanted.
+  float others = 0;
+  for (std::size_t i = 0; i < kLocomotionStyles; ++i) {
+    if (i == static_cast<std::size_t>(style_)) continue;
+    style_weights_[i] = has_heading_ ? std::max(0.0f, style_weights_[i] - seconds / kStyleBlend_s) : 0.0f;
+    others += style_weights_[i];
+  }
+  style_weights_[static_cast<std::size_t>(style_)] = std::max(0.0f, 1 - others);
   velocity_ = {Towards(velocity_.x, motion.left_mps, seconds), 0, Towards(velocity_.z, motion.forward_mps, seconds)};
   const float turned = has_heading_ ? std::remainder(motion.heading_rad - heading_, 2 * kPi) : 0.0f;
   heading_ = motion.heading_rad;
@@ -76,10 +84,16 @@ void Locomotion::Update(const Rig& rig, const BodyMotion& motion, float seconds)
   const float sideways = std::abs(velocity_.x) / std::max(std::abs(velocity_.x) + std::abs(velocity_.z), 1e-4f);
   const float moving = std::clamp(speed / kStanding_mps, 0.0f, 1.0f);
 
-  AddStanding(rig, gaits, 1 - moving, turning_);
-  AddGaits(rig, velocity_.z >= 0 ? gaits.forward : gaits.backward, gaits.idle, speed, moving * (1 - sideways));
-  const int side = velocity_.x > 0 ? gaits.left : gaits.right;
-  if (side >= 0 && sideways > 0) AddGaits(rig, {side}, gaits.idle, speed, moving * sideways);
+  for (std::size_t i = 0; i < kLocomotionStyles; ++i) {
+    const float weight = style_weights_[i];
+    if (weight <= 0) continue;
+    const Gaits& gaits = rig.gaits->styles[i];
+    AddStanding(rig, gaits, weight * (1 - moving), turning_);
+    AddGaits(rig, velocity_.z >= 0 ? gaits.forward : gaits.backward, gaits.idle, speed,
+             weight * moving * (1 - sideways));
+    const int side = velocity_.x > 0 ? gaits.left : gaits.right;
+    if (side >= 0 && sideways > 0) AddGaits(rig, {side}, gaits.idle, speed, weight * moving * sideways);
+  }
   legs_ = std::clamp(speed, 0.0f, 1.0f);
 
   float stride = 0, weight = 0;
@@ -112,6 +126,7 @@ void Locomotion::Update(const Rig& rig, const BodyMotion& motion, float seconds)
 
 void Locomotion::AddTo(StateHash& hash) const {
   hash.Add(static_cast<std::uint64_t>(style_));
+  for (const float weight : style_weights_) hash.Add(weight);
   hash.Add(phase_);
   hash.Add(idle_s_);
   hash.Add(death_s_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,8 +13,8 @@ struct Rig;
 class StateHash;
 
 /// How a body carries itself while it walks.
-enum class LocomotionStyle : std::uint8_t { kReady, kAim, kCrouch };
-inline constexpr std::size_t kLocomotionStyles = 3;
+enum class LocomotionStyle : std::uint8_t { kReady, kAim, kCrouch, kUnarmed };
+inline constexpr std::size_t kLocomotionStyles = 4;
 
 /// The movements of one style, by index of clip. Forward gaits stand in ascending order of speed.
 struct Gaits {
@@ -47,6 +48,7 @@ class Locomotion {
     float weight;
   };
 
+  /// From the next Update on; what it did before fades out within a quarter of a second.
   void SetStyle(LocomotionStyle style) { style_ = style; }
   void Update(const Rig& rig, const BodyMotion& motion, float seconds);
   /// The movements to mix; weights add up to 1 after the first Update.
@@ -62,12 +64,13 @@ class Locomotion {
   void Add(int clip, float weight, bool in_phase);
 
   LocomotionStyle style_ = LocomotionStyle::kReady;
-  float phase_ = 0;     ///< 0..1, of the gaits' cycle.
-  float idle_s_ = 0;    ///< Time of the idle movement.
-  float turn_s_ = 0;    ///< Time of the turn.
-  float death_s_ = -1;  ///< Since it died; -1: alive.
-  Vec3 velocity_;       ///< Smoothed: x left, z forward.
-  float turning_ = 0;   ///< To the left, rad/s, smoothed.
+  std::array<float, kLocomotionStyles> style_weights_{};  ///< They add up to 1 after the first Update.
+  float phase_ = 0;                                       ///< 0..1, of the gaits' cycle.
+  float idle_s_ = 0;                                      ///< Time of the idle movement.
+  float turn_s_ = 0;                                      ///< Time of the turn.
+  float death_s_ = -1;                                    ///< Since it died; -1: alive.
+  Vec3 velocity_;                                         ///< Smoothed: x left, z forward.
+  float turning_ = 0;                                     ///< To the left, rad/s, smoothed.
   float heading_ = 0;
   bool has_heading_ = false;
   float legs_ = 0;

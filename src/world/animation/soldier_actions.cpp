@@ -299,6 +299,7 @@ void AddActions(std::vector<Clip>& clips) {
     clips.push_back(FromMoments({.name = name, .length_s = length_s}, moments));
   };
   cycle("stand_idle", 6.0f, [&](float at) { return LookingAround(ready, at); });
+  cycle("stand_idle_free", 6.0f, [&](float at) { return LookingAround(StandFree(), at); });
   cycle("stand_idle_aim", 3.0f, [&](float at) { return Breathing(aim, at, 1); });
   cycle("crouch_idle_aim", 3.0f, [&](float at) { return Breathing(crouch, at, 0.8f); });
   upper("stand_fire_one_shot", 0.5f, Fire(aim));

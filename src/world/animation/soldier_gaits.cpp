@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "world/animation/soldier_clips.h"
 #include "world/animation/soldier_skeleton.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 using Size = SoldierSize;
 
-enum class Carry { kReady, kAim, kPort };
+enum class Carry { kReady, kAim, kPort, kNothing };
 
 struct Gait {
   const char* name;
@@ -80,8 +81,8 @@ SoldierPose::Foot FootAt(const Gait& gait, float phase, float side) {
 }
 
 SoldierPose GaitPose(const Gait& gait, float phase) {
-  const bool aims = gait.carry == Carry::kAim;
-  SoldierPose pose = aims ? StandAiming() : StandReady();
+  const bool aims = gait.carry == Carry::kAim, is_free = gait.carry == Carry::kNothing;
+  SoldierPose pose = aims ? StandAiming() : is_free ? StandFree() : StandReady();
   const float cycle = 2 * kPi * phase;
   const float mid_stance = 0.5f * gait.stance;
   const float beat = gait.runs ? std::cos(2 * (cycle - 2 * kPi * mid_stance)) : std::cos(2 * cycle);
@@ -91,7 +92,7 @@ SoldierPose GaitPose(const Gait& gait, float phase) {
   const float blade = aims ? -0.28f : 0.0f;
   pose.hips_turn = Turn({0, 1, 0}, blade - gait.twist * swing * forward) * Turn({0, 0, 1}, -0.035f * sway) *
                    Turn({1, 0, 0}, 0.5f * gait.lean);
-  const float chest_blade = aims ? -0.5f : -0.06f;
+  const float chest_blade = aims ? -0.5f : is_free ? 0.0f : -0.06f;
   pose.chest_turn = Turn({0, 1, 0}, chest_blade + 0.9f * gait.twist * swing * forward) * Turn({0, 0, 1}, 0.02f * sway) *
                     Turn({1, 0, 0}, gait.lean + (aims ? 0.08f : 0.0f));
   pose.head_turn = aims ? pose.head_turn : Turn({1, 0, 0}, 0.25f * gait.lean);
@@ -107,6 +108,13 @@ SoldierPose GaitPose(const Gait& gait, float phase) {
       pose.rifle += Vec3{0.0f, -0.07f, 0.0f};
       pose.barrel = {0.12f, -0.16f, 1};
     }
+  } else if (is_free) {
+    // Arms go against the legs.
+    const float size = gait.runs ? 0.62f : 0.36f * std::abs(forward), bend = gait.runs ? 1.45f : 0.30f;
+    const float along = forward >= 0 ? swing : -swing;
+    pose.rifle_frame = Turn({0, 1, 0}, 0.9f * gait.twist * swing * forward) * Turn({1, 0, 0}, 0.8f * gait.lean);
+    SwingArm(pose, true, -0.10f - size * along, bend - 0.14f * along);
+    SwingArm(pose, false, -0.10f + size * along, bend + 0.14f * along);
   } else {
     pose.rifle_frame = Turn({0, 1, 0}, 0.7f * gait.twist * swing) * Turn({1, 0, 0}, gait.lean * 0.8f + nod);
     pose.rifle += Vec3{0.015f * swing, 0.012f * beat, 0};
@@ -240,6 +248,14 @@ constexpr Gait kWalks[] = {
      .lean = 0.0f},
 };
 
+/// The gaits of empty hands: those that carry a rifle, without it.
+constexpr struct {
+  const char *name, *of;
+} kFreeGaits[] = {
+    {"stand_walk_forward_free", "stand_walk_forward"},     {"stand_run_forward_free", "stand_run_forward"},
+    {"stand_sprint_forward_free", "stand_sprint_forward"}, {"stand_walk_backward_free", "stand_walk_backward"},
+    {"stand_walk_left_free", "stand_walk_left_aim"},       {"stand_walk_right_free", "stand_walk_right_aim"}};
+
 constexpr Gait kCrouches[] = {
     {.name = "crouch_forward_aim",
      .speed_mps = 1.0f,
@@ -291,6 +307,14 @@ void AddGaits(std::vector<Clip>& clips) {
   };
   for (const Gait& gait : kWalks)
     clips.push_back(MakeClip(settings(gait), [&](float phase) { return GaitPose(gait, phase); }));
+  for (const auto& [name, of] : kFreeGaits) {
+    for (Gait gait : kWalks) {
+      if (std::string_view(gait.name) != of) continue;
+      gait.name = name;
+      gait.carry = Carry::kNothing;
+      clips.push_back(MakeClip(settings(gait), [&](float phase) { return GaitPose(gait, phase); }));
+    }
+  }
   for (const Gait& gait : kCrouches)
     clips.push_back(MakeClip(settings(gait), [&](float phase) { return CrouchPose(gait, phase); }));
   struct Turning {
@@ -300,7 +324,8 @@ void AddGaits(std::vector<Clip>& clips) {
   };
   for (const Turning& turn :
        {Turning{"stand_turn_left", StandReady(), 1}, Turning{"stand_turn_right", StandReady(), -1},
-        Turning{"stand_turn_left_aim", StandAiming(), 1}, Turning{"stand_turn_right_aim", StandAiming(), -1}}) {
+        Turning{"stand_turn_left_aim", StandAiming(), 1}, Turning{"stand_turn_right_aim", StandAiming(), -1},
+        Turning{"stand_turn_left_free", StandFree(), 1}, Turning{"stand_turn_right_free", StandFree(), -1}}) {
     clips.push_back(MakeClip({.name = turn.name, .length_s = 0.7f, .is_cycle = true},
                              [&](float phase) { return TurningPose(turn.stance, phase, turn.way); }));
   }

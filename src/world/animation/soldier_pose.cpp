@@ -124,8 +124,14 @@ class Solver {
     const Vec3 grip = shoulders + Rotate(pose_.rifle_frame, pose_.rifle);
     const BonePose rifle{grip - rifle_turn.Apply(hold.grip), rifle_turn.orientation};
     const Quat frame = pose_.rifle_frame;
-    Arm(kRightArm, rifle.Apply(hold.right_wrist), rifle.orientation * hold.right_hand, Rotate(frame, pose_.right_elbow),
-        -1);
+    Vec3 right_wrist = rifle.Apply(hold.right_wrist);
+    Quat right_hand = rifle.orientation * hold.right_hand;
+    if (pose_.right_off_rifle > 0) {
+      const Quat free = frame * RightHandTurn(pose_.right_fingers, pose_.right_palm);
+      right_wrist = Between(right_wrist, shoulders + Rotate(frame, pose_.right_wrist), pose_.right_off_rifle);
+      right_hand = Between(right_hand, free, pose_.right_off_rifle);
+    }
+    Arm(kRightArm, right_wrist, right_hand, Rotate(frame, pose_.right_elbow), -1);
     Vec3 left_wrist = rifle.Apply(hold.left_wrist);
     Quat left_hand = rifle.orientation * hold.left_hand;
     if (pose_.left_off_rifle > 0) {
@@ -172,7 +178,8 @@ SoldierPose Between(const SoldierPose& a, const SoldierPose& b, float share) {
   blend(&Pose::hips, &Pose::hips_turn, &Pose::chest_turn, &Pose::head_turn, &Pose::left, &Pose::right, &Pose::knees);
   blend(&Pose::rifle, &Pose::rifle_frame, &Pose::barrel, &Pose::rifle_up, &Pose::left_elbow, &Pose::right_elbow);
   blend(&Pose::left_wrist, &Pose::left_fingers, &Pose::left_palm);
-  blend(&Pose::knees_out, &Pose::left_off_rifle, &Pose::shoulders_forward);
+  blend(&Pose::right_wrist, &Pose::right_fingers, &Pose::right_palm);
+  blend(&Pose::knees_out, &Pose::left_off_rifle, &Pose::right_off_rifle, &Pose::shoulders_forward);
   return pose;
 }
 

@@ -29,6 +29,9 @@ struct SoldierPose {
   float left_off_rifle = 0;                                                ///< 1: the left hand is at left_wrist.
   Vec3 left_wrist;  ///< From the middle between the shoulders, in the rifle's frame.
   Vec3 left_fingers{0, 0, 1}, left_palm{0, 1, 0};
+  float right_off_rifle = 0;  ///< The same for the right hand.
+  Vec3 right_wrist;
+  Vec3 right_fingers{0, 0, 1}, right_palm{0, 1, 0};
   float shoulders_forward = 0.12f;
 };
 

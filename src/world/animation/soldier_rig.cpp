@@ -29,6 +29,14 @@ GaitTable MakeGaits(const Rig& rig) {
   table.styles[static_cast<std::size_t>(LocomotionStyle::kCrouch)] = {.idle = clip("crouch_idle_aim"),
                                                                       .forward = {clip("crouch_forward_aim")},
                                                                       .backward = {clip("crouch_backward_aim")}};
+  table.styles[static_cast<std::size_t>(LocomotionStyle::kUnarmed)] = {
+      .idle = clip("stand_idle_free"),
+      .forward = {clip("stand_walk_forward_free"), clip("stand_run_forward_free"), clip("stand_sprint_forward_free")},
+      .backward = {clip("stand_walk_backward_free")},
+      .left = clip("stand_walk_left_free"),
+      .right = clip("stand_walk_right_free"),
+      .turn_left = clip("stand_turn_left_free"),
+      .turn_right = clip("stand_turn_right_free")};
   table.die = clip("stand_dead_2");
   return table;
 }

@@ -81,6 +81,11 @@ Quat LeftHandTurn(Vec3 direction, Vec3 palm) {
   return HandFrame(direction, palm) * Conjugate(BindHandFrame(1));
 }
 
+Quat RightHandTurn(Vec3 direction, Vec3 palm) {
+  return HandFrame(direction, palm) * Conjugate(BindHandFrame(-1)) *
+         SoldierSkeleton().BindInModel(kRightHand).orientation;
+}
+
 const RifleHold& HoldOfRifle() {
   static const RifleHold hold = MakeHold();
   return hold;

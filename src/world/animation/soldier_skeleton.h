@@ -67,5 +67,7 @@ const RifleHold& HoldOfRifle();
 /// The turn that takes fingers that point along `direction` with the palm facing `palm` to where they are in the bind
 /// pose of that hand, undone: what the left hand's bone must be turned by to point so.
 Quat LeftHandTurn(Vec3 direction, Vec3 palm);
+/// The turn of the right hand's bone in the model when its fingers point along `direction` and the palm faces `palm`.
+Quat RightHandTurn(Vec3 direction, Vec3 palm);
 
 }  // namespace soarbox::world

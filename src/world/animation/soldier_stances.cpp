@@ -54,6 +54,38 @@ SoldierPose StandReady() {
   return pose;
 }
 
+void SwingArm(SoldierPose& pose, bool is_left, float forward, float bend) {
+  using Size = SoldierSize;
+  const float side = is_left ? 1.0f : -1.0f;
+  // Upper arms hang a little away from the body, forearms come back to it.
+  const auto along = [side](float angle, float out) {
+    return Normalized(Vec3{side * out, -std::cos(angle), std::sin(angle)});
+  };
+  const float lower = forward + bend;
+  const Vec3 elbow = Vec3{side * (Size::kShoulderSide + 0.012f), 0, 0} + along(forward, 0.16f) * Size::kUpperArm;
+  const Vec3 direction = along(lower, 0.10f - 0.35f * std::sin(std::max(bend, 0.0f)));
+  const Vec3 wrist = elbow + direction * (0.98f * Size::kForearm);
+  const Vec3 palm = Normalized(Vec3{-side, 0, 0.0f});
+  (is_left ? pose.left_off_rifle : pose.right_off_rifle) = 1;
+  (is_left ? pose.left_wrist : pose.right_wrist) = wrist;
+  (is_left ? pose.left_fingers : pose.right_fingers) = direction;
+  (is_left ? pose.left_palm : pose.right_palm) = palm;
+  (is_left ? pose.left_elbow : pose.right_elbow) = {side * 0.35f, -0.2f, -1};
+}
+
+SoldierPose StandFree() {
+  SoldierPose pose = StandReady();
+  pose.hips_turn = Turn({0, 1, 0}, -0.04f);
+  pose.chest_turn = Turn({1, 0, 0}, 0.02f);
+  pose.head_turn = {};
+  pose.left = {{0.120f, SoldierSize::kAnkle, 0.02f}, 0.20f};
+  pose.right = {{-0.120f, SoldierSize::kAnkle, -0.03f}, -0.20f};
+  pose.shoulders_forward = 0.04f;
+  SwingArm(pose, true, -0.05f, 0.22f);
+  SwingArm(pose, false, -0.03f, 0.26f);
+  return pose;
+}
+
 SoldierPose CrouchAiming() {
   SoldierPose pose = StandAiming();
   // On the right knee, the left foot in front.
