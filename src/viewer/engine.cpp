@@ -184,9 +184,9 @@ void Engine::SetScale(double scale) {
   if (Ogre::RenderTarget* target = PictureTarget()) PlaceViewport(*target);
 }
 
-void Engine::Update(Ogre::RenderTarget& target, bool swaps) {
-  if (scaled_ && scale_ < 1) scaled_->Draw();
-  target.update(swaps);
+void Engine::Update(Ogre::RenderTarget& target, bool scene_has_changed) {
+  if (scaled_ && scale_ < 1) scaled_->Draw(scene_has_changed);
+  target.update(true);
 }
 
 Ogre::RenderTarget* Engine::PictureTarget() const {
@@ -231,13 +231,13 @@ void Engine::Resize(int width, int height) {
   PlaceViewport(*render_window_);
 }
 
-void Engine::Draw() {
+void Engine::Draw(bool scene_has_changed) {
   if (hidden_) {
     ImGui::Render();
     return;
   }
   root_->_fireFrameStarted();
-  Update(*render_window_, true);
+  Update(*render_window_, scene_has_changed);
   root_->_fireFrameRenderingQueued();
   root_->_fireFrameEnded();
 }

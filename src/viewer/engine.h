@@ -53,7 +53,8 @@ class Engine {
   double scale() const { return scale_; }
 
   /// Draws once, onto the screen. Of a hidden window nobody would see it: only panels are laid out, WritePicture draws.
-  void Draw();
+  /// A scene that has not changed is drawn again only where that is needed to draw panels.
+  void Draw(bool scene_has_changed = true);
   /// What the last drawing handed to the renderer, shadow maps included.
   void CountLast(std::size_t& draw_calls, std::size_t& triangles) const;
   /// Whether the user has done something that has not been read yet; waits for it up to `milliseconds`.
@@ -84,7 +85,7 @@ class Engine {
   void AddViewports(Ogre::RenderTarget& target);
   void PlaceViewport(Ogre::RenderTarget& target);
   /// Draws the scene first if it is drawn smaller.
-  void Update(Ogre::RenderTarget& target, bool swaps);
+  void Update(Ogre::RenderTarget& target, bool scene_has_changed);
   Ogre::RenderTarget* PictureTarget() const;
   void MakePictureTarget();
   void DropPictureTarget();

@@ -110,10 +110,11 @@ Image LeafImage() {
 
 Image StoneImage() {
   return Paint(256, [](float u, float v) {
-    const float mass = Fractal2(u * 5, v * 5, 6, 103, 5), vein = std::abs(Fractal2(u * 6, v * 6, 4, 107, 6) - 0.5f);
-    const float value = 0.52f + 0.40f * mass - (vein < 0.02f ? 0.12f : 0.0f);
-    const float lichen = Fractal2(u * 9, v * 9, 4, 109, 9) > 0.62f ? 0.10f : 0.0f;
-    return std::array<float, 3>{value - 0.2f * lichen, value + 0.25f * lichen, value * 0.96f - 0.8f * lichen};
+    const float mass = Fractal2(u * 5, v * 5, 6, 103, 5), grain = Fractal2(u * 40, v * 40, 3, 105, 40);
+    const float crack = std::abs(Fractal2(u * 4, v * 4, 5, 107, 4) - 0.5f);
+    const float value = 0.50f + 0.26f * mass + 0.20f * (grain - 0.5f) - 0.09f * std::max(0.0f, 1 - crack / 0.012f);
+    const float lichen = 0.12f * std::clamp(6 * (Fractal2(u * 9, v * 9, 5, 109, 9) - 0.60f), 0.0f, 1.0f);
+    return std::array<float, 3>{value - 0.1f * lichen, value + 0.1f * lichen, value * 0.96f - 0.4f * lichen};
   });
 }
 

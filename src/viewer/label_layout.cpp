@@ -138,4 +138,23 @@ std::vector<LabelCrowd> GatherCrowds(std::span<const ScreenPoint> points, float 
   return crowds;
 }
 
+ScreenBox BoxIn(Corner corner, const ScreenBox& area, float width, float height) {
+  const bool right = corner == Corner::kBottomRight || corner == Corner::kTopRight;
+  const bool top = corner == Corner::kTopRight || corner == Corner::kTopLeft;
+  const float left_px = right ? area.right - width : area.left, top_px = top ? area.top : area.bottom - height;
+  return {left_px, top_px, left_px + width, top_px + height};
+}
+
+Corner FreeCorner(Corner now, const ScreenBox& area, float width, float height, std::span<const ScreenBox> not_over) {
+  const auto is_free = [&](Corner corner) {
+    const ScreenBox card = BoxIn(corner, area, width, height);
+    return std::none_of(not_over.begin(), not_over.end(), [&](const ScreenBox& box) { return Meet(card, box); });
+  };
+  if (is_free(now)) return now;
+  for (const Corner corner : {Corner::kBottomLeft, Corner::kBottomRight, Corner::kTopRight, Corner::kTopLeft}) {
+    if (is_free(corner)) return corner;
+  }
+  return now;
+}
+
 }  // namespace soarbox::viewer

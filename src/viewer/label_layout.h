@@ -22,6 +22,15 @@ struct ScreenBox {
 bool Meet(const ScreenBox& a, const ScreenBox& b, float gap_px = 0);
 bool Holds(const ScreenBox& outer, const ScreenBox& inner);
 
+enum class Corner : std::uint8_t { kBottomLeft, kBottomRight, kTopRight, kTopLeft };
+
+/// Where a card of this size stands in a corner of an area.
+ScreenBox BoxIn(Corner corner, const ScreenBox& area, float width, float height);
+
+/// The corner for a card that is to hide nothing: the one where it stands if that is free, else the first that is; if
+/// none is, it stays.
+Corner FreeCorner(Corner now, const ScreenBox& area, float width, float height, std::span<const ScreenBox> not_over);
+
 /// Where a label likes to stand.
 enum class LabelHabit : std::uint8_t {
   kAbove,   ///< Above the point, else further up and to the sides: names.

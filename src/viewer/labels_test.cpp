@@ -178,5 +178,20 @@ TEST(Labels, SeveralWhoSayTheSameShareABubbleAndLongNamesAreCutBetweenLetters) {
   EXPECT_EQ(Count(shown, Kind::kName), 3u);
 }
 
+TEST(AgentCard, StandsWhereItHidesNobodyAndStaysThere) {
+  constexpr ScreenBox kArea{16, 42, 1264, 704};
+  const auto corner = [&](Corner now, std::vector<ScreenBox> agents) {
+    return FreeCorner(now, kArea, 250, 200, agents);
+  };
+  const ScreenBox bottom_left{100, 600, 120, 640}, bottom_right{1200, 600, 1220, 640}, top_right{1200, 60, 1220, 100},
+      top_left{30, 60, 50, 100};
+  EXPECT_EQ(corner(Corner::kBottomLeft, {}), Corner::kBottomLeft);
+  EXPECT_EQ(corner(Corner::kTopRight, {}), Corner::kTopRight);
+  EXPECT_EQ(corner(Corner::kBottomLeft, {bottom_left}), Corner::kBottomRight);
+  EXPECT_EQ(corner(Corner::kBottomLeft, {bottom_left, bottom_right}), Corner::kTopRight);
+  EXPECT_EQ(corner(Corner::kBottomLeft, {bottom_left, bottom_right, top_right}), Corner::kTopLeft);
+  EXPECT_EQ(corner(Corner::kBottomRight, {bottom_left, bottom_right, top_right, top_left}), Corner::kBottomRight);
+}
+
 }  // namespace
 }  // namespace soarbox::viewer

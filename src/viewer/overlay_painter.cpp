@@ -292,6 +292,31 @@ void OverlayPainter::PaintTrails(const OverlayScene& scene, OverlayMarks& marks)
   }
 }
 
+namespace {
+
+/// An arrow round the axis about which a body was set turning; a turn per second goes round once.
+void PaintSpin(Vec3 centre, Vec3 spin_rad_s, Color color, Pen& pen) {
+  const float strength = world::Length(spin_rad_s);
+  if (!(strength > 0.05f) || !world::IsFinite(centre)) return;
+  constexpr int kPieces = 28;
+  constexpr float kRadius_m = 0.9f;
+  const Vec3 axis = spin_rad_s / strength;
+  const Vec3 aside = std::abs(axis.y) < 0.9f ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+  const Vec3 a = world::Normalized(Cross(axis, aside)), b = Cross(axis, a);
+  const float whole = std::clamp(strength, 0.35f, 1.85f * kPi);
+  const auto at = [&](int i) {
+    const float angle = whole * static_cast<float>(i) / kPieces;
+    return centre + (a * std::cos(angle) + b * std::sin(angle)) * kRadius_m;
+  };
+  for (int i = 0; i + 1 < kPieces; ++i) pen.Line(at(i), at(i + 1), color);
+  const Vec3 tip = at(kPieces), along = world::Normalized(tip - at(kPieces - 1)), out = world::Normalized(tip - centre);
+  pen.Line(at(kPieces - 1), tip, color);
+  pen.Line(tip, tip - along * 0.28f + out * 0.14f, color);
+  pen.Line(tip, tip - along * 0.28f - out * 0.14f, color);
+}
+
+}  // namespace
+
 void OverlayPainter::PaintForces(const OverlayScene& scene, OverlayMarks& marks) const {
   Pen pen(marks);
   // 10 m/s² are two metres long; collisions and impulses do not fill the picture.
@@ -321,6 +346,10 @@ void OverlayPainter::PaintForces(const OverlayScene& scene, OverlayMarks& marks)
   for (const world::PushSnapshot& push : scene.overlays.pushes) {
     if (!(push.mass_kg > 0)) continue;
     const AgentSnapshot* agent = Find(scene, push.owner_id);
+    if (push.spin_rad_s != Vec3{}) {
+      PaintSpin(agent != nullptr ? agent->position : push.position, push.spin_rad_s, kForce, pen);
+      continue;
+    }
     Sum& sum = sums[push.owner_id];
     sum.from = (agent != nullptr ? agent->position + Vec3{0, 0.1f, 0} : push.position) + lift;
     sum.acceleration += push.force_n / push.mass_kg;

@@ -10,7 +10,7 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr float kBarHeight = kStatusBar_px;
+constexpr float kBarHeight = kStatusBar_px, kCardMargin = 16;
 constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kText = IM_COL32(236, 241, 246, 255),
                 kQuiet = IM_COL32(152, 166, 180, 255), kGo = IM_COL32(96, 208, 132, 255),
                 kHold = IM_COL32(247, 190, 82, 255);
@@ -153,9 +153,15 @@ void DrawKeyHelp(const PanelHost& host) {
   ImGui::End();
 }
 
-ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed) {
+ScreenBox AreaOfCards(float width_px, float height_px) {
+  return {kCardMargin, kBarHeight + kCardMargin, width_px - kCardMargin, height_px - kCardMargin};
+}
+
+ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed, Corner corner) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({16, size.y - 16}, ImGuiCond_Always, {0, 1});
+  const ScreenBox at = BoxIn(corner, AreaOfCards(size.x, size.y), 0, 0);
+  const ImVec2 pivot{at.left < size.x / 2 ? 0.0f : 1.0f, at.top < size.y / 2 ? 0.0f : 1.0f};
+  ImGui::SetNextWindowPos({at.left, at.top}, ImGuiCond_Always, pivot);
   ImGui::SetNextWindowSizeConstraints({250, 0}, {420, size.y});
   ImGui::Begin("##agent", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);

@@ -12,6 +12,9 @@ namespace soarbox::viewer {
 
 inline constexpr float kStatusBar_px = 26;  ///< Its height.
 
+/// Where cards may stand in a picture of this size.
+ScreenBox AreaOfCards(float width_px, float height_px);
+
 /// A slim bar along the top: running or paused, time, tick, speed, agents, frames per second (0: not shown).
 void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::SceneSnapshot& scene,
                    float frames_per_second);
@@ -19,7 +22,7 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
 /// The list of keys, in the middle of the window.
 void DrawKeyHelp(const PanelHost& host);
 
-/// What is known about the selected agent, at the bottom left. Returns where it stands.
-ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed);
+/// What is known about the selected agent, in a corner. Returns where it stands.
+ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed, Corner corner);
 
 }  // namespace soarbox::viewer

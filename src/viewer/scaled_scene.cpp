@@ -32,6 +32,7 @@ void ScaledScene::SetSize(int width, int height) {
   if (width == width_ && height == height_) return;
   width_ = width;
   height_ = height;
+  is_drawn_ = false;
   Drop();
   texture_ = Ogre::TextureManager::getSingleton().createManual(
       kTexture, kGroup, Ogre::TEX_TYPE_2D, static_cast<unsigned>(width), static_cast<unsigned>(height), 0,
@@ -52,7 +53,9 @@ void ScaledScene::SetSize(int width, int height) {
   material_->getTechnique(0)->getPass(0)->getTextureUnitState(0)->setTexture(texture_);
 }
 
-void ScaledScene::Draw() {
+void ScaledScene::Draw(bool has_changed) {
+  if (is_drawn_ && !has_changed) return;
+  is_drawn_ = true;
   target_->update();
 }
 

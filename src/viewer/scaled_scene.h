@@ -22,8 +22,8 @@ class ScaledScene {
 
   /// Makes the texture anew unless it has this size.
   void SetSize(int width, int height);
-  /// Draws the scene into it.
-  void Draw();
+  /// Draws the scene into it, unless it is the one that is there already.
+  void Draw(bool has_changed);
 
   Ogre::Camera& camera() { return *camera_; }
   Ogre::RenderTarget* target() const { return target_; }
@@ -42,6 +42,7 @@ class ScaledScene {
   Ogre::TexturePtr texture_;
   Ogre::RenderTarget* target_ = nullptr;
   int width_ = 0, height_ = 0;
+  bool is_drawn_ = false;
 };
 
 }  // namespace soarbox::viewer

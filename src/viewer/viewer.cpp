@@ -65,6 +65,18 @@ class Stopwatch {
   double last_s_ = Now();
 };
 
+bool Same(const std::vector<world::LineSnapshot>& a, const std::vector<world::LineSnapshot>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.from == other.from && one.to == other.to && one.color == other.color;
+  });
+}
+
+bool Same(const std::vector<world::TriangleSnapshot>& a, const std::vector<world::TriangleSnapshot>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.a == other.a && one.b == other.b && one.c == other.c && one.color == other.color;
+  });
+}
+
 /// A ring on the ground around a selected agent; the first one's is bright.
 void AddRing(const world::AgentSnapshot& agent, bool is_first, std::vector<world::LineSnapshot>& out) {
   constexpr int kPieces = 40;
@@ -106,7 +118,8 @@ struct Viewer::Impl {
   std::vector<ViewerCommand> commands;
   OverlayPainter painter;
   AgentLabels labels;
-  ScreenBox card;                                  ///< Where the selected agent's card stood in the last frame.
+  ScreenBox card;  ///< Where the selected agent's card stood in the last frame.
+  Corner card_corner = Corner::kBottomLeft;
   std::vector<world::TriangleSnapshot> triangles;  ///< Of the scene.
   std::vector<Ghost> shown_ghosts;                 ///< Those asked for, and those of overlays.
   world::OverlaySnapshot overlays;
@@ -124,7 +137,11 @@ struct Viewer::Impl {
   Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
   FrameCosts costs;
   int scripted_frames = 0;
-  bool shows_news = true;  ///< Something else was shown since the last frame.
+  bool shows_news = true;                       ///< Something else was shown since the last frame.
+  bool stands = false;                          ///< Neither the world nor the camera has moved since the last frame.
+  std::vector<world::LineSnapshot> last_marks;  ///< What the last frame drew over the scene.
+  std::vector<world::TriangleSnapshot> last_fills;
+  std::size_t last_ghosts = 0;
   world::CameraSnapshot rested_pose;
   float frames_per_second = 0;
   std::optional<AutoScale> auto_scale;  ///< Looks for the largest scale that is fast enough.
@@ -139,6 +156,8 @@ struct Viewer::Impl {
   void PlaceCamera();
   void DrawPanels(float seconds);
   void DrawWorkspace();
+  /// Moves the selected agent's card to where it hides nobody.
+  void PlaceCard(const Projection& view, const std::vector<ScreenBox>& blocked);
   void ChooseScale(ViewerCommand command);
   void UseScale(double scale);
   Result<void> SavePicture(const fs::path& path);
@@ -453,7 +472,10 @@ void Viewer::Impl::DrawPanels(float seconds) {
   std::vector<ScreenBox> blocked = BoxesOfScriptUi(scene);
   if (!workspace) {
     wanted.top_px = options.show_status_bar ? kStatusBar_px : 0;
-    if (Selected() != nullptr) blocked.push_back(card);
+    if (Selected() != nullptr) {
+      PlaceCard(view, blocked);
+      blocked.push_back(card);
+    }
   }
   wanted.blocked = blocked;
   labels.Draw(panels->bold_font(), panels->panel_font(), wanted, camera.pose(), view);
@@ -466,11 +488,30 @@ void Viewer::Impl::DrawPanels(float seconds) {
     workspace->EndPicture();
     DrawWorkspace();
   } else {
-    if (const auto* agent = Selected()) card = DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow);
+    if (const auto* agent = Selected())
+      card = DrawAgentCard(*panels, *agent, camera.mode() == CameraMode::kFollow, card_corner);
     if (IsOn(ViewerCommand::kHelp)) DrawKeyHelp(*panels);
     if (options.show_status_bar) DrawStatusBar(*panels, status, scene, options.hidden ? 0 : frames_per_second);
   }
   panels->EndFrame();
+}
+
+void Viewer::Impl::PlaceCard(const Projection& view, const std::vector<ScreenBox>& blocked) {
+  constexpr float kUsualWidth_px = 250, kUsualHeight_px = 200, kNear_px = 12;
+  std::vector<ScreenBox> not_over = blocked;
+  for (const world::AgentSnapshot& agent : scene.agents) {
+    const world::Vec3 half{0, agent.height_m / 2, 0};
+    const auto head = view.Project(agent.position + half), feet = view.Project(agent.position - half);
+    if (!head || !feet) continue;
+    not_over.push_back({std::min(head->x, feet->x) - kNear_px, std::min(head->y, feet->y) - kNear_px,
+                        std::max(head->x, feet->x) + kNear_px, std::max(head->y, feet->y) + kNear_px});
+  }
+  const ScreenBox area = AreaOfCards(static_cast<float>(engine->width()), static_cast<float>(engine->height()));
+  const bool is_known = card.width() > 0;
+  const float card_width = is_known ? card.width() : kUsualWidth_px,
+              card_height = is_known ? card.height() : kUsualHeight_px;
+  card_corner = FreeCorner(card_corner, area, card_width, card_height, not_over);
+  card = BoxIn(card_corner, area, card_width, card_height);
 }
 
 void Viewer::Impl::DrawWorkspace() {
@@ -490,14 +531,15 @@ void Viewer::Impl::DrawWorkspace() {
 
 /// Whether the last frame still shows all there is to see; then a moment is spent waiting for the user.
 bool Viewer::Impl::IsIdle(Clock::time_point now) {
-  constexpr auto kSettles = std::chrono::milliseconds(500), kAtLeastEvery = std::chrono::milliseconds(250);
+  constexpr auto kSettles = std::chrono::milliseconds(500), kAtLeastEvery = std::chrono::milliseconds(500);
   constexpr int kWait_ms = 20;
   const bool can_rest = !options.hidden && options.ui_script.empty() && status.paused && !shows_news && notice_s <= 0;
   shows_news = false;
   const world::CameraSnapshot& pose = camera.pose();
-  const bool stands = pose.position == rested_pose.position && pose.orientation == rested_pose.orientation;
+  stands = can_rest && pose.position == rested_pose.position && pose.orientation == rested_pose.orientation &&
+           pose.vertical_fov_deg == rested_pose.vertical_fov_deg;
   rested_pose = pose;
-  if (!can_rest || !stands || engine->HasInput(0)) {
+  if (!stands || engine->HasInput(0)) {
     awake_until = now + kSettles;
     return false;
   }
@@ -558,10 +600,17 @@ bool Viewer::Impl::Frame() {
   watch.Lap(costs.bodies_s);
   DrawPanels(seconds);
   watch.Lap(costs.panels_s);
+  const bool shows_same = stands && Same(marks, last_marks) && Same(drawn.triangles, last_fills) &&
+                          shown_ghosts.empty() && last_ghosts == 0 && camera.pose().position == rested_pose.position &&
+                          camera.pose().orientation == rested_pose.orientation &&
+                          camera.pose().vertical_fov_deg == rested_pose.vertical_fov_deg;
+  last_marks = std::move(marks);
+  last_fills = std::move(drawn.triangles);
+  last_ghosts = shown_ghosts.size();
   // A script that plays a user reads where panels lay their texts; of the frames that nobody watches one in four is
   // drawn.
   if (options.ui_script.empty() || ++scripted_frames % 4 == 0)
-    engine->Draw();
+    engine->Draw(!shows_same);
   else
     ImGui::Render();
   watch.Lap(costs.draw_s);

@@ -69,6 +69,7 @@ struct PushSnapshot {
   Vec3 position;               ///< Of the body's middle now.
   Vec3 force_n;                ///< For one step; of a change of velocity the force that would have made it.
   float mass_kg = 1;
+  Vec3 spin_rad_s{};  ///< By which an angular impulse changed how the body turns; about its axis, by the right hand.
 };
 
 /// Everything that overlays need besides the scene, at the end of one tick. Recordings do not hold it.

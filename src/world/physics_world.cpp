@@ -111,8 +111,8 @@ struct PhysicsWorld::Impl {
     if (!body.rigid->isStaticObject()) body.rigid->activate(true);
   }
 
-  void NotePush(BodyId id, Vec3 force_n) {
-    if (pushes.size() < kMostPushes) pushes.push_back({id, force_n});
+  void NotePush(BodyId id, Vec3 force_n, Vec3 spin_rad_s = {}) {
+    if (pushes.size() < kMostPushes) pushes.push_back({id, force_n, spin_rad_s});
   }
 
   void KeepInRange();
@@ -339,7 +339,11 @@ EntityId PhysicsWorld::OwnerOf(BodyId id) const {
 
 void PhysicsWorld::ApplyAngularImpulse(BodyId id, Vec3 impulse) {
   Body& body = Get(id);
-  if (!body.rigid->isStaticObject()) body.rigid->applyTorqueImpulse(ToBullet(impulse));
+  if (!body.rigid->isStaticObject()) {
+    const btVector3 before = body.rigid->getAngularVelocity();
+    body.rigid->applyTorqueImpulse(ToBullet(impulse));
+    impl_->NotePush(id, {}, FromBullet(body.rigid->getAngularVelocity() - before));
+  }
   impl_->Wake(body);
 }
 

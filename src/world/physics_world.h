@@ -80,9 +80,11 @@ class PhysicsWorld {
   struct Push {
     BodyId body = BodyId::kNone;
     Vec3 force_n;
+    Vec3 spin_rad_s{};
   };
-  /// What was applied for the last step, in the order of the calls, the first kMostPushes of them: forces, and of
-  /// velocities that were set the force that would have changed them so. Nothing in a run depends on it.
+  /// What was applied for the last step, in the order of the calls, the first kMostPushes of them: forces, of
+  /// velocities that were set the force that would have changed them so, and of angular impulses the change of the
+  /// angular velocity. Nothing in a run depends on it.
   const std::vector<Push>& LastPushes() const;
   static constexpr std::size_t kMostPushes = 8192;
   /// Whether the body is still there, and whose it is.

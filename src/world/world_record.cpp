@@ -61,8 +61,8 @@ void World::AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) co
   for (const PhysicsWorld::Push& push : impl_->physics.LastPushes()) {
     const EntityId owner = impl_->physics.OwnerOf(push.body);
     if (owner == kNoEntity) continue;  // Its body has gone since.
-    overlays.pushes.push_back(
-        {Number(owner), impl_->physics.Position(push.body), push.force_n, impl_->physics.Mass(push.body)});
+    overlays.pushes.push_back({Number(owner), impl_->physics.Position(push.body), push.force_n,
+                               impl_->physics.Mass(push.body), push.spin_rad_s});
   }
 }
 
