@@ -17,7 +17,7 @@ import tempfile
 
 TICKS = "MeasuredTicks"
 PARTS = {
-    "minds": ["soarbox::sim::Minds::Decide()", "soarbox::sim::SoarMind::Answer("],
+    "minds": ["soarbox::sim::Minds::Decide()", "soarbox::sim::Minds::Await(", "soarbox::sim::Minds::Answer()"],
     "scripts": ["soarbox::script::ScriptHost::UpdateAgent("],
     "physics": ["soarbox::world::World::Step()"],
 }

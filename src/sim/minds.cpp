@@ -93,6 +93,7 @@ Minds::Minds(world::World& world, const Scenario& scenario, SoarHost& host, Aren
       arena_(arena),
       report_(std::move(report)),
       body_kinds_(BodyKinds().begin(), BodyKinds().end()),
+      decided_(host.threads()),
       pool_(host.threads()) {}
 
 Result<std::filesystem::path> Minds::FindRules(const std::string& agent, const AgentKind& kind,
@@ -167,6 +168,7 @@ Result<void> Minds::MakeBody(world::Agent& body, const AgentOptions& options) {
 }
 
 Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) {
+  AwaitAll();
   world::Agent& body = *world_.FindAgent(agent);
   const AgentKind* kind = FindAgentKind(request.kind);
   if (kind == nullptr) {
@@ -191,7 +193,7 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   settings.blinks = is_scripted && kind->blinks;
   settings.waits = kind->waits;
   settings.detail = detail_;
-  Result<SoarHost::Loaded> loaded = Load(body.name(), *rules, settings);
+  Result<SoarHost::Loaded> loaded = Load(body.name(), *rules, settings, is_scripted);
   if (!loaded) return loaded.error();
   minds_.push_back(
       {agent, settings, kind->follows_leader, is_scripted, *rules, SoarMind(*loaded->agent, settings), loaded->thread});
@@ -202,8 +204,9 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
 }
 
 Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesystem::path& rules,
-                                     const MindSettings& settings) {
-  Result<SoarHost::Loaded> loaded = host_.CreateAgent(agent, rules, settings.waits ? "soar wait-snc on" : "");
+                                     const MindSettings& settings, bool is_scripted) {
+  Result<SoarHost::Loaded> loaded =
+      host_.CreateAgent(agent, rules, settings.waits ? "soar wait-snc on" : "", is_scripted);
   if (!loaded) return loaded;
   for (Diagnostic& problem : loaded->problems) {
     if (!reported_.insert(Format(problem)).second) continue;
@@ -219,7 +222,7 @@ Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesy
 void Minds::Restore() {
   for (Mind& mind : minds_) {
     const std::string& name = world_.FindAgent(mind.agent)->name();
-    Result<SoarHost::Loaded> loaded = Load(name, mind.rules, mind.settings);
+    Result<SoarHost::Loaded> loaded = Load(name, mind.rules, mind.settings, mind.is_scripted);
     mind.lost = !loaded;
     mind.decided = mind.in_gap = mind.told_halt = false;
     if (loaded) {
@@ -262,15 +265,14 @@ void Minds::Decide() {
   // Each mind reads and changes its own agent only, so that the result does not depend on who is first.
   pool_.Run([this](std::size_t thread) {
     for (const std::size_t i : ready_) {
-      if (minds_[i].thread != thread || !host_.IsConnected()) continue;
-      if (!minds_[i].is_scripted) PerceiveWorld(minds_[i]);
-      const auto begin = std::chrono::steady_clock::now();
-      minds_[i].soar.Decide();
-      minds_[i].decide_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (minds_[i].thread != thread || minds_[i].is_scripted || !host_.IsConnected()) continue;
+      PerceiveWorld(minds_[i]);
+      DecideNow(minds_[i]);
     }
   });
-  for (const std::size_t i : ready_) Conclude(minds_[i]);
-  KeepWithinMemory();
+  for (const std::size_t i : ready_)
+    if (!minds_[i].is_scripted) Conclude(minds_[i]);
+  BeginBesideScripts();
 }
 
 /// Bodies learn of orders and of each other. Each changes only what it knows itself, draws from its own stream and sees
@@ -355,6 +357,8 @@ void Minds::Conclude(Mind& mind) {
 }
 
 void Minds::Answer() {
+  AwaitAll();
+  KeepWithinMemory();
   for (Mind& mind : minds_) {
     Actor* actor = mind.is_scripted ? nullptr : arena_.Find(mind.agent);
     if (actor == nullptr) continue;
@@ -378,6 +382,8 @@ void Minds::Answer() {
       report_(std::move(event));
     }
   }
+  pool_.Begin(tell_scripts_);
+  TellScripts(0);
 }
 
 void Minds::Tell(EventKind kind, const world::Agent& body, std::string text) {
@@ -421,6 +427,7 @@ void Minds::TellHalt(Mind& mind, const world::Agent& body) {
 
 /// Tells why a script's mind has no command.
 void Minds::TellGap(Mind& mind, const world::Agent& body) {
+  AwaitAll();  // Others of its kernel may be deciding, and it is going to be asked.
   if (mind.soar.Halted()) {
     // In a gap the goal stack grows until the kernel halts the program: start it anew, it did not ask to be halted.
     if (mind.in_gap) {

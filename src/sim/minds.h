@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <optional>
@@ -47,10 +48,18 @@ class Minds final : public script::MindFactory {
   Result<void> MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) override;
 
   /// Every mind perceives and decides. Minds see the world as it stands before any of them acts, so their order does
-  /// not matter.
+  /// not matter. Those whose bodies a script drives have only begun to when this returns: they go on beside the
+  /// scripts.
   void Decide();
-  /// After the bodies have acted: tells the minds how their commands went.
+  struct Mind;
+  /// Before a body acts: its mind has decided when this returns.
+  void Await(Mind& mind);
+  /// Notes how a command of a scripted mind went, for Answer.
+  void NoteAnswer(Mind& mind, Outcome outcome) { mind.answers.push_back(std::move(outcome)); }
+  /// After the bodies have acted: tells the minds how their commands went. Scripted minds on other threads have heard
+  /// it when EndAnswers returns; until then nothing else may ask a mind for anything.
   void Answer();
+  void EndAnswers() { pool_.Join(); }
 
   /// Tells how often causes came up that were told once.
   void TellCounts();
@@ -72,6 +81,10 @@ class Minds final : public script::MindFactory {
     std::filesystem::path rules;
     SoarMind soar;
     std::size_t thread = 0;  ///< On which it decides.
+    enum class Turn : unsigned char { kOver, kWaits, kHasDecided };
+    Turn turn = Turn::kOver;            ///< Of a scripted mind, in this tick.
+    std::size_t place = 0;              ///< Among those of its thread that decide beside the scripts in this tick.
+    std::vector<Outcome> answers = {};  ///< Of its script, not told yet.
     float distance_squared_m2 = 0;
     bool decided = false;          ///< In this tick.
     bool lost = false;             ///< Its program has broken down, or could not be made again.
@@ -99,7 +112,13 @@ class Minds final : public script::MindFactory {
   Result<std::filesystem::path> FindRules(const std::string& agent, const AgentKind& kind, const std::string& named);
   Result<void> MakeBody(world::Agent& body, const AgentOptions& options);
   Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules,
-                                const MindSettings& settings);
+                                const MindSettings& settings, bool is_scripted);
+  void DecideNow(Mind& mind);
+  /// Lets all scripted minds decide that have not yet; from here on, until Answer, the minds stand still.
+  void AwaitAll();
+  void BeginBesideScripts();
+  void DecideBesideScripts(std::size_t thread);
+  void TellScripts(std::size_t thread);
   /// Before it decides: false if it does not in this tick.
   bool Prepare(Mind& mind);
   /// After it has.
@@ -131,6 +150,12 @@ class Minds final : public script::MindFactory {
   std::vector<Mind> minds_;                 ///< In creation order, thus in ascending agent id.
   std::vector<std::uint32_t> place_by_id_;  ///< In minds_, one more than that; 0 for agents without a mind.
   std::vector<std::size_t> ready_;          ///< Scratch: places of the minds that decide in this tick.
+  const std::function<void(std::size_t)> decide_beside_scripts_ = [this](std::size_t thread) {
+    DecideBesideScripts(thread);
+  };
+  const std::function<void(std::size_t)> tell_scripts_ = [this](std::size_t thread) { TellScripts(thread); };
+  std::vector<std::atomic<std::size_t>> decided_;  ///< By thread: how many minds have decided beside the scripts.
+  std::vector<std::size_t> places_;                ///< Scratch: by thread.
   WorkerPool pool_;
   int asked_ = 0;  ///< How often a mind was asked why it does nothing.
   std::size_t memory_limit_ = script::WorldLimits{}.mind_memory_bytes;

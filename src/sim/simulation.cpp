@@ -287,13 +287,14 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
       outcome.status = Outcome::Status::kError;
       outcome.reason = "script-failed";
     }
-    mind->soar.Answer(outcome);
+    minds->NoteAnswer(*mind, std::move(outcome));
   }
 }
 
 void Simulation::Impl::Act(world::EntityId id) {
   world::Agent& body = *world.FindAgent(id);
   if (Minds::Mind* mind = minds->Find(id)) {
+    minds->Await(*mind);
     // Nobody steers a body whose mind has gone with its kernel: it stops where it is, and falls if it was in the air.
     if (!connected || mind->lost) body.SetVelocity({0, std::min(body.Velocity().y, 0.0f), 0});
     if (mind->decided && mind->is_scripted) {
@@ -382,7 +383,7 @@ void Simulation::Tick() {
   // Sense and decide.
   s.minds->Decide();
   watch.Lap(s.costs.decide_s);
-  // Act.
+  // Act, and await what scripts' minds decide.
   s.order.assign(s.world.AgentIds().begin(), s.world.AgentIds().end());
   for (std::size_t i = 0; i < s.order.size(); ++i) {
     s.scripts->Foresee(s.order, i);
@@ -393,6 +394,7 @@ void Simulation::Tick() {
   watch.Lap(s.costs.act_s);
   // Move.
   s.world.Step();
+  s.minds->EndAnswers();
   watch.Lap(s.costs.move_s);
   s.arena->HearCollisions();
   s.scripts->HandleCollisions();

@@ -49,8 +49,8 @@ struct SimulationSettings {
 /// depends on it.
 struct TickCosts {
   double events_s = 0;  ///< Debuggers, inputs, custom events.
-  double decide_s = 0;  ///< Minds perceive and decide.
-  double act_s = 0;     ///< Commands and scripts of agents.
+  double decide_s = 0;  ///< Minds perceive, and those decide whose bodies no script drives.
+  double act_s = 0;     ///< Commands and scripts of agents; what minds of scripts decide that is awaited.
   double move_s = 0;    ///< Physics.
   double rest_s = 0;    ///< Collisions, the sandbox's script, reports.
 };

@@ -151,7 +151,7 @@ SoarHost::~SoarHost() {
 }
 
 Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const std::filesystem::path& rules,
-                                               const char* first) {
+                                               const char* first, bool beside_world) {
   const std::string file = rules.string();
   if (!std::ifstream(rules)) {
     Diagnostic problem =
@@ -165,6 +165,11 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
   }
   Loaded loaded;
   loaded.thread = agents_made_ % threads();
+  if (beside_world) {
+    // Of four: 1 2 3 0 1 2 3.
+    const std::uint64_t turn = made_beside_world_++ % (2 * threads() - 1);
+    loaded.thread = (turn + 1) % threads();
+  }
   ::sml::Kernel& kernel = KernelOf(loaded.thread);
   loaded.agent = agents_.contains(name) ? nullptr : kernel.CreateAgent(name.c_str());
   if (loaded.agent == nullptr) return Problem("the kernel refuses an agent named " + name + ": " + ErrorText(kernel));
@@ -274,7 +279,7 @@ bool SoarHost::Reconnect() {
   // If it is the same kernel, and only the connection broke, the agents of before are still there.
   RemoveAgents(*kernel_, agents_);
   agents_.clear();
-  agents_made_ = 0;
+  agents_made_ = made_beside_world_ = 0;
   return true;
 }
 

@@ -57,8 +57,10 @@ class SoarHost {
     std::vector<Diagnostic> problems;
   };
   /// Makes an agent and loads its rules. Fails if the file cannot be read or the kernel refuses the agent.
-  /// `first`: a command that it gets before its rules.
-  Result<Loaded> CreateAgent(const std::string& name, const std::filesystem::path& rules, const char* first = "");
+  /// `first`: a command that it gets before its rules. `beside_world`: the first thread, which is the world's, has
+  /// other work while it decides, and gets half as many of these as each other thread.
+  Result<Loaded> CreateAgent(const std::string& name, const std::filesystem::path& rules, const char* first = "",
+                             bool beside_world = false);
 
   /// Destroys an agent, which gives its memory back.
   void DestroyAgent(const std::string& name);
@@ -96,6 +98,7 @@ class SoarHost {
   std::vector<std::unique_ptr<sml::Kernel>> further_;  ///< One for each thread but the first.
   SoarSettings settings_;
   std::uint64_t agents_made_ = 0;
+  std::uint64_t made_beside_world_ = 0;
   std::map<std::string, std::size_t> agents_;  ///< Names of those made, and their threads.
   std::vector<CommandInput> heard_;
   std::shared_ptr<Attempt> attempt_;  ///< To reach a kernel again; null while connected.

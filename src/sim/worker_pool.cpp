@@ -17,10 +17,13 @@ WorkerPool::~WorkerPool() {
 }
 
 void WorkerPool::Run(const std::function<void(std::size_t)>& job) {
-  if (threads_.empty()) {
-    job(0);
-    return;
-  }
+  Begin(job);
+  job(0);
+  Join();
+}
+
+void WorkerPool::Begin(const std::function<void(std::size_t)>& job) {
+  if (threads_.empty()) return;
   {
     const std::lock_guard lock(mutex_);
     job_ = &job;
@@ -28,7 +31,9 @@ void WorkerPool::Run(const std::function<void(std::size_t)>& job) {
     ++round_;
   }
   begun_.notify_all();
-  job(0);
+}
+
+void WorkerPool::Join() {
   std::unique_lock lock(mutex_);
   ended_.wait(lock, [this] { return busy_ == 0; });
 }

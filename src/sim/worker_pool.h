@@ -23,6 +23,10 @@ class WorkerPool {
   /// Calls job(0), job(1), ... job(threads - 1), each on a thread of its own, and returns when all have returned. The
   /// owner's is job(0). A job must not throw.
   void Run(const std::function<void(std::size_t)>& job);
+  /// The same in two halves, between which the owner does something else: job(1), job(2), ... begin; the owner's own is
+  /// its own matter. `job` has to live until Join, which returns when all have returned, at once if nothing was begun.
+  void Begin(const std::function<void(std::size_t)>& job);
+  void Join();
 
  private:
   void Work(std::size_t number);

@@ -42,7 +42,12 @@ class AgentGrid {
   };
   static constexpr float kCell_m = 4.0f;
   // Positions are limited (PhysicsWorld::kMaxCoordinate_m); agents without a body are limited likewise.
-  static std::int32_t CellOf(float coordinate) { return static_cast<std::int32_t>(std::floor(coordinate / kCell_m)); }
+  static std::int32_t CellOf(float coordinate) {
+    // Rounds down without a call: that takes as long as looking at an agent.
+    const float cell = coordinate / kCell_m;
+    const auto towards_0 = static_cast<std::int32_t>(cell);
+    return towards_0 - (static_cast<float>(towards_0) > cell ? 1 : 0);
+  }
 
   void Rebuild(std::span<const AgentMotion> agents);
   /// Chooses between rows and hashes; returns the number of buckets.
@@ -99,26 +104,30 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
   }
 
   const auto scan_row = [&](std::int32_t z, std::int32_t from, std::int32_t to) {
-    if (z < first_z_ || z >= first_z_ + rows_) return;
-    from = std::max(from, first_x_);
-    to = std::min(to, first_x_ + width_ - 1);
-    if (from <= to) scan(starts_[Bucket(from, z)], starts_[Bucket(to, z) + 1]);
+    const std::int32_t row = z - first_z_;
+    if (row < 0 || row >= rows_) return;
+    from = std::max(from - first_x_, 0);
+    to = std::min(to - first_x_, width_ - 1);
+    const std::uint32_t* const starts = &starts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_)];
+    if (from <= to) scan(starts[from], starts[to + 1]);
   };
   // The cell of the place and those around it; then the rows, from there outwards, without these.
   const std::int32_t own_x = CellOf(center.x), own_z = CellOf(center.z);
   for (std::int32_t z = own_z - 1; z <= own_z + 1; ++z) scan_row(z, own_x - 1, own_x + 1);
-  const auto scan_rest_of_row = [&](std::int32_t z) {
-    const std::int32_t from = CellOf(center.x - range), to = CellOf(center.x + range);
-    if (std::abs(z - own_z) > 1) return scan_row(z, from, to);
-    scan_row(z, from, own_x - 2);
-    scan_row(z, own_x + 2, to);
-  };
-  scan_rest_of_row(own_z);
-  for (std::int32_t step = 1;; ++step) {
-    const bool below = own_z - step >= CellOf(center.z - range), above = own_z + step <= CellOf(center.z + range);
-    if (below) scan_rest_of_row(own_z - step);
-    if (above) scan_rest_of_row(own_z + step);
-    if (!below && !above) return;
+  const auto first_x = [&] { return CellOf(center.x - range); };
+  const auto last_x = [&] { return CellOf(center.x + range); };
+  for (std::int32_t z = own_z - 1; z <= own_z + 1; ++z) {
+    scan_row(z, first_x(), own_x - 2);
+    scan_row(z, own_x + 2, last_x());
+  }
+  // How far it is to the next rows on both sides.
+  float below_m = center.z - static_cast<float>(own_z - 1) * kCell_m;
+  float above_m = static_cast<float>(own_z + 2) * kCell_m - center.z;
+  for (std::int32_t step = 2; below_m <= range || above_m <= range; ++step) {
+    if (below_m <= range) scan_row(own_z - step, first_x(), last_x());
+    if (above_m <= range) scan_row(own_z + step, first_x(), last_x());
+    below_m += kCell_m;
+    above_m += kCell_m;
   }
 }
 

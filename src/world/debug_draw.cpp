@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -88,9 +89,10 @@ void DebugDraw::Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color) {
 }
 
 void DebugDraw::Circle(Vec3 center, float radius_m, Vec3 color) {
-  // A circle whose box is finite has nothing that is not.
-  const Vec3 reach{radius_m, 0, radius_m};
-  if (!(radius_m > 0) || !IsFinite(center - reach) || !IsFinite(center + reach) || !IsFinite(color)) return;
+  // A circle whose farthest point is finite has nothing that is not; nor has a sum, if it is finite.
+  const float sum = std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + radius_m + std::abs(color.x) +
+                    std::abs(color.y) + std::abs(color.z);
+  if (!(radius_m > 0) || !(sum <= std::numeric_limits<float>::max())) return;
   shapes_.push_back({center, {radius_m, 0, 0}, color, true});
   line_count_ += kCircleSegments;
 }
