@@ -59,6 +59,7 @@ bool Agent::HasBody() const {
 
 void Agent::MoveNode() {
   store_.scene().PlaceWorldNode(node_, motion().position, motion().orientation);
+  is_node_placed_ = true;
 }
 
 void Agent::RebuildBody() {

@@ -172,6 +172,7 @@ class Agent {
   std::string last_command_;
   bool failed_ = false;
   bool has_path_ = false;
+  bool is_node_placed_ = false;  ///< Where the body is now.
   Path path_;
   WanderState wander_;
 };

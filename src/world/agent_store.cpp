@@ -35,6 +35,7 @@ void AgentStore::ReadBodies() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     AgentMotion& motion = motions_[i];
     if (agents_[i]->HasBody()) {
+      agents_[i]->is_node_placed_ = false;
       motion.position = physics_.Position(agents_[i]->body_);
       motion.velocity = physics_.Velocity(agents_[i]->body_);
       motion.speed = std::sqrt(motion.velocity.x * motion.velocity.x + motion.velocity.z * motion.velocity.z);

@@ -86,7 +86,7 @@ std::vector<EntityId> World::BeginTick() {
 }
 
 void World::SyncAgent(EntityId id) {
-  if (Agent* agent = impl_->agents.Find(id)) agent->MoveNode();
+  if (Agent* agent = impl_->agents.Find(id); agent && !agent->is_node_placed_) agent->MoveNode();
 }
 
 void World::Step() {
