@@ -7,7 +7,6 @@
 #include "sim/arena.h"
 #include "sim/conduct.h"
 #include "sim/directions.h"
-#include "world/animation/animator.h"
 #include "world/state_hash.h"
 
 namespace soarbox::sim {
@@ -49,17 +48,23 @@ const world::MessageBoard& Actor::board() const {
 }
 
 void Actor::SetLooks(world::NodeId looks) {
-  looks_ = looks;
-  SetStance(stance_);
+  bearing_.SetFigure(looks);
+  ShowBearing();
 }
 
 void Actor::SetStance(std::string_view stance) {
   stance_ = stance;
-  if (world::Animator* animator = world_.scene().AnimatorOf(looks_)) {
-    using Style = world::LocomotionStyle;
-    const Style upright = kind_.armed ? Style::kReady : Style::kUnarmed;
-    animator->SetLocomotion(true, stance_ == "standing" ? upright : Style::kCrouch);
+}
+
+void Actor::ShowBearing() {
+  Bearing::Deeds deeds{.stance = stance_, .is_armed = weapon_.has_value(), .health = body_->Health()};
+  if (weapon_) {
+    deeds.shoots =
+        std::any_of(running_.begin(), running_.end(), [](const Running& r) { return r.said.name == "shoot"; });
+    deeds.reloads = weapon_->StateAt(world_.tick()) == world::Weapon::State::kReloading;
+    deeds.rounds = weapon_->rounds();
   }
+  bearing_.Show(world_, deeds);
 }
 
 float Actor::speed_mps() const {
@@ -150,6 +155,7 @@ void Actor::Step() {
     running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
   }
   MoveBody();
+  ShowBearing();
 }
 
 /// Legs and neck: the velocity that the commands want, as far as the body's force goes, and a turn towards it.
@@ -179,6 +185,7 @@ void Actor::Die() {
   for (const Running& command : running_) End(command, Outcome::Status::kError, "dead");
   running_.clear();
   way_ = Way{};
+  bearing_.End(world_);
   body_->SetLastCommand("dead");
   // Nobody stumbles over the dead, and no shot stops in them.
   body_->RemovePhysics();
@@ -253,6 +260,7 @@ std::optional<Actor::Place> Actor::FindPlace(const Running& command, std::string
 }
 
 void Actor::AddTo(world::StateHash& hash) const {
+  bearing_.AddTo(hash);
   hash.Add(std::uint64_t{running_.size()});
   for (const Running& command : running_) {
     hash.Add(std::string_view(command.said.name));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/bearing.h"
 #include "sim/body_kind.h"
 #include "sim/command_check.h"
 #include "sim/places.h"
@@ -172,6 +173,7 @@ class Actor {
   void End(const Running& command, Outcome::Status status, std::string_view reason, std::string text = {});
   void Die();
   void MoveBody();
+  void ShowBearing();
 
   Arena& arena_;
   world::World& world_;
@@ -187,7 +189,7 @@ class Actor {
   std::optional<world::Message> order_;
   Way way_;
   std::optional<world::Vec3> wanted_, look_;
-  world::NodeId looks_ = world::NodeId::kNone;
+  Bearing bearing_;
   float walk_mps_;
   std::string stance_ = "standing";
   world::EntityId target_ = world::kNoEntity;
