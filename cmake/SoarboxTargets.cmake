@@ -49,13 +49,26 @@ endif()
 find_package(Threads REQUIRED)
 target_link_libraries(soarbox_options INTERFACE Threads::Threads)
 
-# soarbox_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
-# A static library soarbox_NAME (alias soarbox::NAME) of the sources listed.
+# Eight files of a target at a time as one: reading headers is half of a build that nobody repeats for one changed file.
+# So names that only one file uses differ from those of its neighbours all the same.
+option(SOARBOX_UNITY "Compile files in batches (the builds with sanitizers)" OFF)
+function(soarbox_in_batches target)
+  if(SOARBOX_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
+# soarbox_library(NAME [ONE_BY_ONE] SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# A static library soarbox_NAME (alias soarbox::NAME) of the sources listed. ONE_BY_ONE: its files are never compiled in
+# batches, as each has a table of the same name.
 function(soarbox_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "ONE_BY_ONE" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(soarbox_${name} STATIC ${arg_SOURCES})
   add_library(soarbox::${name} ALIAS soarbox_${name})
   target_link_libraries(soarbox_${name} PUBLIC soarbox_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
+  if(NOT arg_ONE_BY_ONE)
+    soarbox_in_batches(soarbox_${name})
+  endif()
 endfunction()
 
 # soarbox_test(NAME SOURCES file... [DEPENDS target...] [LABELS label...])
@@ -69,6 +82,7 @@ function(soarbox_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE soarbox_options ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE SOARBOX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  soarbox_in_batches(${name})
   # Virtual displays that start at the same moment may pick the same number.
   set(lock "")
   if("display" IN_LIST arg_LABELS)

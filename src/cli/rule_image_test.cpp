@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Every kind of test, action and flag that a rule may hold.
-constexpr const char* kRules = R"(
+constexpr const char* kImageRules = R"(
 sp {propose*count "counts up" (state <s> ^superstate nil -^done yes) --> (<s> ^operator <o> + = 0.25) (<o> ^name count)}
 sp {propose*wait :i-support (state <s> ^superstate nil ^io.input-link <i>) --> (<s> ^operator <o> +, =) (<o> ^name wait)}
 sp {prefer :default (state <s> ^operator <a> + ^operator { <> <a> <b> } +) (<a> ^name count) (<b> ^name wait)
@@ -60,7 +60,7 @@ class RuleImageTest : public testing::Test {
     folder_ = std::filesystem::temp_directory_path() /
               ("soarbox_image_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     std::filesystem::create_directories(folder_);
-    const CommandResult loaded = source_.Do(kRules);
+    const CommandResult loaded = source_.Do(kImageRules);
     EXPECT_TRUE(loaded.ok) << loaded.text;
   }
   ~RuleImageTest() override { std::filesystem::remove_all(folder_); }

@@ -11,7 +11,7 @@
 namespace soarbox::debugger {
 namespace {
 
-TraceKind KindOf(const sim::Event& event) {
+TraceKind TraceKindOf(const sim::Event& event) {
   using Kind = sim::EventKind;
   switch (event.kind) {
     case Kind::kDiagnostic:
@@ -27,7 +27,7 @@ TraceKind KindOf(const sim::Event& event) {
   }
 }
 
-std::string TextOf(const sim::Event& event) {
+std::string LineOf(const sim::Event& event) {
   std::string text = std::string(sim::EventName(event.kind)) + ":";
   for (const std::string* more : {&event.news, &event.text, &event.parameters})
     if (!more->empty()) text += " " + *more;
@@ -92,8 +92,8 @@ void Trace::Add(const record::TickRecord& tick) {
   for (const record::MindRecord& mind : tick.minds) writer.WriteMind(mind);
   for (const sim::Event& event : tick.events) {
     // Commands stand with their minds already.
-    if (KindOf(event) == TraceKind::kCommand && !tick.minds.empty()) continue;
-    writer.Write(KindOf(event), event.agent, TextOf(event));
+    if (TraceKindOf(event) == TraceKind::kCommand && !tick.minds.empty()) continue;
+    writer.Write(TraceKindOf(event), event.agent, LineOf(event));
   }
   while (lines_.size() > most_) {
     lines_.pop_front();

@@ -41,7 +41,7 @@ std::string Content(const fs::path& file) {
   return std::string((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
 }
 
-void Put(const fs::path& file, std::string_view bytes) {
+void PutBytes(const fs::path& file, std::string_view bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
@@ -80,7 +80,7 @@ TEST_F(RecordingTest, AFileThatEndsAnywhereKeepsItsCompleteBlocks) {
   std::uint64_t longest = 0;
   for (int i = 0; i < 100; ++i) {
     const std::size_t size = random() % whole.size();
-    Put(file(), std::string_view(whole).substr(0, size));
+    PutBytes(file(), std::string_view(whole).substr(0, size));
     const Result<std::unique_ptr<Reader>> opened = Reader::Open(file());
     if (!opened) {
       EXPECT_FALSE(opened.error().message.empty());
@@ -104,7 +104,7 @@ TEST_F(RecordingTest, AChangedBitAnywhereIsTold) {
   for (int i = 0; i < 300; ++i) {
     std::string damaged = whole;
     damaged[random() % damaged.size()] ^= static_cast<char>(1 << random() % 8);
-    Put(file(), damaged);
+    PutBytes(file(), damaged);
     const Result<std::unique_ptr<Reader>> opened = Reader::Open(file());
     if (!opened) {
       ++told;
@@ -136,7 +136,7 @@ TEST_F(RecordingTest, WhatCameInIsReadWithoutTheTicks) {
     if (frame.kind == BlockKind::kTicks && frame.first_tick == 150) content[at + kFrameBytes + 20] ^= 1;
     at += kFrameBytes + frame.compressed_bytes;
   }
-  Put(file(), content);
+  PutBytes(file(), content);
   const Result<std::unique_ptr<Reader>> opened = Reader::Open(file());
   ASSERT_TRUE(opened) << Format(opened.error());
   EXPECT_FALSE(opened.value()->At(155));
@@ -176,7 +176,7 @@ TEST_F(RecordingTest, ABoundedRecordingKeepsItsEndAndAllInputs) {
 
 TEST_F(RecordingTest, WhatIsNoRecordingIsRefusedByName) {
   EXPECT_NE(Reader::Open(folder() / "absent").error().message.find("no such file"), std::string::npos);
-  Put(file(), "sp {a (state <s> ^superstate nil) --> (halt)}");
+  PutBytes(file(), "sp {a (state <s> ^superstate nil) --> (halt)}");
   EXPECT_NE(Reader::Open(file()).error().message.find("no recording"), std::string::npos);
   EXPECT_FALSE(Reader::Open(folder()));
   EXPECT_FALSE(Writer::Create(folder() / "no" / "such" / "folder", SomeHeader()));
@@ -198,7 +198,7 @@ TEST_F(RecordingTest, TheVersionBeforeIsStillReadAndOthersAreRefused) {
   frame.kind = BlockKind::kHeader;
   const auto put = [&](std::uint16_t version, const std::string& header) {
     frame.version = version;
-    Put(file(), std::string(kMagic) + EncodeBlock(frame, header));
+    PutBytes(file(), std::string(kMagic) + EncodeBlock(frame, header));
     return Reader::Open(file());
   };
   const Result<std::unique_ptr<Reader>> older = put(2, HeaderOfVersion2());

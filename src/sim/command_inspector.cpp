@@ -42,11 +42,6 @@ std::vector<std::string> Words(std::string_view text) {
   return words;
 }
 
-bool IsIdentifier(std::string_view text) {
-  return text.size() > 1 && std::isupper(static_cast<unsigned char>(text[0])) != 0 &&
-         std::all_of(text.begin() + 1, text.end(), [](char c) { return std::isdigit(static_cast<unsigned char>(c)); });
-}
-
 std::uint64_t Number(std::string_view text) {
   std::uint64_t number = 0;
   std::from_chars(text.data(), text.data() + text.size(), number);

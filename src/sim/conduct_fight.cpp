@@ -101,12 +101,12 @@ StepResult PickUp(Actor& actor, Running& command) {
   return StepResult::Done();
 }
 
-constexpr Conduct kConducts[] = {{"shoot", Shoot}, {"reload", Reload}, {"pick-up", PickUp}};
+constexpr Conduct kFightConducts[] = {{"shoot", Shoot}, {"reload", Reload}, {"pick-up", PickUp}};
 
 }  // namespace
 
 std::span<const Conduct> FightingConducts() {
-  return kConducts;
+  return kFightConducts;
 }
 
 }  // namespace soarbox::sim

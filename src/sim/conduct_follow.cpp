@@ -158,7 +158,7 @@ StepResult TakeCover(Actor& actor, Running& command) {
   return step;
 }
 
-constexpr Conduct kConducts[] = {
+constexpr Conduct kFollowConducts[] = {
     {"pursue", Pursue},        {"evade", Evade}, {"follow", Follow}, {"keep-formation", KeepFormation},
     {"take-cover", TakeCover},
 };
@@ -166,7 +166,7 @@ constexpr Conduct kConducts[] = {
 }  // namespace
 
 std::span<const Conduct> FollowingConducts() {
-  return kConducts;
+  return kFollowConducts;
 }
 
 }  // namespace soarbox::sim

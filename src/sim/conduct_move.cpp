@@ -167,7 +167,7 @@ StepResult Stop(Actor&, Running&) {
   return StepResult::Done();
 }
 
-constexpr Conduct kConducts[] = {
+constexpr Conduct kMoveConducts[] = {
     {"move-to", MoveTo}, {"arrive", Arrive}, {"seek", Seek}, {"flee", Flee},
     {"wander", Wander},  {"patrol", Patrol}, {"stop", Stop},
 };
@@ -175,7 +175,7 @@ constexpr Conduct kConducts[] = {
 }  // namespace
 
 std::span<const Conduct> MovingConducts() {
-  return kConducts;
+  return kMoveConducts;
 }
 
 Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::EntityId through, float& turn_deg) {

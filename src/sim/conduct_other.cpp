@@ -92,7 +92,7 @@ StepResult Wait(Actor& actor, Running& command) {
   return StepResult::Going(static_cast<float>(passed / seconds));
 }
 
-constexpr Conduct kConducts[] = {
+constexpr Conduct kOtherConducts[] = {
     {"face", Face}, {"set-speed", SetSpeed},  {"stance", Stance}, {"set-target", SetTarget},
     {"say", Say},   {"broadcast", Broadcast}, {"wait", Wait},
 };
@@ -100,7 +100,7 @@ constexpr Conduct kConducts[] = {
 }  // namespace
 
 std::span<const Conduct> OtherConducts() {
-  return kConducts;
+  return kOtherConducts;
 }
 
 }  // namespace soarbox::sim

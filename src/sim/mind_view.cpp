@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "sim/rule_text.h"
 #include "sml_Client.h"
 
 namespace soarbox::sim {
@@ -39,11 +40,6 @@ void ReadValues(const std::string& text, const std::string& attribute, std::vect
       if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(std::move(value));
     }
   }
-}
-
-bool IsIdentifier(const std::string& value) {
-  return value.size() > 1 && std::isupper(static_cast<unsigned char>(value[0])) != 0 &&
-         value.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
 std::string Dotted(const std::vector<std::string>& path) {

@@ -7,6 +7,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "sim/rule_slips.h"
+#include "sim/rule_text.h"
 #include "sim/vocabulary.h"
 
 namespace soarbox::sim {
@@ -31,11 +32,6 @@ std::string List(const std::vector<std::string>& words) {
     text += (i == 0 ? "" : ", ") + WithoutZeros(words[i]);
   if (words.size() > kMostValuesShown) text += " and " + std::to_string(words.size() - kMostValuesShown) + " more";
   return text;
-}
-
-bool IsIdentifier(const std::string& value) {
-  return value.size() > 1 && std::isupper(static_cast<unsigned char>(value[0])) != 0 &&
-         value.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
 /// The row of a percept that lies at this path from the state on; null if none does.

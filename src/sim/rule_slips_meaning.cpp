@@ -13,10 +13,6 @@
 namespace soarbox::sim {
 namespace {
 
-std::string FirstWord(const std::string& value) {
-  return value.substr(0, value.find(' '));
-}
-
 bool IsNumber(const std::string& word) {
   double number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);

@@ -128,10 +128,6 @@ std::vector<RuleAttribute> ReadSide(const std::vector<std::string>& tokens) {
   return found;
 }
 
-std::string FirstWord(const std::string& value) {
-  return value.substr(0, value.find(' '));
-}
-
 /// The constants that a name test allows: one, those of << a b >>, or "" for anything else.
 std::set<std::string> NamesOf(const std::string& value) {
   if (value.empty()) return {""};
@@ -181,6 +177,15 @@ void Classify(RuleText& rule) {
 }
 
 }  // namespace
+
+bool IsIdentifier(std::string_view value) {
+  return value.size() > 1 && std::isupper(static_cast<unsigned char>(value[0])) != 0 &&
+         value.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+std::string FirstWord(const std::string& value) {
+  return value.substr(0, value.find(' '));
+}
 
 bool IsVariable(std::string_view word) {
   return word.size() > 2 && word.front() == '<' && word.back() == '>' && word[1] != '<' && word != "<=>";

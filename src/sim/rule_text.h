@@ -33,6 +33,10 @@ struct RuleText {
   bool acts = false;  ///< It has actions at all.
 };
 
+/// True for what a kernel prints for an identifier: a capital letter and a number.
+bool IsIdentifier(std::string_view value);
+/// What stands before the first blank.
+std::string FirstWord(const std::string& value);
 /// Reads what `print --all --full` answers. Text that is no rule is skipped.
 std::vector<RuleText> ReadRules(std::string_view text);
 /// A text of rules with its comments blanked, so that places in it stay.

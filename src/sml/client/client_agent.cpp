@@ -2,20 +2,9 @@
 #include <mutex>
 
 #include "sml/client/agent_data.h"
+#include "sml/client/hold.h"
 
 namespace sml {
-
-namespace {
-
-using Lock = std::unique_lock<soarbox::server::CallMutex>;
-
-/// Holds the kernel for a call; nothing to hold once the kernel is gone.
-Lock Hold(AgentData& data) {
-  KernelLink* link = data.kernel_data().link.get();
-  return link ? Lock(link->mutex()) : Lock();
-}
-
-}  // namespace
 
 AgentData::AgentData(Agent& owner, Kernel& owner_kernel, std::string agent_name)
     : agent(owner), kernel(owner_kernel), name(std::move(agent_name)), memory(*this) {}

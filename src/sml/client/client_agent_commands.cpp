@@ -2,18 +2,12 @@
 #include <mutex>
 
 #include "sml/client/agent_data.h"
+#include "sml/client/hold.h"
 #include "sml/client/sml_ClientAnalyzedXML.h"
 
 namespace sml {
 
 namespace {
-
-using Lock = std::unique_lock<soarbox::server::CallMutex>;
-
-Lock Hold(AgentData& data) {
-  KernelLink* link = data.kernel_data().link.get();
-  return link ? Lock(link->mutex()) : Lock();
-}
 
 /// A file name without the quotes or braces that a caller may have put around it.
 std::string_view Unwrapped(std::string_view name) {

@@ -3,18 +3,12 @@
 #include <mutex>
 
 #include "sml/client/agent_data.h"
+#include "sml/client/hold.h"
 #include "sml/client/sml_ClientXML.h"
 
 namespace sml {
 
 namespace {
-
-using Lock = std::unique_lock<soarbox::server::CallMutex>;
-
-Lock Hold(AgentData& data) {
-  KernelLink* link = data.kernel_data().link.get();
-  return link ? Lock(link->mutex()) : Lock();
-}
 
 /// Adds a handler and tells the kernel of the first one for an event.
 template <typename Handler>

@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "sml/client/agent_data.h"
+#include "sml/client/hold.h"
 #include "sml/client/local_link.h"
 #include "sml/client/remote_link.h"
 #include "sml/client/sml_ClientAnalyzedXML.h"
@@ -9,12 +10,6 @@
 namespace sml {
 
 namespace {
-
-using Lock = std::unique_lock<soarbox::server::CallMutex>;
-
-Lock Hold(KernelData& data) {
-  return data.link ? Lock(data.link->mutex()) : Lock();
-}
 
 /// How long a kernel may take for its first answers.
 constexpr int kGreetingLimitMs = 10'000;

@@ -2,19 +2,10 @@
 #include <mutex>
 
 #include "sml/client/agent_data.h"
+#include "sml/client/hold.h"
 #include "sml/client/kernel_data.h"
 
 namespace sml {
-
-namespace {
-
-using Lock = std::unique_lock<soarbox::server::CallMutex>;
-
-Lock Hold(KernelData& data) {
-  return data.link ? Lock(data.link->mutex()) : Lock();
-}
-
-}  // namespace
 
 bool Kernel::GetAllConnectionInfo() {
   const Lock lock = Hold(*data_);

@@ -24,10 +24,6 @@ std::int64_t WrappingMultiply(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
 
-std::string Name(FunctionContext& context, Symbol symbol) {
-  return ToString(context.symbols(), symbol);
-}
-
 /// True if all arguments are numbers; else says which is not.
 bool AllNumbers(FunctionContext& context, Arguments arguments, const char* function) {
   for (const Symbol argument : arguments) {

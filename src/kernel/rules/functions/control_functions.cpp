@@ -18,10 +18,6 @@ std::string Glued(FunctionContext& context, Arguments arguments) {
   return text;
 }
 
-std::string Name(FunctionContext& context, Symbol symbol) {
-  return ToString(context.symbols(), symbol);
-}
-
 /// The first argument as a number within limits; else says what is expected.
 bool ChannelOf(FunctionContext& context, Arguments arguments, int lowest, int highest, const char* what, int& channel) {
   if (!arguments.empty() && arguments[0].IsInteger()) {

@@ -76,4 +76,9 @@ class FunctionContext {
   virtual void SetLearning(Symbol state, bool learn) = 0;
 };
 
+/// How a symbol is written in messages.
+inline std::string Name(FunctionContext& context, Symbol symbol) {
+  return ToString(context.symbols(), symbol);
+}
+
 }  // namespace soarbox::kernel

@@ -14,10 +14,6 @@ namespace {
 using Arguments = std::span<const Symbol>;
 using Child = FunctionContext::Child;
 
-std::string Name(FunctionContext& context, Symbol symbol) {
-  return ToString(context.symbols(), symbol);
-}
-
 /// The elements of the one argument, which must be an identifier.
 bool ChildrenOf(FunctionContext& context, Arguments arguments, const char* function, std::vector<Child>& out) {
   if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {

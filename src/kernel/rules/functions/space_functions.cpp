@@ -17,10 +17,6 @@ using Arguments = std::span<const Symbol>;
 /// Soar's value, a little smaller than the real one: the last degree of a heading depends on it.
 constexpr double kPi = 3.1415926;
 
-std::string Name(FunctionContext& context, Symbol symbol) {
-  return ToString(context.symbols(), symbol);
-}
-
 /// Cut off behind the point; what does not fit becomes the smallest integer, as in Soar.
 std::int64_t ToInt(double value) {
   constexpr double kLimit = 9223372036854775808.0;

@@ -12,10 +12,6 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-std::string Name(FunctionContext& context, Symbol symbol) {
-  return ToString(context.symbols(), symbol);
-}
-
 void Glue(ShortText& text, const SymbolTable& symbols, Arguments arguments) {
   for (const Symbol argument : arguments) {
     text.Append(symbols, argument);
