@@ -12,7 +12,7 @@ function Agent_Initialize(agent)
     local runs = #Sandbox.GetAgents(agent:GetSandbox()) % 2 == 0;
     agent:SetTeam(runs and "team2" or "team1");
     agent:SetMaxSpeed(runs and 3.6 or 1.4);
-    agent:SetPosition(kRoute[runs and 4 or 1] + Vector.new(0, 0.8, 0));
+    agent:SetPosition(Vector.new(runs and -1.5 or 2, 0.8, -3));
     agent:SetPath(kRoute, true);
     soldier = SoldierBody_Create(agent, runs and "ready" or "aim", runs);
 end

@@ -14,7 +14,7 @@ local kMovements = {
     "stand_walk_right_aim", "stand_turn_left", "stand_turn_right", "stand_jump_up",
     "stand_jump_land", "crouch_idle_aim", "crouch_forward_aim", "crouch_fire_one_shot",
     "crouch_reload", "crouch_hit", "stand_to_crouch", "crouch_dead",
-    "stand_dead_2", "stand_dead_headshot",
+    "stand_dead_2", "stand_dead_headshot", "stand_walk_forward_free", "stand_run_forward_free",
 };
 
 local parade = {};
@@ -37,7 +37,10 @@ local function AddToParade(sandbox, name, index)
     local soldier = Core.CreateMesh(sandbox, row % 2 == 0 and SoldierBody.Mesh or SoldierBody.DarkMesh);
     Core.SetPosition(soldier, position);
     Core.SetRotation(soldier, Vector.new(0, 180, 0));
-    local rifle = SoldierBody_GiveRifle(sandbox, soldier);
+    local rifle = nil;
+    if (not string.find(name, "_free")) then
+        rifle = SoldierBody_GiveRifle(sandbox, soldier);
+    end
     local movements = { Animation.GetAnimation(soldier, name) };
     if (kWeapon[name]) then
         movements[2] = Animation.GetAnimation(rifle, kWeapon[name]);

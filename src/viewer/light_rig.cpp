@@ -7,7 +7,7 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr std::uint16_t kShadowMapSize = 2048, kShadowMapSizeLow = 1024;
+constexpr std::uint16_t kShadowMapSize = 2048, kShadowMapSizeLow = 1536;
 constexpr std::size_t kFurtherLights = 4;
 
 /// Half the width of what each shadow map covers when the camera is near the ground, in m.

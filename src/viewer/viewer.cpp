@@ -164,6 +164,7 @@ struct Viewer::Impl {
   void ReportFailure(const std::string& what);
   void Do(ViewerCommand command);
   void SelectBeside(int step);
+  bool SeesAgentsWell();
   void Pick(const Picked& picked);
   void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
   void SetCamera(CameraMode mode);
@@ -431,9 +432,23 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   }
   if (options.frame_agents && !has_framed && !scene.agents.empty()) {
     has_framed = true;
-    Frame({}, true);
+    if (newest.camera_moves == 0 || !SeesAgentsWell()) Frame({}, true);
     camera.Arrive();
   }
+}
+
+/// Whether all agents are in the picture and large enough to be made out: then a script has chosen its view well.
+bool Viewer::Impl::SeesAgentsWell() {
+  constexpr float kSmallest = 0.07f;  // Of the picture's height.
+  const auto width = static_cast<float>(engine->width()), height = static_cast<float>(engine->height());
+  camera.Arrive();
+  const Projection view = View();
+  return std::all_of(scene.agents.begin(), scene.agents.end(), [&](const world::AgentSnapshot& agent) {
+    const world::Vec3 half{0, agent.height_m / 2, 0};
+    const auto head = view.Project(agent.position + half), feet = view.Project(agent.position - half);
+    return head && feet && head->x > 0 && head->x < width && head->y > kStatusBar_px && feet->y < height &&
+           feet->y - head->y > kSmallest * height;
+  });
 }
 
 void Viewer::Impl::Apply(const FrameInput& in, float seconds) {

@@ -41,7 +41,7 @@ struct ViewerOptions {
   bool vsync = true;
   bool show_labels = true;    ///< Names above agents at the start (L toggles).
   bool show_help = false;     ///< The list of keys at the start (H toggles).
-  bool frame_agents = false;  ///< Opens on all agents, wherever the scripts put the camera at first.
+  bool frame_agents = false;  ///< Opens on all agents, unless the scripts' camera shows all of them, large enough.
   bool show_status_bar = true;
   std::optional<Layout> layout = {};     ///< Menus and panels around the picture; none: the picture alone.
   std::filesystem::path ui_script = {};  ///< Plays a user (panels/ui_script.h); empty: none.
