@@ -2,6 +2,9 @@
 // Minds decide on several threads; the run is the same on any number of them.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,6 +56,66 @@ TEST(Threads, TheRunIsTheSameOnAnyNumberOfThem) {
     // The check can fail.
     EXPECT_NE(Play(name, 2, 8, ticks), one) << name;
   }
+}
+
+/// What happens in a world whose scripts make agents with minds while others decide, and whose minds have gaps, halt
+/// and write.
+std::string Happenings(int threads) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("soarbox_beside_" + std::to_string(threads));
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
+  write("Sandbox.lua", R"(
+function Sandbox_Initialize(sandbox)
+  for i = 1, 12 do Sandbox.CreateSoarAgent(sandbox, "Body.lua", i % 4 == 0 and "gap.soar" or "count.soar") end
+end
+)");
+  write("Body.lua", R"(
+function Agent_Initialize(agent) agent:SetPosition(Vector.new(agent:GetId() * 2, 0.8, 0)) end
+function Agent_Sense(agent) return { number = agent:GetId() } end
+function Agent_Update(agent, millis, command, parameters)
+  agent:SetHealth(agent:GetHealth() - parameters.step)
+  local sandbox = agent:GetSandbox()
+  if (agent:GetId() % 3 == 1 and #Sandbox.GetAgents(sandbox) < 20 and agent:GetHealth() < 95) then
+    Sandbox.CreateSoarAgent(sandbox, "Body.lua", "count.soar")
+  end
+  if (agent:GetHealth() < 80) then error("too weak: " .. agent:GetId()) end
+end
+)");
+  write("count.soar", R"(
+sp {propose*step (state <s> ^superstate nil ^io.output-link <o>) -(<o> ^step) --> (<s> ^operator <p> +) (<p> ^name step)}
+sp {apply*step (state <s> ^operator.name step ^io <io>) (<io> ^output-link <o> ^input-link.number <n>)
+  --> (<o> ^step <c>) (<c> ^step <n>) (write (crlf) |step of | <n>)}
+sp {propose*clear (state <s> ^superstate nil ^io.output-link.step.status) --> (<s> ^operator <p> +) (<p> ^name clear)}
+sp {apply*clear (state <s> ^operator.name clear ^io.output-link <o>) (<o> ^step <c>) --> (<o> ^step <c> -)}
+)");
+  write("gap.soar", "sp {nothing (state <s> ^io.output-link.never <x>) --> (<s> ^never <x>)}");
+  const auto found = FindScenario(folder.string(), {SOARBOX_SOURCE_DIR "/scenarios", SOARBOX_SOURCE_DIR "/media"});
+  EXPECT_TRUE(found.ok());
+  SimulationSettings settings;
+  settings.soar.threads = threads;
+  settings.every_command = true;
+  auto simulation = Simulation::Create(found.value(), settings);
+  EXPECT_TRUE(simulation.ok());
+  std::string told;
+  for (int tick = 0; tick < 20; ++tick) {
+    (*simulation)->Tick();
+    for (const Event& event : (*simulation)->TakeEvents())
+      told += std::to_string(event.tick) + " " + event.agent + " " + event.text + event.diagnostic.message + "\n";
+    told += std::to_string((*simulation)->StateHash()) + "\n";
+  }
+  (*simulation)->Finish();
+  std::filesystem::remove_all(folder);
+  return told;
+}
+
+TEST(Threads, MindsThatAreMadeOrAskedWhileOthersDecideChangeNothing) {
+  const std::string one = Happenings(1);
+  for (const char* part : {"step of 7", "agent-20", "found no command", "too weak"})
+    EXPECT_NE(one.find(part), std::string::npos) << part << " in\n" << one;
+  EXPECT_EQ(Happenings(2), one);
+  EXPECT_EQ(Happenings(4), one);
 }
 
 }  // namespace

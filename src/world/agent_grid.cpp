@@ -56,12 +56,15 @@ void AgentGrid::Rebuild(std::span<const AgentMotion> agents) {
   starts_.assign(buckets + 1, 0);
   entries_.resize(agents.size());
   places_.resize(agents.size());
-  for (const AgentMotion& agent : agents) ++starts_[Bucket(CellOf(agent.position.x), CellOf(agent.position.z)) + 1];
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    places_[i] = Bucket(CellOf(agents[i].position.x), CellOf(agents[i].position.z)) + 1;
+    ++starts_[places_[i]];
+  }
   for (std::size_t i = 1; i <= buckets; ++i) starts_[i] += starts_[i - 1];
   // Fill from the back, so that starts_ needs no second copy: afterwards each bucket's end has become its start.
   for (std::size_t i = agents.size(); i-- > 0;) {
     const Vec3 position = agents[i].position;
-    const std::uint32_t place = --starts_[Bucket(CellOf(position.x), CellOf(position.z)) + 1];
+    const std::uint32_t place = --starts_[places_[i]];
     entries_[place] = {position.x, position.z, static_cast<std::uint32_t>(i)};
     places_[i] = place;
   }
