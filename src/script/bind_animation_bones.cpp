@@ -86,9 +86,12 @@ int AttachToBone(lua_State* state) {
     WarnOfBone(state, bone, scene.AnimatorOf(body)->rig().BoneNames());
     return 0;
   }
+  // All that hangs on the node is looked at.
+  LuaMachine::Of(state).Charge(scene.node_count() / 10);
   const bool hangs =
       scene.AttachToBone(body, static_cast<std::size_t>(index), thing, offset, world::FromRotationVector(turn_deg));
-  if (!hangs) WarnIgnored(state, "the mesh hangs below what it shall carry, or a value is not a finite number");
+  if (!hangs)
+    WarnIgnored(state, "the mesh hangs below what it shall carry, or nodes would hang too deep below each other");
   return 0;
 }
 

@@ -16,6 +16,9 @@ int MakeNode(lua_State* state, Create create, Made made = Made::kNode) {
   const world::NodeId parent = NodeArgument(state, 1, true);
   if (parent == world::NodeId::kNone) return 0;
   ChargeForCreation(state, made);
+  if (ContextOf(state).world.scene().Depth(parent) >= world::Scene::kDeepest)
+    return luaL_error(state, "scene nodes hang %d deep below each other: no more are hung below this one",
+                      world::Scene::kDeepest);
   const world::NodeId node = create(ContextOf(state).world.scene(), parent);
   if (node == world::NodeId::kNone) {
     WarnUnless(state, false);

@@ -31,9 +31,16 @@ bool Scene::Contains(NodeId node) const {
   return Find(node) != nullptr;
 }
 
+int Scene::Depth(NodeId node) const {
+  int depth = -1;
+  for (const Node* at = Find(node); at; at = Find(at->parent)) ++depth;
+  return depth;
+}
+
 NodeId Scene::Add(NodeId parent, Node node) {
   Node* above = Find(parent);
   if (!above && !nodes_.empty()) return NodeId::kNone;
+  if (above && parent != NodeId::kRoot && Depth(parent) >= kDeepest) return NodeId::kNone;
   const NodeId id{next_++};
   if (above) {
     above->children.push_back(id);

@@ -60,6 +60,10 @@ class Scene {
   bool Remove(NodeId node);
   bool Contains(NodeId node) const;
   std::size_t node_count() const { return nodes_.size(); }
+  /// Nodes hang so many below each other at most: whoever asks where one is goes through all above it.
+  static constexpr int kDeepest = 100;
+  /// How many nodes are above this one.
+  int Depth(NodeId node) const;
   std::size_t light_count() const { return lights_; }
 
   // Transforms, relative to the parent.
@@ -107,8 +111,8 @@ class Scene {
   };
   FoundAnimation FindAnimation(AnimationId animation);
   /// Hangs a node on a bone of a mesh: it moves with the bone from now on, its place and turn are relative to it. False
-  /// if the mesh has no such bone, if the node belongs to an agent, an object or the sandbox, or if the mesh hangs
-  /// below the node.
+  /// if the mesh has no such bone, if the node belongs to an agent, an object or the sandbox, if the mesh hangs below
+  /// the node, or if something would hang too deep.
   bool AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 position, Quat orientation);
   /// Where a bone is in the world: of the node's own skeleton, else of meshes that hang on its bones.
   std::optional<BonePose> BoneInWorld(NodeId node, std::string_view bone) const;

@@ -53,6 +53,13 @@ bool Scene::AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 positi
   for (const Node* above = body; above; above = Find(above->parent)) {
     if (above == thing) return false;
   }
+  std::vector<std::pair<NodeId, int>> below{{node, Depth(mesh) + 1}};
+  while (!below.empty()) {
+    const auto [at, depth] = below.back();
+    below.pop_back();
+    if (depth > kDeepest) return false;
+    for (const NodeId child : Find(at)->children) below.emplace_back(child, depth + 1);
+  }
   if (Node* old_parent = Find(thing->parent)) std::erase(old_parent->children, node);
   body->children.push_back(node);
   thing->parent = mesh;

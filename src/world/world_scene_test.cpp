@@ -120,6 +120,25 @@ TEST(WorldScene, UnknownMediaGetAStandInAndOneWarningPerName) {
   EXPECT_EQ(snapshot.drawables[2].material, "White");
 }
 
+TEST(WorldScene, NodesHangSoManyBelowEachOtherAtMost) {
+  World world;
+  Scene& scene = world.scene();
+  NodeId deepest = NodeId::kRoot, next = NodeId::kRoot;
+  for (int i = 0; next != NodeId::kNone && i < 1000; ++i) {
+    deepest = next;
+    next = scene.CreateBox(deepest, 1, 1, 1);
+  }
+  EXPECT_EQ(scene.Depth(deepest), Scene::kDeepest);
+  const NodeId mesh = scene.CreateMesh(NodeId::kRoot, "models/soarbox/soldier.mesh");
+  const NodeId chain = scene.CreateBox(NodeId::kRoot, 1, 1, 1);
+  NodeId end = chain;
+  for (int i = 1; i < Scene::kDeepest - 1; ++i) end = scene.CreateBox(end, 1, 1, 1);
+  EXPECT_TRUE(scene.AttachToBone(mesh, 0, chain, {}, {}));
+  EXPECT_EQ(scene.Depth(end), Scene::kDeepest);
+  const NodeId carrier = scene.CreateMesh(NodeId::kRoot, "models/soarbox/soldier.mesh");
+  EXPECT_FALSE(scene.AttachToBone(carrier, 0, mesh, {}, {}));
+}
+
 TEST(WorldScene, DebugLinesLastOneTick) {
   World world;
   world.debug().Circle({0, 0, 0}, 1, {1, 0, 0});

@@ -16,6 +16,27 @@ function Sandbox_Initialize(sandbox)
 end
 %s
 """
+# Each function of the API with all kinds of values in all places.
+ANYTHING = """
+    local box = Sandbox.CreateBox(sandbox, 1, 1, 1)
+    local gone = Core.CreateBox(sandbox, 1, 1, 1)
+    Core.Remove(gone)
+    local values = { sandbox, Sandbox.GetAgents(sandbox)[1], box, gone, Core.CreateBox(sandbox, 1, 1, 1), 0 / 0, 1e300, -1, "",
+        ("x"):rep(70000), Vector.new(0 / 0), Vector.new(1e38), {}, { {} }, print, true, Sandbox.CreateUIComponent(sandbox, 0) }
+    math.randomseed(7)
+    for _, group in ipairs({ "Agent", "Animation", "Core", "Sandbox", "UI", "Vector" }) do
+        for name, f in pairs(_G[group]) do
+            for round = 1, 40 do
+                local arguments = {}
+                for i = 1, math.random(0, 8) do arguments[i] = values[math.random(#values)] end
+                if round > 10 then
+                    arguments[1] = group == "Agent" and values[2] or group == "UI" and values[#values] or sandbox
+                end
+                if not name:find("^CreateAgent") then pcall(f, unpack(arguments, 1, 8)) end
+            end
+        end
+    end
+"""
 HOSTILE_LINES = {
     "recursive coroutine.wrap": "local function f() return coroutine.wrap(f)() end f()",
     "recursive coroutine.resume": "local function f() return assert(coroutine.resume(coroutine.create(f))) end f()",
@@ -67,6 +88,32 @@ HOSTILE_LINES = {
     "files": "assert(not io and not os and not debug and not ffi and not dofile and not loadfile) require('../../../etc/passwd')",
     "absolute script": "Sandbox.CreateAgent(sandbox, '/etc/passwd')",
     "bytecode": "assert(loadstring(string.char(27) .. 'LJ' .. ('x'):rep(100)))",
+    "bytecode in pieces": "local i = 0 assert(load(function() i = i + 1 return ({ '\\27', 'LJ', ('x'):rep(100) })[i] end))",
+    "finalisers": "for i = 1, 1e5 do setmetatable({}, { __gc = function() while true do end end, __mode = 'kv' }) end collectgarbage()",
+    "index of itself": "local t = {} setmetatable(t, { __index = t, __newindex = t }) print(pcall(function() t.x = 1 end), t.x)",
+    "metatables of handles": "for _, v in ipairs({ Vector.new(), sandbox, walker or sandbox }) do print(getmetatable(v), pcall(setmetatable, v, {})) end",
+    "yield across calls": "Sandbox.AddEventCallback(sandbox, sandbox, function() coroutine.yield() end) Sandbox.AddEvent(sandbox, 'x', {}) coroutine.yield()",
+    "callbacks of dead coroutines": "for i = 1, 100 do coroutine.wrap(function() Sandbox.AddEventCallback(sandbox, sandbox, function() while true do end end) error('x') end)() end",
+    "callbacks that add callbacks": "local function f() Sandbox.AddEventCallback(sandbox, sandbox, f) Sandbox.AddEvent(sandbox, 'x', {}) end f()",
+    "text of 100 MB": "local s = ('x'):rep(1e8) print(#s:upper():lower():reverse():gsub('x', 'yy'))",
+    "format of 100 MB": "local s = ('x'):rep(1e8) print(#string.format('%s%s%q', s, s, s))",
+    "wide format": "print(pcall(string.format, '%' .. ('9'):rep(99) .. 'd', 1), pcall(string.format, '%99.999f', 1), pcall(string.format, '%'))",
+    "error of 100 MB": "error(('x'):rep(1e8))",
+    "doors": "print(pcall(require, 'ffi'), pcall(require, 'debug'), pcall(require, 'jit')) package.loaded = nil package.preload = { x = print } package.loaders = {} package.loadlib = print require('x')",
+    "other environments": "for i = 0, 20 do pcall(setfenv, i, {}) end pcall(setfenv, Sandbox.CreateBox, {}) pcall(setfenv, print, setmetatable({}, { __index = error })) getfenv(0).x = 1",
+    "set-up within set-up": "Sandbox_Initialize(sandbox)",
+    "deep scene": "local node = sandbox pcall(function() for i = 1, 90000 do node = Core.CreateBox(node, 1, 1, 1) end end) print(Core.GetRadius(node))",
+    "deep scene that goes": "local first = Core.CreateBox(sandbox, 1, 1, 1) local node = first pcall(function() for i = 1, 30000 do node = Core.CreateBox(node, 1, 1, 1) end end) Core.Remove(first) print(pcall(Core.GetPosition, node))",
+    "deep panels": "local ui = Sandbox.CreateUIComponent(sandbox, 1) for i = 1, 1900 do ui = UI.CreateChild(ui) UI.SetPosition(ui, 1e30, -1e30) end print(UI.GetScreenPosition(ui).x)",
+    "bones in circles": "local m = {} for i = 1, 3 do m[i] = Core.CreateMesh(sandbox, 'models/soarbox/soldier.mesh') end for i = 1, 3 do for j = 1, 3 do Animation.AttachToBone(m[i], 'b_Head1', m[j]) end end",
+    "animations of what is gone": "local m = Core.CreateMesh(sandbox, 'models/soarbox/soldier.mesh') local a = Animation.GetAnimation(m, 'stand_idle_aim') Core.Remove(m) for _, f in pairs(Animation) do print(pcall(f, a, 1), pcall(f, m, 'b_Head1')) end",
+    "animation without an end": "local m = Core.CreateMesh(sandbox, 'models/soarbox/soldier.mesh') local a = Animation.GetAnimation(m, 'stand_idle_aim') for _, v in ipairs({ 1e30, -1e30, 0 / 0, 1 / 0 }) do for _, f in pairs(Animation) do pcall(f, a, v) end end Animation.GetBonePosition(m, 'b_Head1')",
+    "absurd ways": "for _, v in ipairs({ 1e30, -1, 0 / 0, 1 / 0, 1e-30 }) do for _, k in ipairs({ 'WalkableHeight', 'WalkableRadius', 'WalkableClimbHeight', 'WalkableSlopeAngle', 'MinimumRegionArea', 'MergeRegionArea', 'CellSize' }) do print(pcall(Sandbox.CreateNavigationMesh, sandbox, 'x', { [k] = v })) end end",
+    "absurd influence": "local box = Sandbox.CreateBox(sandbox, 50, 1, 50) Core.SetMass(box, 0) Sandbox.CreateNavigationMesh(sandbox, 'x') for _, v in ipairs({ 1e30, -1, 0 / 0, 1e-30, 0.02 }) do print(pcall(Sandbox.CreateInfluenceMap, sandbox, 'x', { CellWidth = v, CellHeight = v }), pcall(Sandbox.CreateInfluenceMap, sandbox, 'x', { CellWidth = 1, CellHeight = 1, BoundaryMaxOffset = Vector.new(v) })) end",
+    "ways on what is gone": "local box = Sandbox.CreateBox(sandbox, 50, 1, 50) Core.SetMass(box, 0) Sandbox.CreateNavigationMesh(sandbox, 'x') Sandbox.CreateInfluenceMap(sandbox, 'x', { CellWidth = 1, CellHeight = 1 }) Sandbox.RemoveObject(sandbox, box) for i = 1, 20 do pcall(Sandbox.CreateNavigationMesh, sandbox, 'x') pcall(Sandbox.FindPath, sandbox, 'x', Vector.new(1e30), Vector.new(0 / 0)) end Sandbox.SpreadInfluenceMap(sandbox, 0)",
+    "odd numbers": "print(pcall(math.random, -1e308, 1e308), pcall(math.random, 0 / 0), pcall(math.randomseed, 1 / 0), pcall(string.char, -1), pcall(table.concat, {}, 'x', 1, 1e9), pcall(select, -1e9, 1), bit.lshift(0 / 0, 1e30), pcall(string.sub, 'x', -1e308, 1e308), pcall(unpack, {}, -1e9, 1e9))",
+    "odd names": "Sandbox.AddEvent(sandbox, ('x'):rep(60000), { ['\\0'] = '\\0', [('k'):rep(1e6)] = 1 }) print(pcall(Sandbox.CreateAgent, sandbox, '\\0'), pcall(require, ('x'):rep(1e6)), pcall(Sandbox.CreateObject, sandbox, ('../'):rep(1000)))",
+    "everything with anything": ANYTHING,
 }
 
 
