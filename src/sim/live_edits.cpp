@@ -36,6 +36,23 @@ void AddSourced(const fs::path& file, std::set<fs::path>& found) {
   }
 }
 
+bool IsPlainFile(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error);
+}
+
+/// What is the matter with a file that cannot be read any more: "this ...".
+std::string WhyUnreadable(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) return "is a folder now";
+  return IsPlainFile(file) ? "file cannot be read any more" : "is no plain file any more";
+}
+
+std::string NoteOfEarlier(const WatchedFile& file) {
+  return std::string("\n   note: the ") + (file.is_rules ? "rules" : "script") + " before that stay" +
+         (file.is_rules ? "\n" : "s\n");
+}
+
 }  // namespace
 
 std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files) {
@@ -156,16 +173,22 @@ bool LiveEdits::Edit(const WatchedFile& file, const std::string& before, const s
 std::vector<std::string> LiveEdits::Poll() {
   std::vector<std::string> told;
   Watch();
-  std::set<fs::path> changed, failed;
+  std::set<fs::path> changed, failed, missing;
   std::map<fs::path, std::string> before;
   for (const WatchedFile& file : files_) {
     Version& version = versions_[file.file];
     if (!changed.contains(file.file)) {
       std::error_code error;
       const auto time = fs::last_write_time(file.file, error);
+      // Editors put a new file in the place of the old one: a moment without any is nothing to tell.
+      if (!error) version.missed = 0;
+      if (error && missing.insert(file.file).second && ++version.missed == 2)
+        told.push_back(file.file.string() + ": warning: this file is gone" + NoteOfEarlier(file));
       if (error || time == version.time) continue;
       version.time = time;
-      std::optional<std::string> text = ReadText(file.file);
+      std::optional<std::string> text = IsPlainFile(file.file) ? ReadText(file.file) : std::nullopt;
+      if (!text)
+        told.push_back(file.file.string() + ": warning: this " + WhyUnreadable(file.file) + NoteOfEarlier(file));
       if (!text || *text == version.text) continue;
       before[file.file] = std::exchange(version.text, std::move(*text));
       version.earlier.emplace_back(simulation_.tick(), before[file.file]);

@@ -52,6 +52,7 @@ class LiveEdits {
     std::filesystem::file_time_type time;
     std::string text;
     std::vector<std::pair<std::uint64_t, std::string>> earlier;  ///< Texts that held up to the end of a tick.
+    int missed = 0;                                              ///< How often in a row it was not there.
   };
   void Watch();
   bool Edit(const WatchedFile& file, const std::string& before, const std::string& after,

@@ -219,6 +219,23 @@ class Worlds(ScenarioCase):
         self.assertIn("this world has 256 lights already", said)
         self.told(run, "this world has 20000 callbacks already")
 
+    def test_ways_and_influence_anew_in_each_step(self):
+        run = self.run_("local floor = Sandbox.CreateBox(sandbox, 190, 1, 190) Core.SetMass(floor, 0) Core.SetPosition(floor, Vector.new(0, -0.5, 0))",
+                        update="function Sandbox_Update(s) for i = 1, 1000 do Sandbox.CreateNavigationMesh(s, 'x' .. i, { CellSize = 0.2 }) "
+                               "Sandbox.CreateInfluenceMap(s, 'x' .. i, { CellWidth = 1, CellHeight = 1 }) end end", seconds=0.1)
+        self.told(run, "given up")
+
+    def test_callbacks_that_remove_what_they_are_about(self):
+        run = self.run_("""
+            local function Hit(s, collision)
+                for _, object in ipairs(Sandbox.GetObjects(s)) do Sandbox.RemoveObject(s, object) end
+                Sandbox.CreateAgent(s, "Bad.lua")
+                Sandbox.AddCollisionCallback(s, Sandbox.CreateBox(s, 1, 1, 1), Hit)
+            end
+            for i = 1, 3 do Sandbox.AddCollisionCallback(sandbox, Sandbox.CreateBox(sandbox, 1, 1, 1), Hit) end""",
+                        agent="function Agent_Update(a) a:RemovePhysics() a:SetHealth(0) error('gone') end", seconds=0.5)
+        self.assertGreater(run.of("state")[-1]["time"], 0.4)
+
     def test_long_texts_stay_outside(self):
         run = self.run_("Agent.SetTeam(Sandbox.GetAgents(sandbox)[1], ('x'):rep(1e6))")
         self.told(run, "65536 bytes")

@@ -95,6 +95,18 @@ end
         self.assertIn("tell.soar was edited", err)
         self.assertTrue(1 < self.last_tick < 160, "nothing is told after the edit")
 
+    def test_that_put_something_else_in_place_of_a_file_are_told_once(self):
+        def folder():
+            (self.folder / "hero.soar").unlink()
+            (self.folder / "hero.soar").mkdir()
+        for edit, said in ((folder, "this is a folder now"), (lambda: (self.folder / "hero.soar").unlink(), "this file is gone")):
+            texts, err, _ = self.run_and_edit(edit)
+            if edit is folder:
+                (self.folder / "hero.soar").rmdir()
+            self.assertEqual(err.count(f"hero.soar: warning: {said}\n   note: the rules before that stay\n"), 1, err)
+            old = [int(text.split()[1]) for text in texts if text.startswith("old ")]
+            self.assertGreater(old[-1], 40, "the rules go on to the end")
+
     def test_that_do_not_parse_are_told_and_change_nothing(self):
         for broken in (COUNT.replace("(crlf))}", "(crlf))"), COUNT.replace("(state <s> ^superstate nil ^heard <n>) -->", "(state <s> ^^heard <n>) -->")):
             texts, err, end = self.run_and_edit(lambda text=broken: self.write("hero.soar", text))
