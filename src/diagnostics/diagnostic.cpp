@@ -94,6 +94,9 @@ std::string_view Suggest(std::string_view word, const std::vector<std::string_vi
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (std::string_view candidate : candidates) {
+    // So many letters differ at least; a long text is no slip of a name, and is not compared letter by letter.
+    const std::size_t longer = std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size());
+    if (longer >= best_distance) continue;
     const std::size_t distance = EditDistance(word, candidate);
     if (distance < best_distance) {
       best = candidate;

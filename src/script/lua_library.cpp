@@ -132,7 +132,7 @@ int Require(lua_State* state) {
     return luaL_error(state, "module '%s' requires itself, directly or through others", name.c_str());
   const LoadingMark mark{machine, name};
   const NestedCall nested(state);
-  RunChunk(state, source.value()->content, file);
+  RunSource(state, *source.value(), file);
   lua_pushboolean(state, 1);
   lua_setfield(state, 2, name.c_str());
   return 0;
@@ -210,6 +210,23 @@ void InstallLibrary(lua_State* state) {
   InstallOrder(state);
   InstallPatterns(state);
   InstallOs(state);
+}
+
+void RunSource(lua_State* state, const ScriptSource& source, std::string_view name) {
+  lua_pushfstring(state, "@%s", std::string(name).c_str());
+  const char* chunk = lua_tostring(state, -1);
+  const bool is_compiled = !source.compiled.empty();
+  const std::string& text = is_compiled ? source.compiled : source.content;
+  if (luaL_loadbufferx(state, text.data(), text.size(), chunk, is_compiled ? "b" : "t") != 0) lua_error(state);
+  if (!is_compiled) {
+    const auto append = [](lua_State*, const void* part, std::size_t size, void* compiled) {
+      static_cast<std::string*>(compiled)->append(static_cast<const char*>(part), size);
+      return 0;
+    };
+    if (lua_dump(state, append, &source.compiled) != 0) source.compiled.clear();
+  }
+  lua_call(state, 0, 0);
+  lua_pop(state, 1);
 }
 
 void RunChunk(lua_State* state, std::string_view text, std::string_view name) {

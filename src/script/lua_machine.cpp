@@ -86,7 +86,7 @@ LuaMachine& LuaMachine::Of(lua_State* state) {
 std::optional<ScriptError> LuaMachine::RunFile(std::string_view name) {
   const Result<const ScriptSource*> source = path().Load(name);
   if (!source.ok()) return ScriptError{source.error(), {}};
-  return RunText(source.value()->content, name);
+  return Protected([&](lua_State* state) { RunSource(state, *source.value(), name); });
 }
 
 std::optional<ScriptError> LuaMachine::RunText(std::string_view text, std::string_view name) {

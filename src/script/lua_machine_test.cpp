@@ -200,6 +200,7 @@ TEST_F(MachineTest, ReportsAMissingFileWithANearMiss) {
   EXPECT_EQ(error->diagnostic.message, "no such script file: \"GIU.lua\"");
   EXPECT_EQ(error->diagnostic.hint, "did you mean \"GUI.lua\"?");
   EXPECT_TRUE(machine_->RunFile("../secret.lua"));
+  EXPECT_EQ(machine_->RunFile(std::string(1 << 20, 'x'))->diagnostic.message, "a script's name has 1000 bytes at most");
   EXPECT_TRUE(machine_->RunFile("/etc/passwd"));
   EXPECT_TRUE(machine_->RunFile(""));
 }
@@ -290,6 +291,29 @@ TEST_F(MachineTest, SurvivesEndlessRecursion) {
 TEST_F(MachineTest, IsHarmlessWhenThereIsNoMemoryAtAll) {
   Start({1000, 1000});
   EXPECT_NE(Run("print(1)").find("not enough memory to start"), std::string::npos);
+}
+
+TEST_F(MachineTest, AFileIsParsedOnceForAllMachinesAndKeepsItsLines) {
+  Write("own/Shared.lua",
+        "local shared = 0\nfunction Next()\n  shared = shared + 1\n  if shared > 2 then error('too far') end\n"
+        "  return shared\nend\nkeys = { a = 1, b = 2, [3] = 'c' }\n");
+  const ScriptSource& source = *path_->Load("Shared.lua").value();
+  EXPECT_TRUE(source.compiled.empty());
+  std::string compiled;
+  for (int machine = 0; machine < 3; ++machine) {
+    Start({});
+    ASSERT_FALSE(machine_->RunFile("Shared.lua"));
+    if (machine == 0) compiled = source.compiled;
+    EXPECT_EQ(source.compiled, compiled);
+    EXPECT_FALSE(compiled.empty());
+    // Each machine has variables of its own, and errors tell the place in the file.
+    EXPECT_EQ(Run("print(Next(), Next(), keys.a + keys.b, keys[3])"), "1\t2\t3\tc");
+    const auto error = machine_->RunText("Next()", "test.lua");
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->diagnostic.line, 4);
+    EXPECT_EQ(error->diagnostic.message, "too far");
+    EXPECT_NE(error->diagnostic.file.find("Shared.lua"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ std::optional<fs::path> FindIn(const fs::path& folder, const fs::path& name) {
   return std::nullopt;
 }
 
+constexpr std::size_t kLongestName = 1000;
 /// More than anyone writes; a file of this size is something else.
 constexpr std::size_t kLargestScript = 8 << 20;
 
@@ -73,6 +74,10 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
   if (const auto it = cache_.find(name); it != cache_.end()) return &it->second;
 
   Diagnostic error;
+  if (name.size() > kLongestName) {
+    error.message = "a script's name has " + std::to_string(kLongestName) + " bytes at most";
+    return error;
+  }
   error.file = std::string(name);
   if (name.empty() || name.find('\0') != std::string_view::npos || LeadsOutside(fs::path(name))) {
     error.message = "a script is named relative to the scenario's folder, without \"..\"";
@@ -122,7 +127,7 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
     error.message = "the script \"" + std::string(name) + "\" cannot be read: " + why;
     return error;
   }
-  ScriptSource source{std::string(name), found->string(), std::move(content).str()};
+  ScriptSource source{std::string(name), found->string(), std::move(content).str(), {}};
   return &cache_.emplace(std::string(name), std::move(source)).first->second;
 }
 

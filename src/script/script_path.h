@@ -16,6 +16,8 @@ struct ScriptSource {
   std::string name;  ///< As the script that wanted it called it, with the case that the file has.
   std::string path;  ///< Where it was found; for messages.
   std::string content;
+  /// What the first machine that ran it made of it, so that no other need parse it; empty before.
+  mutable std::string compiled;
 };
 
 /// Where scripts are looked for: a list of folders, the first that has the file wins. The scenario's own folder
