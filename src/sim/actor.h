@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "sim/bearing.h"
 #include "sim/body_kind.h"
 #include "sim/command_check.h"
+#include "sim/contacts.h"
 #include "sim/places.h"
 #include "world/message_board.h"
 #include "world/weapon.h"
@@ -19,18 +19,6 @@
 namespace soarbox::sim {
 
 class Arena;
-
-/// What an actor knows of another agent.
-struct Contact {
-  world::EntityId agent = world::kNoEntity;
-  enum class Source : std::uint8_t { kSight, kHearing, kMemory } source = Source::kSight;
-  bool visible = false;
-  std::uint64_t noticed_tick = 0;
-  world::Vec3 position;  ///< With the noise of the senses.
-  world::Vec3 velocity;
-  world::Vec3 forward{0, 0, 1};
-  bool alive = true;
-};
 
 /// Something that happened to an actor.
 struct Happening {
@@ -150,13 +138,15 @@ class Actor {
   std::optional<Place> FindPlace(const Running& command, std::string_view& reason) const;
 
   // Knowledge; the senses keep it.
-  std::map<world::EntityId, Contact>& contacts() { return contacts_; }
-  const std::map<world::EntityId, Contact>& contacts() const { return contacts_; }
+  Contacts& contacts() { return contacts_; }
+  const Contacts& contacts() const { return contacts_; }
   std::deque<Happening>& happenings() { return happenings_; }
   const std::deque<Happening>& happenings() const { return happenings_; }
   void Notice(Happening happening);
   std::optional<world::Message>& order() { return order_; }
   const std::optional<world::Message>& order() const { return order_; }
+  /// The number of the last message that was looked at for an order.
+  std::uint32_t& orders_heard() { return orders_heard_; }
 
   // How moving goes.
   struct Way {
@@ -183,10 +173,11 @@ class Actor {
   std::optional<world::Weapon> weapon_;
   std::vector<Running> running_;
   std::vector<Outcome> outcomes_;
-  std::map<world::EntityId, Contact> contacts_;
+  Contacts contacts_;
   std::deque<Happening> happenings_;
   std::uint32_t happened_ = 0;
   std::optional<world::Message> order_;
+  std::uint32_t orders_heard_ = 0;
   Way way_;
   std::optional<world::Vec3> wanted_, look_;
   Bearing bearing_;

@@ -31,6 +31,7 @@ constexpr NumberProperty kNumbers[] = {
     {"senses.memory", [](BodyKind& b) -> float& { return b.senses.memory_s; }, 0, 3600},
     {"senses.noise", [](BodyKind& b) -> float& { return b.senses.noise_m; }, 0, 100},
     {"senses.rate", [](BodyKind& b) -> float& { return b.senses.rate_hz; }, 0.1, 30},
+    {"senses.most", [](BodyKind& b) -> float& { return b.senses.most; }, 0, 1000},
     {"weapon.range", [](BodyKind& b) -> float& { return b.weapon.range_m; }, 1, 1000},
     {"weapon.damage", [](BodyKind& b) -> float& { return b.weapon.damage; }, 0, 1000},
     {"weapon.spread", [](BodyKind& b) -> float& { return b.weapon.spread_deg; }, 0, 45},

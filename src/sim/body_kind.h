@@ -19,6 +19,7 @@ struct SenseSettings {
   float memory_s = 15;   ///< How long it remembers an agent that is no longer noticed.
   float noise_m = 0;     ///< Standard deviation of perceived positions of others, from the agent's own stream.
   float rate_hz = 10;    ///< How often senses are read. Its own body is read in each tick.
+  float most = 0;        ///< Perceives so many friends and so many enemies at most, the nearest; 0: all it notices.
   std::set<std::string> only = {};  ///< Names of senses; empty: all.
 
   bool Has(std::string_view sense) const { return only.empty() || only.contains(std::string(sense)); }

@@ -2,6 +2,7 @@
 #include "sim/input_mirror.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "sim/mind_notes.h"
 #include "sml_Client.h"
@@ -10,104 +11,237 @@ namespace soarbox::sim {
 
 InputMirror::InputMirror(sml::Agent& agent) : agent_(&agent) {}
 
-void InputMirror::Show(const PerceptList& wanted) {
-  changes_ = 0;
-  Update(nodes_, wanted, *agent_->GetInputLink());
+// What stands below an object -----------------------------------------------------------------------------------------
+
+bool InputMirror::Slot::Holds(std::string_view value) const {
+  if (size == kLong) return static_cast<sml::StringElement*>(element)->GetValue() == value;
+  return size == value.size() && std::memcmp(text, value.data(), size) == 0;
 }
 
-void InputMirror::NoteValue(const Node& node) {
-  if (notes_ != nullptr) notes_->NotePercept(path_, node.constant);
+void InputMirror::Slot::Hold(std::string_view value) {
+  size = value.size() <= kShort ? static_cast<std::uint8_t>(value.size()) : kLong;
+  if (size != kLong) std::memcpy(text, value.data(), size);
 }
 
-void InputMirror::NoteGone(const Node& node) {
-  if (notes_ != nullptr) notes_->NotePerceptGone(path_, node.attribute, node.key);
-}
-
-void InputMirror::UpdateBelow(Node& node, const Percept& percept, sml::Identifier& object) {
-  const std::size_t length = path_.size();
-  if (notes_ != nullptr) {
-    path_ += node.attribute;
-    if (node.key != 0) path_.append("#").append(std::to_string(node.key));
-    path_ += '.';
-  }
-  Update(node.children, std::get<Percept::Object>(percept.value), object);
-  path_.resize(length);
-}
-
-/// Makes the element of a percept, with all below it.
-void InputMirror::Make(Node& node, const Percept& percept, sml::Identifier& parent) {
-  ++changes_;
-  node.attribute = percept.attribute;
-  node.key = percept.key;
-  node.is_object = percept.IsObject();
-  const char* attribute = node.attribute.c_str();
-  if (node.is_object) {
-    sml::Identifier* made = agent_->CreateIdWME(&parent, attribute);
-    node.element = made;
-    if (made != nullptr) UpdateBelow(node, percept, *made);
-    return;
-  }
-  node.constant = percept;
-  NoteValue(node);
-  if (const auto* integer = std::get_if<std::int64_t>(&percept.value)) {
-    node.element = agent_->CreateIntWME(&parent, attribute, *integer);
-  } else if (const auto* number = std::get_if<double>(&percept.value)) {
-    node.element = agent_->CreateFloatWME(&parent, attribute, *number);
-  } else {
-    node.element = agent_->CreateStringWME(&parent, attribute, percept.Text()->c_str());
-  }
-}
-
-/// Gives a constant its new value; false if its type changed and it must be made anew.
-bool InputMirror::Change(Node& node, const Percept& percept) {
-  if (node.constant.value == percept.value) return true;
-  if (node.element == nullptr || node.constant.value.index() != percept.value.index()) return false;
-  if (const auto* integer = std::get_if<std::int64_t>(&percept.value)) {
-    agent_->Update(node.element->ConvertToIntElement(), *integer);
-  } else if (const auto* number = std::get_if<double>(&percept.value)) {
-    agent_->Update(node.element->ConvertToFloatElement(), *number);
-  } else {
-    agent_->Update(node.element->ConvertToStringElement(), percept.Text()->c_str());
-  }
-  node.constant.value = percept.value;
-  NoteValue(node);
-  ++changes_;
-  return true;
-}
-
-void InputMirror::Update(std::vector<Node>& have, const PerceptList& want, sml::Identifier& parent) {
-  // Percepts keep their order from tick to tick, so that the next one is nearly always where it was.
-  std::size_t at = 0;
-  for (const Percept& percept : want) {
-    const auto is_same = [&](const Node& node) {
-      return node.key == percept.key && node.is_object == percept.IsObject() && node.attribute == percept.attribute;
-    };
-    auto found = std::find_if(have.begin() + static_cast<std::ptrdiff_t>(at), have.end(), is_same);
-    if (found == have.end()) {
-      Node made;
-      Make(made, percept, parent);
-      have.insert(have.begin() + static_cast<std::ptrdiff_t>(at), std::move(made));
-    } else {
-      if (found != have.begin() + static_cast<std::ptrdiff_t>(at))
-        std::rotate(have.begin() + static_cast<std::ptrdiff_t>(at), found, found + 1);
-      Node& node = have[at];
-      if (node.is_object) {
-        if (auto* object = node.element ? node.element->ConvertToIdentifier() : nullptr)
-          UpdateBelow(node, percept, *object);
-      } else if (!Change(node, percept)) {
-        if (node.element != nullptr) agent_->DestroyWME(node.element);
-        Make(node, percept, parent);
-      }
+/// What stood there the last time under that name; it is the next one nearly always. Null if there was nothing.
+InputMirror::Slot* InputMirror::Find(const Name& name) {
+  OpenObject& open = open_.back();
+  Slots& slots = *open.slots;
+  for (std::size_t n = open.next; n < slots.size(); ++n) {
+    const Slot& slot = slots[n];
+    if (slot.row != name.row || slot.key != name.key || slot.kind != name.kind) continue;
+    if (name.row == nullptr && name.other != slot.element->GetAttribute()) continue;
+    if (n != open.next) {
+      const auto first = slots.begin() + static_cast<std::ptrdiff_t>(open.next);
+      const auto found = slots.begin() + static_cast<std::ptrdiff_t>(n);
+      std::rotate(first, found, found + 1);
     }
-    ++at;
+    return &slots[open.next++];
   }
-  // What nobody wanted goes; an object takes what is below it along.
-  for (std::size_t i = at; i < have.size(); ++i) {
-    if (have[i].element != nullptr) agent_->DestroyWME(have[i].element);
-    NoteGone(have[i]);
+  return nullptr;
+}
+
+/// Keeps an element that was made. Without one (the kernel is gone, say) it is tried again the next time.
+InputMirror::Slot* InputMirror::Insert(const Name& name, sml::WMElement* element) {
+  ++changes_;
+  if (element == nullptr) return nullptr;
+  Slot slot;
+  slot.row = name.row;
+  slot.key = name.key;
+  slot.kind = name.kind;
+  slot.element = element;
+  if (name.kind == Kind::kObject) {
+    if (spare_.empty()) spare_.push_back(&slots_.emplace_back());
+    slot.below = spare_.back();
+    spare_.pop_back();
+  }
+  OpenObject& open = open_.back();
+  return &*open.slots->insert(open.slots->begin() + static_cast<std::ptrdiff_t>(open.next++), slot);
+}
+
+void InputMirror::Recycle(Slots& slots) {
+  for (const Slot& slot : slots) {
+    if (slot.kind != Kind::kObject) continue;
+    Recycle(*slot.below);
+    spare_.push_back(slot.below);
+  }
+  slots.clear();
+}
+
+void InputMirror::Destroy(const Slot& slot) {
+  if (notes_ != nullptr) notes_->NotePerceptGone(path_, slot.element->GetAttribute(), slot.key);
+  agent_->DestroyWME(slot.element);  // Takes what is below it along.
+  if (slot.kind == Kind::kObject) {
+    Recycle(*slot.below);
+    spare_.push_back(slot.below);
+  }
+  ++changes_;
+}
+
+/// What has not been told goes.
+void InputMirror::DropRest() {
+  OpenObject& open = open_.back();
+  Slots& slots = *open.slots;
+  for (std::size_t n = open.next; n < slots.size(); ++n) Destroy(slots[n]);
+  slots.resize(open.next);
+  slots.erase(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(open.dropped));
+}
+
+std::uint32_t InputMirror::NextKey() const {
+  const OpenObject& open = open_.back();
+  return open.next < open.slots->size() ? (*open.slots)[open.next].key : 0;
+}
+
+void InputMirror::Drop() {
+  OpenObject& open = open_.back();
+  Destroy((*open.slots)[open.next++]);
+  open.dropped = open.next;
+}
+
+void InputMirror::KeepRest() {
+  open_.back().next = open_.back().slots->size();
+}
+
+// Telling -------------------------------------------------------------------------------------------------------------
+
+void InputMirror::Begin() {
+  changes_ = 0;
+  refused_ = 0;
+  path_.clear();
+  open_.clear();
+  open_.push_back({top_.get(), 0, agent_->GetInputLink()});
+}
+
+void InputMirror::End() {
+  DropRest();
+}
+
+void InputMirror::Note(const Slot& slot) {
+  Percept constant;
+  constant.attribute = slot.element->GetAttribute();
+  constant.key = slot.key;
+  if (slot.kind == Kind::kInteger) {
+    constant.value = slot.integer;
+  } else if (slot.kind == Kind::kFloat) {
+    constant.value = slot.number;
+  } else {
+    constant.value = std::string(static_cast<sml::StringElement*>(slot.element)->GetValue());
+  }
+  notes_->NotePercept(path_, constant);
+}
+
+void InputMirror::TellInteger(const Name& name, std::int64_t value) {
+  if (refused_ > 0) return;
+  Slot* slot = Find(name);
+  if (slot == nullptr) {
+    const std::string attribute = name.attribute();
+    slot = Insert(name, agent_->CreateIntWME(open_.back().object, attribute.c_str(), value));
+    if (slot == nullptr) return;
+  } else if (slot->integer == value) {
+    return;
+  } else {
+    agent_->Update(static_cast<sml::IntElement*>(slot->element), value);
     ++changes_;
   }
-  have.resize(at);
+  slot->integer = value;
+  if (notes_ != nullptr) Note(*slot);
+}
+
+void InputMirror::TellFloat(const Name& name, double value) {
+  if (refused_ > 0) return;
+  Slot* slot = Find(name);
+  if (slot == nullptr) {
+    const std::string attribute = name.attribute();
+    slot = Insert(name, agent_->CreateFloatWME(open_.back().object, attribute.c_str(), value));
+    if (slot == nullptr) return;
+  } else if (slot->number == value) {
+    return;
+  } else {
+    agent_->Update(static_cast<sml::FloatElement*>(slot->element), value);
+    ++changes_;
+  }
+  slot->number = value;
+  if (notes_ != nullptr) Note(*slot);
+}
+
+void InputMirror::TellText(const Name& name, std::string_view value) {
+  if (refused_ > 0) return;
+  Slot* slot = Find(name);
+  if (slot == nullptr) {
+    const std::string attribute = name.attribute(), text(value);
+    slot = Insert(name, agent_->CreateStringWME(open_.back().object, attribute.c_str(), text.c_str()));
+    if (slot == nullptr) return;
+  } else if (slot->Holds(value)) {
+    return;
+  } else {
+    agent_->Update(static_cast<sml::StringElement*>(slot->element), std::string(value).c_str());
+    ++changes_;
+  }
+  slot->Hold(value);
+  if (notes_ != nullptr) Note(*slot);
+}
+
+void InputMirror::Word(const PerceptRow& row, std::string_view value, std::uint32_t key) {
+  TellText({&row, {}, key, Kind::kText}, value);
+}
+
+void InputMirror::TellOther(std::string_view attribute, std::uint32_t key, const ConstantValue& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    TellInteger({nullptr, attribute, key, Kind::kInteger}, *integer);
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    TellFloat({nullptr, attribute, key, Kind::kFloat}, *number);
+  } else {
+    // What follows a zero is lost on the way to the kernel.
+    TellText({nullptr, attribute, key, Kind::kText}, std::get<std::string>(value).c_str());
+  }
+}
+
+void InputMirror::OpenNamed(const Name& name) {
+  Slot* slot = refused_ > 0 ? nullptr : Find(name);
+  if (slot == nullptr && refused_ == 0) {
+    const std::string attribute = name.attribute();
+    slot = Insert(name, agent_->CreateIdWME(open_.back().object, attribute.c_str()));
+  }
+  if (slot == nullptr) {
+    ++refused_;
+    return;
+  }
+  open_.push_back({slot->below, 0, static_cast<sml::Identifier*>(slot->element), path_.size()});
+  if (notes_ == nullptr) return;
+  path_ += NameOfPercept(name.attribute(), name.key);
+  path_ += '.';
+}
+
+void InputMirror::Close() {
+  if (refused_ > 0) {
+    --refused_;
+    return;
+  }
+  DropRest();
+  path_.resize(open_.back().path_length);
+  open_.pop_back();
+}
+
+void InputMirror::ShowList(const PerceptList& list) {
+  for (const Percept& percept : list) {
+    if (const auto* integer = std::get_if<std::int64_t>(&percept.value)) {
+      TellOther(percept.attribute, percept.key, *integer);
+    } else if (const auto* number = std::get_if<double>(&percept.value)) {
+      TellOther(percept.attribute, percept.key, *number);
+    } else if (const std::string* text = percept.Text()) {
+      TellOther(percept.attribute, percept.key, *text);
+    } else {
+      OpenNamed({nullptr, percept.attribute, percept.key, Kind::kObject});
+      ShowList(std::get<PerceptList>(percept.value));
+      Close();
+    }
+  }
+}
+
+void InputMirror::Show(const PerceptList& wanted) {
+  Begin();
+  ShowList(wanted);
+  End();
 }
 
 }  // namespace soarbox::sim

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <concepts>
+#include <cstddef>
+#include <deque>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/percept.h"
+#include "sim/percept_sink.h"
 
 namespace sml {
 class Agent;
@@ -16,43 +22,117 @@ namespace soarbox::sim {
 
 class MindNotes;
 
-/// Keeps an agent's input link equal to a list of percepts and writes only the differences.
+/// Keeps an agent's input link equal to what it is told and writes only the differences. What is told as it was costs
+/// a comparison: nothing is made, copied or looked up for it.
+///
+/// Each time that something is told, what is to stay is told again, but for a queue: see Drop and KeepRest. Objects
+/// and words are found again by row (or name) and key, and keep their identifiers; to tell them in the same order each
+/// time is cheapest.
 ///
 /// Invariant: what it keeps is what the client library was told last. Other elements on the input link (the thesis'
 /// ^distance) are not its own and stay. Owned by the agent's mind.
-class InputMirror {
+class InputMirror final : public PerceptSink {
  public:
   explicit InputMirror(sml::Agent& agent);
+  InputMirror(InputMirror&&) noexcept = default;
+  InputMirror& operator=(InputMirror&&) noexcept = default;
 
-  /// Makes the input link show this; an object that is found again (attribute and key) keeps its identifier.
+  /// Makes the input link show what `tell(sink)` tells.
+  template <std::invocable<PerceptSink&> Tell>
+  void Show(Tell&& tell) {
+    Begin();
+    tell(static_cast<PerceptSink&>(*this));
+    End();
+  }
   void Show(const PerceptList& wanted);
+  /// The same by hand.
+  void Begin();
+  void End();
+
+  void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0) override;
+  void Other(std::string_view attribute, const ConstantValue& value) override { TellOther(attribute, 0, value); }
+  void Open(const PerceptRow& row, std::uint32_t key = 0) override { OpenNamed({&row, {}, key, Kind::kObject}); }
+  void Close() override;
+
+  // For what comes at the end and goes at the beginning.
+  /// The key of what stood there the last time and has not been told yet; 0 if there is nothing.
+  std::uint32_t NextKey() const;
+  /// Lets that go.
+  void Drop();
+  /// Keeps it and all behind it, as they are.
+  void KeepRest();
+
   /// Notes each change from now on; null: does not. Not owned.
   void SetNotes(MindNotes* notes) { notes_ = notes; }
-  /// How many elements the last Show wrote, changed or removed.
+  /// How many elements were written, changed or removed since the last Begin.
   std::size_t changes() const { return changes_; }
 
  private:
-  struct Node {
-    std::string attribute;
+  enum class Kind : std::uint8_t { kInteger, kFloat, kText, kObject };
+  /// What an element is found by. One without a row goes by its name.
+  struct Name {
+    const PerceptRow* row = nullptr;
+    std::string_view other = {};
     std::uint32_t key = 0;
-    Percept constant;  ///< Its value if it is no object.
-    sml::WMElement* element = nullptr;
-    bool is_object = false;
-    std::vector<Node> children;
+    Kind kind = Kind::kText;
+
+    std::string attribute() const { return std::string(row != nullptr ? row->Attribute() : other); }
+  };
+  /// One element, small enough that those of an object lie close together: most of them are compared and no more.
+  struct Slot {
+    static constexpr std::size_t kShort = 16;
+    static constexpr std::uint8_t kLong = 0xFF;
+    union {
+      std::int64_t integer = 0;
+      double number;
+      char text[kShort];         ///< With zeros behind it.
+      std::vector<Slot>* below;  ///< Of an object; from slots_.
+    };
+    sml::WMElement* element = nullptr;  ///< Knows its attribute, and a text that is too long for this.
+    const PerceptRow* row = nullptr;
+    std::uint32_t key = 0;
+    Kind kind = Kind::kText;
+    std::uint8_t size = 0;  ///< Of a text, or kLong.
+
+    bool Holds(std::string_view value) const;
+    void Hold(std::string_view value);
+  };
+  using Slots = std::vector<Slot>;
+  struct OpenObject {
+    Slots* slots = nullptr;
+    std::size_t next = 0;  ///< The first that has not been told yet.
+    sml::Identifier* object = nullptr;
+    std::size_t path_length = 0;
+    std::size_t dropped = 0;  ///< So many in front of `next` are gone.
   };
 
-  void Update(std::vector<Node>& have, const PerceptList& want, sml::Identifier& parent);
-  void UpdateBelow(Node& node, const Percept& percept, sml::Identifier& object);
-  void Make(Node& node, const Percept& percept, sml::Identifier& parent);
-  bool Change(Node& node, const Percept& percept);
-  void NoteValue(const Node& node);
-  void NoteGone(const Node& node);
+  void Integer(const PerceptRow& row, std::int64_t value) override {
+    TellInteger({&row, {}, 0, Kind::kInteger}, value);
+  }
+  void Float(const PerceptRow& row, double value) override { TellFloat({&row, {}, 0, Kind::kFloat}, value); }
+  void TellInteger(const Name& name, std::int64_t value);
+  void TellFloat(const Name& name, double value);
+  void TellText(const Name& name, std::string_view value);
+  void TellOther(std::string_view attribute, std::uint32_t key, const ConstantValue& value);
+  void OpenNamed(const Name& name);
+  void ShowList(const PerceptList& list);
+
+  Slot* Find(const Name& name);
+  Slot* Insert(const Name& name, sml::WMElement* element);
+  void Destroy(const Slot& slot);
+  void DropRest();
+  void Recycle(Slots& slots);
+  void Note(const Slot& slot);
 
   sml::Agent* agent_;
-  std::vector<Node> nodes_;
+  std::deque<Slots> slots_;
+  std::vector<Slots*> spare_;
+  std::unique_ptr<Slots> top_ = std::make_unique<Slots>();  ///< What stands directly on the input link.
+  std::vector<OpenObject> open_;                            ///< From the input link to the object that is told now.
+  std::size_t refused_ = 0;                                 ///< Open objects that the client library would not make.
   std::size_t changes_ = 0;
   MindNotes* notes_ = nullptr;
-  std::string path_;  ///< Of the object that is under way, with a dot behind it; kept with notes only.
+  std::string path_;  ///< Of the object that is told now, with a dot behind it; kept with notes only.
 };
 
 }  // namespace soarbox::sim

@@ -309,8 +309,7 @@ bool Minds::PerceiveDistance(Mind& mind, const world::Agent& body) {
 void Minds::PerceiveWorld(Mind& mind) {
   const Actor* actor = arena_.Find(mind.agent);
   if (actor == nullptr) return;
-  mind.soar.ShowOwnBody(SenseOwnBody(*actor));
-  if (IsSenseTick(*actor)) mind.soar.ShowSurroundings(SenseSurroundings(*actor));
+  mind.soar.Perceive(*actor, IsSenseTick(*actor));
 }
 
 bool Minds::Prepare(Mind& mind) {
@@ -480,8 +479,7 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
     percepts = Describe({distance});
   }
   if (const Actor* actor = arena_.Find(mind.agent))
-    percepts +=
-        (percepts.empty() ? "" : " ") + Describe(SenseOwnBody(*actor)) + " " + Describe(SenseSurroundings(*actor));
+    percepts += (percepts.empty() ? "" : " ") + Describe(AllPercepts(*actor));
   if (!percepts.empty()) {
     constexpr std::size_t kShown = 600;
     event.reasons.push_back("it perceives " +
@@ -559,8 +557,8 @@ std::vector<std::string> Minds::Why(std::string_view agent) {
   if (at->settings.has_distance) lines.push_back("perceives ^distance " + std::to_string(at->distance_squared_m2));
   if (actor != nullptr) {
     lines.emplace_back("perceives");
-    for (const PerceptList& list : {SenseOwnBody(*actor), SenseSurroundings(*actor)})
-      for (const Percept& percept : list) lines.push_back("  ^" + percept.attribute + " " + DescribeValue(percept));
+    for (const Percept& percept : AllPercepts(*actor))
+      lines.push_back("  ^" + percept.attribute + " " + DescribeValue(percept));
   }
   return lines;
 }

@@ -2,8 +2,9 @@
 #include "sim/percept.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+
+#include "sim/percept_sink.h"
 
 namespace soarbox::sim {
 
@@ -38,42 +39,24 @@ std::string Describe(const PerceptList& list) {
   return text;
 }
 
-void AddNumber(PerceptList& list, const PerceptRow& row, double value) {
-  if (!std::isfinite(value)) return;
-  if (row.min != row.max) value = std::clamp(value, row.min, row.max);
-  if (row.step == 1) {
-    value = std::round(value) + 0.0;  // No negative zero.
-  } else if (row.step > 0) {
-    // Division by a whole number of steps keeps 0.1 and its like exactly what a rule's text says.
-    const double per_unit = 1 / row.step;
-    const double whole = std::round(per_unit);
-    value = std::abs(per_unit - whole) < 1e-9 && whole > 0 ? std::round(value * whole) / whole
-                                                           : std::round(value / row.step) * row.step;
-    if (value == 0) value = 0;  // No negative zero.
-  }
-  Percept& made = list.emplace_back();
-  made.attribute = row.Attribute();
-  if (row.type == ValueType::kInteger) {
-    made.value = static_cast<std::int64_t>(std::llround(value));
-  } else {
-    made.value = value;
-  }
+Percept& PerceptLister::Add(std::string_view attribute, std::uint32_t key) {
+  Percept& made = open_.back()->emplace_back();
+  made.attribute = attribute;
+  made.key = key;
+  return made;
 }
 
-void AddWord(PerceptList& list, const PerceptRow& row, std::string_view value, std::uint32_t key) {
-  Percept& made = list.emplace_back();
-  made.attribute = row.Attribute();
-  made.key = key;
-  made.value.emplace<std::string>(value);
+void PerceptLister::Word(const PerceptRow& row, std::string_view value, std::uint32_t key) {
+  Add(row.Attribute(), key).value.emplace<std::string>(value);
 }
 
-PerceptList& AddObject(PerceptList& list, const PerceptRow& row, std::uint32_t key, std::size_t room) {
-  Percept& made = list.emplace_back();
-  made.attribute = row.Attribute();
-  made.key = key;
-  PerceptList& below = made.value.emplace<PerceptList>();
-  below.reserve(room);
-  return below;
+void PerceptLister::Other(std::string_view attribute, const ConstantValue& value) {
+  Percept& made = Add(attribute, 0);
+  std::visit([&made](const auto& constant) { made.value = constant; }, value);
+}
+
+void PerceptLister::Open(const PerceptRow& row, std::uint32_t key) {
+  open_.push_back(&Add(row.Attribute(), key).value.emplace<PerceptList>());
 }
 
 }  // namespace soarbox::sim

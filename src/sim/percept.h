@@ -35,10 +35,4 @@ const Percept* FindPercept(const PerceptList& list, std::string_view attribute);
 std::string Describe(const PerceptList& list);
 std::string DescribeValue(const Percept& percept);
 
-// Adding percepts of the table: the value gets the row's name, type, range and step.
-void AddNumber(PerceptList& list, const PerceptRow& row, double value);
-void AddWord(PerceptList& list, const PerceptRow& row, std::string_view value, std::uint32_t key = 0);
-/// Returns the new object's list, valid until the next addition to `list`, with room for so many attributes.
-PerceptList& AddObject(PerceptList& list, const PerceptRow& row, std::uint32_t key = 0, std::size_t room = 4);
-
 }  // namespace soarbox::sim

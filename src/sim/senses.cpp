@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "sim/arena.h"
 #include "sim/directions.h"
@@ -17,6 +19,7 @@ using world::Vec3;
 constexpr float kMessagesStay_s = 3;
 constexpr float kHappeningsStay_s = 1;
 constexpr float kHere_m = 1.5f;
+constexpr std::string_view kOrder = "order";
 
 std::string_view YesNo(bool truth) {
   return truth ? "yes" : "no";
@@ -50,114 +53,183 @@ std::string_view WeaponWord(const Actor& actor) {
   return "none";
 }
 
-void SenseSelf(const Actor& actor, PerceptList& list) {
+void SenseSelf(const Actor& actor, PerceptSink& sink) {
   const world::Agent& body = actor.body();
-  PerceptList& self = AddObject(list, RowOf("self"), 0, 14);
-  AddWord(self, RowOf("self.name"), body.name());
-  AddWord(self, RowOf("self.team"), body.Team());
-  PerceptList& position = AddObject(self, RowOf("self.position"), 0, 2);
-  AddNumber(position, RowOf("self.position.x"), static_cast<double>(body.Position().x));
-  AddNumber(position, RowOf("self.position.z"), static_cast<double>(body.Position().z));
+  sink.Open(RowOf("self"));
+  sink.Word(RowOf("self.name"), body.name());
+  sink.Word(RowOf("self.team"), body.Team());
+  sink.Open(RowOf("self.position"));
+  sink.Number(RowOf("self.position.x"), static_cast<double>(body.Position().x));
+  sink.Number(RowOf("self.position.z"), static_cast<double>(body.Position().z));
+  sink.Close();
   const double heading = std::round(static_cast<double>(HeadingOf(body.Forward())));
-  AddNumber(self, RowOf("self.heading"), heading < 0 ? heading + 360 : heading);
-  AddNumber(self, RowOf("self.speed"), static_cast<double>(body.Speed()));
-  AddNumber(self, RowOf("self.health"), std::ceil(static_cast<double>(body.Health())));
-  AddWord(self, RowOf("self.stance"), actor.stance());
-  AddWord(self, RowOf("self.weapon"), WeaponWord(actor));
+  sink.Number(RowOf("self.heading"), heading < 0 ? heading + 360 : heading);
+  sink.Number(RowOf("self.speed"), static_cast<double>(body.Speed()));
+  sink.Number(RowOf("self.health"), std::ceil(static_cast<double>(body.Health())));
+  sink.Word(RowOf("self.stance"), actor.stance());
+  sink.Word(RowOf("self.weapon"), WeaponWord(actor));
   if (actor.weapon()) {
-    AddNumber(self, RowOf("self.ammunition"), actor.weapon()->rounds());
-    AddNumber(self, RowOf("self.reserve"), actor.weapon()->reserve());
+    sink.Number(RowOf("self.ammunition"), actor.weapon()->rounds());
+    sink.Number(RowOf("self.reserve"), actor.weapon()->reserve());
   }
   if (const std::string target = NameOfAgent(actor, actor.target()); !target.empty())
-    AddWord(self, RowOf("self.target"), target);
+    sink.Word(RowOf("self.target"), target);
   if (const std::string leader = NameOfAgent(actor, body.Leader()); !leader.empty())
-    AddWord(self, RowOf("self.leader"), leader);
+    sink.Word(RowOf("self.leader"), leader);
   std::uint32_t key = 0;
-  for (const std::string& thing : actor.carried()) AddWord(self, RowOf("self.carries"), thing, ++key);
+  for (const std::string& thing : actor.carried()) sink.Word(RowOf("self.carries"), thing, ++key);
+  sink.Close();
 }
 
-void SensePath(const Actor& actor, PerceptList& list) {
-  PerceptList& path = AddObject(list, RowOf("path"));
-  AddWord(path, RowOf("path.status"), actor.way().status);
-  if (!actor.way().command.empty()) AddWord(path, RowOf("path.command"), actor.way().command);
-  if (actor.way().remaining_m) AddNumber(path, RowOf("path.remaining"), static_cast<double>(*actor.way().remaining_m));
+void SensePath(const Actor& actor, PerceptSink& sink) {
+  sink.Open(RowOf("path"));
+  sink.Word(RowOf("path.status"), actor.way().status);
+  if (!actor.way().command.empty()) sink.Word(RowOf("path.command"), actor.way().command);
+  if (actor.way().remaining_m) sink.Number(RowOf("path.remaining"), static_cast<double>(*actor.way().remaining_m));
   constexpr float kAhead_m = 3;
   Vec3 eye = actor.body().Position();
   eye.y += 0.4f - actor.body().Height() / 2;
   const Vec3 ahead = eye + actor.body().Forward() * (kAhead_m + actor.body().Radius());
-  AddWord(path, RowOf("path.free-ahead"), YesNo(!actor.world().RayCast(eye, ahead)));
+  sink.Word(RowOf("path.free-ahead"), YesNo(!actor.world().RayCast(eye, ahead)));
+  sink.Close();
 }
 
-void AddField(PerceptList& list, const world::Message::Field& field) {
-  Percept& made = list.emplace_back();
-  made.attribute = field.name;
-  std::visit([&](const auto& value) { made.value = value; }, field.value);
-}
-
-void SenseMessages(const Actor& actor, PerceptList& list) {
+/// The first message that is new enough to be heard still, as a place on the board.
+std::size_t FirstHeard(const Actor& actor) {
+  const auto& messages = actor.board().messages();
   const std::uint64_t stay = static_cast<std::uint64_t>(kMessagesStay_s / actor.world().settings().step_s);
-  for (const world::Message& message : actor.board().messages()) {
-    if (message.tick + stay < actor.world().tick() || message.about == "order") continue;
-    if (!world::MessageBoard::IsFor(message, actor.id(), actor.body().Team())) continue;
-    PerceptList& heard = AddObject(list, RowOf("message"), message.number);
-    AddWord(heard, RowOf("message.from"), NameOfAgent(actor, message.from));
-    AddWord(heard, RowOf("message.about"), message.about);
-    AddNumber(heard, RowOf("message.time"), Seconds(actor, message.tick));
-    for (const world::Message::Field& field : message.fields) AddField(heard, field);
+  const auto is_old = [&](const world::Message& message) { return message.tick + stay < actor.world().tick(); };
+  return static_cast<std::size_t>(std::partition_point(messages.begin(), messages.end(), is_old) - messages.begin());
+}
+
+/// What an actor hears of the board's messages from that one on.
+void SenseMessages(const Actor& actor, std::size_t first, PerceptSink& sink) {
+  const auto& messages = actor.board().messages();
+  for (std::size_t n = first; n < messages.size(); ++n) {
+    const world::Message& message = messages[n];
+    if (!world::MessageBoard::IsFor(message, actor.id(), actor.body().Team()) || message.about == kOrder) continue;
+    sink.Open(RowOf("message"), message.number);
+    sink.Word(RowOf("message.from"), NameOfAgent(actor, message.from));
+    sink.Word(RowOf("message.about"), message.about);
+    sink.Number(RowOf("message.time"), Seconds(actor, message.tick));
+    for (const world::Message::Field& field : message.fields) sink.Other(field.name, field.value);
+    sink.Close();
   }
 }
 
-void SenseHappenings(const Actor& actor, PerceptList& list) {
+void SenseHappenings(const Actor& actor, PerceptSink& sink) {
   const std::uint64_t stay = static_cast<std::uint64_t>(kHappeningsStay_s / actor.world().settings().step_s);
   for (const Happening& happening : actor.happenings()) {
     if (happening.tick + stay < actor.world().tick()) continue;
-    PerceptList& felt = AddObject(list, RowOf("event"), happening.number);
-    AddWord(felt, RowOf("event.type"), happening.type);
-    if (!happening.by.empty()) AddWord(felt, RowOf("event.by"), happening.by);
-    AddNumber(felt, RowOf("event.bearing"), static_cast<double>(happening.bearing_deg));
-    if (happening.damage > 0) AddNumber(felt, RowOf("event.damage"), static_cast<double>(happening.damage));
-    AddNumber(felt, RowOf("event.time"), Seconds(actor, happening.tick));
+    sink.Open(RowOf("event"), happening.number);
+    sink.Word(RowOf("event.type"), happening.type);
+    if (!happening.by.empty()) sink.Word(RowOf("event.by"), happening.by);
+    sink.Number(RowOf("event.bearing"), static_cast<double>(happening.bearing_deg));
+    if (happening.damage > 0) sink.Number(RowOf("event.damage"), static_cast<double>(happening.damage));
+    sink.Number(RowOf("event.time"), Seconds(actor, happening.tick));
+    sink.Close();
   }
 }
 
-void SenseOrder(const Actor& actor, PerceptList& list) {
+void SenseOrder(const Actor& actor, PerceptSink& sink) {
   if (!actor.order()) return;
   const world::Message& message = *actor.order();
-  PerceptList& order = AddObject(list, RowOf("order"), message.number);
+  sink.Open(RowOf("order"), message.number);
   const std::string from = NameOfAgent(actor, message.from);
-  AddWord(order, RowOf("order.from"), from.empty() ? "user" : from);
-  AddNumber(order, RowOf("order.time"), Seconds(actor, message.tick));
-  for (const world::Message::Field& field : message.fields) AddField(order, field);
+  sink.Word(RowOf("order.from"), from.empty() ? "user" : from);
+  sink.Number(RowOf("order.time"), Seconds(actor, message.tick));
+  for (const world::Message::Field& field : message.fields) sink.Other(field.name, field.value);
+  sink.Close();
 }
 
-void SenseAgents(const Actor& actor, PerceptList& list) {
-  list.reserve(list.size() + actor.contacts().size());
+/// Of those in view and alive the nearest friend and the nearest enemy; of several as near the first.
+struct Nearest {
+  world::EntityId friendly = world::kNoEntity, enemy = world::kNoEntity;
+};
+
+Nearest FindNearest(const Actor& actor) {
+  Nearest nearest;
+  float friend_m2 = 0, enemy_m2 = 0;
+  const Vec3 here = actor.body().Position();
   for (const auto& [id, contact] : actor.contacts()) {
+    if (!contact.visible || !contact.alive) continue;
+    const bool is_friend = actor.world().FindAgent(id)->Team() == actor.body().Team();
+    world::EntityId& best = is_friend ? nearest.friendly : nearest.enemy;
+    float& best_m2 = is_friend ? friend_m2 : enemy_m2;
+    const float range_m2 = world::LengthSquared(Flat(contact.position - here));
+    if (best != world::kNoEntity && range_m2 >= best_m2) continue;
+    best = id;
+    best_m2 = range_m2;
+  }
+  return nearest;
+}
+
+/// Those whom an actor's senses can take in: all its contacts, or of friends and of enemies the nearest. Of several as
+/// near the first.
+class Attention {
+ public:
+  explicit Attention(const Actor& actor) : actor_(actor) {
+    const auto most = static_cast<std::size_t>(actor.kind().senses.most);
+    if (most == 0 || actor.contacts().size() <= most) return;
+    for (const bool is_friend : {false, true}) {
+      std::vector<Place> places;
+      places.reserve(actor.contacts().size());
+      for (const auto& [id, contact] : actor.contacts())
+        if (IsFriend(id) == is_friend) places.push_back(PlaceOf(id, contact));
+      if (places.size() <= most) continue;
+      std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(most - 1), places.end());
+      (is_friend ? farthest_friend_ : farthest_enemy_) = places[most - 1];
+    }
+  }
+  bool Reaches(world::EntityId id, const Contact& contact) const {
+    if (!farthest_friend_ && !farthest_enemy_) return true;
+    const std::optional<Place>& farthest = IsFriend(id) ? farthest_friend_ : farthest_enemy_;
+    return !farthest || PlaceOf(id, contact) <= *farthest;
+  }
+
+ private:
+  using Place = std::pair<float, std::uint32_t>;
+  Place PlaceOf(world::EntityId id, const Contact& contact) const {
+    return {world::LengthSquared(Flat(contact.position - actor_.body().Position())), Number(id)};
+  }
+  bool IsFriend(world::EntityId id) const { return actor_.world().FindAgent(id)->Team() == actor_.body().Team(); }
+
+  const Actor& actor_;
+  std::optional<Place> farthest_friend_, farthest_enemy_;
+};
+
+void SenseAgents(const Actor& actor, PerceptSink& sink) {
+  const Nearest nearest = FindNearest(actor);
+  const Attention attention(actor);
+  for (const auto& [id, contact] : actor.contacts()) {
+    if (!attention.Reaches(id, contact)) continue;
     const world::Agent& other = *actor.world().FindAgent(id);
-    PerceptList& seen = AddObject(list, RowOf("agent"), Number(id), 14);
-    AddWord(seen, RowOf("agent.name"), other.name());
-    AddWord(seen, RowOf("agent.team"), other.Team());
-    AddWord(seen, RowOf("agent.relation"), other.Team() == actor.body().Team() ? "friend" : "enemy");
-    AddWord(seen, RowOf("agent.visible"), YesNo(contact.visible));
+    sink.Open(RowOf("agent"), Number(id));
+    sink.Word(RowOf("agent.name"), other.name());
+    sink.Word(RowOf("agent.team"), other.Team());
+    sink.Word(RowOf("agent.relation"), other.Team() == actor.body().Team() ? "friend" : "enemy");
+    sink.Word(RowOf("agent.visible"), YesNo(contact.visible));
     const bool now = contact.noticed_tick + 1 >= actor.world().tick() || contact.source != Contact::Source::kMemory;
-    AddWord(seen, RowOf("agent.known-by"),
-            contact.visible                                      ? "sight"
-            : now && contact.source == Contact::Source::kHearing ? "hearing"
-                                                                 : "memory");
-    AddNumber(seen, RowOf("agent.range"), static_cast<double>(FlatDistance(actor.body().Position(), contact.position)));
-    AddNumber(seen, RowOf("agent.bearing"), BearingTo(actor, contact.position));
-    PerceptList& position = AddObject(seen, RowOf("agent.position"), 0, 2);
-    AddNumber(position, RowOf("agent.position.x"), static_cast<double>(contact.position.x));
-    AddNumber(position, RowOf("agent.position.z"), static_cast<double>(contact.position.z));
-    AddNumber(seen, RowOf("agent.speed"), static_cast<double>(world::Length(Flat(contact.velocity))));
-    AddNumber(seen, RowOf("agent.facing"),
-              std::abs(static_cast<double>(BearingOf(contact.position, contact.forward, actor.body().Position()))));
-    AddWord(seen, RowOf("agent.alive"), YesNo(contact.alive));
+    sink.Word(RowOf("agent.known-by"), contact.visible                                      ? "sight"
+                                       : now && contact.source == Contact::Source::kHearing ? "hearing"
+                                                                                            : "memory");
+    sink.Number(RowOf("agent.range"), static_cast<double>(FlatDistance(actor.body().Position(), contact.position)));
+    sink.Number(RowOf("agent.bearing"), BearingTo(actor, contact.position));
+    sink.Word(RowOf("agent.nearest"), YesNo(id == nearest.friendly || id == nearest.enemy));
+    sink.Open(RowOf("agent.position"));
+    sink.Number(RowOf("agent.position.x"), static_cast<double>(contact.position.x));
+    sink.Number(RowOf("agent.position.z"), static_cast<double>(contact.position.z));
+    sink.Close();
+    sink.Number(RowOf("agent.speed"), static_cast<double>(world::Length(Flat(contact.velocity))));
+    sink.Number(RowOf("agent.facing"),
+                std::abs(static_cast<double>(BearingOf(contact.position, contact.forward, actor.body().Position()))));
+    sink.Word(RowOf("agent.alive"), YesNo(contact.alive));
     const double age_s = Seconds(actor, actor.world().tick() - contact.noticed_tick);
     const double base = contact.visible ? 1 : contact.source == Contact::Source::kHearing ? 0.6 : 0.9;
-    AddNumber(seen, RowOf("agent.last-seen"), contact.visible ? 0 : age_s);
+    sink.Number(RowOf("agent.last-seen"), contact.visible ? 0 : age_s);
     const double memory_s = static_cast<double>(std::max(0.1f, actor.kind().senses.memory_s));
-    AddNumber(seen, RowOf("agent.confidence"), contact.visible ? 1 : base * std::max(0.0, 1 - age_s / memory_s));
+    sink.Number(RowOf("agent.confidence"), contact.visible ? 1 : base * std::max(0.0, 1 - age_s / memory_s));
+    sink.Close();
   }
 }
 
@@ -168,7 +240,7 @@ bool IsInView(const Actor& actor, Vec3 point) {
   return std::abs(BearingTo(actor, point)) <= static_cast<double>(senses.view_deg) / 2;
 }
 
-void SenseObjects(const Actor& actor, PerceptList& list) {
+void SenseObjects(const Actor& actor, PerceptSink& sink) {
   const world::World& world = actor.world();
   for (const world::EntityId id : world.ObjectIds()) {
     const world::Object& object = *world.FindObject(id);
@@ -176,50 +248,53 @@ void SenseObjects(const Actor& actor, PerceptList& list) {
       continue;
     const Vec3 center = object.Position();
     if (!IsInView(actor, center) || !HasLineOfSight(world, actor.body(), center, id)) continue;
-    PerceptList& seen = AddObject(list, RowOf("object"), Number(id), 7);
-    AddWord(seen, RowOf("object.name"), actor.arena().NameOfObject(id));
+    sink.Open(RowOf("object"), Number(id));
+    sink.Word(RowOf("object.name"), actor.arena().NameOfObject(id));
     const bool is_item = actor.arena().places().items.contains(id);
     const world::ObjectKind kind = object.kind();
-    AddWord(seen, RowOf("object.kind"),
-            is_item                                     ? "item"
-            : kind == world::ObjectKind::kBox           ? "box"
-            : kind == world::ObjectKind::kMesh          ? "mesh"
-            : kind == world::ObjectKind::kPhysicsSphere ? "sphere"
-                                                        : "capsule");
-    AddNumber(seen, RowOf("object.range"), static_cast<double>(FlatDistance(actor.body().Position(), center)));
-    AddNumber(seen, RowOf("object.bearing"), BearingTo(actor, center));
-    PerceptList& position = AddObject(seen, RowOf("object.position"), 0, 2);
-    AddNumber(position, RowOf("object.position.x"), static_cast<double>(center.x));
-    AddNumber(position, RowOf("object.position.z"), static_cast<double>(center.z));
-    AddNumber(seen, RowOf("object.radius"), static_cast<double>(object.Radius()));
-    AddWord(seen, RowOf("object.moves"), YesNo(object.Mass() > 0));
+    sink.Word(RowOf("object.kind"), is_item                                     ? "item"
+                                    : kind == world::ObjectKind::kBox           ? "box"
+                                    : kind == world::ObjectKind::kMesh          ? "mesh"
+                                    : kind == world::ObjectKind::kPhysicsSphere ? "sphere"
+                                                                                : "capsule");
+    sink.Number(RowOf("object.range"), static_cast<double>(FlatDistance(actor.body().Position(), center)));
+    sink.Number(RowOf("object.bearing"), BearingTo(actor, center));
+    sink.Open(RowOf("object.position"));
+    sink.Number(RowOf("object.position.x"), static_cast<double>(center.x));
+    sink.Number(RowOf("object.position.z"), static_cast<double>(center.z));
+    sink.Close();
+    sink.Number(RowOf("object.radius"), static_cast<double>(object.Radius()));
+    sink.Word(RowOf("object.moves"), YesNo(object.Mass() > 0));
+    sink.Close();
   }
 }
 
-void SensePlaces(const Actor& actor, PerceptList& list) {
+void SensePlaces(const Actor& actor, PerceptSink& sink) {
   const Vec3 here = actor.body().Position();
   const Places& places = actor.arena().places();
   std::uint32_t index = 0;
   for (const Waypoint& waypoint : places.waypoints) {
     ++index;
     if (!actor.kind().senses.Has("waypoints")) break;
-    PerceptList& known = AddObject(list, RowOf("waypoint"), index);
-    AddWord(known, RowOf("waypoint.name"), waypoint.name);
-    AddNumber(known, RowOf("waypoint.index"), index);
+    sink.Open(RowOf("waypoint"), index);
+    sink.Word(RowOf("waypoint.name"), waypoint.name);
+    sink.Number(RowOf("waypoint.index"), index);
     const float range_m = FlatDistance(here, waypoint.position);
-    AddNumber(known, RowOf("waypoint.range"), static_cast<double>(range_m));
-    AddNumber(known, RowOf("waypoint.bearing"), BearingTo(actor, waypoint.position));
-    AddWord(known, RowOf("waypoint.here"), YesNo(range_m <= kHere_m));
+    sink.Number(RowOf("waypoint.range"), static_cast<double>(range_m));
+    sink.Number(RowOf("waypoint.bearing"), BearingTo(actor, waypoint.position));
+    sink.Word(RowOf("waypoint.here"), YesNo(range_m <= kHere_m));
+    sink.Close();
   }
   index = 0;
   for (const Region& region : places.regions) {
     ++index;
     if (!actor.kind().senses.Has("regions")) break;
-    PerceptList& known = AddObject(list, RowOf("region"), index);
-    AddWord(known, RowOf("region.name"), region.name);
-    AddWord(known, RowOf("region.inside"), YesNo(region.Contains(here)));
-    AddNumber(known, RowOf("region.range"), static_cast<double>(FlatDistance(here, region.center)));
-    AddNumber(known, RowOf("region.bearing"), BearingTo(actor, region.center));
+    sink.Open(RowOf("region"), index);
+    sink.Word(RowOf("region.name"), region.name);
+    sink.Word(RowOf("region.inside"), YesNo(region.Contains(here)));
+    sink.Number(RowOf("region.range"), static_cast<double>(FlatDistance(here, region.center)));
+    sink.Number(RowOf("region.bearing"), BearingTo(actor, region.center));
+    sink.Close();
   }
 }
 
@@ -255,17 +330,29 @@ std::vector<world::EntityId> NearOrKnown(const Actor& actor) {
 
 }  // namespace
 
-PerceptList SenseOwnBody(const Actor& actor) {
+void SenseOwnBody(const Actor& actor, PerceptSink& sink) {
   const SenseSettings& senses = actor.kind().senses;
-  PerceptList list;
-  list.reserve(8);
-  if (senses.Has("time")) AddNumber(list, RowOf("time"), actor.world().time_s());
-  if (senses.Has("self")) SenseSelf(actor, list);
-  if (senses.Has("path")) SensePath(actor, list);
-  if (senses.Has("messages")) SenseMessages(actor, list);
-  if (senses.Has("events")) SenseHappenings(actor, list);
-  if (senses.Has("orders")) SenseOrder(actor, list);
-  return list;
+  if (senses.Has("time")) sink.Number(RowOf("time"), actor.world().time_s());
+  if (senses.Has("self")) SenseSelf(actor, sink);
+  if (senses.Has("path")) SensePath(actor, sink);
+  if (senses.Has("events")) SenseHappenings(actor, sink);
+  if (senses.Has("orders")) SenseOrder(actor, sink);
+}
+
+void SenseMessages(const Actor& actor, PerceptSink& sink) {
+  if (actor.kind().senses.Has("messages")) SenseMessages(actor, FirstHeard(actor), sink);
+}
+
+void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard) {
+  if (!actor.kind().senses.Has("messages")) return;
+  const auto& messages = actor.board().messages();
+  const std::size_t first = FirstHeard(actor);
+  heard.Begin();
+  while (heard.NextKey() != 0 && (first == messages.size() || heard.NextKey() < messages[first].number)) heard.Drop();
+  heard.KeepRest();
+  SenseMessages(actor, std::max(first, actor.board().FirstAfter(last)), heard);
+  heard.End();
+  last = actor.board().posted();
 }
 
 void NoticeOthers(Actor& actor) {
@@ -303,13 +390,19 @@ void NoticeOthers(Actor& actor) {
   }
 }
 
-PerceptList SenseSurroundings(const Actor& actor) {
+void SenseSurroundings(const Actor& actor, PerceptSink& sink) {
   const SenseSettings& senses = actor.kind().senses;
-  PerceptList list;
-  if (senses.Has("agents")) SenseAgents(actor, list);
-  if (senses.Has("objects")) SenseObjects(actor, list);
-  SensePlaces(actor, list);
-  return list;
+  if (senses.Has("agents")) SenseAgents(actor, sink);
+  if (senses.Has("objects")) SenseObjects(actor, sink);
+  SensePlaces(actor, sink);
+}
+
+PerceptList AllPercepts(const Actor& actor) {
+  PerceptLister lister;
+  SenseOwnBody(actor, lister);
+  SenseMessages(actor, lister);
+  SenseSurroundings(actor, lister);
+  return lister.list();
 }
 
 bool IsSenseTick(const Actor& actor) {
@@ -321,10 +414,13 @@ bool IsSenseTick(const Actor& actor) {
 }
 
 void HearOrders(Actor& actor) {
-  for (const world::Message& message : actor.board().messages()) {
-    if (message.about != "order" || (actor.order() && message.number <= actor.order()->number)) continue;
-    if (world::MessageBoard::IsFor(message, actor.id(), actor.body().Team())) actor.order() = message;
+  const world::MessageBoard& board = actor.board();
+  for (std::size_t n = board.FirstAfter(actor.orders_heard()); n < board.messages().size(); ++n) {
+    const world::Message& message = board.messages()[n];
+    if (message.about == kOrder && world::MessageBoard::IsFor(message, actor.id(), actor.body().Team()))
+      actor.order() = message;
   }
+  actor.orders_heard() = board.posted();
 }
 
 }  // namespace soarbox::sim

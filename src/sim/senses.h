@@ -2,16 +2,24 @@
 #pragma once
 
 #include "sim/actor.h"
-#include "sim/percept.h"
+#include "sim/input_mirror.h"
+#include "sim/percept_sink.h"
 
 namespace soarbox::sim {
 
-/// What an actor perceives of its own body and of what is said and done to it: read in each tick.
-PerceptList SenseOwnBody(const Actor& actor);
+/// What an actor perceives of its own body, of what is done to it and of its order: read in each tick.
+void SenseOwnBody(const Actor& actor, PerceptSink& sink);
+/// What others say to it: messages that are new enough.
+void SenseMessages(const Actor& actor, PerceptSink& sink);
+/// Makes the mirror show the same; only messages after number `last`, which is the last one of the call before, are
+/// looked at, and the others stay as they are until they are too old.
+void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard);
 /// Looks and listens: brings the actor's contacts up to date. Draws noise from the agent's own stream, in agent order.
 void NoticeOthers(Actor& actor);
 /// What it perceives of its surroundings: others (from its contacts), things, places. Read at the rate of its senses.
-PerceptList SenseSurroundings(const Actor& actor);
+void SenseSurroundings(const Actor& actor, PerceptSink& sink);
+/// All that it perceives, for people.
+PerceptList AllPercepts(const Actor& actor);
 /// Whether the surroundings are read in this tick. Actors take turns, so that no tick reads them all.
 bool IsSenseTick(const Actor& actor);
 /// Takes messages that came since the last tick: an order is kept until the next one.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "sim/senses.h"
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Observation.h"
@@ -80,7 +81,12 @@ void SoarMind::EndWriting::operator()(Writing* writing) const {
 }
 
 SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
-    : agent_(&agent), own_body_(agent), surroundings_(agent), rows_(agent), writing_(new Writing(agent)) {
+    : agent_(&agent),
+      own_body_(agent),
+      messages_(agent),
+      surroundings_(agent),
+      rows_(agent),
+      writing_(new Writing(agent)) {
   agent.SetBlinkIfNoChange(settings.blinks);
   if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
   SetDetail(settings.detail);
@@ -91,7 +97,7 @@ void SoarMind::SetDetail(MindDetail detail) {
   is_logged_ = detail != MindDetail::kNone;
   log_.Clear();
   log_.Listen(*agent_, detail);
-  for (InputMirror* mirror : {&own_body_, &surroundings_, &rows_})
+  for (InputMirror* mirror : {&own_body_, &messages_, &surroundings_, &rows_})
     mirror->SetNotes(is_logged_ ? &log_.notes() : nullptr);
 }
 
@@ -100,6 +106,15 @@ void SoarMind::SetDistance(float distance_squared_m2) {
   const auto value = static_cast<double>(distance_squared_m2);
   if (is_logged_ && value != distance_->GetValue()) log_.notes().NoteNumber({}, "distance", 0, value);
   agent_->Update(distance_, value);
+}
+
+void SoarMind::Perceive(const Actor& body, bool surroundings) {
+#ifdef SOARBOX_OWN_KERNEL
+  const CallBatch batch(*agent_);
+#endif
+  own_body_.Show([&](PerceptSink& sink) { SenseOwnBody(body, sink); });
+  HearMessages(body, heard_, messages_);
+  if (surroundings) surroundings_.Show([&](PerceptSink& sink) { SenseSurroundings(body, sink); });
 }
 
 void SoarMind::Decide() {

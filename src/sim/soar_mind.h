@@ -40,8 +40,8 @@ class SoarMind {
 
   // Percepts: written at once, seen by the rules in the next Decide.
   void SetDistance(float distance_squared_m2);
-  void ShowOwnBody(const PerceptList& percepts) { own_body_.Show(percepts); }
-  void ShowSurroundings(const PerceptList& percepts) { surroundings_.Show(percepts); }
+  /// What the senses of its body tell; of its surroundings too, if they are read now.
+  void Perceive(const Actor& body, bool surroundings);
   void ShowRows(const PerceptList& percepts) { rows_.Show(percepts); }
 
   /// Decides until there is output or the decision budget is used up (max-nil-output-cycles). What is new on the output
@@ -97,8 +97,9 @@ class SoarMind {
 
   sml::Agent* agent_;
   sml::FloatElement* distance_ = nullptr;
-  InputMirror own_body_, surroundings_, rows_;
-  std::string answer_;  ///< The kernel's to the last run.
+  InputMirror own_body_, messages_, surroundings_, rows_;
+  std::uint32_t heard_ = 0;  ///< The number of the last message that it was told.
+  std::string answer_;       ///< The kernel's to the last run.
   std::vector<SaidCommand> commands_;
   std::vector<std::uint64_t> withdrawn_;
   std::vector<Standing> standing_;  ///< By tag; there are few at a time.

@@ -58,6 +58,7 @@ inline constexpr PerceptRow kPerceptTable[] = {
     Word("agent.known-by", "agents", "sight hearing memory", "What this percept rests on"),
     Number("agent.range", "agents", "m", 0, kFar_m, 0.1, "Distance to where it is, or was last noticed"),
     Integer("agent.bearing", "agents", "deg", -180, 180, "Direction to it: 0 is straight ahead, positive to the left"),
+    Word("agent.nearest", "agents", "yes no", "yes: alive, in view, and no other of its relation that is so is nearer"),
     Object("agent.position", "agents", "Where it is, or was last noticed"),
     Number("agent.position.x", "agents", "m", -kFar_m, kFar_m, 0.1, "To the east"),
     Number("agent.position.z", "agents", "m", -kFar_m, kFar_m, 0.1, "To the south"),

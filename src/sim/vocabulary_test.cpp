@@ -7,7 +7,7 @@
 
 #include "sim/command_check.h"
 #include "sim/conduct.h"
-#include "sim/percept.h"
+#include "sim/percept_sink.h"
 #include "sim/vocabulary_percepts.h"
 
 namespace soarbox::sim {
@@ -46,10 +46,11 @@ TEST(Vocabulary, NamesAreUniqueAndEveryReasonIsExplained) {
 }
 
 TEST(Percept, NumbersAreRoundedToTheStepOfTheirRowAndKeptInItsRange) {
-  PerceptList list;
-  AddNumber(list, RowOf("self.speed"), 1.2345);
-  AddNumber(list, RowOf("self.heading"), 400);
-  AddNumber(list, RowOf("self.position.x"), -0.01);
+  PerceptLister lister;
+  lister.Number(RowOf("self.speed"), 1.2345);
+  lister.Number(RowOf("self.heading"), 400);
+  lister.Number(RowOf("self.position.x"), -0.01);
+  const PerceptList& list = lister.list();
   EXPECT_EQ(std::get<double>(list[0].value), 1.2);
   EXPECT_EQ(std::get<std::int64_t>(list[1].value), 359);
   EXPECT_FALSE(std::signbit(std::get<double>(list[2].value)));

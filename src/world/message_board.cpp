@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "world/message_board.h"
 
+#include <algorithm>
+
 namespace soarbox::world {
 
 void MessageBoard::Post(Message message, std::uint64_t tick) {
@@ -12,6 +14,11 @@ void MessageBoard::Post(Message message, std::uint64_t tick) {
 
 void MessageBoard::Forget(std::uint64_t tick, std::uint64_t age_ticks) {
   while (!messages_.empty() && messages_.front().tick + age_ticks < tick) messages_.pop_front();
+}
+
+std::size_t MessageBoard::FirstAfter(std::uint32_t number) const {
+  // Numbers have no gaps: the last of them is that of the last message.
+  return messages_.size() - std::min<std::size_t>(messages_.size(), posted_ - number);
 }
 
 bool MessageBoard::IsFor(const Message& message, EntityId agent, std::string_view team) {

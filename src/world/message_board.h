@@ -37,6 +37,10 @@ class MessageBoard {
   /// Forgets messages that are older than so many ticks.
   void Forget(std::uint64_t tick, std::uint64_t age_ticks);
   const std::deque<Message>& messages() const { return messages_; }
+  /// The number of the last message that was posted; 0 if there was none.
+  std::uint32_t posted() const { return posted_; }
+  /// The place in messages() of the first one after that number.
+  std::size_t FirstAfter(std::uint32_t number) const;
   static bool IsFor(const Message& message, EntityId agent, std::string_view team);
 
  private:

@@ -87,6 +87,12 @@ class AgentLink {
   /// names elements by their tags gives none.
   virtual InputHandle AddInput(const soarbox::server::InputWme& wme) = 0;
   virtual InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) = 0;
+  /// The same for a number, without all else about its element; false, and nothing is done, if the link has to know
+  /// that.
+  virtual bool UpdateNumber(InputHandle element, long long tag, double value) {
+    (void)element, (void)tag, (void)value;
+    return false;
+  }
   virtual void RemoveInput(InputHandle element, long long tag) = 0;
   virtual void FlushInput() = 0;
 

@@ -37,6 +37,12 @@ InputHandle LocalAgentLink::UpdateInput(InputHandle element, long long old_tag, 
   return static_cast<InputHandle>(updated);
 }
 
+bool LocalAgentLink::UpdateNumber(InputHandle element, long long tag, double value) {
+  if (element == kNoInputHandle || hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) return false;
+  hosted_.agent().input().Update(static_cast<kernel::InputElement>(element), value, tag);
+  return true;
+}
+
 void LocalAgentLink::RemoveInput(InputHandle element, long long tag) {
   if (element == kNoInputHandle) {
     hosted_.input().RemoveByTag(tag);

@@ -28,6 +28,7 @@ class LocalAgentLink final : public AgentLink {
   std::string InputLinkName() override;
   InputHandle AddInput(const soarbox::server::InputWme& wme) override;
   InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) override;
+  bool UpdateNumber(InputHandle element, long long tag, double value) override;
   void RemoveInput(InputHandle element, long long tag) override;
   void FlushInput() override {
     if (!noted_.empty()) TellInput();

@@ -165,6 +165,16 @@ std::unique_ptr<Observation> ObserveMind(sml::Agent& agent, MindObserver& observ
   return std::make_unique<LocalObservation>(*mind, observer, detail);
 }
 
+CallBatch::CallBatch(sml::Agent& agent) {
+  sml::KernelLink* link = sml::AgentData::Of(agent).kernel_data().link.get();
+  if (link == nullptr) return;
+  held_ = &link->mutex();
+  held_->lock();
+}
+CallBatch::~CallBatch() {
+  if (held_ != nullptr) held_->unlock();
+}
+
 std::size_t MindMemoryBytes(sml::Agent& agent) {
   const kernel::Agent* mind = KernelAgent(agent);
   return mind == nullptr ? 0 : mind->MemoryBytes();

@@ -14,6 +14,10 @@ class Agent;
 
 namespace soarbox {
 
+namespace server {
+class CallMutex;
+}
+
 /// Sees what the mind of a client's agent does, in the order in which it happens. What Soarbox's own kernel tells
 /// besides the client API: there is no text to format, no document to read, and what nobody asked for costs nothing.
 ///
@@ -67,6 +71,19 @@ class EXPORT Observation {
 
 /// Null if the agent's kernel is in another process: then only the client API tells what there is.
 std::unique_ptr<Observation> EXPORT ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail);
+
+/// Holds the kernel of an agent while it lives, so that the calls of the client API in between need not take it one by
+/// one: for those who write much input at once. Not to be held over a run. Does nothing if the kernel is gone.
+class EXPORT CallBatch {
+ public:
+  explicit CallBatch(sml::Agent& agent);
+  ~CallBatch();
+  CallBatch(const CallBatch&) = delete;
+  CallBatch& operator=(const CallBatch&) = delete;
+
+ private:
+  server::CallMutex* held_ = nullptr;
+};
 
 /// What an agent takes, in bytes, without the rules that it shares with others; 0 if its kernel is in another process.
 std::size_t EXPORT MindMemoryBytes(sml::Agent& agent);

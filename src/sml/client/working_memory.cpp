@@ -329,7 +329,10 @@ void WorkingMemory::Update(FloatElement* wme, double value) {
   if (!data_.blink && wme->value_ == value) return;
   wme->value_ = value;
   const long long old_tag = wme->time_tag_;
-  wme->time_tag_ = --data_.kernel_data().next_tag;
+  KernelData& kernel = data_.kernel_data();
+  wme->time_tag_ = --kernel.next_tag;
+  // What percepts do most: a number goes straight to the kernel.
+  if (CommitsAtOnce(kernel) && data_.link->UpdateNumber(wme->input_, wme->time_tag_, value)) return;
   SendUpdated(wme, old_tag);
 }
 

@@ -40,8 +40,12 @@ kernel::InputObject AgentInput::Resolve(const InputWme& wme) {
 
 kernel::InputObject AgentInput::Resolve(std::string_view name) {
   if (name.empty()) return kernel::InputObject::kNone;
+  if (name == last_name_) return last_object_;
   const auto found = objects_.find(name);
-  if (found != objects_.end()) return found->second;
+  if (found != objects_.end()) {
+    last_name_ = name;
+    return last_object_ = found->second;
+  }
   const kernel::Symbol identifier = FindIdentifier(agent_.symbols(), name);
   if (!identifier) return kernel::InputObject::kNone;
   if (identifier == agent_.InputLinkIdentifier()) return kernel::InputObject::kInputLink;
@@ -63,6 +67,8 @@ kernel::InputValue AgentInput::Value(const InputWme& wme) {
   if (object == kernel::InputObject::kNone && !wme.text.empty()) {
     object = agent_.input().NewObject();
     objects_.emplace(std::string(wme.text), object);
+    last_name_ = wme.text;
+    last_object_ = object;
   }
   return object;
 }
@@ -124,6 +130,7 @@ std::vector<std::pair<kernel::WmeId, long long>> AgentInput::ClientTags() const 
 void AgentInput::Clear() {
   elements_.Clear();
   objects_.clear();
+  last_name_.clear();
 }
 
 void AgentInput::Tidy() {
@@ -133,6 +140,7 @@ void AgentInput::Tidy() {
   if (input.HasPendingChanges()) return;
   elements_.RemoveIf(
       [&](std::int64_t, kernel::InputElement element) { return input.Wme(element) == kernel::WmeId::kNone; });
+  last_name_.clear();
   std::erase_if(objects_, [&](const auto& entry) {
     const kernel::Symbol identifier = input.Identifier(entry.second);
     return !identifier || !agent_.memory().identifier(identifier).live;

@@ -48,6 +48,8 @@ class AgentInput {
   kernel::Agent& agent_;
   TagMap<kernel::InputElement> elements_;
   std::map<std::string, kernel::InputObject, std::less<>> objects_;
+  std::string last_name_;  ///< In objects_, and what stands there: an object's elements come one after the other.
+  kernel::InputObject last_object_ = kernel::InputObject::kNone;
   std::size_t tidy_elements_at_ = 256;
   std::size_t tidy_objects_at_ = 256;
 };

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/input_mirror.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/vocabulary_percepts.h"
+#include "sml_Client.h"
+
+namespace soarbox::sim {
+namespace {
+
+class InputMirrorTest : public testing::Test {
+ protected:
+  ~InputMirrorTest() override { kernel_->Shutdown(); }
+
+  /// What stands below an identifier: "name value", and "name {...}" for objects, in the order in which it came.
+  std::string Link(const sml::Identifier* parent = nullptr) {
+    if (parent == nullptr) parent = agent_->GetInputLink();
+    std::string text;
+    for (int n = 0; n < parent->GetNumberChildren(); ++n) {
+      sml::WMElement* child = const_cast<sml::Identifier*>(parent)->GetChild(n);
+      text += std::string(n == 0 ? "" : " ") + child->GetAttribute() + " ";
+      text += child->IsIdentifier() ? "{" + Link(child->ConvertToIdentifier()) + "}" : child->GetValueAsString();
+    }
+    return text;
+  }
+  long long TagOf(const char* attribute, int index = 0) {
+    return agent_->GetInputLink()->FindByAttribute(attribute, index)->GetTimeTag();
+  }
+  /// Tells somebody with a name and a range.
+  static void TellAgent(PerceptSink& sink, std::uint32_t key, std::string_view name, double range_m) {
+    sink.Open(RowOf("agent"), key);
+    sink.Word(RowOf("agent.name"), name);
+    sink.Number(RowOf("agent.range"), range_m);
+    sink.Close();
+  }
+
+  std::unique_ptr<sml::Kernel> kernel_{sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener)};
+  sml::Agent* agent_ = kernel_->CreateAgent("scout");
+  InputMirror mirror_{*agent_};
+};
+
+TEST_F(InputMirrorTest, WhatIsToldAsItWasIsNotWrittenAgain) {
+  const auto tell = [](PerceptSink& sink) {
+    sink.Number(RowOf("time"), 1);
+    TellAgent(sink, 3, "a name that is longer than sixteen letters", 2.5);
+  };
+  mirror_.Show(tell);
+  EXPECT_EQ(Link(), "time 1 agent {name a name that is longer than sixteen letters range 2.5}");
+  const long long tag = TagOf("agent");
+  mirror_.Show(tell);
+  EXPECT_EQ(mirror_.changes(), 0u);
+  EXPECT_EQ(TagOf("agent"), tag);
+}
+
+TEST_F(InputMirrorTest, OnlyWhatDiffersIsWrittenAndObjectsKeepTheirIdentifiers) {
+  mirror_.Show([](PerceptSink& sink) {
+    TellAgent(sink, 3, "red", 2);
+    TellAgent(sink, 4, "blue", 9);
+  });
+  const long long tag = TagOf("agent");
+  mirror_.Show([](PerceptSink& sink) {
+    TellAgent(sink, 3, "red", 3);
+    TellAgent(sink, 4, "blue", 9);
+  });
+  EXPECT_EQ(mirror_.changes(), 1u);
+  EXPECT_EQ(TagOf("agent"), tag);
+  EXPECT_EQ(Link(), "agent {name red range 3} agent {name blue range 9}");
+}
+
+TEST_F(InputMirrorTest, SiblingsAreToldApartByTheirKeysInWhateverOrderTheyComeAndGo) {
+  const auto tell = [this](std::vector<std::uint32_t> keys) {
+    mirror_.Show([&](PerceptSink& sink) {
+      for (const std::uint32_t key : keys) TellAgent(sink, key, "n" + std::to_string(key), key);
+    });
+  };
+  tell({1, 2, 3});
+  const long long second = TagOf("agent", 1);
+  tell({3, 2});
+  EXPECT_EQ(mirror_.changes(), 1u);  // The first has gone.
+  EXPECT_EQ(TagOf("agent", 0), second);
+  tell({2, 5, 3});
+  EXPECT_EQ(Link(), "agent {name n2 range 2} agent {name n3 range 3} agent {name n5 range 5}");
+  tell({});
+  EXPECT_EQ(Link(), "");
+}
+
+TEST_F(InputMirrorTest, AQueueLosesItsFirstAndGetsNewOnesWhileTheRestStaysUntold) {
+  const auto tell = [this](std::uint32_t first, std::vector<std::uint32_t> more) {
+    mirror_.Begin();
+    while (mirror_.NextKey() != 0 && mirror_.NextKey() < first) mirror_.Drop();
+    mirror_.KeepRest();
+    for (const std::uint32_t key : more) TellAgent(mirror_, key, "m", key);
+    mirror_.End();
+  };
+  tell(1, {1, 2, 3});
+  const long long third = TagOf("agent", 2);
+  tell(3, {4});
+  EXPECT_EQ(mirror_.changes(), 2u + 3u);  // Two gone, an object with two words.
+  EXPECT_EQ(Link(), "agent {name m range 3} agent {name m range 4}");
+  EXPECT_EQ(TagOf("agent", 0), third);
+  tell(9, {});
+  EXPECT_EQ(Link(), "");
+}
+
+TEST_F(InputMirrorTest, AValueMayChangeItsType) {
+  const auto show = [this](Percept::Object list) { mirror_.Show(list); };
+  show({{"heat", 1, std::int64_t{3}}});
+  show({{"heat", 1, 3.5}});
+  EXPECT_EQ(Link(), "heat 3.5");
+  show({{"heat", 1, PerceptList{{"of", 0, std::string("oven")}}}});
+  EXPECT_EQ(Link(), "heat {of oven}");
+  show({{"heat", 1, std::string("much")}, {"heat", 2, std::string("more")}});
+  EXPECT_EQ(Link(), "heat much heat more");
+}
+
+}  // namespace
+}  // namespace soarbox::sim
