@@ -11,7 +11,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr const char* kWorld = R"(
+constexpr const char* kRangesWorld = R"(
 function Sandbox_Initialize(s)
   sandbox = s
   local floor = Sandbox.CreateBox(s, 30, 1, 30)
@@ -91,7 +91,7 @@ class ArgumentRangeTest : public HostTest {
  protected:
   ArgumentRangeTest() {
     Write("Quiet.lua", "");
-    StartWith(kWorld);
+    StartWith(kRangesWorld);
   }
 
   /// What the script is told of a call: its error, or the warnings.
@@ -121,7 +121,7 @@ TEST_F(ArgumentRangeTest, NoNumberThatIsNotFiniteIsTakenWithoutAWord) {
         EXPECT_NE(Told(call), "") << call;
       }
     }
-    StartWith(kWorld);
+    StartWith(kRangesWorld);
   }
 }
 
@@ -147,7 +147,7 @@ TEST_F(ArgumentRangeTest, WhatIsBeyondARangeIsToldWithWhatIsTakenInstead) {
         }
       }
     }
-    StartWith(kWorld);
+    StartWith(kRangesWorld);
   }
   EXPECT_GT(tried, 100);
 }
@@ -166,7 +166,7 @@ TEST_F(ArgumentRangeTest, RightValuesAreTakenWithoutAWord) {
         EXPECT_EQ(told.find("is taken"), std::string::npos) << call << ": " << told;
       }
     }
-    StartWith(kWorld);
+    StartWith(kRangesWorld);
   }
 }
 

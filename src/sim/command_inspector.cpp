@@ -19,7 +19,7 @@ std::vector<std::string> Lines(std::string_view text) {
   return lines;
 }
 
-std::string_view Trimmed(std::string_view text) {
+std::string_view WithoutBlanks(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r");
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
@@ -50,7 +50,7 @@ std::uint64_t Number(std::string_view text) {
 
 /// "O1 (name)" apart.
 void SplitOperator(std::string_view text, std::string& id, std::string& name) {
-  text = Trimmed(text);
+  text = WithoutBlanks(text);
   id = std::string(text.substr(0, text.find(' ')));
   name.clear();
   const std::size_t open = text.find('('), close = text.find(')');
@@ -80,12 +80,12 @@ PreferenceFact ReadPreference(std::string_view line, std::string_view type) {
   SplitOperator(line, preference.value, preference.name);
   const std::size_t close = line.find(')');
   std::string_view rest =
-      Trimmed(close == std::string_view::npos ? line.substr(preference.value.size()) : line.substr(close + 1));
+      WithoutBlanks(close == std::string_view::npos ? line.substr(preference.value.size()) : line.substr(close + 1));
   preference.sign = std::string(rest.substr(0, 1));
-  rest = Trimmed(rest.substr(std::min<std::size_t>(1, rest.size())));
+  rest = WithoutBlanks(rest.substr(std::min<std::size_t>(1, rest.size())));
   const std::size_t support = rest.rfind(':');
   preference.maker.o_supported = support != std::string_view::npos && rest.substr(support).starts_with(":O");
-  const std::string_view referent = Trimmed(rest.substr(0, support));
+  const std::string_view referent = WithoutBlanks(rest.substr(0, support));
   if (!referent.empty())
     SplitOperator(referent.starts_with("= ") ? referent.substr(2) : referent, preference.referent,
                   preference.other_name);
@@ -139,7 +139,7 @@ OperatorFacts ReadPreferences(std::string_view text) {
   std::string_view type;
   bool chances = false;
   for (const std::string& line : Lines(text)) {
-    const std::string_view trimmed = Trimmed(line);
+    const std::string_view trimmed = WithoutBlanks(line);
     if (trimmed.empty()) continue;
     if (trimmed.starts_with("selection probabilities")) {
       chances = true;
@@ -171,7 +171,7 @@ MatchFacts ReadMatches(std::string_view rule, std::string_view text) {
   std::string group;
   int depth = 0;
   for (const std::string& line : Lines(text)) {
-    const std::string_view trimmed = Trimmed(line);
+    const std::string_view trimmed = WithoutBlanks(line);
     if (trimmed.empty()) continue;
     if (trimmed.find("complete match") != std::string_view::npos) {
       facts.complete = Number(trimmed);
@@ -182,11 +182,11 @@ MatchFacts ReadMatches(std::string_view rule, std::string_view text) {
     std::string_view shown = trimmed;
     if (trimmed.starts_with(">>>>")) {
       is_failing = true;
-      shown = Trimmed(trimmed.substr(4));
+      shown = WithoutBlanks(trimmed.substr(4));
     } else if (std::isdigit(static_cast<unsigned char>(trimmed[0])) != 0) {
       condition.partial_matches = Number(trimmed);
       const std::size_t blank = trimmed.find(' ');
-      shown = blank == std::string_view::npos ? std::string_view() : Trimmed(trimmed.substr(blank));
+      shown = blank == std::string_view::npos ? std::string_view() : WithoutBlanks(trimmed.substr(blank));
     }
     // The conditions of a conjunctive negation count as one, told with its closing bracket.
     if (shown == "-{") ++depth;
@@ -211,7 +211,7 @@ MindFacts CommandInspector::Mind() {
   MindFacts facts;
   facts.decisions = static_cast<std::uint64_t>(std::max(agent_.GetDecisionCycleCounter(), 0));
   for (const std::string& line : Lines(Ask("print --all --user")))
-    if (!Trimmed(line).empty() && Trimmed(line).find(' ') == std::string_view::npos) ++facts.rules;
+    if (!WithoutBlanks(line).empty() && WithoutBlanks(line).find(' ') == std::string_view::npos) ++facts.rules;
   for (const ElementFact& io : ElementsOf("S1")) {
     if (io.attribute != "io") continue;
     for (const ElementFact& link : ElementsOf(io.value)) {
@@ -275,7 +275,7 @@ OperatorFacts CommandInspector::Operators(std::string_view state) {
 std::vector<RuleFact> CommandInspector::Rules() {
   std::vector<RuleFact> rules;
   for (const std::string& line : Lines(Ask("print --all --user"))) {
-    const std::string_view name = Trimmed(line);
+    const std::string_view name = WithoutBlanks(line);
     if (name.empty() || name.find(' ') != std::string_view::npos) continue;
     RuleFact& rule = rules.emplace_back();
     rule.name = name;
@@ -284,7 +284,7 @@ std::vector<RuleFact> CommandInspector::Rules() {
   // Newest first is how kernels list them.
   std::ranges::reverse(rules);
   for (const std::string& line : Lines(Ask("production firing-counts"))) {
-    const std::vector<std::string> words = Words(Trimmed(line));
+    const std::vector<std::string> words = Words(WithoutBlanks(line));
     if (words.size() != 2) continue;
     for (RuleFact& rule : rules)
       if (words[1] == rule.name) rule.firings = Number(words[0].substr(0, words[0].find(':')));
