@@ -60,6 +60,10 @@ class Desk {
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct OpenFile {
+    debugger::Edit edit;
+    viewer::EditContents contents;
+  };
 
   void OnTick(const record::TickRecord& tick);
   /// What the models that grow with a run take from a tick, live or recorded.
@@ -83,6 +87,12 @@ class Desk {
   void Resume(Pace& pace);
   void OpenEdit(const viewer::EditRequest& request);
   void ChangeText(const viewer::EditTextRequest& request);
+  /// Takes over what another program has written to the file that is edited.
+  void LookAtDisk();
+  OpenFile* Edited() {
+    const auto found = open_files_.find(edited_file_);
+    return found == open_files_.end() ? nullptr : &found->second;
+  }
   void Type(const viewer::ConsoleRequest& request);
   struct Visitor;
 
@@ -122,8 +132,11 @@ class Desk {
   std::uint64_t timetag_ = 0;
   bool wants_coverage_ = false;
   viewer::WhyRequest why_;
-  std::optional<debugger::Edit> edit_;
-  viewer::EditContents edit_contents_;
+  /// Files that were opened to be edited; what was typed into one stays while another is looked at.
+  std::map<std::string, OpenFile> open_files_;
+  std::string edited_file_;  ///< The one of them that is looked at; empty: none.
+  std::uint64_t edit_version_ = 0;
+  Clock::time_point looked_at_disk_;
   std::string completed_line_;
   debugger::Completion completion_;
 

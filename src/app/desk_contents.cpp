@@ -48,6 +48,7 @@ void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
   if (!news_.empty()) viewer.Tell(std::exchange(news_, {}));
   ReadOn();
   FillPlots();
+  LookAtDisk();
 
   const record::TickRecord* shown = past_.Shown();
   const std::string agent = shown != nullptr ? NameOf(shown->scene, viewer.selected_agent()) : std::string{};
@@ -116,10 +117,11 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.problems = problems_;
   contents.breakpoints = breakpoints_.list();
   contents.hits = hits_;
-  contents.edit = edit_contents_;
-  if (edit_) {
-    contents.edit.is_changed = edit_->is_changed();
-    contents.edit.is_unsaved = edit_->is_unsaved();
+  contents.edit = {};
+  if (const OpenFile* file = Edited()) {
+    contents.edit = file->contents;
+    contents.edit.is_changed = file->edit.is_changed();
+    contents.edit.is_unsaved = file->edit.is_unsaved();
   }
   const record::TickRecord* shown = past_.Shown();
   sim::Simulation* world = Looked();

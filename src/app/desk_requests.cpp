@@ -35,6 +35,7 @@ struct Desk::Visitor {
   void operator()(const viewer::LiveRequest&) const { desk.past_.GoLive(); }
   void operator()(const viewer::ResumeRequest&) const { desk.Resume(pace); }
   void operator()(const viewer::SpeedRequest& request) const { pace.SetSpeed(request.speed); }
+  void operator()(const viewer::TellRequest& request) const { viewer.Tell(request.text); }
   void operator()(const viewer::SavePictureRequest&) const {
     const std::string file = "soarbox-" + std::to_string(desk.past_.shown_tick()) + ".png";
     if (const Result<void> saved = viewer.SaveScreenshot(file); !saved) {
@@ -118,42 +119,50 @@ void Desk::OpenEdit(const viewer::EditRequest& request) {
   });
   sim::WatchedFile file{agent_, wanted, wanted.extension() == ".soar"};
   if (found != files.end()) file = *found;
-  if (!edit_ || edit_->file().file != file.file) {
+  const std::string name = file.file.string();
+  if (!open_files_.contains(name)) {
     Result<debugger::Edit> opened = debugger::Edit::Open(file);
     if (!opened) {
       NoteProblem(opened.error(), agent_);
       return;
     }
-    edit_.emplace(std::move(*opened));
-    const std::uint64_t version = edit_contents_.version + 1;
-    edit_contents_ = {};
-    edit_contents_.file = file.file.string();
-    edit_contents_.is_rules = file.is_rules;
-    edit_contents_.version = version;
-    edit_contents_.text = edit_->text();
+    viewer::EditContents contents;
+    contents.file = name;
+    contents.is_rules = file.is_rules;
+    contents.version = ++edit_version_;
+    contents.text = opened->text();
+    open_files_.emplace(name, OpenFile{std::move(*opened), std::move(contents)});
   }
-  edit_contents_.go_to_line = request.rule.empty() ? request.line : edit_->LineOf(request.rule);
+  edited_file_ = name;
+  OpenFile& edited = *Edited();
+  edited.contents.go_to_line = request.rule.empty() ? request.line : edited.edit.LineOf(request.rule);
+  ++edited.contents.go_to_count;
 }
 
 void Desk::ChangeText(const viewer::EditTextRequest& request) {
-  if (!edit_) return;
+  OpenFile* const file = Edited();
+  if (file == nullptr) return;
+  debugger::Edit& edit = file->edit;
   using What = viewer::EditTextRequest::What;
-  viewer::EditContents& shown = edit_contents_;
-  edit_->text() = request.text;
+  viewer::EditContents& shown = file->contents;
+  edit.text() = request.text;
   shown.text = request.text;
+  if (request.what == What::kType) return;
   shown.notice.clear();
   const auto errors = [&] {
     return std::count_if(shown.problems.begin(), shown.problems.end(),
                          [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
   };
   switch (request.what) {
+    case What::kType:
+      break;
     case What::kCheck:
-      shown.problems = edit_->Check();
+      shown.problems = edit.Check();
       if (errors() == 0) shown.notice = "No errors.";
       break;
     case What::kApply:
       if (sim::Simulation* world = Looked()) {
-        shown.problems = edit_->Apply(*world);
+        shown.problems = edit.Apply(*world);
         shown.notice = errors() == 0 ? "Reloaded: it takes effect in the next tick."
                                      : "Nothing was changed: the version before it goes on.";
       } else {
@@ -161,19 +170,40 @@ void Desk::ChangeText(const viewer::EditTextRequest& request) {
       }
       break;
     case What::kSave:
-      if (const Result<void> saved = edit_->Save(); !saved) {
+      if (const Result<void> saved = edit.Save(); !saved) {
         shown.problems = {saved.error()};
       } else {
         shown.notice = "Saved.";
       }
       break;
     case What::kRevert:
-      edit_->Revert();
-      shown.text = edit_->text();
+      edit.Revert();
+      shown.text = edit.text();
       shown.problems.clear();
-      ++shown.version;
+      shown.version = ++edit_version_;
       break;
   }
+}
+
+void Desk::LookAtDisk() {
+  constexpr auto kEvery = std::chrono::milliseconds(500);
+  OpenFile* const file = Edited();
+  if (file == nullptr || Clock::now() - looked_at_disk_ < kEvery) return;
+  looked_at_disk_ = Clock::now();
+  switch (file->edit.LookAtDisk()) {
+    case debugger::Edit::Disk::kSame:
+      return;
+    case debugger::Edit::Disk::kTaken:
+      file->contents.text = file->edit.text();
+      file->contents.version = ++edit_version_;
+      file->contents.problems.clear();
+      file->contents.notice = "Another program has written this file: this is what it wrote.";
+      break;
+    case debugger::Edit::Disk::kDiffers:
+      file->contents.notice = "Another program has written this file: Revert takes that over, Save writes over it.";
+      break;
+  }
+  is_stale_ = true;
 }
 
 }  // namespace soarbox::app

@@ -63,7 +63,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_option("--select", options.select, "Select this agent from the start");
   run->add_option("--camera", options.camera, "free, orbit, follow, eyes or map; all but free and map want --select");
   run->add_option("--panels", options.panels,
-                  "Panels around the picture, for this run: default, or a list such as agents,mind,timeline");
+                  "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
   run->add_option("--text", options.text_percent, "Size of the texts of these panels, in percent")
       ->capture_default_str()
       ->check(CLI::Range(75, 200));

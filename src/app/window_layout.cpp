@@ -9,7 +9,9 @@ namespace soarbox::app {
 
 Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent) {
   viewer::Layout layout = viewer::DefaultLayout();
-  if (named != "default") {
+  if (named == "none") {
+    layout = viewer::LayoutOf({});
+  } else if (named != "default") {
     std::vector<viewer::PanelId> panels;
     std::istringstream words(named);
     for (std::string word; std::getline(words, word, ',');) {
@@ -23,7 +25,7 @@ Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent) {
         if (!near.empty()) {
           problem.hint = "did you mean '" + std::string(near) + "'?";
         } else {
-          problem.hint = "there are:";
+          problem.hint = "it is 'default', 'none', or a list, apart by commas, of:";
           for (const std::string_view known : all) problem.hint += " " + std::string(known);
         }
         return problem;

@@ -2,6 +2,7 @@
 #include "debugger/edit.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -51,6 +52,8 @@ Result<Edit> Edit::Open(const sim::WatchedFile& file) {
   Edit edit;
   edit.file_ = file;
   edit.text_ = edit.running_ = edit.saved_ = text.str();
+  std::error_code error;
+  edit.written_ = std::filesystem::last_write_time(file.file, error);
   return edit;
 }
 
@@ -89,6 +92,21 @@ Result<void> Edit::Save() {
     return Problem(file_.file, "this file cannot be written", "check the folder and its permissions");
   saved_ = text_;
   return {};
+}
+
+Edit::Disk Edit::LookAtDisk() {
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(file_.file, error);
+  if (error || written == written_) return Disk::kSame;
+  const Result<Edit> now = Open(file_);
+  if (!now) return Disk::kSame;
+  written_ = written;
+  if (now->text_ == saved_) return Disk::kSame;
+  const bool is_own = is_unsaved();
+  saved_ = running_ = now->text_;
+  if (is_own) return Disk::kDiffers;
+  text_ = saved_;
+  return Disk::kTaken;
 }
 
 int Edit::LineOf(std::string_view rule) const {

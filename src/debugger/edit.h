@@ -37,12 +37,21 @@ class Edit {
   /// Back to what is on the disk.
   void Revert() { text_ = saved_; }
 
+  enum class Disk : std::uint8_t {
+    kSame,     ///< Nobody else has written the file.
+    kTaken,    ///< Somebody has; the text was as it had been on the disk, and is as it is there now.
+    kDiffers,  ///< Somebody has, and the text has changes of its own: it stays; Revert takes over what was written.
+  };
+  /// Looks whether another program has written the file, which by then has taken effect in the running world.
+  Disk LookAtDisk();
+
   /// The first line (from 1) of a rule in the text; 0 if it is not there.
   int LineOf(std::string_view rule) const;
 
  private:
   sim::WatchedFile file_;
   std::string text_, running_, saved_;
+  std::filesystem::file_time_type written_{};  ///< When the file was, last time that it was read.
 };
 
 /// The files that an agent was made from, those included that its rules source; an empty agent: those of all. Each

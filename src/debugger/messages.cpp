@@ -35,16 +35,24 @@ MessageRow ReadSaid(const sim::Event& event) {
 }  // namespace
 
 void MessageLog::Add(const record::TickRecord& tick) {
-  while (!rows_.empty() && rows_.back().tick >= tick.tick) rows_.pop_back();
+  const auto cut = [&] {
+    rows_.pop_back();
+    revision_ = NewRevision();
+  };
+  const auto add = [&](MessageRow row) {
+    rows_.push_back(std::move(row));
+    revision_ = NewRevision();
+  };
+  while (!rows_.empty() && rows_.back().tick >= tick.tick) cut();
   for (const std::string& line : tick.inputs) {
     if (line.find(" order ") == std::string::npos) continue;
     for (const sim::Input& input : sim::ReadInputs(line, "input").inputs) {
       const auto* order = std::get_if<sim::OrderInput>(&input.value);
-      if (order != nullptr) rows_.push_back({tick.tick, tick.scene.time_s, "", order->agent, "order", order->order});
+      if (order != nullptr) add({tick.tick, tick.scene.time_s, "", order->agent, "order", order->order});
     }
   }
   for (const sim::Event& event : tick.events)
-    if (event.kind == sim::EventKind::kNews && event.news == "says") rows_.push_back(ReadSaid(event));
+    if (event.kind == sim::EventKind::kNews && event.news == "says") add(ReadSaid(event));
   while (rows_.size() > kMost) rows_.pop_front();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "debugger/json.h"
+#include "debugger/revision.h"
 #include "record/tick_record.h"
 
 namespace soarbox::debugger {
@@ -28,8 +29,13 @@ class MessageLog {
  public:
   /// Ticks come in order; an earlier one takes back what was added from there on.
   void Add(const record::TickRecord& tick);
-  void Clear() { rows_.clear(); }
+  void Clear() {
+    rows_.clear();
+    revision_ = NewRevision();
+  }
   const std::deque<MessageRow>& rows() const { return rows_; }
+  /// Another one whenever the rows change (see NewRevision).
+  std::uint64_t revision() const { return revision_; }
   /// Those from or to an agent or a team (empty: all), with each word of the text somewhere.
   std::vector<MessageRow> Find(std::string_view who, std::string_view text) const;
 
@@ -37,6 +43,7 @@ class MessageLog {
 
  private:
   std::deque<MessageRow> rows_;
+  std::uint64_t revision_ = NewRevision();
 };
 
 std::string ToText(const std::vector<MessageRow>& rows);

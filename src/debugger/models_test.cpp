@@ -2,11 +2,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "debugger/breakpoints.h"
 #include "debugger/facts_text.h"
+#include "debugger/file_place.h"
 #include "debugger/memory.h"
 #include "debugger/messages.h"
 #include "debugger/operators.h"
+#include "debugger/plots.h"
 #include "debugger/syntax.h"
 #include "debugger/timeline.h"
 #include "debugger/trace.h"
@@ -188,6 +192,100 @@ TEST(Trace, DetailsStandBetweenTheirDecisionsAndLevelsFilter) {
   EXPECT_EQ(trace.Find({TraceKind::kDecision, "", ""}).size(), 2u);
   EXPECT_EQ(trace.Find({TraceKind::kDecision, "", "STEP"}).front()->level, 2);
   EXPECT_TRUE(trace.Find({TraceKind::kElement, "b", ""}).empty());
+}
+
+TEST(FilePlaces, AreFoundInMessages) {
+  const std::string text = "walker: /tmp/a b/scout.soar:14:23: error: no such <t> (see init.lua:7)";
+  const std::optional<FilePlace> place = FindFilePlace(text);
+  ASSERT_TRUE(place.has_value());
+  EXPECT_EQ(place->file, "b/scout.soar");
+  EXPECT_EQ(place->line, 14);
+  EXPECT_EQ(text.substr(place->begin, place->length), "b/scout.soar:14:23");
+  EXPECT_EQ(FindFilePlace("stopped (init.lua:7)")->file, "init.lua");
+  EXPECT_EQ(FindFilePlace("scenario.toml:3")->line, 3);
+  for (const char* none : {"", "12:30", "a:b", "scout.soar", "scout.soar:", "rule a*b:1", "x.soar:99999999999999"})
+    EXPECT_FALSE(FindFilePlace(none).has_value()) << none;
+  EXPECT_TRUE(IsEditable("a.soar"));
+  EXPECT_FALSE(IsEditable("scenario.toml"));
+}
+
+TEST(Timeline, SpansWithinTicksAreThoseThatCanBeSeenThere) {
+  Timeline timeline;
+  for (std::uint64_t tick = 1; tick <= 40; ++tick) {
+    std::vector<std::string> decisions;
+    if (tick == 1) decisions.push_back("==>S: S1");
+    if (tick % 4 == 1) decisions.push_back("O: O" + std::to_string(tick));
+    if (tick % 4 == 2) decisions.push_back("   ==>S: S" + std::to_string(tick) + " (operator no-change)");
+    timeline.Add(TickOf(tick, decisions));
+  }
+  const TimelineTrack& track = *timeline.Find("a");
+  for (std::uint64_t first = 1; first <= 40; first += 3) {
+    for (std::uint64_t last = first; last <= 40; last += 5) {
+      std::vector<std::string> wanted, seen;
+      const auto note = [&](const TimelineSpan& span) {
+        if (span.last_tick >= first && span.first_tick <= last) wanted.push_back(span.id);
+      };
+      std::ranges::for_each(track.spans, note);
+      std::ranges::for_each(track.open, note);
+      ForSpansWithin(track, first, last, [&](const TimelineSpan& span) { seen.push_back(span.id); });
+      EXPECT_EQ(seen, wanted) << first << " to " << last;
+    }
+  }
+}
+
+TEST(Timeline, TracksOfManyAgentsShareWhatIsKept) {
+  Timeline timeline;
+  constexpr std::size_t kAgents = 100;
+  record::TickRecord tick = TickOf(1, {});
+  tick.minds[0].commands = {"seek"};
+  for (std::size_t i = 0; i < kAgents; ++i) tick.minds.push_back(tick.minds[0]);
+  for (std::size_t i = 0; i < tick.minds.size(); ++i) tick.minds[i].agent = "a" + std::to_string(i);
+  for (tick.tick = 1; tick.tick <= 5'000; ++tick.tick) timeline.Add(tick);
+  std::size_t marks = 0;
+  for (const TimelineTrack* track : timeline.tracks()) marks += track->marks.size();
+  EXPECT_LE(marks, Timeline::kMostOfAll);
+  EXPECT_GT(marks, Timeline::kMostOfAll / 2);
+}
+
+TEST(Trace, ASearchThatIsKeptFindsWhatOneFromTheBeginningDoes) {
+  Trace trace(40);
+  TraceSearch search;
+  TraceFilter filter{TraceKind::kDecision, "", ""};
+  const auto is_same = [&] {
+    const std::vector<const TraceLine*> wanted = trace.Find(filter);
+    const auto& found = search.Find(trace, filter);
+    return std::ranges::equal(found, wanted);
+  };
+  for (std::uint64_t tick = 1; tick <= 30; ++tick) {
+    trace.Add(TickOf(tick, {"O: O" + std::to_string(tick % 3)}, {"0 fire a"}));
+    EXPECT_TRUE(is_same()) << tick;
+  }
+  filter.text = "O1";
+  EXPECT_TRUE(is_same());
+  EXPECT_FALSE(search.Find(trace, filter).empty());
+  trace.Add(TickOf(25, {"O: O1"}));  // Somebody went back.
+  EXPECT_TRUE(is_same());
+  trace.Clear();
+  EXPECT_TRUE(is_same());
+}
+
+TEST(Plots, KeepTheirBeginningHoweverLongTheyAre) {
+  Plots plots;
+  plots.Plot("a", "health");
+  constexpr std::uint64_t kTicks = 110'000;  // An hour.
+  record::TickRecord tick;
+  tick.scene.agents.resize(1);
+  tick.scene.agents[0].name = "a";
+  for (tick.tick = 1; tick.tick <= kTicks; ++tick.tick) {
+    tick.scene.agents[0].health = tick.tick == 500 ? 7.0f : tick.tick % 2 == 0 ? 50.0f : 60.0f;
+    plots.Add(tick);
+  }
+  const PlotSeries& series = plots.series()[0];
+  EXPECT_LE(series.points.size(), Plots::kMostPoints);
+  EXPECT_LE(series.points.front().tick, kTicks / 100);
+  EXPECT_EQ(series.points.back().tick, kTicks);
+  EXPECT_TRUE(std::ranges::is_sorted(series.points, {}, &PlotPoint::tick));
+  EXPECT_TRUE(std::ranges::any_of(series.points, [](const PlotPoint& point) { return point.value == 7; }));
 }
 
 TEST(Trace, IsBounded) {

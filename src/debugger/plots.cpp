@@ -100,6 +100,23 @@ std::optional<double> ValueIn(const record::TickRecord& tick, std::string_view a
   return percept == known->second.end() ? std::nullopt : Number(percept->second);
 }
 
+/// See Plots::kMostPoints.
+void ThinOut(std::deque<PlotPoint>& points, std::size_t most) {
+  if (points.size() <= most) return;
+  constexpr std::size_t kGroup = 4;
+  const std::size_t half = most / 2 / kGroup * kGroup;
+  std::deque<PlotPoint> thin;
+  for (std::size_t i = 0; i < half; i += kGroup) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto [least, greatest] = std::minmax_element(
+        begin, begin + kGroup, [](const PlotPoint& a, const PlotPoint& b) { return a.value < b.value; });
+    thin.push_back(*std::min(least, greatest));
+    if (least != greatest) thin.push_back(*std::max(least, greatest));
+  }
+  thin.insert(thin.end(), points.begin() + static_cast<std::ptrdiff_t>(half), points.end());
+  points.swap(thin);
+}
+
 }  // namespace
 
 bool Plots::Plot(std::string agent, std::string what) {
@@ -122,7 +139,7 @@ bool Plots::Remove(std::string_view agent, std::string_view what) {
 
 void Plots::Point(PlotSeries& series, std::uint64_t tick, double value) {
   series.points.push_back({tick, value});
-  if (series.points.size() > kMostPoints) series.points.pop_front();
+  ThinOut(series.points, kMostPoints);
   const bool is_first = series.points.size() == 1;
   series.minimum = is_first ? value : std::min(series.minimum, value);
   series.maximum = is_first ? value : std::max(series.maximum, value);
@@ -154,7 +171,7 @@ void Plots::Sample(const sim::Simulation& simulation) {
     std::deque<PlotPoint>& times = times_[report.agent];
     while (!times.empty() && times.back().tick >= simulation.tick()) times.pop_back();
     times.push_back({simulation.tick(), report.decide_s * 1e6});
-    if (times.size() > kMostPoints) times.pop_front();
+    ThinOut(times, kMostTimes);
   }
   for (PlotSeries& series : series_) {
     if (series.what == "decide_us") {

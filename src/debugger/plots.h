@@ -52,7 +52,9 @@ class Plots {
 
   const std::vector<PlotSeries>& series() const { return series_; }
 
-  static constexpr std::size_t kMostPoints = 20'000;
+  /// Of a plot, and of the decision times that are noted of every agent. When there are more, the older half is thinned
+  /// out: of four points that follow each other the least and the greatest stay, so that a plot keeps its beginning.
+  static constexpr std::size_t kMostPoints = 20'000, kMostTimes = 4'000;
 
  private:
   void Point(PlotSeries& series, std::uint64_t tick, double value);

@@ -46,16 +46,14 @@ std::string TextOf(const sim::Event& event) {
 /// Spans that lie in these ticks, open ones too, in the order in which they began.
 std::vector<TimelineSpan> SpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64_t last) {
   std::vector<TimelineSpan> spans;
-  const auto is_within = [&](const TimelineSpan& span) { return span.last_tick >= first && span.first_tick <= last; };
-  std::ranges::copy_if(track.spans, std::back_inserter(spans), is_within);
-  std::ranges::copy_if(track.open, std::back_inserter(spans), is_within);
+  ForSpansWithin(track, first, last, [&](const TimelineSpan& span) { spans.push_back(span); });
   std::ranges::stable_sort(spans, {}, [](const TimelineSpan& span) { return std::pair(span.first_tick, span.line); });
   return spans;
 }
 
 template <typename List>
-void Bound(List& list) {
-  while (list.size() > Timeline::kMostPerTrack) list.pop_front();
+void Bound(List& list, std::size_t most) {
+  while (list.size() > most) list.pop_front();
 }
 
 }  // namespace
@@ -164,11 +162,13 @@ void Timeline::Add(const record::TickRecord& tick) {
     if ((kind == MarkKind::kCommand || kind == MarkKind::kOutcome) && has_mind(event.agent)) continue;
     Track(event.agent).marks.push_back({tick.tick, kind, TextOf(event)});
   }
+  const std::size_t most =
+      std::clamp<std::size_t>(kMostOfAll / std::max<std::size_t>(1, tracks_.size()), 1, kMostPerTrack);
   for (auto& [agent, track] : tracks_) {
     for (TimelineSpan& span : track.open) span.last_tick = tick.tick;
-    Bound(track.spans);
-    Bound(track.marks);
-    Bound(track.firings);
+    Bound(track.spans, most);
+    Bound(track.marks, most);
+    Bound(track.firings, most);
   }
 }
 
@@ -183,15 +183,28 @@ std::vector<const TimelineTrack*> Timeline::tracks() const {
   return list;
 }
 
+void ForSpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64_t last,
+                    const std::function<void(const TimelineSpan&)>& see) {
+  for (auto span = std::ranges::lower_bound(track.spans, first, {}, &TimelineSpan::last_tick);
+       span != track.spans.end(); ++span) {
+    if (span->first_tick <= last) {
+      see(*span);
+    } else if (span->level == 1 && !span->is_state) {
+      break;  // Whatever lay below the operator before it had ended when this one came.
+    }
+  }
+  for (const TimelineSpan& span : track.open)
+    if (span.last_tick >= first && span.first_tick <= last) see(span);
+}
+
 std::vector<TimelineSpan> Timeline::At(std::string_view agent, std::uint64_t tick) const {
   std::vector<TimelineSpan> found;
   const TimelineTrack* track = Find(agent);
   if (track == nullptr) return found;
   // A span that ends in a tick is over when the tick is.
-  for (const TimelineSpan& span : track->spans)
-    if (span.first_tick <= tick && tick < span.last_tick) found.push_back(span);
-  for (const TimelineSpan& span : track->open)
-    if (span.first_tick <= tick && tick <= span.last_tick) found.push_back(span);
+  ForSpansWithin(*track, tick, tick, [&](const TimelineSpan& span) {
+    if (span.open || tick < span.last_tick) found.push_back(span);
+  });
   std::ranges::stable_sort(found, {}, &TimelineSpan::line);
   return found;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -61,7 +62,8 @@ class Timeline {
   /// Spans that a tick lies in, by line.
   std::vector<TimelineSpan> At(std::string_view agent, std::uint64_t tick) const;
 
-  static constexpr std::size_t kMostPerTrack = 20'000;  ///< Spans, marks; the oldest go.
+  /// Spans or marks of one agent, and of all together; the oldest go.
+  static constexpr std::size_t kMostPerTrack = 20'000, kMostOfAll = 400'000;
 
  private:
   void CutFrom(std::uint64_t tick);
@@ -75,6 +77,10 @@ class Timeline {
   std::uint64_t first_tick_ = 0, last_tick_ = 0;
   double step_s_ = 0;
 };
+
+/// Spans of which something lies between two ticks, open ones too: costs as much as there are, however long the run.
+void ForSpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64_t last,
+                    const std::function<void(const TimelineSpan&)>& see);
 
 /// Ticks `first` to `last`; an empty agent: all.
 std::string ToText(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last);

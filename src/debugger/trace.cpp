@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -86,7 +87,10 @@ std::string_view NameOf(TraceKind kind) {
 }
 
 void Trace::Add(const record::TickRecord& tick) {
-  while (!lines_.empty() && lines_.back().tick >= tick.tick) lines_.pop_back();
+  while (!lines_.empty() && lines_.back().tick >= tick.tick) {
+    lines_.pop_back();
+    revision_ = NewRevision();
+  }
   Writer writer{lines_, tick.tick, tick.scene.time_s};
   for (const std::string& input : tick.inputs) writer.Write(TraceKind::kInput, "", input);
   for (const record::MindRecord& mind : tick.minds) writer.WriteMind(mind);
@@ -101,13 +105,38 @@ void Trace::Add(const record::TickRecord& tick) {
   }
 }
 
+bool TraceFilter::Lets(const TraceLine& line) const {
+  if (line.kind > most || (!agent.empty() && line.agent != agent)) return false;
+  return text.empty() || Passes(text, line.agent + " " + line.text);
+}
+
 std::vector<const TraceLine*> Trace::Find(const TraceFilter& filter) const {
   std::vector<const TraceLine*> found;
-  for (const TraceLine& line : lines_) {
-    if (line.kind > filter.most || (!filter.agent.empty() && line.agent != filter.agent)) continue;
-    if (filter.text.empty() || Passes(filter.text, line.agent + " " + line.text)) found.push_back(&line);
-  }
+  for (const TraceLine& line : lines_)
+    if (filter.Lets(line)) found.push_back(&line);
   return found;
+}
+
+const std::deque<const TraceLine*>& TraceSearch::Find(const Trace& trace, const TraceFilter& filter) {
+  const std::uint64_t first = trace.forgotten(), end = first + trace.lines().size();
+  if (revision_ != trace.revision() || !(filter_ == filter)) {
+    filter_ = filter;
+    revision_ = trace.revision();
+    next_ = first;
+    found_.clear();
+    numbers_.clear();
+  }
+  while (!numbers_.empty() && numbers_.front() < first) {
+    numbers_.pop_front();
+    found_.pop_front();
+  }
+  for (next_ = std::max(next_, first); next_ < end; ++next_) {
+    const TraceLine& line = trace.lines()[static_cast<std::size_t>(next_ - first)];
+    if (!filter.Lets(line)) continue;
+    found_.push_back(&line);
+    numbers_.push_back(next_);
+  }
+  return found_;
 }
 
 std::string ToText(const std::vector<const TraceLine*>& lines) {

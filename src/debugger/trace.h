@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "debugger/json.h"
+#include "debugger/revision.h"
 #include "record/tick_record.h"
 
 namespace soarbox::debugger {
@@ -39,6 +40,9 @@ struct TraceFilter {
   TraceKind most = TraceKind::kEvent;  ///< Lines of this kind and of those before it.
   std::string agent;                   ///< Empty: all.
   std::string text;                    ///< Each word of it must stand in the line.
+
+  bool Lets(const TraceLine& line) const;
+  friend bool operator==(const TraceFilter&, const TraceFilter&) = default;
 };
 
 /// What happened, line by line, over the ticks that were added. Bounded: the oldest lines go.
@@ -48,16 +52,35 @@ class Trace {
 
   /// Ticks come in order; an earlier one takes back what was added from there on.
   void Add(const record::TickRecord& tick);
-  void Clear() { lines_.clear(); }
+  void Clear() {
+    lines_.clear();
+    revision_ = NewRevision();
+  }
   const std::deque<TraceLine>& lines() const { return lines_; }
   /// How many lines have gone because there were too many.
   std::uint64_t forgotten() const { return forgotten_; }
+  /// Another one whenever lines are taken back (see NewRevision).
+  std::uint64_t revision() const { return revision_; }
   std::vector<const TraceLine*> Find(const TraceFilter& filter) const;
 
  private:
   std::size_t most_;
-  std::uint64_t forgotten_ = 0;
+  std::uint64_t forgotten_ = 0, revision_ = NewRevision();
   std::deque<TraceLine> lines_;
+};
+
+/// The lines of a trace that a filter lets pass, kept as the trace grows: only new lines are looked at.
+class TraceSearch {
+ public:
+  /// Valid until the trace changes.
+  const std::deque<const TraceLine*>& Find(const Trace& trace, const TraceFilter& filter);
+
+ private:
+  TraceFilter filter_;
+  std::uint64_t revision_ = 0;
+  std::uint64_t next_ = 0;  ///< The line to look at next, counted from the run's first.
+  std::deque<const TraceLine*> found_;
+  std::deque<std::uint64_t> numbers_;  ///< Of the lines found.
 };
 
 std::string ToText(const std::vector<const TraceLine*>& lines);

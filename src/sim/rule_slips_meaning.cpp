@@ -75,11 +75,15 @@ class MeaningChecker {
       }
     }
     std::map<std::string, int> parameters;
+    std::map<std::pair<std::string, std::string>, const RuleAttribute*> given;
     for (const RuleAttribute& action : rule.actions) {
       const auto command = commands.find(action.id);
       if (command == commands.end() || !IsConstantAttribute(action.attribute)) continue;
       ++parameters[action.id];
       CheckParameter(rule, command->second, action);
+      if (action.value.ends_with(" -")) continue;
+      const auto [first, is_new] = given.try_emplace({action.id, action.attribute}, &action);
+      if (!is_new) CheckTwoValues(rule, command->second, *first->second, action);
     }
     for (const auto& [id, name] : commands) {
       if (parameters.contains(id)) continue;
@@ -165,13 +169,10 @@ class MeaningChecker {
          near.empty() ? all : "did you mean " + std::string(near) + "?");
   }
 
-  void CheckParameter(const RuleText& rule, const std::string& command, const RuleAttribute& action) {
-    SaidCommand said;
-    said.name = command;
-    Percept& given = said.parameters.emplace_back();
+  static Percept GivenBy(const RuleAttribute& action) {
+    Percept given;
     given.attribute = action.attribute;
     const std::string word = FirstWord(action.value);
-    const bool is_constant = !word.empty() && word.find_first_of("<>()|") == std::string::npos;
     if (IsNumber(word)) {
       double number = 0;
       std::from_chars(word.data(), word.data() + word.size(), number);
@@ -183,6 +184,26 @@ class MeaningChecker {
     } else {
       given.value = word;
     }
+    return given;
+  }
+
+  /// "^speed 1 + 2" reads as two values: the sign is a preference.
+  void CheckTwoValues(const RuleText& rule, const std::string& command, const RuleAttribute& first,
+                      const RuleAttribute& second) {
+    if (FirstWord(first.value) == FirstWord(second.value)) return;
+    SaidCommand said;
+    said.name = command;
+    said.parameters = {GivenBy(first), GivenBy(second)};
+    const CommandFault fault = CheckCommand(said);
+    if (fault.reason == "bad-value") Tell(rule, second.attribute, true, "rule " + rule.name + ": " + fault.text, {});
+  }
+
+  void CheckParameter(const RuleText& rule, const std::string& command, const RuleAttribute& action) {
+    SaidCommand said;
+    said.name = command;
+    said.parameters.push_back(GivenBy(action));
+    const std::string word = FirstWord(action.value);
+    const bool is_constant = !word.empty() && word.find_first_of("<>()|") == std::string::npos;
     const CommandFault fault = CheckCommand(said);
     if (fault.reason == "unknown-parameter" || (fault.reason == "bad-value" && is_constant))
       Tell(rule, action.attribute, true, "rule " + rule.name + ": " + fault.text, {});

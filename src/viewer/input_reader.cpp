@@ -124,7 +124,7 @@ void InputReader::Handle(const SDL_Event& event, FrameInput& input) {
   }
 }
 
-void InputReader::ReadHeldKeys(FrameInput& input) const {
+void InputReader::ReadHeldKeys(FrameInput& input, bool with_arrows) const {
   const Uint8* keys = SDL_GetKeyboardState(nullptr);
   const auto axis = [keys](std::initializer_list<int> plus, std::initializer_list<int> minus) {
     float value = 0;
@@ -138,10 +138,12 @@ void InputReader::ReadHeldKeys(FrameInput& input) const {
   };
   // With Ctrl they are commands.
   if (keys[SDL_SCANCODE_LCTRL] != 0 || keys[SDL_SCANCODE_RCTRL] != 0) return;
-  input.camera.forward = axis({SDL_SCANCODE_W, SDL_SCANCODE_UP}, {SDL_SCANCODE_S});
-  input.camera.forward += axis({}, {SDL_SCANCODE_DOWN});
-  input.camera.left = axis({SDL_SCANCODE_A, SDL_SCANCODE_LEFT}, {SDL_SCANCODE_D});
-  input.camera.left += axis({}, {SDL_SCANCODE_RIGHT});
+  input.camera.forward = axis({SDL_SCANCODE_W}, {SDL_SCANCODE_S});
+  input.camera.left = axis({SDL_SCANCODE_A}, {SDL_SCANCODE_D});
+  if (with_arrows) {
+    input.camera.forward += axis({SDL_SCANCODE_UP}, {SDL_SCANCODE_DOWN});
+    input.camera.left += axis({SDL_SCANCODE_LEFT}, {SDL_SCANCODE_RIGHT});
+  }
   input.camera.up = axis({SDL_SCANCODE_E, SDL_SCANCODE_PAGEUP}, {SDL_SCANCODE_Q});
   input.camera.up += axis({}, {SDL_SCANCODE_PAGEDOWN});
   input.camera.fast = keys[SDL_SCANCODE_LSHIFT] != 0 || keys[SDL_SCANCODE_RSHIFT] != 0;
@@ -153,7 +155,7 @@ FrameInput InputReader::Read(const InputClaims& claims) {
     if (claims.takes && claims.takes(event)) continue;
     Handle(event, input);
   }
-  if (!claims.keys) ReadHeldKeys(input);
+  if (!claims.keys) ReadHeldKeys(input, !claims.arrows);
   input.camera.looking = looking_;
   input.camera.panning = panning_;
   if (left_down_ && is_box_) input.box = Picked{left_at_, cursor_, true, false, false};

@@ -40,8 +40,9 @@ struct InputClaims {
   /// Sees each event before the scene; true keeps it from the scene and the scripts. It may change where the mouse is,
   /// if the scene begins elsewhere than the window. May be empty.
   std::function<bool(SDL_Event&)> takes = {};
-  bool mouse = false;  ///< The mouse is over a panel.
-  bool keys = false;   ///< Somebody types into a panel: held keys do not move the camera.
+  bool mouse = false;   ///< The mouse is over a panel.
+  bool keys = false;    ///< Somebody types into a panel: held keys do not move the camera.
+  bool arrows = false;  ///< A list takes the arrow keys: they do not either.
 };
 
 /// Reads SDL's events and knows what is held down.
@@ -56,7 +57,7 @@ class InputReader {
   void Handle(const SDL_Event& event, FrameInput& input);
   void HandleKey(int scancode, int modifiers, bool pressed, FrameInput& input);
   void HandleButton(const SDL_Event& event, FrameInput& input);
-  void ReadHeldKeys(FrameInput& input) const;
+  void ReadHeldKeys(FrameInput& input, bool with_arrows) const;
   InputEvent MouseEvent(InputKind kind, int x, int y) const;
 
   SDL_Window* window_;

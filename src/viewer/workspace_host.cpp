@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include "viewer/panels/layout_audit.h"
+#include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -35,21 +36,38 @@ void WorkspaceHost::PlacePicture() {
   picture_ = workspace_.PictureIn(engine_.window_width(), engine_.window_height());
   engine_.SetPicture(picture_.x, picture_.y, picture_.width, picture_.height);
   input_.SetPicture(picture_.x, picture_.y, picture_.width, picture_.height, workspace_.IsModal());
+  const PictureRect cover = workspace_.cover();
+  input_.SetCover(cover.x, cover.y, cover.width, cover.height);
 }
 
 bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
   if (event.type != SDL_KEYDOWN) return false;
   const bool control = (event.key.keysym.mod & KMOD_CTRL) != 0;
   Layout& layout = workspace_.layout;
+  if ((event.key.keysym.mod & KMOD_LALT) != 0 && !control) {
+    for (const PanelInfo& info : kPanelInfos) {
+      if (event.key.keysym.scancode != SDL_SCANCODE_A + (info.key - 'A')) continue;
+      workspace_.Open(info.id);
+      return true;
+    }
+    return false;
+  }
   switch (event.key.keysym.scancode) {
     case SDL_SCANCODE_ESCAPE:
       // It closes what lies over the picture before it closes the window.
-      if (!workspace_.IsModal()) return false;
+      if (!workspace_.IsModal()) return !input_.has_keys() && (event.key.repeat != 0 || !IsSecondEscape());
       closes_help_ = true;
       ImGui::ClosePopupsOverWindow(nullptr, false);
       return true;
     case SDL_SCANCODE_F11:
       workspace_.only_picture = !workspace_.only_picture;
+      return true;
+    case SDL_SCANCODE_F:
+      if (control) workspace_.FocusField();
+      return control;
+    case SDL_SCANCODE_C:
+      if (!control || input_.has_keys()) return false;  // A field copies what is marked in it.
+      workspace_.CopyPanel();
       return true;
     case SDL_SCANCODE_EQUALS:
     case SDL_SCANCODE_KP_PLUS:
@@ -67,11 +85,20 @@ bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
   }
 }
 
+bool WorkspaceHost::IsSecondEscape() {
+  constexpr auto kSoon = std::chrono::milliseconds(2500);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - std::exchange(escaped_at_, now) < kSoon) return true;
+  requests.push_back(TellRequest{"Press Esc again to close the window"});
+  return false;
+}
+
 InputClaims WorkspaceHost::Claims() {
   InputClaims claims;
   claims.takes = [this](SDL_Event& event) { return TakeShortcut(event) || input_.Take(event); };
   claims.mouse = input_.has_mouse();
   claims.keys = input_.has_keys();
+  claims.arrows = ListTakesArrows();
   return claims;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -56,6 +57,8 @@ class WorkspaceHost {
 
  private:
   bool TakeShortcut(const SDL_Event& event);
+  /// Esc closes the window when it is pressed twice: who presses it once may have meant a field or a menu.
+  bool IsSecondEscape();
 
   Engine& engine_;
   PanelHost& host_;
@@ -63,6 +66,7 @@ class WorkspaceHost {
   PanelInput input_;
   PictureRect picture_;
   bool closes_help_ = false;
+  std::chrono::steady_clock::time_point escaped_at_;
   std::optional<UiScript> script_;
 };
 

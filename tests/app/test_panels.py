@@ -324,13 +324,103 @@ class Panels(unittest.TestCase):
             expect "sp {walker*propose*seek"
             audit "Edit"
             picture second.png
+            click "Find; Enter: next"
+            type "prefer*north"
+            key Return
+            expect "walker*prefer*north"
+            click "Mind"
+            expect "Goal stack"
+            expect "walker*prefer*north"
+            click "Console"
+            click "a Soar command"
+            type "print s1"
+            key Return
+            expect "^superstate nil"
+            audit "Mind and Console"
+            click "Senses"
+            expect "Percepts (input link)"
+            expect "free-ahead"
+            click "Breakpoints"
+            click "the rule's name"
+            type "walker*apply*forget*"
+            key Return
+            expect "any agent: a rule fires:"
+            click "Timeline"
+            expect "signs"
+            click "Agents"
+            expect "Doing"
+            audit "Breakpoints, Timeline and Agents"
+            picture third.png
+            click "Breakpoints"
+            click "\u00d7"
+            expect "No breakpoints."
+            click-at 400 704
+            expect "Resume here"
+            expect-not "Rebuilding"
+            click "Resume here"
+            expect-not "Resume here"
+            click "Futures"
+            expect "So far both futures are the same."
+            audit "Futures"
+            picture fourth.png
             """, code=1, record=f"--record={self.folder / 'filled.soarrec'}")
-        for name in ("first.png", "second.png"):
+        for name in ("first.png", "second.png", "third.png", "fourth.png"):
             picture = Picture(self.folder / name)
             # Left, right and bottom panels below their tabs: neither blank nor of few colours only.
             for left, top, right, bottom in ((10, 110, 260, 400), (930, 130, 1270, 400), (290, 530, 900, 680)):
                 colours = {picture.at(x, y) for x in range(left, right, 3) for y in range(top, bottom, 3)}
                 self.assertGreater(len(colours), 12, (name, left, top))
+
+    def test_keys_lead_to_panels_search_and_copy(self):
+        self.play("""
+            until 0.5
+            key P
+            expect "Paused"
+            key Alt+R
+            expect "Filter by name"
+            type "prefer"
+            expect "walker*prefer*north"
+            expect-not "walker*apply*seek"
+            key Escape
+            hover "walker*prefer*north"
+            key Ctrl+C
+            expect "Rules: copied"
+            key Alt+L
+            type "print s1"
+            key Return
+            expect "^superstate nil"
+            key Alt+W
+            type "flee"
+            key Return
+            expect "Why not flee?"
+            click-at 640 300
+            key Escape
+            expect "Press Esc again to close the window"
+            """)
+
+    def test_somebody_new_is_led_through_the_window(self):
+        self.play("""
+            until 0.3
+            click "Help"
+            click "First steps"
+            expect "1 of 5"
+            audit "the first step"
+            click "idler"
+            expect "2 of 5"
+            click "Why"
+            expect "3 of 5"
+            click "Why not ..."
+            type "flee"
+            key Return
+            expect "4 of 5"
+            click "Pause"
+            expect "5 of 5"
+            click-at 400 704
+            expect "That is how one finds out why."
+            audit "the last step"
+            click "Close"
+            expect-not "First steps"
+            """)
 
     def test_the_window_goes_on_without_a_kernel_that_has_gone(self):
         with socket.socket() as free:
@@ -348,8 +438,34 @@ class Panels(unittest.TestCase):
                 expect "Goal stack"
                 expect "seek"
                 expect "not available there"
+                audit "Mind of another process"
                 click "Memory"
                 expect "^superstate"
+                click "^superstate"
+                expect "who made it and who tests it:"
+                click "Rules"
+                click "walker*prefer*north"
+                expect "Break when it fires"
+                audit "Rules of another process"
+                click "Breakpoints"
+                expect "No breakpoints."
+                click "Console"
+                click "a Soar command"
+                type "print s1"
+                key Return
+                expect "^superstate nil"
+                click "Plots"
+                click "Plot a number of walker"
+                click "health"
+                expect "100"
+                click "Edit"
+                click "Choose a file"
+                click "walker.soar"
+                expect "sp {walker*propose*seek"
+                click "Trace"
+                expect "walker"
+                click "Timeline"
+                expect "seek"
                 click "Senses"
                 expect "Percepts (input link)"
                 click "Why"

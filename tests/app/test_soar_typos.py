@@ -68,6 +68,8 @@ SLIPS = {
     "a command with a constant": ("^wander <c>", "^wander true", 12, "has a constant as its value", ""),
     "a parameter misspelt": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<c> ^secnods 3)", 12, "no parameter ^secnods: did you mean ^seconds?", ""),
     "a parameter out of range": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<c> ^seconds -3)", 12, "^seconds of wander is -3", ""),
+    "a sum as it is written elsewhere": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<c> ^seconds 1 + 2)", 12,
+                                         "^seconds of wander has two values, 1 and 2", ""),
     "a removal of what is not bound": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<s> ^next <n> -)", 12, "binds <n>: the action takes nothing away",
                                        "write the constant"),
     "Nil": ("^superstate nil", "^superstate Nil", 2, "never matches", "write ^superstate nil"),

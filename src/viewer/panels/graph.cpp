@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
@@ -81,7 +82,7 @@ std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::s
     const std::string text = NumberText(value);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     out.AddRectFilled({at.x, y}, {at.x + size.x + 2 * pad, y + size.y}, theme::Packed(theme::kField, 0.8f), 3);
-    out.AddText({at.x + pad, y}, theme::Packed(theme::kQuiet), text.c_str());
+    PutText(out, {at.x + pad, y}, theme::Packed(theme::kQuiet), text.c_str());
   };
   if (range.is_flat) {
     label(at.y + 1, (range.low + range.high) / 2);

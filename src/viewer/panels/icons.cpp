@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "viewer/panels/layout_audit.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
@@ -106,8 +107,7 @@ bool IconButton(Icon icon, const char* id, std::string_view word, std::string_vi
   const ImU32 color = theme::Packed(theme::kText, enabled ? 1.0f : 0.35f);
   Draw(icon, Sign({corner.x + pad + font / 2, middle}, font / 13, color));
   if (!word.empty()) {
-    ImGui::GetWindowDrawList()->AddText({corner.x + 1.6f * pad + font, middle - text.y / 2}, color, word.data(),
-                                        word.data() + word.size());
+    PutText(*ImGui::GetWindowDrawList(), {corner.x + 1.6f * pad + font, middle - text.y / 2}, color, word);
   }
   ImGui::EndDisabled();
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {

@@ -98,6 +98,7 @@ std::string ToText(const Layout& layout) {
   std::ostringstream out;
   out << "# How the window of Soarbox is arranged. Written when it closes; delete it to begin anew.\n";
   out << "text " << layout.text_percent << '\n';
+  out << "first-steps " << (layout.first_steps ? "shown" : "hidden") << '\n';
   for (std::size_t i = 0; i < kAreaCount; ++i) {
     const AreaLayout& area = layout.areas[i];
     out << kAreaWords[i] << (area.shown ? " shown " : " hidden ") << static_cast<int>(area.size) << ' ' << area.front;
@@ -119,8 +120,12 @@ Layout ReadLayout(std::string_view text, Layout layout) {
       if (words >> percent) layout.SetText(percent);
       continue;
     }
-    const auto found = std::find(kAreaWords.begin(), kAreaWords.end(), word);
     std::string shown;
+    if (word == "first-steps") {
+      if (words >> shown) layout.first_steps = shown != "hidden";
+      continue;
+    }
+    const auto found = std::find(kAreaWords.begin(), kAreaWords.end(), word);
     float size = 0;
     std::size_t front = 0;
     if (found == kAreaWords.end() || !(words >> shown >> size >> front)) continue;
@@ -149,12 +154,13 @@ std::filesystem::path LayoutFile() {
 
 Layout LoadLayout(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) return DefaultLayout();
+  Layout empty = DefaultLayout();
+  empty.first_steps = true;
+  if (!in) return empty;
   // Nobody's layout is longer; a file that is something else is not read to its end.
   std::string text(4096, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
-  Layout empty = DefaultLayout();
   return ReadLayout(text, empty);
 }
 

@@ -31,6 +31,7 @@ struct Layout {
 
   std::array<AreaLayout, kAreaCount> areas;
   int text_percent = 100;
+  bool first_steps = false;  ///< Somebody new is led through the window.
 
   AreaLayout& at(Area area) { return areas[static_cast<std::size_t>(area)]; }
   const AreaLayout& at(Area area) const { return areas[static_cast<std::size_t>(area)]; }
@@ -57,7 +58,8 @@ Layout ReadLayout(std::string_view text, Layout base);
 
 /// Where the layout is remembered: $XDG_CONFIG_HOME/soarbox/window.ini, or below ~/.config. Empty if there is no home.
 std::filesystem::path LayoutFile();
-/// The remembered layout, or the default one if there is none or it cannot be read.
+/// The remembered layout, or the default one if there is none or it cannot be read; who has none is led through the
+/// window.
 Layout LoadLayout(const std::filesystem::path& file);
 /// Writes it, whole or not at all.
 Result<void> SaveLayout(const Layout& layout, const std::filesystem::path& file);

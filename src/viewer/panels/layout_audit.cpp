@@ -20,6 +20,18 @@ struct CutPlaces {
 };
 CutPlaces cut_places;
 
+/// A text that was drawn by hand, and the part of the window that could be drawn to then.
+struct PutTexts {
+  int frame = -1;
+  struct Text {
+    const ImDrawList* list;
+    ImRect box, clip;
+    std::string text;
+  };
+  std::vector<Text> texts;
+};
+PutTexts put_texts;
+
 std::string NameOf(const ImGuiWindow& window) {
   // "Panels at the right/mind_1A2B/tree_3C4D": the numbers say nothing.
   std::string name;
@@ -52,28 +64,68 @@ bool Scrolls(const ImGuiWindow* window, int axis) {
   return false;
 }
 
-bool MayBeCut(const ShownText& text) {
-  const ImVec2 middle{(text.at.front() + text.at.back()) / 2, (text.top + text.bottom) / 2};
+bool MayBeCut(const ImRect& text) {
+  const float middle = (text.Min.y + text.Max.y) / 2;
   if (cut_places.frame != ImGui::GetFrameCount()) return false;
   return std::any_of(cut_places.places.begin(), cut_places.places.end(), [&](const ImRect& place) {
-    return middle.y >= place.Min.y - kSlack_px && middle.y <= place.Max.y + kSlack_px &&
-           text.at.back() >= place.Min.x - kSlack_px && text.at.front() <= place.Max.x + kSlack_px;
+    return middle >= place.Min.y - kSlack_px && middle <= place.Max.y + kSlack_px &&
+           text.Max.x >= place.Min.x - kSlack_px && text.Min.x <= place.Max.x + kSlack_px;
   });
 }
 
-void AuditTexts(const ImGuiWindow& window, const ImFontAtlas& fonts, std::vector<std::string>& found) {
+/// Of texts drawn by hand it is known how far they reach, whatever was left of them.
+void AuditPutTexts(const ImGuiWindow& window, std::vector<std::string>& found) {
+  if (put_texts.frame != ImGui::GetFrameCount()) return;
+  const ImRect inner = window.InnerRect;
+  for (const PutTexts::Text& text : put_texts.texts) {
+    if (text.list != window.DrawList || MayBeCut(text.box)) continue;
+    const ImRect &box = text.box, &clip = text.clip;
+    // Scrolling helps where the window's own edge cuts, not where somebody drew a narrower one.
+    const bool left = box.Min.x<clip.Min.x - kSlack_px, right = box.Max.x> clip.Max.x + kSlack_px;
+    const bool above = box.Min.y<clip.Min.y - kSlack_px, below = box.Max.y> clip.Max.y + kSlack_px;
+    const bool is_edge_x = left ? clip.Min.x <= inner.Min.x + kSlack_px : clip.Max.x >= inner.Max.x - kSlack_px;
+    const bool is_edge_y = above ? clip.Min.y <= inner.Min.y + kSlack_px : clip.Max.y >= inner.Max.y - kSlack_px;
+    const bool is_cut_x = (left || right) && !(is_edge_x && Scrolls(&window, 0));
+    const bool is_cut_y = (above || below) && !(is_edge_y && Scrolls(&window, 1));
+    if (is_cut_x || is_cut_y) found.push_back(NameOf(window) + ": the text '" + text.text + "', drawn by hand, is cut");
+  }
+}
+
+/// Letters over letters: nobody can read either.
+void AuditOverlaps(std::vector<std::pair<const ImGuiWindow*, ShownText>>& texts, std::vector<std::string>& found) {
+  constexpr float kAcross_px = 4, kDown_px = 4;
+  std::stable_sort(texts.begin(), texts.end(),
+                   [](const auto& a, const auto& b) { return a.second.seen.y < b.second.seen.y; });
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const auto& [window, text] = texts[i];
+    for (std::size_t k = i + 1; k < texts.size() && texts[k].second.seen.y < text.seen.w - kDown_px; ++k) {
+      const auto& [other_window, other] = texts[k];
+      if (window->RootWindow != other_window->RootWindow) continue;
+      const float across = std::min(text.seen.z, other.seen.z) - std::max(text.seen.x, other.seen.x);
+      const float down = std::min(text.seen.w, other.seen.w) - std::max(text.seen.y, other.seen.y);
+      if (across > kAcross_px && down > kDown_px)
+        found.push_back(NameOf(*window) + ": the texts '" + text.text + "' and '" + other.text +
+                        "' lie over each other");
+    }
+  }
+}
+
+std::vector<ShownText> AuditTexts(const ImGuiWindow& window, const ImFontAtlas& fonts,
+                                  std::vector<std::string>& found) {
   ImDrawData part;
   ImDrawList* list = window.DrawList;
   part.Valid = true;
   part.CmdLists = &list;
   part.CmdListsCount = 1;
   part.DisplaySize = ImGui::GetIO().DisplaySize;
-  for (const ShownText& text : CaptureText(part, fonts)) {
-    if (!text.is_cut || MayBeCut(text)) continue;
+  std::vector<ShownText> texts = CaptureText(part, fonts);
+  for (const ShownText& text : texts) {
+    if (!text.is_cut || MayBeCut({text.at.front(), text.top, text.at.back(), text.bottom})) continue;
     // Which way it is cut shows in whether it can be scrolled that way.
     if ((text.is_cut_x && !Scrolls(&window, 0)) || (text.is_cut_y && !Scrolls(&window, 1)))
       found.push_back(NameOf(window) + ": the text '" + text.text + "' is cut");
   }
+  return texts;
 }
 
 /// Things that are wholly outside leave no trace in what is drawn; but the window knows how far they reached.
@@ -133,6 +185,16 @@ void AuditPlaces(const std::vector<const ImGuiWindow*>& fixed, std::vector<std::
 
 }  // namespace
 
+void PutText(ImDrawList& out, ImVec2 at, ImU32 color, std::string_view text) {
+  const int frame = ImGui::GetFrameCount();
+  if (put_texts.frame != frame) put_texts.texts.clear();
+  put_texts.frame = frame;
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+  put_texts.texts.push_back(
+      {&out, {at, {at.x + size.x, at.y + size.y}}, {out.GetClipRectMin(), out.GetClipRectMax()}, std::string(text)});
+  out.AddText(at, color, text.data(), text.data() + text.size());
+}
+
 void MayCut(ImVec2 corner, ImVec2 end) {
   const int frame = ImGui::GetFrameCount();
   if (cut_places.frame != frame) cut_places.places.clear();
@@ -143,14 +205,17 @@ void MayCut(ImVec2 corner, ImVec2 end) {
 std::vector<std::string> AuditLayout(const ImFontAtlas& fonts) {
   std::vector<std::string> found;
   std::vector<const ImGuiWindow*> fixed;
+  std::vector<std::pair<const ImGuiWindow*, ShownText>> texts;
   for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
     if (!IsShown(*window) || std::string_view(window->Name).starts_with("Debug##")) continue;
-    AuditTexts(*window, fonts, found);
+    for (ShownText& text : AuditTexts(*window, fonts, found)) texts.emplace_back(window, std::move(text));
+    AuditPutTexts(*window, found);
     if (IsFloating(*window)) continue;
     AuditContent(*window, found);
     const bool is_child = (window->Flags & ImGuiWindowFlags_ChildWindow) != 0;
     if (!is_child) fixed.push_back(window);
   }
+  AuditOverlaps(texts, found);
   AuditTables(found);
   AuditPlaces(fixed, found);
   return found;

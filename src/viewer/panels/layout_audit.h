@@ -4,15 +4,21 @@
 #include <imgui.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soarbox::viewer {
 
 /// What of ImGui's present frame a user could not see as it was meant: texts and windows that are cut where nothing can
-/// be scrolled, and fixed windows that lie over each other or leave the display. Each a sentence; empty: all is well.
+/// be scrolled, texts that lie over each other, and fixed windows that do or that leave the display. Each a sentence;
+/// empty: all is well.
 ///
 /// Call it between ImGui::Render and the next NewFrame. For tests and scripts of the window.
 std::vector<std::string> AuditLayout(const ImFontAtlas& fonts);
+
+/// Draws a text by hand, and notes for the audit where it stands: of what lies outside of a clipping rectangle ImGui
+/// keeps nothing, and no item tells how far such a text reaches.
+void PutText(ImDrawList& out, ImVec2 at, ImU32 color, std::string_view text);
 
 /// Texts within this part of the window are cut on purpose in this frame (a bar of the timeline, a field that scrolls).
 void MayCut(ImVec2 corner, ImVec2 end);

@@ -51,6 +51,24 @@ TEST(Layout, ShowsClosesAndMovesPanels) {
   EXPECT_TRUE(layout.at(Area::kLeft).shown);
 }
 
+TEST(Layout, PanelsHaveKeysOfTheirOwn) {
+  std::string keys;
+  for (const PanelInfo& info : kPanelInfos) {
+    EXPECT_TRUE(info.key >= 'A' && info.key <= 'Z') << info.word;
+    EXPECT_EQ(keys.find(info.key), std::string::npos) << info.word;
+    keys.push_back(info.key);
+  }
+}
+
+TEST(Layout, WhoHasNoneYetIsLedThroughTheWindowUntilHeHasHadEnough) {
+  EXPECT_FALSE(DefaultLayout().first_steps) << "pictures and scripts show the window as it is";
+  EXPECT_TRUE(LoadLayout("/nowhere/window.ini").first_steps);
+  Layout layout = DefaultLayout();
+  EXPECT_FALSE(ReadLayout(ToText(layout), LoadLayout("/nowhere/window.ini")).first_steps);
+  layout.first_steps = true;
+  EXPECT_TRUE(ReadLayout(ToText(layout), DefaultLayout()).first_steps);
+}
+
 TEST(Layout, ComesBackFromItsText) {
   Layout layout = DefaultLayout();
   layout.Move(PanelId::kConsole, Area::kLeft);
@@ -90,7 +108,9 @@ TEST(Layout, OfSomePanelsHasTheseAlone) {
 TEST(Layout, IsRememberedInAFileAndSaysIfItCannotBe) {
   const auto folder = std::filesystem::temp_directory_path() / ("soarbox-layout-" + std::to_string(getpid()));
   const auto file = folder / "deep/window.ini";
-  EXPECT_EQ(ToText(LoadLayout(file)), ToText(DefaultLayout()));
+  Layout fresh = DefaultLayout();
+  fresh.first_steps = true;
+  EXPECT_EQ(ToText(LoadLayout(file)), ToText(fresh));
   Layout layout = DefaultLayout();
   layout.Show(PanelId::kRules);
   ASSERT_TRUE(SaveLayout(layout, file).ok());

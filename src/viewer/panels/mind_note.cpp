@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/panels/mind_note.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "debugger/file_place.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
+namespace {
+
+/// The text, or as much of it as stands in `width` px with "..." behind it.
+std::string Shortened(std::string_view text, float width) {
+  const char* end = text.data() + text.size();
+  if (ImGui::CalcTextSize(text.data(), end).x <= width) return std::string(text);
+  const float dots = ImGui::CalcTextSize("...").x;
+  const char* fits = text.data();
+  ImFont* font = ImGui::GetFont();
+  font->CalcTextSizeA(ImGui::GetFontSize(), std::max(1.0f, width - dots), 0, text.data(), end, &fits);
+  return std::string(text.data(), fits) + "...";
+}
+
+}  // namespace
+
 bool HasMind(PanelFrame& frame) {
   const PanelContents& contents = frame.contents;
   if (contents.agent.empty()) {
@@ -29,10 +48,28 @@ bool HasMind(PanelFrame& frame) {
 
 void RuleLink(PanelFrame& frame, std::string_view rule) {
   const std::string name(rule);
-  if (Link(name.c_str(), name)) {
+  const std::string shown = Shortened(name, ImGui::GetContentRegionAvail().x);
+  if (Link(name.c_str(), shown)) {
     frame.Ask(RuleRequest{name});
     frame.layout.Show(PanelId::kRules);
   }
+  Tooltip(shown == name ? "Click to see this rule" : name);
+}
+
+void GoToFile(PanelFrame& frame, const std::string& file, int line) {
+  if (frame.contents.moment.is_recording || !debugger::IsEditable(file)) {
+    frame.Ask(OpenFileRequest{file, line});
+  } else {
+    frame.Ask(EditRequest{file, line});
+    frame.layout.Show(PanelId::kEdit);
+  }
+}
+
+void TextWithPlace(PanelFrame& frame, const char* id, std::string_view text, ImVec4 color) {
+  const std::optional<debugger::FilePlace> place = debugger::FindFilePlace(text);
+  if (!place) return ColoredText(color, text);
+  if (Link(id, text, color)) GoToFile(frame, place->file, place->line);
+  Tooltip("Click to go to line " + std::to_string(place->line) + " of " + place->file);
 }
 
 void ShowObject(PanelFrame& frame, std::string_view id) {

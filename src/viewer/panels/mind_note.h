@@ -14,6 +14,13 @@ bool HasMind(PanelFrame& frame);
 /// The name of a rule; a click shows it in the panel of rules.
 void RuleLink(PanelFrame& frame, std::string_view rule);
 
+/// Opens a place in a file where it can be changed: in the panel Edit; in the user's own editor what that cannot
+/// reload.
+void GoToFile(PanelFrame& frame, const std::string& file, int line);
+
+/// A text that is a link to the place in a file that it names, if it names one.
+void TextWithPlace(PanelFrame& frame, const char* id, std::string_view text, ImVec4 color);
+
 /// Shows an object of working memory in the panel Memory.
 void ShowObject(PanelFrame& frame, std::string_view id);
 

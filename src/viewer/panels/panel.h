@@ -49,6 +49,8 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void Draw(PanelFrame& frame) = 0;
+  /// What it shows, to be copied; empty: nothing that is worth it.
+  virtual std::string Text(const PanelFrame& frame) const = 0;
 };
 
 std::unique_ptr<Panel> MakeAgentsPanel();

@@ -62,6 +62,14 @@ class AgentsPanel final : public Panel {
       debugger::SortAgents(rows, static_cast<AgentColumn>(by.ColumnUserID),
                            by.SortDirection == ImGuiSortDirection_Descending);
     }
+    if (const int step = ListStep(); step != 0 && !rows.empty()) {
+      const auto at = std::find_if(rows.begin(), rows.end(), [&](const AgentRow& r) { return r.id == frame.selected; });
+      const auto now =
+          at == rows.end() ? (step > 0 ? -1 : static_cast<std::ptrdiff_t>(rows.size())) : at - rows.begin();
+      const auto next = std::clamp<std::ptrdiff_t>(now + step, 0, static_cast<std::ptrdiff_t>(rows.size()) - 1);
+      frame.selected = rows[static_cast<std::size_t>(next)].id;
+      ScrollToRow(static_cast<int>(next));
+    }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()));
     while (clipper.Step()) {
@@ -69,6 +77,10 @@ class AgentsPanel final : public Panel {
         DrawRow(frame, rows[static_cast<std::size_t>(i)], is_wide);
     }
     ImGui::EndTable();
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    return debugger::ToText(debugger::FilterAgents(frame.contents.agents, filter_));
   }
 
  private:

@@ -54,6 +54,10 @@ class BreakpointsPanel final : public Panel {
     DrawList(frame);
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    return frame.contents.breakpoints.empty() ? std::string() : debugger::ToText(frame.contents.breakpoints);
+  }
+
  private:
   static void DrawList(PanelFrame& frame) {
     using What = ChangeBreakRequest::What;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 
+#include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/widgets.h"
 
@@ -39,6 +40,10 @@ class ConsolePanel final : public Panel {
     DrawField(frame);
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    return frame.contents.console == nullptr ? std::string() : debugger::ToText(frame.contents.console->lines());
+  }
+
  private:
   void DrawOutput(PanelFrame& frame) {
     const PanelContents& contents = frame.contents;
@@ -55,7 +60,13 @@ class ConsolePanel final : public Panel {
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
         const debugger::ConsoleLine& line = (*lines)[static_cast<std::size_t>(i)];
-        ColoredText(ColorOf(line.kind), (line.kind == debugger::ConsoleLine::Kind::kInput ? "> " : "") + line.text);
+        ImGui::PushID(i);
+        if (line.kind == debugger::ConsoleLine::Kind::kInput) {
+          ColoredText(ColorOf(line.kind), "> " + line.text);
+        } else {
+          TextWithPlace(frame, "place", line.text, ColorOf(line.kind));
+        }
+        ImGui::PopID();
       }
     }
     clipper.End();
@@ -86,7 +97,8 @@ class ConsolePanel final : public Panel {
     constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory |
                                            ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways |
                                            ImGuiInputTextFlags_CallbackResize;
-    if (wants_focus_) ImGui::SetKeyboardFocusHere();
+    if (wants_focus_) FocusNextField();
+    TakeFocus();
     wants_focus_ = false;
     asked_ = false;
     const bool entered = ImGui::InputTextWithHint("##line", "a Soar command; Tab completes", line_.data(),

@@ -61,7 +61,8 @@ struct EditContents {
   std::vector<Diagnostic> problems;  ///< Of the text that was checked or applied last.
   std::string notice;                ///< What came of the last thing asked: "3 rules changed".
   bool is_changed = false, is_unsaved = false;
-  int go_to_line = 0;  ///< Where to look first; 0: nowhere.
+  int go_to_line = 0;             ///< Where to look first; 0: nowhere.
+  std::uint64_t go_to_count = 0;  ///< Grows each time that somebody wants to go there.
 };
 
 struct WhyContents {

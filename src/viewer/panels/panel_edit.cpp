@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <SDL_scancode.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel.h"
@@ -35,16 +38,22 @@ class EditPanel final : public Panel {
       text_ = edit.text;
       Tokenize();
     }
-    if (edit.go_to_line != went_to_ || went_file_ != edit.file) {
+    if (edit.go_to_count != went_count_ || went_file_ != edit.file) {
       went_to_ = edit.go_to_line;
+      went_count_ = edit.go_to_count;
       went_file_ = edit.file;
       if (went_to_ > 0) scroll_to_ = went_to_;
     }
+    DrawFind();
     DrawButtons(frame);
     const auto& problems = edit.problems;
     const float below = problems.empty() ? 0 : std::min(frame.Px(150), ImGui::GetContentRegionAvail().y * 0.4f);
     DrawText(frame, below);
     if (!problems.empty()) DrawProblems(frame);
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    return frame.contents.edit.file.empty() ? std::string() : text_;
   }
 
  private:
@@ -57,7 +66,8 @@ class EditPanel final : public Panel {
     const PanelContents& contents = frame.contents;
     const std::string now =
         contents.edit.file.empty() ? "Choose a file" : std::filesystem::path(contents.edit.file).filename().string();
-    ImGui::SetNextItemWidth(-1);
+    const bool can_find = !contents.edit.file.empty();
+    ImGui::SetNextItemWidth(can_find ? ImGui::GetContentRegionAvail().x * 0.52f : -1);
     if (!ImGui::BeginCombo("##file", now.c_str())) return;
     for (const sim::WatchedFile& file : contents.files) {
       const std::string name = file.file.string();
@@ -80,7 +90,7 @@ class EditPanel final : public Panel {
         "Let the text take effect in the running world: changed rules take the place of the old ones, working memory "
         "stays. The file is not written. (Ctrl+Enter)");
     button("Check", What::kCheck, "Look for errors; change nothing");
-    button("Save", What::kSave, "Write the file");
+    button("Save", What::kSave, "Write the file. (Ctrl+S)");
     button("Revert", What::kRevert, "Back to what is on the disk");
     FlowLine(ButtonWidth("Open in editor"), frame.Px(4));
     if (ImGui::Button("Open in editor")) frame.Ask(OpenFileRequest{edit.file, went_to_});
@@ -94,6 +104,41 @@ class EditPanel final : public Panel {
     const auto errors = std::count_if(edit.problems.begin(), edit.problems.end(),
                                       [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
     if (!state.empty()) WrappedText(errors > 0 ? theme::kBad : changed ? theme::kWarn : theme::kGood, state);
+  }
+
+  /// Beside the file's name: Enter goes from one place to the next.
+  void DrawFind() {
+    ImGui::SameLine();
+    if (std::exchange(goes_on_, false)) FocusNextField();
+    if (SearchField("##find", "Find; Enter: next", find_)) Find();
+    Tooltip(find_.empty() ? "Ctrl+F" : std::to_string(places_.size()) + " places; Enter goes to the next");
+    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) {
+      if (!places_.empty()) {
+        place_ = (place_ + 1) % places_.size();
+        scroll_to_ = 1 + static_cast<int>(std::count(
+                             text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(places_[place_]), '\n'));
+      }
+      goes_on_ = true;  // Enter again.
+    }
+    if (find_ != found_ || text_.size() != found_in_) Find();
+    if (!places_.empty() || find_.empty()) return;
+    ColoredText(theme::kWarn, "'" + find_ + "' does not stand in this file.");
+  }
+
+  void Find() {
+    found_ = find_;
+    found_in_ = text_.size();
+    places_.clear();
+    place_ = static_cast<std::size_t>(-1);
+    const auto same = [](char a, char b) {
+      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    for (auto at = text_.begin(); !find_.empty();) {
+      at = std::search(at, text_.end(), find_.begin(), find_.end(), same);
+      if (at == text_.end()) break;
+      places_.push_back(static_cast<std::size_t>(at - text_.begin()));
+      ++at;
+    }
   }
 
   static int Grow(ImGuiInputTextCallbackData* data) {
@@ -115,10 +160,15 @@ class EditPanel final : public Panel {
     const bool edited = ImGui::InputTextMultiline("##text", text_.data(), text_.capacity() + 1,
                                                   {-1, below > 0 ? -below : -1}, flags, &EditPanel::Grow, &text_);
     ImGui::PopStyleColor();
-    if (edited) Tokenize();
+    if (edited) {
+      Tokenize();
+      frame.Ask(EditTextRequest{EditTextRequest::What::kType, text_});
+    }
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)))
       frame.Ask(EditTextRequest{EditTextRequest::What::kApply, text_});
+    if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(SDL_SCANCODE_S))
+      frame.Ask(EditTextRequest{EditTextRequest::What::kSave, text_});
     MayCut(corner, ImGui::GetItemRectMax());  // Long lines go on to the right of it.
     const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
     if (!children.empty()) DrawOver(frame, *children.back(), corner, gutter);
@@ -136,6 +186,7 @@ class EditPanel final : public Panel {
     ImDrawList& out = *field.DrawList;
     const float top = field.InnerRect.Min.y, bottom = field.InnerRect.Max.y;
     out.PushClipRect(field.InnerRect.Min, field.InnerRect.Max, false);
+    DrawPlaces(out, at, top, bottom);
     DrawSource(out, at, text_, tokens_, top, bottom);
     for (const Diagnostic& problem : frame.contents.edit.problems) {
       if (problem.line < 1) continue;
@@ -152,10 +203,27 @@ class EditPanel final : public Panel {
       const bool is_bad = std::any_of(problems.begin(), problems.end(),
                                       [number](const Diagnostic& problem) { return problem.line == number; });
       const std::string text = Formatted("%4d", number);
-      out.AddText({corner.x, at.y + line * static_cast<float>(number - 1)},
-                  theme::Packed(is_bad ? theme::kBad : theme::kQuiet), text.c_str());
+      PutText(out, {corner.x, at.y + line * static_cast<float>(number - 1)},
+              theme::Packed(is_bad ? theme::kBad : theme::kQuiet), text.c_str());
     }
     out.PopClipRect();
+  }
+
+  /// What was found, on a ground of its own; the place that was gone to last, brighter.
+  void DrawPlaces(ImDrawList& out, ImVec2 at, float top, float bottom) const {
+    const float height = ImGui::GetFontSize();
+    std::size_t begin = 0;
+    float y = at.y;
+    for (std::size_t i = 0; i < places_.size() && y <= bottom; ++i) {
+      if (places_[i] + find_.size() > text_.size()) return;
+      for (std::size_t end; (end = text_.find('\n', begin)) < places_[i]; begin = end + 1) y += height;
+      if (y + height < top || y > bottom) continue;
+      const char* line = text_.data() + begin;
+      const char* place = text_.data() + places_[i];
+      const float x = at.x + ImGui::CalcTextSize(line, place).x;
+      const float width = ImGui::CalcTextSize(place, place + find_.size()).x;
+      out.AddRectFilled({x, y}, {x + width, y + height}, theme::Packed(theme::kWarn, i == place_ ? 0.55f : 0.28f), 2);
+    }
   }
 
   void DrawProblems(PanelFrame& frame) {
@@ -173,7 +241,11 @@ class EditPanel final : public Panel {
     ImGui::EndChild();
   }
 
-  std::string file_, text_, went_file_;
+  std::string file_, text_, went_file_, find_, found_;
+  std::vector<std::size_t> places_;  ///< Where `found_` stands in the text.
+  std::size_t place_ = static_cast<std::size_t>(-1), found_in_ = 0;
+  bool goes_on_ = false;
+  std::uint64_t went_count_ = 0;
   std::uint64_t version_ = 0;
   int went_to_ = 0, scroll_to_ = 0, lines_ = 1;
   std::vector<debugger::Token> tokens_;

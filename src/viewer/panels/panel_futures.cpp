@@ -46,6 +46,20 @@ class FuturesPanel final : public Panel {
     DrawCourse(frame, found);
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    if (!frame.contents.futures) return {};
+    const record::Comparison& found = frame.contents.futures->comparison;
+    const auto tell = [](const char* title, const std::optional<record::Difference>& one) {
+      if (!one) return std::string();
+      return std::string(title) + ": tick " + std::to_string(one->tick) + ", " + one->agent + " " + one->element +
+             "\n  before: " + one->recorded + "\n  now: " + one->now + "\n";
+    };
+    std::string text =
+        tell("first difference", found.difference) + tell("first other decision or command", found.decision);
+    for (const std::string& percept : found.percepts) text += "  perceived " + percept + "\n";
+    return text.empty() ? "So far both futures are the same.\n" : text;
+  }
+
  private:
   static void DrawDifference(PanelFrame& frame, const char* title, const record::Difference& difference) {
     Heading(frame, title);
@@ -72,6 +86,13 @@ class FuturesPanel final : public Panel {
     ImGui::PopID();
   }
 
+  /// Which curve is which, in words of its colour.
+  static void Legend(const GraphCurve& one, const GraphCurve& other) {
+    ColoredText(one.color, "\xe2\x80\x94 " + one.name);
+    FlowLine(ImGui::CalcTextSize(other.name.c_str()).x + ImGui::GetFontSize() * 1.5f);
+    ColoredText(other.color, "\xe2\x80\x94 " + other.name);
+  }
+
   static void DrawCourse(PanelFrame& frame, const record::Comparison& found) {
     if (found.course.size() < 2) return;
     const double step_s = frame.contents.moment.step_s;
@@ -86,10 +107,12 @@ class FuturesPanel final : public Panel {
     }
     const double first = mean.points.front().first, last = mean.points.back().first;
     Heading(frame, "How far apart");
+    Legend(mean, most);
     const GraphCurve distances[] = {mean, most};
     if (const auto tick = DrawGraph(frame, "distance", distances, frame.Px(80), first, last))
       frame.Ask(SeekRequest{*tick});
     Heading(frame, "Health of all");
+    Legend(before, now);
     const GraphCurve healths[] = {before, now};
     if (const auto tick = DrawGraph(frame, "health", healths, frame.Px(60), first, last)) frame.Ask(SeekRequest{*tick});
   }

@@ -34,27 +34,30 @@ struct PanelInfo {
   std::string_view word;   ///< In the layout's file and on the command line.
   std::string_view title;  ///< On its tab and in the menu.
   std::string_view about;  ///< Its tooltip: what one sees there.
+  char key;                ///< With Alt: brings it to the front.
 };
 
 inline constexpr std::array<PanelInfo, kPanelCount> kPanelInfos{{
-    {PanelId::kAgents, "agents", "Agents", "Everybody in the world: team, state, operator, command. Click to select."},
-    {PanelId::kMind, "mind", "Mind", "The goal stack, the operators that compete in it, and why the winner won."},
-    {PanelId::kMemory, "memory", "Memory", "Working memory as a tree; what changed is marked."},
-    {PanelId::kRules, "rules", "Rules",
-     "The rules with how often they fired, what they match now, or where they fail."},
-    {PanelId::kWhy, "why", "Why", "Why the agent does what it does, and why it does not do something else."},
-    {PanelId::kLinks, "links", "Senses", "What the agent perceives (input link) and says (output link)."},
-    {PanelId::kMessages, "messages", "Messages", "What agents told each other."},
+    {PanelId::kAgents, "agents", "Agents", "Everybody in the world: team, state, operator, command. Click to select.",
+     'A'},
+    {PanelId::kMind, "mind", "Mind", "The goal stack, the operators that compete in it, and why the winner won.", 'M'},
+    {PanelId::kMemory, "memory", "Memory", "Working memory as a tree; what changed is marked.", 'E'},
+    {PanelId::kRules, "rules", "Rules", "The rules with how often they fired, what they match now, or where they fail.",
+     'R'},
+    {PanelId::kWhy, "why", "Why", "Why the agent does what it does, and why it does not do something else.", 'W'},
+    {PanelId::kLinks, "links", "Senses", "What the agent perceives (input link) and says (output link).", 'S'},
+    {PanelId::kMessages, "messages", "Messages", "What agents told each other.", 'G'},
     {PanelId::kTimeline, "timeline", "Timeline",
-     "Operators, impasses, commands and events over time. Click to go there."},
-    {PanelId::kTrace, "trace", "Trace", "What the mind did, decision by decision; filter and search it."},
-    {PanelId::kPlots, "plots", "Plots", "Numbers over time: percepts, reward, decision time, rules fired."},
-    {PanelId::kConsole, "console", "Console", "The Soar command line of the selected agent."},
-    {PanelId::kEdit, "edit", "Edit", "Change rules and reload them while the world runs."},
-    {PanelId::kBreakpoints, "breakpoints", "Breakpoints", "Stop the world when a rule fires, an impasse comes, ..."},
+     "Operators, impasses, commands and events over time. Click to go there.", 'T'},
+    {PanelId::kTrace, "trace", "Trace", "What the mind did, decision by decision; filter and search it.", 'C'},
+    {PanelId::kPlots, "plots", "Plots", "Numbers over time: percepts, reward, decision time, rules fired.", 'P'},
+    {PanelId::kConsole, "console", "Console", "The Soar command line of the selected agent.", 'L'},
+    {PanelId::kEdit, "edit", "Edit", "Change rules and reload them while the world runs.", 'D'},
+    {PanelId::kBreakpoints, "breakpoints", "Breakpoints", "Stop the world when a rule fires, an impasse comes, ...",
+     'B'},
     {PanelId::kFutures, "futures", "Futures",
-     "After going back: the old future beside the new one, and where they part."},
-    {PanelId::kProblems, "problems", "Problems", "Errors and warnings in full, with file and line."},
+     "After going back: the old future beside the new one, and where they part.", 'U'},
+    {PanelId::kProblems, "problems", "Problems", "Errors and warnings in full, with file and line.", 'O'},
 }};
 
 inline constexpr const PanelInfo& InfoOf(PanelId id) {

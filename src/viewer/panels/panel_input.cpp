@@ -115,6 +115,9 @@ void PanelInput::SetPicture(int x, int y, int width, int height, bool is_covered
 
 bool PanelInput::IsOverPanel(float x, float y) const {
   if (is_covered_) return true;
+  const auto left = static_cast<float>(cover_[0]), top = static_cast<float>(cover_[1]);
+  if (x >= left && y >= top && x < left + static_cast<float>(cover_[2]) && y < top + static_cast<float>(cover_[3]))
+    return true;
   return x < static_cast<float>(x_) || y < static_cast<float>(y_) || x >= static_cast<float>(x_ + width_) ||
          y >= static_cast<float>(y_ + height_);
 }
@@ -157,6 +160,7 @@ bool PanelInput::Take(SDL_Event& event) {
       notes_.push_back({Kind::kWheel, static_cast<float>(event.wheel.x), static_cast<float>(event.wheel.y)});
       return true;
     case SDL_TEXTINPUT:
+      if ((SDL_GetModState() & KMOD_LALT) != 0) return true;  // A shortcut writes nothing.
       notes_.push_back({Kind::kText, 0, 0, 0, false, 0, event.text.text});
       return true;
     case SDL_KEYDOWN:

@@ -24,6 +24,9 @@ class PanelInput {
   /// Where the picture stands, whether something lies over it, and how large the window is.
   void SetPicture(int x, int y, int width, int height, bool is_covered);
 
+  /// Where something lies over a part of the picture, in px; of no size: nowhere.
+  void SetCover(int x, int y, int width, int height) { cover_ = {x, y, width, height}; }
+
   /// Notes an event for the panels. True if it is theirs alone; otherwise the mouse's place in it has become one in the
   /// picture.
   bool Take(SDL_Event& event);
@@ -54,6 +57,7 @@ class PanelInput {
 
   std::deque<Note> notes_;
   int x_ = 0, y_ = 0, width_ = 1, height_ = 1;
+  std::array<int, 4> cover_{};  ///< x, y, width, height.
   bool is_covered_ = false, over_panel_ = false;
   std::bitset<8> panel_buttons_, world_buttons_;  ///< Held down, by where they went down.
   std::bitset<512> world_keys_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <tuple>
+
 #include "debugger/percept_help.h"
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
@@ -37,6 +39,11 @@ class LinksPanel final : public Panel {
       WrappedText(theme::kQuiet, io.input.note.empty() ? "It perceives nothing." : io.input.note);
     for (const MemoryRow& row : io.input.rows) DrawPercept(frame, row, {}, 0);
     ImGui::EndChild();
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
+    return debugger::ToText(frame.contents.io);
   }
 
  private:
@@ -129,7 +136,9 @@ class MessagesPanel final : public Panel {
       ImGui::SameLine();
     }
     SearchField("##filter", "Search", filter_);
-    const auto rows = frame.contents.messages->Find(only_selected_ ? frame.contents.agent : std::string{}, filter_);
+    Find(frame.contents.messages->revision(), only_selected_ ? frame.contents.agent : std::string{},
+         *frame.contents.messages);
+    const std::vector<debugger::MessageRow>& rows = rows_;
     if (!ImGui::BeginTable("messages", 4,
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
                                ImGuiTableFlags_SizingStretchProp))
@@ -161,9 +170,23 @@ class MessagesPanel final : public Panel {
     ImGui::EndTable();
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    return frame.contents.messages == nullptr || rows_.empty() ? std::string() : debugger::ToText(rows_);
+  }
+
  private:
+  /// Looks again only if the messages or what is looked for have changed.
+  void Find(std::uint64_t revision, std::string who, const debugger::MessageLog& messages) {
+    const auto key = std::make_tuple(revision, std::move(who), filter_);
+    if (key == key_) return;
+    rows_ = messages.Find(std::get<1>(key), filter_);
+    key_ = key;
+  }
+
   bool only_selected_ = false;
   std::string filter_;
+  std::tuple<std::uint64_t, std::string, std::string> key_;
+  std::vector<debugger::MessageRow> rows_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <utility>
 
+#include "debugger/facts_text.h"
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/widgets.h"
@@ -33,6 +34,18 @@ class MemoryPanel final : public Panel {
     DrawObject(frame, root_);
     ImGui::EndChild();
     if (has_story) DrawStory(frame, *frame.contents.story);
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
+    std::string text;
+    if (!search_.empty()) {
+      for (const sim::ElementFact& element : frame.contents.found) text += "(" + debugger::Describe(element) + ")\n";
+      return text;
+    }
+    if (const auto root = frame.contents.objects.find(root_); root != frame.contents.objects.end())
+      text = debugger::ToText(root->second);
+    return frame.contents.story ? text + debugger::ToText(*frame.contents.story) : text;
   }
 
  private:
@@ -199,8 +212,10 @@ class MemoryPanel final : public Panel {
     ImGui::SameLine();
     if (ImGui::SmallButton("Close")) frame.Ask(ElementRequest{0});
     if (!story.note.empty()) WrappedText(theme::kQuiet, story.note);
-    Heading(frame, "Made by");
-    if (story.makers.empty()) ColoredText(theme::kQuiet, "not known");
+    // What a kernel does not tell stands in the note; "no rule" would be wrong.
+    const bool is_told = story.note.empty();
+    if (is_told || !story.makers.empty()) Heading(frame, "Made by");
+    if (is_told && story.makers.empty()) ColoredText(theme::kQuiet, "not known");
     int number = 0;
     for (const sim::MakerFact& maker : story.makers) {
       ImGui::PushID(number++);
@@ -218,8 +233,8 @@ class MemoryPanel final : public Panel {
       }
       ImGui::PopID();
     }
-    Heading(frame, "Tested by");
-    if (story.testers.empty()) ColoredText(theme::kQuiet, "no rule");
+    if (is_told || !story.testers.empty()) Heading(frame, "Tested by");
+    if (is_told && story.testers.empty()) ColoredText(theme::kQuiet, "no rule");
     for (const sim::TesterFact& tester : story.testers) {
       ImGui::PushID(number++);
       RuleLink(frame, tester.rule);

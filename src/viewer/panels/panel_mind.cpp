@@ -20,6 +20,12 @@ class MindPanel final : public Panel {
     DrawStack(frame);
     ImGui::Separator();
     DrawOperators(frame);
+    DrawLast(frame);
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
+    return debugger::ToText(frame.contents.stack) + debugger::ToText(frame.contents.operators);
   }
 
  private:
@@ -74,6 +80,31 @@ class MindPanel final : public Panel {
                                                                : level.operator_name + " (" + level.operator_id + ")"),
                 theme::kGood);
       }
+      ImGui::PopID();
+    }
+  }
+
+  /// Most operators last for a tick or two: what the last ones were, so that nobody has to be quick.
+  static void DrawLast(PanelFrame& frame) {
+    const debugger::TimelineTrack* track =
+        frame.contents.timeline == nullptr ? nullptr : frame.contents.timeline->Find(frame.contents.agent);
+    if (track == nullptr || frame.contents.agent.empty()) return;
+    constexpr std::size_t kMost = 5, kLookAt = 200;
+    const Moment& now = frame.contents.moment;
+    std::size_t told = 0, seen = 0;
+    for (auto span = track->spans.rbegin(); span != track->spans.rend() && told < kMost && ++seen < kLookAt; ++span) {
+      if (span->is_state || span->last_tick > now.shown_tick) continue;
+      if (told++ == 0) {
+        ImGui::Separator();
+        Heading(frame, "Before");
+        Tooltip("The operators that were selected last, the newest first; click to go to that moment");
+      }
+      ImGui::PushID(static_cast<int>(told));
+      const double time_s = static_cast<double>(span->first_tick) * now.step_s;
+      if (Link("time", TimeText(time_s), theme::kQuiet)) frame.Ask(SeekRequest{span->first_tick});
+      Tooltip("Click to go there: all panels then show what the mind knew");
+      ImGui::SameLine();
+      CutText(span->text.empty() ? span->id : span->text + " (" + span->id + ")");
       ImGui::PopID();
     }
   }

@@ -29,6 +29,11 @@ class PlotsPanel final : public Panel {
     ImGui::EndChild();
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    const auto* plots = frame.contents.plots;
+    return plots == nullptr || plots->empty() ? std::string() : debugger::ToText(*plots);
+  }
+
  private:
   void DrawBar(PanelFrame& frame) {
     const PanelContents& contents = frame.contents;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 
+#include "debugger/file_place.h"
+#include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/widgets.h"
 
@@ -46,6 +48,14 @@ class ProblemsPanel final : public Panel {
     ImGui::EndChild();
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    std::string text;
+    for (const ProblemRow& problem : frame.contents.problems)
+      text += TimeText(problem.time_s) + (problem.agent.empty() ? "" : "  " + problem.agent) + "\n" +
+              Format(problem.diagnostic);
+    return text;
+  }
+
  private:
   static void DrawProblem(PanelFrame& frame, const ProblemRow& problem) {
     const Diagnostic& what = problem.diagnostic;
@@ -59,6 +69,14 @@ class ProblemsPanel final : public Panel {
     if (what.more > 0) WrappedText(theme::kQuiet, "the same in " + std::to_string(what.more) + " further places");
     if (const std::string place = Place(what); !place.empty()) {
       WrappedText(theme::kAccent, place);
+      if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      if (ImGui::IsItemClicked()) GoToFile(frame, what.file, what.line);
+      Tooltip("Click to go there");
+      if (!frame.contents.moment.is_recording && debugger::IsEditable(what.file)) {
+        if (ImGui::SmallButton("Edit")) GoToFile(frame, what.file, what.line);
+        Tooltip("Opens it in the panel Edit, at this line");
+        ImGui::SameLine();
+      }
       if (ImGui::SmallButton("Open in editor")) frame.Ask(OpenFileRequest{what.file, what.line});
       Tooltip("Opens the file with $VISUAL, $EDITOR or what your desktop takes for it");
     }

@@ -39,6 +39,10 @@ struct ResumeRequest {};
 struct SpeedRequest {
   double speed = 1;
 };
+/// Tell the user in the picture that something was done.
+struct TellRequest {
+  std::string text;
+};
 /// Write the window as a picture.
 struct SavePictureRequest {};
 
@@ -84,7 +88,7 @@ struct EditRequest {
 };
 /// What to do with the edited text.
 struct EditTextRequest {
-  enum class What : std::uint8_t { kCheck, kApply, kSave, kRevert } what = What::kCheck;
+  enum class What : std::uint8_t { kType, kCheck, kApply, kSave, kRevert } what = What::kType;
   std::string text;
 };
 
@@ -99,8 +103,8 @@ struct ChangeBreakRequest {
 
 using PanelRequest =
     std::variant<OpenFileRequest, ConsoleRequest, CompleteRequest, ClearConsoleRequest, ClearProblemsRequest,
-                 SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest, StateRequest, ObjectRequest,
-                 ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, WhyRequest, PlotRequest,
-                 EditRequest, EditTextRequest, BreakRequest, ChangeBreakRequest>;
+                 SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest, TellRequest, StateRequest,
+                 ObjectRequest, ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, WhyRequest,
+                 PlotRequest, EditRequest, EditTextRequest, BreakRequest, ChangeBreakRequest>;
 
 }  // namespace soarbox::viewer

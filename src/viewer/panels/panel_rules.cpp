@@ -39,6 +39,16 @@ class RulesPanel final : public Panel {
     if (has_rule) DrawRule(frame, *frame.contents.rule);
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
+    if (frame.contents.rule) return debugger::ToText(*frame.contents.rule);
+    if (set_ == kCoverage) return debugger::ToText(frame.contents.coverage);
+    std::vector<sim::RuleFact> rules;
+    for (const sim::RuleFact& rule : frame.contents.rules)
+      if (IsWanted(rule)) rules.push_back(rule);
+    return rules.empty() ? std::string() : debugger::ToText(rules);
+  }
+
  private:
   static constexpr int kCoverage = 4;
 
@@ -79,6 +89,17 @@ class RulesPanel final : public Panel {
         const std::uint64_t x = by_fired ? a->firings : a->matches, y = by_fired ? b->firings : b->matches;
         return up ? x < y : y < x;
       });
+    }
+    if (const int step = ListStep(); step != 0) {
+      const auto is_chosen = [&](const sim::RuleFact* rule) {
+        return frame.contents.rule && frame.contents.rule->rule.name == rule->name;
+      };
+      const auto at = std::find_if(rules.begin(), rules.end(), is_chosen);
+      const auto now =
+          at == rules.end() ? (step > 0 ? -1 : static_cast<std::ptrdiff_t>(rules.size())) : at - rules.begin();
+      const auto next = std::clamp<std::ptrdiff_t>(now + step, 0, static_cast<std::ptrdiff_t>(rules.size()) - 1);
+      frame.Ask(RuleRequest{rules[static_cast<std::size_t>(next)]->name});
+      ScrollToRow(static_cast<int>(next));
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rules.size()));
@@ -155,6 +176,14 @@ class RulesPanel final : public Panel {
       frame.Ask(BreakRequest{debugger::BreakKind::kFire, frame.contents.agent, rule.name});
       frame.layout.Show(PanelId::kBreakpoints);
     }
+    FlowLine(ButtonWidth("Break when it matches"));
+    if (ImGui::SmallButton("Break when it matches")) {
+      frame.Ask(BreakRequest{debugger::BreakKind::kMatch, frame.contents.agent, rule.name});
+      frame.layout.Show(PanelId::kBreakpoints);
+    }
+    FlowLine(ButtonWidth("Copy"));
+    if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(view.source.c_str());
+    Tooltip("The rule's text");
     FlowLine(ButtonWidth("Close"));
     if (ImGui::SmallButton("Close")) frame.Ask(RuleRequest{});
     ImGui::BeginChild("rule", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);

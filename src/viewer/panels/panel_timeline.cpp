@@ -40,6 +40,32 @@ ImVec4 ColorOf(const TimelineSpan& span) {
   return theme::kSeries[hash % (sizeof theme::kSeries / sizeof theme::kSeries[0])];
 }
 
+/// Kinds are told apart by shape, too.
+void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
+  const ImU32 color = theme::Packed(ColorOf(kind));
+  const auto [x, y] = at;
+  switch (kind) {
+    case MarkKind::kCommand:
+      out.AddTriangleFilled({x - r, y - r}, {x - r, y + r}, {x + r, y}, color);
+      break;
+    case MarkKind::kError:
+      out.AddLine({x - r, y - r}, {x + r, y + r}, color, thick);
+      out.AddLine({x - r, y + r}, {x + r, y - r}, color, thick);
+      break;
+    case MarkKind::kMessage:
+      out.AddRectFilled({x - r, y - r * 0.7f}, {x + r, y + r * 0.7f}, color);
+      break;
+    case MarkKind::kEdit:
+      out.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, color);
+      break;
+    case MarkKind::kOutcome:
+      out.AddCircle(at, r * 0.8f, color, 0, thick * 0.8f);
+      break;
+    case MarkKind::kEvent:
+      out.AddCircleFilled(at, r * 0.8f, color);
+  }
+}
+
 /// What each agent was about, over time.
 class TimelinePanel final : public Panel {
  public:
@@ -73,6 +99,13 @@ class TimelinePanel final : public Panel {
     ImGui::EndChild();
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    const debugger::Timeline* timeline = frame.contents.timeline;
+    if (timeline == nullptr || timeline->empty()) return {};
+    return debugger::ToText(*timeline, {}, static_cast<std::uint64_t>(std::max(0.0, first_)),
+                            static_cast<std::uint64_t>(std::max(0.0, first_ + shown_ticks_)));
+  }
+
  private:
   float X(double tick) const { return left_ + width_ * static_cast<float>((tick - first_) / shown_ticks_); }
   double TickAt(float x) const { return first_ + static_cast<double>((x - left_) / width_) * shown_ticks_; }
@@ -94,9 +127,40 @@ class TimelinePanel final : public Panel {
       const std::string text = every < 1 ? Formatted("%.1f s", t) : Formatted("%.0f s", t);
       const float room = left_ + width_ - x;
       if (ImGui::CalcTextSize(text.c_str()).x + frame.Px(4) < room)
-        out.AddText({x + frame.Px(3), at.y}, theme::Packed(theme::kQuiet), text.c_str());
+        PutText(out, {x + frame.Px(3), at.y}, theme::Packed(theme::kQuiet), text.c_str());
     }
-    ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+    ColoredText(theme::kQuiet, "signs");
+    if (ImGui::IsItemHovered()) DrawLegend(frame);
+  }
+
+  /// What bars and signs mean, where somebody looks for it.
+  static void DrawLegend(PanelFrame& frame) {
+    ImGui::BeginTooltip();
+    const float line = ImGui::GetTextLineHeight(), room = frame.Px(22);
+    const auto row = [&](const char* meaning, const auto& draw) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      draw(*ImGui::GetWindowDrawList(), ImVec2(at.x + room * 0.4f, at.y + line / 2));
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+      ImGui::TextUnformatted(meaning);
+    };
+    const auto bar = [&](ImVec4 color, float alpha) {
+      return [=](ImDrawList& out, ImVec2 at) {
+        const float half = line * 0.35f;
+        out.AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, theme::Packed(color, alpha), 3);
+      };
+    };
+    row("an operator, for as long as it is selected; the same colour, the same operator", bar(theme::kAccent, 0.42f));
+    row("a state below the first: an impasse that is thought about", bar(theme::kWarn, 0.25f));
+    row("rules that fired in a tick, of the selected agent", bar(theme::kGood, 0.8f));
+    for (const auto& [kind, meaning] : {std::pair{MarkKind::kCommand, "a command that was said"},
+                                        {MarkKind::kOutcome, "how it went"},
+                                        {MarkKind::kMessage, "a message to others"},
+                                        {MarkKind::kEvent, "another event"},
+                                        {MarkKind::kError, "an error or a warning"},
+                                        {MarkKind::kEdit, "a command of yours, or an edit"}}) {
+      row(meaning, [&](ImDrawList& out, ImVec2 at) { DrawSign(out, kind, at, frame.Px(3.4f), frame.Px(2)); });
+    }
+    ImGui::EndTooltip();
   }
 
   void DrawTrack(PanelFrame& frame, const TimelineTrack& track, bool is_whole) {
@@ -104,33 +168,35 @@ class TimelinePanel final : public Panel {
     int lines = 1;
     const auto first = static_cast<std::uint64_t>(std::max(0.0, first_));
     const auto last = static_cast<std::uint64_t>(std::max(0.0, first_ + shown_ticks_));
-    const auto in_view = [&](const TimelineSpan& span) {
-      return (span.open || span.last_tick >= first) && span.first_tick <= last;
-    };
     // The top state is always there and says nothing; of others only their operators are drawn in a narrow track.
     const auto line_of = [&](const TimelineSpan& span) { return is_whole ? std::max(0, span.line - 1) : 0; };
     if (is_whole) {
-      const auto count = [&](const TimelineSpan& span) {
-        if (in_view(span) && !(span.is_state && span.level == 1)) lines = std::max(lines, line_of(span) + 1);
-      };
-      std::for_each(track.spans.begin(), track.spans.end(), count);
-      std::for_each(track.open.begin(), track.open.end(), count);
+      debugger::ForSpansWithin(track, first, last, [&](const TimelineSpan& span) {
+        if (!(span.is_state && span.level == 1)) lines = std::max(lines, line_of(span) + 1);
+      });
     }
     const float height = ImGui::GetTextLineHeight() + frame.Px(2);
     const float marks_height = frame.Px(11);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float full = height * static_cast<float>(lines) + marks_height + frame.Px(4);
+    // Firings are noted of the selected agent.
+    const float fired_height = is_whole && !track.firings.empty() ? frame.Px(14) : 0;
+    const float full = height * static_cast<float>(lines) + fired_height + marks_height + frame.Px(4);
+    if (!ImGui::IsRectVisible({width_, full})) {
+      ImGui::Dummy({1, full});
+      return;
+    }
     ImGui::PushID(track.agent.c_str());
     if (ImGui::InvisibleButton("name", {name_width_ - frame.Px(6), full})) Select(frame, track.agent);
+    Tooltip(track.agent.empty() ? std::string("What belongs to no agent") : track.agent + ": click to select");
     ImGui::PopID();
     MayCut(at, {at.x + name_width_ - frame.Px(6), at.y + full});
     out.PushClipRect(at, {at.x + name_width_ - frame.Px(6), at.y + full}, true);
-    out.AddText({at.x, at.y}, theme::Packed(is_whole ? theme::kText : theme::kQuiet),
-                track.agent.empty() ? "world" : track.agent.c_str());
+    PutText(out, {at.x, at.y}, theme::Packed(is_whole ? theme::kText : theme::kQuiet),
+            track.agent.empty() ? "world" : track.agent.c_str());
     out.PopClipRect();
     out.PushClipRect({left_, at.y}, {left_ + width_, at.y + full}, true);
     const auto draw = [&](const TimelineSpan& span) {
-      if (!in_view(span) || (span.is_state && span.level == 1) || (!is_whole && span.is_state)) return;
+      if ((span.is_state && span.level == 1) || (!is_whole && span.is_state)) return;
       const float x = X(static_cast<double>(span.first_tick));
       const float end = std::max(
           x + frame.Px(2), X(static_cast<double>(span.open ? frame.contents.moment.last_tick : span.last_tick) + 1));
@@ -143,16 +209,37 @@ class TimelinePanel final : public Panel {
       if (end - from > frame.Px(14)) {
         out.PushClipRect({from, y}, {end - 1, y + height}, true);
         MayCut({from, y}, {end - 1, y + height});
-        out.AddText({from, y + frame.Px(1)}, theme::Packed(theme::kText), text.c_str());
+        PutText(out, {from, y + frame.Px(1)}, theme::Packed(theme::kText), text.c_str());
         out.PopClipRect();
       }
       if (ImGui::IsMouseHoveringRect({x, y}, {end, y + height})) hover_ = text + "  " + span.id;
     };
-    std::for_each(track.spans.begin(), track.spans.end(), draw);
-    std::for_each(track.open.begin(), track.open.end(), draw);
-    DrawMarks(frame, track, at.y + height * static_cast<float>(lines) + marks_height / 2, first, last);
+    debugger::ForSpansWithin(track, first, last, draw);
+    const float below = at.y + height * static_cast<float>(lines);
+    if (fired_height > 0) DrawFirings(frame, track, {at.x, below}, fired_height, first, last);
+    DrawMarks(frame, track, below + fired_height + marks_height / 2, first, last);
     out.PopClipRect();
     out.AddLine({at.x, at.y + full}, {left_ + width_, at.y + full}, theme::Packed(theme::kEdge, 0.6f));
+  }
+
+  /// How many rules fired in each tick, as columns; the highest in view fills the strip.
+  void DrawFirings(PanelFrame& frame, const TimelineTrack& track, ImVec2 at, float height, std::uint64_t first,
+                   std::uint64_t last) {
+    ImDrawList& out = *ImGui::GetWindowDrawList();
+    const auto begin = std::lower_bound(track.firings.begin(), track.firings.end(), first,
+                                        [](const auto& firing, std::uint64_t tick) { return firing.first < tick; });
+    std::uint32_t most = 1;
+    auto end = begin;
+    for (; end != track.firings.end() && end->first <= last; ++end) most = std::max(most, end->second);
+    const float floor = at.y + height - frame.Px(2), room = height - frame.Px(4);
+    for (auto firing = begin; firing != end; ++firing) {
+      const float x = X(static_cast<double>(firing->first)), next = X(static_cast<double>(firing->first) + 1);
+      const float top = floor - std::max(1.0f, room * static_cast<float>(firing->second) / static_cast<float>(most));
+      const float right = std::max(x + 1, next - (next - x > 3 ? 1.0f : 0.0f));
+      out.AddRectFilled({x, top}, {right, floor}, theme::Packed(theme::kGood, 0.8f));
+      if (ImGui::IsMouseHoveringRect({x, at.y}, {right, floor}))
+        hover_ = std::to_string(firing->second) + (firing->second == 1 ? " rule fired" : " rules fired");
+    }
   }
 
   void DrawMarks(PanelFrame& frame, const TimelineTrack& track, float y, std::uint64_t first, std::uint64_t last) {
@@ -162,24 +249,7 @@ class TimelinePanel final : public Panel {
                                         [](const TimelineMark& mark, std::uint64_t tick) { return mark.tick < tick; });
     for (auto mark = begin; mark != track.marks.end() && mark->tick <= last; ++mark) {
       const float x = X(static_cast<double>(mark->tick));
-      const ImU32 color = theme::Packed(ColorOf(mark->kind));
-      switch (mark->kind) {  // Told apart by shape, too.
-        case MarkKind::kCommand:
-          out.AddTriangleFilled({x - r, y - r}, {x - r, y + r}, {x + r, y}, color);
-          break;
-        case MarkKind::kError:
-          out.AddLine({x - r, y - r}, {x + r, y + r}, color, frame.Px(2));
-          out.AddLine({x - r, y + r}, {x + r, y - r}, color, frame.Px(2));
-          break;
-        case MarkKind::kMessage:
-          out.AddRectFilled({x - r, y - r * 0.7f}, {x + r, y + r * 0.7f}, color);
-          break;
-        case MarkKind::kEdit:
-          out.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, color);
-          break;
-        default:
-          out.AddCircleFilled({x, y}, r * 0.8f, color);
-      }
+      DrawSign(out, mark->kind, {x, y}, r, frame.Px(2));
       if (ImGui::IsMouseHoveringRect({x - r, y - r}, {x + r, y + r}))
         hover_ = std::string(debugger::NameOf(mark->kind)) + ": " + mark->text;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 
+#include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/widgets.h"
 
@@ -42,22 +43,28 @@ class TracePanel final : public Panel {
       return;
     }
     DrawBar(frame);
-    Find(frame, *trace);
+    filter_.agent = only_selected_ ? frame.contents.agent : std::string{};
+    const auto& found = search_.Find(*trace, filter_);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
     ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
     ImGui::PushFont(frame.fonts.mono);
     const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 2;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(found_.size()), ImGui::GetTextLineHeightWithSpacing());
+    clipper.Begin(static_cast<int>(found.size()), ImGui::GetTextLineHeightWithSpacing());
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        DrawLine(frame, *found_[static_cast<std::size_t>(i)], i);
+        DrawLine(frame, *found[static_cast<std::size_t>(i)], i);
     }
     clipper.End();
     ImGui::PopFont();
     if (at_end && frame.contents.moment.is_live) ImGui::SetScrollHereY(1);
     ImGui::EndChild();
     ImGui::PopStyleColor();
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    const debugger::Trace* trace = frame.contents.trace;
+    return trace == nullptr ? std::string() : debugger::ToText(trace->Find(filter_));
   }
 
  private:
@@ -73,18 +80,6 @@ class TracePanel final : public Panel {
     SearchField("##search", "Search: each word must stand in the line", filter_.text);
   }
 
-  /// Looks again only if the trace or what is looked for has changed.
-  void Find(const PanelFrame& frame, const debugger::Trace& trace) {
-    filter_.agent = only_selected_ ? frame.contents.agent : std::string{};
-    const std::string key =
-        filter_.agent + "\n" + filter_.text + "\n" + std::to_string(static_cast<int>(filter_.most)) + "\n" +
-        std::to_string(trace.lines().size()) + "\n" + std::to_string(trace.forgotten()) + "\n" +
-        std::to_string(trace.lines().back().tick) + "\n" + std::to_string(frame.contents.moment.branches);
-    if (key == key_) return;
-    key_ = key;
-    found_ = trace.Find(filter_);
-  }
-
   static void DrawLine(PanelFrame& frame, const TraceLine& line, int number) {
     const bool is_now = line.tick == frame.contents.moment.shown_tick;
     ImGui::PushID(number);
@@ -94,14 +89,17 @@ class TracePanel final : public Panel {
     ImGui::SameLine();
     ColoredText(theme::kQuiet, line.agent.empty() ? "world" : line.agent);
     ImGui::SameLine();
-    ColoredText(ColorOf(line.kind),
-                std::string(static_cast<std::size_t>(std::max(0, line.level - 1)) * 2, ' ') + line.text);
+    const std::string text = std::string(static_cast<std::size_t>(std::max(0, line.level - 1)) * 2, ' ') + line.text;
+    if (line.kind == TraceKind::kError) {
+      TextWithPlace(frame, "place", text, ColorOf(line.kind));
+    } else {
+      ColoredText(ColorOf(line.kind), text);
+    }
   }
 
   debugger::TraceFilter filter_;
   bool only_selected_ = false;
-  std::string key_;
-  std::vector<const TraceLine*> found_;  ///< Into the trace, as long as it is as `key_` says.
+  debugger::TraceSearch search_;
 };
 
 }  // namespace

@@ -52,6 +52,11 @@ class WhyPanel final : public Panel {
     ImGui::EndChild();
   }
 
+  std::string Text(const PanelFrame& frame) const override {
+    if (!frame.contents.why.answer) return {};
+    return frame.contents.why.question + "\n" + debugger::ToText(*frame.contents.why.answer, 1);
+  }
+
  private:
   void DrawField(PanelFrame& frame) {
     SearchField("##not", "Why not ...", not_);
@@ -73,6 +78,10 @@ class WhyPanel final : public Panel {
     ImGui::BeginGroup();
     WrappedText(ColorOfKind(node.kind), node.text);
     ImGui::EndGroup();
+    if (ImGui::BeginPopupContextItem("menu")) {
+      if (ImGui::MenuItem("Copy with what stands below")) ImGui::SetClipboardText(debugger::ToText(node, 0).c_str());
+      ImGui::EndPopup();
+    }
     if (!node.link.empty()) {
       if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
       if (ImGui::IsItemClicked()) Follow(frame, node);

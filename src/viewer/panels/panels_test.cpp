@@ -6,10 +6,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "debugger/edit.h"
 #include "debugger/run_models.h"
 #include "record/recorder.h"
+#include "viewer/panels/first_steps.h"
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/terms.h"
 #include "viewer/panels/text_capture.h"
@@ -185,7 +187,7 @@ class PanelStage {
   }
 
   /// Draws some frames with this panel open, as a user would find it, and reads the last one back.
-  void Draw(const Layout& arranged) {
+  void Draw(const Layout& arranged, const std::function<void(Workspace&)>& in_the_last = {}) {
     Workspace workspace(arranged);
     workspace.layout.SetText(percent);
     const world::SceneSnapshot scene = simulation->Snapshot();
@@ -197,6 +199,7 @@ class PanelStage {
     for (int i = 0; i < kFrames; ++i) {
       std::vector<PanelRequest> requests;
       std::vector<ViewerCommand> commands;
+      if (i + 1 == kFrames && in_the_last) in_the_last(workspace);
       ImGui::NewFrame();
       PanelFrame frame{contents,
                        scene,
@@ -217,10 +220,12 @@ class PanelStage {
     complaints = AuditLayout(*ImGui::GetIO().Fonts);
   }
 
-  void Draw(PanelId panel) {
+  void Draw(PanelId panel, const std::function<void(Workspace&, PanelId)>& in_the_last = {}) {
     Layout layout = DefaultLayout();
     layout.Show(panel);
-    Draw(layout);
+    Draw(layout, [&](Workspace& workspace) {
+      if (in_the_last) in_the_last(workspace, panel);
+    });
   }
 
   std::unique_ptr<sim::Simulation> simulation;
@@ -299,6 +304,121 @@ TEST_F(Panels, AnAuditFindsWhatIsCutAndWhatOverlaps) {
   EXPECT_THAT(all, HasSubstr("second: lies over first"));
   EXPECT_THAT(all, HasSubstr("third: leaves the window"));
   EXPECT_THAT(all, HasSubstr("third: cells of column 1 are cut"));
+}
+
+TEST_F(Panels, AnAuditSeesWhatIsDrawnByHandWhereTheWindowScrolls) {
+  stage->SetSize(1280, 720, 100);
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings;
+  const auto audit = [](const std::function<void(ImDrawList&, ImVec2)>& draw) {
+    for (int i = 0; i < 3; ++i) {
+      ImGui::NewFrame();
+      ImGui::SetNextWindowPos({10, 10});
+      ImGui::SetNextWindowSize({200, 100});
+      ImGui::Begin("scrolls", nullptr, kFlags);
+      draw(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos());
+      ImGui::Dummy({10, 900});
+      ImGui::End();
+      ImGui::Render();
+    }
+    std::string all;
+    for (const std::string& complaint : AuditLayout(*ImGui::GetIO().Fonts)) all += complaint + "\n";
+    return all;
+  };
+  const ImU32 white = IM_COL32_WHITE;
+  EXPECT_EQ(audit([&](ImDrawList& out, ImVec2 at) { PutText(out, at, white, "a good one"); }), "");
+  // What can be scrolled to is not cut.
+  EXPECT_EQ(audit([&](ImDrawList& out, ImVec2 at) { PutText(out, {at.x, at.y + 75}, white, "half of it"); }), "");
+  // ImGui keeps no letter of this one.
+  EXPECT_THAT(audit([&](ImDrawList& out, ImVec2 at) {
+                PutText(out, {at.x + 300, at.y}, white, "far out");
+              }),
+              HasSubstr("scrolls: the text 'far out', drawn by hand, is cut"));
+  EXPECT_THAT(audit([&](ImDrawList& out, ImVec2 at) {
+                out.PushClipRect(at, {at.x + 100, at.y + 6}, true);
+                PutText(out, at, white, "narrow");
+                out.PopClipRect();
+              }),
+              HasSubstr("'narrow', drawn by hand, is cut"));
+  EXPECT_THAT(audit([&](ImDrawList& out, ImVec2 at) {
+                PutText(out, at, white, "first words");
+                PutText(out, {at.x + 12, at.y + 3}, white, "second words");
+              }),
+              HasSubstr("lie over each other"));
+}
+
+TEST_F(Panels, CanBeCopied) {
+  stage->SetSize(1280, 720, 100);
+  stage->Fill("walker");
+  const std::vector<std::pair<PanelId, const char*>> wanted = {
+      {PanelId::kAgents, "walker"},
+      {PanelId::kMind, "S1"},
+      {PanelId::kMemory, "superstate"},
+      {PanelId::kRules, "sp {walker*propose*flee"},
+      {PanelId::kWhy, "Why does walker"},
+      {PanelId::kLinks, "seek"},
+      {PanelId::kMessages, "I am on my way"},
+      {PanelId::kTimeline, "seek"},
+      {PanelId::kTrace, "seek"},
+      {PanelId::kPlots, "health"},
+      {PanelId::kConsole, "superstate"},
+      {PanelId::kEdit, "walker*propose*seek"},
+      {PanelId::kBreakpoints, "flee"},
+      {PanelId::kProblems, "did you mean"},
+  };
+  for (const auto& [panel, text] : wanted) {
+    ImGui::SetClipboardText("");
+    stage->Draw(panel, [](Workspace& workspace, PanelId opened) {
+      workspace.Open(opened);
+      workspace.CopyPanel();
+    });
+    EXPECT_THAT(ImGui::GetClipboardText(), HasSubstr(text)) << InfoOf(panel).word;
+  }
+}
+
+TEST_F(Panels, LeadSomebodyNewThroughTheWindow) {
+  stage->SetSize(1280, 720, 100);
+  stage->Fill("walker");
+  Layout layout = DefaultLayout();
+  layout.first_steps = true;
+  stage->Draw(layout);
+  for (const char* text : {"First steps", "1 of 5", "Click an agent", "Skip", "Close"})
+    EXPECT_THAT(stage->shown, HasSubstr(text));
+  EXPECT_THAT(stage->complaints, IsEmpty());
+  layout.first_steps = false;
+  stage->Draw(layout);
+  EXPECT_THAT(stage->shown, testing::Not(HasSubstr("First steps")));
+}
+
+TEST(FirstSteps, GoOnWhenTheyAreDoneOneAtATime) {
+  FirstSteps steps;
+  FirstSteps::Seen seen;
+  seen.agents = 3;
+  seen.selected = 1;
+  seen.is_paused = true;  // Long before it is asked for.
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), 0u);
+  seen.selected = 2;
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), 1u);
+  seen.shows_why = seen.has_asked = true;
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), 2u);
+  steps.Note(seen);
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), 4u);
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), 4u) << "nobody has gone back yet";
+  seen.is_in_past = true;
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), FirstSteps::kSteps);
+  EXPECT_THAT(std::string(steps.text()), HasSubstr("That is how one finds out why"));
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), FirstSteps::kSteps);
+  steps.Begin();
+  EXPECT_EQ(steps.at(), 0u);
+  seen.agents = 1;  // There is no other one to click.
+  steps.Note(seen);
+  EXPECT_EQ(steps.at(), 1u);
 }
 
 TEST_F(Panels, EachShowsWhatTheRunHolds) {

@@ -88,6 +88,12 @@ class Collector {
     if (letter.left < clip.x - 1 || letter.right > clip.z + 1) run_.is_cut = run_.is_cut_x = true;
     if (letter.top < clip.y - 1 || letter.bottom > clip.w + 1) run_.is_cut = run_.is_cut_y = true;
     if (seen) {
+      const ImVec4 box{std::max(letter.left, clip.x), std::max(letter.top, clip.y), std::min(letter.right, clip.z),
+                       std::min(letter.bottom, clip.w)};
+      ImVec4& all = run_.seen;
+      all = any_seen_
+                ? ImVec4{std::min(all.x, box.x), std::min(all.y, box.y), std::max(all.z, box.z), std::max(all.w, box.w)}
+                : box;
       any_seen_ = true;
       std::string bytes;
       AppendUtf8(bytes, letter.code);

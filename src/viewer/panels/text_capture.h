@@ -14,7 +14,8 @@ struct ShownText {
   std::string text;       ///< UTF-8.
   std::vector<float> at;  ///< For each byte where its letter begins, px; one more for the end.
   float top = 0, bottom = 0;
-  bool is_cut = false;                      ///< Some of its letters lie outside of what may be drawn to.
+  ImVec4 seen{0, 0, 0, 0};  ///< What its letters fill of what may be drawn to: left, top, right, bottom, px.
+  bool is_cut = false;      ///< Some of its letters lie outside of what may be drawn to.
   bool is_cut_x = false, is_cut_y = false;  ///< At the left or right; above or below.
 
   /// The middle of a part of it.

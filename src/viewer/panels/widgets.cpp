@@ -21,7 +21,38 @@ int GrowText(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
+bool wants_focus = false;
+int list_frame = -1;  ///< In which a list had the keys.
+
 }  // namespace
+
+void FocusNextField(bool wanted) {
+  wants_focus = wanted;
+}
+
+void TakeFocus() {
+  if (wants_focus) ImGui::SetKeyboardFocusHere();
+  wants_focus = false;
+}
+
+int ListStep() {
+  if (!ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return 0;
+  list_frame = ImGui::GetFrameCount();
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+  return (pressed(ImGuiKey_DownArrow) ? 1 : 0) - (pressed(ImGuiKey_UpArrow) ? 1 : 0);
+}
+
+void ScrollToRow(int row) {
+  // The head of the table stands still above the rows.
+  const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float top = height * static_cast<float>(row), room = ImGui::GetWindowHeight() - 2 * height;
+  if (top < ImGui::GetScrollY()) ImGui::SetScrollY(top);
+  if (top > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - room);
+}
+
+bool ListTakesArrows() {
+  return list_frame >= 0 && list_frame + 1 >= ImGui::GetFrameCount();
+}
 
 void ColoredText(ImVec4 color, std::string_view text) {
   ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -76,7 +107,7 @@ bool Link(const char* id, std::string_view text, ImVec4 color) {
   const bool clicked = ImGui::InvisibleButton("link", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& out = *ImGui::GetWindowDrawList();
-  out.AddText(corner, theme::Packed(color), text.data(), text.data() + text.size());
+  PutText(out, corner, theme::Packed(color), text);
   if (hovered) {
     out.AddLine({corner.x, corner.y + size.y - 1}, {corner.x + size.x, corner.y + size.y - 1}, theme::Packed(color));
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -100,6 +131,7 @@ void Tooltip(std::string_view text) {
 
 bool SearchField(const char* id, const char* hint, std::string& text, float right) {
   ImGui::SetNextItemWidth(right > 0 ? -right : -1);
+  TakeFocus();
   const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
                                                 ImGuiInputTextFlags_CallbackResize, GrowText, &text);
   MayCut(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
@@ -125,7 +157,7 @@ void Tag(std::string_view text, ImVec4 color) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& out = *ImGui::GetWindowDrawList();
   out.AddRectFilled(at, {at.x + size.x + 2 * pad, at.y + size.y}, theme::Packed(color, 0.18f), 3);
-  out.AddText({at.x + pad, at.y}, theme::Packed(color), text.data(), text.data() + text.size());
+  PutText(out, {at.x + pad, at.y}, theme::Packed(color), text);
   ImGui::Dummy({size.x + 2 * pad, size.y});
 }
 

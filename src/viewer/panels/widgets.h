@@ -31,6 +31,16 @@ bool Link(const char* id, std::string_view text, ImVec4 color = theme::kAccent);
 void Tooltip(std::string_view text);
 /// A field with a hint; true when its text changed. Takes the width that is left, less `right` px.
 bool SearchField(const char* id, const char* hint, std::string& text, float right = 0);
+/// The next field that is drawn takes the keyboard: somebody wants to search, or to type, in the panel drawn now.
+void FocusNextField(bool wanted = true);
+/// For a field of its own kind: call before it is drawn.
+void TakeFocus();
+/// In a list that was clicked last: -1 or 1 when the user wants the row above or below, by the arrow keys; else 0.
+int ListStep();
+/// Brings a row of a table of equal rows into view.
+void ScrollToRow(int row);
+/// Whether such a list takes the arrow keys, so that they do not move the camera.
+bool ListTakesArrows();
 /// What stands in the middle of a panel that has nothing to show, and what to do about it.
 void EmptyNote(std::string_view what, std::string_view advice = {});
 /// A heading within a panel.

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viewer/panels/icons.h"
+#include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
@@ -82,6 +84,17 @@ void Workspace::Draw(PanelFrame& frame, int width, int height, float frames_per_
   DrawToolbar(frame, m, frames_per_second);
   DrawScrubber(frame, m);
   for (const Area area : {Area::kLeft, Area::kRight, Area::kBottom}) DrawArea(frame, area, m);
+  wants_focus_ = false;
+  if (std::exchange(wants_copy_, false)) Copy(frame, used_);
+  cover_ = {0, 0, 0, 0};
+  if (layout.first_steps && !only_picture) {
+    const PictureRect picture = PictureIn(width, height);
+    const StripPlace strip =
+        DrawFirstSteps(frame, first_steps_, {static_cast<float>(picture.x), static_cast<float>(picture.y)},
+                       {static_cast<float>(picture.width), static_cast<float>(picture.height)});
+    cover_ = {static_cast<int>(strip.corner.x), static_cast<int>(strip.corner.y), static_cast<int>(strip.size.x),
+              static_cast<int>(strip.size.y)};
+  }
   if (show_help) DrawHelp(frame, width, height);
   modal_ = show_help || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -115,7 +128,11 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {2, 2});
     ImGui::BeginChild(InfoOf(panel).word.data(), {0, 0}, false, ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
+    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+      used_ = panel;
+    FocusNextField(wants_focus_ && panel == used_);
     if (Panel* drawn = panels_[static_cast<std::size_t>(panel)].get()) drawn->Draw(frame);
+    FocusNextField(false);
     ImGui::EndChild();
   }
   DrawSplitter(area, corner, size, m);
@@ -143,13 +160,13 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("tab", size)) layout.Show(panels[i]);
     const bool hovered = ImGui::IsItemHovered();
-    Tooltip(info.about);
+    Tooltip(std::string(info.about) + "  (Alt+" + info.key + ")");
     if (ImGui::BeginDragDropSource()) {
       ImGui::SetDragDropPayload(kPanelPayload, &panels[i], sizeof panels[i]);
       ImGui::TextUnformatted(info.title.data());
       ImGui::EndDragDropSource();
     }
-    DrawTabMenu(panels[i]);
+    DrawTabMenu(frame, panels[i]);
     ImDrawList& out = *ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + size.x, at.y + size.y};
     if (is_front || hovered) {
@@ -158,7 +175,7 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
     }
     if (is_front) out.AddRectFilled({at.x, end.y - frame.Px(2)}, end, theme::Packed(theme::kAccent));
     const ImVec4 color = alarms ? theme::kBad : is_front ? theme::kText : theme::kQuiet;
-    out.AddText({at.x + 0.8f * pad.x, at.y + 0.8f * pad.y}, theme::Packed(color), title.c_str());
+    PutText(out, {at.x + 0.8f * pad.x, at.y + 0.8f * pad.y}, theme::Packed(color), title);
     ImGui::PopID();
   }
   const ImVec2 line = ImGui::GetCursorScreenPos();
@@ -176,8 +193,29 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   if (ImGui::IsMouseReleased(0) && !is_here) layout.Move(dropped, area);
 }
 
-void Workspace::DrawTabMenu(PanelId panel) {
+void Workspace::Open(PanelId panel) {
+  only_picture = false;
+  layout.Show(panel);
+  used_ = panel;
+  wants_focus_ = true;
+}
+
+void Workspace::Copy(PanelFrame& frame, PanelId panel) {
+  const std::string text = panels_[static_cast<std::size_t>(panel)]->Text(frame);
+  const std::string title(InfoOf(panel).title);
+  if (text.empty()) {
+    frame.Ask(TellRequest{title + ": there is nothing to copy"});
+    return;
+  }
+  ImGui::SetClipboardText(text.c_str());
+  const auto lines = std::count(text.begin(), text.end(), '\n') + (text.back() == '\n' ? 0 : 1);
+  frame.Ask(TellRequest{title + ": copied " + std::to_string(lines) + (lines == 1 ? " line" : " lines")});
+}
+
+void Workspace::DrawTabMenu(PanelFrame& frame, PanelId panel) {
   if (!ImGui::BeginPopupContextItem("menu")) return;
+  if (ImGui::MenuItem("Copy what it shows", "Ctrl+C")) Copy(frame, panel);
+  ImGui::Separator();
   for (const Area area : {Area::kLeft, Area::kRight, Area::kBottom}) {
     const std::string label = "Move to the " + std::string(kAreaWords[static_cast<std::size_t>(area)]);
     if (ImGui::MenuItem(label.c_str())) layout.Move(panel, area);

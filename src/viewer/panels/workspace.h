@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "viewer/panels/first_steps.h"
 #include "viewer/panels/panel.h"
 
 namespace soarbox::viewer {
@@ -32,6 +33,15 @@ class Workspace {
   /// Whether a menu or another thing lies over the picture and takes the mouse wherever it is.
   bool IsModal() const { return modal_; }
 
+  /// Brings a panel to the front and lets the keyboard go on there.
+  void Open(PanelId panel);
+  /// The keyboard goes to the field of the panel that is meant: the one under the mouse, else the one used last.
+  void FocusField() { wants_focus_ = true; }
+  /// What that panel shows goes to the clipboard.
+  void CopyPanel() { wants_copy_ = true; }
+  /// Where something small lies over the picture and takes the mouse; empty: nothing does.
+  PictureRect cover() const { return cover_; }
+
   Layout layout;
   bool show_help = false;
   std::string shown_object;   ///< See PanelFrame.
@@ -52,12 +62,17 @@ class Workspace {
   void DrawScrubber(PanelFrame& frame, const Metrics& metrics);
   void DrawArea(PanelFrame& frame, Area area, const Metrics& metrics);
   void DrawTabs(PanelFrame& frame, Area area);
-  void DrawTabMenu(PanelId panel);
+  void DrawTabMenu(PanelFrame& frame, PanelId panel);
+  void Copy(PanelFrame& frame, PanelId panel);
   void DrawSplitter(Area area, ImVec2 corner, ImVec2 size, const Metrics& metrics);
   void DrawHelp(PanelFrame& frame, int width, int height);
 
   std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
   bool modal_ = false;
+  FirstSteps first_steps_;
+  PictureRect cover_{0, 0, 0, 0};
+  PanelId used_ = PanelId::kAgents;  ///< Under the mouse, or opened by key.
+  bool wants_focus_ = false, wants_copy_ = false;
 };
 
 }  // namespace soarbox::viewer

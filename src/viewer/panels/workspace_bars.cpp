@@ -84,7 +84,8 @@ void Workspace::DrawMenus(PanelFrame& frame) {
   }
   if (ImGui::BeginMenu("Panels")) {
     for (const PanelInfo& info : kPanelInfos) {
-      if (ImGui::MenuItem(info.title.data(), nullptr, layout.IsVisible(info.id))) {
+      const std::string keys = std::string("Alt+") + info.key;
+      if (ImGui::MenuItem(info.title.data(), keys.c_str(), layout.IsVisible(info.id))) {
         if (layout.IsVisible(info.id)) {
           layout.Close(info.id);
         } else {
@@ -113,7 +114,12 @@ void Workspace::DrawMenus(PanelFrame& frame) {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
-    if (ImGui::MenuItem("Keys and mouse", "?")) show_help = true;
+    if (ImGui::MenuItem("First steps", nullptr, layout.first_steps)) {
+      layout.first_steps = !layout.first_steps;
+      first_steps_.Begin();
+    }
+    Tooltip("Leads you through the window, one thing at a time");
+    if (ImGui::MenuItem("Keys and mouse", "? or F1")) show_help = true;
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
@@ -272,11 +278,15 @@ void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
   ImGui::NextColumn();
   group("Drawn over the scene", CommandGroup::kOverlay);
   if (begin("Panels", "panels")) {
+    row("Alt + letter", "Brings a panel to the front: the menu Panels tells which");
+    row("Ctrl+F", "Search in the panel under the mouse");
+    row("Ctrl+C", "Copy what the panel under the mouse shows");
+    row("Up, Down", "In a list that was clicked: the row above, below");
     row("F11", "Picture only, or with panels");
     row("Ctrl +, Ctrl -", "Larger, smaller text; Ctrl 0: normal");
     row("Right click", "On a tab: move or close the panel; or drag the tab to another side");
     row("Up, Down, Tab", "In the console: earlier lines, completion");
-    row("? or H", "This list");
+    row("?, H or F1", "This list");
     ImGui::EndTable();
   }
   ImGui::Dummy({1, frame.Px(6)});
