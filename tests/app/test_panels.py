@@ -405,7 +405,7 @@ class Panels(unittest.TestCase):
             click "First steps"
             expect "1 of 5"
             audit "the first step"
-            click "idler"
+            click-agent idler
             expect "2 of 5"
             click "Why"
             expect "3 of 5"

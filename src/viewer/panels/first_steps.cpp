@@ -34,7 +34,7 @@ std::string_view FirstSteps::text() const {
 bool FirstSteps::IsDone(const Seen& seen) const {
   switch (at_) {
     case kSelect:
-      return seen.agents < 2 || seen.selected != *first_selected_;
+      return seen.agents < 2 || (seen.selected != 0 && seen.selected != *first_selected_);
     case kOpenWhy:
       return seen.shows_why;
     case kAsk:

@@ -84,7 +84,7 @@ void Workspace::Draw(PanelFrame& frame, int width, int height, float frames_per_
   DrawToolbar(frame, m, frames_per_second);
   DrawScrubber(frame, m);
   for (const Area area : {Area::kLeft, Area::kRight, Area::kBottom}) DrawArea(frame, area, m);
-  wants_focus_ = false;
+  focus_.reset();
   if (std::exchange(wants_copy_, false)) Copy(frame, used_);
   cover_ = {0, 0, 0, 0};
   if (layout.first_steps && !only_picture) {
@@ -128,9 +128,10 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {2, 2});
     ImGui::BeginChild(InfoOf(panel).word.data(), {0, 0}, false, ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
-    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
-      used_ = panel;
-    FocusNextField(wants_focus_ && panel == used_);
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    constexpr ImGuiHoveredFlags kOver = ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem;
+    if ((moved.x != 0 || moved.y != 0) && ImGui::IsWindowHovered(kOver)) used_ = panel;
+    FocusNextField(focus_ == panel);
     if (Panel* drawn = panels_[static_cast<std::size_t>(panel)].get()) drawn->Draw(frame);
     FocusNextField(false);
     ImGui::EndChild();
@@ -197,7 +198,7 @@ void Workspace::Open(PanelId panel) {
   only_picture = false;
   layout.Show(panel);
   used_ = panel;
-  wants_focus_ = true;
+  focus_ = panel;
 }
 
 void Workspace::Copy(PanelFrame& frame, PanelId panel) {

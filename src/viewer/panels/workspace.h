@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "viewer/panels/first_steps.h"
 #include "viewer/panels/panel.h"
@@ -36,7 +37,7 @@ class Workspace {
   /// Brings a panel to the front and lets the keyboard go on there.
   void Open(PanelId panel);
   /// The keyboard goes to the field of the panel that is meant: the one under the mouse, else the one used last.
-  void FocusField() { wants_focus_ = true; }
+  void FocusField() { focus_ = used_; }
   /// What that panel shows goes to the clipboard.
   void CopyPanel() { wants_copy_ = true; }
   /// Where something small lies over the picture and takes the mouse; empty: nothing does.
@@ -71,8 +72,9 @@ class Workspace {
   bool modal_ = false;
   FirstSteps first_steps_;
   PictureRect cover_{0, 0, 0, 0};
-  PanelId used_ = PanelId::kAgents;  ///< Under the mouse, or opened by key.
-  bool wants_focus_ = false, wants_copy_ = false;
+  PanelId used_ = PanelId::kAgents;  ///< Under the mouse when it was moved last, or opened by key since then.
+  std::optional<PanelId> focus_;     ///< Its field takes the keyboard in the next frame.
+  bool wants_copy_ = false;
 };
 
 }  // namespace soarbox::viewer
