@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kEndings{".soar", ".lua", ".toml"};
 
-bool IsDigit(char c) {
+bool IsDecimal(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
@@ -26,7 +26,7 @@ std::optional<FilePlace> FindFilePlace(std::string_view text) {
   for (std::size_t colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':', colon + 1)) {
     const std::string_view before = text.substr(0, colon);
     const bool is_file = std::ranges::any_of(kEndings, [&](std::string_view end) { return before.ends_with(end); });
-    if (!is_file || colon + 1 >= text.size() || !IsDigit(text[colon + 1])) continue;
+    if (!is_file || colon + 1 >= text.size() || !IsDecimal(text[colon + 1])) continue;
     FilePlace place;
     const auto from = std::find_if(before.rbegin(), before.rend(), EndsName);
     place.begin = static_cast<std::size_t>(before.rend() - from);
@@ -34,9 +34,9 @@ std::optional<FilePlace> FindFilePlace(std::string_view text) {
     const auto read = std::from_chars(text.data() + colon + 1, text.data() + text.size(), place.line);
     auto end = static_cast<std::size_t>(read.ptr - text.data());
     // The column belongs to what is shown as the place.
-    if (end + 1 < text.size() && text[end] == ':' && IsDigit(text[end + 1])) {
+    if (end + 1 < text.size() && text[end] == ':' && IsDecimal(text[end + 1])) {
       ++end;
-      while (end < text.size() && IsDigit(text[end])) ++end;
+      while (end < text.size() && IsDecimal(text[end])) ++end;
     }
     place.length = end - place.begin;
     if (read.ec == std::errc()) return place;

@@ -371,33 +371,6 @@ class Panels(unittest.TestCase):
                 colours = {picture.at(x, y) for x in range(left, right, 3) for y in range(top, bottom, 3)}
                 self.assertGreater(len(colours), 12, (name, left, top))
 
-    def test_keys_lead_to_panels_search_and_copy(self):
-        self.play("""
-            until 0.5
-            key P
-            expect "Paused"
-            key Alt+R
-            expect "Filter by name"
-            type "prefer"
-            expect "walker*prefer*north"
-            expect-not "walker*apply*seek"
-            key Escape
-            hover "walker*prefer*north"
-            key Ctrl+C
-            expect "Rules: copied"
-            key Alt+L
-            type "print s1"
-            key Return
-            expect "^superstate nil"
-            key Alt+W
-            type "flee"
-            key Return
-            expect "Why not flee?"
-            click-at 640 300
-            key Escape
-            expect "Press Esc again to close the window"
-            """)
-
     def test_somebody_new_is_led_through_the_window(self):
         self.play("""
             until 0.3
@@ -438,34 +411,8 @@ class Panels(unittest.TestCase):
                 expect "Goal stack"
                 expect "seek"
                 expect "not available there"
-                audit "Mind of another process"
                 click "Memory"
                 expect "^superstate"
-                click "^superstate"
-                expect "who made it and who tests it:"
-                click "Rules"
-                click "walker*prefer*north"
-                expect "Break when it fires"
-                audit "Rules of another process"
-                click "Breakpoints"
-                expect "No breakpoints."
-                click "Console"
-                click "a Soar command"
-                type "print s1"
-                key Return
-                expect "^superstate nil"
-                click "Plots"
-                click "Plot a number of walker"
-                click "health"
-                expect "100"
-                click "Edit"
-                click "Choose a file"
-                click "walker.soar"
-                expect "sp {walker*propose*seek"
-                click "Trace"
-                expect "walker"
-                click "Timeline"
-                expect "seek"
                 click "Senses"
                 expect "Percepts (input link)"
                 click "Why"
