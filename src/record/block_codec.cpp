@@ -32,21 +32,26 @@ EncodedBlock BlockBuilder::Take() {
 void BlockCursor::Load(const BlockFrame& frame, std::string payload) {
   frame_ = frame;
   payload_ = std::move(payload);
+  Rewind();
+}
+
+void BlockCursor::Rewind() {
+  // Ticks as programs write them take twice their bytes or so in memory; short texts more.
+  constexpr std::uint64_t kTimes = 4, kAnyway = 64u << 20;
   read_ = 0;
-  next_tick_ = frame.first_tick;
+  budget_ = kTimes * payload_.size() + kAnyway;
+  next_tick_ = frame_.first_tick;
   record_ = {};
 }
 
 const TickRecord* BlockCursor::At(std::uint64_t tick) {
   if (tick + 1 == next_tick_ && read_ > 0) return &record_;
-  if (tick < next_tick_) {
-    read_ = 0;
-    next_tick_ = frame_.first_tick;
-    record_ = {};
-  }
+  if (tick < next_tick_) Rewind();
   while (next_tick_ <= tick) {
     ByteReader in(std::string_view(payload_).substr(read_));
+    in.SetBudget(budget_);
     ReadTick(in, record_);
+    budget_ = in.budget();
     if (in.failed() || record_.tick != next_tick_) {
       Unload();
       return nullptr;

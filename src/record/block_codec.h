@@ -45,9 +45,12 @@ class BlockCursor {
   const TickRecord* At(std::uint64_t tick);
 
  private:
+  void Rewind();
+
   BlockFrame frame_;
   std::string payload_;
-  std::size_t read_ = 0;  ///< Bytes of the payload that record_ is the result of.
+  std::size_t read_ = 0;      ///< Bytes of the payload that record_ is the result of.
+  std::uint64_t budget_ = 0;  ///< So much memory more may be asked for by the rest of them.
   std::uint64_t next_tick_ = 0;
   TickRecord record_;
 };

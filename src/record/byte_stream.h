@@ -91,6 +91,20 @@ class ByteReader {
     Fail();
     return 0;
   }
+  /// What is made of the input takes so much memory more: fails once that is more than the budget. Few bytes can ask
+  /// for many empty things.
+  void Charge(std::uint64_t bytes) {
+    if (bytes > budget_) return Fail();
+    budget_ -= bytes;
+  }
+  void SetBudget(std::uint64_t bytes) { budget_ = bytes; }
+  std::uint64_t budget() const { return budget_; }
+  /// Count, and the things are charged for.
+  std::size_t CountOf(std::size_t bytes_each, std::size_t least_bytes = 1) {
+    const std::size_t count = Count(least_bytes);
+    Charge(static_cast<std::uint64_t>(count) * bytes_each);
+    return failed_ ? 0 : count;
+  }
   std::uint32_t Fixed32() { return static_cast<std::uint32_t>(Fixed(4)); }
   std::uint64_t Fixed64() { return Fixed(8); }
   float Float() { return std::bit_cast<float>(Fixed32()); }
@@ -116,6 +130,7 @@ class ByteReader {
   }
 
   std::string_view bytes_;
+  std::uint64_t budget_ = ~std::uint64_t{0};
   bool failed_ = false;
 };
 

@@ -14,6 +14,8 @@ namespace {
 
 using world::Color;
 using world::Quat;
+using world::Shared;
+using world::SharedList;
 using world::Vec3;
 
 template <typename T>
@@ -65,6 +67,9 @@ void Get(ByteReader& in, double& value) {
   value = in.Double();
 }
 void Get(ByteReader& in, std::string& value) {
+  value = in.Text();
+}
+void Get(ByteReader& in, Shared<std::string>& value) {
   value = in.Text();
 }
 void Get(ByteReader& in, Vec3& value) {
@@ -138,20 +143,21 @@ void Put(ByteWriter& out, const Bones& before, const Bones& now) {
     for (std::size_t i = 0; i < bits.size(); ++i) out.Byte(static_cast<std::uint8_t>((bits[i] ^ earlier[i]) >> shift));
 }
 
-void Get(ByteReader& in, Bones& bones) {
+void Get(ByteReader& in, Shared<Bones>& shared) {
   std::vector<std::uint32_t> bits;
   const std::size_t count = in.Count(4 * kNumbersPerBone);
-  AppendBits(bones, bits);
+  AppendBits(shared, bits);
   bits.resize(count * kNumbersPerBone);
   for (int shift = 24; shift >= 0; shift -= 8)
     for (std::uint32_t& number : bits) number ^= static_cast<std::uint32_t>(in.Byte()) << shift;
-  bones.resize(count);
+  Bones bones(count);
   std::size_t at = 0;
   for (world::BonePose& bone : bones) {
     Vec3& p = bone.position;
     Quat& q = bone.orientation;
     for (float* number : {&p.x, &p.y, &p.z, &q.w, &q.x, &q.y, &q.z}) *number = std::bit_cast<float>(bits[at++]);
   }
+  shared = std::move(bones);
 }
 
 template <typename T>
@@ -163,6 +169,10 @@ bool Same(float a, float b) {
 }
 bool Same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+template <typename T>
+bool Same(const Shared<T>& a, const Shared<T>& b) {
+  return a.IsSame(b) || Same(a.value(), b.value());
 }
 template <typename T>
 bool Same(const T& a, const T& b) {
@@ -196,8 +206,8 @@ void PutMembers(ByteWriter& out, std::uint64_t mask, const T& before, const T& n
   out.Number(mask);
   const auto put = [&](auto member) {
     if ((mask & 1) != 0) {
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, Bones>) {
-        Put(out, before.*member, now.*member);
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, Shared<Bones>>) {
+        Put(out, (before.*member).value(), (now.*member).value());
       } else {
         Put(out, now.*member);
       }
@@ -275,10 +285,91 @@ void ReadList(ByteReader& in, std::vector<T>& list) {
         ++old;
         break;
       case Step::kNew:
+        in.Charge(sizeof(T));
         list.emplace_back();
         Get(in, list.back().id);
         GetMembers(in, list.back());
         break;
+      default:
+        return in.Fail();
+    }
+  }
+}
+
+/// Blocks that both lists share hold the same.
+template <HasFields T>
+void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>& now) {
+  static const T kNothing{};
+  std::size_t unchanged = 0;
+  const auto step = [&](Step kind) {
+    out.Number(std::exchange(unchanged, 0));
+    out.Byte(static_cast<std::uint8_t>(kind));
+  };
+  typename SharedList<T>::Place old, at;
+  while (!now.IsEnd(at)) {
+    const bool both_begin = at.index == 0 && old.index == 0 && !before.IsEnd(old);
+    if (both_begin && now.SharesBlock(at.block, before, old.block)) {
+      unchanged += now.BlockSize(at.block);
+      at = {at.block + 1, 0};
+      old = {old.block + 1, 0};
+      continue;
+    }
+    const T& value = now.At(at);
+    for (; !before.IsEnd(old) && before.At(old).id < value.id; old = before.After(old)) step(Step::kGone);
+    at = now.After(at);
+    if (before.IsEnd(old) || before.At(old).id != value.id) {
+      step(Step::kNew);
+      out.Number(value.id);
+      PutMembers(out, Differences(kNothing, value), kNothing, value);
+      continue;
+    }
+    const T& earlier = before.At(old);
+    old = before.After(old);
+    const std::uint64_t mask = Differences(earlier, value);
+    if (mask == 0) {
+      ++unchanged;
+      continue;
+    }
+    step(Step::kChanged);
+    PutMembers(out, mask, earlier, value);
+  }
+  for (; !before.IsEnd(old); old = before.After(old)) step(Step::kGone);
+  step(Step::kEnd);
+}
+
+/// In place, so that blocks that stay as they are stay shared.
+template <HasFields T>
+void ReadList(ByteReader& in, SharedList<T>& list) {
+  typename SharedList<T>::Place at;
+  while (!in.failed()) {
+    for (std::uint64_t unchanged = in.Number(); unchanged > 0;) {
+      if (list.IsEnd(at)) return in.Fail();
+      const std::size_t rest = list.BlockSize(at.block) - at.index;
+      at = unchanged >= rest ? typename SharedList<T>::Place{at.block + 1, 0}
+                             : typename SharedList<T>::Place{at.block, at.index + static_cast<std::size_t>(unchanged)};
+      unchanged -= std::min<std::uint64_t>(unchanged, rest);
+    }
+    const auto step = static_cast<Step>(in.Byte());
+    if (in.failed() || (list.IsEnd(at) && (step == Step::kChanged || step == Step::kGone))) return in.Fail();
+    switch (step) {
+      case Step::kEnd:
+        if (!list.IsEnd(at)) in.Fail();
+        return;
+      case Step::kChanged:
+        GetMembers(in, list.Edit(at));
+        at = list.After(at);
+        break;
+      case Step::kGone:
+        at = list.Erase(at);
+        break;
+      case Step::kNew: {
+        T made;
+        Get(in, made.id);
+        GetMembers(in, made);
+        in.Charge(sizeof(T));
+        at = list.After(list.Insert(at, std::move(made)));
+        break;
+      }
       default:
         return in.Fail();
     }

@@ -14,7 +14,7 @@ void WriteTexts(ByteWriter& out, const std::vector<std::string>& texts) {
 }
 
 void ReadTexts(ByteReader& in, std::vector<std::string>& texts) {
-  texts.resize(in.Count());
+  texts.resize(in.CountOf(sizeof(std::string)));
   for (std::string& text : texts) text = in.Text();
 }
 
@@ -107,9 +107,9 @@ void ReadTick(ByteReader& in, TickRecord& record) {
   ReadScene(in, record.scene);
   record.scene.tick = record.tick;
   // An event takes 15 bytes at least, a mind 7.
-  record.events.assign(in.Count(15), {});
+  record.events.assign(in.CountOf(sizeof(sim::Event), 15), {});
   for (sim::Event& event : record.events) ReadEvent(in, event);
-  record.minds.assign(in.Count(7), {});
+  record.minds.assign(in.CountOf(sizeof(MindRecord), 7), {});
   for (MindRecord& mind : record.minds) ReadMind(in, mind);
 }
 

@@ -66,7 +66,7 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
     const auto found = before_.find(drawable.id);
     const DrawableSnapshot* before = found != before_.end() ? found->second : nullptr;
     const world::BodyMesh* body =
-        drawable.shape == ShapeKind::kMesh && !drawable.bones.empty() ? world::FindBodyMesh(drawable.mesh) : nullptr;
+        drawable.shape == ShapeKind::kMesh && !drawable.bones.empty() ? world::FindBodyMesh(drawable.mesh.value()) : nullptr;
     if (body != nullptr) {
       ShowBody(thing, *body, drawable, before, blend, agent);
       bodies_shown_.push_back(drawable.id);
@@ -94,11 +94,11 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
   if (thing.entity == nullptr || thing.mesh_name != mesh.mesh->getName())
     Wear(thing, mesh.mesh, drawable.shape != ShapeKind::kPlane);
 
-  const bool own_color = agent_body && !IsAgentColorMaterial(drawable.material);
+  const bool own_color = agent_body && !IsAgentColorMaterial(drawable.material.value());
   // "NobiaxModular" is what the pieces of the kit wear anyway.
   const bool from_mesh =
       drawable.material.empty() || (drawable.shape == ShapeKind::kMesh && drawable.material == "NobiaxModular");
-  const std::string& name = own_color ? agent->kind : from_mesh ? mesh.material : drawable.material;
+  const std::string& name = own_color ? agent->kind : from_mesh ? mesh.material : drawable.material.value();
   std::string wanted = name;
   if (own_color) wanted += agent->alive ? (agent->failed ? "/2" : "/1") : "/0";
   if (wanted == thing.material_name) return;
@@ -138,8 +138,8 @@ void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const Drawab
     thing.look = world::BodyLook::kSoldier;
   if (mesh.look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body_Dark")
     thing.look = world::BodyLook::kDarkSoldier;
-  const bool is_own = drawable.material.empty() || drawable.material.starts_with("SF_");
-  thing.material_name = is_own ? kTeamPrefix + (agent != nullptr ? agent->team : std::string()) : drawable.material;
+  const bool is_own = drawable.material.empty() || drawable.material.value().starts_with("SF_");
+  thing.material_name = is_own ? kTeamPrefix + (agent != nullptr ? agent->team : std::string()) : drawable.material.value();
 
   PosedBody& body = *thing.body;
   body.place = {{drawable.position, drawable.orientation}, drawable.scale};

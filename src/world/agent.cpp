@@ -10,6 +10,7 @@
 #include "world/physics_world.h"
 #include "world/rotation.h"
 #include "world/scene.h"
+#include "world/state_hash.h"
 
 namespace soarbox::world {
 namespace {
@@ -142,12 +143,14 @@ void Agent::RemovePhysics() {
   if (!HasBody()) return;
   store_.physics().Remove(body_);
   body_ = BodyId::kNone;
+  PropertyChanged();
   motion().velocity = Forward() * Speed();
 }
 
 bool Agent::SetHeight(float height_m) {
   if (!IsFinite(height_m)) return false;
   height_m_ = std::clamp(height_m, 0.0f, PhysicsWorld::kMaxSize_m);
+  PropertyChanged();
   if (HasBody()) RebuildBody();
   return true;
 }
@@ -155,6 +158,7 @@ bool Agent::SetHeight(float height_m) {
 bool Agent::SetRadius(float radius_m) {
   if (!IsFinite(radius_m)) return false;
   motion().radius = std::clamp(radius_m, 0.0f, PhysicsWorld::kMaxSize_m);
+  PropertyChanged();
   store_.SpeedOrRadiusChanged(index_);
   if (HasBody()) RebuildBody();
   return true;
@@ -163,6 +167,7 @@ bool Agent::SetRadius(float radius_m) {
 bool Agent::SetMass(float mass_kg) {
   if (!IsFinite(mass_kg)) return false;
   mass_kg_ = mass_kg;
+  PropertyChanged();
   if (HasBody()) {
     store_.physics().SetMass(body_, std::max(0.0f, mass_kg));
     motion().velocity = store_.physics().Velocity(body_);
@@ -172,18 +177,22 @@ bool Agent::SetMass(float mass_kg) {
 }
 
 bool Agent::SetMaxForce(float newtons) {
+  PropertyChanged();
   return SetAtLeastZero(newtons, max_force_n_);
 }
 bool Agent::SetMaxSpeed(float mps) {
+  PropertyChanged();
   return SetAtLeastZero(mps, max_speed_mps_);
 }
 bool Agent::SetTargetRadius(float metres) {
+  PropertyChanged();
   return SetAtLeastZero(metres, target_radius_m_);
 }
 
 bool Agent::SetHealth(float health) {
   if (!IsFinite(health)) return false;
   health_ = health;
+  PropertyChanged();
   motion().alive = health > 0;
   return true;
 }
@@ -191,6 +200,7 @@ bool Agent::SetHealth(float health) {
 bool Agent::SetTarget(Vec3 target) {
   if (!IsFinite(target)) return false;
   target_ = target;
+  PropertyChanged();
   return true;
 }
 
@@ -202,6 +212,23 @@ void Agent::SetPath(std::span<const Vec3> points, bool cyclic) {
   }
   path_ = Path(usable, cyclic, Radius());
   has_path_ = true;
+  PropertyChanged();
+}
+
+std::uint64_t Agent::MakeHashOfProperties() const {
+  StateHash hash;
+  hash.Add(Radius(), height_m_);
+  hash.Add(mass_kg_, max_force_n_);
+  hash.Add(max_speed_mps_, health_);
+  hash.Add(target_);
+  hash.Add(target_radius_m_);
+  hash.Add(std::string_view(team_));
+  hash.Add(static_cast<std::uint64_t>(Number(leader_)));
+  hash.Add(static_cast<std::uint64_t>(HasBody()));
+  // Path steering goes on along the old points after RemovePath, so they count either way.
+  hash.Add(static_cast<std::uint64_t>(has_path_));
+  for (const Vec3 point : path_.points()) hash.Add(point);
+  return hash.value();
 }
 
 std::span<const Vec3> Agent::PathPoints() const {

@@ -43,7 +43,10 @@ class Agent {
   /// Its scene node: parent of its looks. Follows the body when World::SyncAgent is called.
   NodeId node() const { return node_; }
   const std::string& name() const { return name_; }
-  void set_name(std::string name) { name_ = std::move(name); }
+  void set_name(std::string name) {
+    name_ = std::move(name);
+    ++texts_;
+  }
   const std::string& kind() const { return kind_; }
   const std::string& script() const { return script_; }
   /// The agent's own random stream, seeded from the world's seed and the agent's id.
@@ -94,18 +97,23 @@ class Agent {
   /// Not clamped; health <= 0 makes others stop avoiding the agent, nothing else.
   bool SetHealth(float health);
   const std::string& Team() const { return team_; }
-  void SetTeam(std::string_view team) { team_ = team; }
+  void SetTeam(std::string_view team) {
+    if (SetLabel(team, team_)) PropertyChanged();
+  }
   Vec3 Target() const { return target_; }
   bool SetTarget(Vec3 target);
   float TargetRadius() const { return target_radius_m_; }
   bool SetTargetRadius(float metres);
   /// The agent that this one follows; kNoEntity if none.
   EntityId Leader() const { return leader_; }
-  void SetLeader(EntityId leader) { leader_ = leader; }
+  void SetLeader(EntityId leader) {
+    leader_ = leader;
+    PropertyChanged();
+  }
 
   // What its mind is about, for labels and panels only.
   const std::string& LastCommand() const { return last_command_; }
-  void SetLastCommand(std::string_view command) { last_command_ = command; }
+  void SetLastCommand(std::string_view command) { SetLabel(command, last_command_); }
   bool Failed() const { return failed_; }
   void SetFailed(bool failed) { failed_ = failed; }
 
@@ -113,7 +121,10 @@ class Agent {
   /// The tube's radius is the agent's radius at this moment. Points that are not finite are skipped.
   void SetPath(std::span<const Vec3> points, bool cyclic);
   /// HasPath becomes false, but the path forces keep steering along the old points (spec 17, quirk 5).
-  void RemovePath() { has_path_ = false; }
+  void RemovePath() {
+    has_path_ = false;
+    PropertyChanged();
+  }
   bool HasPath() const { return has_path_; }
   /// Points for scripts: empty if HasPath is false.
   std::span<const Vec3> PathPoints() const;
@@ -152,6 +163,21 @@ class Agent {
   AgentMotion& motion();
   const AgentMotion& motion() const;
   void MoveNode();
+  bool SetLabel(std::string_view text, std::string& label) {
+    if (label == text) return false;
+    label = text;
+    ++texts_;
+    return true;
+  }
+  /// Of all that decides its future but its motion, its random stream and what it wanders by. Kept until one of them
+  /// changes, which each setter tells.
+  std::uint64_t HashOfProperties() {
+    if (!properties_are_known_) properties_ = MakeHashOfProperties();
+    properties_are_known_ = true;
+    return properties_;
+  }
+  std::uint64_t MakeHashOfProperties() const;
+  void PropertyChanged() { properties_are_known_ = false; }
   void RebuildBody();
   using GroupSteering = Vec3 (*)(std::size_t self_index, std::span<const AgentMotion> all,
                                  std::span<const std::uint32_t> others, const Neighbourhood& neighbourhood);
@@ -170,11 +196,14 @@ class Agent {
   std::string team_ = "team1";
   EntityId leader_ = kNoEntity;
   std::string last_command_;
+  std::uint32_t texts_ = 1;  ///< Changes with name, team and last command.
   bool failed_ = false;
   bool has_path_ = false;
   bool is_node_placed_ = false;  ///< Where the body is now.
   Path path_;
   WanderState wander_;
+  std::uint64_t properties_ = 0;
+  bool properties_are_known_ = false;
 };
 
 }  // namespace soarbox::world

@@ -36,7 +36,9 @@ void AgentStore::ReadBodies() {
     AgentMotion& motion = motions_[i];
     if (agents_[i]->HasBody()) {
       agents_[i]->is_node_placed_ = false;
-      motion.position = physics_.Position(agents_[i]->body_);
+      const Vec3 position = physics_.Position(agents_[i]->body_);
+      if (position != motion.position) scene_.BodyMoved(agents_[i]->node_, position, motion.orientation);
+      motion.position = position;
       motion.velocity = physics_.Velocity(agents_[i]->body_);
       motion.speed = std::sqrt(motion.velocity.x * motion.velocity.x + motion.velocity.z * motion.velocity.z);
     }

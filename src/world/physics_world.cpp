@@ -14,6 +14,7 @@
 #include "world/physics_shape.h"
 #include "world/physics_sight.h"
 #include "world/rotation.h"
+#include "world/state_hash.h"
 
 namespace soarbox::world {
 namespace {
@@ -64,6 +65,23 @@ struct PhysicsWorld::Body {
   std::unique_ptr<btRigidBody> rigid;
   Vec3 gravity;
   bool upright = false;
+  BodyId id = BodyId::kNone;
+  std::uint64_t hash = 0;  ///< Its part of the hash of all; 0 until it is known.
+  static constexpr std::size_t kKnown = ~std::size_t{0};
+  std::size_t to_hash_at = kKnown;  ///< Among those whose part is to be made anew.
+
+  std::uint64_t Hash() const {
+    StateHash made;
+    made.Add(static_cast<std::uint64_t>(rigid->getUserIndex()));
+    made.Add(FromBullet(rigid->getWorldTransform().getOrigin()));
+    made.Add(FromBullet(rigid->getWorldTransform().getRotation()));
+    made.Add(FromBullet(rigid->getLinearVelocity()));
+    made.Add(FromBullet(rigid->getAngularVelocity()));
+    made.Add(static_cast<float>(rigid->getInvMass()));
+    made.Add(gravity);
+    made.Add(static_cast<float>(rigid->getLinearDamping()), static_cast<float>(rigid->getAngularDamping()));
+    return made.value();
+  }
 };
 
 struct PhysicsWorld::Impl {
@@ -109,6 +127,21 @@ struct PhysicsWorld::Impl {
 
   void Wake(Body& body) {
     if (!body.rigid->isStaticObject()) body.rigid->activate(true);
+    HashAnew(body);
+  }
+
+  void HashAnew(Body& body) {
+    if (body.upright || body.to_hash_at != Body::kKnown) return;
+    body.to_hash_at = to_hash.size();
+    to_hash.push_back(&body);
+  }
+
+  void ForgetHash(Body& body) {
+    hash_sum -= body.hash;
+    if (body.to_hash_at == Body::kKnown) return;
+    to_hash.back()->to_hash_at = body.to_hash_at;
+    to_hash[body.to_hash_at] = to_hash.back();
+    to_hash.pop_back();
   }
 
   void NotePush(BodyId id, Vec3 force_n, Vec3 spin_rad_s = {}) {
@@ -133,6 +166,9 @@ struct PhysicsWorld::Impl {
   std::vector<BodyId> free;
   std::vector<Collision> collisions;
   std::vector<Push> pushes, last_pushes;
+  std::vector<BodyId> moved;
+  std::uint64_t hash_sum = 0;  ///< Of the parts of all bodies.
+  std::vector<Body*> to_hash;
   /// Grows whenever a body that is not upright moves, comes, goes or changes its mass.
   std::uint64_t changes = 0;
   std::uint64_t obstacles_of = ~0ull;  ///< The value of changes that obstacles belong to.
@@ -186,12 +222,15 @@ BodyId PhysicsWorld::Add(const BodyDef& def) {
   impl_->AddToWorld(*body);
   if (!def.upright) ++impl_->changes;
 
+  BodyId id = static_cast<BodyId>(impl_->bodies.size());
   if (impl_->free.empty()) {
-    impl_->bodies.push_back(std::move(body));
-    return static_cast<BodyId>(impl_->bodies.size() - 1);
+    impl_->bodies.emplace_back();
+  } else {
+    id = impl_->free.back();
+    impl_->free.pop_back();
   }
-  const BodyId id = impl_->free.back();
-  impl_->free.pop_back();
+  body->id = id;
+  impl_->HashAnew(*body);
   impl_->bodies[static_cast<std::size_t>(id)] = std::move(body);
   return id;
 }
@@ -208,6 +247,7 @@ void PhysicsWorld::Remove(BodyId id) {
     if (!other->isStaticObject()) other->activate(true);
   }
   if (!body.upright) ++impl_->changes;
+  impl_->ForgetHash(body);
   impl_->crowd.Forget(*body.rigid);
   impl_->sunken.Forget(*body.rigid);
   impl_->world.removeRigidBody(body.rigid.get());
@@ -327,6 +367,10 @@ void PhysicsWorld::ApplyForce(BodyId id, Vec3 force_n) {
   impl_->NotePush(id, force_n);
 }
 
+std::span<const BodyId> PhysicsWorld::MovedBodies() const {
+  return impl_->moved;
+}
+
 const std::vector<PhysicsWorld::Push>& PhysicsWorld::LastPushes() const {
   return impl_->last_pushes;
 }
@@ -358,9 +402,17 @@ void PhysicsWorld::Step(float step_s) {
   ++impl_->changes;
 }
 
+/// Of those that have moved, which it notes.
 void PhysicsWorld::Impl::KeepInRange() {
-  for (const auto& body : bodies) {
+  // What falls asleep loses its velocity then.
+  for (const BodyId id : moved)
+    if (const auto& body = bodies[static_cast<std::size_t>(id)]) HashAnew(*body);
+  moved.clear();
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const auto& body = bodies[i];
     if (!body || body->rigid->isStaticObject() || !body->rigid->isActive()) continue;
+    if (!body->upright) moved.push_back(body->id);
+    HashAnew(*body);
     btRigidBody& rigid = *body->rigid;
     const btMatrix3x3& turn = rigid.getWorldTransform().getBasis();
     const btVector3& place = rigid.getWorldTransform().getOrigin();
@@ -446,6 +498,22 @@ std::span<const Obstacle> PhysicsWorld::Obstacles() {
   }
   impl.obstacles_of = impl.changes;
   return impl.obstacles;
+}
+
+std::uint64_t PhysicsWorld::HashOfThings(bool anew) {
+  Impl& impl = *impl_;
+  if (anew) {
+    for (const auto& body : impl.bodies)
+      if (body) impl.HashAnew(*body);
+  }
+  for (Body* body : impl.to_hash) {
+    const std::uint64_t hash = body->Hash();
+    impl.hash_sum += hash - body->hash;
+    body->hash = hash;
+    body->to_hash_at = Body::kKnown;
+  }
+  impl.to_hash.clear();
+  return impl.hash_sum;
 }
 
 void PhysicsWorld::AddDebugLines(std::vector<LineSnapshot>& lines) {

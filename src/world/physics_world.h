@@ -77,6 +77,9 @@ class PhysicsWorld {
 
   /// One step. Bodies that leave the range of the numbers are put back to its edge, at rest.
   void Step(float step_s);
+  /// Those that may have moved in the last step by themselves: what could move and did not sleep. In a fixed order;
+  /// some may be gone since, and their ids given to others.
+  std::span<const BodyId> MovedBodies() const;
   struct Push {
     BodyId body = BodyId::kNone;
     Vec3 force_n;
@@ -99,6 +102,9 @@ class PhysicsWorld {
   /// that is not const.
   std::span<const Obstacle> Obstacles();
   void AddDebugLines(std::vector<LineSnapshot>& lines);
+  /// Hash of all that decides the future of the bodies that are not upright. Only those that moved or were changed
+  /// since the last call are looked at; `anew`: all of them, which gives the same.
+  std::uint64_t HashOfThings(bool anew = false);
 
   // What a body can bear; callers clamp to these.
   static constexpr float kMaxCoordinate_m = 1e6f;

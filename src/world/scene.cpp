@@ -6,10 +6,11 @@
 
 #include "world/rotation.h"
 #include "world/scene_node.h"
+#include "world/scene_picture.h"
 
 namespace soarbox::world {
 
-Scene::Scene(MediaCatalog& catalog) : catalog_(catalog) {
+Scene::Scene(MediaCatalog& catalog) : catalog_(catalog), picture_(std::make_unique<Picture>()) {
   Node root;
   root.belongs_to_entity = true;
   Add(NodeId::kNone, std::move(root));
@@ -33,7 +34,7 @@ bool Scene::Contains(NodeId node) const {
 
 int Scene::Depth(NodeId node) const {
   int depth = -1;
-  for (const Node* at = Find(node); at; at = Find(at->parent)) ++depth;
+  for (const Node* at = Find(node); at; at = at->above) ++depth;
   return depth;
 }
 
@@ -42,17 +43,17 @@ NodeId Scene::Add(NodeId parent, Node node) {
   if (!above && !nodes_.empty()) return NodeId::kNone;
   if (above && parent != NodeId::kRoot && Depth(parent) >= kDeepest) return NodeId::kNone;
   const NodeId id{next_++};
-  if (above) {
-    above->children.push_back(id);
-    if (!node.belongs_to_entity) {
-      node.owner = above->owner;
-      node.owner_is_agent = above->owner_is_agent;
-    }
+  if (above && !node.belongs_to_entity) {
+    node.owner = above->owner;
+    node.owner_is_agent = above->owner_is_agent;
   }
-  node.parent = parent;
+  node.id = id;
+  node.above = above;
   if (node.animator) animated_.push_back(id);
   if (node.content == NodeContent::kLight) ++lights_;
-  nodes_.emplace_hint(nodes_.end(), id, std::move(node));
+  Node& added = nodes_.emplace_hint(nodes_.end(), id, std::move(node))->second;
+  if (above) above->children.push_back(&added);
+  Changed(added);
   return id;
 }
 
@@ -64,22 +65,22 @@ bool Scene::Remove(NodeId node) {
 }
 
 void Scene::RemoveOwned(NodeId node) {
-  const Node* found = Find(node);
+  Node* found = Find(node);
   if (!found) return;
-  if (Node* above = Find(found->parent)) std::erase(above->children, node);
-  RemoveTree(node);
+  if (found->above) std::erase(found->above->children, found);
+  RemoveTree(*found);
 }
 
-void Scene::RemoveTree(NodeId node) {
-  std::vector<NodeId> waiting{node};
+void Scene::RemoveTree(Node& top) {
+  std::vector<Node*> waiting{&top};
   while (!waiting.empty()) {
-    const NodeId next = waiting.back();
+    Node& next = *waiting.back();
     waiting.pop_back();
-    const auto found = nodes_.find(next);
-    waiting.insert(waiting.end(), found->second.children.begin(), found->second.children.end());
-    if (found->second.animator) ForgetAnimations(next);
-    if (found->second.content == NodeContent::kLight) --lights_;
-    nodes_.erase(found);
+    waiting.insert(waiting.end(), next.children.begin(), next.children.end());
+    if (next.animator) ForgetAnimations(next.id);
+    if (next.content == NodeContent::kLight) --lights_;
+    Forget(next);
+    nodes_.erase(next.id);
   }
 }
 
@@ -97,6 +98,7 @@ bool Scene::SetPosition(NodeId node, Vec3 position) {
   Node* found = Find(node);
   if (!found || node == NodeId::kRoot || !IsFinite(position)) return false;
   found->position = position;
+  Changed(*found);
   return true;
 }
 
@@ -104,6 +106,7 @@ bool Scene::SetOrientation(NodeId node, Quat orientation) {
   Node* found = Find(node);
   if (!found || node == NodeId::kRoot || !IsFinite(orientation)) return false;
   found->orientation = Normalized(orientation);
+  Changed(*found);
   return true;
 }
 
@@ -111,6 +114,7 @@ bool Scene::SetScale(NodeId node, Vec3 scale) {
   Node* found = Find(node);
   if (!found || node == NodeId::kRoot || !IsFinite(scale)) return false;
   found->scale = scale;
+  Changed(*found);
   return true;
 }
 
@@ -119,32 +123,39 @@ void Scene::PlaceWorldNode(NodeId node, Vec3 position, Quat orientation) {
   if (Node* found = Find(node)) {
     found->position = position;
     found->orientation = orientation;
+    BodyMoved(*found, position, orientation);
   }
 }
 
-WorldTransform Scene::Transform(NodeId node, const BodyOf* body_of) const {
-  const Node* found = Find(node);
-  return found ? TransformOf(*found, body_of) : WorldTransform{};
+void Scene::BodyMoved(NodeId node, Vec3 position, Quat orientation) {
+  if (Node* found = Find(node)) BodyMoved(*found, position, orientation);
 }
 
-WorldTransform Scene::TransformOf(const Node& node, const BodyOf* body_of) const {
+void Scene::BodyMoved(Node& node, Vec3 position, Quat orientation) {
+  if (node.body_position == position && node.body_orientation == orientation) return;
+  node.body_position = position;
+  node.body_orientation = orientation;
+  Changed(node);
+}
+
+WorldTransform Scene::Transform(NodeId node) const {
+  const Node* found = Find(node);
+  return found ? TransformOf(*found) : WorldTransform{};
+}
+
+WorldTransform Scene::TransformOf(const Node& node, bool by_body) {
   WorldTransform result;
-  const Node* above = nullptr;
-  for (const Node* at = &node; at; at = above) {
-    const bool is_root = at->parent == NodeId::kNone;
-    // The root, which is the first of all nodes, seldom turns or moves anything.
-    if (is_root && at->position == Vec3{} && at->orientation == Quat{} && at->scale == Vec3{1, 1, 1}) break;
-    above = is_root ? nullptr : at->parent == NodeId::kRoot ? &nodes_.begin()->second : Find(at->parent);
+  for (const Node* at = &node; at; at = at->above) {
+    // The root seldom turns or moves anything.
+    if (!at->above && at->position == Vec3{} && at->orientation == Quat{} && at->scale == Vec3{1, 1, 1}) break;
     WorldTransform local{at->position, at->orientation, at->scale};
-    if (body_of && at->belongs_to_entity && at->owner != EntityId::kSandbox) {
-      if (const std::optional<BonePose> body = (*body_of)(at->owner, at->owner_is_agent)) {
-        local.position = body->position;
-        local.orientation = body->orientation;
-      }
+    if (by_body && at->HasBody()) {
+      local.position = at->body_position;
+      local.orientation = at->body_orientation;
     }
-    if (at->bone >= 0 && above && above->animator) {
-      const BonePose hung =
-          above->animator->Bones()[static_cast<std::size_t>(at->bone)] * BonePose{local.position, local.orientation};
+    if (at->bone >= 0 && at->above && at->above->animator) {
+      const BonePose hung = at->above->animator->Bones()[static_cast<std::size_t>(at->bone)] *
+                            BonePose{local.position, local.orientation};
       local.position = hung.position;
       local.orientation = hung.orientation;
     }
@@ -169,15 +180,14 @@ Quat Scene::WorldOrientation(NodeId node) const {
 float Scene::Radius(NodeId node) const {
   constexpr float kFar = std::numeric_limits<float>::max();
   Vec3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-  std::vector<NodeId> waiting{node};
+  std::vector<const Node*> waiting;
+  if (const Node* top = Find(node)) waiting.push_back(top);
   while (!waiting.empty()) {
-    const NodeId next = waiting.back();
+    const Node* found = waiting.back();
     waiting.pop_back();
-    const Node* found = Find(next);
-    if (!found) continue;
     waiting.insert(waiting.end(), found->children.begin(), found->children.end());
     if (found->content != NodeContent::kDrawable && found->content != NodeContent::kRing) continue;
-    const WorldTransform transform = Transform(next);
+    const WorldTransform transform = TransformOf(*found);
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 local{corner & 1 ? found->bounds.max.x : found->bounds.min.x,
                        corner & 2 ? found->bounds.max.y : found->bounds.min.y,
@@ -194,6 +204,7 @@ bool Scene::SetMaterial(NodeId node, std::string_view material) {
   Node* found = Find(node);
   if (!found || (found->content != NodeContent::kDrawable && found->content != NodeContent::kRing)) return false;
   found->drawable.material = catalog_.LookUpMaterial(material);
+  Changed(*found);
   return true;
 }
 
@@ -203,14 +214,16 @@ bool Scene::IsVisible(NodeId node) const {
 }
 
 bool Scene::SetVisible(NodeId node, bool visible) {
-  if (!Contains(node)) return false;
-  std::vector<NodeId> waiting{node};
+  Node* top = Find(node);
+  if (!top) return false;
+  std::vector<Node*> waiting{top};
   while (!waiting.empty()) {
-    Node* found = Find(waiting.back());
+    Node* found = waiting.back();
     waiting.pop_back();
     found->visible = visible;
     waiting.insert(waiting.end(), found->children.begin(), found->children.end());
   }
+  Changed(*top);
   return true;
 }
 
@@ -218,6 +231,7 @@ bool Scene::SetLightDiffuse(NodeId node, Vec3 color) {
   Node* found = Find(node);
   if (!found || found->content != NodeContent::kLight || !IsFinite(color)) return false;
   found->light.diffuse = color;
+  Changed(*found);
   return true;
 }
 
@@ -225,6 +239,7 @@ bool Scene::SetLightSpecular(NodeId node, Vec3 color) {
   Node* found = Find(node);
   if (!found || found->content != NodeContent::kLight || !IsFinite(color)) return false;
   found->light.specular = color;
+  Changed(*found);
   return true;
 }
 
@@ -235,6 +250,7 @@ bool Scene::SetLightRange(NodeId node, float range_m) {
   found->light.attenuation[0] = 1;
   found->light.attenuation[1] = 4.5f / range_m;
   found->light.attenuation[2] = 75.0f / (range_m * range_m);
+  Changed(*found);
   return true;
 }
 
@@ -242,6 +258,7 @@ bool Scene::ResetParticle(NodeId node) {
   Node* found = Find(node);
   if (!found || found->content != NodeContent::kParticle) return false;
   ++found->particle.restarts;
+  Changed(*found);
   return true;
 }
 
@@ -250,16 +267,19 @@ bool Scene::SetParticleDirection(NodeId node, Vec3 direction) {
   if (!found || found->content != NodeContent::kParticle || !IsFinite(direction)) return false;
   found->particle.has_direction = true;
   found->particle.direction = direction;
+  Changed(*found);
   return true;
 }
 
 void Scene::SetAmbient(Vec3 color) {
   if (IsFinite(color)) ambient_ = color;
+  picture_->few_changed = true;
 }
 
 void Scene::SetSky(std::string_view name, Vec3 rotation_deg) {
   sky_ = catalog_.LookUpSky(name);
   sky_rotation_deg_ = IsFinite(rotation_deg) ? rotation_deg : Vec3{};
+  picture_->few_changed = true;
 }
 
 }  // namespace soarbox::world

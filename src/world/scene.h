@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -129,33 +128,46 @@ class Scene {
   /// An unknown sky gives a plain one, and a warning. Replaces any earlier sky.
   void SetSky(std::string_view name, Vec3 rotation_deg);
 
-  /// Adds drawables, lights and particles, and ambient light and sky. Nodes of agents and objects stand where
-  /// `body_of` has them, so that what is drawn does not trail behind the bodies by a tick.
-  using BodyOf = std::function<std::optional<BonePose>(EntityId owner, bool is_agent)>;
-  void FillSnapshot(SceneSnapshot& snapshot, const BodyOf& body_of) const;
+  /// Sets drawables, lights and particles, ambient light and sky, and begins the lines. Agents and objects are drawn
+  /// where their bodies are, not where their nodes are, which follow a tick later. Only what has changed since the last
+  /// snapshot, of whomever, is worked out anew. `is_known`: this one has been filled from this scene before.
+  void FillSnapshot(SceneSnapshot& snapshot, bool is_known) const;
 
  private:
   friend class Agent;
+  friend class AgentStore;
   friend class Object;
   friend class World;
   struct Node;
 
+  struct Picture;
+
   NodeId Add(NodeId parent, Node node);
   Node* Find(NodeId node);
   const Node* Find(NodeId node) const;
-  void RemoveTree(NodeId node);
+  void RemoveTree(Node& top);
   void RemoveOwned(NodeId node);
   void ForgetAnimations(NodeId node);
   /// What hangs on the bones of a body, the first on top.
-  void AddCarried(const Node& body, std::vector<NodeId>& carried) const;
-  WorldTransform Transform(NodeId node, const BodyOf* body_of = nullptr) const;
-  WorldTransform TransformOf(const Node& node, const BodyOf* body_of) const;
+  static void AddCarried(const Node& body, std::vector<const Node*>& carried);
+  WorldTransform Transform(NodeId node) const;
+  /// `by_body`: with the bodies of agents and objects in the places of their nodes.
+  static WorldTransform TransformOf(const Node& node, bool by_body = false);
   // Give a node its drawable; also for the nodes of objects, which wear theirs themselves.
   void ShapeBox(Node& node, float width_m, float height_m, float length_m, float u_tile, float v_tile);
   void ShapeCapsule(Node& node, float height_m, float radius_m);
   void ShapeMesh(Node& node, std::string_view mesh);
   void ShapePlane(Node& node, float length_m, float width_m);
+  /// The node of an agent or object goes to where its body is.
   void PlaceWorldNode(NodeId node, Vec3 position, Quat orientation);
+  /// Its body has gone somewhere; the node follows later.
+  void BodyMoved(NodeId node, Vec3 position, Quat orientation);
+  void BodyMoved(Node& node, Vec3 position, Quat orientation);
+  /// The node, and what is below it, looks otherwise from now on.
+  void Changed(Node& node);
+  void Forget(Node& node);
+  void Refresh() const;
+  void Redraw(Node& node) const;
 
   MediaCatalog& catalog_;
   std::map<NodeId, Node> nodes_;
@@ -171,6 +183,7 @@ class Scene {
   Vec3 ambient_;
   std::string sky_;
   Vec3 sky_rotation_deg_;
+  std::unique_ptr<Picture> picture_;  ///< What the last snapshot showed, and what has changed since.
 };
 
 }  // namespace soarbox::world

@@ -50,45 +50,45 @@ bool Scene::AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 positi
   if (!body || !body->animator || !thing || thing->belongs_to_entity) return false;
   if (bone >= body->animator->rig().skeleton.bones().size() || !IsFinite(position) || !IsFinite(orientation))
     return false;
-  for (const Node* above = body; above; above = Find(above->parent)) {
+  for (const Node* above = body; above; above = above->above) {
     if (above == thing) return false;
   }
-  std::vector<std::pair<NodeId, int>> below{{node, Depth(mesh) + 1}};
+  std::vector<std::pair<const Node*, int>> below{{thing, Depth(mesh) + 1}};
   while (!below.empty()) {
     const auto [at, depth] = below.back();
     below.pop_back();
     if (depth > kDeepest) return false;
-    for (const NodeId child : Find(at)->children) below.emplace_back(child, depth + 1);
+    for (const Node* child : at->children) below.emplace_back(child, depth + 1);
   }
-  if (Node* old_parent = Find(thing->parent)) std::erase(old_parent->children, node);
-  body->children.push_back(node);
-  thing->parent = mesh;
+  if (thing->above) std::erase(thing->above->children, thing);
+  body->children.push_back(thing);
+  thing->above = body;
   thing->bone = static_cast<int>(bone);
   thing->position = position;
   thing->orientation = Normalized(orientation);
   // What is carried belongs to the carrier, with all that hangs below it.
-  std::vector<NodeId> waiting{node};
+  std::vector<Node*> waiting{thing};
   while (!waiting.empty()) {
-    Node* next = Find(waiting.back());
+    Node* next = waiting.back();
     waiting.pop_back();
     next->owner = body->owner;
     next->owner_is_agent = body->owner_is_agent;
     waiting.insert(waiting.end(), next->children.begin(), next->children.end());
   }
+  Changed(*thing);
   return true;
 }
 
 std::optional<BonePose> Scene::BoneInWorld(NodeId node, std::string_view bone) const {
   // Depth first, without recursion: scripts may hang things on each other as long as they like.
-  std::vector<NodeId> waiting{node};
+  std::vector<const Node*> waiting{Find(node)};
   while (!waiting.empty()) {
-    const NodeId next = waiting.back();
+    const Node* found = waiting.back();
     waiting.pop_back();
-    const Node* found = Find(next);
     if (!found || !found->animator) continue;
     const int index = found->animator->rig().skeleton.Find(bone);
     if (index >= 0) {
-      const WorldTransform transform = Transform(next);
+      const WorldTransform transform = TransformOf(*found);
       const BonePose& pose = found->animator->Bones()[static_cast<std::size_t>(index)];
       return BonePose{transform.Apply(pose.position), transform.orientation * pose.orientation};
     }
@@ -97,17 +97,17 @@ std::optional<BonePose> Scene::BoneInWorld(NodeId node, std::string_view bone) c
   return std::nullopt;
 }
 
-void Scene::AddCarried(const Node& body, std::vector<NodeId>& carried) const {
+void Scene::AddCarried(const Node& body, std::vector<const Node*>& carried) {
   for (auto child = body.children.rbegin(); child != body.children.rend(); ++child) {
-    if (Find(*child)->bone >= 0) carried.push_back(*child);
+    if ((*child)->bone >= 0) carried.push_back(*child);
   }
 }
 
 std::vector<std::string_view> Scene::BonesBelow(NodeId node) const {
   std::vector<std::string_view> names;
-  std::vector<NodeId> waiting{node};
+  std::vector<const Node*> waiting{Find(node)};
   while (!waiting.empty()) {
-    const Node* found = Find(waiting.back());
+    const Node* found = waiting.back();
     waiting.pop_back();
     if (!found || !found->animator) continue;
     const auto more = found->animator->rig().BoneNames();
@@ -121,7 +121,7 @@ void Scene::AddAnimationTo(StateHash& hash) const {
   for (const NodeId id : animated_) {
     const Node& node = *Find(id);
     hash.Add(static_cast<std::uint64_t>(Number(id)));
-    hash.Add(static_cast<std::uint64_t>(Number(node.parent)));
+    hash.Add(static_cast<std::uint64_t>(node.above ? Number(node.above->id) : 0));
     hash.Add(static_cast<std::uint64_t>(node.bone + 1));
     node.animator->AddTo(hash);
   }

@@ -140,6 +140,7 @@ bool Scene::SetLineStartEnd(NodeId line, Vec3 from, Vec3 to) {
   node->offset = (from + to) / 2;
   node->offset_turn = ShortestArc({0, 1, 0}, to - from);
   node->bounds = Around({kThin_m, length / 2, kThin_m});
+  Changed(*node);
   return true;
 }
 

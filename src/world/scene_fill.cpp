@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "world/refill.h"
 #include "world/scene.h"
 #include "world/scene_node.h"
+#include "world/scene_picture.h"
 
 // What the scene tree looks like in world space.
 namespace soarbox::world {
@@ -21,7 +22,8 @@ Color ColorOf(const std::string& material) {
   return {1, 1, 1, 1};
 }
 
-void AddRing(const WorldTransform& transform, float radius_m, Color color, std::vector<LineSnapshot>& lines) {
+void MakeRing(const WorldTransform& transform, float radius_m, Color color, std::vector<LineSnapshot>& lines) {
+  lines.clear();
   Vec3 last = transform.Apply({radius_m, 0, 0});
   for (int i = 1; i <= kRingSegments; ++i) {
     const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kRingSegments;
@@ -31,63 +33,173 @@ void AddRing(const WorldTransform& transform, float radius_m, Color color, std::
   }
 }
 
+/// Ids ascend in the lists of nodes.
+template <typename Node>
+void AddOnce(std::vector<const Node*>& list, const Node& node) {
+  const auto at =
+      std::lower_bound(list.begin(), list.end(), node.id, [](const Node* n, auto id) { return n->id < id; });
+  if (at == list.end() || *at != &node) list.insert(at, &node);
+}
+
 }  // namespace
 
-void Scene::FillSnapshot(SceneSnapshot& snapshot, const BodyOf& body_of) const {
-  snapshot.ambient = ambient_;
-  snapshot.sky = sky_;
-  snapshot.sky_rotation_deg = sky_rotation_deg_;
-  snapshot.lines.clear();
-  Refill<DrawableSnapshot> drawables(snapshot.drawables, snapshot.drawables.empty() ? nodes_.size() : 0);
-  Refill<LightSnapshot> lights(snapshot.lights, 0);
-  Refill<ParticleSnapshot> particles(snapshot.particles, 0);
+void Scene::Changed(Node& node) {
+  if (node.waits_at != Node::kNotWaiting) return;
+  node.waits_at = picture_->waiting.size();
+  picture_->waiting.push_back(&node);
+}
 
-  for (const auto& [id, node] : nodes_) {
-    if (node.content == NodeContent::kNone) continue;
-    const WorldTransform transform = TransformOf(node, &body_of);
-    switch (node.content) {
-      case NodeContent::kNone:
-        break;
-      case NodeContent::kDrawable: {
-        DrawableSnapshot& drawable = drawables.Next();
-        drawable = node.drawable;
-        drawable.id = Number(id);
-        drawable.owner_id = Number(node.owner);
-        drawable.belongs_to_agent = node.owner_is_agent;
-        drawable.position = transform.Apply(node.offset);
-        drawable.orientation = transform.orientation * node.offset_turn;
-        drawable.scale = transform.scale;
-        drawable.visible = node.visible;
-        if (node.animator) {
-          drawable.bones = node.animator->Bones();
-          drawable.shows_skeleton = node.animator->shows_skeleton();
-        }
-        break;
-      }
-      case NodeContent::kRing:
-        if (node.visible) AddRing(transform, node.drawable.size.x, ColorOf(node.drawable.material), snapshot.lines);
-        break;
-      case NodeContent::kLight: {
-        if (!node.visible) break;
-        LightSnapshot& light = lights.Next();
-        light = node.light;
-        light.id = Number(id);
-        light.position = transform.position;
-        light.direction = Rotate(transform.orientation, node.light.direction);
-        break;
-      }
-      case NodeContent::kParticle: {
-        ParticleSnapshot& particle = particles.Next();
-        particle = node.particle;
-        particle.id = Number(id);
-        particle.position = transform.position;
-        particle.orientation = transform.orientation;
-        particle.direction = Rotate(transform.orientation, node.particle.direction);
-        particle.visible = node.visible;
-        break;
-      }
-    }
+void Scene::Forget(Node& node) {
+  Picture& picture = *picture_;
+  if (node.waits_at != Node::kNotWaiting) {
+    Node* last = picture.waiting.back();
+    picture.waiting[node.waits_at] = last;
+    last->waits_at = node.waits_at;
+    picture.waiting.pop_back();
   }
+  if (node.drawn_in == 0) return;
+  switch (node.content) {
+    case NodeContent::kNone:
+      break;
+    case NodeContent::kDrawable:
+      picture.gone.push_back(node.id);
+      break;
+    case NodeContent::kRing:
+      std::erase(picture.ring_nodes, &node);
+      break;
+    case NodeContent::kLight:
+      picture.few_changed = true;
+      std::erase(picture.light_nodes, &node);
+      break;
+    case NodeContent::kParticle:
+      picture.few_changed = true;
+      std::erase(picture.particle_nodes, &node);
+      break;
+  }
+}
+
+/// Brings one node's part of the picture up to date.
+void Scene::Redraw(Node& node) const {
+  Picture& picture = *picture_;
+  switch (node.content) {
+    case NodeContent::kNone:
+      break;
+    case NodeContent::kDrawable: {
+      SharedList<DrawableSnapshot>::Place& place = picture.last_drawn;
+      place = picture.drawables.Find(Number(node.id), place);
+      const bool is_new = picture.drawables.IsEnd(place) || picture.drawables.At(place).id != Number(node.id);
+      if (is_new) {
+        DrawableSnapshot drawable;
+        drawable.id = Number(node.id);
+        place = picture.drawables.Insert(place, std::move(drawable));
+      }
+      const WorldTransform transform = TransformOf(node, true);
+      DrawableSnapshot& drawable = picture.drawables.Edit(place);
+      drawable.owner_id = Number(node.owner);
+      drawable.belongs_to_agent = node.owner_is_agent;
+      drawable.shape = node.drawable.shape;
+      drawable.mesh = node.drawable.mesh;
+      drawable.material = node.drawable.material;
+      drawable.size = node.drawable.size;
+      drawable.texture_repeats = node.drawable.texture_repeats;
+      drawable.position = transform.Apply(node.offset);
+      drawable.orientation = transform.orientation * node.offset_turn;
+      drawable.scale = transform.scale;
+      drawable.visible = node.visible;
+      if (node.animator) {
+        if (is_new || node.drawn_pose != node.animator->changes()) drawable.bones = node.animator->Bones();
+        drawable.shows_skeleton = node.animator->shows_skeleton();
+        node.drawn_pose = node.animator->changes();
+      }
+      break;
+    }
+    case NodeContent::kRing:
+      AddOnce<Node>(picture.ring_nodes, node);
+      node.ring_lines.clear();
+      if (node.visible)
+        MakeRing(TransformOf(node, true), node.drawable.size.x, ColorOf(node.drawable.material), node.ring_lines);
+      break;
+    case NodeContent::kLight:
+      AddOnce<Node>(picture.light_nodes, node);
+      picture.few_changed = true;
+      break;
+    case NodeContent::kParticle:
+      AddOnce<Node>(picture.particle_nodes, node);
+      picture.few_changed = true;
+      break;
+  }
+}
+
+void Scene::Refresh() const {
+  Picture& picture = *picture_;
+  ++picture.refreshings;
+  for (const NodeId id : picture.gone) {
+    const auto place = picture.drawables.Find(Number(id));
+    if (!picture.drawables.IsEnd(place) && picture.drawables.At(place).id == Number(id)) picture.drawables.Erase(place);
+  }
+  picture.gone.clear();
+  picture.last_drawn = {};
+  std::vector<Node*> below;
+  const auto redraw_all = [&](Node& top) {
+    below.push_back(&top);
+    while (!below.empty()) {
+      Node& node = *below.back();
+      below.pop_back();
+      if (node.drawn_in == picture.refreshings) continue;
+      node.drawn_in = picture.refreshings;
+      Redraw(node);
+      below.insert(below.end(), node.children.rbegin(), node.children.rend());
+    }
+  };
+  for (Node* node : picture.waiting) {
+    node->waits_at = Node::kNotWaiting;
+    redraw_all(*node);
+  }
+  picture.waiting.clear();
+  // Bodies move their bones by themselves.
+  for (const NodeId id : animated_) {
+    Node& node = const_cast<Node&>(*Find(id));
+    if (node.drawn_pose != node.animator->changes()) redraw_all(node);
+  }
+  if (!picture.few_changed) return;
+  picture.few_changed = false;
+  ++picture.few_version;
+  picture.lights.clear();
+  for (const Node* node : picture.light_nodes) {
+    if (!node->visible) continue;
+    const WorldTransform transform = TransformOf(*node, true);
+    LightSnapshot& light = picture.lights.emplace_back(node->light);
+    light.id = Number(node->id);
+    light.position = transform.position;
+    light.direction = Rotate(transform.orientation, node->light.direction);
+  }
+  picture.particles.clear();
+  for (const Node* node : picture.particle_nodes) {
+    const WorldTransform transform = TransformOf(*node, true);
+    ParticleSnapshot& particle = picture.particles.emplace_back(node->particle);
+    particle.id = Number(node->id);
+    particle.position = transform.position;
+    particle.orientation = transform.orientation;
+    particle.direction = Rotate(transform.orientation, node->particle.direction);
+    particle.visible = node->visible;
+  }
+}
+
+void Scene::FillSnapshot(SceneSnapshot& snapshot, bool is_known) const {
+  Refresh();
+  const Picture& picture = *picture_;
+  snapshot.drawables = picture.drawables;
+  if (!is_known || snapshot.kept.few != picture.few_version) {
+    snapshot.lights = picture.lights;
+    snapshot.particles = picture.particles;
+    snapshot.kept.few = picture.few_version;
+    snapshot.ambient = ambient_;
+    snapshot.sky = sky_;
+    snapshot.sky_rotation_deg = sky_rotation_deg_;
+  }
+  snapshot.lines.clear();
+  for (const Node* node : picture.ring_nodes)
+    snapshot.lines.insert(snapshot.lines.end(), node->ring_lines.begin(), node->ring_lines.end());
 }
 
 }  // namespace soarbox::world

@@ -15,11 +15,15 @@ enum class NodeContent : std::uint8_t { kNone, kDrawable, kRing, kLight, kPartic
 
 /// One node of the scene tree: a transform relative to the parent, and at most one thing to see.
 struct Scene::Node {
-  NodeId parent = NodeId::kNone;
-  std::vector<NodeId> children;
+  NodeId id = NodeId::kNone;
+  Node* above = nullptr;  ///< Null: the root.
+  std::vector<Node*> children;
   Vec3 position;
   Quat orientation;
   Vec3 scale{1, 1, 1};
+  // Of the nodes of agents and objects: where their bodies are now, which is where they are drawn.
+  Vec3 body_position;
+  Quat body_orientation;
   EntityId owner = EntityId::kSandbox;
   bool owner_is_agent = false;
   bool belongs_to_entity = false;  ///< The node of an agent, an object or the sandbox; scripts cannot remove it.
@@ -38,6 +42,15 @@ struct Scene::Node {
   LightSnapshot light;
   // kParticle; position and direction in the node's space.
   ParticleSnapshot particle;
+
+  // Of the picture that is kept (scene_fill.cpp).
+  static constexpr std::size_t kNotWaiting = ~std::size_t{0};
+  std::size_t waits_at = kNotWaiting;    ///< In the list of those that have changed since.
+  std::uint64_t drawn_in = 0;            ///< The last refreshing that saw it.
+  std::uint64_t drawn_pose = 0;          ///< The pose of the animator that is in the picture.
+  std::vector<LineSnapshot> ring_lines;  ///< kRing.
+
+  bool HasBody() const { return belongs_to_entity && owner != EntityId::kSandbox; }
 };
 
 /// A transform in world space.

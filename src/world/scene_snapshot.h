@@ -8,6 +8,8 @@
 
 #include "world/animation/bone_pose.h"
 #include "world/math.h"
+#include "world/shared.h"
+#include "world/shared_list.h"
 
 namespace soarbox::world {
 
@@ -35,16 +37,16 @@ struct DrawableSnapshot {
   std::uint32_t owner_id = 0;  ///< The sandbox object or agent that it belongs to.
   bool belongs_to_agent = false;
   ShapeKind shape = ShapeKind::kMesh;
-  std::string mesh;      ///< For kMesh only.
-  std::string material;  ///< Empty: the shape's or mesh's own.
-  Vec3 size;             ///< See ShapeKind.
+  Shared<std::string> mesh;      ///< For kMesh only.
+  Shared<std::string> material;  ///< Empty: the shape's or mesh's own.
+  Vec3 size;                     ///< See ShapeKind.
   Vec3 texture_repeats{1, 1, 1};
   Vec3 position;
   Quat orientation;
   Vec3 scale{1, 1, 1};
   bool visible = true;
-  std::vector<BonePose> bones;  ///< Of meshes with a skeleton: where its bones are in the mesh, by index.
-  bool shows_skeleton = false;  ///< Its bones are to be drawn on top.
+  Shared<std::vector<BonePose>> bones;  ///< Of meshes with a skeleton: where its bones are in the mesh, by index.
+  bool shows_skeleton = false;          ///< Its bones are to be drawn on top.
 };
 
 enum class LightKind : std::uint8_t { kDirectional, kPoint };
@@ -101,6 +103,7 @@ struct AgentSnapshot {
   std::string team;
   std::string last_command;  ///< What its mind last said; empty for agents without one.
   bool failed = false;       ///< Its script stopped on an error.
+  std::uint32_t texts = 0;   ///< Changes with its texts, in one world; for whoever fills a snapshot again.
 };
 
 enum class UiFont : std::uint8_t { kSmall, kSmallMono, kMedium, kMediumMono, kLarge, kLargeMono };
@@ -139,7 +142,7 @@ struct CameraSnapshot {
 struct SceneSnapshot {
   std::uint64_t tick = 0;
   double time_s = 0;
-  std::vector<DrawableSnapshot> drawables;  ///< In creation order.
+  SharedList<DrawableSnapshot> drawables;  ///< In creation order. Blocks of what stays are those of earlier ticks.
   std::vector<LightSnapshot> lights;
   std::vector<AgentSnapshot> agents;        ///< In creation order.
   std::vector<UiSnapshot> ui;               ///< In creation order.
@@ -153,6 +156,13 @@ struct SceneSnapshot {
   Vec3 sky_rotation_deg;
   CameraSnapshot camera;           ///< Where the scripts want it; `camera_moves` counts their orders.
   std::uint32_t camera_moves = 0;  ///< The viewer takes the camera over when this number changes.
+
+  /// Which world filled this, and which versions of what seldom changes, so that the same world, when it fills this or
+  /// a copy of it again, need not copy what is the same. No part of the picture.
+  struct Kept {
+    std::uint64_t world = 0;  ///< 0: none.
+    std::uint64_t few = 0, ui = 0;
+  } kept;
 };
 
 }  // namespace soarbox::world

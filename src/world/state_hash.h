@@ -17,14 +17,16 @@ class StateHash {
     state_ ^= state_ >> 29;
   }
   void Add(float value) { Add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value))); }
+  void Add(float first, float second) {
+    Add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(first)) << 32 | std::bit_cast<std::uint32_t>(second));
+  }
   void Add(Vec3 v) {
-    Add(v.x);
-    Add(v.y);
+    Add(v.x, v.y);
     Add(v.z);
   }
   void Add(Quat q) {
-    Add(q.w);
-    Add(Vec3{q.x, q.y, q.z});
+    Add(q.w, q.x);
+    Add(q.y, q.z);
   }
   void Add(std::string_view text) {
     Add(static_cast<std::uint64_t>(text.size()));

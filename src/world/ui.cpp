@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/refill.h"
 #include "world/rotation.h"
@@ -44,7 +45,9 @@ Ui::Ui() {
   }
 }
 
+/// For whoever changes it.
 Ui::Component* Ui::Find(UiId id) {
+  ++changes_;
   const auto found = components_.find(id);
   return found == components_.end() ? nullptr : &found->second;
 }
@@ -60,6 +63,7 @@ UiId Ui::Add(Component component) {
   component.view.width = 100;
   component.view.height = 100;
   components_.emplace(id, std::move(component));
+  ++changes_;
   return id;
 }
 
@@ -79,7 +83,7 @@ UiId Ui::CreateInWorld(Vec3 position) {
 }
 
 UiId Ui::CreateChild(UiId parent) {
-  const Component* above = Find(parent);
+  const Component* above = std::as_const(*this).Find(parent);
   if (!above) return UiId::kNone;
   Component component;
   component.view.parent_id = Number(parent);
@@ -230,6 +234,7 @@ bool Ui::SetWorldOrientation(UiId id, Quat orientation) {
 void Ui::SetMarkupColor(int index, Color color) {
   if (index >= 0 && index < static_cast<int>(palette_.size()))
     palette_[static_cast<std::size_t>(index)] = Clamped(color);
+  ++changes_;
 }
 
 Color Ui::MarkupColor(int index) const {
@@ -246,7 +251,9 @@ std::string_view Ui::FontName(UiFont font) {
   return kFontNames[static_cast<std::size_t>(font)];
 }
 
-void Ui::FillSnapshot(SceneSnapshot& snapshot) const {
+void Ui::FillSnapshot(SceneSnapshot& snapshot, bool is_known) const {
+  if (is_known && snapshot.kept.ui == changes_) return;
+  snapshot.kept.ui = changes_;
   snapshot.markup_palette = palette_;
   Refill<UiSnapshot> panels(snapshot.ui, components_.size());
   for (const auto& [id, component] : components_) {

@@ -71,7 +71,8 @@ class Ui {
   static std::optional<UiFont> FontByName(std::string_view name);
   static std::string_view FontName(UiFont font);
 
-  void FillSnapshot(SceneSnapshot& snapshot) const;
+  /// `is_known`: this one has been filled from here before, or is a copy of such a one.
+  void FillSnapshot(SceneSnapshot& snapshot, bool is_known) const;
 
  private:
   struct Component {
@@ -84,6 +85,7 @@ class Ui {
   UiId Add(Component component);
 
   std::map<UiId, Component> components_;
+  std::uint64_t changes_ = 0;
   std::array<Color, 10> palette_;
   std::uint32_t next_ = 1;
 };

@@ -2,6 +2,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -23,18 +24,33 @@ WorldSettings Checked(WorldSettings settings) {
   return settings;
 }
 
+std::uint64_t NextNumber() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 }  // namespace
 
 World::Impl::Impl(const WorldSettings& wanted)
-    : settings(Checked(wanted)), random(settings.seed), physics(settings), agents(settings, physics, scene) {}
+    : settings(Checked(wanted)),
+      random(settings.seed),
+      physics(settings),
+      agents(settings, physics, scene),
+      number(NextNumber()) {}
 
 void World::Impl::DeleteObject(EntityId id) {
   const auto found = objects.find(id);
   if (found == objects.end()) return;
+  by_body[static_cast<std::size_t>(found->second->body_)] = nullptr;
   physics.Remove(found->second->body_);
   scene.RemoveOwned(found->second->node_);
   objects.erase(found);
   object_ids.erase(std::lower_bound(object_ids.begin(), object_ids.end(), id));
+}
+
+Object* World::Impl::ObjectOf(BodyId body) const {
+  const auto index = static_cast<std::size_t>(body);
+  return index < by_body.size() ? by_body[index] : nullptr;
 }
 
 void World::Impl::WalkBodies() {
@@ -90,8 +106,14 @@ void World::SyncAgent(EntityId id) {
 }
 
 void World::Step() {
-  for (const auto& [id, object] : impl_->objects) object->MoveNode();
+  // Nodes are placed where their bodies went in the step before; what rests stays where it is.
+  for (const BodyId body : impl_->physics.MovedBodies())
+    if (Object* object = impl_->ObjectOf(body)) object->MoveNode();
   impl_->physics.Step(impl_->settings.step_s);
+  for (const BodyId body : impl_->physics.MovedBodies()) {
+    if (const Object* object = impl_->ObjectOf(body))
+      impl_->scene.BodyMoved(object->node(), object->Position(), object->Orientation());
+  }
   impl_->agents.ReadBodies();
   impl_->WalkBodies();
   impl_->physics_lines.clear();

@@ -19,6 +19,8 @@ struct World::Impl {
   /// The next number of agents and objects.
   EntityId NextEntity() { return EntityId{next_entity++}; }
   Object& AddObject(EntityId id, NodeId node, ObjectKind kind, BodyDef def);
+  /// Null for the bodies of agents.
+  Object* ObjectOf(BodyId body) const;
   void DeleteObject(EntityId id);
   NavigationGeometry FixedGeometry() const;
   /// Bodies that walk by themselves take over how their agents move.
@@ -35,10 +37,12 @@ struct World::Impl {
   AgentStore agents;
   std::map<EntityId, std::unique_ptr<Object>> objects;
   std::vector<EntityId> object_ids;  ///< The keys of objects.
+  std::vector<Object*> by_body;      ///< The same by the number of their bodies.
   std::vector<EntityId> to_remove;   ///< In the order of the requests, each once.
   std::vector<LineSnapshot> physics_lines;
   Navigation navigation;
   std::optional<InfluenceMap> influence;
+  const std::uint64_t number;  ///< No other world of the process has it; nothing in a run depends on it.
   std::uint64_t tick = 0;
   std::uint32_t next_entity = 1;
   bool draw_physics = false;

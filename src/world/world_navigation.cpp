@@ -19,7 +19,7 @@ NavigationGeometry World::Impl::FixedGeometry() const {
       case ObjectKind::kBox:
       case ObjectKind::kMesh: {  // Their bodies are boxes too.
         const auto add = [&](Vec3 min, Vec3 max) { geometry.AddBox((min + max) / 2, (max - min) / 2, position, turn); };
-        if (!HasDoorway(looks->drawable.mesh)) {
+        if (!HasDoorway(looks->drawable.mesh.value())) {
           add(looks->bounds.min, looks->bounds.max);
           break;
         }

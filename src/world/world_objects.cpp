@@ -12,6 +12,8 @@ Object& World::Impl::AddObject(EntityId id, NodeId node, ObjectKind kind, BodyDe
   const BodyId body = physics.Add(def);
   auto& slot = objects[id];
   slot.reset(new Object(physics, scene, id, node, kind, body));
+  if (by_body.size() <= static_cast<std::size_t>(body)) by_body.resize(static_cast<std::size_t>(body) + 1);
+  by_body[static_cast<std::size_t>(body)] = slot.get();
   object_ids.push_back(id);
   return *slot;
 }
@@ -49,7 +51,7 @@ EntityId World::CreateObject(std::string_view mesh) {
   BodyDef def;
   def.shape = BodyShape::kMesh;
   def.bounds = looks.bounds;
-  def.doorway = HasDoorway(looks.drawable.mesh);
+  def.doorway = HasDoorway(looks.drawable.mesh.value());
   impl_->AddObject(id, node, ObjectKind::kMesh, def);
   return id;
 }

@@ -20,32 +20,11 @@ std::uint64_t World::Hash() const {
     hash.Add(motion.velocity);
     hash.Add(motion.orientation);
     hash.Add(motion.speed);
-    hash.Add(motion.radius);
-    hash.Add(agent.Height());
-    hash.Add(agent.Mass());
-    hash.Add(agent.MaxForce());
-    hash.Add(agent.MaxSpeed());
-    hash.Add(agent.Health());
-    hash.Add(agent.Target());
-    hash.Add(agent.TargetRadius());
-    hash.Add(std::string_view(agent.Team()));
-    hash.Add(static_cast<std::uint64_t>(Number(agent.Leader())));
-    hash.Add(static_cast<std::uint64_t>(agent.HasBody()));
     hash.Add(agent.random().state());
-    hash.Add(agent.wander_.side);
-    hash.Add(agent.wander_.up);
-    // Path steering goes on along the old points after RemovePath, so they count either way.
-    hash.Add(static_cast<std::uint64_t>(agent.HasPath()));
-    for (const Vec3 point : agent.path_.points()) hash.Add(point);
+    hash.Add(agent.wander_.side, agent.wander_.up);
+    hash.Add(agent.HashOfProperties());
   }
-  for (const auto& [id, object] : impl_->objects) {
-    hash.Add(static_cast<std::uint64_t>(Number(id)));
-    hash.Add(object->Position());
-    hash.Add(object->Orientation());
-    hash.Add(object->Velocity());
-    hash.Add(object->AngularVelocity());
-    hash.Add(object->Mass());
-  }
+  hash.Add(impl_->physics.HashOfThings());
   hash.Add(impl_->navigation.Hash());
   if (impl_->influence) hash.Add(impl_->influence->Hash());
   impl_->scene.AddAnimationTo(hash);
@@ -73,16 +52,12 @@ SceneSnapshot World::Snapshot() const {
 }
 
 void World::Snapshot(SceneSnapshot& snapshot) const {
+  const bool is_known = snapshot.kept.world == impl_->number;
+  snapshot.kept.world = impl_->number;
   snapshot.tick = impl_->tick;
   snapshot.time_s = time_s();
-  impl_->scene.FillSnapshot(snapshot, [this](EntityId owner, bool is_agent) -> std::optional<BonePose> {
-    if (const Agent* agent = is_agent ? FindAgent(owner) : nullptr)
-      return BonePose{agent->Position(), agent->Orientation()};
-    if (const Object* object = is_agent ? nullptr : FindObject(owner))
-      return BonePose{object->Position(), object->Orientation()};
-    return std::nullopt;
-  });
-  impl_->ui.FillSnapshot(snapshot);
+  impl_->scene.FillSnapshot(snapshot, is_known);
+  impl_->ui.FillSnapshot(snapshot, is_known);
 
   impl_->debug.AppendLines(snapshot.lines);
   snapshot.lines.insert(snapshot.lines.end(), impl_->physics_lines.begin(), impl_->physics_lines.end());
@@ -96,10 +71,15 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
   for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
     const Agent& agent = impl_->agents.agent(i);
     AgentSnapshot& seen = agents.Next();
-    seen.id = Number(agent.id());
-    seen.name = agent.name();
-    seen.kind = agent.kind();
-    seen.script = agent.script();
+    if (!is_known || seen.id != Number(agent.id()) || seen.texts != agent.texts_) {
+      seen.id = Number(agent.id());
+      seen.texts = agent.texts_;
+      seen.name = agent.name();
+      seen.kind = agent.kind();
+      seen.script = agent.script();
+      seen.team = agent.Team();
+      seen.last_command = agent.LastCommand();
+    }
     seen.position = agent.Position();
     seen.velocity = agent.Velocity();
     seen.forward = agent.Forward();
@@ -107,8 +87,6 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
     seen.height_m = agent.Height();
     seen.health = agent.Health();
     seen.alive = agent.Health() > 0;
-    seen.team = agent.Team();
-    seen.last_command = agent.LastCommand();
     seen.failed = agent.Failed();
   }
 }

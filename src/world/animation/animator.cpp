@@ -49,17 +49,17 @@ void Animator::SetTime(std::size_t clip, float time_s) {
   } else {
     state.time_s = std::clamp(time_s, 0.0f, length);
   }
-  is_current_ = false;
+  Changed();
 }
 
 void Animator::SetWeight(std::size_t clip, float weight) {
   states_[clip].weight = weight;
-  is_current_ = false;
+  Changed();
 }
 
 void Animator::SetEnabled(std::size_t clip, bool enabled) {
   states_[clip].enabled = enabled;
-  is_current_ = false;
+  Changed();
 }
 
 void Animator::SetLooping(std::size_t clip, bool looping) {
@@ -69,13 +69,13 @@ void Animator::SetLooping(std::size_t clip, bool looping) {
 void Animator::SetLocomotion(bool enabled, LocomotionStyle style) {
   has_locomotion_ = enabled && rig_->gaits != nullptr;
   locomotion_.SetStyle(style);
-  is_current_ = false;
+  Changed();
 }
 
 void Animator::Walk(const BodyMotion& motion, float seconds) {
   if (!has_locomotion_) return;
   locomotion_.Update(*rig_, motion, seconds);
-  is_current_ = false;
+  Changed();
 }
 
 const std::vector<BonePose>& Animator::Bones() const {

@@ -38,7 +38,10 @@ class Animator {
   void SetEnabled(std::size_t clip, bool enabled);
   void SetLooping(std::size_t clip, bool looping);
 
-  void set_shows_skeleton(bool shows) { shows_skeleton_ = shows; }
+  void set_shows_skeleton(bool shows) {
+    shows_skeleton_ = shows;
+    ++changes_;
+  }
   bool shows_skeleton() const { return shows_skeleton_; }
 
   /// Switches walking by itself on (or off).
@@ -49,17 +52,24 @@ class Animator {
 
   /// Where the bones are in the model, by index.
   const std::vector<BonePose>& Bones() const;
+  /// Grows whenever the pose, or what is shown of it, may have changed; never 0.
+  std::uint64_t changes() const { return changes_; }
 
   void AddTo(StateHash& hash) const;
 
  private:
   void Evaluate() const;
+  void Changed() {
+    is_current_ = false;
+    ++changes_;
+  }
 
   const Rig* rig_;
   std::vector<AnimationState> states_;
   Locomotion locomotion_;
   bool has_locomotion_ = false;
   bool shows_skeleton_ = false;
+  std::uint64_t changes_ = 1;
   mutable bool is_current_ = false;
   mutable std::vector<BonePose> bones_;
 };
