@@ -47,12 +47,12 @@ TEST(History, GivesAnyTickByNumberWhileItGrows) {
 
 TEST(History, IsBoundedAndKeepsAllInputs) {
   const std::vector<TickRecord> ticks = SomeTicks(2000);
-  History by_size(SomeHeader(), {.most_bytes = 60'000, .ticks_per_block = 10});
+  History by_size(SomeHeader(), {.most_bytes = 120'000, .ticks_per_block = 10});
   History by_ticks(SomeHeader(), {.most_ticks = 100, .ticks_per_block = 10});
   for (const TickRecord& tick : ticks) {
     by_size.Add(tick);
     by_ticks.Add(tick);
-    ASSERT_LE(by_size.bytes(), 60'000u);
+    ASSERT_LE(by_size.bytes(), 120'000u);
   }
   EXPECT_GT(by_size.first_tick(), 0u);
   EXPECT_LT(by_size.first_tick(), 1970u);

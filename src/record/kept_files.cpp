@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "diagnostics/read_text.h"
+#include "record/header.h"
 #include "world/state_hash.h"
 
 namespace soarbox::record {
@@ -60,6 +61,7 @@ class PassingFolder {
   }
   PassingFolder(const PassingFolder&) = delete;
   PassingFolder& operator=(const PassingFolder&) = delete;
+  const fs::path& path() const { return path_; }
 
  private:
   fs::path path_;
@@ -141,21 +143,62 @@ ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
   return all;
 }
 
-Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::vector<KeptFile>& files) {
+namespace {
+
+/// Those of each folder in a folder named after its number.
+Result<std::shared_ptr<const PassingFolder>> RestoreAll(const std::vector<KeptFile>& files, std::size_t folders) {
   if (files.empty()) return CannotRestore("they were not kept");
   std::error_code error;
   std::string name = (fs::temp_directory_path(error) / "soarbox-run-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) return CannotRestore(name + ": " + std::strerror(errno));
-  const fs::path folder = name;
-  sim::Scenario kept = scenario;
-  kept.keeps = std::make_shared<PassingFolder>(folder);
-  for (std::size_t i = 0; i < scenario.rule_folders.size(); ++i) {
-    const fs::path from = scenario.rule_folders[i], to = folder / std::to_string(i);
+  auto passing = std::make_shared<const PassingFolder>(name);
+  for (std::size_t i = 0; i < folders; ++i) {
+    const fs::path to = passing->path() / std::to_string(i);
     fs::create_directories(to, error);
     for (const KeptFile& file : files) {
       if (file.folder != i) continue;
       if (const Result<void> restored = Restore(file, to); !restored) return restored.error();
     }
+  }
+  return passing;
+}
+
+}  // namespace
+
+Result<sim::Scenario> ScenarioFromKeptFiles(const Header& header, const sim::DataFolders& data) {
+  const Result<std::shared_ptr<const PassingFolder>> restored =
+      RestoreAll(header.files, header.extra_folders.size() + 1);
+  if (!restored) return restored.error();
+  const fs::path& folder = (*restored)->path();
+  const fs::path own = folder / "0", then = fs::path(header.folder) / header.scenario;
+  std::vector<fs::path> extra;
+  for (std::size_t i = 1; i <= header.extra_folders.size(); ++i) extra.push_back(folder / std::to_string(i));
+  // The name was that of a file, perhaps without its ending, or of the folder. The digest tells which, unless what
+  // comes with the program is another one now.
+  const std::string last = (then.has_filename() ? then : then.parent_path()).filename().string();
+  Result<sim::Scenario> best = CannotRestore("no scenario is among them");
+  for (const bool is_file : {true, false}) {
+    Result<sim::Scenario> found = sim::FindScenario((is_file ? own / last : own).string(), data, extra);
+    if (!found) continue;
+    const fs::path original = is_file ? then.parent_path() : then;
+    found->name = original.filename().string() + (is_file ? "/" + fs::path(last).stem().string() : "");
+    found->keeps = *restored;
+    found->stand_ins.emplace_back(own, original);
+    for (std::size_t i = 0; i < extra.size(); ++i) found->stand_ins.emplace_back(extra[i], header.extra_folders[i]);
+    if (!HaveChanged(*found, header.scenario_digest, header.files)) return found;
+    if (!best) best = std::move(found);
+  }
+  return best;
+}
+
+Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::vector<KeptFile>& files) {
+  const Result<std::shared_ptr<const PassingFolder>> restored = RestoreAll(files, scenario.rule_folders.size());
+  if (!restored) return restored.error();
+  const fs::path& folder = (*restored)->path();
+  sim::Scenario kept = scenario;
+  kept.keeps = *restored;
+  for (std::size_t i = 0; i < scenario.rule_folders.size(); ++i) {
+    const fs::path from = scenario.rule_folders[i], to = folder / std::to_string(i);
     for (auto* folders : {&kept.script_folders, &kept.rule_folders})
       std::replace(folders->begin(), folders->end(), from, to);
     for (fs::path* file : {&kept.script, &kept.definition, &kept.rules}) *file = Moved(*file, from, to);

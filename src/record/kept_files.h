@@ -10,6 +10,8 @@
 
 namespace soarbox::record {
 
+struct Header;
+
 /// A file that a run was made from, as it was when the run began.
 struct KeptFile {
   std::uint32_t folder = 0;  ///< Which of Scenario::rule_folders it lies in; 0 is the scenario's own.
@@ -35,5 +37,8 @@ bool HaveChanged(const sim::Scenario& scenario, std::uint64_t digest_then, const
 /// The scenario with its files as they were kept: written into a folder of their own, which goes when the last copy of
 /// the scenario does. Fails if nothing is kept, if a name would lead out of the folder, or if it cannot be written.
 Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::vector<KeptFile>& files);
+
+/// The scenario of a recording that is there no more, from what the recording keeps of it; likewise.
+Result<sim::Scenario> ScenarioFromKeptFiles(const Header& header, const sim::DataFolders& data);
 
 }  // namespace soarbox::record

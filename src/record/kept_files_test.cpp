@@ -153,6 +153,30 @@ TEST_F(KeptFilesTest, CopiesGoWithTheLastWhoNeedsThem) {
   EXPECT_FALSE(fs::exists(rules.parent_path()));
 }
 
+TEST_F(KeptFilesTest, ARunIsGoneOnWithWhenItsScenarioIsThereNoMore) {
+  // By the file, by its name without the ending, and from the folder where it was run.
+  for (const auto& [name, from] : {std::pair{(folder() / "scout.soar").string(), fs::path()},
+                                   {(folder() / "scout").string(), fs::path()},
+                                   {std::string("scout.soar"), folder()}}) {
+    SCOPED_TRACE(name);
+    Header header = HeaderOf(scenario, settings, 1.0 / 30, Level::kDecisions);
+    header.scenario = name;
+    header.folder = from.string();
+    history = std::make_unique<History>(header);
+    simulation = std::move(sim::Simulation::Create(scenario, settings).value());
+    Note();
+    Run(12);
+    const fs::path away = folder().string() + "-away";
+    fs::rename(folder(), away);
+    Result<std::unique_ptr<Branch>> branch = Branch::Begin(*history, Data(), 10, 1);
+    while (branch && !(*branch)->IsThere()) ASSERT_TRUE((*branch)->Advance(100));
+    fs::rename(away, folder());
+    ASSERT_TRUE(branch) << Format(branch.error());
+    ASSERT_EQ((*branch)->warnings().size(), 1u);
+    EXPECT_NE((*branch)->warnings()[0].message.find("there no more"), std::string::npos);
+  }
+}
+
 TEST_F(KeptFilesTest, NamesThatLeadElsewhereAreRefused) {
   for (const char* name : {"../x.soar", "/tmp/x.soar", "a/../../x.soar", "", ".", "..", "a/"}) {
     const Result<sim::Scenario> kept = WithKeptFiles(scenario, {{0, name, "x"}});

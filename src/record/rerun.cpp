@@ -47,19 +47,30 @@ Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const R
   const Header& header = recording.header();
   std::vector<fs::path> extra;
   for (const std::string& folder : header.extra_folders) extra.emplace_back(NameFromHere(header, folder));
-  const Result<sim::Scenario> scenario = sim::FindScenario(NameFromHere(header, header.scenario), data, extra);
+  Result<sim::Scenario> scenario = sim::FindScenario(NameFromHere(header, header.scenario), data, extra);
+  std::vector<Diagnostic> warnings;
   if (!scenario) {
     Diagnostic problem = scenario.error();
     problem.file = recording.name();
     problem.message = "the scenario of this recording cannot be run again: " + problem.message;
-    return problem;
+    if (header.files.empty()) return problem;
+    if (rerun.files == FilesFrom::kDisk) {
+      problem.hint = "--as-recorded takes the files that the recording keeps";
+      return problem;
+    }
+    scenario = ScenarioFromKeptFiles(header, data);
+    if (!scenario) return scenario.error();
+    warnings.push_back(Warning(recording, "the scenario of this recording is there no more",
+                               "the run is made from the files that the recording keeps"));
   }
   sim::SimulationSettings settings;
   settings.seed = header.seed;
   settings.screen_width_px = static_cast<int>(header.screen_width_px);
   settings.screen_height_px = static_cast<int>(header.screen_height_px);
   settings.soar.threads = rerun.threads;
-  return Restart(recording, *scenario, settings, rerun);
+  Result<Rerun> made = Restart(recording, *scenario, settings, rerun);
+  if (made) made->warnings.insert(made->warnings.begin(), warnings.begin(), warnings.end());
+  return made;
 }
 
 Result<Rerun> Restart(Timeline& recording, const sim::Scenario& given_scenario, const sim::SimulationSettings& given,

@@ -61,18 +61,24 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
     tick.inputs.clear();
     tick.events.clear();
     tick.minds.clear();
-    if (i == 0 || chance(9)) {
-      world::DrawableSnapshot& box = tick.scene.drawables.emplace_back();
+    world::SharedList<world::DrawableSnapshot>& drawables = tick.scene.drawables;
+    // More than a block of them.
+    for (int boxes = i == 0 ? 40 : static_cast<int>(chance(9)); boxes > 0; --boxes) {
+      world::DrawableSnapshot box;
       box.id = next_id;
       box.mesh = "models/box" + std::to_string(next_id) + ".mesh";
+      drawables.push_back(std::move(box));
+      if (boxes > 1) {
+        ++next_id;
+        continue;
+      }
       world::AgentSnapshot& agent = tick.scene.agents.emplace_back();
       agent.id = next_id++;
       agent.name = "agent" + std::to_string(agent.id);
     }
-    if (tick.scene.drawables.size() > 3 && chance(11))
-      tick.scene.drawables.erase(tick.scene.drawables.begin() + static_cast<long>(random() % 3));
-    for (world::DrawableSnapshot& box : tick.scene.drawables)
-      if (chance(2)) box.position = {number(), number(), number()};
+    if (drawables.size() > 3 && chance(11)) drawables.Erase(drawables.Find(drawables[random() % drawables.size()].id));
+    for (auto at = drawables.Find(0); !drawables.IsEnd(at); at = drawables.After(at))
+      if (at.block != i % 3 && chance(2)) drawables.Edit(at).position = {number(), number(), number()};
     for (world::AgentSnapshot& agent : tick.scene.agents)
       if (chance(2)) agent.velocity = {number(), 0, number()};
     if (chance(5))

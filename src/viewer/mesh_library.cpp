@@ -14,7 +14,7 @@ using world::DrawableSnapshot;
 using world::ShapeKind;
 
 std::string Key(const DrawableSnapshot& d, bool agent_body) {
-  if (d.shape == ShapeKind::kMesh) return "mesh/" + d.mesh;
+  if (d.shape == ShapeKind::kMesh) return "mesh/" + d.mesh.value();
   char text[160];
   std::snprintf(text, sizeof text, "shape/%d/%d/%.4g/%.4g/%.4g/%.3g/%.3g", static_cast<int>(d.shape),
                 agent_body ? 1 : 0, d.size.x, d.size.y, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
@@ -37,8 +37,8 @@ MeshData Build(const DrawableSnapshot& d, bool agent_body, bool& is_stand_in) {
     case ShapeKind::kMesh:
       break;
   }
-  if (auto modular = ModularMesh(d.mesh)) return *modular;
-  if (auto scenery = SceneryMeshFor(d.mesh)) return *scenery;
+  if (auto modular = ModularMesh(d.mesh.value())) return *modular;
+  if (auto scenery = SceneryMeshFor(d.mesh.value())) return *scenery;
   is_stand_in = true;
   MeshData box = BoxMesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
   box.material = "Soarbox/Missing";

@@ -53,20 +53,23 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
   skeleton_lines_.clear();
   bodies_shown_.clear();
   agents_.clear();
-  before_.clear();
   for (const world::AgentSnapshot& agent : newest.agents) agents_[agent.id] = &agent;
-  if (previous != nullptr && blend < 1) {
-    for (const DrawableSnapshot& drawable : previous->drawables) before_[drawable.id] = &drawable;
-  }
+  // Ids ascend in both.
+  static const world::SharedList<DrawableSnapshot> kNothing;
+  const world::SharedList<DrawableSnapshot>& earlier =
+      previous != nullptr && blend < 1 ? previous->drawables : kNothing;
+  auto next_before = earlier.begin();
   for (const DrawableSnapshot& drawable : newest.drawables) {
     const auto owner = drawable.belongs_to_agent ? agents_.find(drawable.owner_id) : agents_.end();
     const world::AgentSnapshot* agent = owner != agents_.end() ? owner->second : nullptr;
     Thing& thing = things_[drawable.id];
     thing.seen = update_count_;
-    const auto found = before_.find(drawable.id);
-    const DrawableSnapshot* before = found != before_.end() ? found->second : nullptr;
-    const world::BodyMesh* body =
-        drawable.shape == ShapeKind::kMesh && !drawable.bones.empty() ? world::FindBodyMesh(drawable.mesh.value()) : nullptr;
+    while (next_before != earlier.end() && next_before->id < drawable.id) ++next_before;
+    const bool was_there = next_before != earlier.end() && next_before->id == drawable.id;
+    const DrawableSnapshot* before = was_there ? &*next_before : nullptr;
+    const world::BodyMesh* body = drawable.shape == ShapeKind::kMesh && !drawable.bones.empty()
+                                      ? world::FindBodyMesh(drawable.mesh.value())
+                                      : nullptr;
     if (body != nullptr) {
       ShowBody(thing, *body, drawable, before, blend, agent);
       bodies_shown_.push_back(drawable.id);
@@ -139,18 +142,19 @@ void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const Drawab
   if (mesh.look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body_Dark")
     thing.look = world::BodyLook::kDarkSoldier;
   const bool is_own = drawable.material.empty() || drawable.material.value().starts_with("SF_");
-  thing.material_name = is_own ? kTeamPrefix + (agent != nullptr ? agent->team : std::string()) : drawable.material.value();
+  thing.material_name =
+      is_own ? kTeamPrefix + (agent != nullptr ? agent->team : std::string()) : drawable.material.value();
 
   PosedBody& body = *thing.body;
   body.place = {{drawable.position, drawable.orientation}, drawable.scale};
   const bool walks = agent != nullptr && thing.look != world::BodyLook::kRifle;
   if (walks) HoldFeet(thing, drawable, before);
-  const std::vector<world::BonePose>& bones = walks ? thing.feet->now : drawable.bones;
+  const std::vector<world::BonePose>& bones = walks ? thing.feet->now : drawable.bones.value();
   body.bones = bones;
   if (before != nullptr) {
     body.place.at = {BetweenPositions(before->position, drawable.position, blend),
                      BetweenOrientations(before->orientation, drawable.orientation, blend)};
-    const std::vector<world::BonePose>& last = walks ? thing.feet->before : before->bones;
+    const std::vector<world::BonePose>& last = walks ? thing.feet->before : before->bones.value();
     if (last.size() == bones.size()) {
       for (std::size_t i = 0; i < bones.size(); ++i) {
         body.bones[i] = {world::Between(last[i].position, bones[i].position, blend),

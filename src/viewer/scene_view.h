@@ -94,7 +94,6 @@ class SceneView {
   using BatchKey = std::tuple<world::BodyLook, BodyDetail, std::string>;
   std::map<BatchKey, std::unique_ptr<BodyBatch>> batches_;
   std::unordered_map<std::uint32_t, const world::AgentSnapshot*> agents_;
-  std::unordered_map<std::uint32_t, const world::DrawableSnapshot*> before_;
   std::vector<world::LineSnapshot> skeleton_lines_;
   std::set<std::string> warned_;
   std::uint64_t update_count_ = 0;

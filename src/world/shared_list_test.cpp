@@ -34,7 +34,9 @@ TEST(SharedList, DoesWhatAPlainListDoesAndCopiesStayAsTheyWere) {
     const List::Place place = list.Find(id, {random.Below(4), random.Below(40)});
     const bool is_there = at != plain.end() && at->id == id;
     ASSERT_EQ(list.IsEnd(place), at == plain.end());
-    if (at != plain.end()) ASSERT_EQ(list.At(place), *at);
+    if (at != plain.end()) {
+      ASSERT_EQ(list.At(place), *at);
+    }
     if (!is_there) {
       plain.insert(at, {id, i});
       ASSERT_EQ(list.At(list.Insert(place, {id, i})).id, id);
@@ -44,7 +46,9 @@ TEST(SharedList, DoesWhatAPlainListDoesAndCopiesStayAsTheyWere) {
       const auto after = plain.erase(at);
       const List::Place next = list.Erase(place);
       ASSERT_EQ(list.IsEnd(next), after == plain.end());
-      if (after != plain.end()) ASSERT_EQ(list.At(next), *after);
+      if (after != plain.end()) {
+        ASSERT_EQ(list.At(next), *after);
+      }
     }
     ASSERT_EQ(list.size(), plain.size());
     if (i % 300 == 7) copies.emplace_back(list, plain);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "world/animation/animator.h"
 #include "world/physics_world.h"
 #include "world/rotation.h"
 #include "world/world.h"
@@ -24,7 +25,7 @@ class Stage {
       world_.scene().CreateBox(world_.NodeOf(id), 0.2f, 0.2f, 0.2f);
     }
     for (int i = 0; i < 3; ++i) {
-      const EntityId id = world_.CreateAgent({.name = "walker"});
+      const EntityId id = world_.CreateAgent({});
       world_.FindAgent(id)->SetPosition({static_cast<float>(i) * 2, 0.8f, 0});
       Scene& scene = world_.scene();
       const NodeId body = scene.CreateMesh(world_.NodeOf(id), "models/futuristic_soldier/futuristic_soldier_anim.mesh");
@@ -161,11 +162,17 @@ TEST(WorldPicture, WhatRestsIsSharedByLaterSnapshots) {
 
 TEST(WorldPicture, TheHashOfBodiesThatIsKeptIsTheOneMadeAnew) {
   PhysicsWorld physics(WorldSettings{});
-  physics.Add({.shape = BodyShape::kPlane, .owner = EntityId{1}});
+  const auto add = [&physics](BodyShape shape, Vec3 position, std::uint32_t owner) {
+    BodyDef def;
+    def.shape = shape;
+    def.position = position;
+    def.owner = EntityId{owner};
+    return physics.Add(def);
+  };
+  add(BodyShape::kPlane, {}, 1);
   std::vector<BodyId> boxes;
   for (std::uint32_t i = 0; i < 30; ++i)
-    boxes.push_back(physics.Add(
-        {.position = {static_cast<float>(i % 5) * 0.9f, 1.0f + static_cast<float>(i), 0}, .owner = EntityId{i + 2}}));
+    boxes.push_back(add(BodyShape::kBox, {static_cast<float>(i % 5) * 0.9f, 1.0f + static_cast<float>(i), 0}, i + 2));
   std::vector<std::uint64_t> seen;
   for (int step = 0; step < 400; ++step) {
     physics.Step(1.0f / 30);
@@ -173,7 +180,7 @@ TEST(WorldPicture, TheHashOfBodiesThatIsKeptIsTheOneMadeAnew) {
     if (step == 150) physics.SetMass(boxes[5], 0);
     if (step == 200) physics.SetGravity(boxes[6], {0, 1, 0});
     if (step == 250) physics.SetPosition(boxes[7], {20, 5, 0});
-    if (step == 300) boxes[4] = physics.Add({.position = {0, 30, 0}, .owner = EntityId{2}});
+    if (step == 300) boxes[4] = add(BodyShape::kBox, {0, 30, 0}, 2);
     if (step % 3 != 0) continue;
     const std::uint64_t kept = physics.HashOfThings();
     ASSERT_EQ(kept, physics.HashOfThings(true)) << "after step " << step;
