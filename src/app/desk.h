@@ -146,6 +146,7 @@ class Desk {
   std::string refreshed_note_;
   Clock::time_point refreshed_at_;
   Clock::time_point sought_at_;
+  std::optional<std::uint64_t> resume_at_;  ///< The run is to go on from this tick, which is being rebuilt.
   world::SceneSnapshot past_scene_;
   std::uint64_t past_scene_tick_ = ~std::uint64_t{0};
   bool has_told_damage_ = false;

@@ -44,6 +44,8 @@ std::string NameOf(const world::SceneSnapshot& scene, std::uint32_t id) {
 void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
   for (const viewer::PanelRequest& request : viewer.TakePanelRequests()) Obey(request, viewer, pace);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
+  if (resume_at_ && (past_.is_live() || past_.shown_tick() != *resume_at_)) resume_at_.reset();
+  if (resume_at_ && past_.past() != nullptr) Resume(pace);
   for (Diagnostic& warning : past_.TakeWarnings()) NoteProblem(std::move(warning), {});
   if (!news_.empty()) viewer.Tell(std::exchange(news_, {}));
   ReadOn();
@@ -100,7 +102,7 @@ void Desk::FillMoment(viewer::PanelContents& contents) {
   at.is_recording = past_.is_recording();
   at.is_live = past_.is_live();
   at.can_go_back = past_.last_tick() > past_.first_tick();
-  at.can_resume = past_.past() != nullptr && !at.is_recording;
+  at.can_resume = (past_.past() != nullptr || past_.CanBeRebuilt()) && !at.is_recording;
   at.resume_refusal = at.can_resume ? "" : past_.PastNote();
   at.branch_tick = past_.branch_tick();
   at.branches = past_.branches();

@@ -101,6 +101,12 @@ void Desk::Type(const viewer::ConsoleRequest& request) {
 }
 
 void Desk::Resume(Pace& pace) {
+  // What is still being rebuilt goes on as soon as it is there.
+  resume_at_.reset();
+  if (past_.past() == nullptr && !past_.is_live() && past_.CanBeRebuilt()) {
+    resume_at_ = past_.shown_tick();
+    return;
+  }
   std::unique_ptr<sim::Simulation> simulation = past_.Resume();
   if (simulation == nullptr || session_ == nullptr) return;
   session_->GoOnWith(std::move(simulation), past_.branch_record(), past_.Inputs());

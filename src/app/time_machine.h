@@ -57,6 +57,8 @@ class TimeMachine {
   sim::Simulation* past();
   /// Why not: how far it is, or what went wrong.
   std::string PastNote() const;
+  /// False if something went wrong: it will not be there.
+  bool CanBeRebuilt() const { return trouble_.empty(); }
 
   /// Somebody has changed the rebuilt world: it is made anew for the next tick that is shown.
   void Spoil() { is_spoilt_ = true; }

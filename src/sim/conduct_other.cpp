@@ -77,7 +77,6 @@ StepResult Post(Actor& actor, Running& command, world::EntityId to) {
 StepResult Say(Actor& actor, Running& command) {
   const world::EntityId to = actor.arena().FindAgentNamed(command.Word("to"));
   if (to == world::kNoEntity) return StepResult::Failed("no-such-agent");
-  if (to == actor.id()) return StepResult::Failed("itself");
   return Post(actor, command, to);
 }
 

@@ -185,7 +185,7 @@ const std::vector<CommandRow>& Table() {
        "Tell one agent something; other parameters travel along",
        {Agent("to", true, "Whom"), Words("about", true, "", "What it is about")},
        "at once",
-       "no-such-agent itself"},
+       "no-such-agent"},
       {"broadcast",
        kVoice,
        false,

@@ -408,6 +408,15 @@ const world::AgentOverlay* OverlayOf(const world::OverlaySnapshot& overlays, std
   return at != overlays.agents.end() && at->id == agent_id ? &*at : nullptr;
 }
 
+std::uint32_t AgentLabels::AgentAt(ScreenPoint pixel) const {
+  const auto is_there = [&](const ShownLabel& label) {
+    return pixel.x >= label.box.left && pixel.x <= label.box.right && pixel.y >= label.box.top &&
+           pixel.y <= label.box.bottom;
+  };
+  const auto label = std::find_if(shown_.begin(), shown_.end(), is_there);
+  return label == shown_.end() ? 0 : label->agent_id;
+}
+
 void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& scene,
                        const world::CameraSnapshot& camera, const Projection& projection) {
   shown_.clear();

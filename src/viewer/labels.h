@@ -55,6 +55,8 @@ class AgentLabels {
 
   /// What the last Draw drew.
   const std::vector<ShownLabel>& shown() const { return shown_; }
+  /// The agent whose label the last Draw drew there; 0 if there is none, or one of several agents.
+  std::uint32_t AgentAt(ScreenPoint pixel) const;
 
  private:
   std::vector<ShownLabel> shown_;

@@ -47,6 +47,7 @@ class Paper {
     ImGui::EndFrame();
     return labels_.shown();
   }
+  const AgentLabels& labels() const { return labels_; }
   float aspect() const { return static_cast<float>(width_) / static_cast<float>(height_); }
   ScreenBox edge() const { return {0, 0, static_cast<float>(width_), static_cast<float>(height_)}; }
 
@@ -120,6 +121,20 @@ std::vector<world::AgentSnapshot> Crowd(int count) {
     agent.position = {static_cast<float>(i % 20), 0.9f, static_cast<float>(i / 20)};
   }
   return agents;
+}
+
+TEST(Labels, StandForTheirAgents) {
+  const std::vector<world::AgentSnapshot> agents = Crowd(9);
+  const world::OverlaySnapshot overlays;
+  const std::vector<std::uint32_t> selection;
+  Paper paper(1280, 720, 1);
+  const std::vector<ShownLabel> shown = paper.Draw({agents, overlays, selection}, Framing(agents, paper.aspect()));
+  ASSERT_GE(Count(shown, Kind::kName), 5u);
+  for (const ShownLabel& label : shown) {
+    const ScreenPoint middle{(label.box.left + label.box.right) / 2, (label.box.top + label.box.bottom) / 2};
+    EXPECT_EQ(paper.labels().AgentAt(middle), label.agent_id);
+  }
+  EXPECT_EQ(paper.labels().AgentAt({2, 2}), 0u);
 }
 
 TEST(Labels, OfACrowdTheNearAreNamedAndTheOthersCounted) {

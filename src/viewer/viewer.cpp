@@ -165,6 +165,8 @@ struct Viewer::Impl {
   void Do(ViewerCommand command);
   void SelectBeside(int step);
   bool SeesAgentsWell();
+  /// The agent whose body or label is there; 0: none.
+  std::uint32_t AgentUnder(ScreenPoint pixel) const;
   void Pick(const Picked& picked);
   void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
   void SetCamera(CameraMode mode);
@@ -255,11 +257,16 @@ void Viewer::Impl::SelectBeside(int step) {
   if (camera.agent() != 0) camera.SetMode(camera.mode(), Selected());
 }
 
+std::uint32_t Viewer::Impl::AgentUnder(ScreenPoint pixel) const {
+  const std::uint32_t named = labels.AgentAt(pixel);
+  return named != 0 ? named : View().AgentAt(pixel, scene.agents);
+}
+
 void Viewer::Impl::Pick(const Picked& picked) {
   std::vector<std::uint32_t> found;
   if (picked.is_box) {
     found = View().AgentsIn(picked.from, picked.to, scene.agents);
-  } else if (const std::uint32_t agent = View().AgentAt(picked.from, scene.agents); agent != 0) {
+  } else if (const std::uint32_t agent = AgentUnder(picked.from); agent != 0) {
     found.push_back(agent);
   }
   if (picked.is_double) {
@@ -463,7 +470,7 @@ void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   camera.Update(steer, seconds, camera.agent() != 0 ? Find(camera.agent()) : nullptr,
                 static_cast<float>(engine->height()));
   if (options.hidden) camera.Arrive();
-  hovered = cursor ? View().AgentAt(*cursor, scene.agents) : 0;
+  hovered = cursor ? AgentUnder(*cursor) : 0;
   notice_s = std::max(0.0f, notice_s - seconds);
 }
 

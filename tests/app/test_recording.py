@@ -164,7 +164,10 @@ class Verify(Recorded):
         head = self.exported(again)[0]
         self.assertEqual((head["branched_from"], head["branch_tick"]), (str(file), 30))
         (world / "scout.soar").unlink()
-        self.assertEqual(Run("resume", file, "--at", 1).code, 3)
+        gone = self.folder / "gone.soarrec"
+        done = Run("resume", file, "--at", 1, "--record", gone)
+        self.assertIn("tick 30 reached", done.out, done.err)
+        self.assertEqual(Run("compare", file, gone).code, 0)
 
 
 class EveryScenario(unittest.TestCase):

@@ -119,7 +119,7 @@ void Workspace::DrawMenus(PanelFrame& frame) {
       first_steps_.Begin();
     }
     Tooltip("Leads you through the window, one thing at a time");
-    if (ImGui::MenuItem("Keys and mouse", "? or F1")) show_help = true;
+    if (ImGui::MenuItem("Keys and mouse", "?")) show_help = true;
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
@@ -286,7 +286,7 @@ void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
     row("Ctrl +, Ctrl -", "Larger, smaller text; Ctrl 0: normal");
     row("Right click", "On a tab: move or close the panel; or drag the tab to another side");
     row("Up, Down, Tab", "In the console: earlier lines, completion");
-    row("?, H or F1", "This list");
+    row("? or H", "This list");
     ImGui::EndTable();
   }
   ImGui::Dummy({1, frame.Px(6)});
