@@ -371,6 +371,33 @@ class Panels(unittest.TestCase):
                 colours = {picture.at(x, y) for x in range(left, right, 3) for y in range(top, bottom, 3)}
                 self.assertGreater(len(colours), 12, (name, left, top))
 
+    def test_keys_lead_to_panels_search_and_copy(self):
+        self.play("""
+            until 0.5
+            key P
+            expect "Paused"
+            key Alt+R
+            expect "Filter by name"
+            type "prefer"
+            expect "walker*prefer*north"
+            expect-not "walker*apply*seek"
+            key Escape
+            hover "walker*prefer*north"
+            key Ctrl+C
+            expect "Rules: copied"
+            key Alt+L
+            type "print s1"
+            key Return
+            expect "^superstate nil"
+            key Alt+W
+            type "flee"
+            key Return
+            expect "Why not flee?"
+            click-at 640 300
+            key Escape
+            expect "Press Esc again to close the window"
+            """)
+
     def test_somebody_new_is_led_through_the_window(self):
         self.play("""
             until 0.3
