@@ -40,7 +40,8 @@ class MemoryPanel final : public Panel {
     if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
     std::string text;
     if (!search_.empty()) {
-      for (const sim::ElementFact& element : frame.contents.found) text += "(" + debugger::Describe(element) + ")\n";
+      for (const sim::ElementFact& element : frame.contents.found)
+        text.append("(").append(debugger::Describe(element)).append(")\n");
       return text;
     }
     if (const auto root = frame.contents.objects.find(root_); root != frame.contents.objects.end())

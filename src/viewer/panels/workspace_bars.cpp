@@ -163,7 +163,9 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
   const auto& contents = frame.contents;
   std::string words = status.paused ? "Paused" : contents.moment.is_live ? "Running" : "Replaying";
   std::string details = "   " + TimeText(frame.scene.time_s) + "   tick " + std::to_string(frame.scene.tick);
-  std::string more = "   " + std::to_string(frame.scene.agents.size()) + " agents";
+  const std::size_t agents = frame.scene.agents.size();
+  std::string more = "   ";
+  more.append(std::to_string(agents)).append(agents == 1 ? " agent" : " agents");
   if (frames_per_second > 0) more += Formatted("   %.0f fps", static_cast<double>(frames_per_second));
   ImGui::SameLine();
   const float left = ImGui::GetCursorPosX(), room = m.width - left - ImGui::GetStyle().WindowPadding.x;
