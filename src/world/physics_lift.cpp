@@ -46,13 +46,15 @@ void SunkenBodies::Forget(const btRigidBody& body) {
 }
 
 btRigidBody* SunkenBodies::Look(const btPersistentManifold& manifold) {
+  // Hardly any contact is that deep.
+  if (DeepestDistance(manifold) > -kDeep_m) return nullptr;
   auto* body = const_cast<btRigidBody*>(btRigidBody::upcast(manifold.getBody0()));
   const btCollisionObject* other = manifold.getBody1();
   if (!IsUpright(body)) {
     body = const_cast<btRigidBody*>(btRigidBody::upcast(manifold.getBody1()));
     other = manifold.getBody0();
   }
-  if (!IsUpright(body) || !other->isStaticObject() || DeepestDistance(manifold) > -kDeep_m) return nullptr;
+  if (!IsUpright(body) || !other->isStaticObject()) return nullptr;
   auto known = std::find_if(sunken_.begin(), sunken_.end(), [&](const Sunken& entry) { return entry.body == body; });
   if (known == sunken_.end()) known = sunken_.insert(known, {body, 0, false});
   if (known->is_now) return nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -63,6 +64,7 @@ class UiScript {
   std::size_t at_ = 0;
   int settle_ = 0;  ///< Frames to let pass.
   int waited_ = 0;  ///< Frames that the present step has waited.
+  std::chrono::steady_clock::time_point waits_since_;
   std::optional<Diagnostic> failure_;
 };
 
