@@ -8,16 +8,12 @@
 
 #include "debugger/facts_text.h"
 #include "debugger/recorded_mind.h"
+#include "sim/rule_text.h"
 
 namespace soarbox::debugger {
 namespace {
 
 constexpr std::size_t kMostRows = 2'000;
-
-bool IsIdentifier(std::string_view text) {
-  return text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' &&
-         text.find_first_not_of("0123456789", 1) == std::string_view::npos;
-}
 
 /// What an object is: "state", "operator seek", or its ^name or ^type.
 std::string AboutObject(const std::vector<sim::ElementFact>& elements) {
@@ -120,7 +116,7 @@ std::optional<ElementLine> ReadElementLine(std::string_view detail) {
     rest.remove_suffix(2);
   }
   line.element.value = rest;
-  line.element.is_object = IsIdentifier(rest);
+  line.element.is_object = sim::IsIdentifier(rest);
   return line;
 }
 

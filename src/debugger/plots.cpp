@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "debugger/percept_help.h"
+#include "sim/rule_text.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -21,14 +22,9 @@ std::optional<double> Number(std::string_view text) {
   return value;
 }
 
-bool IsIdentifier(std::string_view text) {
-  return text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' &&
-         text.find_first_not_of("0123456789", 1) == std::string_view::npos;
-}
-
 bool IsMemoryPath(std::string_view what) {
   const std::size_t dot = what.find('.');
-  return dot != std::string_view::npos && IsIdentifier(what.substr(0, dot));
+  return dot != std::string_view::npos && sim::IsIdentifier(what.substr(0, dot));
 }
 
 /// The first number at the end of a way like "S1.io.input-link.speed".
