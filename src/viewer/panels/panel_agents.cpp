@@ -12,14 +12,24 @@ namespace {
 using debugger::AgentColumn;
 using debugger::AgentRow;
 
-bool IsInImpasse(const AgentRow& row) {
-  return row.state.find('(') != std::string::npos;
+/// The impasse of the lowest state, "operator tie"; empty if there is none.
+std::string ImpasseOf(const AgentRow& row) {
+  const std::size_t open = row.state.find('(');
+  return open == std::string::npos ? std::string() : row.state.substr(open + 1, row.state.size() - open - 2);
+}
+
+/// An operator whose command takes its time is selected still in the next decision: that is no trouble.
+bool IsAtWork(const AgentRow& row) {
+  return !row.op.empty() && ImpasseOf(row) == "operator no-change";
+}
+
+bool IsInTrouble(const AgentRow& row) {
+  return !ImpasseOf(row).empty() && !IsAtWork(row);
 }
 
 /// The impasse of the lowest state, else the operator that was selected last, else what was said last.
 std::string Doing(const AgentRow& row) {
-  if (const std::size_t open = row.state.find('('); open != std::string::npos)
-    return row.state.substr(open + 1, row.state.size() - open - 2);
+  if (IsInTrouble(row)) return ImpasseOf(row);
   return row.last_op.empty() ? row.command : row.last_op;
 }
 
@@ -118,8 +128,8 @@ class AgentsPanel final : public Panel {
       CutText(row.team, theme::kQuiet);
     }
     ImGui::TableNextColumn();
-    CutText(Doing(row), IsInImpasse(row) ? theme::kWarn : theme::kText);
-    if (IsInImpasse(row)) TermTooltip(Doing(row));
+    CutText(Doing(row), IsInTrouble(row) ? theme::kWarn : theme::kText);
+    if (!ImpasseOf(row).empty()) TermTooltip(ImpasseOf(row));
     ImGui::TableNextColumn();
     ColoredText(row.health < 35 || dull ? theme::kBad : theme::kQuiet, Condition(row));
     if (is_wide) {
