@@ -55,6 +55,8 @@ option(SOARBOX_UNITY "Compile files in batches (the builds with sanitizers)" OFF
 function(soarbox_in_batches target)
   if(SOARBOX_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # GCC takes the files of a batch for headers, in which an unnamed namespace would be a slip.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 
