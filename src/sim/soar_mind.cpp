@@ -17,10 +17,10 @@ constexpr std::size_t kMostWritten = 64 * 1024;
 constexpr int kDeepestParameter = 4;
 
 /// What stands below an identifier of the output link.
-PerceptList ReadBelow(const sml::Identifier& parent, int depth = 0) {
+PerceptList ReadBelow(sml::Identifier& parent, int depth = 0) {
   PerceptList list;
   for (int i = 0; i < parent.GetNumberChildren(); ++i) {
-    sml::WMElement* child = const_cast<sml::Identifier&>(parent).GetChild(i);
+    sml::WMElement* child = parent.GetChild(i);
     if (child == nullptr) continue;
     Percept& read = list.emplace_back();
     read.attribute = child->GetAttribute();
