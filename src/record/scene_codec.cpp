@@ -232,34 +232,52 @@ void GetMembers(ByteReader& in, T& value) {
 enum class Step : std::uint8_t { kEnd, kChanged, kGone, kNew };
 
 template <HasFields T>
+class StepWriter {
+ public:
+  explicit StepWriter(ByteWriter& out) : out_(out) {}
+
+  void Same(std::size_t count) { unchanged_ += count; }
+  void Gone() { Put(Step::kGone); }
+  void New(const T& value) {
+    static const T kNothing{};
+    Put(Step::kNew);
+    out_.Number(value.id);
+    PutMembers(out_, Differences(kNothing, value), kNothing, value);
+  }
+  /// The same entry, changed or not.
+  void Next(const T& earlier, const T& value) {
+    const std::uint64_t mask = Differences(earlier, value);
+    if (mask == 0) return Same(1);
+    Put(Step::kChanged);
+    PutMembers(out_, mask, earlier, value);
+  }
+  void End() { Put(Step::kEnd); }
+
+ private:
+  void Put(Step kind) {
+    out_.Number(std::exchange(unchanged_, 0));
+    out_.Byte(static_cast<std::uint8_t>(kind));
+  }
+
+  ByteWriter& out_;
+  std::size_t unchanged_ = 0;
+};
+
+template <HasFields T>
 void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
-  static const T kNothing{};
-  std::size_t unchanged = 0;
-  const auto step = [&](Step kind) {
-    out.Number(std::exchange(unchanged, 0));
-    out.Byte(static_cast<std::uint8_t>(kind));
-  };
+  StepWriter<T> steps(out);
   std::size_t old = 0;
   for (const T& value : now) {
     // Ids ascend in both lists; what is in front of this id has gone.
-    for (; old < before.size() && before[old].id < value.id; ++old) step(Step::kGone);
-    if (old == before.size() || before[old].id != value.id) {
-      step(Step::kNew);
-      out.Number(value.id);
-      PutMembers(out, Differences(kNothing, value), kNothing, value);
-      continue;
+    for (; old < before.size() && before[old].id < value.id; ++old) steps.Gone();
+    if (old < before.size() && before[old].id == value.id) {
+      steps.Next(before[old++], value);
+    } else {
+      steps.New(value);
     }
-    const T& earlier = before[old++];
-    const std::uint64_t mask = Differences(earlier, value);
-    if (mask == 0) {
-      ++unchanged;
-      continue;
-    }
-    step(Step::kChanged);
-    PutMembers(out, mask, earlier, value);
   }
-  for (; old < before.size(); ++old) step(Step::kGone);
-  step(Step::kEnd);
+  for (; old < before.size(); ++old) steps.Gone();
+  steps.End();
 }
 
 template <HasFields T>
@@ -299,42 +317,28 @@ void ReadList(ByteReader& in, std::vector<T>& list) {
 /// Blocks that both lists share hold the same.
 template <HasFields T>
 void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>& now) {
-  static const T kNothing{};
-  std::size_t unchanged = 0;
-  const auto step = [&](Step kind) {
-    out.Number(std::exchange(unchanged, 0));
-    out.Byte(static_cast<std::uint8_t>(kind));
-  };
+  StepWriter<T> steps(out);
   typename SharedList<T>::Place old, at;
   while (!now.IsEnd(at)) {
     const bool both_begin = at.index == 0 && old.index == 0 && !before.IsEnd(old);
     if (both_begin && now.SharesBlock(at.block, before, old.block)) {
-      unchanged += now.BlockSize(at.block);
+      steps.Same(now.BlockSize(at.block));
       at = {at.block + 1, 0};
       old = {old.block + 1, 0};
       continue;
     }
     const T& value = now.At(at);
-    for (; !before.IsEnd(old) && before.At(old).id < value.id; old = before.After(old)) step(Step::kGone);
+    for (; !before.IsEnd(old) && before.At(old).id < value.id; old = before.After(old)) steps.Gone();
+    if (!before.IsEnd(old) && before.At(old).id == value.id) {
+      steps.Next(before.At(old), value);
+      old = before.After(old);
+    } else {
+      steps.New(value);
+    }
     at = now.After(at);
-    if (before.IsEnd(old) || before.At(old).id != value.id) {
-      step(Step::kNew);
-      out.Number(value.id);
-      PutMembers(out, Differences(kNothing, value), kNothing, value);
-      continue;
-    }
-    const T& earlier = before.At(old);
-    old = before.After(old);
-    const std::uint64_t mask = Differences(earlier, value);
-    if (mask == 0) {
-      ++unchanged;
-      continue;
-    }
-    step(Step::kChanged);
-    PutMembers(out, mask, earlier, value);
   }
-  for (; !before.IsEnd(old); old = before.After(old)) step(Step::kGone);
-  step(Step::kEnd);
+  for (; !before.IsEnd(old); old = before.After(old)) steps.Gone();
+  steps.End();
 }
 
 /// In place, so that blocks that stay as they are stay shared.

@@ -219,6 +219,7 @@ BodyId PhysicsWorld::Add(const BodyDef& def) {
     body->rigid->setFlags(body->rigid->getFlags() & ~BT_ENABLE_GYROPSCOPIC_FORCE);
   }
   body->rigid->setUserIndex(static_cast<int>(Number(def.owner)));
+  body->rigid->setUserPointer(body.get());
   impl_->AddToWorld(*body);
   if (!def.upright) ++impl_->changes;
 
@@ -456,10 +457,8 @@ void PhysicsWorld::Impl::LiftSunken() {
     const btVector3 place = SunkenBodies::FreePlaceAbove(world, *rigid);
     if (place == rigid->getWorldTransform().getOrigin()) continue;
     rigid->getWorldTransform().setOrigin(place);
-    rigid->setInterpolationWorldTransform(rigid->getWorldTransform());
     rigid->setLinearVelocity(btVector3(0, 0, 0));
-    world.updateSingleAabb(rigid);
-    crowd.Check(*rigid);
+    Moved(*static_cast<Body*>(rigid->getUserPointer()));
   }
 }
 
