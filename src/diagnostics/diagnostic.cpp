@@ -38,6 +38,13 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// A message may name what a stranger wrote, however long that is.
+std::string Bounded(const std::string& text) {
+  constexpr std::size_t kMost = 4'000, kShown = 1'000;
+  if (text.size() <= kMost) return text;
+  return text.substr(0, kShown) + "... (" + std::to_string(text.size()) + " bytes)";
+}
+
 constexpr int kWidestExcerpt = 300;
 constexpr int kBeforeColumn = 100;
 
@@ -80,7 +87,7 @@ std::string Format(const Diagnostic& diagnostic) {
   }
   if (!text.empty()) text += ": ";
   text += Word(diagnostic.severity);
-  text += ": " + Printable(diagnostic.message) + '\n';
+  text += ": " + Printable(Bounded(diagnostic.message)) + '\n';
   if (!diagnostic.excerpt.empty()) text += FormatExcerpt(diagnostic);
   if (!diagnostic.hint.empty()) text += "   note: " + Printable(diagnostic.hint) + '\n';
   if (diagnostic.more > 0) {

@@ -86,7 +86,11 @@ void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
     return;
   }
   outcome.loaded = true;
-  const std::uint32_t index = Index(added.production);
+  NoteAdded(added.production, production);
+}
+
+void Agent::NoteAdded(ProductionId id, const ProductionPtr& production) {
+  const std::uint32_t index = Index(id);
   if (engine_->productions.size() <= index) engine_->productions.resize(index + 1u);
   Engine::ProductionRecord record;
   record.Set(Engine::ProductionRecord::kLive, true);
@@ -94,11 +98,12 @@ void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
              std::ranges::any_of(production->conditions,
                                  [](const Condition& c) { return c.kind != ConditionKind::kPositive; }));
   engine_->productions[index] = record;
-  engine_->rules.Add(added.production, engine_->NameOf(*production), production->type);
-  engine_->rules_changed = true;
-  engine_->interrupts.erase(added.production);
+  engine_->rules.Add(id, engine_->NameOf(*production), production->type);
+  if (!running()) engine_->rules_changed = true;  // What an agent learns is its own.
+  engine_->interrupts.erase(id);
+  engine_->reinforcement.RuleAdded(id, *production);
   if (engine_->rete.matches().HasInterrupting()) engine_->run.TellInterrupts();
-  engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, added.production); });
+  engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, id); });
 }
 
 void Agent::Excise(ProductionId id) {
@@ -108,9 +113,11 @@ void Agent::Excise(ProductionId id) {
   }
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(*this, id); });
   const ProductionPtr rule = engine_->rete.production(id);
+  engine_->reinforcement.RuleExcised(id);
   engine_->productions[Index(id)].Set(Engine::ProductionRecord::kLive, false);
   engine_->rules.Remove(id, engine_->NameOf(*rule), rule->type);
   engine_->rules_changed = true;
+  engine_->chunker.RuleExcised(id);
   if (engine_->run.running()) {
     engine_->ExciseLater(id);
   } else {
@@ -128,6 +135,12 @@ const Production& Agent::production(ProductionId id) const {
 }
 const ProductionPtr& Agent::production_ptr(ProductionId id) const {
   return engine_->rete.production(id);
+}
+ProductionPtr Agent::ProductionAsLearned(ProductionId id) const {
+  return engine_->reinforcement.values().AsLearned(id, engine_->rete.production(id));
+}
+const RlValue* Agent::LearnedValue(ProductionId id) const {
+  return engine_->reinforcement.values().Find(id);
 }
 std::vector<ProductionId> Agent::Productions() const {
   return engine_->rules.loading_order();
@@ -294,6 +307,18 @@ const ExpectedValues& Agent::expected_values() const {
 ExpectedValues& Agent::mutable_expected_values() {
   return engine_->expected_values;
 }
+const RlSettings& Agent::reinforcement() const {
+  return engine_->reinforcement.settings();
+}
+void Agent::SetReinforcement(const RlSettings& settings) {
+  if (!out_of_memory()) engine_->reinforcement.Set(settings);
+}
+ChoiceGraph& Agent::choice_graph() {
+  return engine_->reinforcement.choices();
+}
+const RlStatistics& Agent::reward() const {
+  return engine_->reinforcement.statistics();
+}
 RandomStream& Agent::random() {
   return engine_->random;
 }
@@ -317,6 +342,49 @@ void Agent::SetAgentWrites(bool on) {
 }
 bool Agent::agent_writes() const {
   return engine_->agent_writes;
+}
+
+// Learning ------------------------------------------------------------------------------------------------------------
+
+const LearnSettings& Agent::learning() const {
+  return engine_->chunker.settings();
+}
+void Agent::ChangeLearning(const std::function<void(LearnSettings&)>& change) {
+  change(engine_->chunker.mutable_settings());
+  engine_->chunker.ModeChanged();
+}
+const LearnStatistics& Agent::learn_statistics() const {
+  return engine_->chunker.statistics();
+}
+const Singletons& Agent::singletons() const {
+  return engine_->chunker.singletons();
+}
+Singletons& Agent::mutable_singletons() {
+  return engine_->chunker.singletons();
+}
+const std::vector<ExplainedRule>& Agent::Explained() const {
+  return engine_->chunker.explanations().rules();
+}
+void Agent::RecordExplanations(bool of_all_rules, bool of_justifications) {
+  engine_->chunker.explanations().all = of_all_rules;
+  engine_->chunker.explanations().justifications = of_justifications;
+}
+const std::vector<std::string>& Agent::WatchedForExplanations() const {
+  return engine_->chunker.explanations().watched;
+}
+const std::vector<std::string>& Agent::LearnedFromWatched() const {
+  return engine_->chunker.explanations().watched_learned;
+}
+void Agent::WatchForExplanations(std::string_view rule, bool on) {
+  std::vector<std::string>& watched = engine_->chunker.explanations().watched;
+  std::erase(watched, rule);
+  if (on) watched.emplace_back(rule);
+}
+std::vector<Symbol> Agent::StatesForcedToLearn() const {
+  return engine_->chunker.forced_states();
+}
+std::vector<Symbol> Agent::StatesNotToLearn() const {
+  return engine_->chunker.excluded_states();
 }
 
 // Observing -----------------------------------------------------------------------------------------------------------
@@ -413,6 +481,10 @@ std::vector<Agent::CandidateChance> Agent::SelectionProbabilities(const Goal& go
         {candidate.preference, candidate.value, NumericValue(candidate, engine_->exploration), probabilities[n]});
   }
   return chances;
+}
+
+DecisionReport Agent::ExplainDecision(const Goal& goal) const {
+  return engine_->decision.Explain(goal);
 }
 
 std::span<const WmeId> Agent::GoalDependencySet(const Goal& goal) const {
@@ -512,11 +584,19 @@ void Agent::SetLineReader(std::function<std::string()> reader) {
   engine_->line_reader = std::move(reader);
 }
 
+LongTerm& Agent::long_term() {
+  return engine_->long_term;
+}
+const LongTerm& Agent::long_term() const {
+  return engine_->long_term;
+}
+
 // Memory --------------------------------------------------------------------------------------------------------------
 
 std::size_t Agent::MemoryBytes() const {
   return sizeof(Engine) + engine_->symbols.MemoryBytes() + engine_->memory.MemoryBytes() +
-         engine_->links.MemoryBytes() + engine_->instantiations.MemoryBytes() + engine_->rete.MemoryBytes();
+         engine_->links.MemoryBytes() + engine_->instantiations.MemoryBytes() + engine_->rete.MemoryBytes() +
+         engine_->long_term.MemoryBytes();
 }
 
 std::size_t Agent::SharedMemoryBytes() const {

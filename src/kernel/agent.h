@@ -33,6 +33,15 @@ namespace soarbox::kernel {
 
 struct Engine;
 struct ExplorationSettings;
+class LongTerm;
+class ChoiceGraph;
+struct RlSettings;
+struct RlStatistics;
+struct RlValue;
+struct ExplainedRule;
+struct LearnSettings;
+struct LearnStatistics;
+class Singletons;
 
 /// What `soar` sets. Changes hold from the next phase on.
 struct AgentSettings {
@@ -46,8 +55,6 @@ struct AgentSettings {
   std::uint32_t max_partial_matches = 8'000'000;
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
-  /// How many duplicates of justifications a rule may lead to in a decision before it makes no more of them.
-  std::uint32_t max_duplicate_justifications = 3;
   /// What elaborates an operator and applies it at once has i-support, and a warning says so; else it has o-support.
   bool warn_of_mixed_support = true;
   /// A rule whose only action is a numeric preference duplicates one that differs from it in the number only.
@@ -79,6 +86,7 @@ struct AgentCounters {
   std::uint64_t wm_size_sum = 0;  ///< Sum of the samples: the mean is wm_size_sum / phases.
   std::uint64_t wm_size_maximum = 0;
   std::uint64_t justifications = 0;                              ///< Made so far.
+  std::uint64_t chunks = 0;                                      ///< Learned so far.
   std::uint64_t max_wme_changes = 0, max_wme_changes_cycle = 0;  ///< Of one decision cycle.
   std::uint64_t max_firings = 0, max_firings_cycle = 0;
   std::uint64_t inits = 0;  ///< How often init-soar ran. Not reset by it.
@@ -126,6 +134,11 @@ class Agent {
   ProductionId FindProduction(std::string_view name) const;  ///< kNone if there is none.
   const Production& production(ProductionId id) const;
   const ProductionPtr& production_ptr(ProductionId id) const;
+  /// The rule with the number that reinforcement learning gave it, for printing and saving: the rule itself if none
+  /// did.
+  ProductionPtr ProductionAsLearned(ProductionId id) const;
+  /// What reinforcement learning knows of a rule (learn/rl_values.h); null if it had nothing to do with it yet.
+  const RlValue* LearnedValue(ProductionId id) const;
   /// All rules in loading order, oldest first (`print` lists them the other way round).
   std::vector<ProductionId> Productions() const;
   std::uint32_t CountProductions(ProductionType type) const;
@@ -179,6 +192,12 @@ class Agent {
   /// For rules that are loaded from now on. Its symbols must be pinned.
   const ExpectedValues& expected_values() const;
   ExpectedValues& mutable_expected_values();
+  /// learn/rl_settings.h
+  const RlSettings& reinforcement() const;
+  void SetReinforcement(const RlSettings& settings);
+  /// learn/reinforcement.h
+  const RlStatistics& reward() const;
+  ChoiceGraph& choice_graph();  ///< learn/choice_graph.h
   RandomStream& random();
   /// `decide select`: the operator to select at the next decision of its goal, if it is proposed. Empty: none.
   void SelectOperator(std::string_view identifier);
@@ -189,6 +208,28 @@ class Agent {
   /// Whether (write ...) and (crlf) print (`output agent-writes`).
   void SetAgentWrites(bool on);
   bool agent_writes() const;
+
+  // Learning --------------------------------------------------------------------------------------------------------
+
+  const LearnSettings& learning() const;  ///< learn/learn_settings.h
+  /// Changes the settings by `change`.
+  void ChangeLearning(const std::function<void(LearnSettings&)>& change);
+  const LearnStatistics& learn_statistics() const;
+  const Singletons& singletons() const;  ///< learn/singletons.h
+  Singletons& mutable_singletons();
+  /// How rules were learned, as far as it was recorded: by number, from 1 on. See learn/explained_rule.h.
+  const std::vector<ExplainedRule>& Explained() const;
+  /// What is recorded from now on.
+  void RecordExplanations(bool of_all_rules, bool of_justifications);
+  /// Rules whose chunks are recorded, by name.
+  const std::vector<std::string>& WatchedForExplanations() const;
+  /// Rules that were learned from those, and are watched, too.
+  const std::vector<std::string>& LearnedFromWatched() const;
+  /// Begins to record chunks of a rule, or stops.
+  void WatchForExplanations(std::string_view rule, bool on);
+  /// States that (force-learn <s>) and (dont-learn <s>) named.
+  std::vector<Symbol> StatesForcedToLearn() const;
+  std::vector<Symbol> StatesNotToLearn() const;
 
   // Observing -------------------------------------------------------------------------------------------------------
 
@@ -232,6 +273,9 @@ class Agent {
     double probability = 0;
   };
   std::vector<CandidateChance> SelectionProbabilities(const Goal& goal) const;
+  /// What the decision procedure says of the preferences that stand in a goal's operator slot now, with who would be
+  /// dropped and why (decide/decision_trace.h). Draws nothing at random. Valid until the agent runs or is asked again.
+  DecisionReport ExplainDecision(const Goal& goal) const;
   /// Elements of the goal dependency set of a goal.
   std::span<const WmeId> GoalDependencySet(const Goal& goal) const;
 
@@ -261,6 +305,10 @@ class Agent {
   /// Reads a line for (accept).
   void SetLineReader(std::function<std::string()> reader);
 
+  /// Long-term memory: semantic and episodic memory, activation of working memory (longterm/long_term.h).
+  LongTerm& long_term();
+  const LongTerm& long_term() const;
+
   // Memory ----------------------------------------------------------------------------------------------------------
 
   std::size_t MemoryBytes() const;        ///< This agent's own part.
@@ -271,6 +319,9 @@ class Agent {
  private:
   /// Excises the rule of this name, if there is one.
   void ExciseNamed(std::string_view name, LoadOutcome& outcome);
+  friend class Chunker;
+  /// A rule stands in the network now.
+  void NoteAdded(ProductionId production, const ProductionPtr& rule);
   /// Adds a rule whose name no other has.
   void Enter(ProductionPtr production, LoadOutcome& outcome);
 

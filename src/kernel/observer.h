@@ -12,6 +12,7 @@
 namespace soarbox::kernel {
 
 class Agent;
+struct DecisionReport;
 
 enum class Phase : std::uint8_t { kInput, kPropose, kDecide, kApply, kOutput };
 
@@ -22,20 +23,23 @@ enum class ImpasseType : std::uint8_t { kNone, kTie, kConflict, kConstraintFailu
 
 /// What an observer wants to hear, as a bit mask: the kernel builds nothing for an event that nobody listens to.
 enum class Event : std::uint32_t {
-  kPhase = 1u << 0,         ///< Begin and end of each phase and decision cycle.
-  kElaboration = 1u << 1,   ///< Elaborations, inner elaborations, working memory phases.
-  kFiring = 1u << 2,        ///< Rules that fire, are inhibited and retract.
-  kWme = 1u << 3,           ///< Elements added to and removed from working memory.
-  kPreference = 1u << 4,    ///< Preferences that enter and leave their slots.
-  kDecision = 1u << 5,      ///< Operators selected, states made and removed.
-  kPrint = 1u << 6,         ///< Text that rules write and warnings of the architecture.
-  kProduction = 1u << 7,    ///< Rules added and excised.
-  kRun = 1u << 8,           ///< Halt, interrupts, init-soar.
-  kOutput = 1u << 9,        ///< The output link changed.
-  kGds = 1u << 10,          ///< Goal dependency sets.
-  kAssertion = 1u << 11,    ///< Instantiations made and asserted; matches put into the match set.
-  kLearning = 1u << 12,     ///< Justifications and chunks.
-  kExploration = 1u << 13,  ///< Candidates and their values when exploration chooses.
+  kPhase = 1u << 0,           ///< Begin and end of each phase and decision cycle.
+  kElaboration = 1u << 1,     ///< Elaborations, inner elaborations, working memory phases.
+  kFiring = 1u << 2,          ///< Rules that fire, are inhibited and retract.
+  kWme = 1u << 3,             ///< Elements added to and removed from working memory.
+  kPreference = 1u << 4,      ///< Preferences that enter and leave their slots.
+  kDecision = 1u << 5,        ///< Operators selected, states made and removed.
+  kPrint = 1u << 6,           ///< Text that rules write and warnings of the architecture.
+  kProduction = 1u << 7,      ///< Rules added and excised.
+  kRun = 1u << 8,             ///< Halt, interrupts, init-soar.
+  kOutput = 1u << 9,          ///< The output link changed.
+  kGds = 1u << 10,            ///< Goal dependency sets.
+  kAssertion = 1u << 11,      ///< Instantiations made and asserted; matches put into the match set.
+  kLearning = 1u << 12,       ///< Justifications and chunks.
+  kExploration = 1u << 13,    ///< Candidates and their values when exploration chooses.
+  kReinforcement = 1u << 14,  ///< Values that reinforcement learning moves; gaps in its episodes.
+  kRecall = 1u << 15,         ///< What long-term memory answered to rules.
+  kReason = 1u << 16,         ///< Why operators are selected and impasses arise.
 };
 
 using EventMask = std::uint32_t;
@@ -102,7 +106,26 @@ enum class WarningKind : std::uint8_t {
   kUnconditional,
   kMaxDuplicates,    ///< The text is a rule's name.
   kAddedAndRemoved,  ///< The newest new element went before the match saw it; the text shows it.
+  kLearnedRule,      ///< Something is wrong with a rule that is being learned.
   kOther,
+};
+
+/// A rule whose number moves: its parts (learn/rl_values.h) before and after. Their sum is the rule's number.
+struct RlUpdate {
+  ProductionId rule = ProductionId::kNone;
+  double old_current = 0, old_future = 0;
+  double new_current = 0, new_future = 0;
+};
+
+/// What semantic or episodic memory answered to a command that rules put on its link. The texts are valid during the
+/// callback only.
+struct RecallInfo {
+  GoalLevel level = 0;
+  bool is_episode = false;
+  std::uint64_t number = 0;   ///< Of the object or the episode; 0: nothing came.
+  std::string_view question;  ///< "^kind ammo ^room <any>", "episode 7", "the next episode".
+  std::string_view answer;    ///< Of an object some augmentations: "^kind ammo ^name crate".
+  std::string_view reason;    ///< Why that came, or why nothing did.
 };
 
 /// Sees what an agent does, in the order in which it happens. Callbacks run on the agent's thread, between steps of the
@@ -117,6 +140,9 @@ class Observer {
   virtual void OnPhaseEnd(const Agent&, Phase) {}
   virtual void OnDecisionCycleBegin(const Agent&) {}
   virtual void OnDecisionCycleEnd(const Agent&) {}
+
+  // kRecall
+  virtual void OnRecall(const Agent&, const RecallInfo&) {}
 
   // kElaboration
   /// Around one elaboration cycle (a preference phase and a working memory phase).
@@ -163,6 +189,11 @@ class Observer {
   virtual void OnOperatorRemoved(const Agent&, const GoalInfo&, OperatorRemoval, const WmeInfo&) {}
   /// "Removing substates of S1 because the operator last selected in S1 is not consistent with ..."
   virtual void OnInconsistentDecision(const Agent&, const GoalInfo&) {}
+
+  // kReason
+  /// What the decision procedure said (decide/decision_trace.h), before the operator is installed or the state is made:
+  /// OnDecision comes after it. Not told of an impasse that goes on, nor where there is no preference at all.
+  virtual void OnDecided(const Agent&, const DecisionReport&) {}
 
   // kGds
   virtual void OnGdsAdded(const Agent&, const GoalInfo&, const WmeInfo&) {}
@@ -213,8 +244,11 @@ class Observer {
   virtual void OnInstantiationAsserted(const Agent&, const FiringInfo&) {}
 
   // kLearning
+  /// A chunk or justification of this name is about to be made.
+  virtual void OnLearning(const Agent&, std::string_view name) { (void)name; }
+  /// It has been made.
   virtual void OnLearned(const Agent&, const FiringInfo&) {}
-  /// One that would have got this name, but says the same as a live one.
+  /// It says the same as a live one, and was not made.
   virtual void OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
     (void)name, (void)original;
   }
@@ -225,6 +259,15 @@ class Observer {
     (void)candidate;
     (void)value;
     (void)probability;
+  }
+
+  // kReinforcement
+  /// Before the new number holds.
+  virtual void OnRlUpdate(const Agent&, const RlUpdate&) {}
+  /// In this state decisions follow for which no rule with a learned number speaks; or they are over.
+  virtual void OnRewardGap(const Agent&, Symbol state, bool begins) {
+    (void)state;
+    (void)begins;
   }
 };
 

@@ -69,10 +69,10 @@ bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outco
   return true;
 }
 
-PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced) {
+PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced, DecisionTrace* trace) {
   const WorkingMemory& memory = engine_.memory;
   const Slot& slot = memory.slot(goal.operator_slot);
-  if (PreferenceSemantics::Outcome outcome; !forced && EvaluateFew(slot, outcome)) return outcome;
+  if (PreferenceSemantics::Outcome outcome; !forced && trace == nullptr && EvaluateFew(slot, outcome)) return outcome;
   slot_preferences_.clear();
   for (const PreferenceId first : {slot.acceptable, slot.others}) {
     for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
@@ -86,7 +86,14 @@ PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced)
       slot_preferences_.push_back(view);
     }
   }
-  return engine_.semantics.Decide(slot_preferences_, forced);
+  return engine_.semantics.Decide(slot_preferences_, forced, trace);
+}
+
+DecisionReport Decision::Explain(const Goal& goal) {
+  const PreferenceSemantics::Outcome outcome = Evaluate(goal, {}, &trace_);
+  const Symbol selected = engine_.OperatorOf(goal);
+  const bool is_forced = selected && goal.level < forced_at_.size() && forced_at_[goal.level] == selected;
+  return {goal.id, goal.level, outcome.impasse, selected, is_forced, slot_preferences_, outcome.candidates, trace_};
 }
 
 Symbol Decision::ForcedOperator(const Goal& goal) const {
@@ -104,6 +111,7 @@ Symbol Decision::ForcedOperator(const Goal& goal) const {
 // The decide phase ----------------------------------------------------------------------------------------------------
 
 void Decision::Decide() {
+  if (foretold_seed_ != 0) engine_.random.Seed(std::exchange(foretold_seed_, 0));
   if (engine_.goals.empty()) return;
   const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(engine_.goals.depth());
   changed_from_ = 0;
@@ -122,10 +130,20 @@ bool Decision::DecideGoal(GoalLevel level) {
   if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) {
     return EnterImpasse(level, ImpasseType::kNoChange, true, {});
   }
-  const PreferenceSemantics::Outcome outcome = Evaluate(goal, ForcedOperator(goal));
-  if (outcome.impasse != ImpasseType::kNone) return EnterImpasse(level, outcome.impasse, true, outcome.candidates);
-  if (outcome.candidates.empty()) return EnterImpasse(level, ImpasseType::kNoChange, false, {});
-  Install(level, Pick(outcome));
+  const Symbol forced = ForcedOperator(goal);
+  const bool is_told = engine_.observers.Wants(Event::kReason);
+  const PreferenceSemantics::Outcome outcome = Evaluate(goal, forced, is_told ? &trace_ : nullptr);
+  if (outcome.impasse != ImpasseType::kNone || outcome.candidates.empty()) {
+    const bool is_on_operator = outcome.impasse != ImpasseType::kNone;
+    const ImpasseType impasse = is_on_operator ? outcome.impasse : ImpasseType::kNoChange;
+    if (is_told && !Faces(level, impasse, is_on_operator)) TellReason(goal, outcome, {}, forced);
+    return EnterImpasse(level, impasse, is_on_operator, outcome.candidates);
+  }
+  const Candidate& winner = Pick(outcome);
+  if (is_told) TellReason(goal, outcome, winner.value, forced);
+  if (engine_.reinforcement.learning()) engine_.reinforcement.OperatorChosen(level, outcome.candidates, winner);
+  if (level > 1) engine_.selections.OperatorSelected(level, winner.value, static_cast<bool>(forced));
+  Install(level, winner, forced);
   return true;
 }
 
@@ -143,24 +161,42 @@ const Candidate& Decision::Pick(const PreferenceSemantics::Outcome& outcome) {
   return outcome.candidates[Choose(outcome.candidates, engine_.exploration, engine_.random)];
 }
 
-void Decision::Install(GoalLevel level, const Candidate& winner) {
+void Decision::Install(GoalLevel level, const Candidate& winner, Symbol forced) {
+  if (forced && forced_at_.size() <= level) forced_at_.resize(level + 1u);
+  if (level < forced_at_.size()) forced_at_[level] = forced;
   if (engine_.goals.depth() > level) {
     engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kDecision);
   }
   const Goal& goal = engine_.goals.at(level);
+  engine_.memory.mutable_slot(goal.operator_slot).changed_since_selected = false;
   engine_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
   // The element outlives a preference that goes while another one still proposes the operator.
   engine_.preferences.AddReference(winner.preference);
+  if (engine_.reinforcement.learning()) engine_.reinforcement.OperatorInstalled(level, winner.value);
   if (!engine_.forced_operator.empty() && ToString(engine_.symbols, winner.value) == engine_.forced_operator) {
     engine_.forced_operator.clear();
   }
 }
 
+bool Decision::Faces(GoalLevel level, ImpasseType impasse, bool on_operator) const {
+  if (engine_.goals.depth() <= level) return false;
+  const Goal& below = engine_.goals.at(static_cast<GoalLevel>(level + 1));
+  return below.impasse == impasse && below.impasse_on_operator == on_operator;
+}
+
+void Decision::TellReason(const Goal& goal, const PreferenceSemantics::Outcome& outcome, Symbol selected,
+                          Symbol forced) {
+  if (slot_preferences_.empty()) return;
+  const DecisionReport report{
+      goal.id,           goal.level,         outcome.impasse, selected, static_cast<bool>(forced) && forced == selected,
+      slot_preferences_, outcome.candidates, trace_};
+  engine_.observers.Notify(Event::kReason, [&](Observer& o) { o.OnDecided(engine_.agent, report); });
+}
+
 bool Decision::EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operator,
                             std::span<const Candidate> candidates) {
   if (engine_.goals.depth() > level) {
-    const Goal& below = engine_.goals.at(static_cast<GoalLevel>(level + 1));
-    if (below.impasse == impasse && below.impasse_on_operator == on_operator) {
+    if (Faces(level, impasse, on_operator)) {
       if (impasse != ImpasseType::kNoChange) engine_.goal_changes.UpdateItems(level, candidates);
       return false;
     }
@@ -234,6 +270,11 @@ bool Decision::CheckChanged(GoalLevel level) {
 }
 
 std::string Decision::Predict() {
+  // What is foretold will happen: the next decision draws from the same stream again.
+  do {
+    foretold_seed_ = engine_.random.Next32();
+  } while (foretold_seed_ == 0);
+  engine_.random.Seed(foretold_seed_);
   if (engine_.goals.empty()) return "none";
   const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(engine_.goals.depth());
   for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
@@ -252,9 +293,7 @@ std::string Decision::Predict() {
         break;
     }
     if (outcome.candidates.empty()) continue;
-    // What is foretold will happen: the choice is made now and enforced in the next decision.
-    engine_.forced_operator = ToString(engine_.symbols, Pick(outcome).value);
-    return engine_.forced_operator;
+    return ToString(engine_.symbols, Pick(outcome).value);
   }
   return "none";
 }

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/decision_trace.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/preference_semantics.h"
 #include "kernel/memory/working_memory.h"
@@ -41,10 +43,15 @@ class Decision {
     if (changed_from_ >= level) changed_from_ = 0;
   }
   /// What the procedure says about a goal's slot now, without the random choice. Valid until the next call.
-  PreferenceSemantics::Outcome Evaluate(const Goal& goal, Symbol forced = {});
+  PreferenceSemantics::Outcome Evaluate(const Goal& goal, Symbol forced = {}, DecisionTrace* trace = nullptr);
+  /// The same, and who would be dropped and why. Valid until the next call.
+  DecisionReport Explain(const Goal& goal);
   /// What the next decide phase would do, in the words of `decide predict`.
   std::string Predict();
-  void Clear() { changed_from_ = 0; }
+  void Clear() {
+    changed_from_ = 0;
+    foretold_seed_ = 0;
+  }
 
  private:
   /// Candidates that Evaluate handles without the whole procedure.
@@ -56,15 +63,21 @@ class Decision {
   bool EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome);
   /// True if something new was decided, so that nothing below needs a look.
   bool DecideGoal(GoalLevel level);
+  /// The impasse is there already, as the state below.
+  bool Faces(GoalLevel level, ImpasseType impasse, bool on_operator) const;
+  void TellReason(const Goal& goal, const PreferenceSemantics::Outcome& outcome, Symbol selected, Symbol forced);
   bool EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);
-  void Install(GoalLevel level, const Candidate& winner);
+  void Install(GoalLevel level, const Candidate& winner, Symbol forced);
   const Candidate& Pick(const PreferenceSemantics::Outcome& outcome);
   Symbol ForcedOperator(const Goal& goal) const;
   bool Stands(const Goal& goal);
 
   Engine& engine_;
-  GoalLevel changed_from_ = 0;  ///< The highest goal whose operator preferences changed; 0: none.
+  GoalLevel changed_from_ = 0;       ///< The highest goal whose operator preferences changed; 0: none.
+  std::uint32_t foretold_seed_ = 0;  ///< What Predict drew with, for the next decision; 0: nothing was foretold.
   std::vector<SlotPreference> slot_preferences_;
+  DecisionTrace trace_;
+  std::vector<Symbol> forced_at_;                ///< By level: the operator, if the last one selected there was forced.
   std::array<Candidate, kFewCandidates> named_;  ///< Scratch of EvaluateFew.
   std::array<Candidate, kFewCandidates> few_;    ///< What its outcome shows.
 };

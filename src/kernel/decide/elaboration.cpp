@@ -2,6 +2,7 @@
 #include "kernel/decide/elaboration.h"
 
 #include "kernel/decide/engine.h"
+#include "kernel/longterm/wm_activation.h"
 
 namespace soarbox::kernel {
 
@@ -114,6 +115,7 @@ void Elaboration::Run(bool apply) {
 }
 
 void Elaboration::PreferencePhase(bool apply) {
+  if (!engine_.long_term.empty()) WmActivation::RulesFire(engine_.long_term);
   GoalLevel change_level = active_;
   bool first_pass = true;
   if (active_ == 0) {
@@ -245,6 +247,7 @@ void Elaboration::Retract(MatchId match) {
   }
   engine_.rete.matches().Release(match);
   engine_.instantiations[id].match = MatchId::kNone;
+  if (engine_.reinforcement.apoptosis().on()) engine_.reinforcement.MatchEnded(engine_.instantiations[id].production);
   engine_.instantiations[id].held = false;
   engine_.preferences.FreeIfUnused(id);
 }

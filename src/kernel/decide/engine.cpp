@@ -22,13 +22,17 @@ Engine::Engine(Agent& owner, std::string agent_name)
       preferences(*this),
       context(*this),
       firing(*this),
+      selections(*this),
+      chunker(*this),
       justifier(*this),
+      reinforcement(*this),
       slot_decision(*this),
       gds(*this),
       goal_changes(*this),
       decision(*this),
       elaboration(*this),
-      run(*this) {
+      run(*this),
+      long_term(*this) {
   rete.OnMixedSupport([this](ProductionId production) {
     const std::string rule(rete.production(production)->name);
     Print("WARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " + rule);
@@ -58,7 +62,8 @@ Symbol Engine::OperatorOf(const Goal& goal) const {
 
 std::string_view Engine::ProductionName(InstantiationId id) const {
   const Instantiation& instantiation = instantiations[id];
-  if (instantiation.justification != 0xFFFFFFFFu) return justifier.Name(instantiation.justification);
+  if (instantiation.justification != Instantiation::kNoJustification)
+    return justifier.Name(instantiation.justification);
   if (instantiation.production == ProductionId::kNone) return "[architecture]";
   const ProductionPtr& rule = rete.production(instantiation.production);
   return rule == nullptr ? std::string_view("[excised]") : std::string_view(rule->name);
@@ -123,14 +128,18 @@ void Engine::Sweep() {
   for (GoalLevel level = 1; level <= goals.depth(); ++level) mark(goals.at(level).id);
   instantiations.ForEach([&](const Instantiation& instantiation) { mark(instantiation.goal); });
   justifier.ForEachLiteral(mark);
+  reinforcement.ForEachSymbol(mark);
+  chunker.singletons().ForEachSymbol(mark);
   input.Mark(mark);
   output.Mark(mark);
+  if (!long_term.empty()) long_term.Mark(mark);
   const std::size_t identifiers_before = memory.identifier_count(), constants_before = symbols.UnpinnedCount();
   for (std::uint32_t index = 0; index < memory.identifier_limit(); ++index) {
     const Symbol id(Symbol::Tag::kIdentifier, index);
     if (marks[index] != 0 || !memory.identifier(id).live) continue;
     input.IdentifierGone(id);
     output.IdentifierFreed(id);
+    if (!long_term.empty()) long_term.IdentifierFreed(id);
     memory.FreeIdentifier(id);
   }
   symbols.Sweep();
@@ -143,11 +152,15 @@ void Engine::Sweep() {
 // Beginning -----------------------------------------------------------------------------------------------------------
 
 void Engine::Initialize(bool announce) {
+  long_term.BeforeInit();
   justifier.ExciseAll();
   rete.Clear();
   goals.Clear();
   instantiations.Clear();
+  selections.Clear();
   justifier.Clear();
+  reinforcement.Initialized();
+  chunker.Clear();
   preferences.Clear();
   changes.Clear();
   links.Clear();
@@ -172,6 +185,7 @@ void Engine::Initialize(bool announce) {
   goal_changes.MakeIoLinks();
   input.Reset();
   elaboration.ApplyWorkingMemoryChanges();
+  long_term.AfterInit();
 }
 
 void Engine::StopIfBroken() const {

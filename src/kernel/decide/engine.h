@@ -24,7 +24,11 @@
 #include "kernel/decide/slot_decision.h"
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
+#include "kernel/learn/chunker.h"
 #include "kernel/learn/justification.h"
+#include "kernel/learn/reinforcement.h"
+#include "kernel/learn/selection_knowledge.h"
+#include "kernel/longterm/long_term.h"
 #include "kernel/match/rete.h"
 #include "kernel/memory/links.h"
 #include "kernel/memory/wme_changes.h"
@@ -85,7 +89,10 @@ struct Engine {
   PreferenceChanges preferences;
   RuleContext context;
   Firing firing;
+  SelectionKnowledge selections;
+  Chunker chunker;
   Justifier justifier;
+  Reinforcement reinforcement;
   SlotDecision slot_decision;
   GoalDependencySets gds;
   GoalChanges goal_changes;
@@ -93,6 +100,7 @@ struct Engine {
   Decision decision;
   Elaboration elaboration;
   RunControl run;
+  LongTerm long_term;
 
   // Host.
   std::map<std::string, UserFunction, std::less<>> user_functions;

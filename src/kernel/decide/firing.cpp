@@ -82,7 +82,10 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   for (std::size_t n = 0; n < wmes.size(); ++n) copy[n] = wmes[n];
   engine_.rete.matches().MarkFired(match.match, id);
   engine_.rete.matches().HoldRule(match.production);
-  if (match.level > 1) TraceConditions(id, {copy, wmes.size()});
+  if (match.level > 1) {
+    TraceConditions(id, {copy, wmes.size()});
+    if (engine_.chunker.settings().learning()) engine_.chunker.NoteFiring(id);
+  }
 
   ++engine_.counters.firings;
   Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
@@ -110,7 +113,7 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   }
   engine_.preferences.LinkToGoal(id);
   made_.push_back(id);
-  if (match.level > 1) engine_.justifier.Consider(id);
+  if (match.level > 1) engine_.chunker.Consider(id);
 }
 
 void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
@@ -121,11 +124,13 @@ void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
     // A justification may rest on an element that has left since: so may the preference that made it.
     const WmeRecord& record = engine_.memory.record(wme);
     PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
+    const bool inherits = preference != PreferenceId::kNone && engine_.memory.preference(preference).level == level;
     if (preference != PreferenceId::kNone) preference = CloneAtLevel(preference, level);
-    traces[n] = {wme, engine_.memory.level(engine_.memory.wme(wme).id), preference};
+    traces[n] = {wme, engine_.memory.level(engine_.memory.wme(wme).id), inherits, preference};
     engine_.changes.AddReference(wme);
     if (preference != PreferenceId::kNone) engine_.preferences.AddReference(preference);
   }
+  if (engine_.selections.OfGoal(level) != SelectionKnowledge::kNone) engine_.chunker.NoteSelection(id);
 }
 
 PreferenceId Firing::CloneAtLevel(PreferenceId preference, GoalLevel level) const {
@@ -143,16 +148,27 @@ PreferenceId Firing::CloneAtLevel(PreferenceId preference, GoalLevel level) cons
 }
 
 void Firing::RunActions(const Production& rule, InstantiationId id) {
-  if (rule.type == ProductionType::kTemplate) return;
+  if (rule.type == ProductionType::kTemplate) return RunTemplate(rule, id);
   const std::size_t new_count = rule.new_identifiers.size();
   if (new_identifiers_.size() < new_count) new_identifiers_.resize(new_count);
   for (std::size_t n = 0; n < new_count; ++n) new_identifiers_[n] = Symbol();
   engine_.context.SetFiring(id);
-  for (const Action& action : rule.actions) RunAction(action, id);
+  for (std::size_t n = 0; n < rule.actions.size(); ++n) RunAction(rule.actions[n], n, id);
   engine_.context.SetFiring(InstantiationId::kNone);
 }
 
-void Firing::RunAction(const Action& action, InstantiationId id) {
+void Firing::RunTemplate(const Production& rule, InstantiationId id) {
+  if (rule.actions.size() != 1) return;
+  engine_.context.SetFiring(id);
+  const Symbol value = Evaluate(rule.actions.front().referent);
+  engine_.context.SetFiring(InstantiationId::kNone);
+  const Instantiation& instantiation = engine_.instantiations[id];
+  const std::size_t count = engine_.rete.Wmes(instantiation.match).size();
+  if (value)
+    engine_.reinforcement.templates().Instantiate(instantiation.production, rule, {wmes_.data(), count}, value);
+}
+
+void Firing::RunAction(const Action& action, std::size_t number, InstantiationId id) {
   if (action.is_function_call) {
     Evaluate(action.value);
     return;
@@ -179,13 +195,17 @@ void Firing::RunAction(const Action& action, InstantiationId id) {
     if (!referent) return;
     // `= x` is read as binary; what x is shows only now.
     if (type == PreferenceType::kBinaryIndifferent && referent.IsNumber()) type = PreferenceType::kNumericIndifferent;
+    if (type == PreferenceType::kNumericIndifferent) {
+      referent = engine_.reinforcement.values().Number(engine_.instantiations[id].production, referent);
+    }
   }
   // Of other slots than a state's operator only these two count.
   if (type != PreferenceType::kAcceptable && type != PreferenceType::kReject &&
       !(is_goal && attribute == words::kOperator)) [[unlikely]] {
     return;
   }
-  engine_.preferences.Make(id, object, attribute, value, referent, type, o_support_);
+  const PreferenceId made = engine_.preferences.Make(id, object, attribute, value, referent, type, o_support_);
+  engine_.memory.mutable_preference(made).action = static_cast<std::uint16_t>(number);
 }
 
 Symbol Firing::BoundValue(BindingSite site) const {

@@ -43,7 +43,9 @@ class Firing {
 
  private:
   void RunActions(const Production& rule, InstantiationId id);
-  void RunAction(const Action& action, InstantiationId id);
+  /// Makes a rule with the matched constants (learn/rl_template.h).
+  void RunTemplate(const Production& rule, InstantiationId id);
+  void RunAction(const Action& action, std::size_t number, InstantiationId id);
   /// The value of a right-hand-side term; none if a function failed or gives nothing.
   Symbol Evaluate(const RhsValue& value) {
     if (value.kind == RhsValueKind::kConstant) return value.symbol();

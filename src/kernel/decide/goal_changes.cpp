@@ -48,6 +48,14 @@ Symbol GoalChanges::AddModule(Symbol owner, Symbol attribute, char letter) {
   return module;
 }
 
+MemoryLink GoalChanges::AddMemoryLink(Symbol state, Symbol attribute, char letter) {
+  MemoryLink memory;
+  memory.link = AddModule(state, attribute, letter);
+  memory.command = AddModule(memory.link, words::kCommand, 'C');
+  memory.result = AddModule(memory.link, words::kResult, 'R');
+  return memory;
+}
+
 Goal& GoalChanges::PushGoal() {
   Goal& goal = engine_.goals.Push();
   goal.id = engine_.memory.NewIdentifier('S', goal.level);
@@ -58,15 +66,13 @@ Goal& GoalChanges::PushGoal() {
 
 void GoalChanges::AddMemoryLinks(Goal& goal) {
   goal.reward_link = AddModule(goal.id, words::kRewardLink, 'R');
-  const Symbol epmem = AddModule(goal.id, words::kEpmem, 'E');
-  AddModule(epmem, words::kCommand, 'C');
-  AddModule(epmem, words::kResult, 'R');
-  AddSlotWme(epmem, words::kPresentId, engine_.symbols.Integer(1));
-  const Symbol smem = AddModule(goal.id, words::kSmem, 'L');
-  AddModule(smem, words::kCommand, 'C');
-  AddModule(smem, words::kResult, 'R');
+  goal.epmem = AddMemoryLink(goal.id, words::kEpmem, 'E');
+  goal.epmem.present_id =
+      AddSlotWme(goal.epmem.link, words::kPresentId, engine_.symbols.Integer(engine_.long_term.present_id));
+  goal.smem = AddMemoryLink(goal.id, words::kSmem, 'L');
   // After the others: an object's slots are shown newest first.
   goal.operator_slot = engine_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
+  if (engine_.long_term.Wants(ModuleHook::kStates)) engine_.long_term.StateMade(goal.level);
 }
 
 void GoalChanges::MakeTopState() {
@@ -100,6 +106,7 @@ void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<
   const bool multiple = impasse == ImpasseType::kTie || impasse == ImpasseType::kConflict;
   AddArchitecture(goal.id, words::kChoices, multiple ? words::kMultiple : words::kNone);
   AddArchitecture(goal.id, words::kQuiescence, words::kT);
+  engine_.chunker.NoteSubstate(goal.level);
   if (HasItems(impasse)) UpdateItems(static_cast<GoalLevel>(goal.level - 1), candidates);
   if (engine_.observers.Wants(Event::kDecision)) {
     const GoalInfo info = engine_.Describe(engine_.goals.bottom());
@@ -191,9 +198,13 @@ void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
 void GoalChanges::RemoveBottom() {
   WorkingMemory& memory = engine_.memory;
   Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
+  if (engine_.reinforcement.learning()) engine_.reinforcement.GoalEnds(goal.level);
   engine_.run.GoalRemoved(goal.id);
+  engine_.selections.GoalRemoved(goal.level);
+  engine_.chunker.GoalRemoved(goal.id);
   engine_.gds.GoalRemoved(goal.level);  // First: the set holds elements of the goal itself, which go now.
   while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
+  if (engine_.long_term.Wants(ModuleHook::kStates)) engine_.long_term.StateRemoved(goal.level);
   const SlotId slot = goal.operator_slot;
   engine_.preferences.RemoveSelected(slot);
   ForEachItemInRemovalOrder(goal, [&](WmeId item) { engine_.changes.Remove(item); });

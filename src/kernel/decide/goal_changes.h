@@ -41,6 +41,7 @@ class GoalChanges {
  private:
   Goal& PushGoal();
   void AddMemoryLinks(Goal& goal);
+  MemoryLink AddMemoryLink(Symbol state, Symbol attribute, char letter);
   Symbol AddModule(Symbol owner, Symbol attribute, char letter);
   WmeId AddSlotWme(Symbol id, Symbol attribute, Symbol value);
   WmeId AddArchitecture(Symbol id, Symbol attribute, Symbol value);

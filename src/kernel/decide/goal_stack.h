@@ -6,6 +6,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/longterm/memory_link.h"
 #include "kernel/memory/preference.h"
 #include "kernel/observer.h"
 
@@ -17,6 +18,7 @@ struct Goal {
   GoalLevel level = 0;
   SlotId operator_slot = SlotId::kNone;
   Symbol reward_link;
+  MemoryLink epmem, smem;
   ImpasseType impasse = ImpasseType::kNone;  ///< That made it; kNone for the top state.
   bool impasse_on_operator = false;          ///< ^attribute operator, else state.
   std::uint64_t created_in_decision = 0;
@@ -27,6 +29,7 @@ struct Goal {
   std::vector<WmeId> gds;                     ///< Elements of higher goals that its o-supported facts rest on.
   FiringType saved_firing = FiringType::kIe;  ///< Restored when elaboration comes down to it again.
   bool has_saved_firing = false;
+  bool has_identities = false;  ///< It was made while learning was on.
 };
 
 /// The states of an agent, top state first: goals()[n] has level n + 1. A goal's record is used again by later goals of

@@ -68,6 +68,10 @@ class HandleCheck {
       RequireLive(retired, "the list of retracted preferences");
       ++references_[retired.record];
     }
+    engine_.selections.ForEachPreference([&](PreferenceId p) {
+      RequireLive(p, "what decided an operator");
+      ++references_[p.record];
+    });
     for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) {
       for (WmeId wme = memory_.slot(engine_.goals.at(level).operator_slot).wmes; wme != WmeId::kNone;
            wme = memory_.record(wme).next) {
@@ -122,10 +126,17 @@ class HandleCheck {
                 "a condition takes another preference for its element's maker");
       }
     });
+    engine_.long_term.ForEachHeld([&](PreferenceId held) {
+      RequireLive(held, "an answer of long-term memory");
+      ++references_[held.record];
+    });
     memory_.ForEachPreference([&](const Preference& preference) {
       const auto found = references_.find(&preference);
       const std::uint32_t count = found == references_.end() ? 0 : found->second;
-      Require(preference.references == count,
+      // What long-term memory answered it can take back: it holds such preferences, too.
+      const Instantiation& maker = *preference.instantiation.record;
+      const bool may_be_held = maker.production == ProductionId::kNone && maker.justification == 0xFFFFFFFFu;
+      Require(preference.references == count || (may_be_held && preference.references == count + 1),
               "the preference for " + TextOf(preference.id, preference.attribute, preference.value) + " counts " +
                   std::to_string(preference.references) + " references and has " + std::to_string(count));
     });

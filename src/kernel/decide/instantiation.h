@@ -12,7 +12,8 @@ namespace soarbox::kernel {
 /// What one positive condition of a match tested: what learning follows.
 struct ConditionTrace {
   WmeId wme = WmeId::kNone;
-  GoalLevel level = 0;                            ///< Of the element's identifier when the rule fired.
+  GoalLevel level = 0;    ///< Of the element's identifier when the rule fired.
+  bool inherits = false;  ///< The element is of the match's level only: no learned rule holds it at a higher one.
   PreferenceId preference = PreferenceId::kNone;  ///< That made the element, at the level of the match; or kNone.
 };
 
@@ -21,6 +22,8 @@ struct ConditionTrace {
 /// Matches that touch only the top state keep no condition traces (nothing above could learn from them): their elements
 /// are read from the matcher while the match exists.
 struct Instantiation {
+  static constexpr std::uint32_t kNoJustification = 0xFFFFFFFFu;
+
   ProductionId production = ProductionId::kNone;  ///< kNone for the architecture's own.
   MatchId match = MatchId::kNone;                 ///< kNone once it no longer matches.
   Symbol goal;                                    ///< The lowest goal that it matched.
@@ -28,11 +31,13 @@ struct Instantiation {
   bool live = false;
   bool held = false;                          ///< It is being made or asserted: not to be freed yet.
   bool o_support = false;                     ///< It fired with the o-supported rules.
-  bool reliable = true;                       ///< False if a result must become a justification at most.
+  bool has_identities = false;                ///< It fired in a substate while learning was on.
   std::uint32_t serial = 0;                   ///< Counts instantiations; for explanations and learning.
   std::uint32_t backtrace = 0;                ///< The last backtrace that visited it.
   std::uint32_t justification = 0xFFFFFFFFu;  ///< Index of the literal rule that keeps a result, or none.
   std::uint32_t first_trace = 0;              ///< In the trace arena.
+  std::uint32_t selection = 0xFFFFFFFFu;  ///< What decided the local operator that it tests (selection_knowledge.h).
+  std::uint32_t first_identity = 0;       ///< The number of its first identity of its own, if it has some.
   std::uint16_t trace_count = 0;
   bool in_gds = false;  ///< What it rests on has been taken into a goal's dependency set: once and for all.
   InstantiationId next_free;

@@ -167,6 +167,10 @@ void PreferenceChanges::DropReference(PreferenceId id) {
   FreeIfUnused(id);
 }
 
+void PreferenceChanges::DropReferenceLater(PreferenceId id) {
+  if (--engine_.memory.mutable_preference(id).references == 0) NoteUnused(id);
+}
+
 void PreferenceChanges::FreeIfUnused(PreferenceId id) {
   const Preference& preference = engine_.memory.preference(id);
   if (preference.references != 0) return;
@@ -254,8 +258,10 @@ void PreferenceChanges::FreeInstantiation(InstantiationId id) {
   if (instantiation.justification != 0xFFFFFFFFu) engine_.justifier.InstantiationFreed(id);
   for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
     engine_.changes.DropReference(trace.wme);
-    if (trace.preference == PreferenceId::kNone) continue;
-    if (--engine_.memory.mutable_preference(trace.preference).references == 0) NoteUnused(trace.preference);
+    if (trace.preference != PreferenceId::kNone) DropReferenceLater(trace.preference);
+  }
+  if (instantiation.selection != SelectionKnowledge::kNone) {
+    engine_.selections.DropReference(instantiation.selection, true);
   }
   if (instantiation.production != ProductionId::kNone) engine_.rete.matches().LetGoOfRule(instantiation.production);
   engine_.instantiations.Free(id);
@@ -330,6 +336,7 @@ void PreferenceChanges::MarkChanged(SlotId id) {
     }
     engine_.decision.NoteContextChanged(engine_.memory.level(slot.id));
     slot.changed = true;
+    slot.changed_since_selected = true;
     return;
   }
   MarkOrdinary(id, slot);

@@ -55,6 +55,8 @@ class PreferenceChanges {
   bool TakeORejectMade() { return std::exchange(o_reject_made_, false); }
   void AddReference(PreferenceId preference);
   void DropReference(PreferenceId preference);
+  /// The same while others are being freed: it goes with the next one.
+  void DropReferenceLater(PreferenceId preference);
   /// Frees the preference if nothing refers to it.
   void FreeIfUnused(PreferenceId preference);
   /// Frees the instantiation if it no longer matches and has no preferences.

@@ -21,6 +21,9 @@ struct SlotPreference {
   PreferenceId preference = PreferenceId::kNone;
 };
 
+struct DecisionTrace;
+enum class DecisionStage : std::uint8_t;
+
 /// One value that the procedure has left in the running.
 struct Candidate {
   Symbol value;
@@ -47,8 +50,9 @@ class PreferenceSemantics {
   };
 
   /// `preferences` are all that stand in the slot, in list order (newest last). `forced` is a value that wins at once
-  /// if it has an acceptable preference (`decide select`), or none. The outcome is valid until the next call.
-  Outcome Decide(std::span<const SlotPreference> preferences, Symbol forced = {});
+  /// if it has an acceptable preference (`decide select`), or none. The outcome is valid until the next call. With a
+  /// `trace` it also says who was dropped and why; without one that costs nothing.
+  Outcome Decide(std::span<const SlotPreference> preferences, Symbol forced = {}, DecisionTrace* trace = nullptr);
 
  private:
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;
@@ -63,6 +67,16 @@ class PreferenceSemantics {
   bool AllIndifferent(std::span<const SlotPreference> preferences);
   void AddNumbers(std::span<const SlotPreference> preferences);
   void MarkValuesOf(std::span<const SlotPreference> preferences, PreferenceType type);
+  /// The candidate that this preference alone drops at a stage, as the candidates stand, or kNowhere.
+  std::uint32_t Loser(const SlotPreference& preference, DecisionStage stage) const;
+  /// Marks the losers of a stage.
+  void MarkLosers(std::span<const SlotPreference> preferences, DecisionStage stage);
+  // Into the trace, before candidates go.
+  void NoteLosers(std::span<const SlotPreference> preferences, DecisionStage stage);
+  void NoteBest(std::span<const SlotPreference> preferences);
+  void NoteRequired(std::span<const SlotPreference> preferences);
+  void NoteForced(Symbol forced);
+  void NoteSettling(std::span<const SlotPreference> preferences);
   /// Keeps the candidates whose mark is `marked`.
   void Keep(bool marked);
   void IndexCandidates();
@@ -71,7 +85,8 @@ class PreferenceSemantics {
 
   std::vector<Candidate> candidates_;
   std::vector<std::uint8_t> marks_;      ///< Beside candidates_.
-  std::vector<std::uint64_t> pairs_;     ///< Scratch of AllIndifferent.
+  std::vector<std::uint64_t> pairs_;     ///< Scratch of AllIndifferent and NoteLosers.
+  DecisionTrace* trace_ = nullptr;       ///< Of the call under way, if one is wanted.
   bool by_position_ = false;             ///< Many preferences: candidates are found by position_.
   std::vector<std::uint32_t> position_;  ///< By identifier index; kNowhere for those that are no candidates.
   std::vector<std::uint32_t> indexed_;   ///< The identifier indices set in position_.

@@ -125,7 +125,8 @@ void RuleContext::MakePreference(Symbol identifier, Symbol attribute, Symbol val
   preference.attribute = attribute;
   preference.value = value;
   preference.o_supported = engine_.instantiations[firing_].o_support;
-  engine_.preferences.Make(firing_, preference);
+  const PreferenceId made = engine_.preferences.Make(firing_, preference);
+  engine_.memory.mutable_preference(made).action = Preference::kNoAction;
 }
 
 bool RuleContext::IsGoal(Symbol identifier) const {
@@ -144,7 +145,7 @@ void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) {
 }
 
 void RuleContext::SetLearning(Symbol state, bool learn) {
-  engine_.justifier.SetLearning(state, learn);
+  engine_.chunker.SetLearning(state, learn);
 }
 
 }  // namespace soarbox::kernel

@@ -2,6 +2,7 @@
 #include "kernel/decide/run_control.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/decide/engine.h"
 #include "kernel/decide/rule_sharing.h"
@@ -60,6 +61,7 @@ bool RunControl::ElaboratePhase(bool apply) {
   }
   if (next == Elaboration::Next::kElaborate) {
     elaboration.Run(apply);
+    if (engine_.long_term.Wants(ModuleHook::kAfterElaboration)) engine_.long_term.AfterElaboration();
     next = elaboration.Determine(apply);
   }
   if (next == Elaboration::Next::kElaborate) return false;
@@ -77,6 +79,7 @@ void RunControl::DecidePhase() {
     const std::uint64_t number = engine_.counters.decision_phases;
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(engine_.agent, info, number); });
   }
+  if (engine_.long_term.Wants(ModuleHook::kAfterDecision)) engine_.long_term.AfterDecision();
   EndPhase(Phase::kApply);
 }
 
@@ -84,6 +87,8 @@ void RunControl::OutputPhase() {
   BeginPhase();
   output_changed_ = engine_.output.Collect();
   if (output_changed_) engine_.observers.Notify(Event::kOutput, [&](Observer& o) { o.OnOutput(engine_.agent); });
+  if (engine_.long_term.Wants(ModuleHook::kOutput)) engine_.long_term.Output(output_changed_);
+  if (engine_.reinforcement.apoptosis().on()) engine_.reinforcement.CycleEnds();
   AgentCounters& counters = engine_.counters;
   ++counters.decision_cycles;
   const std::uint64_t changes = counters.wme_additions + counters.wme_removals - cycle_wme_changes_;
@@ -170,6 +175,7 @@ bool RunControl::Stop() {
     halt_requested_ = false;
     halted_ = true;
     if (in_middle_) CountPhase(engine_);  // It does not end any more.
+    if (engine_.reinforcement.learning()) engine_.reinforcement.Halted();
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnHalt(engine_.agent); });
     return true;
   }
@@ -182,9 +188,11 @@ bool RunControl::Stop() {
   if (rule_interrupt_ && (!in_middle_ || by_elaboration_)) {
     rule_interrupt_ = false;
     ended_ = true;
-    const std::string_view reason = !action_interrupt_ ? ":interrupt"
-                                    : by_phase_        ? "(interrupt), by phases"
-                                                       : "(interrupt)";
+    const std::string why = std::exchange(interrupt_reason_, {});
+    const std::string_view reason = !why.empty()         ? std::string_view(why)
+                                    : !action_interrupt_ ? ":interrupt"
+                                    : by_phase_          ? "(interrupt), by phases"
+                                                         : "(interrupt)";
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, reason); });
     return true;
   }

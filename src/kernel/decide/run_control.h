@@ -41,6 +41,12 @@ class RunControl {
   void Halt() { halt_requested_ = true; }
   /// (interrupt): a run that is under way ends with its phase, or with its elaboration if it goes by these.
   void InterruptByAction() { rule_interrupt_ = action_interrupt_ = running_; }
+  /// The same for what learning found; the run says why.
+  void InterruptAfterPhase(std::string_view why) {
+    rule_interrupt_ = running_;
+    action_interrupt_ = false;
+    interrupt_reason_ = why;
+  }
   /// Says which rules with interrupts match anew; a run that is under way ends with its phase.
   void TellInterrupts();
   /// The goal stack is at its limit: the run ends as if halted, but may go on.
@@ -102,6 +108,7 @@ class RunControl {
   std::atomic<bool> stop_{false};
   std::mutex reason_mutex_;
   std::string reason_;
+  std::string interrupt_reason_;  ///< Of InterruptAfterPhase; empty for others.
 };
 
 }  // namespace soarbox::kernel

@@ -2,13 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
 #include "kernel/decide/instantiation.h"
+#include "kernel/learn/chunker.h"
+#include "kernel/learn/explanation.h"
+#include "kernel/learn/identity_plan.h"
 #include "kernel/memory/preference.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/rule_symbols.h"
@@ -28,11 +34,26 @@ class Justifier {
  public:
   explicit Justifier(Engine& engine) : engine_(engine) {}
 
-  /// Called for each instantiation of a substate right after it fired; goes on upwards as long as there are results.
-  [[gnu::noinline]] void Consider(InstantiationId id);
+  /// What a justification has beside its contents while learning is on.
+  struct Making {
+    std::string name;  ///< Empty: justify<number>.
+    Chunker::Origin origin;
+    std::unique_ptr<IdentityPlan> plan;
+    std::vector<IdentityPlan::KeptTest> tests;
+  };
+  /// Makes the justification of results that have been traced; kNone if a live one says the same.
+  InstantiationId Build(const Explanation& explanation, GoalLevel goal_level, Making making);
+  /// The results at the level of an instantiation that now holds them.
+  void MakeClones(const Explanation& explanation, InstantiationId holder, std::span<const std::uint16_t> actions,
+                  bool o_support);
+  /// Whether the actions of the rule that fired last propose an operator to a state.
+  bool Proposes(InstantiationId base) const;
+  /// True if `base`'s rule made so many duplicates in this decision that nothing more is learned from it in it.
+  bool HasTooManyDuplicates(InstantiationId base, std::uint32_t most) const;
+  void CountDuplicate(InstantiationId base);
+  /// The next number for a name. They go up by two, as in Soar 9.6.3.
+  std::uint32_t TakeNumber() { return std::exchange(next_number_, next_number_ + 2); }
   [[gnu::noinline]] void InstantiationFreed(InstantiationId id);
-  /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
-  void SetLearning(Symbol state, bool learn);
   void Clear();
   /// Takes all justifications out of the network (init-soar).
   void ExciseAll();
@@ -40,7 +61,12 @@ class Justifier {
   struct Record {
     bool live = false;
     bool excised = false;      ///< By name: its results go, or live on by o-support.
-    std::uint32_t number = 0;  ///< justify<number>
+    std::uint32_t number = 0;  ///< justify<number>, unless it has a name.
+    std::string name;
+    std::string base;                           ///< The rule that it was learned from.
+    std::uint32_t depth = 0;                    ///< How often rules were learned from rules.
+    std::unique_ptr<IdentityPlan> plan;         ///< If it was made while learning was on.
+    std::vector<IdentityPlan::KeptTest> tests;  ///< The same.
     InstantiationId instantiation = InstantiationId::kNone;
     ProductionId production = ProductionId::kNone;  ///< If it stands in the network.
     std::vector<WmeId> grounds;                     ///< Held: they can be shown as long as the record lives.
@@ -70,6 +96,10 @@ class Justifier {
       for (const Record::Result& result : record.results) {
         for (const Symbol symbol : {result.id, result.attribute, result.value, result.referent}) mark(symbol);
       }
+      for (const IdentityPlan::KeptTest& test : record.tests) {
+        mark(test.referent);
+        for (const Symbol symbol : test.disjuncts) mark(symbol);
+      }
       if (record.negations == nullptr) continue;
       for (const Condition& negation : record.negations->conditions) ForEachSymbol(negation, mark);
     }
@@ -78,45 +108,22 @@ class Justifier {
   ProductionPtr AsRule(std::uint32_t index, bool shown) const;
 
  private:
-  bool CollectResults(InstantiationId id);
-  void AddResult(PreferenceId preference);
-  void AddPartsOf(Symbol id, InstantiationId base);
-  void CheckResults() const;
-  void Backtrace(InstantiationId id);
-  void VisitInstantiation(InstantiationId id);
-  void VisitQueued();
-  void VisitCondition(const ConditionTrace& trace);
-  void VisitItem(WmeId item);
-  void CollectNegations(InstantiationId id);
-  /// Makes the justification of the results that `base` made; kNone if they rest on nothing above.
-  InstantiationId Build(InstantiationId base);
-  std::uint32_t DigestOfResults() const;
+  std::uint32_t Digest(const Explanation& explanation) const;
   /// The live justification that says the same (equal grounds, negations and results, in the same order), or none.
-  std::uint32_t OriginalOf(std::uint32_t digest) const;
+  std::uint32_t OriginalOf(const Explanation& explanation, std::uint32_t digest) const;
   Record::Result ResultOf(PreferenceId result) const;
-  bool SaysTheSame(const Record& record) const;
+  bool SaysTheSame(const Record& record, const Explanation& explanation) const;
   void NoteAlike(std::uint32_t index);
   void ForgetAlike(std::uint32_t index);
-  /// True if `base`'s rule made so many duplicates in this decision that it may make no more justifications in it.
-  bool HasTooManyDuplicates(InstantiationId base) const;
-  void CountDuplicate(InstantiationId base);
-  /// Notes an element of a higher state that the results rest on.
-  void AddGround(WmeId wme);
   /// The same for all results of a justification.
-  bool IsOSupported(InstantiationId base, InstantiationId made, GoalLevel goal_level);
-  bool Proposes(InstantiationId base) const;
+  bool IsOSupported(const Explanation& explanation, InstantiationId made, GoalLevel goal_level);
   MatchId MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level);
   std::uint32_t NewRecord();
-  ConditionDraft Instantiate(const Condition& condition, InstantiationId id);
-  bool RefersToHigherOnly(const ConditionDraft& condition) const;
-  /// False if RefersToHigherOnly would be false of the literal condition, which need not be made then.
-  bool MayReferToHigherOnly(const Condition& condition, InstantiationId id) const;
 
   Engine& engine_;
   std::vector<Record> records_;
   mutable std::vector<std::string> names_;  ///< Of the records; empty until somebody asks.
   std::vector<std::uint32_t> free_records_;
-  std::vector<Symbol> dont_learn_, force_learn_;
   std::uint32_t next_number_ = 1;
   std::vector<std::uint32_t> alike_;  ///< Heads of buckets, by digest; a power of two, or none.
   std::uint32_t alike_count_ = 0;
@@ -126,28 +133,6 @@ class Justifier {
   };
   std::vector<Duplicates> duplicates_;  ///< In the decision cycle at hand.
   std::uint64_t duplicates_cycle_ = 0;
-  // Scratch of one backtrace.
-  GoalLevel level_ = 0;
-  std::uint32_t trace_number_ = 0;
-  std::vector<PreferenceId> results_;
-  /// Still to be added to the results: a preference, or else all that is said of an object.
-  struct Part {
-    PreferenceId preference = PreferenceId::kNone;
-    Symbol object;
-  };
-  std::vector<Part> parts_;
-  std::vector<WmeId> grounds_;
-  GoalLevel lowest_ground_ = 0;          ///< Of the states that grounds hang on; 0 if none hangs on a state.
-  std::vector<WmeId> operator_grounds_;  ///< Those that are a state's selected operator.
-  /// Still to be followed: an instantiation, or else an item of the impasse.
-  struct Open {
-    InstantiationId instantiation = InstantiationId::kNone;
-    WmeId item = WmeId::kNone;
-  };
-  std::vector<Open> queue_;
-  std::vector<ConditionDraft> negations_;
-  Arena drafts_;  ///< Of the negations.
-  std::vector<std::uint32_t> seen_identifiers_, seen_wmes_;
 };
 
 }  // namespace soarbox::kernel

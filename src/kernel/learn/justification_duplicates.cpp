@@ -9,19 +9,19 @@
 
 namespace soarbox::kernel {
 
-std::uint32_t Justifier::DigestOfResults() const {
+std::uint32_t Justifier::Digest(const Explanation& explanation) const {
   const WorkingMemory& memory = engine_.memory;
-  std::uint32_t digest = static_cast<std::uint32_t>(negations_.size());
+  std::uint32_t digest = static_cast<std::uint32_t>(explanation.negations.size());
   const auto mix = [&](Symbol symbol) {
     digest = (digest ^ symbol.bits()) * 0x85EBCA6Bu;
     digest ^= digest >> 15;
   };
-  for (const WmeId ground : grounds_) {
-    mix(memory.wme(ground).id);
-    mix(memory.wme(ground).attribute);
-    mix(memory.wme(ground).value);
+  for (const Explanation::Ground& ground : explanation.grounds) {
+    mix(memory.wme(ground.wme).id);
+    mix(memory.wme(ground.wme).attribute);
+    mix(memory.wme(ground.wme).value);
   }
-  for (const PreferenceId result : results_) {
+  for (const PreferenceId result : explanation.results) {
     mix(memory.preference(result).id);
     mix(memory.preference(result).attribute);
     mix(memory.preference(result).value);
@@ -34,31 +34,32 @@ Justifier::Record::Result Justifier::ResultOf(PreferenceId id) const {
   return {p.id, p.attribute, p.value, p.referent, p.type};
 }
 
-bool Justifier::SaysTheSame(const Record& record) const {
+bool Justifier::SaysTheSame(const Record& record, const Explanation& explanation) const {
   const WorkingMemory& memory = engine_.memory;
-  const auto same_element = [&](WmeId a, WmeId b) {
-    const Wme &x = memory.wme(a), &y = memory.wme(b);
+  const auto same_element = [&](WmeId a, const Explanation::Ground& b) {
+    const Wme &x = memory.wme(a), &y = memory.wme(b.wme);
     return x.id == y.id && x.attribute == y.attribute && x.value == y.value && x.acceptable == y.acceptable;
   };
-  if (!std::ranges::equal(record.grounds, grounds_, same_element)) return false;
+  if (!std::ranges::equal(record.grounds, explanation.grounds, same_element)) return false;
   const std::size_t negated = record.negations == nullptr ? 0 : record.negations->conditions.size();
-  if (negated != negations_.size()) return false;
+  if (negated != explanation.negations.size()) return false;
   if (negated > 0) {
     RuleDraft mine;
-    std::vector<ConditionDraft> copies = negations_;
+    std::vector<ConditionDraft> copies;
+    for (const Explanation::Negation& negation : explanation.negations) copies.push_back(negation.literal);
     for (ConditionDraft& negation : copies) mine.conditions.Add(&negation);
     if (!std::ranges::equal(record.negations->conditions, Production::Make(mine)->conditions)) return false;
   }
-  return std::ranges::equal(record.results, results_, [&](const Record::Result& known, PreferenceId result) {
+  return std::ranges::equal(record.results, explanation.results, [&](const Record::Result& known, PreferenceId result) {
     return known == ResultOf(result);
   });
 }
 
-std::uint32_t Justifier::OriginalOf(std::uint32_t digest) const {
+std::uint32_t Justifier::OriginalOf(const Explanation& explanation, std::uint32_t digest) const {
   if (alike_.empty()) return 0xFFFFFFFFu;
   for (std::uint32_t index = alike_[digest & (alike_.size() - 1)]; index != 0xFFFFFFFFu;
        index = records_[index].next_alike) {
-    if (records_[index].digest == digest && SaysTheSame(records_[index])) return index;
+    if (records_[index].digest == digest && SaysTheSame(records_[index], explanation)) return index;
   }
   return 0xFFFFFFFFu;
 }
@@ -86,12 +87,11 @@ void Justifier::ForgetAlike(std::uint32_t index) {
   --alike_count_;
 }
 
-bool Justifier::HasTooManyDuplicates(InstantiationId base) const {
+bool Justifier::HasTooManyDuplicates(InstantiationId base, std::uint32_t most) const {
+  if (duplicates_.empty()) return false;
   const ProductionId rule = engine_.instantiations[base].production;
   if (rule == ProductionId::kNone || duplicates_cycle_ != engine_.counters.decision_cycles) return false;
-  return std::ranges::any_of(duplicates_, [&](const Duplicates& d) {
-    return d.production == rule && d.count >= engine_.settings.max_duplicate_justifications;
-  });
+  return std::ranges::any_of(duplicates_, [&](const Duplicates& d) { return d.production == rule && d.count >= most; });
 }
 
 void Justifier::CountDuplicate(InstantiationId base) {

@@ -1,2 +1,22 @@
-list(APPEND SOARBOX_KERNEL_SOURCES learn/justification.cpp
-  learn/justification_duplicates.cpp)
+list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
+  learn/backtrace.cpp
+  learn/choice_graph.cpp
+  learn/chunker.cpp
+  learn/draft_tests.cpp
+  learn/explanation_log.cpp
+  learn/firing_reader.cpp
+  learn/identity_analysis.cpp
+  learn/identity_graph.cpp
+  learn/identity_plan.cpp
+  learn/justification.cpp
+  learn/justification_duplicates.cpp
+  learn/reinforcement.cpp
+  learn/repair.cpp
+  learn/results.cpp
+  learn/rl_template.cpp
+  learn/rl_values.cpp
+  learn/rule_builder.cpp
+  learn/selection_knowledge.cpp
+  learn/singletons.cpp)
+soarbox_kernel_test(kernel_reinforcement_test SOURCES learn/reinforcement_test.cpp)
+soarbox_kernel_test(kernel_chunking_test SOURCES learn/chunking_test.cpp learn/soundness_test.cpp)

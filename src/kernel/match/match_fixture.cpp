@@ -146,7 +146,7 @@ ConditionDraft Positive(const TestDraft& id, const TestDraft& attribute, const T
 }
 
 InstantiationId SomeInstantiation(std::size_t n) {
-  static Instantiation instantiations[3];
+  static Instantiation instantiations[128];
   return {&instantiations[n]};
 }
 

@@ -33,6 +33,7 @@ enum class NodeKind : std::uint8_t {
   kAnchors,  ///< Memory above a shared conjunction (rete_shared.cpp): the identifiers that it begins with.
   kPaths,    ///< Memory below it: the paths of elements that it matches. Its only child is the partner.
   kProduction,
+  kGuard,  ///< Of a justification, below its negated conditions alone (rete_guard.cpp).
 };
 
 /// What a memory (or negative node) and the alpha memory on the other side are indexed by.
@@ -122,7 +123,7 @@ struct Node : NodeShape {
   std::uint32_t partner() const { return counterpart; }
   /// Of a conjunctive node: is its conjunction a shared one?
   bool IsShared() const { return kind == NodeKind::kConjunctive && key != KeyKind::kNone; }
-  /// kProduction: its number.
+  /// kProduction, kGuard: its number.
   std::uint32_t rule() const { return counterpart; }
 
   friend bool operator==(const Node&, const Node&) = default;

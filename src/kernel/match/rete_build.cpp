@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <utility>
 
 #include "kernel/match/rete_builder.h"
 #include "kernel/match/rete_inline.h"
@@ -35,6 +36,14 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   OwnNetwork();
   auto info = std::make_shared<RuleInfo>(std::move(production));
   const Production& rule = *info->rule;
+  if (CanBeGuarded(*info, options)) [[unlikely]] {
+    const std::uint32_t number = TakeRuleNumber();
+    if (AddGuarded(info, number, options)) {
+      MatchNewRule(network->rule(number)->node, options);
+      return {Rete::AddResult::kAdded, static_cast<ProductionId>(number), refracted_match};
+    }
+    GiveBackRuleNumber(number);
+  }
   const std::uint32_t bottom = builder->Build(rule.conditions);
 
   NodePlan plan;
@@ -53,27 +62,34 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
   const std::uint32_t number = TakeRuleNumber();
   plan.rule = number;
   const std::uint32_t made = network->AddNode(plan, hash);
-  info->node = made;
-  network->AddRule(number, std::move(info));
-  const std::uint16_t positives = network->rule(number)->positives;
-  matches.RuleAdded(number, positives, rule.interrupt);
-  if (elements.size() < positives) {
-    elements.resize(positives);
+  EnterRule(info, number, made);
+  MatchNewRule(made, options);
+  return {Rete::AddResult::kAdded, static_cast<ProductionId>(number),
+          options.refracted.empty() ? MatchId::kNone : refracted_match};
+}
+
+void ReteState::EnterRule(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, std::uint32_t node) {
+  info->node = node;
+  network->AddRule(number, info);
+  matches.RuleAdded(number, info->positives, info->rule->interrupt);
+  if (elements.size() < info->positives) {
+    elements.resize(info->positives);
   }
   if (number < shared_operators.size()) {
     shared_operators[number] = SharedOperator();
   }
-  NodeAdded(made);
+  NodeAdded(node);
+}
+
+void ReteState::MatchNewRule(std::uint32_t node, const Rete::AddOptions& options) {
   if (!options.refracted.empty()) {
-    refracting_node = made;
+    refracting_node = node;
     refracted = options.refracted;
     refracting_instantiation = options.instantiation;
     refracted_match = MatchId::kNone;
   }
-  Prime(made);
+  Prime(node);
   refracting_node = kNil;
-  return {Rete::AddResult::kAdded, static_cast<ProductionId>(number),
-          options.refracted.empty() ? MatchId::kNone : refracted_match};
 }
 
 void ReteState::ExciseProduction(std::uint32_t number) {
@@ -81,6 +97,9 @@ void ReteState::ExciseProduction(std::uint32_t number) {
   const std::uint32_t node = network->rule(number)->node;
   excising = true;
   RemoveTokens(node);
+  if (network->node(node).kind == NodeKind::kGuard) {
+    FreeFixedMatch(std::exchange(nodes[node].first_linked, kNil));
+  }
   if (number >= retired.size()) {
     retired.resize(number + 1u);
   }

@@ -24,6 +24,8 @@ class ReteBuilder {
 
   /// The node that emits the rule's complete matches.
   std::uint32_t Build(std::span<const Condition> conditions);
+  /// The node that emits while all of a rule's negated conditions hold, whatever else matches (rete_guard.cpp).
+  std::uint32_t BuildGuard(std::span<const Condition> negations, std::uint32_t rule);
   /// A join of this memory has gone.
   void JoinRemoved(std::uint32_t memory) { MoveIfJoinsAre(1, memory); }
 

@@ -228,6 +228,9 @@ void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme)
     case NodeKind::kPaths:
       LeftPath(node, token, wme);
       break;
+    case NodeKind::kGuard:
+      LeftGuard(node, token, wme);
+      break;
     case NodeKind::kAnchors:  // Its tokens come from the conjunctive node.
     case NodeKind::kFree:
     case NodeKind::kRoot:
@@ -382,25 +385,15 @@ bool ReteState::SupportByMatches(std::uint32_t node, const RuleInfo& rule, const
   return applies;
 }
 
-void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
-  const std::uint32_t production = network->node(node_index).rule();
-  const RuleInfo& rule = *network->rule(production);
-  WmeId* const first = elements.data();
-  WmeId* place = first + rule.positives;
-  if (wme != kNil) {
-    *--place = static_cast<WmeId>(wme);
-  }
-  const Records<const Token> all = std::as_const(tokens).records();
-  for (std::uint32_t up = parent; place != first; up = all[up].parent) {
-    if (all[up].wme != kNil) {
-      *--place = static_cast<WmeId>(all[up].wme);
-    }
-  }
+/// A rule matches with the elements that stand in `elements`.
+[[gnu::always_inline]] inline void ReteState::NewMatch(std::uint32_t node_index, std::uint32_t parent,
+                                                       std::uint32_t wme, std::uint32_t production,
+                                                       const RuleInfo& rule) {
   const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
   MatchSet::Arrival arrival;
   arrival.production = production;
   arrival.token = token;
-  arrival.elements = {first, rule.positives};
+  arrival.elements = {elements.data(), rule.positives};
 
   MatchId match = MatchId::kNone;
   if (matches.MayReturn(production) && node_index != refracting_node) {
@@ -424,6 +417,38 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
   InsertInList(*this, nodes[node_index], token, Index(match));
 }
 
+void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, std::uint32_t wme) {
+  const std::uint32_t production = network->node(node_index).rule();
+  const RuleInfo& rule = *network->rule(production);
+  WmeId* const first = elements.data();
+  WmeId* place = first + rule.positives;
+  if (wme != kNil) {
+    *--place = static_cast<WmeId>(wme);
+  }
+  const Records<const Token> all = std::as_const(tokens).records();
+  for (std::uint32_t up = parent; place != first; up = all[up].parent) {
+    if (all[up].wme != kNil) {
+      *--place = static_cast<WmeId>(all[up].wme);
+    }
+  }
+  NewMatch(node_index, parent, wme, production, rule);
+}
+
+/// The negated conditions hold: when the rule is added, or again (rete_guard.cpp).
+void ReteState::LeftGuard(std::uint32_t node, std::uint32_t parent, std::uint32_t wme) {
+  std::uint32_t token = nodes[node].first_linked;
+  if (token == kNil) {
+    return;  // An element has left.
+  }
+  const std::uint32_t production = network->node(node).rule();
+  const RuleInfo& rule = *network->rule(production);
+  WmeId* place = elements.data() + rule.positives;
+  for (; token != kNil; token = tokens[token].next_in_bucket) {
+    *--place = static_cast<WmeId>(tokens[token].wme);
+  }
+  NewMatch(node, parent, wme, production, rule);
+}
+
 MatchId ReteState::AddFixedMatch(std::span<const WmeId> elements, Symbol goal, GoalLevel level,
                                  InstantiationId instantiation) {
   MatchSet::Arrival arrival;
@@ -435,6 +460,7 @@ MatchId ReteState::AddFixedMatch(std::span<const WmeId> elements, Symbol goal, G
   for (const WmeId wme : elements) {
     const std::uint32_t token = NewToken(Token::kFixedMatchNode, kNil, Index(wme));
     tokens[token].next_in_bucket = first;
+    tokens[token].previous_in_bucket = kNil;
     first = token;
   }
   arrival.token = first;

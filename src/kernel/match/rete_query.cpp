@@ -73,6 +73,7 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
     case NodeKind::kAnchors:
     case NodeKind::kPaths:
     case NodeKind::kProduction:
+    case NodeKind::kGuard:
       break;
   }
   return emissions;

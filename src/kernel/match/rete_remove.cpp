@@ -290,7 +290,8 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       }
       break;
     }
-    case NodeKind::kProduction: {
+    case NodeKind::kProduction:
+    case NodeKind::kGuard: {
       RemoveFromBucket(node, index);
       const MatchId match = static_cast<MatchId>(tokens[index].key);
       FreeToken(index);
@@ -326,6 +327,10 @@ void ReteState::FreeFixedMatch(std::uint32_t first) {
 }
 
 void ReteState::RetractFixedMatch(std::uint32_t token) {
+  if (tokens[token].previous_in_bucket == Token::kGuarded) {
+    GuardedElementGone(tokens[token].key);
+    return;
+  }
   const MatchId match = static_cast<MatchId>(tokens[token].key);
   FreeFixedMatch(matches.TokenOf(match));
   matches.TokenGone(match, false, last_timetag);

@@ -31,8 +31,9 @@ namespace soarbox::kernel {
 /// * shared conjunctive: stands in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
 ///   the path that blocks it and has no element.
 /// * anchor: has no parent and no element; `key` is the identifier, `previous_sibling` counts its owners.
-/// * production: `key` is the match.
-/// * kFixedMatchNode: `parent` is kNil, `key` the match, `next_in_bucket` links the match's other tokens.
+/// * production, guard: `key` is the match.
+/// * kFixedMatchNode: `parent` is kNil, `key` the match, `next_in_bucket` links the match's other tokens. Of a guarded
+///   rule (rete_guard.cpp): `previous_in_bucket` is kGuarded, `key` the guard.
 ///
 /// Tokens that a parked pair was made into late stand at the wrong place of their lists: then kUnsortedBit of the
 /// parent and WmeLinks::unsorted tell that the list is to be sorted by serial number before its order matters.
@@ -54,6 +55,7 @@ struct Token {
   static constexpr std::uint32_t kUnsortedBit = 0x20000000u;
   static constexpr std::uint32_t kNodeMask = 0x1FFFFFFFu;
   static constexpr std::uint32_t kFixedMatchNode = 0x1FFFFFFFu;
+  static constexpr std::uint32_t kGuarded = 0;  ///< Else kNil.
 };
 static_assert(sizeof(Token) == Rete::kTokenBytes);
 
@@ -105,7 +107,8 @@ struct NodeState {
     std::uint32_t previous_left;
   };
   union {
-    std::uint32_t first_linked = kNil;  ///< Memory: left-linked joins, last linked first.
+    std::uint32_t first_linked = kNil;  ///< Memory: left-linked joins, last linked first. Guard: the tokens of its
+                                        ///< rule's elements; kNil: one has left.
     std::uint32_t next_right;           ///< Join, negative: in the alpha memory's list.
   };
   union {
@@ -186,7 +189,7 @@ struct OwnerAndPath {
 
 /// The contents of one agent's Rete and the algorithms on it, file by file: rete_match (additions), rete_join
 /// (joins and memories), rete_sparse (memories that park pairs), rete_shared (conjunctions that tokens share),
-/// rete_remove, rete_build (rules), rete_query, rete_check.
+/// rete_guard (justifications with negations), rete_remove, rete_build (rules), rete_query, rete_check.
 struct [[gnu::visibility("hidden")]] ReteState {
   ReteState(MatchSet & matches, const SymbolTable& symbols, const WmeTable& wmes);
   ~ReteState();
@@ -267,6 +270,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
   bool SupportByMatches(std::uint32_t node, const RuleInfo& rule, const MatchSet::Arrival& arrival);
   void LowestGoal(const RuleInfo& rule, std::span<const WmeId> matched, Symbol& goal, GoalLevel& level) const;
   void LeftProduction(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
+  void NewMatch(std::uint32_t node, std::uint32_t parent, std::uint32_t wme, std::uint32_t production,
+                const RuleInfo& rule);
   void Block(std::uint32_t token, std::uint32_t wme);
   void BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint32_t wme);
   MatchId AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
@@ -404,6 +409,12 @@ struct [[gnu::visibility("hidden")]] ReteState {
   bool Holds(std::uint32_t token, std::uint32_t wme) const;
   bool StaysBlocked(std::uint32_t owner, std::uint32_t wme) const;
 
+  // rete_guard.cpp
+  bool CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const;
+  bool AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, const Rete::AddOptions& options);
+  [[gnu::noinline]] void LeftGuard(std::uint32_t node, std::uint32_t token, std::uint32_t wme);
+  void GuardedElementGone(std::uint32_t node);
+
   void MakeScoredSparse();
   void MakeSparse(std::uint32_t node);
   void MakePlain(std::uint32_t node);
@@ -412,6 +423,8 @@ struct [[gnu::visibility("hidden")]] ReteState {
 
   // rete_build.cpp
   Rete::Added AddProduction(ProductionPtr production, const Rete::AddOptions& options);
+  void EnterRule(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, std::uint32_t node);
+  void MatchNewRule(std::uint32_t node, const Rete::AddOptions& options);
   void ExciseProduction(std::uint32_t production);
   void OwnNetwork();
   std::uint32_t MakeAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable);
@@ -422,6 +435,12 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void RemoveUnused(std::uint32_t node);
   void RemoveTokens(std::uint32_t node);
   std::uint32_t TakeRuleNumber();
+  /// That was taken last and is not used.
+  void GiveBackRuleNumber(std::uint32_t number) {
+    if (number < network->rule_limit()) {
+      free_rules.push_back(number);
+    }
+  }
 
   // rete_query.cpp
   using Emission = std::pair<std::uint32_t, std::uint32_t>;

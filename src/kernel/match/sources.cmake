@@ -7,6 +7,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   match/rete_builder.cpp
   match/rete_builder_shared.cpp
   match/rete_check.cpp
+  match/rete_guard.cpp
   match/rete_join.cpp
   match/rete_link.cpp
   match/rete_match.cpp
@@ -15,4 +16,4 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   match/rete_shared.cpp
   match/rete_sparse.cpp
   match/rule_info.cpp)
-soarbox_kernel_test(kernel_match_test SOURCES match/match_fixture.cpp match/naive_matcher.cpp match/random_rules.cpp match/rete_test.cpp match/rete_random_test.cpp match/rete_shared_test.cpp)
+soarbox_kernel_test(kernel_match_test SOURCES match/match_fixture.cpp match/naive_matcher.cpp match/random_rules.cpp match/rete_test.cpp match/rete_random_test.cpp match/rete_shared_test.cpp match/rete_guard_test.cpp)

@@ -14,6 +14,8 @@ namespace soarbox::kernel {
 ///
 /// kNone ends the lists.
 struct Preference {
+  static constexpr std::uint16_t kNoAction = 0xFFFF;
+
   Symbol id, attribute, value;
   Symbol referent;  ///< Of binary and numeric preferences, else none.
   PreferenceType type = PreferenceType::kAcceptable;
@@ -23,6 +25,7 @@ struct Preference {
   bool live = false;
   bool is_spent = false;         ///< A copy of an o-supported reject: never to be asserted.
   GoalLevel level = 0;           ///< Of the goal that its instantiation matched.
+  std::uint16_t action = 0;      ///< Which action of its instantiation's rule made it; kNoAction: a function did.
   std::uint32_t stamp = 0;       ///< When it entered its slot: running number.
   std::uint32_t references = 0;  ///< One for the slot, one per condition that names it.
   InstantiationId instantiation = InstantiationId::kNone;

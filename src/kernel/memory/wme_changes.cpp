@@ -16,6 +16,7 @@ WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, S
   if (preference == PreferenceId::kNone && kind != WmeKind::kArchitecture && value.IsIdentifier()) {
     record.link = engine_.links.Add(id, value);
   }
+  engine_.chunker.NoteElement(attribute);
   Record(wme, kind, id, value);
   return wme;
 }
@@ -23,6 +24,7 @@ WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, S
 WmeId WmeChanges::AddInput(Symbol id, Symbol attribute, Symbol value, bool acceptable) {
   const WmeId wme = engine_.memory.Make(WmeKind::kInput, id, attribute, value, acceptable, SlotId::kNone);
   if (value.IsIdentifier()) engine_.memory.mutable_record(wme).link = engine_.links.Add(id, value);
+  engine_.chunker.NoteElement(attribute);
   Record(wme, WmeKind::kInput, id, value);
   return wme;
 }
@@ -31,6 +33,7 @@ WmeId WmeChanges::AddAcceptable(SlotId slot, Symbol value, PreferenceId preferen
   const Symbol id = engine_.memory.slot(slot).id;
   const WmeId wme = engine_.memory.Make(WmeKind::kAcceptable, id, words::kOperator, value, true, slot);
   engine_.memory.mutable_record(wme).preference = preference;
+  engine_.chunker.NoteElement(words::kOperator);
   Record(wme, WmeKind::kAcceptable, id, value);
   return wme;
 }
@@ -111,6 +114,7 @@ void WmeChanges::Flush() {
     }
     if (record.references == 0) dead_.push_back(wme);
   }
+  if (engine_.long_term.Wants(ModuleHook::kFlush)) engine_.long_term.Flushed(flushing_added_, flushing_removed_);
   flushing_added_.clear();
   flushing_removed_.clear();
 }

@@ -52,6 +52,8 @@ struct Slot {
   bool changed = false;                  ///< Is on the list of changed slots.
   bool is_large : 1 = false;             ///< See large_slots.h.
   bool acceptables_changed : 1 = false;  ///< Is on the list of slots whose acceptable preferences changed.
+  bool changed_since_selected : 1 =
+      false;  ///< ^operator of a goal: preferences changed after its operator was selected.
   std::uint32_t acceptable_count = 0;
   std::uint32_t substate_facts = 0;               ///< Of these the o-supported ones that a substate's rule made.
   WmeId wmes = WmeId::kNone;                      ///< Newest first.

@@ -93,6 +93,55 @@ ConditionDraft ToDraft(const Condition& condition, Arena& arena) {
   return draft;
 }
 
+ValueDraft ToDraft(const RhsValue& value, Arena& arena) {
+  ValueDraft draft;
+  draft.kind = value.kind;
+  draft.symbol = value.symbol();
+  if (value.kind == RhsValueKind::kBound) {
+    draft.site = value.site();
+  } else {
+    draft.index = value.new_index();
+  }
+  for (const RhsValue& argument : value.arguments()) {
+    draft.arguments.Add(arena.New(ToDraft(argument, arena)));
+  }
+  return draft;
+}
+
+ActionDraft ToDraft(const Action& action, Arena& arena) {
+  ActionDraft draft;
+  draft.is_function_call = action.is_function_call;
+  draft.preference = action.preference;
+  draft.id = ToDraft(action.id, arena);
+  draft.attribute = ToDraft(action.attribute, arena);
+  draft.value = ToDraft(action.value, arena);
+  draft.referent = ToDraft(action.referent, arena);
+  return draft;
+}
+
+RuleDraft ToDraft(const Production& rule, Arena& arena) {
+  RuleDraft draft;
+  draft.name = rule.name;
+  draft.documentation = rule.documentation;
+  draft.has_documentation = rule.has_documentation;
+  draft.type = rule.type;
+  draft.declared_support = rule.declared_support;
+  draft.interrupt = rule.interrupt;
+  draft.explain = rule.explain;
+  draft.is_rl = rule.is_rl;
+  draft.file = rule.file_name();
+  draft.line = rule.line;
+  draft.column = rule.column;
+  draft.new_identifiers.assign(rule.new_identifiers.begin(), rule.new_identifiers.end());
+  for (const Condition& condition : rule.conditions) {
+    draft.conditions.Add(arena.New(ToDraft(condition, arena)));
+  }
+  for (const Action& action : rule.actions) {
+    draft.actions.Add(arena.New(ToDraft(action, arena)));
+  }
+  return draft;
+}
+
 Symbol EqualitySymbol(const Test& test) {
   if (test.kind == TestKind::kEqual) {
     return test.referent();

@@ -139,6 +139,10 @@ ConditionDraft Copy(const ConditionDraft& condition, Arena& arena);
 ValueDraft Copy(const ValueDraft& value, Arena& arena);
 TestDraft ToDraft(const Test& test, Arena& arena);
 ConditionDraft ToDraft(const Condition& condition, Arena& arena);
+ValueDraft ToDraft(const RhsValue& value, Arena& arena);
+ActionDraft ToDraft(const Action& action, Arena& arena);
+/// A whole rule. Its texts are those of the rule, which must live as long as the draft; its variables have no numbers.
+RuleDraft ToDraft(const Production& rule, Arena& arena);
 
 /// The test of equality in a test, or null.
 inline const TestDraft* EqualityIn(const TestDraft& test) {

@@ -143,6 +143,7 @@ class Production {
 
   /// Where it was read; empty for typed rules.
   const std::string& file() const { return file_.text(); }
+  const FileName& file_name() const { return file_; }
   std::size_t MemoryBytes() const { return sizeof(Production) + block_bytes_; }
 
   Production(const Production&) = delete;

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "journal/sqlite_journal.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace soarbox::journal {
+namespace {
+
+constexpr std::uint32_t kApplicationId = 0x53424F58;
+constexpr std::uint32_t kSchemaVersion = 1;
+constexpr std::size_t kSegmentBytes = 1u << 20;
+
+Diagnostic Problem(const std::string& path, std::string_view what, std::string hint = {}) {
+  Diagnostic diagnostic;
+  diagnostic.message = path + " " + std::string(what);
+  diagnostic.hint = std::move(hint);
+  return diagnostic;
+}
+
+/// CRC-32 as in zip files.
+std::uint32_t Checksum(std::span<const std::uint8_t> bytes) {
+  static const std::array<std::uint32_t, 256> table = [] {
+    std::array<std::uint32_t, 256> made{};
+    for (std::uint32_t n = 0; n < 256; ++n) {
+      std::uint32_t value = n;
+      for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0xEDB88320u : 0);
+      made[n] = value;
+    }
+    return made;
+  }();
+  std::uint32_t crc = 0xFFFFFFFFu;
+  for (const std::uint8_t byte : bytes) crc = table[(crc ^ byte) & 0xFF] ^ (crc >> 8);
+  return ~crc;
+}
+
+std::uint32_t BigEndian(const unsigned char* bytes) {
+  return (std::uint32_t{bytes[0]} << 24) | (std::uint32_t{bytes[1]} << 16) | (std::uint32_t{bytes[2]} << 8) | bytes[3];
+}
+
+std::string_view NameOf(Memory memory) {
+  return memory == Memory::kSemantic ? "semantic" : "episodic";
+}
+
+/// Looks at the header of a file without opening it as a database. Nothing: it may be opened, or made.
+std::optional<Diagnostic> LookAt(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return {};
+  if (std::filesystem::is_directory(path, error)) return Problem(path, "is a folder", "name a file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Problem(path, "cannot be read");
+  unsigned char header[100] = {};
+  file.read(reinterpret_cast<char*>(header), sizeof(header));
+  const std::streamsize size = file.gcount();
+  if (size == 0) return {};
+  if (size < 100 || std::memcmp(header, "SQLite format 3", 16) != 0) {
+    return Problem(path, "is not a database", "name another file; this one was not touched");
+  }
+  if (BigEndian(header + 68) != kApplicationId) {
+    return Problem(path, "is a database of another program", "name another file; this one was not touched");
+  }
+  if (BigEndian(header + 60) > kSchemaVersion) {
+    return Problem(path, "was written by a newer version of Soarbox", "use that version; the file was not touched");
+  }
+  return {};
+}
+
+/// A prepared statement that is finished when it goes.
+class Statement {
+ public:
+  Statement(sqlite3* database, const char* text) {
+    status_ = sqlite3_prepare_v2(database, text, -1, &statement_, nullptr);
+  }
+  ~Statement() { sqlite3_finalize(statement_); }
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  void Bind(int place, std::int64_t value) { sqlite3_bind_int64(statement_, place, value); }
+  void Bind(int place, std::span<const std::uint8_t> bytes) {
+    sqlite3_bind_blob64(statement_, place, bytes.data(), bytes.size(), SQLITE_STATIC);
+  }
+  void Bind(int place, std::string_view text) {
+    sqlite3_bind_text(statement_, place, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
+  }
+  int Step() {
+    if (status_ == SQLITE_OK || status_ == SQLITE_ROW) status_ = sqlite3_step(statement_);
+    return status_;
+  }
+  std::int64_t Integer(int column) const { return sqlite3_column_int64(statement_, column); }
+  std::span<const std::uint8_t> Bytes(int column) const {
+    const auto* const data = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_, column));
+    return {data, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
+  }
+
+ private:
+  sqlite3_stmt* statement_ = nullptr;
+  int status_ = SQLITE_OK;
+};
+
+class SqliteJournal final : public kernel::Journal {
+ public:
+  SqliteJournal(std::string path, sqlite3* database) : path_(std::move(path)), database_(database) {}
+  ~SqliteJournal() override {
+    static_cast<void>(Commit());
+    sqlite3_close(database_);
+  }
+
+  void Append(std::span<const std::uint8_t> record) override {
+    kernel::RecordWriter size;
+    size.Number(record.size());
+    pending_.insert(pending_.end(), size.bytes().begin(), size.bytes().end());
+    pending_.insert(pending_.end(), record.begin(), record.end());
+  }
+
+  Result<void> Commit() override {
+    if (pending_.empty()) return {};
+    Statement insert(database_, "INSERT INTO record(bytes, crc) VALUES(?, ?)");
+    insert.Bind(1, pending_);
+    insert.Bind(2, std::int64_t{Checksum(pending_)});
+    if (insert.Step() != SQLITE_DONE) return Failure("cannot be written");
+    record_bytes_ += pending_.size();
+    pending_.clear();
+    return {};
+  }
+
+  Result<void> Replace(std::span<const std::uint8_t> image) override {
+    if (!Run("BEGIN IMMEDIATE; DELETE FROM segment; DELETE FROM record")) return Failure("cannot be written");
+    for (std::size_t at = 0; at < image.size(); at += kSegmentBytes) {
+      const std::span<const std::uint8_t> piece = image.subspan(at, std::min(kSegmentBytes, image.size() - at));
+      Statement insert(database_, "INSERT INTO segment(bytes, crc) VALUES(?, ?)");
+      insert.Bind(1, piece);
+      insert.Bind(2, std::int64_t{Checksum(piece)});
+      if (insert.Step() != SQLITE_DONE) return RolledBack();
+    }
+    if (!Run("COMMIT")) return RolledBack();
+    image_bytes_ = image.size();
+    record_bytes_ = 0;
+    pending_.clear();  // The image has it.
+    return {};
+  }
+
+  bool WantsImage() const override { return record_bytes_ > kSegmentBytes && record_bytes_ > image_bytes_ / 4; }
+
+  bool Run(const char* text) { return sqlite3_exec(database_, text, nullptr, nullptr, nullptr) == SQLITE_OK; }
+
+  Diagnostic Failure(std::string_view what) const {
+    const int code = sqlite3_errcode(database_) & 0xFF;
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+      return Problem(path_, "is in use by another process", "name another file, or end that process");
+    }
+    if (code == SQLITE_FULL) {
+      return Problem(path_, "cannot grow: the disk is full", "make room; what is new stays in memory until then");
+    }
+    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
+      return Problem(path_, "is damaged", "use a backup; the file was not touched");
+    }
+    return Problem(path_, std::string(what) + ": " + sqlite3_errmsg(database_));
+  }
+
+  /// Reads what is there. Damage is an error.
+  Result<void> Load(OpenedJournal& opened) {
+    std::int64_t expected = 0;
+    Statement segments(database_, "SELECT number, bytes, crc FROM segment ORDER BY number");
+    while (segments.Step() == SQLITE_ROW) {
+      const std::span<const std::uint8_t> bytes = segments.Bytes(1);
+      if (Checksum(bytes) != static_cast<std::uint32_t>(segments.Integer(2))) return Damaged("segment", expected);
+      opened.image.insert(opened.image.end(), bytes.begin(), bytes.end());
+      ++expected;
+    }
+    if (segments.Step() != SQLITE_DONE) return Failure("cannot be read");
+    expected = 0;
+    Statement records(database_, "SELECT number, bytes, crc FROM record ORDER BY number");
+    int status = records.Step();
+    for (; status == SQLITE_ROW; status = records.Step()) {
+      const std::span<const std::uint8_t> bytes = records.Bytes(1);
+      if (Checksum(bytes) != static_cast<std::uint32_t>(records.Integer(2))) return Damaged("record", expected);
+      kernel::RecordReader reader(bytes);
+      while (!reader.AtEnd()) {
+        const std::string_view record = reader.Text();
+        opened.records.emplace_back(record.begin(), record.end());
+      }
+      if (!reader.ok()) return Damaged("record", expected);
+      record_bytes_ += bytes.size();
+      ++expected;
+    }
+    if (status != SQLITE_DONE) return Failure("cannot be read");
+    image_bytes_ = opened.image.size();
+    return {};
+  }
+
+ private:
+  Result<void> Damaged(std::string_view table, std::int64_t number) const {
+    return Problem(path_, "is damaged (" + std::string(table) + " " + std::to_string(number + 1) + ")",
+                   "use a backup; the file was not touched");
+  }
+  Result<void> RolledBack() {
+    const Diagnostic failure = Failure("cannot be written");
+    Run("ROLLBACK");
+    return failure;
+  }
+
+  std::string path_;
+  sqlite3* database_;
+  std::vector<std::uint8_t> pending_;
+  std::size_t image_bytes_ = 0, record_bytes_ = 0;
+};
+
+std::string Text(std::string_view before, std::uint32_t number) {
+  return std::string(before) + std::to_string(number);
+}
+
+/// The tables of a new file; its header is there before the log is, so that others can tell whose it is.
+bool MakeTables(SqliteJournal& journal, Memory memory) {
+  const std::string kind(NameOf(memory));
+  return journal.Run(("BEGIN IMMEDIATE;" + Text("PRAGMA application_id=", kApplicationId) + ";" +
+                      Text("PRAGMA user_version=", kSchemaVersion) +
+                      ";CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
+                      "CREATE TABLE segment(number INTEGER PRIMARY KEY, bytes BLOB, crc INTEGER);"
+                      "CREATE TABLE record(number INTEGER PRIMARY KEY, bytes BLOB, crc INTEGER);"
+                      "INSERT INTO meta VALUES('kind','" +
+                      kind + "');COMMIT")
+                         .c_str());
+}
+
+}  // namespace
+
+Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOptions& options) {
+  if (path.empty()) {
+    Diagnostic diagnostic;
+    diagnostic.message = "no file is named for the database";
+    diagnostic.hint = "set path";
+    return diagnostic;
+  }
+  if (std::optional<Diagnostic> problem = LookAt(path)) return *problem;
+  std::error_code error;
+  const bool is_new = !std::filesystem::exists(path, error) || std::filesystem::file_size(path, error) == 0;
+  sqlite3* database = nullptr;
+  if (sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK) {
+    const Diagnostic problem = Problem(path, std::string("cannot be opened: ") + sqlite3_errmsg(database));
+    sqlite3_close(database);
+    return problem;
+  }
+  auto journal = std::make_unique<SqliteJournal>(path, database);
+  sqlite3_extended_result_codes(database, 0);
+  if (!journal->Run("PRAGMA locking_mode=EXCLUSIVE") || (is_new && !MakeTables(*journal, memory)) ||
+      !journal->Run("PRAGMA journal_mode=WAL") ||
+      !journal->Run(options.survive_power ? "PRAGMA synchronous=FULL" : "PRAGMA synchronous=NORMAL") ||
+      !journal->Run("BEGIN IMMEDIATE; COMMIT")) {
+    return journal->Failure("cannot be opened");
+  }
+  OpenedJournal opened;
+  {
+    Statement kind(database, "SELECT value FROM meta WHERE key = 'kind'");
+    if (kind.Step() != SQLITE_ROW) return Problem(path, "is damaged", "use a backup; the file was not touched");
+    const std::span<const std::uint8_t> name = kind.Bytes(0);
+    if (std::string(name.begin(), name.end()) != NameOf(memory)) {
+      return Problem(path, "holds a memory of another kind", "name another file; this one was not touched");
+    }
+  }
+  if (options.overwrite && !journal->Run("BEGIN IMMEDIATE; DELETE FROM segment; DELETE FROM record; COMMIT")) {
+    return journal->Failure("cannot be emptied");
+  }
+  if (Result<void> loaded = journal->Load(opened); !loaded) return loaded.error();
+  opened.journal = std::move(journal);
+  return opened;
+}
+
+Result<void> WriteCopy(const std::string& path, Memory memory, std::span<const std::uint8_t> image) {
+  OpenOptions options;
+  options.overwrite = true;
+  Result<OpenedJournal> opened = Open(path, memory, options);
+  if (!opened) return opened.error();
+  return opened->journal->Replace(image);
+}
+
+std::string_view SqliteVersion() {
+  return sqlite3_libversion();
+}
+
+}  // namespace soarbox::journal

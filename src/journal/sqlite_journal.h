@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "kernel/longterm/journal.h"
+
+/// Journals in SQLite files: SQLite is the container (atomic commits, recovery, locks), never the query engine.
+///
+/// A file has the application id 0x53424F58 ("SBOX"), the schema version 1 as its user version, and three tables:
+///   meta(key, value)               kind: "semantic" or "episodic"
+///   segment(number, bytes, crc)    the image, in pieces of 1 MiB
+///   record(number, bytes, crc)     what was appended since, one row per commit
+/// It is written ahead (WAL), by one process at a time.
+namespace soarbox::journal {
+
+enum class Memory : std::uint8_t { kSemantic, kEpisodic };
+
+struct OpenOptions {
+  bool overwrite = false;      ///< Empty it first (append off).
+  bool survive_power = false;  ///< Each commit waits for the disk (optimization safety); else it survives a kill only.
+};
+
+/// What a file holds, and the way to go on with it.
+struct OpenedJournal {
+  std::unique_ptr<kernel::Journal> journal;
+  std::vector<std::uint8_t> image;                 ///< Empty: none was ever written.
+  std::vector<std::vector<std::uint8_t>> records;  ///< Oldest first.
+};
+
+/// Opens or makes a file. Refused with the reason, and the file is not touched: what is no database, a database of
+/// another program, of another memory or of a newer Soarbox, one that is damaged, one that another process has open.
+Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOptions& options);
+
+/// Writes a memory's image to a file of its own (`smem --backup`). A file of Soarbox is replaced, another one refused.
+Result<void> WriteCopy(const std::string& path, Memory memory, std::span<const std::uint8_t> image);
+
+/// The version of the library, as `smem --stats` shows it.
+std::string_view SqliteVersion();
+
+}  // namespace soarbox::journal

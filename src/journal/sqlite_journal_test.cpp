@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "journal/sqlite_journal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <random>
+#include <string>
+
+namespace soarbox::journal {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using Bytes = std::vector<std::uint8_t>;
+
+class SqliteJournal : public ::testing::Test {
+ protected:
+  SqliteJournal() {
+    folder_ = fs::path(::testing::TempDir()) / ("journal-" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~SqliteJournal() override { fs::remove_all(folder_); }
+  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  static OpenedJournal OpenOr(const std::string& path, const OpenOptions& options = {}) {
+    Result<OpenedJournal> opened = Open(path, Memory::kSemantic, options);
+    EXPECT_TRUE(opened.ok()) << opened.error().message;
+    return opened ? std::move(*opened) : OpenedJournal();
+  }
+  static std::string Refusal(const std::string& path, Memory memory = Memory::kSemantic) {
+    const Result<OpenedJournal> opened = Open(path, memory, {});
+    return opened ? std::string() : opened.error().message;
+  }
+  static std::string Contents(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  fs::path folder_;
+};
+
+Bytes Record(std::uint8_t first, std::size_t size = 3) {
+  Bytes bytes(size);
+  std::iota(bytes.begin(), bytes.end(), first);
+  return bytes;
+}
+
+TEST_F(SqliteJournal, WhatWasCommittedIsThereAgainInOrder) {
+  {
+    OpenedJournal opened = OpenOr(Path("a.db"));
+    opened.journal->Append(Record(1));
+    opened.journal->Append(Record(9, 200));
+    ASSERT_TRUE(opened.journal->Commit().ok());
+    opened.journal->Append(Record(5));  // Committed when it closes.
+  }
+  const OpenedJournal opened = OpenOr(Path("a.db"));
+  EXPECT_TRUE(opened.image.empty());
+  EXPECT_THAT(opened.records, ::testing::ElementsAre(Record(1), Record(9, 200), Record(5)));
+}
+
+TEST_F(SqliteJournal, AnImageTakesThePlaceOfTheRecords) {
+  {
+    OpenedJournal opened = OpenOr(Path("a.db"));
+    opened.journal->Append(Record(1));
+    ASSERT_TRUE(opened.journal->Commit().ok());
+    ASSERT_TRUE(opened.journal->Replace(Record(0, 3 << 20)).ok());
+    opened.journal->Append(Record(2));
+  }
+  const OpenedJournal opened = OpenOr(Path("a.db"));
+  EXPECT_EQ(opened.image, Record(0, 3 << 20));
+  EXPECT_THAT(opened.records, ::testing::ElementsAre(Record(2)));
+}
+
+TEST_F(SqliteJournal, OverwritingEmptiesTheFile) {
+  { OpenOr(Path("a.db")).journal->Append(Record(1)); }
+  OpenOptions options;
+  options.overwrite = true;
+  { EXPECT_TRUE(OpenOr(Path("a.db"), options).records.empty()); }
+  EXPECT_TRUE(OpenOr(Path("a.db")).records.empty());
+}
+
+TEST_F(SqliteJournal, ForeignFilesAreRefusedAndNotTouched) {
+  std::ofstream(Path("text.db")) << std::string(4000, 'x');
+  std::ofstream(Path("short.db")) << "SQLite format 3";
+  std::string foreign("SQLite format 3\0", 16);
+  foreign.resize(4096);
+  std::ofstream(Path("foreign.db"), std::ios::binary) << foreign;
+  fs::create_directory(Path("folder.db"));
+  for (const char* name : {"text.db", "short.db", "foreign.db"}) {
+    const std::string before = Contents(Path(name));
+    EXPECT_THAT(Refusal(Path(name)), HasSubstr(name));
+    EXPECT_EQ(Contents(Path(name)), before);
+  }
+  EXPECT_THAT(Refusal(Path("text.db")), HasSubstr("is not a database"));
+  EXPECT_THAT(Refusal(Path("foreign.db")), HasSubstr("of another program"));
+  EXPECT_THAT(Refusal(Path("folder.db")), HasSubstr("is a folder"));
+  EXPECT_THAT(Refusal(Path("no/such/folder.db")), HasSubstr("cannot be opened"));
+  EXPECT_THAT(Refusal(""), HasSubstr("no file is named"));
+  { OpenOr(Path("a.db")); }
+  EXPECT_THAT(Refusal(Path("a.db"), Memory::kEpisodic), HasSubstr("another kind"));
+}
+
+TEST_F(SqliteJournal, DamageIsFoundAndNotMended) {
+  {
+    OpenedJournal opened = OpenOr(Path("a.db"));
+    ASSERT_TRUE(opened.journal->Replace(Record(0, 20000)).ok());
+    opened.journal->Append(Record(7, 5000));
+  }
+  const std::string whole = Contents(Path("a.db"));
+  std::mt19937 random(1);
+  int refused = 0;
+  for (int n = 0; n < 40; ++n) {
+    std::string spoilt = whole;
+    for (int k = 0; k < 8; ++k) spoilt[100 + random() % (spoilt.size() - 100)] ^= static_cast<char>(1 + random() % 255);
+    std::ofstream(Path("b.db"), std::ios::binary) << spoilt;
+    const Result<OpenedJournal> opened = Open(Path("b.db"), Memory::kSemantic, {});
+    if (opened) {
+      // What does read is what was written: bytes that nobody uses were hit.
+      EXPECT_EQ(opened->image, Record(0, 20000));
+    } else {
+      ++refused;
+      EXPECT_THAT(opened.error().message, HasSubstr("b.db"));
+    }
+    fs::remove(Path("b.db-wal"));
+    fs::remove(Path("b.db-shm"));
+  }
+  EXPECT_GT(refused, 20);
+}
+
+TEST_F(SqliteJournal, ASecondProcessIsTurnedAway) {
+  const OpenedJournal opened = OpenOr(Path("a.db"));
+  opened.journal->Append(Record(1));
+  ASSERT_TRUE(opened.journal->Commit().ok());
+  EXPECT_THAT(Refusal(Path("a.db")), HasSubstr("in use by another process"));
+}
+
+TEST_F(SqliteJournal, AFullDiskKeepsWhatIsNewUntilThereIsRoom) {
+  OpenedJournal opened = OpenOr(Path("a.db"));
+  rlimit before;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  signal(SIGXFSZ, SIG_IGN);
+  rlimit limit = before;
+  limit.rlim_cur = 64 * 1024;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  opened.journal->Append(Record(3, 500000));
+  const Result<void> failed = opened.journal->Commit();
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_FALSE(failed.ok());
+  EXPECT_TRUE(opened.journal->Commit().ok());
+  opened.journal.reset();
+  EXPECT_THAT(OpenOr(Path("a.db")).records, ::testing::ElementsAre(Record(3, 500000)));
+}
+
+/// The child commits numbered records, now and then an image of all, and says each number when it is committed.
+[[noreturn]] void Write(const std::string& path, int said) {
+  Result<OpenedJournal> opened = Open(path, Memory::kSemantic, {});
+  if (!opened) _exit(2);
+  std::uint64_t count = 0;
+  if (!opened->image.empty()) count = kernel::RecordReader(opened->image).Bits();
+  count += opened->records.size();
+  for (;; ++count) {
+    kernel::RecordWriter record;
+    record.Bits(count);
+    opened->journal->Append(record.bytes());
+    if (!opened->journal->Commit().ok()) _exit(3);
+    if (count % 50 == 49) {
+      kernel::RecordWriter image;
+      image.Bits(count + 1);
+      if (!opened->journal->Replace(image.bytes()).ok()) _exit(4);
+    }
+    if (write(said, &count, sizeof(count)) != sizeof(count)) _exit(0);
+  }
+}
+
+TEST_F(SqliteJournal, KilledAtAnyInstantTheFileHoldsAllThatWasCommitted) {
+  std::mt19937 random(7);
+  for (int kill_number = 0; kill_number < 100; ++kill_number) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) Write(Path("a.db"), ends[1]);
+    close(ends[1]);
+    std::uint64_t last = 0, number = 0;
+    const int before_kill = static_cast<int>(random() % 30);
+    for (int n = 0; n < before_kill && read(ends[0], &number, sizeof(number)) == sizeof(number); ++n) last = number;
+    usleep(random() % 300);
+    kill(child, SIGKILL);
+    while (read(ends[0], &number, sizeof(number)) == sizeof(number)) last = number;
+    close(ends[0]);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "the child ended by itself with " << WEXITSTATUS(status);
+    const OpenedJournal opened = OpenOr(Path("a.db"));
+    const std::uint64_t first = opened.image.empty() ? 0 : kernel::RecordReader(opened.image).Bits();
+    for (std::size_t n = 0; n < opened.records.size(); ++n) {
+      ASSERT_EQ(kernel::RecordReader(opened.records[n]).Bits(), first + n);
+    }
+    ASSERT_GE(first + opened.records.size(), last == 0 ? 0 : last + 1);
+  }
+}
+
+}  // namespace
+}  // namespace soarbox::journal

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/backtrace.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+void Backtracer::Trace(Explanation& out, bool every_condition) {
+  out_ = &out;
+  every_condition_ = every_condition;
+  out.firings.clear();
+  out.grounds.clear();
+  out.links.clear();
+  out.superstate_links.clear();
+  out.item_tests.clear();
+  out.negations.clear();
+  out.operator_grounds.clear();
+  out.lowest_ground = 0;
+  out.quiescence = out.local_negation = out.long_term_memory = false;
+  out.drafts.Clear();
+  queue_.clear();
+  VisitFiring(out.base);
+  for (auto result = out.results.rbegin(); result != out.results.rend(); ++result) {
+    VisitFiring(engine_.memory.preference(*result).instantiation);
+  }
+  // The grounds of a firing are taken at once, what it rests on in the substate later: the last one first.
+  while (!queue_.empty()) {
+    const Open open = queue_.back();
+    queue_.pop_back();
+    if (open.firing != InstantiationId::kNone) {
+      VisitFiring(open.firing);
+    } else {
+      VisitItem(open.item);
+    }
+  }
+  // What was found last is tested first.
+  std::ranges::reverse(out.grounds);
+  std::ranges::reverse(out.negations);
+  engine_.chunker.mutable_statistics().backtraced += out.firings.size();
+}
+
+bool Backtracer::Mark(WmeId wme) {
+  const std::uint32_t index = Index(wme);
+  if (seen_wmes_.size() <= index) seen_wmes_.resize(index + 1u, 0);
+  return std::exchange(seen_wmes_[index], out_->trace_number) != out_->trace_number;
+}
+
+void Backtracer::VisitSelection(std::uint32_t selection) {
+  const std::size_t count = engine_.selections.preferences(selection).size();
+  const bool all = engine_.chunker.settings().add_selection_knowledge;
+  for (std::size_t n = 0; n < count; ++n) {
+    const PreferenceId p = engine_.selections.preferences(selection)[n];
+    if (!all && engine_.memory.preference(p).type != PreferenceType::kProhibit) continue;
+    const PreferenceId local = engine_.firing.CloneAtLevel(p, out_->level);
+    if (local != PreferenceId::kNone) VisitFiring(engine_.memory.preference(local).instantiation);
+  }
+}
+
+void Backtracer::VisitFiring(InstantiationId firing) {
+  Instantiation& instantiation = engine_.instantiations[firing];
+  if (std::exchange(instantiation.backtrace, out_->trace_number) == out_->trace_number) return;
+  out_->firings.push_back(firing);
+  if (instantiation.production == ProductionId::kNone &&
+      instantiation.justification == Instantiation::kNoJustification) {
+    out_->long_term_memory = true;
+  }
+  if (instantiation.selection != SelectionKnowledge::kNone) {
+    VisitSelection(instantiation.selection);
+  } else if (out_->level <= engine_.goals.depth()) {
+    // The proposal of the selected operator carries what selected it, as long as it is selected.
+    const std::uint32_t selection = engine_.selections.OfGoal(out_->level);
+    const WmeId selected = engine_.memory.slot(engine_.goals.at(out_->level).operator_slot).wmes;
+    if (selection != SelectionKnowledge::kNone && selected != WmeId::kNone) {
+      const PreferenceId proposal = engine_.memory.record(selected).preference;
+      if (proposal != PreferenceId::kNone && engine_.memory.preference(proposal).instantiation == firing) {
+        VisitSelection(selection);
+      }
+    }
+  }
+  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+  for (std::size_t n = 0; n < traces.size(); ++n) VisitCondition(firing, static_cast<std::uint16_t>(n), traces[n]);
+  CollectNegations(firing);
+}
+
+void Backtracer::AddGround(const Explanation::Ground& ground) {
+  const bool is_new = Mark(ground.wme);
+  if (!is_new && !every_condition_) return;
+  out_->grounds.push_back(ground);
+  if (!is_new) return;
+  const Wme& wme = engine_.memory.wme(ground.wme);
+  const GoalLevel goal = engine_.memory.goal_levels()[wme.id.index()];
+  if (goal == 0) return;
+  out_->lowest_ground = std::max(out_->lowest_ground, goal);
+  if (wme.attribute == words::kOperator && !wme.acceptable) out_->operator_grounds.push_back(ground.wme);
+}
+
+/// An item of an impasse rests on the proposal in the superstate.
+void Backtracer::VisitItem(WmeId item) {
+  const WmeId proposal = engine_.goal_changes.ProposalOfItem(item);
+  if (proposal != WmeId::kNone) AddGround({InstantiationId::kNone, 0, proposal, item});
+}
+
+inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace) {
+  const WorkingMemory& memory = engine_.memory;
+  const Wme& wme = memory.wme(trace.wme);
+  // An object may have become part of a higher state since.
+  if (memory.level(wme.id) < out_->level) {
+    AddGround({firing, condition, trace.wme, WmeId::kNone});
+    return;
+  }
+  if (trace.preference != PreferenceId::kNone) {
+    if (every_condition_) out_->links.push_back({firing, condition, trace.preference});
+    queue_.push_back({memory.preference(trace.preference).instantiation, WmeId::kNone});
+    return;
+  }
+  // Of the architecture: it came with the substate.
+  if (out_->level < 2 || out_->level > engine_.goals.depth() || wme.id != engine_.goals.at(out_->level).id) return;
+  if (wme.attribute == words::kQuiescence) {
+    out_->quiescence = true;
+  } else if (wme.attribute == words::kSuperstate) {
+    if (every_condition_) out_->superstate_links.push_back({firing, condition, PreferenceId::kNone});
+  } else if (engine_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
+    if (every_condition_) out_->item_tests.push_back({firing, condition, trace.wme});
+    if (Mark(trace.wme)) queue_.push_back({InstantiationId::kNone, trace.wme});
+  }
+}
+
+// Negated conditions --------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The value that the instantiation gave a variable, or the none symbol.
+Symbol ValueOfVariable(const Production& rule, Symbol variable, std::span<const ConditionTrace> traces,
+                       const WorkingMemory& memory) {
+  std::size_t positive = 0;
+  for (const Condition& condition : rule.conditions) {
+    if (condition.kind != ConditionKind::kPositive) continue;
+    if (positive >= traces.size()) break;
+    const Wme& wme = memory.wme(traces[positive++].wme);
+    const auto binds = [&](const Test& test) {
+      if (test.kind == TestKind::kEqual) return test.referent() == variable;
+      return std::ranges::any_of(
+          test.parts(), [&](const Test& part) { return part.kind == TestKind::kEqual && part.referent() == variable; });
+    };
+    if (binds(condition.id)) return wme.id;
+    if (binds(condition.attribute)) return wme.attribute;
+    if (binds(condition.value)) return wme.value;
+  }
+  return {};
+}
+
+void InstantiateTest(TestDraft& test, const Production& rule, std::span<const ConditionTrace> traces,
+                     const WorkingMemory& memory) {
+  if (test.referent.IsVariable()) {
+    const Symbol value = ValueOfVariable(rule, test.referent, traces, memory);
+    if (value) test.referent = value;
+  }
+  for (TestDraft& part : test.parts) InstantiateTest(part, rule, traces, memory);
+}
+
+void InstantiateCondition(ConditionDraft& condition, const Production& rule, std::span<const ConditionTrace> traces,
+                          const WorkingMemory& memory) {
+  InstantiateTest(condition.id, rule, traces, memory);
+  InstantiateTest(condition.attribute, rule, traces, memory);
+  InstantiateTest(condition.value, rule, traces, memory);
+  for (ConditionDraft& inner : condition.conditions) InstantiateCondition(inner, rule, traces, memory);
+}
+
+}  // namespace
+
+ConditionDraft InstantiateNegation(const Engine& engine, const Condition& condition, InstantiationId firing,
+                                   Arena& arena) {
+  ConditionDraft copy = ToDraft(condition, arena);
+  const Production& rule = *engine.rete.production(engine.instantiations[firing].production);
+  InstantiateCondition(copy, rule, engine.instantiations.Trace(firing), engine.memory);
+  return copy;
+}
+
+bool Backtracer::RefersToHigherOnly(const ConditionDraft& condition) const {
+  if (condition.kind == ConditionKind::kConjunctiveNegation) {
+    for (const ConditionDraft& inner : condition.conditions) {
+      if (!RefersToHigherOnly(inner)) return false;
+    }
+    return true;
+  }
+  const Symbol id = EqualitySymbol(condition.id);
+  return !id.IsIdentifier() || engine_.memory.level(id) < out_->level;
+}
+
+bool Backtracer::MayReferToHigherOnly(const Condition& condition, InstantiationId firing) const {
+  if (condition.kind == ConditionKind::kConjunctiveNegation) {
+    return std::ranges::all_of(condition.conditions(),
+                               [&](const Condition& inner) { return MayReferToHigherOnly(inner, firing); });
+  }
+  Symbol object = EqualitySymbol(condition.id);
+  if (object.IsVariable()) {
+    const Production& rule = *engine_.rete.production(engine_.instantiations[firing].production);
+    object = ValueOfVariable(rule, object, engine_.instantiations.Trace(firing), engine_.memory);
+  }
+  return !object.IsIdentifier() || engine_.memory.level(object) < out_->level;
+}
+
+void Backtracer::CollectNegations(InstantiationId firing) {
+  const Instantiation& instantiation = engine_.instantiations[firing];
+  if (instantiation.production == ProductionId::kNone) {
+    if (instantiation.justification == Instantiation::kNoJustification) return;
+    const ProductionPtr& known = engine_.justifier.record(instantiation.justification).negations;
+    if (known == nullptr) return;
+    for (const Condition& negation : known->conditions) {
+      const ConditionDraft copy = ToDraft(negation, out_->drafts);
+      if (RefersToHigherOnly(copy)) {
+        out_->negations.push_back({firing, nullptr, copy});
+      } else {
+        out_->local_negation = true;
+      }
+    }
+    return;
+  }
+  if (!engine_.productions[Index(instantiation.production)].Is(Engine::ProductionRecord::kHasNegations)) return;
+  const ProductionPtr& rule = engine_.rete.production(instantiation.production);
+  if (rule == nullptr) return;
+  for (const Condition& condition : rule->conditions) {
+    if (condition.kind == ConditionKind::kPositive) continue;
+    if (!MayReferToHigherOnly(condition, firing)) {
+      out_->local_negation = true;
+      continue;
+    }
+    const ConditionDraft literal = InstantiateNegation(engine_, condition, firing, out_->drafts);
+    if (!RefersToHigherOnly(literal)) {
+      out_->local_negation = true;
+      continue;
+    }
+    if (std::ranges::none_of(out_->negations,
+                             [&](const Explanation::Negation& known) { return known.literal == literal; })) {
+      out_->negations.push_back({firing, &condition, literal});
+    }
+  }
+}
+
+}  // namespace soarbox::kernel

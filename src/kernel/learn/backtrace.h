@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/learn/explanation.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+struct ConditionTrace;
+
+/// The second stage of learning: follows what the results rest on, condition by condition, from the firings that made
+/// them to elements of higher states.
+class Backtracer {
+ public:
+  explicit Backtracer(Engine& engine) : engine_(engine) {}
+
+  /// Fills in the explanation of its results. `every_condition`: one ground per condition, not one per element.
+  void Trace(Explanation& out, bool every_condition);
+  void Clear() { seen_wmes_.clear(); }
+
+ private:
+  void VisitFiring(InstantiationId firing);
+  void VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace);
+  /// What made the local operator that a firing tests, or that it proposed, better than the others.
+  void VisitSelection(std::uint32_t selection);
+  void VisitItem(WmeId item);
+  void AddGround(const Explanation::Ground& ground);
+  void CollectNegations(InstantiationId firing);
+  bool MayReferToHigherOnly(const Condition& condition, InstantiationId firing) const;
+  bool RefersToHigherOnly(const ConditionDraft& condition) const;
+  bool Mark(WmeId wme);
+
+  Engine& engine_;
+  Explanation* out_ = nullptr;
+  bool every_condition_ = false;
+  /// Still to be followed: a firing, or else an item of the impasse.
+  struct Open {
+    InstantiationId firing = InstantiationId::kNone;
+    WmeId item = WmeId::kNone;
+  };
+  std::vector<Open> queue_;
+  std::vector<std::uint32_t> seen_wmes_;
+};
+
+/// The literal condition that a negated condition of a rule was in a firing.
+ConditionDraft InstantiateNegation(const Engine& engine, const Condition& condition, InstantiationId firing,
+                                   Arena& arena);
+
+}  // namespace soarbox::kernel

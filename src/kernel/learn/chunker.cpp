@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/chunker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+Chunker::Chunker(Engine& engine)
+    : engine_(engine),
+      singletons_(engine),
+      reader_(engine),
+      results_(engine),
+      backtracer_(engine),
+      analysis_(engine, reader_),
+      builder_(engine, reader_, analysis_),
+      log_(engine, reader_, analysis_, builder_) {}
+
+Chunker::~Chunker() = default;
+
+void Chunker::ModeChanged() {
+  // Until now nobody told of the elements that came.
+  if (settings_.automatic_singletons || notes_elements_) singletons_.NoteAll();
+  notes_elements_ = settings_.learning() && settings_.automatic_singletons;
+}
+
+void Chunker::SetLearning(Symbol state, bool learn) {
+  std::vector<Symbol>& states = learn ? force_learn_ : dont_learn_;
+  if (std::ranges::find(states, state) == states.end()) states.push_back(state);
+}
+
+void Chunker::GoalRemoved(Symbol state) {
+  std::erase(dont_learn_, state);
+  std::erase(force_learn_, state);
+}
+
+void Chunker::Clear() {
+  dont_learn_.clear();
+  force_learn_.clear();
+  results_.Clear();
+  backtracer_.Clear();
+  reader_.Clear();
+  log_.Clear();
+  explanation_.trace_number = 0;
+  cycle_ = ~std::uint64_t{0};
+  next_identity_ = 1;
+}
+
+// Identities ----------------------------------------------------------------------------------------------------------
+
+void Chunker::NoteSubstate(GoalLevel level) {
+  if (!settings_.learning()) return;
+  engine_.goals.at(level).has_identities = true;
+  if (level == 2) next_identity_ = 1;
+  if (substate_identity_.size() <= level) substate_identity_.resize(level + 1u, 0);
+  substate_identity_[level] = next_identity_;
+  next_identity_ += 2;  // Of the state and its superstate.
+  statistics_.identities_created += 2;
+}
+
+std::uint32_t Chunker::NumberOfSpecial(IdentityGraph::Key key) const {
+  if (!FiringReader::IsSuperstateLink(key)) return 0;
+  const std::uint32_t level = key.place / 2u;
+  return level < substate_identity_.size() ? substate_identity_[level] + key.place % 2u : 0;
+}
+
+void Chunker::NoteFiring(InstantiationId id) {
+  Instantiation& instantiation = engine_.instantiations[id];
+  instantiation.has_identities = true;
+  instantiation.first_identity = next_identity_;
+  const IdentityPlan& plan = reader_.Plan(id);
+  std::uint32_t created = 0, from_superstate = 0;
+  for (const std::uint16_t place : plan.first) {
+    switch (reader_.SourceOf(id, place)) {
+      case FiringReader::Source::kOwn:
+      case FiringReader::Source::kArchitecture:
+        ++created;
+        break;
+      case FiringReader::Source::kSuperstate:
+        if (place % 3u == static_cast<std::uint16_t>(Field::kValue)) ++from_superstate;
+        break;
+      case FiringReader::Source::kMaker:
+      case FiringReader::Source::kItem:
+        break;
+    }
+  }
+  for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
+    const std::uint16_t identity_class = plan.of_field[place];
+    if (identity_class == IdentityPlan::kLiteral || plan.first[identity_class] == place) continue;
+    if (reader_.SourceOf(id, static_cast<std::uint16_t>(place)) == FiringReader::Source::kMaker) {
+      ++statistics_.identities_blocked;
+    }
+  }
+  const Production* const rule = reader_.Rule(id);
+  if (rule != nullptr) created += static_cast<std::uint32_t>(rule->new_identifiers.size());
+  statistics_.identities_created += created;
+  statistics_.identities_propagated += created + from_superstate;
+  next_identity_ += created;
+  reader_.EndAnalysis();
+}
+
+void Chunker::NoteSelection(InstantiationId id) {
+  Instantiation& instantiation = engine_.instantiations[id];
+  const std::uint32_t selection = engine_.selections.OfGoal(instantiation.level);
+  if (selection == SelectionKnowledge::kNone || instantiation.selection != SelectionKnowledge::kNone) return;
+  const Symbol goal = engine_.goals.at(instantiation.level).id;
+  for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
+    const Wme& wme = engine_.memory.wme(trace.wme);
+    if (wme.id != goal || wme.attribute != words::kOperator || wme.acceptable) continue;
+    instantiation.selection = selection;
+    engine_.selections.AddReference(selection);
+    return;
+  }
+}
+
+// What becomes of a firing --------------------------------------------------------------------------------------------
+
+void Chunker::BeginCycle() {
+  if (cycle_ == engine_.counters.decision_cycles) return;
+  cycle_ = engine_.counters.decision_cycles;
+  rules_in_cycle_ = justifications_in_cycle_ = 0;
+}
+
+void Chunker::Consider(InstantiationId id) {
+  BeginCycle();
+  for (InstantiationId current = id; engine_.instantiations[current].level > 1;) {
+    if (settings_.learning() && rules_in_cycle_ >= settings_.max_chunks) {
+      ++statistics_.over_max_chunks;
+      return;
+    }
+    explanation_.level = engine_.instantiations[current].level;
+    explanation_.base = current;
+    ++explanation_.trace_number;
+    if (!results_.Collect(current, explanation_)) return;
+    if (engine_.justifier.HasTooManyDuplicates(current, settings_.max_duplicates)) {
+      ++statistics_.over_max_duplicates;
+      engine_.Warn(WarningKind::kMaxDuplicates, engine_.DescribeInstantiation(current).name);
+      return;
+    }
+    current = Learn(current);
+    reader_.EndAnalysis();
+    if (current == InstantiationId::kNone) return;
+  }
+}
+
+bool Chunker::MayLearn() const {
+  const Symbol state = engine_.instantiations[explanation_.base].goal;
+  const auto named = [&](const std::vector<Symbol>& states) {
+    return std::ranges::find(states, state) != states.end();
+  };
+  switch (settings_.mode) {
+    case LearnMode::kNever:
+      return false;
+    case LearnMode::kAlways:
+      break;
+    case LearnMode::kOnly:
+      if (!named(force_learn_)) return false;
+      break;
+    case LearnMode::kExcept:
+      if (named(dont_learn_)) return false;
+      break;
+  }
+  if (settings_.bottom_only && explanation_.level < engine_.goals.depth()) return false;
+  if (explanation_.local_negation && !settings_.allow_local_negations) return false;
+  if (explanation_.long_term_memory && !settings_.allow_opaque) return false;
+  return !explanation_.quiescence;
+}
+
+InstantiationId Chunker::Learn(InstantiationId base) {
+  const bool learning = settings_.learning();
+  ++statistics_.analyzed;
+  backtracer_.Trace(explanation_, learning);
+  GoalLevel goal_level = explanation_.lowest_ground;
+  if (goal_level == 0) {
+    if (explanation_.grounds.empty()) {
+      ++statistics_.without_grounds;
+      engine_.Warn(WarningKind::kUnconditional, engine_.DescribeInstantiation(base).name);
+      return InstantiationId::kNone;
+    }
+    goal_level = static_cast<GoalLevel>(explanation_.level - 1);
+  }
+  if (learning) {
+    const bool explain = log_.WantsChunkOf(base) || log_.justifications;
+    analysis_.Analyze(explanation_, explain);
+    if (explanation_.quiescence) ++statistics_.tested_quiescence;
+    bool failed = false;
+    if (MayLearn()) {
+      const InstantiationId made = BuildChunk(base, goal_level, failed);
+      if (!failed) return made;
+    }
+    Justifier::Making making;
+    making.name = NewName(base, false, !failed);
+    making.origin = OriginOf(base);
+    analysis_.LiteralizeResults(explanation_);
+    making.plan = std::make_unique<IdentityPlan>(builder_.PlanOfJustification(explanation_));
+    making.tests = builder_.TestsOfJustification(explanation_);
+    if (explanation_.local_negation) ++statistics_.justifications_with_local_negation;
+    if (explanation_.long_term_memory) ++statistics_.justifications_with_long_term_memory;
+    ++statistics_.justifications;
+    if (log_.justifications && (log_.all || log_.WantsChunkOf(base))) {
+      log_.Add(explanation_, making.name, nullptr, false);
+    }
+    return engine_.justifier.Build(explanation_, goal_level, std::move(making));
+  }
+  return engine_.justifier.Build(explanation_, goal_level, {});
+}
+
+// Names ---------------------------------------------------------------------------------------------------------------
+
+Chunker::Origin Chunker::OriginOf(InstantiationId firing) const {
+  const Instantiation& instantiation = engine_.instantiations[firing];
+  if (instantiation.justification != Instantiation::kNoJustification) {
+    const Justifier::Record& record = engine_.justifier.record(instantiation.justification);
+    return {record.base, record.depth};
+  }
+  const auto found = learned_.find(instantiation.production);
+  if (found != learned_.end()) return found->second;
+  return {std::string(engine_.ProductionName(firing)), 0};
+}
+
+std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
+  const std::string kind = is_chunk ? "chunk" : "justify";
+  std::uint32_t& count = is_chunk ? rules_in_cycle_ : justifications_in_cycle_;
+  if (counts) ++count;
+  if (settings_.numbered_names) {
+    for (;;) {
+      const std::string name = kind + std::to_string(engine_.justifier.TakeNumber());
+      if (engine_.agent.FindProduction(name) == ProductionId::kNone) return name;
+    }
+  }
+  const Origin origin = OriginOf(base);
+  std::string name = kind;
+  if (origin.depth > 0) name += "x" + std::to_string(origin.depth + 1);
+  name += "*" + origin.base;
+  // The impasse above the one in which the rule matched.
+  const GoalLevel level = engine_.instantiations[base].level;
+  if (level > 2) {
+    switch (engine_.goals.at(static_cast<GoalLevel>(level - 1)).impasse) {
+      case ImpasseType::kConstraintFailure:
+        name += "*Failure";
+        break;
+      case ImpasseType::kConflict:
+        name += "*Conflict";
+        break;
+      case ImpasseType::kTie:
+        name += "*Tie";
+        break;
+      case ImpasseType::kNoChange:
+        name += "*OpNoChange";
+        break;
+      case ImpasseType::kNone:
+        break;
+    }
+  }
+  name += "*t";
+  if (engine_.counters.inits > 0) name += std::to_string(engine_.counters.inits + 1) + "-";
+  name += std::to_string(engine_.counters.decision_cycles + 1) + "-" + std::to_string(count);
+  std::string unique = name;
+  for (int number = 2; engine_.agent.FindProduction(unique) != ProductionId::kNone; ++number) {
+    unique = name + "-" + std::to_string(number);
+  }
+  return unique;
+}
+
+void Chunker::Tell(const std::string& name) {
+  engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearning(engine_.agent, name); });
+}
+
+void Chunker::Interrupt(const std::string& reason) {
+  engine_.run.InterruptAfterPhase(reason);
+}
+
+// A learned rule ------------------------------------------------------------------------------------------------------
+
+InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed) {
+  const std::string name = NewName(base, true, true);
+  Tell(name);
+  const RuleBuilder::Outcome outcome = builder_.Build(explanation_, name, goal_level);
+  if (outcome == RuleBuilder::Outcome::kFailed) {
+    failed = true;
+    --rules_in_cycle_;
+    ++statistics_.unrepairable;
+    if (settings_.warning_interrupt) {
+      Interrupt("Chunking issue detected. Soar could not repair a rule with ungrounded conditions or actions.");
+    }
+    return InstantiationId::kNone;
+  }
+  if (outcome == RuleBuilder::Outcome::kRepaired) {
+    ++statistics_.repaired;
+    if (settings_.warning_interrupt) {
+      Interrupt(
+          "Chunking issue detected. Soar has learned a rule with with ungrounded condition(s). Repair required.\n"
+          "   This is likely caused by a condition that tested a working memory element \n"
+          "   that was created in the sub-state but later became connected to the \n"
+          "   super-state because it was a child of an identifier that was an element\n"
+          "   of a previous result in that same sub-state.");
+    }
+  }
+  return Enter(base, outcome == RuleBuilder::Outcome::kRepaired);
+}
+
+InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
+  const ProductionPtr& rule = builder_.rule();
+  const std::span<const GoalLevel> goal_levels = engine_.memory.goal_levels();
+  GoalLevel goal_level = 0;
+  for (const WmeId wme : builder_.elements()) {
+    goal_level = std::max(goal_level, goal_levels[engine_.memory.wme(wme).id.index()]);
+  }
+  if (goal_level == 0) goal_level = static_cast<GoalLevel>(explanation_.level - 1);
+  const InstantiationId id = engine_.instantiations.Make();
+  Rete::AddOptions options;
+  options.ignore_rl_value = engine_.settings.ignore_numbers_of_duplicates;
+  options.refracted = builder_.elements();
+  options.instantiation = id;
+  const Rete::Added added = engine_.rete.AddProduction(rule, engine_.goal_view(), options);
+  if (added.result == Rete::AddResult::kDuplicate) {
+    engine_.instantiations.Free(id);
+    ++statistics_.duplicates;
+    const std::string original(engine_.rete.production(added.production)->name);
+    engine_.observers.Notify(Event::kLearning,
+                             [&](Observer& o) { o.OnDuplicateLearned(engine_.agent, rule->name, original); });
+    engine_.justifier.CountDuplicate(base);
+    // What nothing holds yet goes: these firings leave no preferences, the known rule fires by itself.
+    for (const PreferenceId result : explanation_.results) engine_.preferences.FreeIfUnused(result);
+    log_.CountDuplicate(original);
+    return InstantiationId::kNone;
+  }
+  const bool explained = log_.WantsChunkOf(base);
+  if (explained) {
+    log_.Add(explanation_, rule->name, rule, repaired);
+    // What is learned from it in turn is of interest, too.
+    if (!log_.all) log_.watched_learned.emplace_back(rule->name);
+  }
+  engine_.agent.NoteAdded(added.production, rule);
+  ++statistics_.chunks;
+  ++engine_.counters.chunks;
+  if (explanation_.local_negation || builder_.has_local_negation()) ++statistics_.chunks_with_local_negation;
+  if (explanation_.long_term_memory) ++statistics_.chunks_with_long_term_memory;
+  {
+    Origin origin = OriginOf(base);
+    ++origin.depth;
+    learned_[added.production] = std::move(origin);
+  }
+  {
+    Instantiation& instantiation = engine_.instantiations[id];
+    instantiation.production = added.production;
+    instantiation.match = added.refracted;
+    instantiation.goal = engine_.goals.at(goal_level).id;
+    instantiation.level = goal_level;
+    instantiation.held = true;
+    instantiation.has_identities = true;
+  }
+  engine_.rete.matches().HoldRule(added.production);
+  if (added.refracted == MatchId::kNone) ++statistics_.did_not_match;
+  results_.Check(explanation_);
+  if (goal_level > 1) {
+    engine_.firing.TraceConditions(id, builder_.elements());
+    NoteFiring(id);
+  }
+  if (engine_.observers.Wants(Event::kLearning)) {
+    const FiringInfo info = engine_.DescribeInstantiation(id);
+    engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(engine_.agent, info); });
+  }
+  // The learned rule's own instance holds its results by o-support if they apply or elaborate an operator above.
+  const Symbol goal = engine_.goals.at(goal_level).id;
+  const bool o_support = !engine_.justifier.Proposes(base) &&
+                         std::ranges::any_of(explanation_.operator_grounds,
+                                             [&](WmeId ground) { return engine_.memory.wme(ground).id == goal; });
+  engine_.instantiations[id].o_support = o_support;
+  engine_.justifier.MakeClones(explanation_, id, builder_.action_of_result(), o_support);
+  engine_.preferences.LinkToGoal(id);
+  engine_.firing.made().push_back(id);
+  if (settings_.interrupt) {
+    Interrupt("Soar learned a new rule.");
+  } else if (explained && settings_.explain_interrupt) {
+    Interrupt("Soar learned a new rule from a watched production.");
+  }
+  return id;
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/learn/backtrace.h"
+#include "kernel/learn/explanation.h"
+#include "kernel/learn/explanation_log.h"
+#include "kernel/learn/firing_reader.h"
+#include "kernel/learn/identity_analysis.h"
+#include "kernel/learn/learn_settings.h"
+#include "kernel/learn/results.h"
+#include "kernel/learn/rule_builder.h"
+#include "kernel/learn/singletons.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Explanation-based chunking: a rule that fired in a substate and gave something to a higher state is explained, and
+/// the explanation becomes a rule that does in one step what the substate did. Where that is not wanted or not right,
+/// and always while learning is off, the result gets a justification instead (justification.h), which holds it.
+///
+/// The stages, each with a file of its own: results, backtrace, identity_analysis, rule_builder (conditions, actions,
+/// repair), and entering the rule here.
+class Chunker {
+ public:
+  explicit Chunker(Engine& engine);
+  ~Chunker();
+
+  const LearnSettings& settings() const { return settings_; }
+  /// For `chunk`. Call ModeChanged after `mode` or `automatic_singletons` changed.
+  LearnSettings& mutable_settings() { return settings_; }
+  void ModeChanged();
+  const LearnStatistics& statistics() const { return statistics_; }
+  LearnStatistics& mutable_statistics() { return statistics_; }
+  Singletons& singletons() { return singletons_; }
+  const Singletons& singletons() const { return singletons_; }
+
+  /// Called for each instantiation of a substate right after it fired; goes on upwards as long as there are results.
+  [[gnu::noinline]] void Consider(InstantiationId id);
+  /// A rule fired in a substate, and learning is on: its identities begin.
+  [[gnu::noinline]] void NoteFiring(InstantiationId id);
+  /// The same for a rule that tests the selected operator of its substate.
+  [[gnu::noinline]] void NoteSelection(InstantiationId id);
+  /// The number of an identity that is no rule's: the name of a substate or of its superstate.
+  std::uint32_t NumberOfSpecial(IdentityGraph::Key key) const;
+  /// A substate was made.
+  void NoteSubstate(GoalLevel level);
+  /// An element came into working memory; for singletons.
+  void NoteElement(Symbol attribute) {
+    if (notes_elements_) singletons_.Note(attribute);
+  }
+  std::uint32_t identities_created() const { return next_identity_ - 1; }
+  ExplanationLog& explanations() { return log_; }
+  const ExplanationLog& explanations() const { return log_; }
+  /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
+  void SetLearning(Symbol state, bool learn);
+  std::vector<Symbol> forced_states() const { return force_learn_; }
+  std::vector<Symbol> excluded_states() const { return dont_learn_; }
+  void GoalRemoved(Symbol state);
+  /// A learned rule leaves.
+  void RuleExcised(ProductionId rule) { learned_.erase(rule); }
+  /// What a learned rule was learned from: the name of the first rule, and how often rules were learned from rules.
+  struct Origin {
+    std::string base;
+    std::uint32_t depth = 0;
+  };
+  Origin OriginOf(InstantiationId firing) const;
+  void Clear();
+
+ private:
+  InstantiationId Learn(InstantiationId base);
+  /// True if a rule may be learned from the explanation.
+  bool MayLearn() const;
+  InstantiationId BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed);
+  InstantiationId Enter(InstantiationId base, bool repaired);
+  /// `counts`: it is one more of its kind in this cycle.
+  std::string NewName(InstantiationId base, bool is_chunk, bool counts);
+  void Tell(const std::string& name);
+  void BeginCycle();
+  void Interrupt(const std::string& reason);
+
+  Engine& engine_;
+  LearnSettings settings_;
+  LearnStatistics statistics_;
+  Singletons singletons_;
+  FiringReader reader_;
+  ResultCollector results_;
+  Backtracer backtracer_;
+  IdentityAnalysis analysis_;
+  RuleBuilder builder_;
+  ExplanationLog log_;
+  Explanation explanation_;
+  std::vector<Symbol> dont_learn_, force_learn_;
+  bool notes_elements_ = false;
+  std::uint32_t next_identity_ = 1;
+  std::vector<std::uint32_t>
+      substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
+  std::uint64_t cycle_ = ~std::uint64_t{0};
+  std::uint32_t rules_in_cycle_ = 0, justifications_in_cycle_ = 0;
+  std::unordered_map<ProductionId, Origin> learned_;
+};
+
+}  // namespace soarbox::kernel

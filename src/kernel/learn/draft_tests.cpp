@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/draft_tests.h"
+
+#include <algorithm>
+
+namespace soarbox::kernel {
+
+const Condition& PositiveCondition(const Production& rule, std::size_t number) {
+  const Condition* found = nullptr;
+  for (const Condition& condition : rule.conditions) {
+    if (condition.kind != ConditionKind::kPositive) continue;
+    found = &condition;
+    if (number-- == 0) break;
+  }
+  return *found;
+}
+
+Symbol ValueOfClass(const Engine& engine, const IdentityPlan& plan, InstantiationId firing,
+                    std::uint16_t identity_class) {
+  const std::uint16_t place = plan.first[identity_class];
+  const ConditionTrace& trace = engine.instantiations.Trace(firing)[place / 3u];
+  return FieldOf(engine.memory.wme(trace.wme), static_cast<Field>(place % 3u));
+}
+
+namespace {
+
+void MakeConjunction(TestDraft& test, Arena& arena) {
+  if (test.kind == TestKind::kConjunction) return;
+  TestDraft* const single = arena.New(test);
+  test = MakeTest(TestKind::kConjunction);
+  test.parts.Add(single);
+}
+
+}  // namespace
+
+void AppendPart(TestDraft& test, TestDraft* part, Arena& arena) {
+  MakeConjunction(test, arena);
+  test.parts.Add(part);
+}
+
+void PrependPart(TestDraft& test, TestDraft* part, Arena& arena) {
+  MakeConjunction(test, arena);
+  part->next = test.parts.first;
+  test.parts.first = part;
+}
+
+std::uint32_t UniteTests(TestDraft& kept, TestDraft& other, Arena& arena) {
+  std::uint32_t merged = 0;
+  if (other.kind != TestKind::kConjunction) return merged;
+  for (TestDraft* part = other.parts.first; part != nullptr;) {
+    TestDraft* const next = part->next;
+    bool known = part->kind == TestKind::kEqual;
+    for (TestDraft& mine : kept.parts) {
+      if (known) break;
+      if (mine == *part) {
+        known = true;
+      } else if (mine.kind == TestKind::kDisjunction && part->kind == TestKind::kDisjunction) {
+        Symbol* const common = arena.NewArray<Symbol>(mine.disjunct_count);
+        std::uint32_t count = 0;
+        for (std::uint32_t n = 0; n < mine.disjunct_count; ++n) {
+          if (std::find(part->disjuncts, part->disjuncts + part->disjunct_count, mine.disjuncts[n]) !=
+              part->disjuncts + part->disjunct_count) {
+            common[count++] = mine.disjuncts[n];
+          }
+        }
+        mine.disjuncts = common;
+        mine.disjunct_count = count;
+        known = true;
+        ++merged;
+      }
+    }
+    if (!known) AppendPart(kept, part, arena);
+    part = next;
+  }
+  return merged;
+}
+
+}  // namespace soarbox::kernel

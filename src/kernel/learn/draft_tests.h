@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/arena.h"
+#include "kernel/decide/engine.h"
+#include "kernel/learn/identity_plan.h"
+#include "kernel/rules/draft.h"
+#include "kernel/rules/production.h"
+
+/// Small tools for reading the tests of rules and putting together those of learned ones.
+namespace soarbox::kernel {
+
+/// Calls visit(part) for each single test of a field.
+template <typename Visit>
+void ForEachTest(const Test& test, Visit&& visit) {
+  if (test.kind != TestKind::kConjunction) {
+    visit(test);
+    return;
+  }
+  for (const Test& part : test.parts()) visit(part);
+}
+
+/// True for tests that ask for more than which value it is: comparisons, types, lists of values, long-term links.
+constexpr bool IsCarried(TestKind kind) {
+  return kind != TestKind::kBlank && kind != TestKind::kEqual && kind != TestKind::kConjunction &&
+         kind != TestKind::kState && kind != TestKind::kImpasse;
+}
+
+/// The test with its sides exchanged.
+constexpr TestKind TurnedRound(TestKind kind) {
+  switch (kind) {
+    case TestKind::kLess:
+      return TestKind::kGreater;
+    case TestKind::kGreater:
+      return TestKind::kLess;
+    case TestKind::kLessOrEqual:
+      return TestKind::kGreaterOrEqual;
+    case TestKind::kGreaterOrEqual:
+      return TestKind::kLessOrEqual;
+    default:
+      return kind;
+  }
+}
+
+inline bool Contains(const std::vector<Symbol>& symbols, Symbol symbol) {
+  return std::ranges::find(symbols, symbol) != symbols.end();
+}
+const Condition& PositiveCondition(const Production& rule, std::size_t number);
+/// What a class of a firing's conditions was.
+Symbol ValueOfClass(const Engine& engine, const IdentityPlan& plan, InstantiationId firing,
+                    std::uint16_t identity_class);
+void AppendPart(TestDraft& test, TestDraft* part, Arena& arena);
+void PrependPart(TestDraft& test, TestDraft* part, Arena& arena);
+/// Adds the tests of `other` to those of `kept`, which tests the same value; how many lists of values became one.
+std::uint32_t UniteTests(TestDraft& kept, TestDraft& other, Arena& arena);
+
+}  // namespace soarbox::kernel

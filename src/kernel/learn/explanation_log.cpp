@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/explanation_log.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/learn/draft_tests.h"
+#include "kernel/rules/print_production.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+constexpr Field kAllFields[] = {Field::kId, Field::kAttribute, Field::kValue};
+
+const Test& TestOf(const Condition& condition, Field field) {
+  return field == Field::kId ? condition.id : field == Field::kAttribute ? condition.attribute : condition.value;
+}
+
+std::string_view SignOf(TestKind kind) {
+  switch (kind) {
+    case TestKind::kNotEqual:
+      return "<> ";
+    case TestKind::kLess:
+      return "< ";
+    case TestKind::kGreater:
+      return "> ";
+    case TestKind::kLessOrEqual:
+      return "<= ";
+    case TestKind::kGreaterOrEqual:
+      return ">= ";
+    case TestKind::kSameType:
+      return "<=> ";
+    case TestKind::kSameLti:
+      return "@ ";
+    case TestKind::kNotSameLti:
+      return "!@ ";
+    default:
+      return "";
+  }
+}
+
+/// { part part } if there are several.
+std::string Joined(const std::vector<std::string>& parts) {
+  if (parts.size() == 1) return parts.front();
+  std::string text = "{";
+  for (const std::string& part : parts) text += " " + part;
+  return text + " }";
+}
+
+/// "i 3 (rule)" of the shortest way from each firing to one that made a result.
+class ShortestPaths {
+ public:
+  ShortestPaths(const Engine& engine, const Explanation& explanation) : engine_(engine) {
+    std::vector<InstantiationId> wave;
+    const auto begin = [&](InstantiationId firing) {
+      if (next_.try_emplace(SerialOf(firing), 0).second) wave.push_back(firing);
+    };
+    begin(explanation.base);
+    for (const PreferenceId result : explanation.results) begin(engine.memory.preference(result).instantiation);
+    while (!wave.empty()) {
+      std::vector<InstantiationId> following;
+      for (const InstantiationId firing : wave) {
+        for (const Explanation::Link& link : explanation.links) {
+          if (link.firing != firing) continue;
+          const InstantiationId maker = engine.memory.preference(link.maker).instantiation;
+          if (next_.try_emplace(SerialOf(maker), SerialOf(firing)).second) following.push_back(maker);
+        }
+      }
+      wave = std::move(following);
+    }
+  }
+  std::vector<std::uint32_t> From(InstantiationId firing) const {
+    std::vector<std::uint32_t> path;
+    for (std::uint32_t serial = SerialOf(firing); serial != 0;) {
+      path.push_back(serial);
+      const auto found = next_.find(serial);
+      serial = found == next_.end() ? 0 : found->second;
+    }
+    return path;
+  }
+
+ private:
+  std::uint32_t SerialOf(InstantiationId firing) const { return engine_.instantiations[firing].serial; }
+  const Engine& engine_;
+  std::map<std::uint32_t, std::uint32_t> next_;
+};
+
+}  // namespace
+
+void ExplanationLog::Clear() {
+  rules_.clear();
+  watched_learned.clear();
+}
+
+bool ExplanationLog::WantsChunkOf(InstantiationId base) const {
+  if (all) return true;
+  const Production* const rule = reader_.Rule(base);
+  if (rule == nullptr) return false;
+  return rule->explain || std::ranges::find(watched, rule->name) != watched.end() ||
+         std::ranges::find(watched_learned, rule->name) != watched_learned.end();
+}
+
+std::string ExplanationLog::Name(Symbol symbol) const {
+  return symbol ? ToString(engine_.symbols, symbol) : std::string("<?>");
+}
+
+/// A constant stands for itself.
+std::string ExplanationLog::NumberOfVariable(Symbol symbol) const {
+  const auto found = number_of_variable_.find(symbol.bits());
+  return found == number_of_variable_.end() ? Name(symbol) : "[" + std::to_string(found->second) + "]";
+}
+
+std::string ExplanationLog::Number(IdentityGraph::Node node) {
+  return "[" + std::to_string(analysis_.NumberOf(node)) + "]";
+}
+
+ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value, InstantiationId firing,
+                                                  std::size_t condition, Field field) {
+  ExplainedRule::Field out;
+  out.value = Name(value);
+  const IdentityGraph::Node node = analysis_.OfField(firing, condition, field);
+  const std::string own = node == IdentityGraph::kNone ? out.value : Number(node);
+  if (node != IdentityGraph::kNone) out.number = analysis_.NumberOf(node);
+  if (test == nullptr) {
+    out.text = out.value;
+    out.identity = own;
+    return out;
+  }
+  std::vector<std::string> texts, identities, values;
+  ForEachTest(*test, [&](const Test& part) {
+    if (part.kind == TestKind::kState) texts.emplace_back("state");
+    if (!IsCarried(part.kind)) return;
+    if (part.kind == TestKind::kDisjunction) {
+      std::string text = "<<";
+      for (const Symbol symbol : part.disjuncts()) text += " " + Name(symbol);
+      text += " >>";
+      texts.push_back(text);
+      identities.push_back(text);
+      values.push_back(text);
+      return;
+    }
+    const std::string sign(SignOf(part.kind));
+    texts.push_back(sign + Name(part.referent()));
+    std::string referent = Name(part.referent()), of = referent;
+    if (part.referent().IsVariable()) {
+      const std::uint16_t bound = reader_.Plan(firing).ClassOf(part.referent());
+      const IdentityGraph::Node other = analysis_.OfClass(firing, bound);
+      if (other != IdentityGraph::kNone) of = Number(other);
+      if (bound != IdentityPlan::kLiteral) referent = Name(ValueOfClass(engine_, reader_.Plan(firing), firing, bound));
+    }
+    identities.push_back(sign + of);
+    values.push_back(sign + referent);
+  });
+  const Symbol equal = EqualitySymbol(*test);
+  texts.push_back(equal ? Name(equal) : std::string("<?>"));
+  identities.push_back(own);
+  values.push_back(out.value);
+  out.text = Joined(texts);
+  out.identity = Joined(identities);
+  out.value = Joined(values);
+  return out;
+}
+
+ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id) {
+  const Preference& preference = engine_.memory.preference(id);
+  const Production* const rule = reader_.Rule(preference.instantiation);
+  ExplainedRule::Action out;
+  out.type = preference.type;
+  const auto describe = [&](FiringReader::Part part, Symbol symbol, const RhsValue* term) {
+    ExplainedRule::Field field;
+    if (!symbol) return field;
+    field.value = Name(symbol);
+    const IdentityGraph::Node node = analysis_.OfTerm(reader_.TermOf(id, part), preference.instantiation);
+    if (node != IdentityGraph::kNone) field.number = analysis_.NumberOf(node);
+    field.identity = node == IdentityGraph::kNone ? "[" + field.value + "]" : Number(node);
+    field.text = field.value;
+    if (term != nullptr) {
+      field.text.clear();
+      AppendRhsValue(field.text, engine_.symbols, *term);
+    }
+    return field;
+  };
+  const Action* const action =
+      rule != nullptr && preference.action < rule->actions.size() ? &rule->actions[preference.action] : nullptr;
+  using Part = FiringReader::Part;
+  out.id = describe(Part::kId, preference.id, action ? &action->id : nullptr);
+  out.attribute = describe(Part::kAttribute, preference.attribute, action ? &action->attribute : nullptr);
+  out.value = describe(Part::kValue, preference.value, action ? &action->value : nullptr);
+  out.referent = describe(Part::kReferent, preference.referent, action ? &action->referent : nullptr);
+  return out;
+}
+
+ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explanation& explanation) {
+  const Instantiation& instantiation = engine_.instantiations[id];
+  const Production* const rule = reader_.Rule(id);
+  ExplainedRule::Firing out;
+  out.serial = instantiation.serial;
+  out.rule = engine_.ProductionName(id);
+  out.level = instantiation.level;
+  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(id);
+  for (std::size_t n = 0; n < traces.size(); ++n) {
+    const Wme& wme = engine_.memory.wme(traces[n].wme);
+    const Condition* const source = rule != nullptr ? &PositiveCondition(*rule, n) : nullptr;
+    ExplainedRule::Condition condition;
+    condition.acceptable = wme.acceptable;
+    condition.operational = engine_.memory.level(wme.id) < explanation.level;
+    for (const Field field : kAllFields) {
+      ExplainedRule::Field& part = field == Field::kId          ? condition.id
+                                   : field == Field::kAttribute ? condition.attribute
+                                                                : condition.value;
+      part = DescribeTest(source != nullptr ? &TestOf(*source, field) : nullptr, FieldOf(wme, field), id, n, field);
+    }
+    if (source != nullptr) {
+      ForEachTest(source->id, [&](const Test& part) { condition.tests_state |= part.kind == TestKind::kState; });
+    }
+    if (!condition.operational && traces[n].preference != PreferenceId::kNone) {
+      const InstantiationId maker = engine_.memory.preference(traces[n].preference).instantiation;
+      condition.creator = engine_.instantiations[maker].serial;
+      condition.creator_rule = engine_.ProductionName(maker);
+    }
+    out.conditions.push_back(std::move(condition));
+  }
+  if (rule != nullptr) {
+    for (const Condition& source : rule->conditions) {
+      if (source.kind == ConditionKind::kPositive) continue;
+      ExplainedRule::Condition condition;
+      condition.negated = true;
+      AppendCondition(condition.id.text, engine_.symbols, source);
+      out.conditions.push_back(std::move(condition));
+    }
+  }
+  for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
+       p = engine_.memory.preference(p).next_of_instantiation) {
+    out.actions.push_back(DescribeAction(p));
+    out.made_result |= std::ranges::find(explanation.results, p) != explanation.results.end();
+  }
+  std::ranges::reverse(out.actions);
+  return out;
+}
+
+/// The conditions and actions of the learned rule beside the identities that they came from.
+void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& explanation) {
+  const ShortestPaths paths(engine_, explanation);
+  const auto describe = [&](std::uint32_t index, const Condition* learned) {
+    ExplainedRule::Condition condition;
+    const bool known = index < explanation.grounds.size();
+    const Explanation::Ground ground = known ? explanation.grounds[index] : Explanation::Ground{};
+    if (known && ground.firing != InstantiationId::kNone) {
+      const Production* const rule = reader_.Rule(ground.firing);
+      const Condition* const source = rule != nullptr ? &PositiveCondition(*rule, ground.condition) : nullptr;
+      const Wme& wme = engine_.memory.wme(ground.wme);
+      for (const Field field : kAllFields) {
+        ExplainedRule::Field& part = field == Field::kId          ? condition.id
+                                     : field == Field::kAttribute ? condition.attribute
+                                                                  : condition.value;
+        part = DescribeTest(source != nullptr ? &TestOf(*source, field) : nullptr, FieldOf(wme, field), ground.firing,
+                            ground.condition, field);
+        // Constants of the rule, and what learning found to be constant.
+        if (learned != nullptr && !EqualitySymbol(TestOf(*learned, field)).IsVariable()) {
+          part.identity = Name(FieldOf(wme, field));
+          part.number = 0;
+        }
+        if (learned == nullptr) {
+          std::vector<std::string> texts;
+          if (source != nullptr) {
+            ForEachTest(TestOf(*source, field), [&](const Test& test) {
+              if (test.kind != TestKind::kDisjunction && IsCarried(test.kind) && !test.referent().IsVariable()) {
+                texts.push_back(std::string(SignOf(test.kind)) + Name(test.referent()));
+              }
+            });
+          }
+          texts.push_back(Name(FieldOf(wme, field)));
+          part.text = Joined(texts);
+        }
+      }
+      condition.path = paths.From(ground.firing);
+      condition.acceptable = wme.acceptable;
+      condition.operational = true;
+    }
+    if (learned != nullptr) {
+      // The learned rule's own tests: the equality first, but last among the identities.
+      const auto describe_test = [&](const Test& test, ExplainedRule::Field& into, bool& state) {
+        const Symbol equal = EqualitySymbol(test);
+        std::vector<std::string> texts{Name(equal)}, identities;
+        ForEachTest(test, [&](const Test& part) {
+          if (part.kind == TestKind::kState) {
+            state = true;
+            texts.emplace_back("state");
+            identities.emplace_back("state");
+          } else if (part.kind == TestKind::kDisjunction) {
+            std::string list = "<<";
+            for (const Symbol symbol : part.disjuncts()) list += " " + Name(symbol);
+            texts.push_back(list + " >>");
+            identities.push_back(texts.back());
+          } else if (IsCarried(part.kind)) {
+            const std::string sign(SignOf(part.kind));
+            texts.push_back(sign + Name(part.referent()));
+            identities.push_back(sign + NumberOfVariable(part.referent()));
+          }
+        });
+        identities.push_back(NumberOfVariable(equal));
+        into.text = Joined(texts);
+        into.identity = Joined(identities);
+      };
+      bool ignored = false;
+      describe_test(learned->id, condition.id, condition.tests_state);
+      describe_test(learned->attribute, condition.attribute, ignored);
+      describe_test(learned->value, condition.value, ignored);
+    }
+    return condition;
+  };
+  number_of_variable_.clear();
+  if (out.rule != nullptr) {
+    // Which identity each variable of the finished rule stands for.
+    std::size_t place = 0;
+    for (const Condition& learned : out.rule->conditions) {
+      if (learned.kind != ConditionKind::kPositive) continue;
+      const std::uint32_t index = builder_.ground_of_condition()[place++];
+      if (index >= explanation.grounds.size()) continue;
+      for (const Field field : kAllFields) {
+        const Symbol variable = EqualitySymbol(TestOf(learned, field));
+        const IdentityGraph::Node node = analysis_.OfGround(explanation.grounds[index], field);
+        if (!variable.IsVariable() || node == IdentityGraph::kNone) continue;
+        number_of_variable_.try_emplace(variable.bits(), analysis_.NumberOf(node));
+      }
+    }
+    std::size_t positive = 0;
+    for (const Condition& learned : out.rule->conditions) {
+      if (learned.kind == ConditionKind::kPositive) {
+        out.conditions.push_back(describe(builder_.ground_of_condition()[positive++], &learned));
+        continue;
+      }
+      ExplainedRule::Condition condition;
+      condition.negated = true;
+      AppendCondition(condition.id.text, engine_.symbols, learned);
+      out.conditions.push_back(std::move(condition));
+    }
+  } else {
+    std::set<std::uint32_t> states;
+    for (std::uint32_t n = 0; n < explanation.grounds.size(); ++n) {
+      out.conditions.push_back(describe(n, nullptr));
+      const Symbol id = engine_.memory.wme(explanation.grounds[n].wme).id;
+      out.conditions.back().tests_state = engine_.memory.identifier(id).is_goal && states.insert(id.bits()).second;
+    }
+  }
+  for (std::size_t n = explanation.results.size(); n-- > 0;) {
+    ExplainedRule::Action action = DescribeAction(explanation.results[n]);
+    const Action* const learned = out.rule != nullptr ? &out.rule->actions[builder_.action_of_result()[n]] : nullptr;
+    const auto text = [&](ExplainedRule::Field& field, const RhsValue* term) {
+      field.text = field.value;
+      if (term == nullptr) return;
+      field.text.clear();
+      AppendRhsValue(field.text, engine_.symbols, *term);
+      if (term->kind == RhsValueKind::kConstant) field.identity = "[" + field.value + "]";
+    };
+    text(action.id, learned ? &learned->id : nullptr);
+    text(action.attribute, learned ? &learned->attribute : nullptr);
+    text(action.value, learned ? &learned->value : nullptr);
+    if (!action.referent.value.empty()) text(action.referent, learned ? &learned->referent : nullptr);
+    out.actions.push_back(std::move(action));
+  }
+  std::set<std::uint32_t> identities;
+  for (const ExplainedRule::Condition& condition : out.conditions) {
+    for (const ExplainedRule::Field* field : {&condition.id, &condition.attribute, &condition.value}) {
+      if (field->number != 0) identities.insert(field->number);
+    }
+  }
+  out.identities.assign(identities.begin(), identities.end());
+}
+
+ExplainedRule& ExplanationLog::Add(const Explanation& explanation, std::string_view name, const ProductionPtr& rule,
+                                   bool repaired) {
+  ExplainedRule& out = rules_.emplace_back();
+  out.number = static_cast<std::uint32_t>(rules_.size());
+  out.name = name;
+  out.rule = rule;
+  out.justification = rule == nullptr;
+  out.decision = engine_.counters.decision_phases;
+  out.level = explanation.level;
+  out.base = engine_.instantiations[explanation.base].serial;
+  out.local_negation = explanation.local_negation;
+  out.quiescence = explanation.quiescence;
+  out.long_term_memory = explanation.long_term_memory;
+  out.repaired = repaired;
+  out.identities_created = engine_.chunker.identities_created();
+  DescribeLearned(out, explanation);
+  const ShortestPaths paths(engine_, explanation);
+  for (const InstantiationId firing : explanation.firings) {
+    ExplainedRule::Firing described = Describe(firing, explanation);
+    described.path = paths.From(firing);
+    described.made_result |= firing == explanation.base;
+    out.firings.push_back(std::move(described));
+  }
+  std::ranges::sort(out.firings, {}, &ExplainedRule::Firing::serial);
+  for (const JoinEvent& event : analysis_.events()) {
+    ExplainedRule::Event described;
+    described.reason = event.reason;
+    described.firing = engine_.instantiations[event.firing].serial;
+    described.from = analysis_.NumberOfOwn(event.from);
+    if (event.to != IdentityGraph::kNone) {
+      described.to = analysis_.NumberOfOwn(event.to);
+      described.variable = builder_.VariableNameOf(event.to);
+      ++out.joined;
+    } else {
+      ++out.literalized;
+    }
+    out.events.push_back(std::move(described));
+  }
+  std::ranges::stable_sort(out.events, {}, &ExplainedRule::Event::firing);
+  if (rule != nullptr) {
+    for (const CarriedTest& test : builder_.constraints()) {
+      ExplainedRule::Constraint constraint;
+      constraint.firing = engine_.instantiations[test.firing].serial;
+      constraint.text = Name(test.value) + " " + std::string(SignOf(test.kind)) + Name(test.referent);
+      constraint.placed = test.placed;
+      out.constraints.push_back(std::move(constraint));
+    }
+    out.merged_conditions = builder_.merged_conditions();
+    out.merged_disjunctions = builder_.merged_disjunctions();
+    out.operational_constraints = builder_.operational_constraints();
+  }
+  return out;
+}
+
+void ExplanationLog::CountDuplicate(std::string_view name) {
+  for (ExplainedRule& rule : rules_) {
+    if (rule.name == name) ++rule.duplicates;
+  }
+}
+
+}  // namespace soarbox::kernel

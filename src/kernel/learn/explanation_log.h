@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/learn/explained_rule.h"
+#include "kernel/learn/explanation.h"
+#include "kernel/learn/rule_builder.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// The explanations that are kept until init-soar, also of rules that have been excised since. Off, nothing is kept.
+class ExplanationLog {
+ public:
+  ExplanationLog(Engine& engine, FiringReader& reader, IdentityAnalysis& analysis, RuleBuilder& builder)
+      : engine_(engine), reader_(reader), analysis_(analysis), builder_(builder) {}
+
+  bool all = false;             ///< `explain all`
+  bool justifications = false;  ///< `explain justifications`
+  /// `explain record`: rules by name; also those marked with :explain.
+  std::vector<std::string> watched;
+  std::vector<std::string> watched_learned;  ///< Rules learned from those.
+
+  bool WantsChunkOf(InstantiationId base) const;
+  /// Keeps what the stages found out about the rule that was just made.
+  ExplainedRule& Add(const Explanation& explanation, std::string_view name, const ProductionPtr& rule, bool repaired);
+  void CountDuplicate(std::string_view name);
+  const std::vector<ExplainedRule>& rules() const { return rules_; }
+  void Clear();
+
+ private:
+  ExplainedRule::Firing Describe(InstantiationId firing, const Explanation& explanation);
+  ExplainedRule::Field DescribeTest(const Test* test, Symbol value, InstantiationId firing, std::size_t condition,
+                                    Field field);
+  ExplainedRule::Action DescribeAction(PreferenceId preference);
+  void DescribeLearned(ExplainedRule& out, const Explanation& explanation);
+  std::string Number(IdentityGraph::Node node);
+  std::string Name(Symbol symbol) const;
+  std::string NumberOfVariable(Symbol symbol) const;
+
+  Engine& engine_;
+  FiringReader& reader_;
+  IdentityAnalysis& analysis_;
+  RuleBuilder& builder_;
+  std::vector<ExplainedRule> rules_;
+  std::map<std::uint32_t, std::uint32_t> number_of_variable_;  ///< Scratch.
+};
+
+}  // namespace soarbox::kernel

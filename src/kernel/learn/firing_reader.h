@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/learn/identity_graph.h"
+#include "kernel/learn/identity_plan.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Reads the firings of substates for learning: the rule, the classes of its fields, and where identities come from. A
+/// firing may be of a rule, of a justification or of the architecture (what long-term memory recalled).
+class FiringReader {
+ public:
+  explicit FiringReader(Engine& engine) : engine_(engine) {}
+
+  /// The rule that fired, or null for justifications and the architecture. Readable also after it was excised.
+  const Production* Rule(InstantiationId firing) const;
+  const IdentityPlan& Plan(InstantiationId firing);
+
+  /// What the action that made a preference says in one of its fields.
+  struct Term {
+    enum class Kind : std::uint8_t {
+      kUnknown,   ///< It was made before learning was on.
+      kLiteral,   ///< A constant.
+      kClass,     ///< Something that a condition binds, or a new identifier.
+      kSymbol,    ///< An identifier that the architecture made.
+      kFunction,  ///< The value of a function.
+    };
+    Kind kind = Kind::kLiteral;
+    std::uint16_t identity_class = 0;
+    Symbol symbol;
+    const RhsValue* function = nullptr;
+  };
+  enum class Part : std::uint8_t { kId, kAttribute, kValue, kReferent };
+  Term TermOf(PreferenceId preference, Part part);
+  /// The class of a bound or new term of a rule.
+  std::uint16_t ClassOf(const RhsValue& value, InstantiationId firing);
+
+  /// The identity of a class of a firing: that of the preference that made the first element which has it, if the
+  /// element is of the substate, or else one of its own. Leaves the firing where it was found in `firing`.
+  IdentityGraph::Key Origin(InstantiationId& firing, std::uint16_t identity_class);
+  /// The identities of the substate's own name and of its superstate's are given.
+  static IdentityGraph::Key SuperstateLink(GoalLevel level, Part part) {
+    return {kSuperstateKey, 2u * level + (part == Part::kId ? 0u : 1u)};
+  }
+  static bool IsSuperstateLink(IdentityGraph::Key key) { return key.firing == kSuperstateKey; }
+  static IdentityGraph::Key Item(WmeId item) { return {kItemKey, Index(item)}; }
+  static IdentityGraph::Key OfSymbol(Symbol symbol) { return {kSymbolKey, symbol.bits()}; }
+  bool IsSuperstateLink(WmeId wme, GoalLevel level) const;
+
+  /// How the first place of a class comes by its identity.
+  enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem, kArchitecture };
+  Source SourceOf(InstantiationId firing, std::uint16_t place);
+
+  /// Plans of firings without a rule are kept until then.
+  void EndAnalysis() { without_rule_.clear(); }
+  void Clear();
+
+ private:
+  static constexpr std::uint32_t kSuperstateKey = 0xFFFFFFF0u, kItemKey = 0xFFFFFFF1u, kSymbolKey = 0xFFFFFFF2u;
+  IdentityPlan PlanOfArchitecture(InstantiationId firing) const;
+
+  Engine& engine_;
+  struct Known {
+    ProductionPtr rule;
+    std::unique_ptr<IdentityPlan> plan;
+  };
+  std::vector<Known> plans_;  ///< By ProductionId; of rules that learning has looked at.
+  std::vector<std::pair<InstantiationId, std::unique_ptr<IdentityPlan>>> without_rule_;
+};
+
+}  // namespace soarbox::kernel

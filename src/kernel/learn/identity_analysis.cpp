@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/identity_analysis.h"
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/rules/functions/builtin_functions.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+using Part = FiringReader::Part;
+using Said = FiringReader::Term;
+constexpr Field kFields[] = {Field::kId, Field::kAttribute, Field::kValue};
+
+}  // namespace
+
+IdentityGraph::Node IdentityAnalysis::OfClass(InstantiationId firing, std::uint16_t identity_class) {
+  if (identity_class == IdentityPlan::kLiteral || !engine_.instantiations[firing].has_identities) {
+    return IdentityGraph::kNone;
+  }
+  const IdentityPlan& plan = reader_.Plan(firing);
+  if (identity_class < plan.bound() &&
+      reader_.SourceOf(firing, plan.first[identity_class]) == FiringReader::Source::kArchitecture) {
+    return IdentityGraph::kNone;  // What the architecture says of the substate is what it is.
+  }
+  const IdentityGraph::Key key = reader_.Origin(firing, identity_class);
+  if (log_) firing_of_serial_[key.firing] = firing;
+  return graph_.Of(key);
+}
+
+IdentityGraph::Node IdentityAnalysis::OfField(InstantiationId firing, std::size_t condition, Field field) {
+  if (!engine_.instantiations[firing].has_identities) return IdentityGraph::kNone;
+  return OfClass(firing, reader_.Plan(firing).ClassOf(condition, field));
+}
+
+IdentityGraph::Node IdentityAnalysis::OfTerm(const Said& term, InstantiationId firing) {
+  if (term.kind == Said::Kind::kClass) return OfClass(firing, term.identity_class);
+  if (term.kind == Said::Kind::kSymbol) return graph_.Of(FiringReader::OfSymbol(term.symbol));
+  return IdentityGraph::kNone;
+}
+
+IdentityGraph::Node IdentityAnalysis::OfGround(const Explanation::Ground& ground, Field field) {
+  if (ground.firing != InstantiationId::kNone) return OfField(ground.firing, ground.condition, field);
+  if (field == Field::kAttribute) return IdentityGraph::kNone;
+  if (field == Field::kValue) return graph_.Of(FiringReader::Item(ground.item));
+  const GoalLevel level = engine_.memory.level(engine_.memory.wme(ground.item).id);
+  return graph_.Of(FiringReader::SuperstateLink(level, Part::kValue));
+}
+
+void IdentityAnalysis::Join(InstantiationId firing, IdentityGraph::Node a, IdentityGraph::Node b, JoinReason reason) {
+  if (a == IdentityGraph::kNone || b == IdentityGraph::kNone || graph_.Root(a) == graph_.Root(b)) return;
+  if (log_) events_.push_back({reason, firing, graph_.Root(a), graph_.Root(b)});
+  graph_.Join(a, b);
+}
+
+void IdentityAnalysis::Literalize(InstantiationId firing, IdentityGraph::Node node, JoinReason reason) {
+  if (node == IdentityGraph::kNone) return;
+  if (log_ && !graph_.literal(node)) events_.push_back({reason, firing, graph_.Root(node), IdentityGraph::kNone});
+  graph_.Literalize(node);
+}
+
+void IdentityAnalysis::LiteralizeArguments(const RhsValue& function, InstantiationId firing, InstantiationId tester) {
+  // What a function shields, concat for one, stays as general as it is: over-general, but that is how Soar has it.
+  if (!BuiltinFunctions()[function.function_index()].literalizes) return;
+  for (const RhsValue& argument : function.arguments()) {
+    if (argument.kind == RhsValueKind::kFunction) {
+      LiteralizeArguments(argument, firing, tester);
+    } else if (argument.kind == RhsValueKind::kBound) {
+      const ConditionTrace& trace = engine_.instantiations.Trace(firing)[argument.site().positive_condition];
+      if (FieldOf(engine_.memory.wme(trace.wme), argument.site().field).IsIdentifier()) continue;
+      Literalize(tester, OfClass(firing, reader_.ClassOf(argument, firing)), JoinReason::kFunctionArgument);
+    }
+  }
+}
+
+void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
+  if (!engine_.instantiations[link.firing].has_identities) return;
+  const InstantiationId maker = engine_.memory.preference(link.maker).instantiation;
+  const IdentityPlan& plan = reader_.Plan(link.firing);
+  for (const Field field : kFields) {
+    const Said made = reader_.TermOf(link.maker, static_cast<Part>(field));
+    if (made.kind == Said::Kind::kUnknown) return;
+    const std::uint16_t tested = plan.ClassOf(link.condition, field);
+    const bool tests_constant = tested == IdentityPlan::kLiteral;
+    switch (made.kind) {
+      case Said::Kind::kClass:
+      case Said::Kind::kSymbol:
+        if (tests_constant) {
+          Literalize(link.firing, OfTerm(made, maker), JoinReason::kConstantTested);
+        } else {
+          Join(link.firing, OfTerm(made, maker), OfClass(link.firing, tested), JoinReason::kRule);
+        }
+        break;
+      case Said::Kind::kLiteral:
+        if (!tests_constant) Literalize(link.firing, OfClass(link.firing, tested), JoinReason::kConstantMade);
+        break;
+      case Said::Kind::kFunction:
+        LiteralizeArguments(*made.function, maker, link.firing);
+        if (!tests_constant) Literalize(link.firing, OfClass(link.firing, tested), JoinReason::kFunctionResult);
+        break;
+      case Said::Kind::kUnknown:
+        break;
+    }
+  }
+}
+
+void IdentityAnalysis::LiteralizeResults(const Explanation& explanation) {
+  for (const PreferenceId result : explanation.results) {
+    const InstantiationId maker = engine_.memory.preference(result).instantiation;
+    for (const Part part : {Part::kAttribute, Part::kValue, Part::kReferent}) {
+      const Said made = reader_.TermOf(result, part);
+      if (made.kind == Said::Kind::kFunction) LiteralizeArguments(*made.function, maker, maker);
+    }
+  }
+}
+
+void IdentityAnalysis::JoinSingletons(const Explanation& explanation) {
+  first_ground_.clear();
+  for (auto ground = explanation.grounds.rbegin(); ground != explanation.grounds.rend(); ++ground) {
+    const auto [known, is_new] = first_ground_.try_emplace(Index(ground->wme), &*ground);
+    if (is_new) continue;
+    const Wme& wme = engine_.memory.wme(ground->wme);
+    if (!engine_.chunker.singletons().Fits(ground->wme)) continue;
+    const InstantiationId firing = ground->firing != InstantiationId::kNone ? ground->firing : explanation.base;
+    const auto is_literal = [&](const Explanation::Ground& of) {
+      return of.firing != InstantiationId::kNone && engine_.instantiations[of.firing].has_identities &&
+             reader_.Plan(of.firing).ClassOf(of.condition, Field::kValue) == IdentityPlan::kLiteral;
+    };
+    const Explanation::Ground& other = *known->second;
+    const IdentityGraph::Node a = OfGround(other, Field::kValue), b = OfGround(*ground, Field::kValue);
+    if (!wme.value.IsIdentifier() && (is_literal(*ground) || is_literal(other))) {
+      Literalize(firing, a, JoinReason::kSingletonLiteral);
+      Literalize(firing, b, JoinReason::kSingletonLiteral);
+    } else {
+      Join(firing, b, a, JoinReason::kSingleton);
+    }
+    // Of several conditions on one element a literal one decides for all.
+    if (is_literal(*ground)) known->second = &*ground;
+  }
+}
+
+std::uint32_t IdentityAnalysis::NumberOfOwn(IdentityGraph::Node node) {
+  const IdentityGraph::Key key = graph_.key(node);
+  if (FiringReader::IsSuperstateLink(key)) return engine_.chunker.NumberOfSpecial(key);
+  const auto found = firing_of_serial_.find(key.firing);
+  if (found == firing_of_serial_.end()) return 0;
+  const InstantiationId firing = found->second;
+  const IdentityPlan& plan = reader_.Plan(firing);
+  std::uint32_t number = engine_.instantiations[firing].first_identity;
+  for (std::uint16_t n = 0; n < plan.bound() && n < key.place; ++n) {
+    const FiringReader::Source source = reader_.SourceOf(firing, plan.first[n]);
+    if (source == FiringReader::Source::kOwn || source == FiringReader::Source::kArchitecture) ++number;
+  }
+  return key.place < plan.bound() ? number : number + key.place - plan.bound();
+}
+
+void IdentityAnalysis::Analyze(const Explanation& explanation, bool log) {
+  graph_.Clear();
+  events_.clear();
+  firing_of_serial_.clear();
+  log_ = log;
+  for (const Explanation::Link& test : explanation.superstate_links) {
+    const GoalLevel level = engine_.instantiations[test.firing].level;
+    if (!engine_.goals.at(level).has_identities) continue;
+    for (const Field field : {Field::kId, Field::kValue}) {
+      const IdentityGraph::Node tested = OfField(test.firing, test.condition, field);
+      if (tested == IdentityGraph::kNone) continue;
+      Join(test.firing, tested, graph_.Of(FiringReader::SuperstateLink(level, static_cast<Part>(field))),
+           JoinReason::kRule);
+    }
+  }
+  for (const Explanation::ItemTest& test : explanation.item_tests) {
+    const IdentityGraph::Node tested = OfField(test.firing, test.condition, Field::kValue);
+    if (tested != IdentityGraph::kNone) {
+      Join(test.firing, tested, graph_.Of(FiringReader::Item(test.item)), JoinReason::kRule);
+    }
+  }
+  for (const Explanation::Link& link : explanation.links) FollowLink(link);
+  for (const Explanation::Child& child : explanation.children) {
+    const Said id = reader_.TermOf(child.child, Part::kId);
+    const Said of = reader_.TermOf(child.parent, child.by_referent ? Part::kReferent : Part::kValue);
+    const InstantiationId parent = engine_.memory.preference(child.parent).instantiation;
+    Join(parent, OfTerm(id, engine_.memory.preference(child.child).instantiation), OfTerm(of, parent),
+         JoinReason::kChild);
+  }
+  JoinSingletons(explanation);
+}
+
+}  // namespace soarbox::kernel

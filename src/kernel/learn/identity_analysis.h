@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/learn/explanation.h"
+#include "kernel/learn/firing_reader.h"
+#include "kernel/learn/identity_graph.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Why two identities are one, or why one stands for a literal value only.
+enum class JoinReason : std::uint8_t {
+  kRule,              ///< A condition tests what an action of another rule made.
+  kSingleton,         ///< Two conditions test one element that is the only one of its kind.
+  kChild,             ///< A result is part of another one.
+  kConstantTested,    ///< A rule tests a constant where another one made a variable value.
+  kConstantMade,      ///< A rule made a constant that another one tests by variable.
+  kFunctionResult,    ///< A rule tests the value of a function.
+  kFunctionArgument,  ///< It is an argument of a function that was evaluated.
+  kSingletonLiteral,  ///< A condition on the same singleton tests a constant.
+};
+
+/// What the third stage did, in order; kept only while somebody wants an explanation.
+struct JoinEvent {
+  JoinReason reason = JoinReason::kRule;
+  InstantiationId firing = InstantiationId::kNone;
+  IdentityGraph::Node from = IdentityGraph::kNone;
+  IdentityGraph::Node to = IdentityGraph::kNone;  ///< kNone: literalized.
+};
+
+/// The third stage of learning: which variables of the rules behind the results must be one variable of the learned
+/// rule, and which must be constants.
+class IdentityAnalysis {
+ public:
+  IdentityAnalysis(Engine& engine, FiringReader& reader) : engine_(engine), reader_(reader) {}
+
+  void Analyze(const Explanation& explanation, bool log);
+  /// Results that are values of functions stay the values that they are: for justifications.
+  void LiteralizeResults(const Explanation& explanation);
+
+  IdentityGraph& graph() { return graph_; }
+  const std::vector<JoinEvent>& events() const { return events_; }
+  /// The identity of a field of a condition; kNone if the condition tests a constant there, or nothing is known of it.
+  IdentityGraph::Node OfField(InstantiationId firing, std::size_t condition, Field field);
+  IdentityGraph::Node OfClass(InstantiationId firing, std::uint16_t identity_class);
+  IdentityGraph::Node OfTerm(const FiringReader::Term& term, InstantiationId firing);
+  /// The number of a set, as explanations show it. Only after an analysis with a log.
+  std::uint32_t NumberOf(IdentityGraph::Node node) { return NumberOfOwn(graph_.Root(node)); }
+  /// The number that an identity had before it was joined with others.
+  std::uint32_t NumberOfOwn(IdentityGraph::Node node);
+  IdentityGraph::Node OfGround(const Explanation::Ground& ground, Field field);
+
+ private:
+  void Join(InstantiationId firing, IdentityGraph::Node a, IdentityGraph::Node b, JoinReason reason);
+  void Literalize(InstantiationId firing, IdentityGraph::Node node, JoinReason reason);
+  void FollowLink(const Explanation::Link& link);
+  void LiteralizeArguments(const RhsValue& function, InstantiationId firing, InstantiationId tester);
+  void JoinSingletons(const Explanation& explanation);
+
+  Engine& engine_;
+  FiringReader& reader_;
+  IdentityGraph graph_;
+  std::vector<JoinEvent> events_;
+  bool log_ = false;
+  std::unordered_map<std::uint32_t, InstantiationId> firing_of_serial_;         ///< Of identities; only with a log.
+  std::unordered_map<std::uint32_t, const Explanation::Ground*> first_ground_;  ///< By element; scratch.
+};
+
+}  // namespace soarbox::kernel

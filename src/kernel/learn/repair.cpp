@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What to do when a learned rule tests objects that no state leads to: the substate reached them by links of its own.
+#include <algorithm>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/learn/draft_tests.h"
+#include "kernel/learn/rule_builder.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+bool HasStateTest(const TestDraft& test) {
+  if (test.kind == TestKind::kState) return true;
+  for (const TestDraft& part : test.parts) {
+    if (part.kind == TestKind::kState) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Symbol> RuleBuilder::Unconnected() const {
+  std::vector<Symbol> connected, hanging, values;
+  for (const Made& made : made_) {
+    if (HasStateTest(made.draft->id)) connected.push_back(EqualitySymbol(made.draft->id));
+    values.push_back(EqualitySymbol(made.draft->attribute));
+    values.push_back(EqualitySymbol(made.draft->value));
+  }
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const Made& made : made_) {
+      if (!Contains(connected, EqualitySymbol(made.draft->id))) continue;
+      for (const TestDraft* test : {&made.draft->attribute, &made.draft->value}) {
+        const Symbol symbol = EqualitySymbol(*test);
+        if (!symbol.IsVariable() || Contains(connected, symbol)) continue;
+        connected.push_back(symbol);
+        grew = true;
+      }
+    }
+  }
+  for (const bool roots_only : {true, false}) {
+    for (const Made& made : made_) {
+      const Symbol symbol = EqualitySymbol(made.draft->id);
+      if (!symbol.IsVariable() || Contains(connected, symbol) || Contains(hanging, symbol)) continue;
+      if (!roots_only || !Contains(values, symbol)) hanging.push_back(symbol);
+    }
+    if (!hanging.empty()) break;
+  }
+  return hanging;
+}
+
+bool RuleBuilder::ActionsAreGrounded() const {
+  std::vector<Symbol> known;
+  for (const Made& made : made_) {
+    for (const TestDraft* test : {&made.draft->id, &made.draft->attribute, &made.draft->value}) {
+      known.push_back(EqualitySymbol(*test));
+    }
+  }
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const ActionDraft* action : actions_) {
+      if (!Contains(known, action->id.symbol) || Contains(known, action->value.symbol)) continue;
+      if (!action->value.symbol.IsVariable()) continue;
+      known.push_back(action->value.symbol);
+      grew = true;
+    }
+  }
+  return std::ranges::all_of(actions_, [&](const ActionDraft* action) { return Contains(known, action->id.symbol); });
+}
+
+/// Depth first, in the order in which elements are listed, each object once.
+bool RuleBuilder::FindPath(Symbol from, Symbol to, std::vector<WmeId>& path) {
+  struct Open {
+    std::vector<WmeId> elements;
+    std::size_t next = 0;
+  };
+  const WorkingMemory& memory = engine_.memory;
+  visited_.assign(memory.identifier_limit(), 0);
+  std::vector<Open> stack;
+  path.clear();
+  const auto open = [&](Symbol id) {
+    visited_[id.index()] = 1;
+    stack.push_back({memory.WmesOf(id), 0});
+  };
+  if (from == to) return true;
+  open(from);
+  while (!stack.empty()) {
+    Open& top = stack.back();
+    if (top.next == top.elements.size()) {
+      stack.pop_back();
+      if (!path.empty()) path.pop_back();
+      continue;
+    }
+    const WmeId element = top.elements[top.next++];
+    const Wme& wme = memory.wme(element);
+    if (!wme.value.IsIdentifier() || !memory.record(element).in_match) continue;
+    if (wme.value == to) {
+      path.push_back(element);
+      return true;
+    }
+    if (visited_[wme.value.index()] != 0 || memory.identifier(wme.value).is_goal) continue;
+    path.push_back(element);
+    open(wme.value);
+  }
+  return false;
+}
+
+void RuleBuilder::AddLink(WmeId element, Symbol target, Symbol target_variable) {
+  const Wme& wme = engine_.memory.wme(element);
+  const auto meaning = [&](Symbol symbol) {
+    if (symbol == target) return target_variable;
+    return symbol.IsIdentifier() ? VariableOfIdentifier(symbol) : symbol;
+  };
+  const Symbol id = meaning(wme.id), attribute = meaning(wme.attribute), value = meaning(wme.value);
+  for (const Made& made : made_) {
+    if (made.wme == element && EqualitySymbol(made.draft->id) == id && EqualitySymbol(made.draft->value) == value &&
+        EqualitySymbol(made.draft->attribute) == attribute) {
+      return;
+    }
+  }
+  Made made;
+  made.draft = arena_.New<ConditionDraft>();
+  made.wme = element;
+  made.draft->tests_acceptable = wme.acceptable;
+  made.draft->id = MakeTest(TestKind::kEqual, id);
+  made.draft->attribute = MakeTest(TestKind::kEqual, attribute);
+  made.draft->value = MakeTest(TestKind::kEqual, value);
+  made_.push_back(made);
+}
+
+bool RuleBuilder::Repair(GoalLevel results_level) {
+  const WorkingMemory& memory = engine_.memory;
+  std::vector<std::pair<Symbol, Symbol>> targets;  // Variable, identifier.
+  const auto add = [&](Symbol variable) {
+    const auto found = identifier_of_variable_.find(variable.bits());
+    if (found != identifier_of_variable_.end()) targets.emplace_back(variable, found->second);
+  };
+  for (const Symbol variable : hanging_) add(variable);
+  if (!ActionsAreGrounded()) {
+    for (const ActionDraft* action : actions_) {
+      const Symbol variable = action->id.symbol;
+      const auto found = identifier_of_variable_.find(variable.bits());
+      if (found == identifier_of_variable_.end() || memory.level(found->second) > results_level) continue;
+      const bool tested = std::ranges::any_of(made_, [&](const Made& made) {
+        return EqualitySymbol(made.draft->id) == variable || EqualitySymbol(made.draft->value) == variable;
+      });
+      if (!tested) add(variable);
+    }
+  }
+  if (targets.empty()) return false;
+  for (const auto& [variable, identifier] : targets) {
+    const GoalLevel level = memory.level(identifier);
+    if (level == 0 || level > results_level || level > engine_.goals.depth()) return false;
+    std::vector<WmeId> links;
+    const Symbol goal = engine_.goals.at(level).id;
+    std::vector<WmeId> path;
+    if (!FindPath(goal, identifier, path)) return false;
+    for (GoalLevel below = results_level; below > level; --below) {
+      for (WmeId wme = memory.identifier(engine_.goals.at(below).id).architecture_wmes; wme != WmeId::kNone;
+           wme = memory.record(wme).next) {
+        if (memory.wme(wme).attribute == words::kSuperstate) links.push_back(wme);
+      }
+    }
+    links.insert(links.end(), path.begin(), path.end());
+    std::ranges::sort(links, [&](WmeId a, WmeId b) { return memory.wme(a).timetag < memory.wme(b).timetag; });
+    for (const WmeId link : links) AddLink(link, identifier, variable);
+  }
+  if (std::ranges::none_of(made_, [](const Made& made) { return HasStateTest(made.draft->id); })) AddStateTest();
+  return true;
+}
+
+}  // namespace soarbox::kernel

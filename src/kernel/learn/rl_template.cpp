@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/rl_template.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include "kernel/base/characters.h"
+#include "kernel/decide/engine.h"
+#include "kernel/rules/finish_rule.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+/// Puts a match's symbols in place of a template's variables.
+class Substitution {
+ public:
+  Substitution(Engine& engine, Arena& arena) : engine_(engine), arena_(arena) {}
+
+  /// What a variable of the template stands for, from the positive conditions.
+  void Bind(const Condition& condition, const Wme& wme) {
+    Bind(condition.id, wme.id);
+    Bind(condition.attribute, wme.attribute);
+    Bind(condition.value, wme.value);
+  }
+
+  ConditionDraft Positive(const Condition& condition, const Wme& wme) {
+    ConditionDraft draft;
+    draft.tests_acceptable = condition.tests_acceptable;
+    draft.id = Field(condition.id, wme.id);
+    if (engine_.memory.identifier(wme.id).is_goal && std::ranges::find(goals_, wme.id) == goals_.end()) {
+      goals_.push_back(wme.id);
+      draft.id = And(MakeTest(TestKind::kState), draft.id);
+    }
+    draft.attribute = Field(condition.attribute, wme.attribute);
+    draft.value = Field(condition.value, wme.value);
+    return draft;
+  }
+
+  ConditionDraft Negative(const Condition& condition) {
+    ConditionDraft draft = ToDraft(condition, arena_);
+    Substitute(draft);
+    return draft;
+  }
+
+  /// A constant, for the rule to keep; for an identifier its variable.
+  Symbol TermOf(Symbol symbol) {
+    if (symbol.IsIdentifier()) {
+      const auto known = std::ranges::find(variables_, symbol, &Pair::first);
+      if (known != variables_.end()) return known->second;
+      return variables_.emplace_back(symbol, NewVariable(ToLower(engine_.symbols.Letter(symbol)))).second;
+    }
+    SymbolTable& symbols = engine_.symbols;  // Interning pins what an element alone would not keep.
+    if (symbol.IsFloat()) return symbols.Float(symbols.FloatValue(symbol));
+    if (symbol.IsInteger()) return symbols.Integer(symbols.IntegerValue(symbol));
+    return symbol.IsString() ? symbols.String(std::string(symbols.Text(symbol))) : symbol;
+  }
+
+ private:
+  using Pair = std::pair<Symbol, Symbol>;
+
+  void Bind(const Test& test, Symbol symbol) {
+    const Symbol variable = EqualitySymbol(test);
+    if (variable.IsVariable()) bindings_.emplace_back(variable, symbol);
+  }
+
+  Symbol NewVariable(char letter) {
+    const int number = ++counts_[static_cast<std::size_t>(letter - 'a')];
+    return engine_.symbols.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
+  }
+
+  TestDraft And(const TestDraft& first, const TestDraft& second) {
+    TestDraft both = MakeTest(TestKind::kConjunction);
+    both.parts.Add(arena_.New(first));
+    if (second.kind != TestKind::kConjunction) {
+      both.parts.Add(arena_.New(second));
+    } else {
+      both.parts.Append(second.parts);
+    }
+    return both;
+  }
+
+  TestDraft Field(const Test& test, Symbol symbol) {
+    TestDraft made = MakeTest(TestKind::kEqual, TermOf(symbol));
+    if (!symbol.IsIdentifier()) return made;
+    for (const Test& part : test.parts()) {
+      if (part.kind != TestKind::kNotEqual || !part.referent().IsVariable()) continue;
+      const auto other = std::ranges::find(bindings_, part.referent(), &Pair::first);
+      if (other == bindings_.end() || !other->second.IsIdentifier()) continue;
+      made = And(made, MakeTest(TestKind::kNotEqual, TermOf(other->second)));
+    }
+    return made;
+  }
+
+  void Substitute(ConditionDraft& condition) {
+    Substitute(condition.id);
+    Substitute(condition.attribute);
+    Substitute(condition.value);
+    for (ConditionDraft& inner : condition.conditions) Substitute(inner);
+  }
+
+  void Substitute(TestDraft& test) {
+    if (test.referent.IsVariable()) {
+      auto bound = std::ranges::find(bindings_, test.referent, &Pair::first);
+      if (bound != bindings_.end()) {
+        test.referent = TermOf(bound->second);
+      } else {
+        // One of the negation's own: it gets a name that no identifier has.
+        auto own = std::ranges::find(own_, test.referent, &Pair::first);
+        test.referent = own != own_.end() ? own->second : own_.emplace_back(test.referent, NewVariable('v')).second;
+      }
+    }
+    for (TestDraft& part : test.parts) Substitute(part);
+  }
+
+  Engine& engine_;
+  Arena& arena_;
+  std::vector<Pair> bindings_;   ///< Variables of the template and what they matched.
+  std::vector<Pair> variables_;  ///< Identifiers and their variables in the new rule.
+  std::vector<Pair> own_;        ///< Variables of negations, in the template and in the new rule.
+  std::vector<Symbol> goals_;    ///< Those that have been called states.
+  std::array<int, 26> counts_{};
+};
+
+}  // namespace
+
+RlTemplates::Pattern RlTemplates::PatternOf(ProductionId source, std::span<const WmeId> wmes, Symbol value) const {
+  Pattern pattern{Index(source)};
+  // (If rules that differ in their number only count as equal, it makes no difference here.)
+  pattern.push_back(engine_.settings.ignore_numbers_of_duplicates ? 0 : value.bits());
+  std::vector<Symbol> seen;
+  const auto add = [&](Symbol symbol) {
+    if (!symbol.IsIdentifier()) {
+      pattern.push_back(std::uint64_t{1} << 32 | symbol.bits());
+      return;
+    }
+    auto at = std::ranges::find(seen, symbol);
+    if (at == seen.end()) at = seen.insert(at, symbol);
+    const bool is_goal = engine_.memory.identifier(symbol).is_goal;
+    pattern.push_back(static_cast<std::uint64_t>(is_goal ? 3 : 2) << 32 |
+                      static_cast<std::uint64_t>(at - seen.begin()));
+  };
+  for (const WmeId id : wmes) {
+    const Wme& wme = engine_.memory.wme(id);
+    add(wme.id);
+    add(wme.attribute);
+    add(wme.value);
+  }
+  return pattern;
+}
+
+void RlTemplates::Instantiate(ProductionId source, const Production& rule, std::span<const WmeId> wmes, Symbol value) {
+  if (!value.IsNumber()) return;
+  Pattern pattern = PatternOf(source, wmes, value);
+  if (made_.contains(pattern)) return;
+  const std::uint64_t number = next_;
+  std::string name;
+  do {
+    name = "rl*" + std::string(rule.name) + "*" + std::to_string(next_++);
+  } while (engine_.agent.FindProduction(name) != ProductionId::kNone);
+  const ProductionPtr made = Build(rule, wmes, value, name);
+  if (made == nullptr) {
+    next_ = number;
+    return;
+  }
+  const LoadOutcome outcome = engine_.agent.AddProduction(made);
+  engine_.StopIfBroken();
+  if (!outcome.loaded) next_ = number;
+  if (outcome.production != ProductionId::kNone) made_.emplace(std::move(pattern), outcome.production);
+}
+
+ProductionPtr RlTemplates::Build(const Production& rule, std::span<const WmeId> wmes, Symbol value,
+                                 std::string_view name) const {
+  if (rule.actions.size() != 1) return nullptr;
+  const SymbolTable::PinScope pin(engine_.symbols);
+  Arena arena;
+  Substitution substitution(engine_, arena);
+  std::size_t place = 0;
+  for (const Condition& condition : rule.conditions) {
+    if (condition.kind == ConditionKind::kPositive) substitution.Bind(condition, engine_.memory.wme(wmes[place++]));
+  }
+  RuleDraft draft;
+  draft.name = name;
+  place = 0;
+  for (const Condition& condition : rule.conditions) {
+    draft.conditions.Add(arena.New(condition.kind == ConditionKind::kPositive
+                                       ? substitution.Positive(condition, engine_.memory.wme(wmes[place++]))
+                                       : substitution.Negative(condition)));
+  }
+  const Action& source = rule.actions.front();
+  const auto term = [&](const RhsValue& written) {
+    ValueDraft made;
+    if (written.kind == RhsValueKind::kBound) {
+      made.symbol = substitution.TermOf(
+          FieldOf(engine_.memory.wme(wmes[written.site().positive_condition]), written.site().field));
+    } else if (written.kind == RhsValueKind::kConstant) {
+      made.symbol = written.symbol();
+    }
+    return made;
+  };
+  ActionDraft* const action = arena.New<ActionDraft>();
+  action->preference = PreferenceType::kNumericIndifferent;
+  action->id = term(source.id);
+  action->attribute = term(source.attribute);
+  action->value = term(source.value);
+  action->referent.symbol = substitution.TermOf(value);
+  if (!action->id.symbol || !action->attribute.symbol || !action->value.symbol) return nullptr;
+  draft.actions.Add(action);
+
+  VariableIndex variables;
+  variables.NumberAll(draft.conditions);
+  variables.NumberAll(draft.actions);
+  ParseOutcome out;
+  if (!FinishRule(draft, variables, {}, engine_.symbols, engine_.expected_values, arena, out)) return nullptr;
+  return Production::Make(draft);
+}
+
+void RlTemplates::RuleAdded(std::string_view name) {
+  if (!name.starts_with("rl*")) return;
+  const std::string_view digits = name.substr(name.rfind('*') + 1);
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size()) return;
+  if (number >= next_ && number + 1 != 0) next_ = number + 1;
+}
+
+void RlTemplates::RuleExcised(ProductionId rule) {
+  std::erase_if(made_, [&](const auto& entry) { return entry.second == rule || entry.first.front() == Index(rule); });
+}
+
+}  // namespace soarbox::kernel

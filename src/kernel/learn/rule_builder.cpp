@@ -1,0 +1,667 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/learn/rule_builder.h"
+
+#include <algorithm>
+#include <string>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/learn/draft_tests.h"
+#include "kernel/rules/finish_rule.h"
+#include "kernel/rules/variable_index.h"
+
+namespace soarbox::kernel {
+
+namespace {
+
+using Part = FiringReader::Part;
+using Said = FiringReader::Term;
+
+TestDraft& FieldOf(ConditionDraft& draft, Field field) {
+  return field == Field::kId ? draft.id : field == Field::kAttribute ? draft.attribute : draft.value;
+}
+
+}  // namespace
+
+RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_view name, GoalLevel results_level) {
+  arena_.Clear();
+  made_.clear();
+  negated_.clear();
+  constraints_.clear();
+  variable_of_.clear();
+  variable_of_symbol_.clear();
+  identifier_of_variable_.clear();
+  actions_.clear();
+  letters_ = {};
+  local_negation_ = false;
+  merged_conditions_ = merged_disjunctions_ = operational_constraints_ = 0;
+  rule_ = nullptr;
+  MakeConditions(explanation);
+  CollectConstraints(explanation);
+  PlaceConstraints();
+  MakeNegations(explanation);
+  MergeConditions();
+  AddStateTest();
+  MakeActions(explanation);
+  if (Finish(name)) {
+    CountConstraints();
+    return Outcome::kMade;
+  }
+  if (Repair(results_level) && Finish(name)) {
+    CountConstraints();
+    return Outcome::kRepaired;
+  }
+  return Outcome::kFailed;
+}
+
+// Variables -----------------------------------------------------------------------------------------------------------
+
+Symbol RuleBuilder::NewVariable(Symbol of) {
+  char letter = 'c';
+  if (of.IsIdentifier()) {
+    letter = static_cast<char>(engine_.symbols.Letter(of) | 0x20);
+    if (engine_.memory.identifier(of).is_goal) {
+      letter = 's';
+    } else if (letter == 's') {
+      letter = 'c';
+    }
+  }
+  const std::uint32_t number = ++letters_[static_cast<std::size_t>(letter - 'a')];
+  const Symbol variable = engine_.symbols.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
+  if (of.IsIdentifier()) identifier_of_variable_[variable.bits()] = of;
+  return variable;
+}
+
+Symbol RuleBuilder::Meaning(IdentityGraph::Node node, Symbol value) {
+  if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return value;
+  Symbol& variable = variable_of_[analysis_.graph().Root(node)];
+  if (!variable) variable = NewVariable(value);
+  return variable;
+}
+
+Symbol RuleBuilder::VariableOfIdentifier(Symbol identifier) {
+  for (const Made& made : made_) {
+    const Wme& wme = engine_.memory.wme(made.wme);
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      if (kernel::FieldOf(wme, field) != identifier) continue;
+      const Symbol symbol = EqualitySymbol(FieldOf(*made.draft, field));
+      if (symbol.IsVariable()) return symbol;
+    }
+  }
+  Symbol& variable = variable_of_symbol_[identifier.bits()];
+  if (!variable) variable = NewVariable(identifier);
+  return variable;
+}
+
+// Conditions ----------------------------------------------------------------------------------------------------------
+
+void RuleBuilder::MakeConditions(const Explanation& explanation) {
+  for (std::uint32_t n = 0; n < explanation.grounds.size(); ++n) {
+    const Explanation::Ground& ground = explanation.grounds[n];
+    const Wme& wme = engine_.memory.wme(ground.wme);
+    Made made;
+    made.draft = arena_.New<ConditionDraft>();
+    made.wme = ground.wme;
+    made.ground = n;
+    made.draft->tests_acceptable = wme.acceptable;
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      const IdentityGraph::Node node = analysis_.OfGround(ground, field);
+      made.nodes[static_cast<std::size_t>(field)] = node;
+      FieldOf(*made.draft, field) = MakeTest(TestKind::kEqual, Meaning(node, kernel::FieldOf(wme, field)));
+    }
+    made_.push_back(made);
+  }
+  // The tests refer to variables of other fields, so they come when all variables are known.
+  for (const Made& made : made_) {
+    const Explanation::Ground& ground = explanation.grounds[made.ground];
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      if (EqualitySymbol(FieldOf(*made.draft, field)).IsVariable()) {
+        AddOwnTests(ground, field, FieldOf(*made.draft, field));
+      }
+    }
+  }
+}
+
+/// What else the rule that fired asked of the element, unless it has become a constant.
+void RuleBuilder::AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out) {
+  if (ground.firing == InstantiationId::kNone) return;
+  const Production* const rule = reader_.Rule(ground.firing);
+  if (rule == nullptr) {
+    AddKeptTests(ground, field, out);
+    return;
+  }
+  const Condition& condition = PositiveCondition(*rule, ground.condition);
+  const IdentityPlan& plan = reader_.Plan(ground.firing);
+  ForEachTest(
+      field == Field::kId          ? condition.id
+      : field == Field::kAttribute ? condition.attribute
+                                   : condition.value,
+      [&](const Test& part) {
+        if (!IsCarried(part.kind)) return;
+        TestDraft* const copy = arena_.New(ToDraft(part, arena_));
+        if (part.referent().IsVariable()) {
+          const std::uint16_t referent = plan.ClassOf(part.referent());
+          if (referent == IdentityPlan::kLiteral) return;
+          const Symbol value = ValueOfClass(engine_, plan, ground.firing, referent);
+          if (value.IsIdentifier() && engine_.memory.level(value) >= engine_.instantiations[ground.firing].level) {
+            return;
+          }
+          const IdentityGraph::Node node = analysis_.OfClass(ground.firing, referent);
+          copy->referent = PlaceOf(node) != nullptr ? Meaning(node, value) : value;
+        }
+        AppendPart(out, copy, arena_);
+      });
+}
+
+/// The same for a justification that the substate's reasoning went through.
+void RuleBuilder::AddKeptTests(const Explanation::Ground& ground, Field field, TestDraft& out) {
+  const std::uint32_t justification = engine_.instantiations[ground.firing].justification;
+  if (justification == Instantiation::kNoJustification) return;
+  for (const IdentityPlan::KeptTest& kept : engine_.justifier.record(justification).tests) {
+    if (kept.condition != ground.condition || kept.field != field) continue;
+    TestDraft* const test = arena_.New<TestDraft>();
+    test->kind = kept.kind;
+    test->referent = kept.referent;
+    if (kept.referent_class != IdentityPlan::kLiteral) {
+      const IdentityGraph::Node node = analysis_.OfClass(ground.firing, kept.referent_class);
+      if (PlaceOf(node) != nullptr) test->referent = Meaning(node, kept.referent);
+    }
+    SetDisjuncts(*test, kept.disjuncts);
+    AppendPart(out, test, arena_);
+  }
+}
+
+void RuleBuilder::SetDisjuncts(TestDraft& test, std::span<const Symbol> disjuncts) {
+  if (test.kind != TestKind::kDisjunction) return;
+  Symbol* const copy = arena_.NewArray<Symbol>(disjuncts.size());
+  std::ranges::copy(disjuncts, copy);
+  test.disjuncts = copy;
+  test.disjunct_count = static_cast<std::uint32_t>(disjuncts.size());
+}
+
+std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Explanation& explanation) {
+  std::vector<IdentityPlan::KeptTest> kept;
+  const auto keep = [&](std::size_t number, Field field, TestKind kind, Symbol referent, IdentityGraph::Node node,
+                        std::span<const Symbol> disjuncts) {
+    IdentityPlan::KeptTest& test = kept.emplace_back();
+    test.condition = static_cast<std::uint16_t>(number);
+    test.field = field;
+    test.kind = kind;
+    test.referent = referent;
+    if (node != IdentityGraph::kNone && !analysis_.graph().literal(node)) {
+      const auto found = class_of_.find(analysis_.graph().Root(node));
+      if (found != class_of_.end()) test.referent_class = found->second;
+    }
+    test.disjuncts.assign(disjuncts.begin(), disjuncts.end());
+  };
+  for (std::size_t n = 0; n < explanation.grounds.size(); ++n) {
+    const Explanation::Ground& ground = explanation.grounds[n];
+    const Production* const rule = ground.firing == InstantiationId::kNone ? nullptr : reader_.Rule(ground.firing);
+    if (rule == nullptr) continue;
+    const Condition& condition = PositiveCondition(*rule, ground.condition);
+    const IdentityPlan& plan = reader_.Plan(ground.firing);
+    const std::pair<Field, const Test*> fields[] = {
+        {Field::kId, &condition.id}, {Field::kAttribute, &condition.attribute}, {Field::kValue, &condition.value}};
+    for (const auto& [field, test] : fields) {
+      ForEachTest(*test, [&, field = field](const Test& part) {
+        if (!IsCarried(part.kind)) return;
+        if (!part.referent().IsVariable()) {
+          keep(n, field, part.kind, part.referent(), IdentityGraph::kNone, part.disjuncts());
+          return;
+        }
+        const std::uint16_t bound = plan.ClassOf(part.referent());
+        if (bound == IdentityPlan::kLiteral) return;
+        const Symbol value = ValueOfClass(engine_, plan, ground.firing, bound);
+        if (value.IsIdentifier()) return;
+        keep(n, field, part.kind, value, analysis_.OfClass(ground.firing, bound), {});
+      });
+    }
+  }
+  // Tests of local conditions go where the identity has its place.
+  CollectConstraints(explanation);
+  const auto place_of = [&](IdentityGraph::Node node) -> std::pair<std::size_t, Field> {
+    if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return {explanation.grounds.size(), {}};
+    for (std::size_t n = 0; n < explanation.grounds.size(); ++n) {
+      for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+        const IdentityGraph::Node here = analysis_.OfGround(explanation.grounds[n], field);
+        if (here != IdentityGraph::kNone && analysis_.graph().Root(here) == analysis_.graph().Root(node)) {
+          return {n, field};
+        }
+      }
+    }
+    return {explanation.grounds.size(), {}};
+  };
+  for (const CarriedTest& test : constraints_) {
+    const auto here = place_of(test.tested);
+    if (here.first < explanation.grounds.size()) {
+      keep(here.first, here.second, test.kind, test.referent, test.referent_node, test.disjuncts);
+      continue;
+    }
+    const auto there = place_of(test.referent_node);
+    if (there.first < explanation.grounds.size() && test.kind != TestKind::kDisjunction) {
+      keep(there.first, there.second, TurnedRound(test.kind), test.value, IdentityGraph::kNone, {});
+    }
+  }
+  return kept;
+}
+
+TestDraft* RuleBuilder::PlaceOf(IdentityGraph::Node node) {
+  if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return nullptr;
+  const IdentityGraph::Node root = analysis_.graph().Root(node);
+  for (Made& made : made_) {
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      const IdentityGraph::Node here = made.nodes[static_cast<std::size_t>(field)];
+      if (here != IdentityGraph::kNone && analysis_.graph().Root(here) == root) return &FieldOf(*made.draft, field);
+    }
+  }
+  return nullptr;
+}
+
+// Tests of local conditions -------------------------------------------------------------------------------------------
+
+void RuleBuilder::CollectConstraints(const Explanation& explanation) {
+  constraints_.clear();
+  std::vector<Explanation::Link> locals = explanation.links;
+  for (const Explanation::ItemTest& test : explanation.item_tests) {
+    locals.push_back({test.firing, test.condition, PreferenceId::kNone});
+  }
+  for (const Explanation::Link& link : locals) {
+    const Production* const rule = reader_.Rule(link.firing);
+    if (rule == nullptr || !engine_.instantiations[link.firing].has_identities) continue;
+    const Condition& condition = PositiveCondition(*rule, link.condition);
+    const IdentityPlan& plan = reader_.Plan(link.firing);
+    const Wme& wme = engine_.memory.wme(engine_.instantiations.Trace(link.firing)[link.condition].wme);
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      const Symbol value = kernel::FieldOf(wme, field);
+      ForEachTest(field == Field::kId          ? condition.id
+                  : field == Field::kAttribute ? condition.attribute
+                                               : condition.value,
+                  [&](const Test& part) {
+                    if (!IsCarried(part.kind)) return;
+                    CarriedTest test;
+                    test.firing = link.firing;
+                    test.condition = link.condition;
+                    test.field = field;
+                    test.kind = part.kind;
+                    test.tested = analysis_.OfField(link.firing, link.condition, field);
+                    test.value = value;
+                    test.disjuncts.assign(part.disjuncts().begin(), part.disjuncts().end());
+                    test.referent = part.referent();
+                    if (test.referent.IsVariable()) {
+                      const std::uint16_t referent = plan.ClassOf(test.referent);
+                      if (referent == IdentityPlan::kLiteral) return;
+                      test.referent = ValueOfClass(engine_, plan, link.firing, referent);
+                      test.referent_node = analysis_.OfClass(link.firing, referent);
+                    }
+                    constraints_.push_back(std::move(test));
+                  });
+    }
+  }
+}
+
+void RuleBuilder::PlaceConstraints() {
+  LearnStatistics& statistics = engine_.chunker.mutable_statistics();
+  statistics.constraints_found += constraints_.size();
+  for (CarriedTest& constraint : constraints_) {
+    constraint.placed = PlaceConstraint(constraint);
+    if (constraint.placed) ++statistics.constraints_placed;
+  }
+}
+
+/// Where the tested value has its place in the learned rule, or else turned round where the other one has it.
+bool RuleBuilder::PlaceConstraint(const CarriedTest& constraint) {
+  TestDraft* const here = PlaceOf(constraint.tested);
+  TestDraft* const there = PlaceOf(constraint.referent_node);
+  if (here == nullptr && (there == nullptr || constraint.kind == TestKind::kDisjunction)) return false;
+  TestDraft* const test = arena_.New<TestDraft>();
+  if (here != nullptr) {
+    test->kind = constraint.kind;
+    test->referent = there != nullptr ? Meaning(constraint.referent_node, constraint.referent) : constraint.referent;
+    SetDisjuncts(*test, constraint.disjuncts);
+    PrependPart(*here, test, arena_);
+    return true;
+  }
+  test->kind = TurnedRound(constraint.kind);
+  test->referent = constraint.value;
+  PrependPart(*there, test, arena_);
+  return true;
+}
+
+// Negated conditions --------------------------------------------------------------------------------------------------
+
+void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
+  if (draft.referent.IsVariable()) {
+    const IdentityPlan& plan = reader_.Plan(firing);
+    const std::uint16_t bound = plan.ClassOf(draft.referent);
+    if (bound == IdentityPlan::kLiteral) {
+      // It is the condition's own.
+      Symbol& own = own_variables_[draft.referent.bits()];
+      if (!own) own = NewVariable(Symbol());
+      draft.referent = own;
+    } else {
+      const Symbol value = ValueOfClass(engine_, plan, firing, bound);
+      const IdentityGraph::Node node = analysis_.OfClass(firing, bound);
+      draft.referent = PlaceOf(node) != nullptr ? Meaning(node, value)
+                       : value.IsIdentifier()   ? VariableOfIdentifier(value)
+                                                : value;
+    }
+  } else if (draft.referent.IsIdentifier()) {
+    draft.referent = VariableOfIdentifier(draft.referent);
+  }
+  for (TestDraft& part : draft.parts) VariablizeNegated(part, firing);
+}
+
+void RuleBuilder::VariablizeNegated(ConditionDraft& draft, InstantiationId firing) {
+  for (TestDraft* test : {&draft.id, &draft.attribute, &draft.value}) VariablizeNegated(*test, firing);
+  for (ConditionDraft& inner : draft.conditions) VariablizeNegated(inner, firing);
+}
+
+bool RuleBuilder::AllReached(const TestDraft& test, const std::vector<Symbol>& reached) const {
+  if (test.referent.IsIdentifier() && std::ranges::find(reached, test.referent) == reached.end()) return false;
+  for (const TestDraft& part : test.parts) {
+    if (!AllReached(part, reached)) return false;
+  }
+  return true;
+}
+
+bool RuleBuilder::AllReached(const ConditionDraft& draft, const std::vector<Symbol>& reached) const {
+  if (draft.kind == ConditionKind::kConjunctiveNegation) {
+    for (const ConditionDraft& inner : draft.conditions) {
+      if (!AllReached(inner, reached)) return false;
+    }
+    return true;
+  }
+  return AllReached(draft.id, reached) && AllReached(draft.attribute, reached) && AllReached(draft.value, reached);
+}
+
+void RuleBuilder::MakeNegations(const Explanation& explanation) {
+  if (explanation.negations.empty()) return;
+  std::vector<Symbol> reached;
+  for (const Explanation::Ground& ground : explanation.grounds) {
+    const Wme& wme = engine_.memory.wme(ground.wme);
+    for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) {
+      if (symbol.IsIdentifier()) reached.push_back(symbol);
+    }
+  }
+  for (const Explanation::Negation& negation : explanation.negations) {
+    if (!AllReached(negation.literal, reached)) {
+      local_negation_ = true;
+      continue;
+    }
+    own_variables_.clear();
+    ConditionDraft* const draft =
+        arena_.New(negation.source != nullptr ? ToDraft(*negation.source, arena_) : Copy(negation.literal, arena_));
+    VariablizeNegated(*draft, negation.firing);
+    negated_.push_back(draft);
+  }
+}
+
+// Merging -------------------------------------------------------------------------------------------------------------
+
+void RuleBuilder::MergeConditions() {
+  LearnStatistics& statistics = engine_.chunker.mutable_statistics();
+  for (std::size_t n = 0; n < made_.size(); ++n) {
+    for (std::size_t m = made_.size(); m-- > n + 1;) {
+      ConditionDraft& kept = *made_[n].draft;
+      const ConditionDraft& other = *made_[m].draft;
+      if (kept.tests_acceptable != other.tests_acceptable || made_[n].wme != made_[m].wme ||
+          EqualitySymbol(kept.id) != EqualitySymbol(other.id) ||
+          EqualitySymbol(kept.attribute) != EqualitySymbol(other.attribute) ||
+          EqualitySymbol(kept.value) != EqualitySymbol(other.value)) {
+        continue;
+      }
+      for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+        merged_disjunctions_ += UniteTests(FieldOf(kept, field), FieldOf(*made_[m].draft, field), arena_);
+      }
+      ++merged_conditions_;
+      made_.erase(made_.begin() + static_cast<std::ptrdiff_t>(m));
+    }
+  }
+  statistics.merged_conditions += merged_conditions_;
+  statistics.merged_disjunctions += merged_disjunctions_;
+}
+
+/// The state that the learned rule matches: the lowest one that its conditions test.
+void RuleBuilder::AddStateTest() {
+  const std::span<const GoalLevel> levels = engine_.memory.goal_levels();
+  GoalLevel lowest = 0;
+  for (const Made& made : made_) lowest = std::max(lowest, levels[engine_.memory.wme(made.wme).id.index()]);
+  if (lowest == 0) return;
+  for (const Made& made : made_) {
+    if (levels[engine_.memory.wme(made.wme).id.index()] != lowest) continue;
+    if (EqualitySymbol(made.draft->id).IsVariable()) {
+      PrependPart(made.draft->id, arena_.New(MakeTest(TestKind::kState)), arena_);
+    }
+    return;
+  }
+}
+
+// Actions -------------------------------------------------------------------------------------------------------------
+
+ValueDraft RuleBuilder::MakeFunction(const RhsValue& function, InstantiationId firing) {
+  ValueDraft out;
+  out.kind = RhsValueKind::kFunction;
+  out.index = function.function_index();
+  for (const RhsValue& argument : function.arguments()) {
+    ValueDraft copy;
+    if (argument.kind == RhsValueKind::kFunction) {
+      copy = MakeFunction(argument, firing);
+    } else if (argument.kind == RhsValueKind::kBound) {
+      const std::uint16_t bound = reader_.ClassOf(argument, firing);
+      const Wme& wme = engine_.memory.wme(engine_.instantiations.Trace(firing)[argument.site().positive_condition].wme);
+      const Symbol value = kernel::FieldOf(wme, argument.site().field);
+      const IdentityGraph::Node node = analysis_.OfClass(firing, bound);
+      copy.symbol = PlaceOf(node) != nullptr ? Meaning(node, value) : value;
+    } else {
+      copy.symbol = argument.symbol();
+    }
+    out.arguments.Add(arena_.New(copy));
+  }
+  return out;
+}
+
+ValueDraft RuleBuilder::MakeTerm(PreferenceId result, Part part, Symbol symbol) {
+  ValueDraft out;
+  out.symbol = symbol;
+  if (!symbol) return out;
+  const InstantiationId firing = engine_.memory.preference(result).instantiation;
+  const Said term = reader_.TermOf(result, part);
+  switch (term.kind) {
+    case Said::Kind::kClass:
+    case Said::Kind::kSymbol:
+      out.symbol = Meaning(analysis_.OfTerm(term, firing), symbol);
+      break;
+    case Said::Kind::kUnknown:
+      if (symbol.IsIdentifier()) out.symbol = VariableOfIdentifier(symbol);
+      break;
+    case Said::Kind::kFunction:
+      if (!symbol.IsIdentifier()) {
+        out = MakeFunction(*term.function, firing);
+      } else {
+        out.symbol = VariableOfIdentifier(symbol);
+      }
+      break;
+    case Said::Kind::kLiteral:
+      break;
+  }
+  return out;
+}
+
+void RuleBuilder::MakeActions(const Explanation& explanation) {
+  // The list is newest first, so the last result is made first.
+  actions_.assign(explanation.results.size(), nullptr);
+  for (std::size_t n = explanation.results.size(); n-- > 0;) {
+    const PreferenceId result = explanation.results[n];
+    const Preference& preference = engine_.memory.preference(result);
+    ActionDraft* const action = arena_.New<ActionDraft>();
+    action->preference = preference.type;
+    action->id = MakeTerm(result, Part::kId, preference.id);
+    action->attribute = MakeTerm(result, Part::kAttribute, preference.attribute);
+    action->value = MakeTerm(result, Part::kValue, preference.value);
+    if (action->HasReferent()) action->referent = MakeTerm(result, Part::kReferent, preference.referent);
+    actions_[n] = action;
+  }
+}
+
+// Finishing -----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A rule's constants stay as long as the agent.
+class Pinner {
+ public:
+  explicit Pinner(SymbolTable& symbols) : symbols_(symbols) {}
+
+  void Pin(const DraftList<ConditionDraft>& conditions) {
+    for (const ConditionDraft& condition : conditions) {
+      for (const TestDraft* test : {&condition.id, &condition.attribute, &condition.value}) Pin(*test);
+      Pin(condition.conditions);
+    }
+  }
+  void Pin(const DraftList<ActionDraft>& actions) {
+    for (const ActionDraft& action : actions) {
+      for (const ValueDraft* value : {&action.id, &action.attribute, &action.value, &action.referent}) Pin(*value);
+    }
+  }
+
+ private:
+  void Pin(const TestDraft& test) {
+    Pin(test.referent);
+    for (std::uint32_t n = 0; n < test.disjunct_count; ++n) Pin(test.disjuncts[n]);
+    for (const TestDraft& part : test.parts) Pin(part);
+  }
+  void Pin(const ValueDraft& value) {
+    Pin(value.symbol);
+    for (const ValueDraft& argument : value.arguments) Pin(argument);
+  }
+  void Pin(Symbol symbol) {
+    if (symbol.IsString()) {
+      symbols_.String(std::string(symbols_.Text(symbol)));
+    } else if (symbol.IsInteger()) {
+      symbols_.Integer(symbols_.IntegerValue(symbol));
+    } else if (symbol.IsFloat()) {
+      symbols_.Float(symbols_.FloatValue(symbol));
+    }
+  }
+
+  SymbolTable& symbols_;
+};
+
+}  // namespace
+
+bool RuleBuilder::Finish(std::string_view name) {
+  const SymbolTable::PinScope pinned(engine_.symbols);
+  RuleDraft rule;
+  rule.name = name;
+  rule.type = ProductionType::kChunk;
+  // Both lists are linked anew at each attempt, through copies of their items.
+  std::vector<std::pair<const ConditionDraft*, const Made*>> made_of;
+  for (const Made& made : made_) {
+    ConditionDraft* const copy = arena_.New(Copy(*made.draft, arena_));
+    rule.conditions.Add(copy);
+    made_of.emplace_back(copy, &made);
+  }
+  for (const ConditionDraft* negated : negated_) rule.conditions.Add(arena_.New(Copy(*negated, arena_)));
+  std::vector<const ActionDraft*> copies(actions_.size());
+  for (std::size_t n = actions_.size(); n-- > 0;) {
+    ActionDraft* const copy = arena_.New<ActionDraft>(*actions_[n]);
+    copies[n] = copy;
+    rule.actions.Add(copy);
+  }
+  VariableIndex variables;
+  variables.NumberAll(rule.conditions);
+  variables.NumberAll(rule.actions);
+  hanging_ = Unconnected();
+  if (!hanging_.empty() && ActionsAreGrounded()) {
+    std::string text = "Conditions on the LHS contain tests that are not connected \nto a goal: ";
+    for (std::size_t n = 0; n < hanging_.size(); ++n) {
+      text.append(n == 0 ? "" : ", ").append(engine_.symbols.Text(hanging_[n]));
+    }
+    engine_.Warn(WarningKind::kLearnedRule, text + "\n\n");
+    return false;
+  }
+  Pinner(engine_.symbols).Pin(rule.conditions);
+  Pinner(engine_.symbols).Pin(rule.actions);
+  ParseOutcome out;
+  if (!FinishRule(rule, variables, SourcePlace{}, engine_.symbols, engine_.expected_values, arena_, out)) {
+    for (const RuleMessage& message : out.late_messages) engine_.Warn(WarningKind::kLearnedRule, message.text);
+    return false;
+  }
+  elements_.clear();
+  ground_of_condition_.clear();
+  for (const ConditionDraft& condition : rule.conditions) {
+    if (condition.kind != ConditionKind::kPositive) continue;
+    for (const auto& [draft, made] : made_of) {
+      if (draft != &condition) continue;
+      elements_.push_back(made->wme);
+      ground_of_condition_.push_back(made->ground);
+    }
+  }
+  action_of_result_.assign(actions_.size(), 0);
+  std::uint16_t number = 0;
+  for (const ActionDraft& action : rule.actions) {
+    const auto found = std::ranges::find(copies, &action);
+    action_of_result_[static_cast<std::size_t>(found - copies.begin())] = number++;
+  }
+  rule_ = Production::Make(rule);
+  return true;
+}
+
+std::string RuleBuilder::VariableNameOf(IdentityGraph::Node node) const {
+  const auto found = variable_of_.find(analysis_.graph().Root(node));
+  return found == variable_of_.end() ? std::string() : std::string(engine_.symbols.Text(found->second));
+}
+
+void RuleBuilder::CountConstraints() {
+  for (const Condition& condition : rule_->conditions) {
+    if (condition.kind != ConditionKind::kPositive) continue;
+    for (const Test* test : {&condition.id, &condition.value}) {
+      const Symbol equal = EqualitySymbol(*test);
+      if (equal && !equal.IsVariable()) ++operational_constraints_;
+      ForEachTest(*test, [&](const Test& part) {
+        if (IsCarried(part.kind)) ++operational_constraints_;
+      });
+    }
+  }
+  engine_.chunker.mutable_statistics().operational_constraints += operational_constraints_;
+}
+
+/// Identity sets of a justification as classes: what learns above it generalises through it.
+IdentityPlan RuleBuilder::PlanOfJustification(const Explanation& explanation) {
+  IdentityPlan plan;
+  class_of_.clear();
+  IdentityGraph& graph = analysis_.graph();
+  for (const Explanation::Ground& ground : explanation.grounds) {
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      const IdentityGraph::Node node = analysis_.OfGround(ground, field);
+      std::uint16_t known = IdentityPlan::kLiteral;
+      if (node != IdentityGraph::kNone && !graph.literal(node)) {
+        const auto [place, is_new] = class_of_.try_emplace(graph.Root(node), plan.bound());
+        known = place->second;
+        if (is_new) {
+          plan.first.push_back(static_cast<std::uint16_t>(plan.of_field.size()));
+          plan.variables.emplace_back();
+        }
+      }
+      plan.of_field.push_back(known);
+    }
+  }
+  std::uint16_t next = plan.bound();
+  for (const PreferenceId result : explanation.results) {
+    const Preference& preference = engine_.memory.preference(result);
+    for (const Part part : {Part::kId, Part::kAttribute, Part::kValue, Part::kReferent}) {
+      const Said term = reader_.TermOf(result, part);
+      const IdentityGraph::Node node = analysis_.OfTerm(term, preference.instantiation);
+      std::uint16_t known = IdentityPlan::kLiteral;
+      if (node != IdentityGraph::kNone && !graph.literal(node)) {
+        const auto [place, is_new] = class_of_.try_emplace(graph.Root(node), next);
+        if (is_new) ++next;
+        known = place->second;
+      }
+      plan.of_action.push_back(known);
+    }
+  }
+  return plan;
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// What decided the operators of substates: the preferences without which another one, or none, would have been
+/// selected. Noted when the operator is selected; a rule that fires in the substate and tests it keeps them, so that
+/// its results rest on them (operator selection knowledge).
+class SelectionKnowledge {
+ public:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+  explicit SelectionKnowledge(Engine& engine) : engine_(engine) {}
+
+  /// The operator of a substate has been selected: notes what decided it. `forced`: by command, so nothing did.
+  void OperatorSelected(GoalLevel level, Symbol winner, bool forced);
+  void GoalRemoved(GoalLevel level);
+  /// What decided the operator of the goal at this level, or kNone.
+  std::uint32_t OfGoal(GoalLevel level) const { return level < of_goal_.size() ? of_goal_[level] : kNone; }
+
+  std::span<const PreferenceId> preferences(std::uint32_t selection) const { return sets_[selection].preferences; }
+  void AddReference(std::uint32_t selection) { ++sets_[selection].references; }
+  /// `later`: what nothing refers to any more goes with the next preference that is freed.
+  void DropReference(std::uint32_t selection, bool later);
+  /// All that is held, once for each set that holds it.
+  template <typename Visit>
+  void ForEachPreference(Visit&& visit) const {
+    for (const Set& set : sets_) {
+      for (const PreferenceId p : set.preferences) visit(p);
+    }
+  }
+  void Clear();
+
+ private:
+  struct Set {
+    std::uint32_t references = 0;
+    std::vector<PreferenceId> preferences;
+  };
+  void Collect(SlotId slot, Symbol winner);
+  void Add(PreferenceId preference);
+  bool SaysTheSame(PreferenceId a, PreferenceId b) const;
+
+  Engine& engine_;
+  std::vector<Set> sets_;
+  std::vector<std::uint32_t> free_;
+  std::vector<std::uint32_t> of_goal_;     ///< By level.
+  std::vector<PreferenceId> collected_;    ///< Scratch.
+  std::vector<Symbol> candidates_, left_;  ///< Scratch.
+};
+
+}  // namespace soarbox::kernel

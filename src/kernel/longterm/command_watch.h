@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/memory/wme.h"
+
+namespace soarbox::kernel {
+
+/// Tells a module whether any state's command may have changed, so that it looks at commands only then: it watches the
+/// identifiers that commands consist of. A module has one of its own, and passes Flushed and IdentifierFreed on.
+class CommandWatch {
+ public:
+  /// From now on elements of `id` belong to a command.
+  void Watch(Symbol id) {
+    if (id.index() >= watched_.size()) watched_.resize(id.index() + 1u, 0);
+    watched_[id.index()] = 1;
+  }
+  void Flushed(const WmeTable& wmes, std::span<const WmeId> added, std::span<const WmeId> removed) {
+    if (changed_) return;
+    for (const std::span<const WmeId> list : {added, removed}) {
+      for (const WmeId wme : list) {
+        const std::uint32_t index = wmes[Index(wme)].id.index();
+        changed_ = changed_ || (index < watched_.size() && watched_[index] != 0);
+      }
+    }
+  }
+  void IdentifierFreed(Symbol id) {
+    if (id.index() < watched_.size()) watched_[id.index()] = 0;
+  }
+  /// What was watched is not told of any more: a state is new, or its command moved.
+  void Touch() { changed_ = true; }
+  bool changed() const { return changed_; }
+  /// True once after something changed.
+  bool TakeChanged() { return std::exchange(changed_, false); }
+  void Clear() {
+    watched_.clear();
+    changed_ = true;
+  }
+
+ private:
+  std::vector<std::uint8_t> watched_;  ///< By identifier index.
+  bool changed_ = true;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/longterm/command_watch.h"
+#include "kernel/longterm/episode_query.h"
+#include "kernel/longterm/episode_store.h"
+#include "kernel/longterm/episode_terms.h"
+#include "kernel/longterm/episodic_settings.h"
+#include "kernel/longterm/installer.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Answers what rules ask on ^epmem.command of each state: ^retrieve, ^next, ^previous, ^query. A command is answered
+/// once; when anything that hangs on it changes, what it gave leaves ^epmem.result, and it is answered anew.
+class EpisodeCommands {
+ public:
+  EpisodeCommands(Engine& engine, const EpisodeStore& store, const EpisodeTerms& terms,
+                  const EpisodicSettings& settings, EpisodicCounters& counters)
+      : engine_(engine), store_(store), terms_(terms), settings_(settings), counters_(counters), installer_(engine) {}
+
+  /// Answers what is new, the lowest state first. True if working memory changed; the caller settles.
+  bool Process();
+  /// States come and go, init-soar.
+  void StateMade() { watch_.Touch(); }
+  void StateRemoved(GoalLevel level);
+  /// There are other episodes now: ^next and ^previous have nothing to go on from.
+  void ForgetRetrieved();
+  void Clear();
+  void ForEachHeld(const std::function<void(PreferenceId)>& visit) const;
+  CommandWatch& watch() { return watch_; }
+
+ private:
+  /// The command of a state, as it was read last.
+  struct State {
+    std::uint64_t newest = 0;  ///< Time tag.
+    std::size_t count = 0;
+    EpisodeNumber retrieved = 0;  ///< ^next and ^previous go on from it.
+    std::vector<PreferenceId> made;
+  };
+  /// Elements that hang on an object, breadth first.
+  struct Reach {
+    std::vector<Symbol> objects;
+    struct Element {
+      WmeId wme = WmeId::kNone;
+      std::uint32_t object = 0;
+      std::uint32_t value = 0;  ///< An object, if it is one.
+    };
+    std::vector<Element> elements;
+  };
+  enum class Kind : std::uint8_t { kNone, kRetrieve, kNext, kPrevious, kQuery, kMalformed };
+  struct Command {
+    Kind kind = Kind::kNone;
+    std::int64_t number = 0;    ///< ^retrieve
+    Symbol argument, negative;  ///< ^query, ^next, ^previous; ^neg-query
+    std::optional<std::int64_t> before, after;
+    std::vector<EpisodeNumber> prohibited;
+    bool refined = false;  ///< By any of the last three.
+  };
+  /// What is to be put into working memory.
+  struct Output {
+    std::vector<Triple> results, contents;
+  };
+
+  bool ProcessState(GoalLevel level);
+  Reach ReachOf(Symbol root) const;
+  Command Read(const Reach& reach) const;
+  bool ReadElement(Command& command, Symbol attribute, Symbol value) const;
+  void Execute(GoalLevel level, const Command& command, Output& output);
+  void Query(GoalLevel level, const Command& command, Output& output);
+  EpisodeCue CueOf(const Reach& reach) const;
+  /// The contents of an episode below a new identifier on ^retrieved; gives the identifiers by node.
+  std::vector<std::pair<EpisodeNode, Symbol>> Recall(GoalLevel level, EpisodeNumber episode, Output& output);
+  /// The links of a cue to objects, in the order in which Soar lists them: that of the places in which it keeps the
+  /// elements of cues, which are taken up and left again query by query.
+  std::vector<std::uint32_t> ListingOrder(const EpisodeCue& positive, const EpisodeCue& negative);
+  void Say(Output& output, GoalLevel level, const char* attribute, Symbol value) const;
+  /// Tells observers what came of a command, and why.
+  void Tell(GoalLevel level, EpisodeNumber episode, std::string_view question, std::string_view reason) const;
+  void TellQuery(GoalLevel level, const Command& command, const EpisodeQuery& query, const EpisodeAnswer& answer) const;
+  Symbol Word(const char* text) const;
+
+  Engine& engine_;
+  const EpisodeStore& store_;
+  const EpisodeTerms& terms_;
+  const EpisodicSettings& settings_;
+  EpisodicCounters& counters_;
+  Installer installer_;
+  CommandWatch watch_;
+  std::vector<State> states_;  ///< By level, from 0.
+  std::vector<std::uint32_t> free_places_;
+  std::uint32_t places_ = 0;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/longterm/episode_store.h"
+
+namespace soarbox::kernel {
+
+/// What a cue says, as the agent wrote it: elements of objects. Object 0 is the cue itself, which stands for the top
+/// state of the episode.
+struct EpisodeCueElement {
+  std::uint32_t object = 0;
+  EpisodeTerm attribute = kUnknownEpisodeTerm;
+  bool value_is_object = false;
+  std::uint32_t value = 0;  ///< An object, or a term.
+  double weight = 1;
+};
+
+/// A cue as a graph without cycles: which variables are linked by which attributes to which others and to constants.
+/// An element that leads back to an object on the way from the cue is left out, and so is one that leads to nothing but
+/// such elements. Variable 0 is the top state. An object without elements is a variable for each link that leads to it:
+/// two links to one such object may be met by two nodes.
+class EpisodeCue {
+ public:
+  static constexpr std::uint32_t kNoVariable = 0xFFFFFFFF;
+
+  struct Edge {
+    std::uint32_t from = 0;          ///< A variable.
+    std::uint32_t to = kNoVariable;  ///< A variable, or none: `value` is a constant.
+    EpisodeTerm attribute = 0;
+    EpisodeTerm value = 0;
+    bool leaf = false;  ///< What scores are made of: a constant, or an object without elements.
+    double weight = 0;
+  };
+
+  EpisodeCue() = default;
+  /// `elements` in the order in which the agent's memory lists them, of `objects` objects.
+  EpisodeCue(std::span<const EpisodeCueElement> elements, std::uint32_t objects);
+
+  std::uint32_t variable_count() const { return static_cast<std::uint32_t>(object_of_.size()); }
+  const std::vector<Edge>& edges() const { return edges_; }
+  const Edge& edge(std::uint32_t index) const { return edges_[index]; }
+  /// Indices of the edges that leave a variable, or lead to one.
+  std::span<const std::uint32_t> EdgesFrom(std::uint32_t variable) const { return from_.Of(variable); }
+  std::span<const std::uint32_t> EdgesTo(std::uint32_t variable) const { return to_.Of(variable); }
+  /// The agent's object that a variable stands for.
+  std::uint32_t ObjectOf(std::uint32_t variable) const { return object_of_[variable]; }
+  /// Variables such that each comes after those that lead to it.
+  std::span<const std::uint32_t> TopDown() const { return top_down_; }
+  std::uint32_t leaf_count() const { return leaf_count_; }
+  double leaf_weight() const { return leaf_weight_; }
+  /// All leaves weigh more than nothing.
+  bool all_weigh() const { return all_weigh_; }
+
+ private:
+  /// Lists of edges by variable.
+  struct Lists {
+    std::vector<std::uint32_t> begins, edges;
+    std::span<const std::uint32_t> Of(std::uint32_t variable) const {
+      return {edges.data() + begins[variable], begins[variable + 1] - begins[variable]};
+    }
+  };
+  void MakeLists();
+  void OrderVariables();
+
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> object_of_, top_down_;
+  Lists from_, to_;
+  std::uint32_t leaf_count_ = 0;
+  double leaf_weight_ = 0;
+  bool all_weigh_ = true;
+};
+
+/// Which episodes a query may return.
+struct EpisodeWindow {
+  EpisodeNumber first = 1, last = 0;      ///< Both included.
+  std::vector<EpisodeNumber> prohibited;  ///< In order.
+
+  /// The latest episode up to `episode` that may be returned; 0 if there is none.
+  EpisodeNumber Latest(EpisodeNumber episode) const;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "kernel/longterm/episode_cue.h"
+#include "kernel/longterm/episode_store.h"
+
+namespace soarbox::kernel {
+
+struct EpisodeQuery {
+  EpisodeCue positive, negative;
+  EpisodeWindow window;
+  bool graph_match = true;
+};
+
+struct EpisodeAnswer {
+  EpisodeNumber episode = 0;  ///< 0: none.
+  double score = 0;
+  std::int32_t cardinality = 0;
+  bool graph_matched = false;
+  std::vector<EpisodeNode> nodes;  ///< If so: by variable of the positive cue.
+};
+
+/// The episode that answers a query: the latest in which the positive cue holds as a graph and no leaf of the negative
+/// one does; if there is none, or graphs are not asked for, the one with the best surface score.
+EpisodeAnswer Answer(const EpisodeStore& store, const EpisodeQuery& query);
+
+/// Tells in which episodes a leaf of a negative cue holds.
+class NegativeLeaves {
+ public:
+  NegativeLeaves(const EpisodeStore& store, const EpisodeCue& cue) : store_(store), cue_(cue) {}
+
+  /// The latest episode up to `episode` in which none holds, or 0.
+  EpisodeNumber LatestWithout(EpisodeNumber episode);
+
+ private:
+  struct Span {
+    EpisodeNumber end = 0;
+    bool held = false;
+  };
+  Span& Look(EpisodeNumber episode, EpisodeNumber& start);
+
+  const EpisodeStore& store_;
+  const EpisodeCue& cue_;
+  std::map<EpisodeNumber, Span> known_;  ///< By start: episodes in which the answer is the same.
+};
+
+}  // namespace soarbox::kernel

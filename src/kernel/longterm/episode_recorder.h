@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/longterm/episode_store.h"
+#include "kernel/longterm/episode_terms.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// Makes episodes of working memory: all that hangs on the top state, but for attributes that are excluded. Takes notes
+/// of what comes and goes, so that an episode costs what changed since the last one.
+///
+/// An element is taken up when its identifier has a node and its attribute is not excluded; that is decided once. When
+/// an object gets a node, its elements are taken up however old they are. The node of an object that nothing recorded
+/// leads to any more serves the next object in the same place, so that the store stays as large as memory ever was.
+class EpisodeRecorder {
+ public:
+  EpisodeRecorder(Engine& engine, EpisodeStore& store, EpisodeTerms& terms)
+      : engine_(engine), store_(store), terms_(terms) {}
+
+  /// What came and went in working memory. Removed elements are readable still.
+  void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
+  /// The object is linked to another object of semantic memory now.
+  void LinkChanged(Symbol id);
+  /// Makes the next episode.
+  EpisodeNumber Record(std::span<const std::string> exclusions);
+  /// Forgets what stands in working memory: the next episode begins at the top state anew. Nodes that the store has
+  /// serve again.
+  void Restart();
+  bool recording() const { return recording_; }
+
+ private:
+  struct Added {
+    WmeId wme = WmeId::kNone;
+    std::uint64_t timetag = 0;
+  };
+
+  EpisodeNode NodeOf(Symbol id) const { return id.index() < node_of_.size() ? node_of_[id.index()] : kNoEpisodeNode; }
+  bool IsNew(const Added& added) const;
+  void TakeUp(WmeId wme, std::span<const std::string> exclusions);
+  void TakeUpAll(Symbol id, std::span<const std::string> exclusions);
+  EpisodeNode Place(EpisodeNode parent, EpisodeTerm attribute, Symbol object);
+  void Bind(EpisodeNode node, Symbol object);
+  void Drop(WmeId wme);
+  void DropNode(EpisodeNode node);
+  void MakeFree(EpisodeNode node);
+  void NoteFact(EpisodeFact fact);
+  void DropStale();
+  template <typename Visit>
+  void ForEachElement(Symbol id, Visit visit) const;
+
+  Engine& engine_;
+  EpisodeStore& store_;
+  EpisodeTerms& terms_;
+  bool recording_ = false;
+  std::vector<EpisodeFact> fact_of_;  ///< By WmeId.
+  std::vector<EpisodeNode> node_of_;  ///< By identifier index.
+  struct Node {
+    Symbol object;                  ///< None: the node is free.
+    std::uint32_t references = 0;   ///< Recorded elements that lead to it.
+    std::vector<EpisodeFact> ways;  ///< Facts whose value it is.
+  };
+  std::vector<Node> nodes_;
+  std::vector<Added> added_;
+  std::size_t stale_check_at_ = 1024;
+  std::vector<Symbol> found_;   ///< Objects that got a node and whose elements wait.
+  std::vector<WmeId> leaving_;  ///< Recorded elements that go.
+  /// Free nodes by the place where they were, as the facts that led there.
+  std::unordered_map<std::uint64_t, std::vector<EpisodeFact>> free_;
+  std::vector<bool> listed_;  ///< By fact: is in free_.
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "kernel/longterm/episode_store.h"
+#include "kernel/longterm/episode_terms.h"
+#include "kernel/longterm/journal.h"
+
+namespace soarbox::kernel {
+
+/// Writes episodes down for a journal, one after the other: what constants and facts each of them adds to those before
+/// it, which facts came and went, and which nodes were linked to objects of semantic memory.
+class EpisodeWriter {
+ public:
+  EpisodeWriter(const EpisodeStore& store, const EpisodeTerms& terms) : store_(store), terms_(terms) {}
+
+  /// Appends the episodes that came since the last call.
+  void Write(RecordWriter& out);
+  /// What the store holds now has been written already: it was read.
+  void SkipAll();
+  /// The next call writes everything.
+  void Restart() { *this = EpisodeWriter(store_, terms_); }
+  EpisodeWriter& operator=(const EpisodeWriter& other) {
+    terms_written_ = other.terms_written_;
+    facts_written_ = other.facts_written_;
+    episodes_written_ = other.episodes_written_;
+    return *this;
+  }
+  EpisodeWriter(const EpisodeWriter&) = default;
+
+ private:
+  const EpisodeStore& store_;
+  const EpisodeTerms& terms_;
+  std::size_t terms_written_ = 0, facts_written_ = 0;
+  EpisodeNumber episodes_written_ = 0;
+};
+
+/// Reads episodes into a store, behind those that it has. False if the bytes make no sense; the store holds what came
+/// before then, and is to be cleared.
+bool ReadEpisodes(std::span<const std::uint8_t> bytes, EpisodeStore& store, EpisodeTerms& terms);
+
+}  // namespace soarbox::kernel

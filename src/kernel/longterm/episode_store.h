@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/plain_vector.h"
+#include "kernel/longterm/episode_intervals.h"
+
+namespace soarbox::kernel {
+
+/// An object that episodes speak of. 0 is the top state.
+using EpisodeNode = std::uint32_t;
+/// A triple that was true in some episode. Dense from 0; never taken back.
+using EpisodeFact = std::uint32_t;
+/// A constant that episodes speak of: an attribute or a value (see EpisodeTerms).
+using EpisodeTerm = std::uint32_t;
+
+inline constexpr EpisodeNode kNoEpisodeNode = 0x7FFFFFFF;
+inline constexpr EpisodeFact kNoEpisodeFact = 0x7FFFFFFF;
+/// A term that no episode speaks of: nothing matches it.
+inline constexpr EpisodeTerm kUnknownEpisodeTerm = 0x7FFFFFFF;
+
+/// What stands in a fact's third place: a constant or a node.
+class EpisodeValue {
+ public:
+  constexpr EpisodeValue() = default;
+  static constexpr EpisodeValue Constant(EpisodeTerm term) { return EpisodeValue(term); }
+  static constexpr EpisodeValue Node(EpisodeNode node) { return EpisodeValue(node | kNodeBit); }
+  static constexpr EpisodeValue FromBits(std::uint32_t bits) { return EpisodeValue(bits); }
+
+  constexpr bool IsNode() const { return (bits_ & kNodeBit) != 0; }
+  constexpr EpisodeNode node() const { return bits_ & ~kNodeBit; }
+  constexpr EpisodeTerm term() const { return bits_; }
+  constexpr std::uint32_t bits() const { return bits_; }
+
+  friend constexpr bool operator==(EpisodeValue, EpisodeValue) = default;
+
+ private:
+  static constexpr std::uint32_t kNodeBit = 0x80000000u;
+  explicit constexpr EpisodeValue(std::uint32_t bits) : bits_(bits) {}
+
+  std::uint32_t bits_ = 0;
+};
+
+struct EpisodeTriple {
+  EpisodeNode parent = 0;
+  EpisodeTerm attribute = 0;
+  EpisodeValue value;
+
+  friend bool operator==(const EpisodeTriple&, const EpisodeTriple&) = default;
+};
+
+/// All episodes of an agent as facts about nodes: for each fact the intervals of episodes in which it was true, and a
+/// log of what changed from each episode to the next, with key frames.
+///
+/// An episode costs what changed since the last one. Frames are written after as many changes as there are true facts,
+/// so that they double the log at most, and any episode is worked out in time proportional to its size.
+///
+/// Invariants: intervals of a fact are in order, disjoint and not adjacent; a fact is open exactly if it was true in
+/// the newest episode; replay of an episode gives the facts whose intervals hold it.
+class EpisodeStore {
+ public:
+  EpisodeStore() { Clear(); }
+
+  // Recording -------------------------------------------------------------------------------------------------------
+
+  /// A node that nothing speaks of yet.
+  EpisodeNode NewNode() { return node_count_++; }
+  /// The fact, made if it is new.
+  EpisodeFact Intern(const EpisodeTriple& triple);
+  /// One more, or one less, reason why the fact is true in the episode to come.
+  void Hold(EpisodeFact fact);
+  void Release(EpisodeFact fact);
+  /// From the episode to come on, the node is the object with that number in semantic memory; 0: none.
+  void SetLink(EpisodeNode node, std::uint64_t lti);
+  /// Makes the next episode of what holds now.
+  EpisodeNumber Commit();
+  /// What the last Commit found changed: twice the fact, one more if it became true.
+  std::span<const std::uint32_t> LastChanges() const;
+  bool IsHeld(EpisodeFact fact) const { return now_[fact].holders != 0; }
+  /// Nothing holds any more: the objects of a past life are gone. The next Commit says so.
+  void ReleaseAll();
+  void Clear();
+
+  // Reading ---------------------------------------------------------------------------------------------------------
+
+  EpisodeNumber last() const { return static_cast<EpisodeNumber>(begins_.size() - 1); }
+  std::size_t fact_count() const { return facts_.size(); }
+  std::size_t change_count() const { return changes_.size(); }
+  EpisodeNode node_count() const { return node_count_; }
+  EpisodeTriple triple(EpisodeFact fact) const {
+    const Fact& f = facts_[fact];
+    return {f.parent, f.attribute, f.value};
+  }
+  /// The fact, or kNoEpisodeFact.
+  EpisodeFact Find(const EpisodeTriple& triple) const;
+  /// The facts with this parent and attribute whose value is a node, in the order of their making.
+  std::span<const EpisodeFact> Children(EpisodeNode parent, EpisodeTerm attribute) const;
+  /// The latest episode up to `episode`, which exists, in which the fact was true; 0 if there is none.
+  EpisodeNumber Latest(EpisodeFact fact, EpisodeNumber episode) const {
+    const Fact& f = facts_[fact];
+    return f.open != 0 && f.open <= episode ? episode : LatestClosed(f, episode);
+  }
+  bool Holds(EpisodeFact fact, EpisodeNumber episode) const { return Latest(fact, episode) == episode; }
+  /// Since when the fact has been what it is in `episode`: true or not.
+  EpisodeNumber SameSince(EpisodeFact fact, EpisodeNumber episode) const;
+  /// The facts of an episode, which exists, in no particular order.
+  std::vector<EpisodeFact> Replay(EpisodeNumber episode) const;
+  /// The node's number in semantic memory in that episode; 0: none.
+  std::uint64_t Link(EpisodeNode node, EpisodeNumber episode) const;
+  /// The links that were set for that episode, in order.
+  std::vector<std::pair<EpisodeNode, std::uint64_t>> LinksOf(EpisodeNumber episode) const;
+  /// The closed intervals of a fact; the open one, if any, begins at `open`.
+  std::span<const EpisodeInterval> Intervals(EpisodeFact fact) const { return intervals_.Of(facts_[fact].intervals); }
+  EpisodeNumber OpenSince(EpisodeFact fact) const { return facts_[fact].open; }
+  /// The changes from the episode before to this one.
+  std::span<const std::uint32_t> ChangesOf(EpisodeNumber episode) const;
+
+  std::size_t MemoryBytes() const;
+  /// The first violation of the invariants in words, or empty. Walks everything.
+  const char* CheckInvariants() const;
+
+ private:
+  struct Fact {
+    EpisodeNode parent = 0;
+    EpisodeTerm attribute = 0;
+    EpisodeValue value;
+    EpisodeNumber open = 0;  ///< True since this episode, as of the newest; 0: not true in it.
+    EpisodeIntervals::List intervals;
+  };
+  /// What only recording needs.
+  struct Now {
+    std::uint32_t holders = 0;
+    std::uint32_t live_at : 31 = 0;  ///< Its place in live_, while open.
+    std::uint32_t touched : 1 = 0;   ///< Is in touched_.
+  };
+  struct Frame {
+    EpisodeNumber episode = 0;
+    std::size_t begin = 0, end = 0;  ///< In frame_facts_.
+  };
+  struct Link_ {
+    EpisodeNumber from = 0;
+    std::uint64_t lti = 0;
+  };
+  struct SetLink_ {
+    EpisodeNumber from = 0;
+    EpisodeNode node = 0;
+    std::uint64_t lti = 0;
+  };
+
+  void Touch(EpisodeFact fact);
+  void Log(EpisodeFact fact, bool comes);
+  void WriteFrameIfDue();
+  EpisodeNumber LatestClosed(const Fact& fact, EpisodeNumber episode) const;
+  static std::size_t HashOf(const EpisodeTriple& triple);
+  void Rehash();
+
+  PlainVector<Fact> facts_;
+  PlainVector<Now> now_;
+  EpisodeIntervals intervals_;
+  PlainVector<std::uint32_t> by_content_;  ///< Open addressing: fact + 1, or 0.
+  std::unordered_map<std::uint64_t, std::vector<EpisodeFact>> children_;
+  PlainVector<std::uint32_t> changes_;
+  PlainVector<std::uint32_t> begins_;  ///< Where the changes of episode n begin: [n - 1]. One more at the end.
+  PlainVector<EpisodeFact> frame_facts_;
+  std::vector<Frame> frames_;
+  std::size_t changes_since_frame_ = 0;
+  std::vector<EpisodeFact> touched_;
+  std::vector<EpisodeFact> live_;
+  std::unordered_map<EpisodeNode, std::vector<Link_>> links_;
+  std::vector<SetLink_> set_links_;  ///< In order.
+  EpisodeNode node_count_ = 1;
+};
+
+}  // namespace soarbox::kernel

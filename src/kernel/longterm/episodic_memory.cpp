@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/longterm/episodic_memory.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/longterm/journal.h"
+#include "kernel/longterm/long_term.h"
+
+namespace soarbox::kernel {
+
+EpisodicMemory::EpisodicMemory(Engine& engine)
+    : engine_(engine),
+      recorder_(engine, store_, terms_),
+      commands_(engine, store_, terms_, settings_, counters_),
+      writer_(store_, terms_) {}
+
+EpisodicMemory::~EpisodicMemory() = default;
+
+EpisodicMemory* EpisodicMemory::Find(LongTerm& long_term) {
+  return static_cast<EpisodicMemory*>(long_term.module(LongTerm::ModuleKind::kEpisodic));
+}
+
+const EpisodicMemory* EpisodicMemory::Find(const LongTerm& long_term) {
+  return static_cast<const EpisodicMemory*>(long_term.module(LongTerm::ModuleKind::kEpisodic));
+}
+
+EpisodicMemory& EpisodicMemory::Of(LongTerm& long_term) {
+  if (Find(long_term) == nullptr) {
+    long_term.Attach(LongTerm::ModuleKind::kEpisodic, std::make_unique<EpisodicMemory>(long_term.engine()));
+  }
+  return *Find(long_term);
+}
+
+// Settings ------------------------------------------------------------------------------------------------------------
+
+void EpisodicMemory::SetLearning(bool on) {
+  if (settings_.learning == on) return;
+  settings_.learning = on;
+  if (!on) return;
+  // From now on notes are taken, also while it is switched off again: episodes say what changed.
+  engine_.long_term.SetHooks(LongTerm::ModuleKind::kEpisodic, ModuleHook::kFlush | ModuleHook::kAfterDecision |
+                                                                  ModuleHook::kOutput | ModuleHook::kStates);
+  commands_.watch().Touch();
+}
+
+void EpisodicMemory::ToggleExclusion(std::string_view attribute) {
+  const auto found = std::find(settings_.exclusions.begin(), settings_.exclusions.end(), attribute);
+  if (found != settings_.exclusions.end()) {
+    settings_.exclusions.erase(found);
+  } else {
+    settings_.exclusions.emplace_back(attribute);
+  }
+}
+
+void EpisodicMemory::Forget() {
+  store_.Clear();
+  terms_.Clear();
+  decisions_.clear();
+  writer_.Restart();
+  recorder_.Restart();
+  commands_.ForgetRetrieved();
+}
+
+void EpisodicMemory::Close() {
+  SetJournal(nullptr);  // What it has not written yet it writes as it goes.
+  Forget();
+  counters_ = {};
+  opened_ = false;
+}
+
+// The journal ---------------------------------------------------------------------------------------------------------
+
+void EpisodicMemory::SetOpener(Opener opener, bool continues) {
+  opener_ = std::move(opener);
+  continues_ = continues;
+}
+
+Result<void> EpisodicMemory::TryOpen() {
+  if (opened_ || !opener_) {
+    opened_ = true;
+    return {};
+  }
+  Result<void> result = opener_(*this);
+  opened_ = result.ok();
+  if (opened_) engine_.long_term.present_id = store_.last() + std::int64_t{1};
+  return result;
+}
+
+void EpisodicMemory::EnsureOpen() {
+  if (opened_) return;
+  const Result<void> result = TryOpen();
+  opened_ = true;
+  if (!result) engine_.Print("Episodic memory goes on without a file: " + Format(result.error()));
+}
+
+void EpisodicMemory::SetJournal(std::unique_ptr<Journal> journal) {
+  journal_ = std::move(journal);
+  warned_ = false;
+}
+
+/// Writes down what is new. What cannot be written stays with the journal and is tried again: one warning is enough.
+void EpisodicMemory::Keep() {
+  if (journal_ == nullptr) return;
+  RecordWriter record;
+  writer_.Write(record);
+  journal_->Append(record.bytes());
+  const Result<void> kept = journal_->Commit();
+  if (!kept && !warned_) engine_.Print("Episodic memory: " + Format(kept.error()));
+  warned_ = !kept;
+}
+
+void EpisodicMemory::Save(RecordWriter& out) const {
+  EpisodeWriter(store_, terms_).Write(out);
+}
+
+bool EpisodicMemory::Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records) {
+  Forget();
+  bool good = ReadEpisodes(image, store_, terms_);
+  for (const std::vector<std::uint8_t>& record : records) good = good && ReadEpisodes(record, store_, terms_);
+  if (!good) {
+    Forget();
+    return false;
+  }
+  writer_.SkipAll();
+  decisions_.assign(store_.last(), 0);
+  // The objects of a past life serve again.
+  recorder_.Restart();
+  return true;
+}
+
+// The cycle -----------------------------------------------------------------------------------------------------------
+
+void EpisodicMemory::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
+  recorder_.Flushed(added, removed);
+  commands_.watch().Flushed(engine_.memory.wmes(), added, removed);
+}
+
+void EpisodicMemory::AfterDecision() {
+  if (settings_.learning && settings_.phase == EpisodicSettings::Phase::kSelection) Respond();
+}
+
+void EpisodicMemory::Output(bool /*output_changed*/) {
+  if (settings_.learning && settings_.phase == EpisodicSettings::Phase::kOutput) Respond();
+}
+
+/// Whether an episode is to be taken now.
+bool EpisodicMemory::IsDue() {
+  using Trigger = EpisodicSettings::Trigger;
+  using Force = EpisodicSettings::Force;
+  bool due = settings_.trigger == Trigger::kDecision;
+  if (settings_.trigger == Trigger::kOutput) {
+    const std::uint64_t before = newest_output_;
+    for (const WmeId wme : engine_.memory.WmesOf(engine_.output.identifier())) {
+      newest_output_ = std::max(newest_output_, engine_.memory.wme(wme).timetag);
+    }
+    due = newest_output_ > before;
+  }
+  if (settings_.force != Force::kOff) due = settings_.force == Force::kRemember;
+  settings_.force = Force::kOff;
+  return due;
+}
+
+void EpisodicMemory::Respond() {
+  EnsureOpen();
+  bool changed = false;
+  if (IsDue()) {
+    recorder_.Record(settings_.exclusions);
+    decisions_.push_back(static_cast<std::uint32_t>(engine_.counters.decision_phases));
+    Keep();
+    ShowTime();
+    changed = true;
+  }
+  changed = commands_.Process() || changed;
+  if (changed) engine_.elaboration.ApplyWorkingMemoryChanges();
+}
+
+/// Puts the number of the next episode on every state's link.
+void EpisodicMemory::ShowTime() {
+  engine_.long_term.present_id = store_.last() + std::int64_t{1};
+  const Symbol time = engine_.symbols.Integer(engine_.long_term.present_id);
+  for (std::size_t level = 1; level <= engine_.goals.depth(); ++level) {
+    MemoryLink& link = engine_.goals.at(static_cast<GoalLevel>(level)).epmem;
+    if (engine_.memory.wme(link.present_id).value == time) continue;
+    const SlotId slot = engine_.memory.FindSlot(link.link, words::kPresentId);
+    engine_.changes.Remove(link.present_id);
+    link.present_id = engine_.changes.Add(WmeKind::kSlot, link.link, words::kPresentId, time, slot);
+  }
+}
+
+// States and lives ----------------------------------------------------------------------------------------------------
+
+void EpisodicMemory::StateMade(GoalLevel /*level*/) {
+  commands_.StateMade();
+}
+
+void EpisodicMemory::StateRemoved(GoalLevel level) {
+  commands_.StateRemoved(level);
+}
+
+void EpisodicMemory::BeforeInit() {
+  Close();
+  if (continues_ && settings_.learning) EnsureOpen();
+  engine_.long_term.present_id = store_.last() + std::int64_t{1};
+}
+
+void EpisodicMemory::AfterInit() {
+  commands_.Clear();
+  recorder_.Restart();
+  newest_output_ = 0;
+}
+
+void EpisodicMemory::Mark(const std::function<void(Symbol)>& /*mark*/) {
+  terms_.ForgetSymbols();
+}
+
+void EpisodicMemory::IdentifierFreed(Symbol id) {
+  commands_.watch().IdentifierFreed(id);
+}
+
+void EpisodicMemory::ForEachHeld(const std::function<void(PreferenceId)>& visit) const {
+  commands_.ForEachHeld(visit);
+}
+
+void EpisodicMemory::LinkChanged(Symbol id) {
+  recorder_.LinkChanged(id);
+}
+
+std::size_t EpisodicMemory::MemoryBytes() const {
+  return sizeof(*this) + store_.MemoryBytes() + terms_.MemoryBytes();
+}
+
+}  // namespace soarbox::kernel

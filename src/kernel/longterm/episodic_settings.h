@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace soarbox::kernel {
+
+/// What `epmem --set` sets.
+struct EpisodicSettings {
+  enum class Phase : std::uint8_t { kOutput, kSelection };
+  enum class Trigger : std::uint8_t { kNone, kOutput, kDecision };
+  enum class Force : std::uint8_t { kOff, kRemember, kIgnore };
+
+  bool learning = false;
+  Phase phase = Phase::kOutput;          ///< When episodes are taken and commands answered.
+  Trigger trigger = Trigger::kDecision;  ///< An episode per decision, or when rules made something on the output link.
+  Force force = Force::kOff;             ///< For the next opportunity only, whatever the trigger says.
+  std::vector<std::string> exclusions = {"epmem", "smem"};  ///< Attributes that episodes leave out.
+  double balance = 1;  ///< Below 1 the leaves of a cue weigh as much as they are active in working memory.
+  bool graph_match = true;
+};
+
+/// What `epmem --stats` shows beside the store.
+struct EpisodicCounters {
+  std::uint64_t retrievals = 0, queries = 0, nexts = 0, previous = 0;
+  std::uint64_t last_retrieval_wmes = 0;
+  std::uint64_t query_positive = 0, query_negative = 0, query_retrieved = 0, query_literals = 0;
+  std::int64_t query_cardinality = 0;
+};
+
+}  // namespace soarbox::kernel

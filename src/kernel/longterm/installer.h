@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/longterm/memory_link.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// What a retrieval says of working memory: (id ^attribute value).
+struct Triple {
+  Symbol id, attribute, value;
+};
+
+/// Puts what long-term memory answers into working memory: preferences with o-support of an instantiation that no rule
+/// made ("Memory System Recall"). Its traces are the elements of the command, so that learning and goal dependency sets
+/// follow it as they follow any rule's.
+///
+/// A retrieval calls Install twice: first for what stands on ^result (the caller keeps these preferences and gives them
+/// to Retract when the command changes), then for the contents of the objects retrieved, which live as long as they are
+/// linked; then Settle. In this order the contents get the lower time tags, as in Soar 9.6.3.
+class Installer {
+ public:
+  explicit Installer(Engine& engine) : engine_(engine) {}
+
+  /// A new identifier for the contents, at the level of a state; linked to the long-term identifier if that is not 0.
+  Symbol NewIdentifier(char letter, GoalLevel level, std::uint64_t long_term_identifier = 0);
+  /// Asserts all triples as one instantiation of the state at `level`, which rests on `command`. Appends what entered
+  /// its slot to `made`, if given, in order. A fact that is there already is left out.
+  void Install(GoalLevel level, std::span<const WmeId> command, std::span<const Triple> triples,
+               std::vector<PreferenceId>* made = nullptr);
+  /// Takes preferences back, last first, and empties the list.
+  void Retract(std::vector<PreferenceId>& made);
+  /// Decides the slots that changed and tells the match. Call when something was installed or retracted.
+  void Settle();
+
+ private:
+  Engine& engine_;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "kernel/longterm/semantic_query.h"
+
+namespace soarbox::kernel {
+
+class SemanticMemory;
+
+/// The texts of `smem --add`, `--query` and `--remove`, without the outer braces:
+///   (@12 ^name tank ^has @13 <part> ^engine.fuel diesel) (<part> ^name hatch) (@steel ^hardness 6)
+/// An object is a number (@12), a name that holds for the whole memory (@steel), or a variable, which stands for a new
+/// object within one text. Several values may follow an attribute; a path makes an object for each of its dots.
+
+/// Adds what the text says, all of it or, if something is wrong, nothing. Gives Soar's message of what is wrong, or an
+/// empty text.
+std::string AddKnowledge(SemanticMemory& memory, std::string_view text);
+
+/// Reads a query: (<q> ^kind tank ^weight <any> ^has @13). Variables, and words that look like identifiers, stand for
+/// any value; a minus before the arrow for what must not be there. Gives Soar's message of what is wrong, or an empty
+/// text.
+std::string ReadQuery(const SemanticMemory& memory, std::string_view text, Cue& cue);
+
+/// Removes values (@12 ^name tank), attributes (@12 ^name) and all augmentations of objects (@12). What is not there is
+/// an error; `force` goes on behind one. Gives the errors, one a line; nothing is removed if there are any and `force`
+/// is not set.
+std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool force);
+
+/// The number of an object as a user writes it: @12 or @name. 0 if it names none.
+Lti ObjectNamed(const SemanticMemory& memory, std::string_view text);
+
+}  // namespace soarbox::kernel

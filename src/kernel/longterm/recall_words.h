@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "kernel/base/symbol.h"
+#include "kernel/longterm/knowledge.h"
+#include "kernel/longterm/semantic_query.h"
+
+namespace soarbox::kernel {
+
+struct Engine;
+
+/// What rules asked of long-term memory, what came and why, in words: for observers of Event::kRecall. Worked out only
+/// when somebody listens; looking changes nothing.
+
+/// The elements of a cue: "^kind ammo ^site @3 ^room <any>". `depth`: how many levels of objects are opened, as paths:
+/// "^enemy.name bob".
+std::string CueWords(const Engine& engine, Symbol cue, int depth);
+
+/// The first constants of an object: "^kind ammo ^name crate".
+std::string ObjectWords(const Knowledge& knowledge, std::uint32_t object);
+
+/// Why a query found this object: "the only one that fits", "the most active of those that fit: 3.000, then @4 with
+/// 2.000". `others`: those that fit, the best first, some of them; none: there were too many to compare.
+std::string WhyFound(const Knowledge& knowledge, const Activations& activations, const Cue& cue,
+                     std::span<const std::uint32_t> others);
+
+/// Why a query found nothing: "nothing that is known has ^kind mortar". `prohibited_fits`: what is prohibited fits.
+std::string WhyNotFound(const Engine& engine, const Knowledge& knowledge, Symbol cue, bool prohibited_fits);
+
+}  // namespace soarbox::kernel

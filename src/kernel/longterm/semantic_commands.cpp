@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/decide/engine.h"
+#include "kernel/longterm/recall_words.h"
+#include "kernel/longterm/semantic_memory.h"
+
+namespace soarbox::kernel {
+
+/// The command of one state, as its elements say it.
+struct SemanticMemory::Command {
+  enum class Kind { kNone, kBad, kStore, kStoreNew, kRetrieve, kQuery };
+
+  std::vector<WmeId> wmes;  ///< On the command link, and those of ^query and ^store objects; last: that of ^result.
+  State::Seen store, other;
+  Kind kind = Kind::kNone;
+  std::vector<Symbol> stored;  ///< In the order of their elements.
+  Symbol asked;                ///< ^retrieve, ^query
+  Symbol negative, math;
+  std::vector<Symbol> prohibited;
+  std::int64_t depth = 1;
+  bool link = true;  ///< link-to-ltm, or link-to-new-ltm.
+};
+
+/// What a retrieval puts into working memory.
+struct SemanticMemory::Retrieval {
+  GoalLevel level = 0;
+  bool link = true;
+  std::vector<Triple> contents;
+  std::map<std::uint32_t, Symbol> made;  ///< One identifier per object.
+  std::vector<Symbol> deeper;            ///< What came with ^depth, in order.
+};
+
+namespace {
+
+/// An element of a slot that no preference made: a link of the architecture. kNone if there is none.
+WmeId ElementOf(const WorkingMemory& memory, Symbol id, Symbol attribute) {
+  const SlotId slot = memory.FindSlot(id, attribute);
+  return slot == SlotId::kNone ? WmeId::kNone : memory.slot(slot).wmes;
+}
+
+}  // namespace
+
+SemanticMemory::Command SemanticMemory::Read(GoalLevel level) {
+  const WorkingMemory& memory = engine_.memory;
+  const Goal& goal = engine_.goals.at(level);
+  Command command;
+  watch_.Watch(goal.smem.command);
+  const auto count = [&](WmeId wme, bool is_store) {
+    State::Seen& seen = is_store ? command.store : command.other;
+    ++seen.count;
+    seen.time = std::max(seen.time, memory.wme(wme).timetag);
+  };
+  const std::vector<WmeId> top = memory.WmesOf(goal.smem.command);
+  for (const WmeId wme : top) {
+    command.wmes.push_back(wme);
+    const Symbol attribute = memory.wme(wme).attribute;
+    count(wme, attribute == words::kStore);
+  }
+  for (const WmeId wme : top) {
+    const Symbol attribute = memory.wme(wme).attribute;
+    const Symbol value = memory.wme(wme).value;
+    if (!value.IsIdentifier() || (attribute != words::kQuery && attribute != words::kStore)) continue;
+    watch_.Watch(value);
+    for (const WmeId inner : memory.WmesOf(value)) {
+      command.wmes.push_back(inner);
+      count(inner, attribute == words::kStore);
+    }
+  }
+  // An answer rests on its place, too.
+  const WmeId place = ElementOf(memory, goal.smem.link, words::kResult);
+  if (!command.wmes.empty() && place != WmeId::kNone) command.wmes.push_back(place);
+  return command;
+}
+
+void SemanticMemory::Parse(Command& command) {
+  const WorkingMemory& memory = engine_.memory;
+  const Symbol link = command.wmes.empty() ? Symbol() : memory.wme(command.wmes.front()).id;
+  int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0, depths = 0, links = 0,
+      new_links = 0;
+  bool bad = false;
+  for (const WmeId id : command.wmes) {
+    const Wme& wme = memory.wme(id);
+    if (wme.id != link) continue;
+    const Symbol value = wme.value;
+    const bool is_identifier = value.IsIdentifier();
+    if (wme.attribute == words::kRetrieve) {
+      ++retrieves;
+      command.asked = value;
+      bad = bad || !is_identifier;
+    } else if (wme.attribute == words::kQuery) {
+      ++queries;
+      command.asked = value;
+      bad = bad || !is_identifier;
+    } else if (wme.attribute == words::kNegQuery) {
+      ++negatives;
+      command.negative = value;
+      bad = bad || !is_identifier;
+    } else if (wme.attribute == words::kMathQuery) {
+      ++maths;
+      command.math = value;
+      bad = bad || !is_identifier;
+    } else if (wme.attribute == words::kProhibit) {
+      bad = bad || !is_identifier || memory.long_term_identifiers()[value.index()] == 0;
+      command.prohibited.push_back(value);
+    } else if (wme.attribute == words::kStore || wme.attribute == words::kStoreNew) {
+      ++(wme.attribute == words::kStore ? stores : new_stores);
+      command.stored.push_back(value);
+      bad = bad || !is_identifier;
+    } else if (wme.attribute == words::kDepth) {
+      ++depths;
+      bad = bad || !value.IsInteger();
+      if (value.IsInteger()) command.depth = engine_.symbols.IntegerValue(value);
+    } else if (wme.attribute == words::kLinkToLtm && (value == words::kYes || value == words::kNo)) {
+      ++links;
+      command.link = value == words::kYes;
+    } else if (wme.attribute == words::kLinkToNewLtm && (value == words::kYes || value == words::kNo)) {
+      ++new_links;
+      command.link = value == words::kYes;
+    } else {
+      bad = true;
+    }
+  }
+  const int kinds = (retrieves > 0) + (queries > 0) + (stores > 0) + (new_stores > 0);
+  bad = bad || kinds != 1 || retrieves > 1 || queries > 1 || negatives > 1 || maths > 1 || depths > 1 || links > 1;
+  bad = bad || (queries == 0 && (negatives > 0 || maths > 0 || !command.prohibited.empty()));
+  bad = bad || (queries + retrieves == 0 && (depths > 0 || links > 0)) || (new_stores == 0 && new_links > 0);
+  if (new_stores > 0 && new_links == 0) command.link = false;
+  command.kind = command.wmes.empty() ? Command::Kind::kNone
+                 : bad                ? Command::Kind::kBad
+                 : stores > 0         ? Command::Kind::kStore
+                 : new_stores > 0     ? Command::Kind::kStoreNew
+                 : retrieves > 0      ? Command::Kind::kRetrieve
+                                      : Command::Kind::kQuery;
+}
+
+bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
+  if (states_.size() < level) states_.resize(level);
+  Command command = Read(level);
+  State& state = states_[level - 1u];
+  if (command.store == state.store && (store_only || command.other == state.other)) return false;
+  Parse(command);
+  const bool store_changed = command.store != state.store;
+  if (store_only && command.store.count == 0) {
+    // The store that was answered has gone; what else there is waits for the output phase.
+    state.store = command.store;
+    if (state.results.empty()) return false;
+    installer_.Retract(state.results);
+    state.other = {};
+    return true;
+  }
+  state.store = command.store;
+  // A change of what else there is takes the answer back in the output phase.
+  if (!store_only) state.other = command.other;
+  const bool had = !state.results.empty();
+  installer_.Retract(state.results);
+  switch (command.kind) {
+    case Command::Kind::kNone:
+      return had;
+    case Command::Kind::kBad: {
+      const Goal& goal = engine_.goals.at(level);
+      const Triple bad{goal.smem.result, words::kBadCmd, goal.smem.command};
+      installer_.Install(level, command.wmes, {&bad, 1}, &state.results);
+      return true;
+    }
+    case Command::Kind::kStore:
+      // Stored once; a change of what stood beside it only takes the answer back.
+      if (store_changed) AnswerStore(level, command);
+      return store_changed || had;
+    case Command::Kind::kStoreNew:
+      AnswerStore(level, command);
+      return true;
+    case Command::Kind::kRetrieve:
+    case Command::Kind::kQuery:
+      AnswerRetrieval(level, command);
+      return true;
+  }
+  return true;
+}
+
+// Storing -------------------------------------------------------------------------------------------------------------
+
+void SemanticMemory::AnswerStore(GoalLevel level, const Command& command) {
+  const Symbol result = engine_.goals.at(level).smem.result;
+  std::vector<Triple> answer;
+  for (const Symbol id : command.stored) {
+    const bool as_new = command.kind == Command::Kind::kStoreNew && !command.link;
+    Store(id, as_new);
+    ++counters_.stores;
+    answer.push_back({result, words::kSuccess, id});
+  }
+  std::ranges::reverse(answer);
+  installer_.Install(level, command.wmes, answer, &states_[level - 1u].results);
+}
+
+std::uint32_t SemanticMemory::Store(Symbol id, bool as_new) {
+  const std::span<const std::uint64_t> linked = engine_.memory.long_term_identifiers();
+  const auto object_of = [&](Symbol identifier) {
+    if (linked[identifier.index()] != 0) return ObjectOf(linked[identifier.index()]);
+    const std::uint32_t made = NewObject();
+    engine_.memory.SetLongTerm(identifier, knowledge_->NumberAt(made));
+    engine_.long_term.LinkChanged(identifier);
+    return made;
+  };
+  const std::uint32_t object = as_new ? NewObject() : object_of(id);
+  std::vector<std::pair<StoreTerm, StoreTerm>> edges;
+  for (const WmeId element : engine_.memory.WmesOf(id)) {
+    const Wme& wme = engine_.memory.wme(element);
+    if (wme.acceptable || !wme.attribute.IsConstant()) continue;
+    if (engine_.memory.record(element).kind == WmeKind::kArchitecture) continue;
+    const StoreTerm attribute = TermOf(wme.attribute);
+    edges.emplace_back(attribute,
+                       wme.value.IsIdentifier() ? StoreTerm::Object(object_of(wme.value)) : TermOf(wme.value));
+  }
+  // Its augmentations are made anew: their rows are the youngest.
+  const std::vector<Edge> old(knowledge_->EdgesAt(object).begin(), knowledge_->EdgesAt(object).end());
+  for (const Edge& edge : old) RemoveEdge(object, edge.attribute, edge.value);
+  for (const auto& [attribute, value] : edges) AddEdge(object, attribute, value);
+  Touch(object, false);
+  return object;
+}
+
+// Retrieving ----------------------------------------------------------------------------------------------------------
+
+bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
+  const WorkingMemory& memory = engine_.memory;
+  for (const WmeId element : memory.WmesOf(object)) {
+    const Wme& wme = memory.wme(element);
+    const StoreTerm attribute = FindTerm(wme.attribute);
+    if (!wme.attribute.IsConstant()) return false;
+    if (!wme.value.IsIdentifier()) {  // A plain demand among the tests.
+      const StoreTerm value = FindTerm(wme.value);
+      cue.impossible = cue.impossible || !attribute || !value;
+      cue.elements.push_back({attribute, value});
+      continue;
+    }
+    bool any = false;
+    for (const WmeId test : memory.WmesOf(wme.value)) {
+      const Wme& bound = memory.wme(test);
+      constexpr std::pair<Symbol, MathTest> kTests[] = {
+          {words::kLess, MathTest::kLess},
+          {words::kGreater, MathTest::kGreater},
+          {words::kLessOrEqual, MathTest::kLessOrEqual},
+          {words::kGreaterOrEqual, MathTest::kGreaterOrEqual},
+          {words::kMax, MathTest::kMax},
+          {words::kMin, MathTest::kMin},
+      };
+      const auto* const found =
+          std::ranges::find(kTests, bound.attribute, [](const auto& entry) { return entry.first; });
+      if (found == std::end(kTests)) return false;
+      CueElement made{attribute, StoreTerm()};
+      made.math = found->second;
+      if (made.math != MathTest::kMax && made.math != MathTest::kMin) {
+        if (!bound.value.IsNumber()) return false;
+        made.bound = engine_.symbols.NumberValue(bound.value);
+      }
+      cue.impossible = cue.impossible || !attribute;
+      cue.elements.push_back(made);
+      any = true;
+    }
+    if (!any) {
+      cue.impossible = cue.impossible || !attribute;
+      cue.elements.push_back({attribute, StoreTerm()});
+    }
+  }
+  return true;
+}
+
+bool SemanticMemory::MakeCue(const Command& command, Cue& cue) {
+  const WorkingMemory& memory = engine_.memory;
+  for (const bool negative : {false, true}) {
+    const Symbol object = negative ? command.negative : command.asked;
+    if (!object) continue;
+    for (const WmeId element : memory.WmesOf(object)) {
+      const Wme& wme = memory.wme(element);
+      if (!wme.attribute.IsConstant()) return false;
+      const StoreTerm attribute = FindTerm(wme.attribute);
+      const bool any = wme.value.IsIdentifier() && memory.long_term_identifiers()[wme.value.index()] == 0;
+      const StoreTerm value = any ? StoreTerm() : FindTerm(wme.value);
+      const bool unknown = !attribute || (!any && !value);
+      if (unknown && negative) continue;  // Nobody has it.
+      cue.impossible = cue.impossible || unknown;
+      cue.elements.push_back({attribute, value, negative});
+    }
+  }
+  return !command.math || AddMath(command.math, cue);
+}
+
+Symbol SemanticMemory::Retrieve(std::uint32_t root, Retrieval& retrieval, std::int64_t depth) {
+  const auto identifier_of = [&](std::uint32_t object) {
+    const auto [place, added] = retrieval.made.try_emplace(object);
+    if (added) {
+      place->second = installer_.NewIdentifier('L', retrieval.level, retrieval.link ? knowledge_->NumberAt(object) : 0);
+    }
+    return place->second;
+  };
+  const Symbol id = identifier_of(root);
+  // Breadth first, each object once.
+  std::vector<std::uint32_t> wave{root}, next;
+  std::vector<std::uint32_t> seen{root};
+  for (std::int64_t left = std::max<std::int64_t>(depth, 1); left > 0 && !wave.empty(); --left) {
+    next.clear();
+    for (const std::uint32_t object : wave) {
+      const Symbol parent = identifier_of(object);
+      if (object != root) retrieval.deeper.push_back(parent);
+      // By attribute, the oldest first; values with the youngest first, as their elements are made in turn.
+      std::vector<Edge> edges(knowledge_->EdgesAt(object).begin(), knowledge_->EdgesAt(object).end());
+      std::ranges::stable_sort(edges, {}, [&](const Edge& edge) {
+        return edge.value.IsObject() ? knowledge_->NumberAt(edge.value.index()) : 0;
+      });
+      while (!edges.empty()) {
+        const StoreTerm attribute = edges.front().attribute;
+        const std::size_t first = retrieval.contents.size();
+        for (const Edge& edge : edges) {
+          if (edge.attribute != attribute) continue;
+          const bool links = edge.value.IsObject();
+          const Symbol value = links ? identifier_of(edge.value.index()) : SymbolOf(edge.value);
+          retrieval.contents.push_back({parent, SymbolOf(attribute), value});
+          if (!links || std::ranges::find(seen, edge.value.index()) != seen.end()) continue;
+          seen.push_back(edge.value.index());
+          next.push_back(edge.value.index());
+        }
+        std::reverse(retrieval.contents.begin() + static_cast<std::ptrdiff_t>(first), retrieval.contents.end());
+        std::erase_if(edges, [&](const Edge& edge) { return edge.attribute == attribute; });
+      }
+    }
+    wave.swap(next);
+  }
+  return id;
+}
+
+void SemanticMemory::Tell(GoalLevel level, const Command& command, const Cue& cue,
+                          std::span<const std::uint32_t> prohibited, std::uint32_t object) {
+  // More candidates are not compared: what rules ask must not become slow because somebody looks.
+  constexpr std::size_t kMostCompared = 1000;
+  const bool found = object != Knowledge::kNowhere;
+  const bool by_number = command.kind == Command::Kind::kRetrieve;
+  std::string question, reason;
+  if (by_number) {
+    const Lti number = engine_.memory.long_term_identifiers()[command.asked.index()];
+    question = number == 0 ? "an object that is not linked" : "@" + std::to_string(number);
+    reason = found ? "asked for by its number" : number == 0 ? "it was never stored" : "there is no such object";
+  } else {
+    question = CueWords(engine_, command.asked, 1);
+    if (command.negative) question += " and not " + CueWords(engine_, command.negative, 1);
+    if (command.math) question += " with " + CueWords(engine_, command.math, 2);
+    std::size_t candidates = kMostCompared + 1;
+    for (const CueElement& element : cue.elements) {
+      if (element.negative || !element.attribute) continue;
+      const std::uint32_t list = knowledge_->FindList(element.attribute, element.value);
+      if (list != Knowledge::kNowhere) candidates = std::min(candidates, knowledge_->ListAt(list).size());
+    }
+    const bool is_naive = settings_.activation_mode == ActivationMode::kBaseLevel &&
+                          settings_.base_update_policy == BaseUpdatePolicy::kNaive;
+    const bool compares = candidates <= kMostCompared && !is_naive;  // (A naive search counts what it works out.)
+    const Spreading* const spreading = settings_.spreading ? &spreading_ : nullptr;
+    if (found) {
+      std::vector<std::uint32_t> others;
+      if (compares) others = search_.Find(*knowledge_, cue, prohibited, 2, spreading);
+      reason = WhyFound(*knowledge_, activations_, cue, others);
+    } else {
+      const bool prohibited_fits =
+          !prohibited.empty() && compares && !search_.Find(*knowledge_, cue, {}, 1, spreading).empty();
+      reason = WhyNotFound(engine_, *knowledge_, command.asked, prohibited_fits);
+    }
+  }
+  const std::string answer = found ? ObjectWords(*knowledge_, object) : std::string();
+  RecallInfo info;
+  info.level = level;
+  info.number = found ? knowledge_->NumberAt(object) : 0;
+  info.question = question;
+  info.answer = answer;
+  info.reason = reason;
+  engine_.observers.Notify(Event::kRecall, [&](Observer& o) { o.OnRecall(engine_.agent, info); });
+}
+
+void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
+  const MemoryLink link = engine_.goals.at(level).smem;
+  std::vector<PreferenceId>& results = states_[level - 1u].results;
+  const auto answer = [&](Symbol word, Symbol value) { return Triple{link.result, word, value}; };
+  std::uint32_t object = Knowledge::kNowhere;
+  bool is_bad = false;
+  const bool is_told = engine_.observers.Wants(Event::kRecall);
+  if (command.kind == Command::Kind::kRetrieve) {
+    const Lti number = engine_.memory.long_term_identifiers()[command.asked.index()];
+    if (number != 0) object = knowledge_->Find(number);
+    if (object != Knowledge::kNowhere) {
+      ++counters_.retrieves;
+      Touch(object);
+    }
+    if (is_told) Tell(level, command, {}, {}, object);
+  } else {
+    Cue cue;
+    is_bad = !MakeCue(command, cue);
+    if (!is_bad) {
+      std::vector<std::uint32_t> prohibited;
+      for (const Symbol id : command.prohibited) {
+        const std::uint32_t other = knowledge_->Find(engine_.memory.long_term_identifiers()[id.index()]);
+        if (other == Knowledge::kNowhere) continue;
+        prohibited.push_back(other);
+        activations_.Prohibit(other);
+      }
+      UpdateSources();
+      ++counters_.queries;
+      const std::vector<std::uint32_t> found =
+          search_.Find(*knowledge_, cue, prohibited, 1, settings_.spreading ? &spreading_ : nullptr);
+      if (!found.empty()) object = found.front();
+      if (is_told) Tell(level, command, cue, prohibited, object);
+      if (!found.empty()) {
+        if (settings_.activate_on_query) Touch(object);
+      }
+    }
+  }
+  std::vector<Triple> meta;
+  if (is_bad) {
+    meta.push_back(answer(words::kBadCmd, link.command));
+    installer_.Install(level, command.wmes, meta, &results);
+    return;
+  }
+  Retrieval retrieval;
+  retrieval.level = level;
+  retrieval.link = command.link;
+  const bool success = object != Knowledge::kNowhere;
+  // What is to be shown first is made last.
+  const Symbol verdict = success ? words::kSuccess : words::kFailure;
+  if (success) {
+    meta.push_back(answer(words::kRetrieved, Retrieve(object, retrieval, command.depth)));
+    for (std::size_t n = retrieval.deeper.size(); n-- > 0;) {
+      meta.push_back(answer(words::kDepthRetrieved, retrieval.deeper[n]));
+    }
+  }
+  if (command.negative) meta.push_back(answer(verdict, command.negative));
+  meta.push_back(answer(verdict, command.asked));
+  installer_.Install(level, command.wmes, meta, &results);
+  installer_.Install(level, command.wmes, retrieval.contents);
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/longterm/semantic_memory.h"
+
+#include <utility>
+
+#include "kernel/decide/engine.h"
+#include "kernel/longterm/journal.h"
+#include "kernel/longterm/semantic_records.h"
+#include "kernel/longterm/shared_knowledge.h"
+
+namespace soarbox::kernel {
+
+namespace {
+/// Objects.
+constexpr std::uint32_t kWorthSharing = 64;
+}  // namespace
+
+SemanticMemory& SemanticMemory::Of(LongTerm& long_term) {
+  if (MemoryModule* const known = long_term.module(LongTerm::ModuleKind::kSemantic)) {
+    return static_cast<SemanticMemory&>(*known);
+  }
+  auto made = std::make_unique<SemanticMemory>(long_term);
+  SemanticMemory& module = *made;
+  long_term.Attach(LongTerm::ModuleKind::kSemantic, std::move(made));
+  return module;
+}
+
+const SemanticMemory* SemanticMemory::Find(const LongTerm& long_term) {
+  return static_cast<const SemanticMemory*>(long_term.module(LongTerm::ModuleKind::kSemantic));
+}
+
+SemanticMemory::SemanticMemory(LongTerm& long_term)
+    : long_term_(long_term),
+      engine_(long_term.engine()),
+      knowledge_(std::make_shared<Knowledge>()),
+      activations_(settings_),
+      search_(settings_, activations_),
+      spreading_(settings_),
+      installer_(engine_) {}
+
+SemanticMemory::~SemanticMemory() = default;
+
+void SemanticMemory::SettingsChanged() {
+  ModuleHooks hooks = 0 | ModuleHook::kStates;
+  if (settings_.enabled) {
+    hooks = ModuleHook::kFlush | ModuleHook::kAfterElaboration | ModuleHook::kOutput | ModuleHook::kStates;
+    watch_.Touch();
+  }
+  if (!settings_.spreading) spreading_.Clear();
+  spreading_.Forget();
+  long_term_.SetHooks(LongTerm::ModuleKind::kSemantic, hooks);
+}
+
+// Changes -------------------------------------------------------------------------------------------------------------
+
+Knowledge& SemanticMemory::Writable() {
+  if (shared_) {
+    knowledge_ = std::make_shared<Knowledge>(knowledge_->Copy());
+    shared_ = false;
+  }
+  return *knowledge_;
+}
+
+void SemanticMemory::Share() {
+  // What is small, or kept in a file of its own, is not worth the trouble.
+  if (shared_ || journal_ != nullptr || knowledge_->object_count() < kWorthSharing) return;
+  knowledge_ = ShareKnowledge(std::move(knowledge_));
+  shared_ = true;
+}
+
+void SemanticMemory::NoteGraphChanged() {
+  search_.Forget();
+  spreading_.Forget();
+}
+
+std::uint32_t SemanticMemory::ObjectOf(Lti number) {
+  const std::uint32_t known = knowledge_->Find(number);
+  if (known != Knowledge::kNowhere) return known;
+  const std::uint32_t made = Writable().FindOrAdd(number);
+  if (journal_ != nullptr) journal_->Append(records::Object(number));
+  return made;
+}
+
+std::uint32_t SemanticMemory::NewObject() {
+  const std::uint32_t made = Writable().AddNew();
+  if (journal_ != nullptr) journal_->Append(records::NewObject(knowledge_->NumberAt(made)));
+  return made;
+}
+
+bool SemanticMemory::AddEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
+  if (knowledge_->Has(object, attribute, value)) return false;
+  Writable().AddEdge(object, attribute, value);
+  if (journal_ != nullptr) journal_->Append(records::Edge(*knowledge_, object, attribute, value, true));
+  NoteGraphChanged();
+  return true;
+}
+
+bool SemanticMemory::RemoveEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
+  if (!knowledge_->Has(object, attribute, value)) return false;
+  Writable().RemoveEdge(object, attribute, value);
+  if (journal_ != nullptr) journal_->Append(records::Edge(*knowledge_, object, attribute, value, false));
+  NoteGraphChanged();
+  return true;
+}
+
+void SemanticMemory::SetAlias(std::string_view name, Lti number) {
+  Writable().SetAlias(name, number);
+  if (journal_ != nullptr) journal_->Append(records::Alias(name, number));
+}
+
+void SemanticMemory::Clear() {
+  knowledge_ = std::make_shared<Knowledge>();
+  shared_ = false;
+  activations_.Clear();
+  NoteGraphChanged();
+  spreading_.Clear();
+  if (journal_ != nullptr) journal_->Append(records::Clear());
+}
+
+std::vector<std::uint32_t> SemanticMemory::Search(const Cue& cue, std::size_t limit) {
+  UpdateSources();
+  return search_.Find(*knowledge_, cue, {}, limit, settings_.spreading ? &spreading_ : nullptr);
+}
+
+void SemanticMemory::Touch(std::uint32_t object, bool advance) {
+  if (activations_.Touch(object, advance)) search_.FirstTouched(*knowledge_, object);
+  if (journal_ != nullptr) journal_->Append(records::Touch(knowledge_->NumberAt(object), advance));
+}
+
+// Keeping -------------------------------------------------------------------------------------------------------------
+
+void SemanticMemory::SetJournal(std::unique_ptr<Journal> journal) {
+  journal_ = std::move(journal);
+}
+
+void SemanticMemory::Keep() {
+  if (journal_ == nullptr) return;
+  Result<void> kept = journal_->Commit();
+  if (kept.ok() && journal_->WantsImage()) {
+    RecordWriter image;
+    Save(image);
+    kept = journal_->Replace(image.bytes());
+  }
+  // What could not be written stays in memory and is tried again: one warning is enough.
+  if (!kept && !warned_) engine_.Print("Semantic memory: " + Format(kept.error()));
+  warned_ = !kept;
+}
+
+void SemanticMemory::EnsureOpen() {
+  opened_ = true;
+  if (!opener_) return;
+  const Opener opener = std::exchange(opener_, nullptr);
+  const Result<void> result = opener(*this);
+  if (!result) engine_.Print("Semantic memory goes on without a file: " + Format(result.error()));
+}
+
+void SemanticMemory::Save(RecordWriter& out) const {
+  records::WriteImage(out, *knowledge_, activations_);
+}
+
+bool SemanticMemory::Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records) {
+  auto loaded = std::make_shared<Knowledge>();
+  Activations active(settings_);
+  if (!image.empty() && !records::ReadImage(image, *loaded, active)) return false;
+  for (const std::vector<std::uint8_t>& record : records) {
+    if (!records::Apply(record, *loaded, active)) return false;
+  }
+  knowledge_ = std::move(loaded);
+  shared_ = false;
+  const std::vector<Activations::Touched> touched(active.records().begin(), active.records().end());
+  activations_.Restore(active.tick(), touched);
+  NoteGraphChanged();
+  spreading_.Clear();
+  return true;
+}
+
+std::size_t SemanticMemory::MemoryBytes() const {
+  // What agents share is counted once, by none of them.
+  return sizeof(*this) + activations_.MemoryBytes() + (shared_ ? 0 : knowledge_->MemoryBytes());
+}
+
+// Terms and symbols ---------------------------------------------------------------------------------------------------
+
+StoreTerm SemanticMemory::TermOf(Symbol constant) {
+  if (const StoreTerm known = FindTerm(constant)) return known;
+  Terms& terms = Writable().terms();
+  const SymbolTable& symbols = engine_.symbols;
+  if (constant.IsString()) return terms.String(symbols.Text(constant));
+  if (constant.IsInteger()) return terms.Integer(symbols.IntegerValue(constant));
+  return terms.Float(symbols.FloatValue(constant));
+}
+
+StoreTerm SemanticMemory::FindTerm(Symbol symbol) const {
+  const Terms& terms = knowledge_->terms();
+  const SymbolTable& symbols = engine_.symbols;
+  if (symbol.IsString()) return terms.FindString(symbols.Text(symbol));
+  if (symbol.IsInteger()) return terms.FindInteger(symbols.IntegerValue(symbol));
+  if (symbol.IsFloat()) return terms.FindFloat(symbols.FloatValue(symbol));
+  const Lti number = engine_.memory.long_term_identifiers()[symbol.index()];
+  const std::uint32_t object = number == 0 ? Knowledge::kNowhere : knowledge_->Find(number);
+  return object == Knowledge::kNowhere ? StoreTerm() : StoreTerm::Object(object);
+}
+
+Symbol SemanticMemory::SymbolOf(StoreTerm constant) {
+  const Terms& terms = knowledge_->terms();
+  switch (constant.kind()) {
+    case TermKind::kString:
+      return engine_.symbols.String(terms.Text(constant));
+    case TermKind::kInteger:
+      return engine_.symbols.Integer(terms.IntegerValue(constant));
+    case TermKind::kFloat:
+      return engine_.symbols.Float(terms.FloatValue(constant));
+    case TermKind::kObject:
+      break;
+  }
+  return {};
+}
+
+// The cycle -----------------------------------------------------------------------------------------------------------
+
+void SemanticMemory::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
+  watch_.Flushed(engine_.memory.wmes(), added, removed);
+}
+
+void SemanticMemory::AfterElaboration() {
+  if (!watch_.TakeChanged()) return;
+  pending_ = true;
+  Respond(true);
+}
+
+void SemanticMemory::Output(bool) {
+  if (watch_.TakeChanged()) pending_ = true;
+  if (std::exchange(pending_, false)) Respond(false);
+  if (journal_ != nullptr) Keep();
+}
+
+void SemanticMemory::StateMade(GoalLevel) {
+  watch_.Touch();
+}
+
+void SemanticMemory::StateRemoved(GoalLevel level) {
+  if (states_.size() < level) return;
+  for (const PreferenceId result : states_[level - 1u].results) engine_.preferences.DropReference(result);
+  states_.resize(level - 1u);
+}
+
+void SemanticMemory::BeforeInit() {
+  if (journal_ != nullptr) Keep();
+}
+
+void SemanticMemory::AfterInit() {
+  states_.clear();
+  watch_.Clear();
+  spreading_.Clear();
+}
+
+void SemanticMemory::Respond(bool store_only) {
+  if (!opened_ || opener_) EnsureOpen();
+  if (!asked_to_share_) {
+    asked_to_share_ = true;
+    Share();
+  }
+  bool changed = false;
+  for (auto level = static_cast<GoalLevel>(engine_.goals.depth()); level >= 1; --level) {
+    changed = RespondTo(level, store_only) || changed;
+  }
+  if (changed) installer_.Settle();
+}
+
+/// The sources of spreading: objects an instance of which has elements, with how many these are.
+void SemanticMemory::UpdateSources() {
+  if (!settings_.spreading) return;
+  std::map<std::uint32_t, double> sources;
+  const WmeTable& wmes = engine_.memory.wmes();
+  const std::span<const std::uint64_t> linked = engine_.memory.long_term_identifiers();
+  for (const Wme& wme : wmes) {
+    if (!wme.live || linked[wme.id.index()] == 0) continue;
+    const std::uint32_t object = knowledge_->Find(linked[wme.id.index()]);
+    if (object != Knowledge::kNowhere) sources[object] += 1;
+  }
+  spreading_.SetSources(*knowledge_, sources);
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/longterm/activations.h"
+#include "kernel/longterm/command_watch.h"
+#include "kernel/longterm/installer.h"
+#include "kernel/longterm/knowledge.h"
+#include "kernel/longterm/memory_module.h"
+#include "kernel/longterm/semantic_query.h"
+#include "kernel/longterm/smem_settings.h"
+#include "kernel/longterm/spreading.h"
+
+namespace soarbox::kernel {
+
+class Journal;
+class LongTerm;
+
+/// Counted since the agent was made (`smem --stats`).
+struct SmemCounters {
+  std::uint64_t retrieves = 0, queries = 0, stores = 0;
+};
+
+/// Semantic memory of one agent: what it knows (Knowledge), how active that is (Activations), and the commands that
+/// rules put on ^smem.command of any state, with their answers on ^smem.result.
+///
+/// A command is looked at when an element of it changed: `store` after every elaboration, everything else in the output
+/// phase, the lowest state first. A changed command takes the old answer back. Elements of ^query and ^store objects
+/// count as the command's; those of other objects, and anything deeper, do not.
+///
+/// The knowledge lives in memory. Who wants it to outlive the process gives a Journal (journal.h), which is told of
+/// every change.
+class SemanticMemory final : public MemoryModule {
+ public:
+  /// The semantic memory of an agent; made if there is none.
+  static SemanticMemory& Of(LongTerm& long_term);
+  /// The same, or null if nobody has asked for it yet.
+  static const SemanticMemory* Find(const LongTerm& long_term);
+
+  explicit SemanticMemory(LongTerm& long_term);
+  ~SemanticMemory() override;
+
+  const SmemSettings& settings() const { return settings_; }
+  /// For `smem --set`. Call SettingsChanged afterwards.
+  SmemSettings& mutable_settings() { return settings_; }
+  void SettingsChanged();
+
+  const Knowledge& knowledge() const { return *knowledge_; }
+  const Activations& activations() const { return activations_; }
+  const SmemCounters& counters() const { return counters_; }
+  /// True once: Soar shows the floats of the first object that an agent prints with as few digits as they need, those
+  /// of all later ones with 16 decimals.
+  bool TakeFirstLine() const { return std::exchange(first_line_, false); }
+  /// What `smem --stats spread_size` counts.
+  std::size_t spread_size() const { return spreading_.size(); }
+
+  // Changes from outside. They are told to the journal.
+  std::uint32_t ObjectOf(Lti number);
+  std::uint32_t NewObject();
+  bool AddEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value);
+  bool RemoveEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value);
+  void SetAlias(std::string_view name, Lti number);
+  StoreTerm StringTerm(std::string_view text) { return Writable().terms().String(text); }
+  StoreTerm IntegerTerm(std::int64_t value) { return Writable().terms().Integer(value); }
+  StoreTerm FloatTerm(double value) { return Writable().terms().Float(value); }
+  /// Forgets everything.
+  void Clear();
+  /// The objects that fit, best first, as `smem --query` lists them: nothing is touched.
+  std::vector<std::uint32_t> Search(const Cue& cue, std::size_t limit);
+
+  // The journal -----------------------------------------------------------------------------------------------------
+
+  /// From now on all changes go to the journal, whose contents are what is known now. Null: none.
+  void SetJournal(std::unique_ptr<Journal> journal);
+  Journal* journal() const { return journal_.get(); }
+  /// Commits what changed; told once if it cannot be written. After every output phase, and after commands.
+  void Keep();
+  /// Called before the memory is used for the first time from now on: to open its file. Null: nothing. If it fails,
+  /// the reason is printed and the memory goes on without a file.
+  using Opener = std::function<Result<void>(SemanticMemory&)>;
+  void SetOpener(Opener opener) { opener_ = std::move(opener); }
+  void EnsureOpen();
+  bool waits_for_file() const { return opener_ != nullptr; }
+  /// Whether it has been used since it was made or closed: some settings hold from the next opening on only.
+  bool opened() const { return opened_; }
+  void NoteClosed() { opened_ = false; }
+  /// The whole memory and how active it is, as records for a journal; and the way back. False if the records do not
+  /// make sense: nothing has changed then.
+  void Save(class RecordWriter& out) const;
+  bool Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records);
+
+  // Sharing ---------------------------------------------------------------------------------------------------------
+
+  /// Shares the knowledge with other agents that know the very same, if there are any. Done by itself when the agent
+  /// runs first. Who changes shared knowledge gets a copy of its own.
+  void Share();
+  bool shares() const { return shared_; }
+
+  // MemoryModule
+  void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
+  void AfterElaboration() override;
+  void Output(bool output_changed) override;
+  void StateMade(GoalLevel level) override;
+  void StateRemoved(GoalLevel level) override;
+  void BeforeInit() override;
+  void AfterInit() override;
+  void IdentifierFreed(Symbol id) override { watch_.IdentifierFreed(id); }
+  std::size_t MemoryBytes() const override;
+
+ private:
+  /// What is known of the command of one state.
+  struct State {
+    struct Seen {
+      std::uint64_t count = 0, time = 0;
+      friend bool operator==(const Seen&, const Seen&) = default;
+    };
+    Seen store, other;  ///< When it was answered last.
+    std::vector<PreferenceId> results;
+  };
+  struct Command;
+
+  Knowledge& Writable();
+  void Respond(bool store_only);
+  bool RespondTo(GoalLevel level, bool store_only);
+  Command Read(GoalLevel level);
+  void Parse(Command& command);
+  void AnswerStore(GoalLevel level, const Command& command);
+  void AnswerRetrieval(GoalLevel level, const Command& command);
+  bool MakeCue(const Command& command, Cue& cue);
+  /// Tells observers what came of a command, and why. `object` may be Knowledge::kNowhere.
+  void Tell(GoalLevel level, const Command& command, const Cue& cue, std::span<const std::uint32_t> prohibited,
+            std::uint32_t object);
+  bool AddMath(Symbol object, Cue& cue);
+  /// The object that an identifier is stored in.
+  std::uint32_t Store(Symbol id, bool as_new);
+  /// Adds an object's augmentations, and those of its children to a depth, to what will be installed.
+  struct Retrieval;
+  Symbol Retrieve(std::uint32_t object, Retrieval& retrieval, std::int64_t depth);
+  StoreTerm TermOf(Symbol constant);
+  StoreTerm FindTerm(Symbol symbol) const;
+  Symbol SymbolOf(StoreTerm constant);
+  void Touch(std::uint32_t object, bool advance = true);
+  void UpdateSources();
+  void NoteGraphChanged();
+
+  LongTerm& long_term_;
+  struct Engine& engine_;
+  SmemSettings settings_;
+  std::shared_ptr<Knowledge> knowledge_;
+  Activations activations_;
+  SemanticSearch search_;
+  Spreading spreading_;
+  Installer installer_;
+  CommandWatch watch_;
+  SmemCounters counters_;
+  std::vector<State> states_;  ///< By level - 1.
+  bool pending_ = false;       ///< Commands changed since the last output phase.
+  std::unique_ptr<Journal> journal_;
+  Opener opener_;
+  bool opened_ = false;
+  bool shared_ = false;
+  bool asked_to_share_ = false;
+  bool warned_ = false;  ///< Of a journal that cannot be written.
+  mutable bool first_line_ = true;
+};
+
+}  // namespace soarbox::kernel

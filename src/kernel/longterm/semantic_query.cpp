@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/longterm/semantic_query.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "kernel/longterm/spreading.h"
+
+namespace soarbox::kernel {
+namespace {
+
+/// With no more than this many objects to look at, an index of numbers is not worth making.
+constexpr std::size_t kFewCandidates = 32;
+
+bool Meets(const Terms& terms, StoreTerm value, const CueElement& element) {
+  if (!value.IsNumber()) return false;
+  const double number = terms.NumberValue(value);
+  switch (element.math) {
+    case MathTest::kLess:
+      return number < element.bound;
+    case MathTest::kGreater:
+      return number > element.bound;
+    case MathTest::kLessOrEqual:
+      return number <= element.bound;
+    case MathTest::kGreaterOrEqual:
+      return number >= element.bound;
+    default:
+      return true;
+  }
+}
+
+/// The largest (or smallest) number that an object has for an attribute. It has one.
+double Extreme(const Knowledge& knowledge, std::uint32_t object, const CueElement& element) {
+  const bool largest = element.math == MathTest::kMax;
+  bool any = false;
+  double best = 0;
+  for (const Edge& edge : knowledge.EdgesAt(object)) {
+    if (edge.attribute != element.attribute || !edge.value.IsNumber()) continue;
+    const double number = knowledge.terms().NumberValue(edge.value);
+    if (!any || (largest ? number > best : number < best)) best = number;
+    any = true;
+  }
+  return best;
+}
+
+}  // namespace
+
+bool SemanticSearch::Better(const Candidate& a, const Candidate& b) {
+  if (a.activation != b.activation) return a.activation > b.activation;
+  if (a.is_large != b.is_large) return a.is_large;
+  return a.row > b.row;
+}
+
+bool SemanticSearch::Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver,
+                          std::uint32_t object) const {
+  const std::span<const Edge> edges = knowledge.EdgesAt(object);
+  for (const CueElement& element : cue.elements) {
+    if (&element == driver && element.math == MathTest::kNone) continue;
+    const bool has = std::ranges::any_of(edges, [&](const Edge& edge) {
+      if (edge.attribute != element.attribute) return false;
+      if (element.math != MathTest::kNone) return Meets(knowledge.terms(), edge.value, element);
+      return !element.value || edge.value == element.value;
+    });
+    if (has == element.negative) return false;
+  }
+  return true;
+}
+
+std::uint32_t SemanticSearch::RowIn(const Knowledge& knowledge, std::uint32_t object, const CueElement& driver) {
+  std::uint32_t row = 0;
+  for (const Edge& edge : knowledge.EdgesAt(object)) {
+    if (edge.attribute == driver.attribute && (!driver.value || edge.value == driver.value)) {
+      row = std::max(row, edge.row);
+    }
+  }
+  return row;
+}
+
+std::vector<std::uint32_t>& SemanticSearch::HotOf(const Knowledge& knowledge, std::uint32_t list) {
+  const auto [place, added] = hot_.try_emplace(list);
+  if (!added) return place->second;
+  std::vector<std::uint32_t>& hot = place->second;
+  for (const Member& member : knowledge.ListAt(list)) {
+    if (activations_.Find(member.object) != nullptr) hot.push_back(member.object);
+  }
+  std::ranges::sort(hot);
+  hot.erase(std::unique(hot.begin(), hot.end()), hot.end());
+  return hot;
+}
+
+const std::vector<SemanticSearch::Number>& SemanticSearch::NumbersOf(const Knowledge& knowledge, StoreTerm attribute) {
+  const auto [place, added] = numbers_.try_emplace(attribute.bits());
+  if (!added) return place->second;
+  const std::uint32_t list = knowledge.FindList(attribute, StoreTerm());
+  if (list == Knowledge::kNowhere) return place->second;
+  for (const Member& member : knowledge.ListAt(list)) {
+    const std::span<const Edge> edges = knowledge.EdgesAt(member.object);
+    const auto edge = std::ranges::find(edges, member.row, &Edge::row);
+    if (!edge->value.IsNumber()) continue;
+    const double number = knowledge.terms().NumberValue(edge->value);
+    if (number == number) place->second.push_back({number, member.object});
+  }
+  std::ranges::stable_sort(place->second, {}, &Number::number);
+  return place->second;
+}
+
+void SemanticSearch::FirstTouched(const Knowledge& knowledge, std::uint32_t object) {
+  if (hot_.empty()) return;
+  for (const Edge& edge : knowledge.EdgesAt(object)) {
+    for (const StoreTerm value : {edge.value, StoreTerm()}) {
+      const auto hot = hot_.find(knowledge.FindList(edge.attribute, value));
+      if (hot == hot_.end()) continue;
+      if (std::ranges::find(hot->second, object) == hot->second.end()) hot->second.push_back(object);
+    }
+  }
+}
+
+std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, const Cue& cue,
+                                                std::span<const std::uint32_t> prohibited, std::size_t limit,
+                                                const Spreading* spreading) {
+  if (cue.impossible || limit == 0) return {};
+  const CueElement* driver = nullptr;
+  std::uint32_t driving_list = Knowledge::kNowhere;
+  for (const CueElement& element : cue.elements) {
+    if (element.negative) continue;
+    const std::uint32_t list = knowledge.FindList(element.attribute, element.value);
+    if (list == Knowledge::kNowhere) return {};
+    if (driver != nullptr && knowledge.ListAt(list).size() >= knowledge.ListAt(driving_list).size()) continue;
+    driver = &element;
+    driving_list = list;
+  }
+  if (driver == nullptr) return {};
+  const std::span<const Member> list = knowledge.ListAt(driving_list);
+  if (settings_.activation_mode == ActivationMode::kBaseLevel &&
+      settings_.base_update_policy == BaseUpdatePolicy::kNaive) {
+    for (const Member& member : list) activations_.Update(member.object);
+    hot_.erase(driving_list);
+  }
+  const auto is_prohibited = [&](std::uint32_t object) {
+    return std::ranges::find(prohibited, object) != prohibited.end();
+  };
+  const CueElement* extreme = nullptr;
+  for (const CueElement& element : cue.elements) {
+    if (element.math == MathTest::kMax || element.math == MathTest::kMin) extreme = &element;
+  }
+
+  // By base level what was ever used is more active than what was not.
+  const double cold_activation =
+      settings_.activation_mode == ActivationMode::kBaseLevel ? -std::numeric_limits<double>::infinity() : 0;
+  // Objects that were touched, or that activation spreads to.
+  const auto candidate = [&](std::uint32_t object) {
+    Candidate made;
+    made.object = object;
+    made.activation = activations_.Of(object);
+    if (spreading == nullptr && activations_.Find(object) == nullptr) made.activation = cold_activation;
+    if (spreading != nullptr) made.activation += spreading->ShareOf(object);
+    made.is_large = activations_.Find(object) != nullptr && knowledge.EdgesAt(object).size() >= settings_.thresh;
+    made.row = RowIn(knowledge, object, *driver);
+    return made;
+  };
+  const auto is_cold = [&](std::uint32_t object) {
+    return activations_.Find(object) == nullptr && (spreading == nullptr || !spreading->Reaches(object));
+  };
+  if (extreme != nullptr && limit == 1 && list.size() > kFewCandidates) {
+    // From the end that is wanted: the first numbers that anybody has who fits. Of equal numbers the best object wins.
+    const std::vector<Number>& numbers = NumbersOf(knowledge, extreme->attribute);
+    const std::size_t count = numbers.size();
+    const auto nth = [&](std::size_t n) -> const Number& {
+      return extreme->math == MathTest::kMax ? numbers[count - 1 - n] : numbers[n];
+    };
+    std::vector<Candidate> best;
+    for (std::size_t n = 0; n < count; ++n) {
+      if (!best.empty() && nth(n).number != nth(n - 1).number) break;
+      const std::uint32_t object = nth(n).object;
+      if (is_prohibited(object) || !Fits(knowledge, cue, nullptr, object)) continue;
+      const Candidate made = candidate(object);
+      if (best.empty()) {
+        best.push_back(made);
+      } else if (Better(made, best.front())) {
+        best.front() = made;
+      }
+    }
+    return best.empty() ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{best.front().object};
+  }
+  std::vector<Candidate> hot;
+  const bool one_is_enough = limit == 1 && extreme == nullptr;
+  const auto consider = [&](std::uint32_t object) {
+    if (one_is_enough && !hot.empty()) {
+      // Most are out of the question before they are looked at.
+      double activation = activations_.Of(object);
+      if (spreading != nullptr) activation += spreading->ShareOf(object);
+      if (activation < hot.front().activation) return;
+    }
+    if (is_prohibited(object) || !Fits(knowledge, cue, driver, object)) return;
+    const Candidate made = candidate(object);
+    if (!one_is_enough || hot.empty()) {
+      hot.push_back(made);
+    } else if (Better(made, hot.front())) {
+      hot.front() = made;
+    }
+  };
+  for (const std::uint32_t object : HotOf(knowledge, driving_list)) {
+    if (activations_.Find(object) != nullptr) consider(object);
+  }
+  if (spreading != nullptr) {
+    for (const std::uint32_t object : spreading->Recipients()) {
+      if (activations_.Find(object) == nullptr && RowIn(knowledge, object, *driver) != 0) consider(object);
+    }
+  }
+  std::ranges::sort(hot, Better);
+
+  // The others, merged in: all are equally active, the youngest row comes first.
+  std::vector<std::uint32_t> found;
+  std::size_t next_hot = 0;
+  std::size_t next_cold = list.size();
+  std::vector<std::uint32_t> seen;  // Of an attribute with any value an object may stand in the list more than once.
+  bool has_best = false;
+  double best = 0;
+  const auto take = [&](std::uint32_t object) {
+    if (extreme == nullptr) {
+      found.push_back(object);
+      return found.size() >= limit;
+    }
+    const double number = Extreme(knowledge, object, *extreme);
+    if (!has_best || (extreme->math == MathTest::kMax ? number > best : number < best)) {
+      found.assign(1, object);
+      best = number;
+      has_best = true;
+    }
+    return false;
+  };
+  while (true) {
+    std::uint32_t cold = Knowledge::kNowhere;
+    while (next_cold > 0) {
+      const std::uint32_t object = list[next_cold - 1].object;
+      const bool again = !driver->value && std::ranges::find(seen, object) != seen.end();
+      if (!again && is_cold(object) && !is_prohibited(object) && Fits(knowledge, cue, driver, object)) {
+        cold = object;
+        break;
+      }
+      --next_cold;
+    }
+    const bool has_hot = next_hot < hot.size();
+    if (!has_hot && cold == Knowledge::kNowhere) break;
+    Candidate passive;
+    passive.object = cold;
+    passive.activation = cold_activation;
+    passive.row = next_cold > 0 ? list[next_cold - 1].row : 0;
+    if (has_hot && (cold == Knowledge::kNowhere || Better(hot[next_hot], passive))) {
+      if (take(hot[next_hot++].object)) break;
+      continue;
+    }
+    --next_cold;
+    const auto has_attribute = [&](const Edge& edge) { return edge.attribute == driver->attribute; };
+    if (!driver->value && std::ranges::count_if(knowledge.EdgesAt(cold), has_attribute) > 1) seen.push_back(cold);
+    if (take(cold)) break;
+  }
+  return found;
+}
+
+}  // namespace soarbox::kernel

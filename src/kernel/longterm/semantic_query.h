@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/longterm/activations.h"
+#include "kernel/longterm/knowledge.h"
+#include "kernel/longterm/terms.h"
+
+namespace soarbox::kernel {
+
+class Spreading;
+
+enum class MathTest : std::uint8_t { kNone, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kMax, kMin };
+
+/// One demand on an object.
+struct CueElement {
+  StoreTerm attribute;
+  StoreTerm value;        ///< None: any.
+  bool negative = false;  ///< The object must not have it.
+  MathTest math = MathTest::kNone;
+  double bound = 0;  ///< Of a math test but the largest and the smallest.
+};
+
+/// What a query asks for. A term that the store does not hold is none: `impossible` says that a demand needs it.
+struct Cue {
+  std::vector<CueElement> elements;
+  bool impossible = false;
+};
+
+/// Finds the objects that fit a cue, the most active first; of equally active ones an object with many augmentations
+/// (SmemSettings::thresh) first if it was ever touched, then the one whose augmentation in the list of the rarest
+/// demand is the youngest.
+///
+/// The rarest demand drives: only objects that meet it are looked at. Those that were never touched all have activation
+/// 0 and stand in the right order already; those that were are kept beside, for each list that ever drove.
+class SemanticSearch {
+ public:
+  SemanticSearch(const SmemSettings& settings, Activations& activations)
+      : settings_(settings), activations_(activations) {}
+
+  /// The places of up to `limit` objects, best first. With spreading, its share is added to the activations.
+  std::vector<std::uint32_t> Find(const Knowledge& knowledge, const Cue& cue, std::span<const std::uint32_t> prohibited,
+                                  std::size_t limit, const Spreading* spreading = nullptr);
+  /// To be called when an object is touched for the first time.
+  void FirstTouched(const Knowledge& knowledge, std::uint32_t object);
+  /// To be called before or after augmentations of an object change.
+  void Forget() {
+    hot_.clear();
+    numbers_.clear();
+  }
+
+ private:
+  struct Candidate {
+    double activation = 0;
+    bool is_large = false;
+    std::uint32_t row = 0;
+    std::uint32_t object = 0;
+  };
+  struct Number {
+    double number;
+    std::uint32_t object;
+  };
+  static bool Better(const Candidate& a, const Candidate& b);
+  /// The numbers that objects have for an attribute, in ascending order.
+  const std::vector<Number>& NumbersOf(const Knowledge& knowledge, StoreTerm attribute);
+  bool Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver, std::uint32_t object) const;
+  std::vector<std::uint32_t>& HotOf(const Knowledge& knowledge, std::uint32_t list);
+  static std::uint32_t RowIn(const Knowledge& knowledge, std::uint32_t object, const CueElement& driver);
+
+  const SmemSettings& settings_;
+  Activations& activations_;
+  std::unordered_map<std::uint32_t, std::vector<Number>> numbers_;     ///< By attribute, for those that were asked for.
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> hot_;  ///< By list: its members that were touched.
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/longterm/semantic_records.h"
+
+#include <algorithm>
+
+namespace soarbox::kernel::records {
+namespace {
+
+enum class Kind : std::uint8_t {
+  kImage = 1,
+  kObject,
+  kNewObject,
+  kAdd,
+  kRemove,
+  kAlias,
+  kTouch,
+  kClear,
+  kTouchNoAdvance
+};
+constexpr std::uint8_t kImageVersion = 1;
+
+std::vector<std::uint8_t> Finish(const RecordWriter& out) {
+  return {out.bytes().begin(), out.bytes().end()};
+}
+
+std::vector<std::uint8_t> OfNumber(Kind kind, Lti number) {
+  RecordWriter out;
+  out.Byte(static_cast<std::uint8_t>(kind));
+  out.Number(number);
+  return Finish(out);
+}
+
+void WriteTerm(RecordWriter& out, const Knowledge& knowledge, StoreTerm term) {
+  out.Byte(static_cast<std::uint8_t>(term.kind()));
+  switch (term.kind()) {
+    case TermKind::kString:
+      out.Text(knowledge.terms().Text(term));
+      break;
+    case TermKind::kInteger:
+      out.Bits(static_cast<std::uint64_t>(knowledge.terms().IntegerValue(term)));
+      break;
+    case TermKind::kFloat:
+      out.Real(knowledge.terms().FloatValue(term));
+      break;
+    case TermKind::kObject:
+      out.Number(knowledge.NumberAt(term.index()));
+      break;
+  }
+}
+
+StoreTerm ReadTerm(RecordReader& in, Knowledge& knowledge, bool may_be_object) {
+  switch (static_cast<TermKind>(in.Byte())) {
+    case TermKind::kString:
+      return knowledge.terms().String(in.Text());
+    case TermKind::kInteger:
+      return knowledge.terms().Integer(static_cast<std::int64_t>(in.Bits()));
+    case TermKind::kFloat:
+      return knowledge.terms().Float(in.Real());
+    case TermKind::kObject: {
+      const Lti number = in.Number();
+      if (may_be_object && number != 0 && in.ok()) return StoreTerm::Object(knowledge.FindOrAdd(number));
+      break;
+    }
+  }
+  in.Fail();
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> Object(Lti number) {
+  return OfNumber(Kind::kObject, number);
+}
+std::vector<std::uint8_t> NewObject(Lti number) {
+  return OfNumber(Kind::kNewObject, number);
+}
+std::vector<std::uint8_t> Touch(Lti number, bool advance) {
+  return OfNumber(advance ? Kind::kTouch : Kind::kTouchNoAdvance, number);
+}
+
+std::vector<std::uint8_t> Clear() {
+  return {static_cast<std::uint8_t>(Kind::kClear)};
+}
+
+std::vector<std::uint8_t> Edge(const Knowledge& knowledge, std::uint32_t object, StoreTerm attribute, StoreTerm value,
+                               bool added) {
+  RecordWriter out;
+  out.Byte(static_cast<std::uint8_t>(added ? Kind::kAdd : Kind::kRemove));
+  out.Number(knowledge.NumberAt(object));
+  WriteTerm(out, knowledge, attribute);
+  WriteTerm(out, knowledge, value);
+  return Finish(out);
+}
+
+std::vector<std::uint8_t> Alias(std::string_view name, Lti number) {
+  RecordWriter out;
+  out.Byte(static_cast<std::uint8_t>(Kind::kAlias));
+  out.Text(name);
+  out.Number(number);
+  return Finish(out);
+}
+
+bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activations& activations) {
+  RecordReader in(record);
+  switch (static_cast<Kind>(in.Byte())) {
+    case Kind::kObject:
+    case Kind::kNewObject: {
+      const bool is_new = record[0] == static_cast<std::uint8_t>(Kind::kNewObject);
+      const Lti number = in.Number();
+      if (!in.ok() || number == 0) return false;
+      knowledge.FindOrAdd(number);
+      if (is_new) knowledge.set_next_number(number + 1);
+      return true;
+    }
+    case Kind::kAdd:
+    case Kind::kRemove: {
+      const bool adds = record[0] == static_cast<std::uint8_t>(Kind::kAdd);
+      const Lti number = in.Number();
+      if (!in.ok() || number == 0) return false;
+      const std::uint32_t object = knowledge.FindOrAdd(number);
+      const StoreTerm attribute = ReadTerm(in, knowledge, false);
+      const StoreTerm value = ReadTerm(in, knowledge, true);
+      if (!in.ok()) return false;
+      return adds ? knowledge.AddEdge(object, attribute, value) : knowledge.RemoveEdge(object, attribute, value);
+    }
+    case Kind::kAlias: {
+      const std::string_view name = in.Text();
+      const Lti number = in.Number();
+      if (!in.ok() || number == 0) return false;
+      knowledge.SetAlias(name, number);
+      return true;
+    }
+    case Kind::kTouch:
+    case Kind::kTouchNoAdvance: {
+      const std::uint32_t object = knowledge.Find(in.Number());
+      if (!in.ok() || object == Knowledge::kNowhere) return false;
+      activations.Touch(object, record[0] == static_cast<std::uint8_t>(Kind::kTouch));
+      return true;
+    }
+    case Kind::kClear:
+      knowledge.Clear();
+      activations.Clear();
+      return true;
+    case Kind::kImage:
+      break;
+  }
+  return false;
+}
+
+void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations& activations) {
+  out.Byte(static_cast<std::uint8_t>(Kind::kImage));
+  out.Byte(kImageVersion);
+  out.Number(knowledge.next_number());
+  out.Number(knowledge.object_count());
+  for (std::uint32_t place = 0; place < knowledge.object_count(); ++place) out.Number(knowledge.NumberAt(place));
+  // In the order in which they were made: rows decide ties.
+  struct Entry {
+    std::uint32_t row, object;
+    StoreTerm attribute, value;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(knowledge.edge_count());
+  for (std::uint32_t place = 0; place < knowledge.object_count(); ++place) {
+    for (const kernel::Edge& edge : knowledge.EdgesAt(place)) {
+      entries.push_back({edge.row, place, edge.attribute, edge.value});
+    }
+  }
+  std::ranges::sort(entries, {}, &Entry::row);
+  // Constants once, by the order in which augmentations name them.
+  FlatMap numbers;
+  std::vector<StoreTerm> constants;
+  const auto note = [&](StoreTerm term) {
+    if (term.IsObject()) return;
+    const auto next = static_cast<std::uint32_t>(constants.size());
+    if (numbers.FindOrAdd(term.bits(), next) == next) constants.push_back(term);
+  };
+  for (const Entry& entry : entries) {
+    note(entry.attribute);
+    note(entry.value);
+  }
+  out.Number(constants.size());
+  for (const StoreTerm term : constants) WriteTerm(out, knowledge, term);
+  out.Number(entries.size());
+  const auto write = [&](StoreTerm term) {
+    out.Number(term.IsObject() ? 2 * std::uint64_t{term.index()} + 1 : 2 * std::uint64_t{numbers.Find(term.bits())});
+  };
+  for (const Entry& entry : entries) {
+    out.Number(entry.object);
+    write(entry.attribute);
+    write(entry.value);
+  }
+  out.Number(knowledge.aliases().size());
+  for (const auto& [name, number] : knowledge.aliases()) {
+    out.Text(name);
+    out.Number(number);
+  }
+  out.Number(activations.tick());
+  out.Number(activations.records().size());
+  for (const Activations::Touched& touched : activations.records()) {
+    out.Number(touched.object);
+    out.Byte(touched.forget_last ? 1 : 0);
+    out.Real(touched.activation);
+    out.Number(touched.count);
+    out.Number(touched.first);
+    for (std::size_t n = 0; n < std::min<std::size_t>(touched.count, Activations::kHistory); ++n) {
+      out.Number(touched.ticks[n]);
+    }
+  }
+}
+
+bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activations& activations) {
+  RecordReader in(image);
+  if (in.Byte() != static_cast<std::uint8_t>(Kind::kImage) || in.Byte() != kImageVersion) return false;
+  const Lti next_number = in.Number();
+  const std::uint64_t objects = in.Number();
+  for (std::uint64_t n = 0; n < objects && in.ok(); ++n) {
+    const Lti number = in.Number();
+    if (number == 0 || knowledge.FindOrAdd(number) != n) return false;
+  }
+  std::vector<StoreTerm> constants;
+  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) constants.push_back(ReadTerm(in, knowledge, false));
+  const auto read = [&]() -> StoreTerm {
+    const std::uint64_t word = in.Number();
+    const std::uint64_t index = word / 2;
+    if (word % 2 == 1 && index < objects) return StoreTerm::Object(static_cast<std::uint32_t>(index));
+    if (word % 2 == 0 && index < constants.size()) return constants[index];
+    in.Fail();
+    return {};
+  };
+  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+    const std::uint64_t object = in.Number();
+    const StoreTerm attribute = read();
+    const StoreTerm value = read();
+    if (!in.ok() || object >= objects || attribute.IsObject()) return false;
+    if (!knowledge.AddEdge(static_cast<std::uint32_t>(object), attribute, value)) return false;
+  }
+  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+    const std::string_view name = in.Text();
+    const Lti number = in.Number();
+    if (in.ok()) knowledge.SetAlias(name, number);
+  }
+  const std::uint64_t tick = in.Number();
+  std::vector<Activations::Touched> touched;
+  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+    Activations::Touched record;
+    const std::uint64_t object = in.Number();
+    if (object >= objects) return false;
+    record.object = static_cast<std::uint32_t>(object);
+    record.forget_last = in.Byte() != 0;
+    record.activation = in.Real();
+    record.count = in.Number();
+    record.first = in.Number();
+    for (std::size_t k = 0; k < std::min<std::size_t>(record.count, Activations::kHistory); ++k) {
+      record.ticks[k] = in.Number();
+      if (record.ticks[k] > tick + 1) return false;
+    }
+    if (record.first > tick + 1) return false;
+    touched.push_back(record);
+  }
+  if (!in.ok() || !in.AtEnd()) return false;
+  if (next_number == 0) return false;
+  knowledge.set_next_number(next_number);
+  activations.Restore(tick, touched);
+  return true;
+}
+
+}  // namespace soarbox::kernel::records

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace soarbox::kernel {
+
+enum class ActivationMode : std::uint8_t { kRecency, kFrequency, kBaseLevel };
+enum class BaseUpdatePolicy : std::uint8_t { kStable, kNaive, kIncremental };
+
+/// What `smem --set` sets, as far as it means something to the kernel.
+struct SmemSettings {
+  bool enabled = false;
+  ActivationMode activation_mode = ActivationMode::kRecency;
+  bool activate_on_query = true;
+  double base_decay = 0.5;
+  BaseUpdatePolicy base_update_policy = BaseUpdatePolicy::kStable;
+  std::vector<std::uint64_t> base_incremental_threshes = {10};
+  std::uint64_t thresh = 100;  ///< Of equally active objects those with as many edges come first, once touched.
+  bool base_inhibition = false;
+  double base_unused_age_offset = 0;
+
+  bool spreading = false;
+  std::uint64_t spreading_limit = 300;
+  std::uint64_t spreading_depth_limit = 10;
+  double spreading_baseline = 0.0001;
+  double spreading_continue_probability = 0.9;
+  bool spreading_loop_avoidance = false;
+  bool spreading_edge_updating = false;
+  bool spreading_wma_source = false;
+  double spreading_edge_update_factor = 0.99;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace soarbox::kernel {
+
+/// The number of a long-term identifier: @12 has 12. 0 is none.
+using Lti = std::uint64_t;
+
+enum class TermKind : std::uint32_t { kString, kInteger, kFloat, kObject };
+
+/// What stands in long-term memory in the place of a symbol: four bytes, compared by value. An object's index is its
+/// place in the store. (An agent's symbols are swept and its identifiers used again; terms stay.)
+class StoreTerm {
+ public:
+  constexpr StoreTerm() = default;
+  constexpr StoreTerm(TermKind kind, std::uint32_t index)
+      : bits_((static_cast<std::uint32_t>(kind) << 30) | (index + 1)) {}
+  static constexpr StoreTerm Object(std::uint32_t place) { return StoreTerm(TermKind::kObject, place); }
+
+  constexpr TermKind kind() const { return static_cast<TermKind>(bits_ >> 30); }
+  constexpr std::uint32_t index() const { return (bits_ & 0x3FFFFFFFu) - 1; }
+  constexpr std::uint32_t bits() const { return bits_; }
+  explicit constexpr operator bool() const { return bits_ != 0; }
+  constexpr bool IsObject() const { return bits_ != 0 && kind() == TermKind::kObject; }
+  constexpr bool IsNumber() const { return bits_ != 0 && (kind() == TermKind::kInteger || kind() == TermKind::kFloat); }
+  friend constexpr bool operator==(StoreTerm, StoreTerm) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// The constants of a store: equal constants have equal terms (5, 5.0 and |5| are three). Nothing is ever taken out.
+class Terms {
+ public:
+  StoreTerm String(std::string_view text);
+  StoreTerm Integer(std::int64_t value);
+  StoreTerm Float(double value);
+  /// The term of a constant that is there, else none. Never adds.
+  StoreTerm FindString(std::string_view text) const;
+  StoreTerm FindInteger(std::int64_t value) const;
+  StoreTerm FindFloat(double value) const;
+
+  std::string_view Text(StoreTerm string) const { return strings_[string.index()]; }
+  std::int64_t IntegerValue(StoreTerm integer) const { return integers_[integer.index()]; }
+  double FloatValue(StoreTerm real) const { return floats_[real.index()]; }
+  double NumberValue(StoreTerm number) const {
+    return number.kind() == TermKind::kFloat ? FloatValue(number) : static_cast<double>(IntegerValue(number));
+  }
+  /// How a constant is written in `smem --add`: strings with bars where they need them, floats with 16 decimals or,
+  /// if `short_floats`, 16 digits.
+  void Append(std::string& out, StoreTerm constant, bool short_floats = false) const;
+
+  std::size_t MemoryBytes() const { return bytes_ + (integers_.size() + floats_.size()) * 48; }
+  Terms Copy() const;
+
+  Terms() = default;
+  Terms(const Terms&) = delete;
+  Terms& operator=(const Terms&) = delete;
+  Terms(Terms&&) = default;
+  Terms& operator=(Terms&&) = default;
+
+ private:
+  std::deque<std::string> strings_;
+  std::vector<std::int64_t> integers_;
+  std::vector<double> floats_;
+  std::unordered_map<std::string_view, std::uint32_t> by_text_;
+  std::unordered_map<std::int64_t, std::uint32_t> by_integer_;
+  std::unordered_map<std::uint64_t, std::uint32_t> by_bits_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace soarbox::kernel

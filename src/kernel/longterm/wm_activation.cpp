@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/longterm/wm_activation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+
+namespace {
+/// What being made counts.
+constexpr std::uint64_t kUsesAtBirth = 3;
+}  // namespace
+
+WmActivation& WmActivation::Of(LongTerm& long_term) {
+  if (MemoryModule* const known = long_term.module(LongTerm::ModuleKind::kActivation)) {
+    return static_cast<WmActivation&>(*known);
+  }
+  auto made = std::make_unique<WmActivation>(long_term);
+  WmActivation& module = *made;
+  long_term.Attach(LongTerm::ModuleKind::kActivation, std::move(made));
+  return module;
+}
+
+const WmActivation* WmActivation::Find(const LongTerm& long_term) {
+  return static_cast<const WmActivation*>(long_term.module(LongTerm::ModuleKind::kActivation));
+}
+
+WmActivation::WmActivation(LongTerm& long_term) : long_term_(long_term), engine_(long_term.engine()) {}
+
+void WmActivation::SettingsChanged() {
+  if (!settings_.activation) {
+    histories_.clear();
+    used_.clear();
+    due_.clear();
+    long_term_.SetHooks(LongTerm::ModuleKind::kActivation, 0);
+    return;
+  }
+  long_term_.SetHooks(LongTerm::ModuleKind::kActivation,
+                      ModuleHook::kFlush | ModuleHook::kOutput | ModuleHook::kOutputEnd);
+}
+
+std::uint64_t WmActivation::now() const {
+  return engine_.counters.decision_phases;
+}
+
+// Activation ----------------------------------------------------------------------------------------------------------
+
+double WmActivation::ActivationAt(const History& history, std::uint64_t cycle) const {
+  if (history.count == 0) return 1;
+  const double d = settings_.decay_rate;
+  const auto age = [&](std::uint64_t then) { return then >= cycle ? 1.0 : static_cast<double>(cycle - then); };
+  double sum = 0;
+  std::uint64_t kept = 0;
+  for (std::size_t n = 0; n < history.count; ++n) {
+    sum += static_cast<double>(history.uses[n]) * std::pow(age(history.cycles[n]), d);
+    kept += history.uses[n];
+  }
+  if (settings_.petrov_approx && history.total > kept) {
+    // The older uses, as if they lay evenly between the first and the oldest that is remembered.
+    const double first = age(history.first), recent = age(history.cycles[history.count - 1u]);
+    if (first > recent && d != -1) {
+      sum += static_cast<double>(history.total - kept) * (std::pow(first, 1 + d) - std::pow(recent, 1 + d)) /
+             ((1 + d) * (first - recent));
+    }
+  }
+  return std::log(sum);
+}
+
+double WmActivation::Of(WmeId wme) const {
+  const History* const history = HistoryOf(wme);
+  return history == nullptr ? 1 : ActivationAt(*history, now());
+}
+
+const WmActivation::History* WmActivation::HistoryOf(WmeId wme) const {
+  const auto found = histories_.find(Index(wme));
+  return found == histories_.end() || found->second.count == 0 ? nullptr : &found->second;
+}
+
+// Uses ----------------------------------------------------------------------------------------------------------------
+
+void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
+  const WorkingMemory& memory = engine_.memory;
+  for (const WmeId wme : added) {
+    const WmeRecord& record = memory.record(wme);
+    if (!memory.wme(wme).live || record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) continue;
+    const Preference& maker = memory.preference(record.preference);
+    if (!maker.o_supported || memory.slot(record.slot).is_operator) continue;
+    History history;
+    history.pending = kUsesAtBirth;
+    // What its maker rested on gives its mean.
+    const Instantiation& instantiation = engine_.instantiations[maker.instantiation];
+    double sum = 0;
+    std::uint64_t tested = 0;
+    if (instantiation.match != MatchId::kNone) {
+      for (const WmeId ground : engine_.rete.matches().Wmes(instantiation.match)) {
+        const History* const known = HistoryOf(ground);
+        if (known == nullptr) continue;
+        sum += ActivationAt(*known, now());
+        ++tested;
+      }
+    }
+    if (tested > 0 && sum > 0) history.pending += static_cast<std::uint64_t>(sum / static_cast<double>(tested));
+    histories_.insert_or_assign(Index(wme), history);
+    used_.push_back(Index(wme));
+  }
+  for (const WmeId wme : removed) histories_.erase(Index(wme));
+}
+
+void WmActivation::Use(WmeId wme) {
+  const WmeRecord& record = engine_.memory.record(wme);
+  if (record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) return;
+  if (!engine_.memory.preference(record.preference).o_supported) {
+    UseWhatHolds(wme);
+    return;
+  }
+  if (engine_.memory.slot(record.slot).is_operator) return;
+  History& history = histories_[Index(wme)];
+  if (history.pending++ == 0) used_.push_back(Index(wme));
+}
+
+/// The o-supported elements that an i-supported one rests on, each once.
+void WmActivation::UseWhatHolds(WmeId wme) {
+  const WorkingMemory& memory = engine_.memory;
+  seen_.resize(memory.wmes().size(), 0);
+  ++pass_;
+  open_.assign(1, wme);
+  seen_[Index(wme)] = pass_;
+  while (!open_.empty()) {
+    const WmeId next = open_.back();
+    open_.pop_back();
+    const WmeRecord& record = memory.record(next);
+    if (record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) continue;
+    const Preference& maker = memory.preference(record.preference);
+    if (maker.o_supported) {
+      if (memory.slot(record.slot).is_operator) continue;
+      History& history = histories_[Index(next)];
+      if (history.pending++ == 0) used_.push_back(Index(next));
+      continue;
+    }
+    const Instantiation& instantiation = engine_.instantiations[maker.instantiation];
+    if (instantiation.match == MatchId::kNone) continue;
+    for (const WmeId ground : engine_.rete.matches().Wmes(instantiation.match)) {
+      if (seen_[Index(ground)] == pass_) continue;
+      seen_[Index(ground)] = pass_;
+      open_.push_back(ground);
+    }
+  }
+}
+
+void WmActivation::RulesFire(LongTerm& long_term) {
+  if (MemoryModule* const known = long_term.module(LongTerm::ModuleKind::kActivation)) {
+    static_cast<WmActivation&>(*known).CountUses();
+  }
+}
+
+void WmActivation::CountUses() {
+  if (!settings_.activation) return;
+  const MatchSet& matches = engine_.rete.matches();
+  for (const MatchSet::List list : {MatchSet::List::kIAssertions, MatchSet::List::kOAssertions}) {
+    for (const PendingMatch& match : matches.Pending(list)) {
+      if (engine_.rete.production(match.production)->type == ProductionType::kJustification) continue;
+      // Uses change nothing that the match set holds.
+      for (const WmeId wme : matches.Wmes(match.match)) Use(wme);
+    }
+  }
+}
+
+// The output phase ----------------------------------------------------------------------------------------------------
+
+void WmActivation::Enter(WmeId wme, History& history) {
+  if (history.count == 0) history.first = now();
+  std::copy_backward(history.cycles.begin(), history.cycles.end() - 1, history.cycles.end());
+  std::copy_backward(history.uses.begin(), history.uses.end() - 1, history.uses.end());
+  history.cycles[0] = now();
+  history.uses[0] = history.pending;
+  history.total += history.pending;
+  history.pending = 0;
+  history.is_new = false;
+  if (history.count < kHistory) ++history.count;
+  if (settings_.forgetting != WmaSettings::Forgetting::kBisection) return;
+  // A use only puts the day off: an element that falls due is judged again then.
+  const bool waits = history.due != 0;
+  history.due = DueOf(history);
+  if (!waits) due_[history.due].push_back(Index(wme));
+}
+
+void WmActivation::Output(bool) {
+  for (const std::uint32_t index : used_) {
+    const auto found = histories_.find(index);
+    if (found != histories_.end() && found->second.pending > 0) Enter(static_cast<WmeId>(index), found->second);
+  }
+  used_.clear();
+}
+
+std::uint64_t WmActivation::DueOf(const History& history) const {
+  std::uint64_t low = now(), step = 1;
+  while (ActivationAt(history, low + step) >= settings_.decay_thresh && step < (std::uint64_t{1} << 40)) step *= 2;
+  std::uint64_t high = low + step;
+  while (high - low > 1) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (ActivationAt(history, middle) >= settings_.decay_thresh ? low : high) = middle;
+  }
+  return high;
+}
+
+bool WmActivation::Forget(WmeId wme) {
+  const WorkingMemory& memory = engine_.memory;
+  const Wme& element = memory.wme(wme);
+  if (settings_.forget_linked_only && memory.long_term_identifiers()[element.id.index()] == 0) return false;
+  ++forgotten_;
+  if (settings_.fake_forgetting) return false;
+  PreferenceId next;
+  for (PreferenceId p = memory.slot(memory.record(wme).slot).acceptable; p != PreferenceId::kNone; p = next) {
+    next = memory.preference(p).next_in_slot;
+    if (memory.preference(p).value == element.value && memory.preference(p).o_supported) engine_.preferences.Retract(p);
+  }
+  return true;
+}
+
+void WmActivation::OutputEnd() {
+  if (settings_.forgetting == WmaSettings::Forgetting::kOff) return;
+  const std::uint64_t cycle = now();
+  std::vector<std::uint32_t> low;
+  if (settings_.forgetting == WmaSettings::Forgetting::kNaive) {
+    for (const auto& [index, history] : histories_) {
+      if (history.count > 0 && ActivationAt(history, cycle) < settings_.decay_thresh) low.push_back(index);
+    }
+  } else if (const auto due = due_.find(cycle); due != due_.end()) {
+    const std::vector<std::uint32_t> candidates = std::move(due->second);
+    due_.erase(due);
+    for (const std::uint32_t index : candidates) {
+      const auto found = histories_.find(index);
+      if (found == histories_.end()) continue;
+      if (found->second.due > cycle) {
+        due_[found->second.due].push_back(index);
+      } else if (found->second.due == cycle) {
+        low.push_back(index);
+      }
+    }
+  }
+  // The order in which they are forgotten is that in which they came.
+  std::ranges::sort(low, {}, [&](std::uint32_t index) { return engine_.memory.wmes()[index].timetag; });
+  low.erase(std::unique(low.begin(), low.end()), low.end());
+  bool any = false;
+  for (const std::uint32_t index : low) any = Forget(static_cast<WmeId>(index)) || any;
+  if (any) engine_.elaboration.ApplyWorkingMemoryChanges();
+}
+
+void WmActivation::AfterInit() {
+  histories_.clear();
+  used_.clear();
+  due_.clear();
+  seen_.clear();
+  forgotten_ = 0;
+}
+
+std::size_t WmActivation::MemoryBytes() const {
+  return sizeof(*this) + histories_.size() * (sizeof(History) + 32) + seen_.capacity() * 4 + used_.capacity() * 4;
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/longterm/memory_module.h"
+
+namespace soarbox::kernel {
+
+class LongTerm;
+struct Engine;
+
+/// What `wm activation --set` sets.
+struct WmaSettings {
+  bool activation = false;
+  double decay_rate = -0.5;
+  double decay_thresh = -2;
+  bool petrov_approx = false;
+  enum class Forgetting : std::uint8_t { kOff, kNaive, kBisection } forgetting = Forgetting::kOff;
+  bool forget_linked_only = false;  ///< forget-wme lti: elements of long-term identifiers' instances only.
+  bool fake_forgetting = false;     ///< Counts what would be forgotten, and keeps it.
+};
+
+/// How active the elements of working memory are, and forgetting of those that are active no more.
+///
+/// An element with o-support that was made since this is on has a history: how often it was used in which decision
+/// cycle, the last ten of them. Being made counts 3, and as much as what its maker rested on was active. Each match
+/// that waits to fire when rules fire uses the elements that it tests; of an i-supported element it uses the
+/// o-supported ones that this rests on. Uses of a cycle are entered in its output phase. The activation is ln of the
+/// sum of uses * age^decay_rate. All other elements show 1.
+///
+/// Forgetting retracts the preferences of elements whose activation is below the threshold, at the end of the output
+/// phase.
+class WmActivation final : public MemoryModule {
+ public:
+  static constexpr std::size_t kHistory = 10;
+
+  struct History {
+    std::array<std::uint64_t, kHistory> cycles{};  ///< Newest first.
+    std::array<std::uint64_t, kHistory> uses{};
+    std::uint64_t total = 0;    ///< All uses ever.
+    std::uint64_t first = 0;    ///< Cycle of the first.
+    std::uint64_t pending = 0;  ///< Uses in this cycle.
+    std::uint8_t count = 0;     ///< Entries.
+    bool is_new = true;         ///< Made in this cycle.
+    std::uint64_t due = 0;      ///< The cycle in which it may be forgotten, unless it is used.
+  };
+
+  static WmActivation& Of(LongTerm& long_term);
+  static const WmActivation* Find(const LongTerm& long_term);
+  explicit WmActivation(LongTerm& long_term);
+
+  const WmaSettings& settings() const { return settings_; }
+  WmaSettings& mutable_settings() { return settings_; }
+  void SettingsChanged();
+
+  /// To be called when rules are about to fire, if the agent has long-term memory at all: the match set holds each
+  /// match that waits, those that wait for the apply phase included.
+  static void RulesFire(LongTerm& long_term);
+
+  /// Of an element, as of now: 1 for those without a history.
+  double Of(WmeId wme) const;
+  /// Null for those without a history.
+  const History* HistoryOf(WmeId wme) const;
+  std::uint64_t forgotten() const { return forgotten_; }
+  /// The decision cycle that is under way.
+  std::uint64_t now() const;
+
+  // MemoryModule
+  void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
+  void Output(bool output_changed) override;
+  void OutputEnd() override;
+  void AfterInit() override;
+  std::size_t MemoryBytes() const override;
+
+ private:
+  void CountUses();
+  double ActivationAt(const History& history, std::uint64_t cycle) const;
+  void Use(WmeId wme);
+  void UseWhatHolds(WmeId wme);
+  void Enter(WmeId wme, History& history);
+  /// The first cycle in which the element will be below the threshold if nobody uses it.
+  std::uint64_t DueOf(const History& history) const;
+  bool Forget(WmeId wme);
+
+  LongTerm& long_term_;
+  Engine& engine_;
+  WmaSettings settings_;
+  std::unordered_map<std::uint32_t, History> histories_;               ///< By WmeId.
+  std::vector<std::uint32_t> used_;                                    ///< With uses in this cycle.
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: who may be forgotten then.
+  std::vector<WmeId> open_;
+  std::vector<std::uint32_t> seen_;  ///< By WmeId: the last use that passed it.
+  std::uint32_t pass_ = 0;
+  std::uint64_t forgotten_ = 0;
+};
+
+}  // namespace soarbox::kernel

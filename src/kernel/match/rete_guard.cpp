@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Justifications with negated conditions. Their positive conditions name the elements that match them, so these are
+// kept as a fixed match is: one token for each. Nodes are made of the negated conditions alone, below a node of their
+// own: a negation of what no element is, which is always open. What reaches the end of the chain (a node of the kind
+// kGuard) is the rule's match as long as all of its elements are there.
+#include <algorithm>
+#include <utility>
+
+#include "kernel/base/words.h"
+#include "kernel/match/rete_builder.h"
+#include "kernel/match/rete_inline.h"
+
+namespace soarbox::kernel {
+
+/// The node above the negations of a rule. No two rules share it: what one element ends must go in the order in which
+/// it was made, rule by rule.
+std::uint32_t ReteBuilder::BuildGuard(std::span<const Condition> negations, std::uint32_t rule) {
+  // No identifier is a word, and so no element comes to this memory.
+  const std::uint32_t nothing[3] = {words::kSuperstate.bits(), words::kSuperstate.bits(), 0};
+  constexpr std::uint32_t kMask = 3;
+  NodePlan plan;
+  plan.parent = 0;
+  plan.shape.kind = NodeKind::kNegative;
+  plan.digest = rule + 1u;
+  plan.alpha = state_.network->FindAlpha(nothing, kMask, true);
+  if (plan.alpha != kNil) {
+    state_.network->UseAlpha(plan.alpha);
+  } else {
+    plan.alpha = state_.network->AddAlpha(nothing, kMask, true);
+    if (plan.alpha >= state_.alphas.size()) {
+      state_.alphas.resize(plan.alpha + 1u);
+    }
+    state_.alphas[plan.alpha] = AlphaState();
+  }
+  const std::uint32_t top = Make(plan, plan.Hash());
+  const std::uint32_t bottom = BuildAll(negations, top, 1);
+  Unbind(0);
+  return bottom;
+}
+
+/// Whether a rule that is to be added is a justification whose elements are all there, and that has negated conditions.
+bool ReteState::CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const {
+  const Production& rule = *info.rule;
+  return rule.type == ProductionType::kJustification && info.positives != 0 &&
+         info.positives < rule.conditions.size() && options.refracted.size() == info.positives &&
+         std::ranges::all_of(std::span(rule.conditions).first(info.positives),
+                             [](const Condition& condition) { return condition.kind == ConditionKind::kPositive; }) &&
+         std::ranges::all_of(options.refracted, [this](WmeId wme) { return links[Index(wme)].in_match; });
+}
+
+/// Makes the nodes of a guarded rule; false, and nothing has changed, if a negated condition does not hold.
+bool ReteState::AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number,
+                           const Rete::AddOptions& options) {
+  NodePlan plan;
+  plan.parent = builder->BuildGuard(std::span(info->rule->conditions).subspan(info->positives), number);
+  if (Emissions(plan.parent).empty()) {
+    RemoveUnused(plan.parent);
+    return false;
+  }
+  plan.shape.kind = NodeKind::kGuard;
+  plan.digest = number + 1u;
+  plan.rule = number;
+  const std::uint32_t node = network->AddNode(plan, plan.Hash());
+  EnterRule(info, number, node);
+  std::uint32_t first = kNil;
+  for (const WmeId wme : options.refracted) {
+    const std::uint32_t token = NewToken(Token::kFixedMatchNode, kNil, Index(wme));
+    tokens[token].key = node;
+    tokens[token].previous_in_bucket = Token::kGuarded;
+    tokens[token].next_in_bucket = first;
+    first = token;
+  }
+  nodes[node].first_linked = first;
+  return true;
+}
+
+/// One of the elements that a guarded rule matched is leaving: it never matches again.
+void ReteState::GuardedElementGone(std::uint32_t node) {
+  FreeFixedMatch(std::exchange(nodes[node].first_linked, kNil));
+  RemoveTokens(node);
+}
+
+}  // namespace soarbox::kernel
