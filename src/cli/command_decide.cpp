@@ -78,8 +78,13 @@ ExplorationParameter* FindParameter(ExplorationSettings& settings, std::string_v
   return nullptr;
 }
 
+/// As Soar shows a parameter: with 16 digits at most.
+std::string ParameterText(double value) {
+  return fmt::format("{:.16g}", value);
+}
+
 bool ShowValue(CommandCall& call, double value) {
-  call.Out(Shortest(value));
+  call.Out(ParameterText(value));
   return true;
 }
 
@@ -139,8 +144,8 @@ void Stats(CommandCall& call) {
                        OnOff(settings.auto_reduce)));
   const auto show = [&](std::string_view name, const ExplorationParameter& parameter) {
     call.Out(fmt::format("{0}: {1}\n{0} Reduction Policy: {2}\n{0} Reduction Rate (exponential/linear): {3}/{4}\n\n",
-                         name, Shortest(parameter.value), Name(parameter.reduction),
-                         Shortest(parameter.exponential_rate), Shortest(parameter.linear_rate)));
+                         name, ParameterText(parameter.value), Name(parameter.reduction),
+                         ParameterText(parameter.exponential_rate), ParameterText(parameter.linear_rate)));
   };
   show("epsilon", settings.epsilon);
   show("temperature", settings.temperature);

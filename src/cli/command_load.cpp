@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
 #include "cli/load_image.h"
 #include "cli/percepts.h"
+#include "cli/rule_crowds.h"
 #include "cli/source_run.h"
 #include "diagnostics/plain_text.h"
 #include "kernel/agent.h"
@@ -73,6 +75,10 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const std::size_t first_diagnostic = call.result.diagnostics.size();
     const CommandReader::Status status = reader.Next(words);
     if (status == CommandReader::Status::kEnd) break;
+    if (run.opened > SourceRun::kMostFiles) {
+      ok = false;
+      break;
+    }
     if (status == CommandReader::Status::kError) {
       ok = false;
       FreshLine(call);
@@ -90,8 +96,8 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const int line = words.front().line;
     run.line = line;
     call.failure = CommandCall::Failure::kNone;
-    const bool loads = words.front().text == "sp" || words.front().text == "gp";
-    const bool stars = run.stars_pending && !loads;
+    const bool generates = words.front().text == "gp";
+    const bool stars = run.stars_pending && words.front().text != "sp";
     const std::size_t length = call.result.text.size();
     const bool command_ok = call.interpreter.ExecuteWords(call, words);
     if (stars && call.result.text.size() > length) {
@@ -99,6 +105,7 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
       if (call.result.text.compare(length, 2, " \n") != 0) call.result.text.insert(length, " \n");
       run.stars_pending = false;
     }
+    if (generates) run.stars_pending = false;  // Its own stars go on in whatever line comes next.
     if (!command_ok) {
       ok = false;
       ReportPlace(call, path, line, first_diagnostic);
@@ -107,6 +114,9 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
   call.failure = ok ? CommandCall::Failure::kNone : CommandCall::Failure::kWithMessage;
   return ok;
 }
+
+/// Rules by the hundred thousand take less.
+constexpr std::uintmax_t kMostSourceBytes = 256u << 20;
 
 /// All of a file. Its size is known for most: then it is read in one piece, and no room is wasted on it.
 std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
@@ -122,13 +132,17 @@ std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
   return text;
 }
 
-/// Tells of numbers that fall between two proposals of what was loaded.
-void ReportGaps(CommandCall& call, int loaded) {
+/// Tells of traps in what was loaded: numbers that fall between two proposals, and conditions in an order that makes
+/// partial matches without number.
+void ReportTraps(CommandCall& call, int loaded) {
   const kernel::Agent& agent = call.agent();
   std::vector<const kernel::Production*> rules;
   for (const kernel::ProductionId id : agent.Productions()) rules.push_back(&agent.production(id));
   for (Diagnostic& gap : kernel::FindRuleGaps(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
     call.result.diagnostics.push_back(std::move(gap));
+  }
+  for (Diagnostic& crowd : FindRuleCrowds(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
+    call.result.diagnostics.push_back(std::move(crowd));
   }
 }
 
@@ -150,7 +164,7 @@ class InFolderOf {
   ~InFolderOf() {
     std::vector<std::filesystem::path>& stack = interpreter_.directory_stack();
     if (!entered_ || stack.empty()) return;
-    interpreter_.ChangeDirectory(stack.back().string());
+    interpreter_.GoBackTo(stack.back());
     stack.pop_back();
   }
   InFolderOf(const InFolderOf&) = delete;
@@ -178,6 +192,32 @@ void EndFile(CommandCall& call, SourceRun& run, const std::string& path) {
   run.counts = {};
 }
 
+/// The files that are open, outermost first, and the one that is to be next; of many the ends.
+std::string Chain(const SourceRun& run, const std::string& next) {
+  constexpr std::size_t kMostAtEnd = 4;
+  std::string text;
+  for (std::size_t i = 0; i < run.files.size(); ++i) {
+    if (i == kMostAtEnd && run.files.size() > 2 * kMostAtEnd) {
+      i = run.files.size() - kMostAtEnd;
+      text += "... -> ";
+    }
+    text += run.files[i].text() + " -> ";
+  }
+  return text + next;
+}
+
+/// Files that source themselves, by others or not, would never end; those that source ever more would not in anybody's
+/// time.
+bool MayOpen(CommandCall& call, SourceRun& run, const std::string& path) {
+  if (std::ranges::any_of(run.files, [&](const auto& open) { return open.text() == path; }))
+    return call.Fail("This file sources itself: " + Chain(run, path));
+  if (++run.opened <= SourceRun::kMostFiles) return true;
+  if (run.opened == SourceRun::kMostFiles + 1)
+    call.Fail(fmt::format("More than {} files are sourced at once; the rest is left out: {}", SourceRun::kMostFiles,
+                          Chain(run, path)));
+  return false;
+}
+
 bool LoadFile(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kLoadSubcommands[0].options, parsed)) return false;
@@ -195,6 +235,8 @@ bool LoadFile(CommandCall& call) {
   if (!in || std::filesystem::is_directory(path, error)) {
     return call.Fail("Failed to open file for reading: " + file);
   }
+  if (const std::uintmax_t size = std::filesystem::file_size(path, error); !error && size > kMostSourceBytes)
+    return call.Fail(fmt::format("This file is too large to be one of rules, {} MB: {}", size >> 20, file));
   const bool is_image = path.extension() == ".soarx";
   const std::string content = is_image ? std::string() : TextOf(in, path);
   const std::string_view text = WithoutByteOrderMark(content);
@@ -209,6 +251,7 @@ bool LoadFile(CommandCall& call) {
     own.silent = parsed.Has('d');
   }
   SourceRun& run = *current;
+  if (!MayOpen(call, run, path.string())) return false;
   if (run.verbose) call.Out("Sourcing " + path.filename().string() + ".\n");
   run.files.push_back(path.string());
   const bool ok = is_image ? LoadRuleImage(call, path.string()) : RunCommands(call, run, path.string(), text);
@@ -217,7 +260,7 @@ bool LoadFile(CommandCall& call) {
   if (!outermost) return ok;
   current = nullptr;
 
-  if (run.total.sourced > 0) ReportGaps(call, run.total.sourced);
+  if (run.total.sourced > 0) ReportTraps(call, run.total.sourced);
   FreshLine(call);
   if (!run.silent) call.Out("Total: " + CountsText(run.total, run.verbose));
   call.AddArgument("sourced-production-count", "int", std::to_string(run.total.sourced));

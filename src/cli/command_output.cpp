@@ -225,8 +225,8 @@ bool Help(CommandCall& call) {
 
 constexpr OptionSpec kLogOptions[] = {
     {'a', "add", OptionArgument::kNone, "add the words that follow to the file"},
-    {'A', "append", OptionArgument::kNone, "go on at the end of an existing file"},
-    {'e', "existing", OptionArgument::kNone, "go on at the end of an existing file"},
+    {'A', "append", OptionArgument::kNone, "append to an existing file"},
+    {'e', "existing", OptionArgument::kNone, "append to an existing file"},
     {'c', "close", OptionArgument::kNone, "close the file"},
     {'c', "off"},
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "cli/command.h"
+#include "cli/knowledge_printer.h"
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
@@ -185,8 +186,7 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
   if (word.front() == '(') {
     PrintPattern(call, word, style, false);
   } else if (word.front() == '@') {
-    if (word.size() > 1 && word[1] >= '0' && word[1] <= '9')
-      out.Print("LTI " + word + " not found in semantic memory.\n");
+    out.Print(PrintedKnowledge(agent, word, style.depth));
   } else if (word.front() == '<' && word.back() == '>') {
     const Symbol id = FindIdentifier(agent, word);
     if (!IsContextVariable(word))

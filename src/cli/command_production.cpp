@@ -10,6 +10,7 @@
 #include "cli/interpreter.h"
 #include "cli/lookup.h"
 #include "cli/matches_printer.h"
+#include "cli/rule_crowds.h"
 #include "cli/rule_text.h"
 #include "cli/source_run.h"
 #include "cli/summary.h"
@@ -258,6 +259,22 @@ bool FiringCounts(CommandCall& call) {
   return true;
 }
 
+/// Of a rule that holds very many partial matches for what it has fired, and what helps; else nothing.
+std::string CrowdText(const kernel::Agent& agent, ProductionId id) {
+  constexpr std::size_t kMany = 10'000;
+  constexpr std::size_t kManyForEach = 1'000;
+  const std::size_t held = agent.rete().CountTokens(id, false);
+  const std::uint64_t fired = agent.FiringCount(id);
+  if (held < kMany || held / kManyForEach <= fired) return {};
+  const kernel::Production& rule = agent.production(id);
+  const std::optional<RuleCrowd> crowd = FindCrowd(rule);
+  return fmt::format("{} has held {} partial matches for {} {}: {}.\n", RuleName(agent, rule), held, fired,
+                     fired == 1 ? "match" : "matches",
+                     crowd ? AdviceFor(rule, *crowd, agent.symbols())
+                           : "test earlier what few elements have, or declare `multi-attributes` for the attributes "
+                             "that have many values");
+}
+
 bool MemoryUsage(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kProductionSubcommands[5].options, parsed)) return false;
@@ -270,7 +287,9 @@ bool MemoryUsage(CommandCall& call) {
     if (!number) {
       const ProductionId id = FindRule(call.agent(), word);
       if (id == ProductionId::kNone) return call.Fail("Production not found.");
-      return Counts(call, {id}, 0, count);
+      Counts(call, {id}, 0, count);
+      call.Out(CrowdText(call.agent(), id));
+      return true;
     }
     if (*number <= 0) return call.Fail("Expected positive integer.");
     limit = static_cast<std::size_t>(*number);
@@ -279,7 +298,9 @@ bool MemoryUsage(CommandCall& call) {
   std::stable_partition(rules.begin(), rules.end(),
                         [&](ProductionId id) { return call.agent().production(id).type == ProductionType::kDefault; });
   if (rules.empty()) return call.Fail("Production not found.");
-  return Counts(call, std::move(rules), limit, count);
+  Counts(call, rules, limit, count);
+  for (const ProductionId id : rules) call.Out(CrowdText(call.agent(), id));
+  return true;
 }
 
 bool Matches(CommandCall& call) {

@@ -7,12 +7,15 @@
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
+#include "cli/knowledge_printer.h"
 #include "cli/load_image.h"
 #include "cli/percepts.h"
 #include "cli/rule_text.h"
 #include "cli/setting_store.h"
 #include "cli/summary.h"
 #include "kernel/decide/exploration.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/semantic_memory.h"
 
 namespace soarbox::cli {
 namespace {
@@ -71,6 +74,8 @@ std::string SettingsText(CommandCall& call) {
     if (changed.group == "chunk" || changed.group == "explain" || changed.group == "visualize" ||
         changed.group == "soar") {
       text += fmt::format("{} {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
+    } else if (changed.name == "apoptosis-thresh") {
+      text += fmt::format("rl --set apoptosis-thresh {}\n", changed.value.substr(1));  // It is set without its sign.
     } else {
       text += fmt::format("{} --set {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
     }
@@ -93,9 +98,13 @@ bool SaveAgent(CommandCall& call) {
   using kernel::ProductionType;
   const std::string rules = RulesText(call.agent(), {ProductionType::kDefault, ProductionType::kUser,
                                                      ProductionType::kTemplate, ProductionType::kChunk});
+  const kernel::SemanticMemory& memory = kernel::SemanticMemory::Of(call.agent().long_term());
+  const bool has_facts = memory.knowledge().object_count() > 0;
+  // Soar writes this line also when semantic memory is on and holds nothing.
+  const std::string facts = has_facts ? "# Semantic Memory\n\n" + ExportText(memory, {}) + "\n"
+                                      : "# Semantic memory is not enabled.  Did not save.\n";
   const std::string text =
-      fmt::format("# Settings\n\n{}\n# Procedural Memory\n\n{}\n\n# Semantic memory is not enabled.  Did not save.\n",
-                  SettingsText(call), rules);
+      fmt::format("# Settings\n\n{}\n# Procedural Memory\n\n{}\n\n{}", SettingsText(call), rules, facts);
   if (!Write(call, call.words[1].text, text)) return false;
   call.Out("Procedural memory, semantic memory and settings written to file.\n");
   return true;

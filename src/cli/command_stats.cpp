@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
+#include "cli/learning_text.h"
 #include "cli/session.h"
 #include "cli/summary.h"
 #include "cli/version.h"
@@ -224,7 +225,8 @@ bool CommandStats(CommandCall& call) {
         call.Out("Agent counters:\nCounter          Value\n---------------- -----------\n");
         break;
       case 'l':
-        return call.Fail("Learning is not available in this build.");
+        call.Out(LearningStatisticsText(call.agent()));
+        break;
       default:
         break;
     }

@@ -12,7 +12,7 @@ std::span<const CommandInfo> Commands() {
        CommandAlias,
        {},
        {},
-       "Without words it lists all aliases, with a name it shows one. An alias stands for a command with its first "
+       "Without words it lists all aliases, with a name it shows one. An alias is short for a command with its first "
        "arguments; what follows the alias is added. The expansion of an alias is not expanded again."},
       {"cd",
        "[DIRECTORY]",
@@ -27,32 +27,33 @@ std::span<const CommandInfo> Commands() {
        CommandChunk,
        {},
        kChunkSubcommands,
-       "Settings are kept and shown, so that agents' files load; rules are not learned in this build."},
+       "`chunk always` turns what substates work out into rules: see docs/learning.md."},
       {"debug", "SUBCOMMAND", "times of commands, symbols in use", CommandDebug, {}, kDebugSubcommands},
       {"decide", "[SUBCOMMAND]", "how operators are chosen", CommandDecide, {}, kDecideSubcommands},
       {"dirs", "", "the stack of directories, the current one first", CommandDirs},
       {"echo", "[--nonewline] WORDS...", "prints words", CommandEcho},
       {"epmem",
        "[OPTIONS]",
-       "settings of episodic memory",
+       "episodic memory",
        CommandEpmem,
        kEpmemOptions,
        {},
-       "Settings are kept and shown; there is no episodic memory in this build."},
+       "Episodes of working memory: when they are taken, how they are found, and a look at each."},
       {"explain",
        "[SUBCOMMAND]",
        "how learned rules came about",
        CommandExplain,
        {},
        kExplainSubcommands,
-       "Settings are kept and shown; rules are not learned in this build."},
+       "Say `explain all on` before the agent learns, then `explain chunk 1`: see docs/learning.md."},
       {"gp",
        "{ RULE }",
        "makes several rules from one text",
        CommandGp,
        {},
        {},
-       "Each [list of values] in the text stands for one of its values in turn. The rules get the numbers *1, *2, ... "
+       "Each [list of values] in the text is replaced by each of its values in turn. The rules get the numbers *1, *2, "
+       "... "
        "behind their name; the first list changes fastest. See also: soar max-gp."},
       {"help", "[COMMAND]", "lists the commands, or describes one", CommandHelp},
       {"learn", "[OPTIONS]", "the old form of chunk", CommandLearn, kLearnOptions},
@@ -62,7 +63,7 @@ std::span<const CommandInfo> Commands() {
        CommandLoad,
        {},
        kLoadSubcommands,
-       "After a command that fails the file goes on, so that all its errors are reported at once. `source FILE` is "
+       "Loading continues after a command that fails, so that all errors are reported at once. `source FILE` is "
        "short for `load file FILE`. A replay of input begins the random numbers with the recording's seed; until it "
        "has "
        "come to its end, what clients put on the input link is dropped. Replay into an agent with the same rules, from "
@@ -100,7 +101,8 @@ std::span<const CommandInfo> Commands() {
        CommandRl,
        kRlOptions,
        {},
-       "Settings are kept and shown; values are not learned in this build."},
+       "While learning is on, rules whose only action is a numeric preference for an operator learn how good it is "
+       "from (reward-link ^reward.value) of each state. `print --rl` shows what they learned."},
       {"run",
        "[OPTIONS] [COUNT]",
        "lets the agents run",
@@ -109,7 +111,7 @@ std::span<const CommandInfo> Commands() {
        {},
        "Without a count and a unit it runs until something stops it; a unit alone counts to one; a count alone counts "
        "decisions. A run by decisions stops before the phase that `soar stop-phase` names. All agents of the kernel "
-       "run, unless --self is given. `run 0` goes on to the stop phase only."},
+       "run, unless --self is given. `run 0` runs only up to the stop phase."},
       {"save",
        "SUBCOMMAND",
        "writes rules, settings and input to files",
@@ -117,15 +119,16 @@ std::span<const CommandInfo> Commands() {
        {},
        kSaveSubcommands,
        "An image of rules cannot be written while there are justifications. A recording of input begins the agent's "
-       "random numbers anew and keeps their seed. It holds what clients change on the input link, cycle by cycle; "
+       "random numbers again and keeps their seed. It holds what clients change on the input link, cycle by cycle; "
        "`wm add` and `wm remove` are commands, and not in it."},
       {"smem",
        "[OPTIONS]",
-       "settings of semantic memory",
+       "semantic memory: facts that last",
        CommandSmem,
        kSmemOptions,
        {},
-       "Settings are kept and shown; there is no semantic memory in this build."},
+       "Rules ask by ^smem.command of a state and are answered on ^smem.result. `smem ?` shows all settings with their "
+       "values; docs/memory.md explains them."},
       {"soar", "[SUBCOMMAND | SETTING [VALUE]]", "general commands and settings", CommandSoar, {}, kSoarSubcommands},
       {"sp",
        "{ RULE }",

@@ -5,24 +5,35 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "cli/command.h"
+#include "cli/episode_text.h"
+#include "cli/explain_graph.h"
 #include "cli/graph_text.h"
 #include "cli/interpreter.h"
+#include "cli/knowledge_printer.h"
 #include "cli/lookup.h"
 #include "cli/other_program.h"
+#include "cli/session.h"
 #include "cli/setting_store.h"
 #include "cli/settings_command.h"
+#include "kernel/agent.h"
+#include "kernel/longterm/episodic_memory.h"
+#include "kernel/longterm/knowledge_reader.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/semantic_memory.h"
 
 namespace soarbox::cli {
 namespace {
 
 constexpr SubcommandInfo kSubcommands[] = {
     {"wm", "[ID] [DEPTH]", "draws working memory: all states, or an object and what lies below it"},
-    {"smem", "[LTI] [DEPTH]", "semantic memory, which is not available in this build"},
-    {"epmem", "[EPISODE]", "episodic memory, which is not available in this build"},
-    {"identity_graph", "", "what explain recorded; needs learning, which is not available in this build"},
-    {"ebc_analysis", "", "what explain recorded; needs learning, which is not available in this build"},
+    {"smem", "[LTI] [DEPTH]", "draws semantic memory: all of it, or an object and what it leads to"},
+    {"epmem", "[EPISODE]", "draws an episode, the newest if none is named"},
+    {"identity_graph", "", "which identities of the explained rule became one"},
+    {"ebc_analysis", "", "the firings behind the explained rule, and who made what they tested"},
     {"rule-format", "[name | full]", "rules with all conditions, or by name"},
     {"memory-format", "[node | record]", "objects as tables of their values, or each value as a node"},
     {"line-style", "[STYLE]", "how lines run: a value of Graphviz's splines"},
@@ -113,6 +124,45 @@ bool Present(CommandCall& call, const std::filesystem::path& file) {
   return true;
 }
 
+/// Puts a drawing into its file, and makes and shows an image of it if that is wanted.
+bool Write(CommandCall& call, const std::string& text) {
+  const SettingStore& store = call.session.settings();
+  call.Out("Generating visualization...\n");
+  const std::filesystem::path file = NextFile(call);
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (!out) return call.Fail("Failed to open file for writing: " + file.string());
+  call.Out(fmt::format("Drawing written to {}.\n", file.string()));
+  call.AddArgument("filename", "string", file.string());
+  if (store.IsOn("visualize", "print-debug")) call.Out(text);
+  return Present(call, file);
+}
+
+/// The rule that `explain chunk` chose, or the one that was recorded last.
+bool LearnedRule(CommandCall& call, bool identities) {
+  const std::vector<kernel::ExplainedRule>& rules = call.agent().Explained();
+  if (rules.empty()) {
+    return call.Fail("No learned rule has been recorded: say 'explain all on' before the agent learns.");
+  }
+  const std::uint32_t chosen = call.session.explain().rule;
+  const kernel::ExplainedRule& rule = chosen != 0 && chosen <= rules.size() ? rules[chosen - 1] : rules.back();
+  const std::string line_style = call.session.settings().Get("visualize", "line-style");
+  return Write(call, identities ? IdentityGraphText(rule, line_style) : AnalysisGraphText(rule, line_style));
+}
+
+bool Episode(CommandCall& call, std::span<const Word> words) {
+  const kernel::EpisodicMemory* memory = kernel::EpisodicMemory::Find(std::as_const(call.agent()).long_term());
+  const kernel::EpisodeNumber last = memory == nullptr ? 0 : memory->store().last();
+  if (last == 0) return call.Fail("Episodic memory holds no episode: there is nothing to draw.");
+  if (words.size() > 1) return call.Fail("Syntax: visualize epmem [episode]");
+  const auto wanted = words.empty() ? std::optional<std::int64_t>(last) : ParseInteger(words[0].text);
+  if (!wanted || *wanted < 1 || *wanted > last) {
+    return call.Fail(fmt::format("There is no episode {}: they go from 1 to {}.", words[0].text, last));
+  }
+  return Write(call, EpisodeGraph(*memory, static_cast<kernel::EpisodeNumber>(*wanted)));
+}
+
 bool WorkingMemory(CommandCall& call, std::span<const Word> words) {
   constexpr std::string_view kSyntax = "Syntax: visualize wm [id] [depth]";
   const kernel::Agent& agent = call.agent();
@@ -142,18 +192,29 @@ bool WorkingMemory(CommandCall& call, std::span<const Word> words) {
   style.separate_states = store.IsOn("visualize", "separate-states");
   style.architecture = store.IsOn("visualize", "architectural-wmes");
   style.line_style = store.Get("visualize", "line-style");
-  const std::string text = WorkingMemoryGraph(agent, roots, depth, style);
+  return Write(call, WorkingMemoryGraph(agent, roots, depth, style));
+}
 
-  call.Out("Generating visualization...\n");
-  const std::filesystem::path file = NextFile(call);
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (!out) return call.Fail("Failed to open file for writing: " + file.string());
-  call.Out(fmt::format("Drawing written to {}.\n", file.string()));
-  call.AddArgument("filename", "string", file.string());
-  if (store.IsOn("visualize", "print-debug")) call.Out(text);
-  return Present(call, file);
+bool SemanticMemory(CommandCall& call, std::span<const Word> words) {
+  constexpr std::string_view kSyntax = "Syntax: visualize smem [@number] [depth]";
+  const kernel::SemanticMemory& memory = kernel::SemanticMemory::Of(call.agent().long_term());
+  std::optional<std::uint32_t> root;
+  int depth = std::numeric_limits<int>::max();
+  for (const Word& word : words) {
+    if (const auto number = ParseInteger(word.text)) {
+      if (*number < 1 || *number > depth) return call.Fail("The depth must be a number above 0.");
+      depth = static_cast<int>(*number);
+    } else if (root || !word.text.starts_with('@')) {
+      return call.Fail(kSyntax);
+    } else if (const kernel::Lti number = kernel::ObjectNamed(memory, word.text); number != 0) {
+      root = memory.knowledge().Find(number);
+    } else {
+      return call.Fail(fmt::format("LTI {} not found in semantic memory.", word.text));
+    }
+  }
+  if (words.size() > 2) return call.Fail(kSyntax);
+  if (memory.knowledge().object_count() == 0) return call.Fail("Semantic memory is empty: there is nothing to draw.");
+  return Write(call, KnowledgeGraph(memory, root, depth));
 }
 
 }  // namespace
@@ -170,10 +231,10 @@ bool CommandVisualize(CommandCall& call) {
   const std::string& word = call.words[1].text;
   if (word == "?" || word == "help") return Help(call);
   if (word == "wm") return WorkingMemory(call, call.words.subspan(2));
-  if (word == "smem") return call.Fail("Semantic memory is not available in this build: there is nothing to draw.");
-  if (word == "epmem") return call.Fail("Episodic memory is not available in this build: there is nothing to draw.");
+  if (word == "smem") return SemanticMemory(call, call.words.subspan(2));
+  if (word == "epmem") return Episode(call, call.words.subspan(2));
   if (word == "identity_graph" || word == "ebc_analysis") {
-    return call.Fail("'visualize " + word + "' needs learning, which is not available in this build.");
+    return LearnedRule(call, word == "identity_graph");
   }
   return NamedSetting(call, "visualize",
                       "Invalid visualize sub-command.  Use 'visualize ?' to see a list of valid sub-commands and "

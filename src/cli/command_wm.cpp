@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "cli/command.h"
@@ -9,6 +10,10 @@
 #include "cli/lookup.h"
 #include "cli/print_stream.h"
 #include "cli/setting_store.h"
+#include "cli/summary.h"
+#include "kernel/agent.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/wm_activation.h"
 
 namespace soarbox::cli {
 namespace {
@@ -153,10 +158,74 @@ bool Watch(CommandCall& call) {
   return true;
 }
 
+/// The settings' texts, handed to the kernel.
+void ApplyActivation(CommandCall& call) {
+  const SettingStore& store = call.session.settings();
+  kernel::WmActivation& module = kernel::WmActivation::Of(call.agent().long_term());
+  kernel::WmaSettings& settings = module.mutable_settings();
+  settings.activation = store.IsOn("wma", "activation");
+  settings.decay_rate = ParseDouble(store.Get("wma", "decay-rate")).value_or(-0.5);
+  settings.decay_thresh = ParseDouble(store.Get("wma", "decay-thresh")).value_or(-2);
+  settings.petrov_approx = store.IsOn("wma", "petrov-approx");
+  const std::string forgetting = store.Get("wma", "forgetting");
+  settings.forgetting = forgetting == "off"     ? kernel::WmaSettings::Forgetting::kOff
+                        : forgetting == "naive" ? kernel::WmaSettings::Forgetting::kNaive
+                                                : kernel::WmaSettings::Forgetting::kBisection;
+  settings.forget_linked_only = store.Get("wma", "forget-wme") == "lti";
+  settings.fake_forgetting = store.IsOn("wma", "fake-forgetting");
+  module.SettingsChanged();
+}
+
+bool SetActivation(CommandCall& call, const std::string& name, const std::string& value) {
+  SettingStore& store = call.session.settings();
+  if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
+  if (name != "activation" && name != "timers" && store.IsOn("wma", "activation")) {
+    return call.Fail("ERROR: this parameter is protected while WMA is on.");
+  }
+  std::string kept = value;
+  if (name == "decay-rate" || name == "decay-thresh") {
+    // Both are kept with a minus, however they are written.
+    const auto number = ParseDouble(value);
+    const double size = number ? std::abs(*number) : -1;
+    if (size < 0 || (name == "decay-rate" && size > 1)) return call.Fail("Invalid value for activation setting.");
+    kept = size == 0 ? "0" : Shortest(-size);
+  }
+  if (store.Set("wma", name, kept) != SettingStore::SetResult::kOk) {
+    return call.Fail("Invalid value for activation setting.");
+  }
+  ApplyActivation(call);
+  return true;
+}
+
+bool ActivationHistory(CommandCall& call, const std::string& tag) {
+  const auto timetag = ParseLeadingInteger(tag);
+  if (!timetag) return call.Fail("Invalid timetag.");
+  const kernel::WmActivation* const module = kernel::WmActivation::Find(call.agent().long_term());
+  const kernel::WmeId wme =
+      *timetag < 1 ? kernel::WmeId::kNone : call.agent().memory().FindByTimetag(static_cast<std::uint64_t>(*timetag));
+  if (wme == kernel::WmeId::kNone) return true;
+  const kernel::WmActivation::History* const history = module == nullptr ? nullptr : module->HistoryOf(wme);
+  if (history == nullptr) {
+    call.Out("WME has no decay history");
+    return true;
+  }
+  std::uint64_t kept = 0;
+  for (std::size_t n = 0; n < history->count; ++n) kept += history->uses[n];
+  call.Out(fmt::format("history ({}/{}, first @ d{}):\n", kept, history->total, history->first));
+  for (std::size_t n = 0; n < history->count; ++n) {
+    call.Out(
+        fmt::format(" {} @ d{} (-{})\n", history->uses[n], history->cycles[n], module->now() - history->cycles[n]));
+  }
+  if (module->settings().forgetting != kernel::WmaSettings::Forgetting::kOff && history->due > 0) {
+    call.Out(fmt::format("\nconsidering WME for decay @ d{}\n", history->due));
+  }
+  return true;
+}
+
 bool Activation(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kWmSubcommands[2].options, parsed)) return false;
-  SettingStore& store = call.session.settings();
+  const SettingStore& store = call.session.settings();
   if (parsed.Has('g')) {
     const std::string name = *parsed.Argument('g');
     if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
@@ -164,33 +233,21 @@ bool Activation(CommandCall& call) {
     return true;
   }
   if (parsed.Has('s')) {
-    const std::string name = *parsed.Argument('s');
     if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
     if (parsed.arguments.size() > 1) return call.Fail("Too many args.");
-    const std::string& value = parsed.arguments.front().text;
-    if (name == "activation" && value == "on") {
-      return call.Fail("Activation of working memory is not available in this build.");
-    }
-    switch (store.Set("wma", name, value)) {
-      case SettingStore::SetResult::kUnknown:
-        return call.Fail("Invalid activation setting.");
-      case SettingStore::SetResult::kInvalid:
-        return call.Fail("Invalid value for setting.");
-      case SettingStore::SetResult::kOk:
-        return true;
-    }
+    return SetActivation(call, *parsed.Argument('s'), parsed.arguments.front().text);
   }
-  if (const auto tag = parsed.Argument('h')) {
-    if (!ParseLeadingInteger(*tag)) return call.Fail("Invalid timetag.");
-    call.Out("WME has no decay history");
-    return true;
-  }
+  if (const auto tag = parsed.Argument('h')) return ActivationHistory(call, *tag);
   if (parsed.Has('S')) {
-    call.Out("Forgotten WMEs: 0\n");
+    const kernel::WmActivation* const module = kernel::WmActivation::Find(call.agent().long_term());
+    const std::uint64_t forgotten = module == nullptr ? 0 : module->forgotten();
+    const auto name = parsed.Argument('S');
+    if (name && *name != "forgotten-wmes") return call.Fail("Invalid statistic.");
+    call.Out(name ? std::to_string(forgotten) : fmt::format("Forgotten WMEs: {}\n", forgotten));
     return true;
   }
   if (!parsed.Has('t') && !parsed.arguments.empty()) return call.Fail("Too many args.");
-  if (parsed.Has('t')) return call.Fail("Timers of activation are not available in this build.");
+  if (parsed.Has('t')) return call.Fail("Activation of working memory takes no times.");
   const auto line = [&](std::string_view name) { call.Out(fmt::format("{}: {}\n", name, store.Get("wma", name))); };
   call.Out(fmt::format("\nWMA activation: {}\n\nActivation\n----------\n", store.Get("wma", "activation")));
   line("decay-rate");

@@ -3,23 +3,64 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace soarbox::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Commands that a scenario's files have no use for: they show files, change what all agents share, write, run agents
-/// or start programs.
-constexpr std::string_view kRefused[] = {"alias", "debug", "ls", "run", "save", "svs", "visualize"};
+using Subcommand = std::pair<std::string_view, std::string_view>;
+
+/// Commands that open no file but by asking, start no program and change nothing outside of their agent.
+constexpr std::string_view kAllowed[] = {"cd",    "chunk",      "decide", "dirs", "echo",   "epmem", "explain",
+                                         "gp",    "help",       "learn",  "load", "output", "popd",  "preferences",
+                                         "print", "production", "pushd",  "pwd",  "rl",     "smem",  "soar",
+                                         "sp",    "stats",      "trace",  "wm"};
+/// What was typed into a run that was recorded may do this, too: the run goes on as it did.
+constexpr std::string_view kAllowedInRecordings[] = {"alias", "debug", "run"};
+/// What counts in files that are looked over.
+constexpr std::string_view kRules[] = {"cd", "gp", "load", "popd", "production", "pushd", "sp"};
+/// Sub-commands of those that count: other ones are passed over.
+constexpr Subcommand kRuleWords[] = {{"load", "file"}, {"production", "excise"}};
+
+/// Words of the long-term memories' commands that open no file. Whatever else follows the command is refused.
+constexpr std::string_view kMemoryWords[] = {
+    "-e",        "--enable", "--on",  "-d",      "--disable", "--off",    "-a",      "--add",   "-g",
+    "--get",     "-s",       "--set", "-i",      "--init",    "-p",       "--print", "-q",      "--query",
+    "-r",        "--remove", "-S",    "--stats", "-t",        "--timers", "-c",      "--clear", "-h",
+    "--history", "-v",       "--viz", "-?",      "--help",    "--close"};
+
+template <typename List>
+bool IsIn(const List& list, std::string_view word) {
+  return std::find(std::begin(list), std::end(list), word) != std::end(list);
+}
 
 bool IsBelow(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
+/// `--set path FILE` and `--set database file` lead to a file; `--set path :memory:` and other settings do not.
+bool OpensFile(std::span<const Word> words) {
+  const std::string& name = words.front().text;
+  if (name == "rl") return std::ranges::any_of(words, [](const Word& word) { return word.text == "update-log-path"; });
+  if ((name != "smem" && name != "epmem") || words.size() < 2) return false;
+  const std::string& option = words[1].text;
+  if (!option.starts_with('-')) return option != "?";
+  if (!IsIn(kMemoryWords, option)) return true;
+  if ((option != "-s" && option != "--set") || words.size() < 4) return false;
+  const std::string &setting = words[2].text, &value = words[3].text;
+  if (setting == "path") return value != ":memory:";
+  return setting == "database" && value != "memory";
+}
+
+bool IsBeginningOf(std::string_view word, std::string_view name) {
+  return !word.empty() && name.starts_with(word);
+}
+
 }  // namespace
 
-Fence::Fence(std::vector<fs::path> folders) {
+Fence::Fence(std::vector<fs::path> folders, Source source) : source_(source) {
   for (const fs::path& folder : folders) {
     std::error_code error;
     fs::path canonical = fs::canonical(folder, error);
@@ -27,18 +68,43 @@ Fence::Fence(std::vector<fs::path> folders) {
   }
 }
 
+Fence Fence::For(Source source) const {
+  Fence other = *this;
+  other.source_ = source;
+  return other;
+}
+
 bool Fence::MayRead(const fs::path& path) const {
   std::error_code error;
   const fs::path canonical = fs::weakly_canonical(path, error);
   if (error) return false;
-  return std::any_of(folders_.begin(), folders_.end(),
-                     [&](const fs::path& folder) { return IsBelow(canonical, folder); });
+  const fs::file_status status = fs::status(canonical, error);
+  // What is not there is told by whoever opens it.
+  const bool is_plain = fs::is_regular_file(status) || fs::is_directory(status) || !fs::exists(status);
+  return is_plain && std::any_of(folders_.begin(), folders_.end(),
+                                 [&](const fs::path& folder) { return IsBelow(canonical, folder); });
 }
 
-std::string Fence::Refusal(std::span<const Word> words) {
+Fence::Answer Fence::Ask(std::span<const Word> words) const {
   const std::string& name = words.front().text;
-  if (std::find(std::begin(kRefused), std::end(kRefused), name) == std::end(kRefused)) return {};
-  return "The files of a scenario may not use '" + name + "'. Type it yourself, or in a debugger.";
+  if (source_ == Source::kRulesOnly) {
+    if (!IsIn(kRules, name)) {
+      // A rule behind another command is a rule whose first word is misspelt.
+      const auto holds_rule = [](const Word& word) { return word.text.find("-->") != std::string::npos; };
+      return {false, std::ranges::any_of(words, holds_rule) ? "no such command for a rule: " + name : std::string()};
+    }
+    for (const auto& [command, word] : kRuleWords)
+      if (name == command && (words.size() < 2 || !IsBeginningOf(words[1].text, word))) return {false, {}};
+    return {};
+  }
+  const bool is_recorded = source_ == Source::kRecording;
+  const bool is_library = name == "load" && words.size() > 1 && IsBeginningOf(words[1].text, "library");
+  const bool is_allowed = (IsIn(kAllowed, name) && !is_library) || (is_recorded && IsIn(kAllowedInRecordings, name));
+  if (is_allowed && !OpensFile(words)) return {};
+  const std::string what = is_allowed ? "open files with '" + name + "'" : "use '" + name + "'";
+  if (is_recorded)
+    return {false, "Commands of a recording, or of a file of inputs, may not " + what + ". Type it yourself."};
+  return {false, "The files of a scenario may not " + what + ". Type it yourself, or in a debugger."};
 }
 
 }  // namespace soarbox::cli

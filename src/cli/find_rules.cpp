@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
 #include "kernel/rules/parser.h"
@@ -117,9 +119,14 @@ void FindRules(PrintStream& stream, kernel::Agent& agent, const std::string& pat
   const kernel::ProductionPtr parsed = ReadPattern(stream, agent, pattern);
   bool any = false;
   if (parsed && searches) {
-    const std::vector<kernel::ProductionId> rules = agent.Productions();
-    for (auto id = rules.rbegin(); id != rules.rend(); ++id) {
-      const kernel::Production& rule = agent.production(*id);
+    // The newest first, those that users wrote before learned ones.
+    std::vector<kernel::ProductionId> rules = agent.Productions();
+    std::ranges::reverse(rules);
+    std::stable_partition(rules.begin(), rules.end(), [&](kernel::ProductionId id) {
+      return agent.production(id).type != kernel::ProductionType::kChunk;
+    });
+    for (const kernel::ProductionId id : rules) {
+      const kernel::Production& rule = agent.production(id);
       if (!wanted(rule)) continue;
       Finder finder(agent.mutable_symbols().String("*"));
       if (!finder.Match(parsed->conditions, 0, rule.conditions)) continue;

@@ -122,7 +122,10 @@ TEST_F(GraphTest, WrongWordsAndMissingMemoriesAreNamed) {
   EXPECT_THAT(Do("visualize wm x9").text, HasSubstr("There is no identifier x9"));
   EXPECT_THAT(Do("visualize wm s1 0").text, HasSubstr("depth"));
   EXPECT_THAT(Do("visualize wm s1 s1").text, HasSubstr("Syntax"));
-  EXPECT_THAT(Do("visualize smem").text, HasSubstr("Semantic memory is not available"));
+  EXPECT_THAT(Do("visualize smem").text, HasSubstr("Semantic memory is empty"));
+  Do("smem --add {(@1 ^name tank ^has @2) (@2 ^name hatch)}");
+  EXPECT_THAT(Do("visualize smem @9").text, HasSubstr("@9 not found"));
+  EXPECT_THAT(Do("visualize smem tank").text, HasSubstr("Syntax"));
   EXPECT_THAT(Do("visualize file-name {no/such/folder/x}; visualize wm").text,
               HasSubstr("Failed to open file for writing"));
 }

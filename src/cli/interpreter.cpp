@@ -96,8 +96,8 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
   ++depth_;
   bool ok = false;
   try {
-    const std::string refusal = fence_ ? Fence::Refusal(words) : std::string();
-    ok = refusal.empty() ? command->handler(call) : call.Fail(refusal);
+    const Fence::Answer may = fence_ ? fence_->Ask(words) : Fence::Answer{};
+    ok = may.carry_out ? command->handler(call) : may.refusal.empty() || call.Fail(may.refusal);
   } catch (const std::bad_alloc&) {
     // An answer that grew too large; agents see to themselves when they run.
     call.result.text = std::string();
@@ -118,7 +118,7 @@ std::filesystem::path Interpreter::Resolve(const std::string& file) const {
 bool Interpreter::ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const {
   path = Resolve(file);
   if (!fence_ || fence_->MayRead(path)) return true;
-  return call.Fail("The files of a scenario may not read outside its folder: " + file);
+  return call.Fail("The files of a scenario may read plain files in its folder only: " + file);
 }
 
 bool Interpreter::ResolveForWriting(CommandCall& call, const std::string& file, std::filesystem::path& path) const {
@@ -133,6 +133,10 @@ bool Interpreter::ChangeDirectory(const std::string& path) {
   if (fence_ && !fence_->MayRead(target)) return false;
   directory_ = std::move(target);
   return true;
+}
+
+void Interpreter::GoBackTo(std::filesystem::path directory) {
+  directory_ = std::move(directory);
 }
 
 }  // namespace soarbox::cli

@@ -46,6 +46,8 @@ class Interpreter {
   /// The directory that relative file names start from; begins as the process's. `cd` changes only this.
   const std::filesystem::path& directory() const { return directory_; }
   bool ChangeDirectory(const std::string& path);
+  /// To where it was before a file was read: no fence holds for that.
+  void GoBackTo(std::filesystem::path directory);
   std::vector<std::filesystem::path>& directory_stack() { return directory_stack_; }
   /// A file name as typed, relative to directory().
   std::filesystem::path Resolve(const std::string& file) const;

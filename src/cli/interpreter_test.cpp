@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cli/command.h"
 #include "cli/help.h"
 #include "cli/session.h"
 #include "kernel/agent.h"
@@ -16,6 +17,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class InterpreterTest : public testing::Test {
@@ -103,7 +105,74 @@ TEST_F(InterpreterTest, AFileThatSourcesItselfIsAnErrorAndNoCrash) {
   const std::string file = Write("loop.soar", "source " + (folder_ / "loop.soar").string() + "\n");
   const CommandResult result = Do("source " + file);
   EXPECT_FALSE(result.ok);
-  EXPECT_THAT(result.text, HasSubstr("nested too deeply"));
+  EXPECT_THAT(result.text, HasSubstr("This file sources itself: " + file + " -> " + file));
+}
+
+TEST_F(InterpreterTest, FilesThatSourceEachOtherTwiceEnd) {
+  const std::string a = (folder_ / "a.soar").string(), b = (folder_ / "b.soar").string();
+  Write("a.soar", "source " + b + "\nsource " + b + "\n");
+  Write("b.soar", "source " + a + "\nsource " + a + "\n");
+  const CommandResult result = Do("source " + a);
+  EXPECT_FALSE(result.ok);
+  EXPECT_THAT(result.text, HasSubstr("This file sources itself: " + a + " -> " + b + " -> " + a));
+  EXPECT_LT(result.text.size(), 10'000u);
+}
+
+TEST_F(InterpreterTest, FilesThatSourceEverMoreAreBounded) {
+  // Each sources the next one three times: a billion in all.
+  constexpr int kFiles = 20;
+  for (int i = 0; i < kFiles; ++i) {
+    const std::string line = "source f" + std::to_string(i + 1) + ".soar\n";
+    Write("f" + std::to_string(i) + ".soar", i + 1 < kFiles ? line + line + line : std::string("# the last\n"));
+  }
+  const CommandResult result = Do("source " + (folder_ / "f0.soar").string());
+  EXPECT_FALSE(result.ok);
+  EXPECT_THAT(result.text, HasSubstr("files are sourced at once"));
+  EXPECT_THAT(result.text, HasSubstr("f0.soar -> "));
+  EXPECT_LT(result.text.size(), 100'000u);
+}
+
+/// Every command with every option, with a name of a file wherever a word may stand: new ones are tried, too.
+TEST_F(InterpreterTest, AFenceLetsNoCommandWriteAFile) {
+  std::vector<std::string> lines;
+  const auto with_options = [&](const std::string& start, std::span<const OptionSpec> options) {
+    for (const char* words : {"", " leak", " leak print s1", " -a leak", " --set path leak", " --set database file"})
+      lines.push_back(start + words);
+    for (const OptionSpec& option : options) {
+      lines.push_back(start + " --" + std::string(option.name) + " leak");
+      lines.push_back(start + " -" + std::string(1, option.letter) + " leak print s1");
+    }
+  };
+  for (const CommandInfo& command : Commands()) {
+    if (command.name == "cd" || command.name == "popd" || command.name == "pushd") continue;
+    with_options(std::string(command.name), command.options);
+    for (const SubcommandInfo& word : command.subcommands)
+      with_options(std::string(command.name) + " " + std::string(word.name), word.options);
+  }
+  ASSERT_GT(lines.size(), 300u);
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_);
+  interpreter_.ChangeDirectory(folder_.string());
+  for (const Fence::Source source : {Fence::Source::kFiles, Fence::Source::kRecording, Fence::Source::kRulesOnly}) {
+    const Fence fence({folder_}, source);
+    const Interpreter::Fenced fenced(interpreter_, &fence);
+    for (const std::string& line : lines) {
+      if (source == Fence::Source::kRecording && line.starts_with("run")) continue;
+      Do(line);
+      ASSERT_TRUE(std::filesystem::is_empty(folder_)) << line;
+    }
+  }
+  std::filesystem::current_path(before);
+}
+
+TEST_F(InterpreterTest, WhatIsLookedOverIsNotCarriedOut) {
+  const Fence fence({folder_}, Fence::Source::kRulesOnly);
+  const Interpreter::Fenced fenced(interpreter_, &fence);
+  const CommandResult result =
+      Do("source " + Write("agent.soar", "output log leak\nrun 5\necho said\n" + std::string(kGo)));
+  EXPECT_TRUE(result.ok) << result.text;
+  EXPECT_THAT(result.text, HasSubstr("1 production sourced"));
+  EXPECT_THAT(result.text, Not(HasSubstr("said")));
 }
 
 TEST_F(InterpreterTest, SettingsOfMissingPartsAreKeptSoThatAgentsLoad) {
@@ -111,7 +180,7 @@ TEST_F(InterpreterTest, SettingsOfMissingPartsAreKeptSoThatAgentsLoad) {
       Do("chunk never; learn --off; smem --set learning on; epmem --set trigger output; rl --set discount-rate 0.5")
           .ok);
   EXPECT_EQ(Do("rl --get discount-rate").text, "0.5");
-  EXPECT_THAT(Do("smem --query {(<x> ^a b)}").text, HasSubstr("not available in this build"));
+  EXPECT_THAT(Do("smem --query {(<x> ^a b)}").text, HasSubstr("No results for query"));
 }
 
 TEST_F(InterpreterTest, DirectoriesAreTheInterpretersOwn) {
@@ -161,6 +230,36 @@ TEST_F(InterpreterTest, OptimisedAttributesAreTestedLaterByRulesLoadedFromThenOn
   EXPECT_TRUE(far_first()) << "rules that are there already stay as they are";
   Do(std::string("sp ") + kRule);
   EXPECT_FALSE(far_first());
+}
+
+TEST_F(InterpreterTest, ARuleThatHoldsManyPartialMatchesForNoneIsToldOfWithTheOrderThatHelps) {
+  std::string make, holds, disks, names;
+  for (const char* const n : {"1", "2", "3", "4", "5", "6"}) {
+    const std::string number = n;
+    make += "(<s> ^holds <h" + number + ">) (<h" + number + "> ^disk <d" + number + ">) (<d" + number + "> ^name " +
+            number + ")";
+    holds += " <h" + number + ">";
+    disks += "(<h" + number + "> ^disk <d" + number + ">)";
+    names += "(<d" + number + "> ^name " + (number == "6" ? "none" : number) + ")";
+  }
+  const std::string file =
+      Write("tower.soar", "sp {make (state <s> ^superstate nil) --> " + make + "}\n" + "sp {done (state <s> ^holds" +
+                              holds + ")" + disks + names + " --> (<s> ^done yes)}\n");
+  const std::string advice =
+      "test what tells each ^holds apart right behind it, in this order: (state <s> ^holds <h6>) (<h6> ^disk <d6>) "
+      "(<d6> ^name none), then the next ^holds; or declare `multi-attributes holds 6` in front of the rule";
+  Do("multi-attributes disk 6");  // And so ^disk is tested late.
+  const CommandResult loaded = Do("source " + file);
+  ASSERT_EQ(loaded.diagnostics.size(), 1u);
+  EXPECT_EQ(loaded.diagnostics[0].line, 2);
+  EXPECT_EQ(loaded.diagnostics[0].hint, advice);
+  Do("run 1");
+  const std::string usage = Do("production memory-usage done").text;
+  EXPECT_THAT(usage, HasSubstr("done has held "));
+  EXPECT_THAT(usage, HasSubstr(" partial matches for 0 matches: " + advice + ".\n"));
+  Do("multi-attributes holds 6");
+  EXPECT_TRUE(Do("source " + file).diagnostics.empty()) << "the advice helps";
+  EXPECT_THAT(Do("production memory-usage done").text, Not(HasSubstr("has held")));
 }
 
 TEST_F(InterpreterTest, AWarningThatASourceRepeatsIsToldOnceAndCounted) {

@@ -2,7 +2,11 @@
 #include "cli/object_printer.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <unordered_map>
+
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/wm_activation.h"
 
 namespace soarbox::cli {
 namespace {
@@ -36,6 +40,23 @@ std::string Show(const Agent& agent, Symbol symbol, bool variables) {
   std::string text = SymbolText(agent, symbol);
   if (variables && symbol.IsIdentifier()) return "<" + text + ">";
   return text;
+}
+
+/// The same with the long-term identifier that an identifier is an instance of: L3 (@12).
+std::string ShowLinked(const Agent& agent, Symbol symbol, bool variables) {
+  std::string text = Show(agent, symbol, variables);
+  if (!symbol.IsIdentifier()) return text;
+  const std::uint64_t number = agent.memory().long_term_identifiers()[symbol.index()];
+  return number == 0 ? text : text + " (@" + std::to_string(number) + ")";
+}
+
+/// " [0.75]" for an element, while activation of working memory is on; else nothing.
+std::string ActivationText(const Agent& agent, WmeId wme) {
+  const kernel::WmActivation* const module = kernel::WmActivation::Find(agent.long_term());
+  if (module == nullptr || !module->settings().activation) return {};
+  char digits[40];
+  std::snprintf(digits, sizeof(digits), " [%.2g]", module->Of(wme));
+  return digits;
 }
 
 class ObjectPrinter {
@@ -116,7 +137,7 @@ class ObjectPrinter {
     for (const WmeId wme_id : wmes) {
       const Wme& wme = agent_.memory().wme(wme_id);
       std::string text =
-          " ^" + Show(agent_, wme.attribute, style_.variables) + " " + Show(agent_, wme.value, style_.variables);
+          " ^" + Show(agent_, wme.attribute, style_.variables) + " " + ShowLinked(agent_, wme.value, style_.variables);
       if (wme.acceptable) text += " +";
       const int width = static_cast<int>(text.size()) - BracketsOf(wme.attribute) - BracketsOf(wme.value);
       if (stream_.column() + width >= kLineWidth) {
@@ -155,6 +176,7 @@ std::string WmeText(const Agent& agent, WmeId id, bool timetag, bool variables) 
   if (timetag) text += std::to_string(wme.timetag) + ": ";
   text += Show(agent, wme.id, variables) + " ^" + Show(agent, wme.attribute, variables) + " " +
           Show(agent, wme.value, variables);
+  if (timetag) text += ActivationText(agent, id);
   if (wme.acceptable) text += " +";
   return text + ")";
 }

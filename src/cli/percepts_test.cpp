@@ -19,7 +19,7 @@ using kernel::InputObject;
 using testing::HasSubstr;
 
 /// Chooses by chance, and answers what it sees.
-constexpr const char* kRules = R"(
+constexpr const char* kPerceptRules = R"(
 sp {propose (state <s> ^superstate nil ^io.input-link.thing <t>) (<t> ^x <x>)
     --> (<s> ^operator <o> + =) (<o> ^name look ^at <t> ^x <x>)}
 sp {apply (state <s> ^operator <o>) (<o> ^name look ^x <x>) --> (<s> ^seen <x> ^roll (rand-float))}
@@ -31,7 +31,7 @@ class PerceptsTest : public testing::Test {
   struct Shell {
     Shell() {
       session.stream().SetSink([this](std::string_view text) { printed += text; });
-      EXPECT_TRUE(Do(kRules).ok);
+      EXPECT_TRUE(Do(kPerceptRules).ok);
       Do("watch 5");
     }
     CommandResult Do(const std::string& line) { return interpreter.Execute(session, line); }

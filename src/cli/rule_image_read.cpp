@@ -188,7 +188,7 @@ class Reader {
     rule.explain = (flags & 4) != 0;
     if (rule.has_documentation) rule.documentation = arena_.Copy(Text("the documentation"));
     rule.type = Code(Byte(), kernel::ProductionType::kTemplate, "type of rules");
-    if (rule.type == kernel::ProductionType::kJustification) Fail("justifications cannot stand in an image");
+    if (rule.type == kernel::ProductionType::kJustification) Fail("an image cannot hold justifications");
     rule.declared_support = Code(Byte(), kernel::DeclaredSupport::kISupport, "kind of support");
     const std::uint64_t file = Number();
     if (file < files.size())
@@ -403,7 +403,7 @@ class Reader {
       value.arguments.Add(arena_.New(ValueOf(rule, depth + 1, false)));
     if (failed()) return;
     const kernel::BuiltinFunction& builtin = kernel::BuiltinFunctions()[value.index];
-    if (as_action ? !builtin.as_action : !builtin.as_value) Fail("function '" + name + "' cannot stand here");
+    if (as_action ? !builtin.as_action : !builtin.as_value) Fail("function '" + name + "' is not allowed here");
     if (builtin.arguments >= 0 && value.arguments.Count() != static_cast<std::uint32_t>(builtin.arguments)) {
       Fail("function '" + name + "' has a wrong number of arguments");
     }

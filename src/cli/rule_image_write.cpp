@@ -202,14 +202,15 @@ std::uint64_t rule_image::Checksum(std::string_view bytes) {
 }
 
 std::string WriteRuleImage(const kernel::Agent& agent) {
-  const std::vector<kernel::ProductionId> rules = agent.Productions();
+  // With the numbers that reinforcement learning gave them.
+  std::vector<kernel::ProductionPtr> rules;
+  for (const kernel::ProductionId id : agent.Productions()) rules.push_back(agent.ProductionAsLearned(id));
   Collector collector(agent.symbols());
   std::map<std::string, std::size_t> file_numbers;
   std::vector<std::string_view> files;
-  for (const kernel::ProductionId id : rules) {
-    const Production& rule = agent.production(id);
-    collector.Add(rule);
-    const auto [file, is_new] = file_numbers.emplace(rule.file(), files.size());
+  for (const kernel::ProductionPtr& rule : rules) {
+    collector.Add(*rule);
+    const auto [file, is_new] = file_numbers.emplace(rule->file(), files.size());
     if (is_new) files.push_back(file->first);
   }
   Writer payload(agent.symbols());
@@ -217,10 +218,7 @@ std::string WriteRuleImage(const kernel::Agent& agent) {
   payload.Number(files.size());
   for (const std::string_view file : files) payload.Text(file);
   payload.Number(rules.size());
-  for (const kernel::ProductionId id : rules) {
-    const Production& rule = agent.production(id);
-    payload.Rule(rule, file_numbers.at(rule.file()));
-  }
+  for (const kernel::ProductionPtr& rule : rules) payload.Rule(*rule, file_numbers.at(rule->file()));
   const std::string body = payload.Take();
   Writer header(agent.symbols());
   header.Fixed(kVersion, 4);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "kernel/learn/rl_settings.h"
+#include "kernel/learn/rl_values.h"
 #include "kernel/rules/print_production.h"
 
 namespace soarbox::cli {
@@ -13,8 +15,21 @@ using kernel::Agent;
 using kernel::Production;
 using kernel::ProductionId;
 
+namespace {
+
+/// The agent's own rule, if this is one, with the number that it learned for it.
+std::shared_ptr<const Production> AsLearned(const Agent& agent, const Production& rule) {
+  const std::shared_ptr<const Production> itself(std::shared_ptr<const Production>(), &rule);
+  if (!rule.is_rl) return itself;
+  const ProductionId id = agent.FindProduction(rule.name);
+  if (id == ProductionId::kNone || agent.production_ptr(id).get() != &rule) return itself;
+  return agent.ProductionAsLearned(id);
+}
+
+}  // namespace
+
 std::string RuleText(const Agent& agent, const Production& rule, bool internal) {
-  return kernel::PrintProduction(agent.symbols(), rule, {.internal = internal}) + "\n";
+  return kernel::PrintProduction(agent.symbols(), *AsLearned(agent, rule), {.internal = internal}) + "\n";
 }
 
 std::string ConditionText(const Agent& agent, const kernel::Condition& condition) {
@@ -30,9 +45,19 @@ std::string RuleName(const Agent& agent, std::string_view name) {
 
 std::string LearnedValueText(const Agent& agent, const Production& rule) {
   if (!rule.is_rl || rule.actions.empty()) return {};
-  std::string value;
-  kernel::AppendRhsValue(value, agent.symbols(), rule.actions.front().referent);
-  return fmt::format(" {:f} {}", 0.0, value);
+  const ProductionId id = agent.FindProduction(rule.name);
+  const kernel::RlValue* const learned = id == ProductionId::kNone ? nullptr : agent.LearnedValue(id);
+  std::string number;
+  if (learned != nullptr) {
+    number = kernel::ToString(agent.symbols(), learned->value);
+  } else {
+    kernel::AppendRhsValue(number, agent.symbols(), rule.actions.front().referent);
+  }
+  const kernel::RlValue known = learned != nullptr ? *learned : kernel::RlValue();
+  if (agent.reinforcement().decay == kernel::RlDecay::kDeltaBarDelta) {
+    return fmt::format(" {:f} {:f} {:f} {}", known.beta, known.h, known.updates, number);
+  }
+  return fmt::format(" {:f} {}", known.updates, number);
 }
 
 std::vector<ProductionId> RulesOfType(const Agent& agent, kernel::ProductionType type) {

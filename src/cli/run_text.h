@@ -13,6 +13,7 @@ namespace soarbox::cli {
 struct RunCounts {
   std::uint64_t cycles = 0;
   std::uint64_t firings = 0;
+  std::uint64_t chunks = 0;
 
   static RunCounts Of(const kernel::Agent& agent);
 };

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "cli/percepts.h"
+#include "cli/rl_update_log.h"
 #include "cli/setting_store.h"
 #include "cli/stack_printer.h"
 #include "cli/trace_printer.h"
@@ -20,7 +21,8 @@ Session::Session(kernel::Agent& agent, std::string name)
       name_(std::move(name)),
       times_(agent),
       settings_(std::make_unique<SettingStore>()),
-      trace_printer_(std::make_unique<TracePrinter>(*this)) {
+      trace_printer_(std::make_unique<TracePrinter>(*this)),
+      rl_update_log_(std::make_unique<RlUpdateLog>(agent)) {
   UpdateTrace();
   // The agent has announced its first state already; objects are wrapped as if that line had been printed here.
   if (!agent.goals().empty()) {
@@ -32,6 +34,10 @@ Session::~Session() = default;
 
 void Session::UpdateTrace() {
   trace_printer_->Update();
+}
+
+bool Session::SetReinforcementLog(const std::string& path) {
+  return rl_update_log_->SetPath(path);
 }
 
 bool Session::OpenLog(const std::string& path, bool append) {

@@ -19,6 +19,7 @@ namespace soarbox::cli {
 
 class PerceptPlayer;
 class PerceptRecorder;
+class RlUpdateLog;
 class TracePrinter;
 class SettingStore;
 
@@ -31,6 +32,13 @@ struct OutputSettings {
   bool warnings = true;
   int print_depth = 1;
   std::vector<bool> log_channels = std::vector<bool>(kLogChannels, true);
+};
+
+/// What `explain` is talking about.
+struct ExplainState {
+  std::uint32_t rule = 0;    ///< Number of the learned rule; 0 for none.
+  std::uint32_t firing = 0;  ///< Number of the firing that was explained last.
+  bool elements = false;     ///< `explain wm-trace`: elements in place of tests.
 };
 
 /// A filter of `wm watch`: names as typed, `*` for anything.
@@ -58,6 +66,7 @@ class Session {
 
   TraceSettings& trace() { return trace_; }
   OutputSettings& output() { return output_; }
+  ExplainState& explain() { return explain_; }
   SettingStore& settings() { return *settings_; }
   /// `soar timers`, `stats`.
   RunTimes& times() { return times_; }
@@ -65,6 +74,10 @@ class Session {
 
   /// Tells the agent which events the trace needs now. Call after trace() or the filters changed.
   void UpdateTrace();
+
+  /// Where updates of learned numbers are written (`rl --set update-log-path`); an empty path ends that. False if the
+  /// file cannot be written.
+  bool SetReinforcementLog(const std::string& path);
 
   /// Names of rules whose firings are shown at any trace level (`production watch`).
   std::vector<std::string>& watched_rules() { return watched_rules_; }
@@ -87,6 +100,7 @@ class Session {
   PrintStream stream_;
   TraceSettings trace_;
   OutputSettings output_;
+  ExplainState explain_;
   RunTimes times_;
   std::unique_ptr<SettingStore> settings_;
   std::vector<WmeFilter> wme_filters_;
@@ -95,6 +109,7 @@ class Session {
   std::unique_ptr<PerceptRecorder> percept_recorder_;
   std::unique_ptr<PerceptPlayer> percept_player_;
   std::unique_ptr<TracePrinter> trace_printer_;
+  std::unique_ptr<RlUpdateLog> rl_update_log_;
 };
 
 }  // namespace soarbox::cli

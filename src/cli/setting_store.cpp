@@ -43,11 +43,12 @@ constexpr SettingInfo kSettings[] = {
     {"rl", "chunk-stop", kSwitch, "on"},
     {"rl", "decay-mode", kChoice, "normal", "normal exp log delta-bar-delta"},
     {"rl", "meta", kSwitch, "off"},
-    {"rl", "meta-learning-rate", kReal, "0.1", {}, 0},
+    {"rl", "meta-learning-rate", kReal, "0.1", {}, 0, 1},
     {"rl", "update-log-path", kText, ""},
-    {"rl", "apoptosis", kChoice, "none", "none chunks rl-chunks"},
-    {"rl", "apoptosis-decay", kReal, "0.5", {}, 0},
+    // (Before apoptosis itself: while that is on, they cannot be set.)
+    {"rl", "apoptosis-decay", kReal, "0.5", {}, 0, 1},
     {"rl", "apoptosis-thresh", kReal, "-2"},
+    {"rl", "apoptosis", kChoice, "none", "none chunks rl-chunks"},
     {"rl", "temporal-discount", kSwitch, "on"},
     {"rl", "trace", kSwitch, "off"},
 

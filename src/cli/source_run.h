@@ -24,6 +24,9 @@ struct SourceRun {
   Counts total;   ///< Of the files that have ended.
   bool verbose = false, per_file = false, silent = false;  ///< The options of the outermost command.
   std::vector<kernel::FileName> files;                     ///< Files that are open now, as typed; the innermost last.
+  /// So many files at most are read for one command, nested or one after the other.
+  static constexpr int kMostFiles = 5'000;
+  int opened = 0;
   bool stars_pending = false;  ///< Stars stand in the line that the next output would go on in.
   int line = 0;                ///< Of the command that is carried out, in the innermost file.
   /// Where in the answer's diagnostics a warning stands, by a hash of its message: large sources repeat theirs.

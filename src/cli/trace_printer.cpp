@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cli/object_printer.h"
+#include "cli/rl_update_log.h"
 #include "cli/rule_text.h"
 #include "cli/session.h"
 #include "cli/stack_printer.h"
@@ -92,6 +93,7 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kAssertions), Event::kAssertion);
   want(trace.learning() > 0, Event::kLearning);
   want(trace.On(TraceFlag::kIndifferent), Event::kExploration);
+  want(trace.On(TraceFlag::kRl), Event::kReinforcement);
   session_.agent().AddObserver(*this, mask);
 }
 
@@ -342,6 +344,10 @@ void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::
         Print(fmt::format("WARNING: WME added and removed in same phase : {}\n", text));
       }
       return;
+    case kernel::WarningKind::kLearnedRule:
+      session_.stream().FreshLine();
+      Print(std::string(text));
+      return;
     case kernel::WarningKind::kMaxDecisionTime:
     case kernel::WarningKind::kOther:
       if (session_.output().warnings) session_.stream().Print(text);
@@ -385,18 +391,21 @@ void TracePrinter::OnInstantiationAsserted(const Agent&, const FiringInfo& info)
   Print(fmt::format("\n      asserting instantiation: {}\n", info.name));
 }
 
+void TracePrinter::OnLearning(const Agent&, std::string_view name) {
+  Print(fmt::format("\n\nLearning new rule {}\n", name));
+}
+
 void TracePrinter::OnLearned(const Agent& agent, const FiringInfo& info) {
-  Print(fmt::format("\n\nLearning new rule {}\n", info.name));
   if (session_.trace().learning() < 2) return;
   const kernel::ProductionPtr literal = agent.JustificationOf(info.instantiation);
-  if (literal == nullptr) return;
-  std::string rule = RuleText(agent, *literal, false);
+  if (literal == nullptr && info.rule == nullptr) return;
+  std::string rule = RuleText(agent, literal != nullptr ? *literal : *info.rule, false);
   rule.pop_back();  // No empty line after it.
   Print("\n" + rule);
 }
 
 void TracePrinter::OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
-  Print(fmt::format("\n\nLearning new rule {0}\nIgnoring {0} because it is a duplicate of {1}\n", name, original));
+  Print(fmt::format("Ignoring {} because it is a duplicate of {}\n", name, original));
 }
 
 void TracePrinter::OnCandidate(const Agent& agent, kernel::Symbol candidate, double value, double probability) {
@@ -404,6 +413,14 @@ void TracePrinter::OnCandidate(const Agent& agent, kernel::Symbol candidate, dou
   if (policy != kernel::ExplorationPolicy::kEpsilonGreedy && policy != kernel::ExplorationPolicy::kBoltzmann) return;
   Print(fmt::format("\n Candidate {}:  Value (Sum) = {:f}", SymbolText(agent, candidate), value));
   if (policy == kernel::ExplorationPolicy::kBoltzmann) Print(fmt::format(", (Prob) = {:f}", probability));
+}
+
+void TracePrinter::OnRlUpdate(const Agent& agent, const kernel::RlUpdate& update) {
+  Print(RlUpdateText(agent, update) + "\n");
+}
+
+void TracePrinter::OnRewardGap(const Agent& agent, kernel::Symbol state, bool begins) {
+  Print(fmt::format("gap {} ({})", begins ? "started" : "ended", SymbolText(agent, state)));
 }
 
 char PreferenceCharacter(kernel::PreferenceType type) {

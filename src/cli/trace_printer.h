@@ -56,8 +56,11 @@ class TracePrinter : public kernel::Observer {
   void OnHalt(const kernel::Agent&) override;
   void OnInstantiationMade(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnInstantiationAsserted(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
+  void OnLearning(const kernel::Agent& agent, std::string_view name) override;
   void OnLearned(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnDuplicateLearned(const kernel::Agent& agent, std::string_view name, std::string_view original) override;
+  void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override;
+  void OnRewardGap(const kernel::Agent& agent, kernel::Symbol state, bool begins) override;
   void OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate, double value, double probability) override;
 
  private:

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "cli/command.h"
+#include "cli/explain_text.h"
+#include "cli/session.h"
+#include "cli/setting_store.h"
+#include "cli/summary.h"
+#include "kernel/agent.h"
+#include "kernel/learn/explained_rule.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::ExplainedRule;
+
+std::string ExplainAnswer(bool yes) {
+  return yes ? "Yes" : "No";
+}
+
+bool AnyExplained(CommandCall& call, bool justifications) {
+  return std::ranges::any_of(call.agent().Explained(),
+                             [&](const ExplainedRule& rule) { return rule.justification == justifications; });
+}
+
+/// The recorded rules of one kind, one a line behind `margin` blanks; the first one stands behind `first`.
+std::string ListedRules(CommandCall& call, bool justifications, std::string_view first, std::size_t margin) {
+  std::string text(first);
+  bool begun = false;
+  for (const ExplainedRule& rule : call.agent().Explained()) {
+    if (rule.justification != justifications) continue;
+    if (begun || first.empty()) text += std::string(margin, ' ');
+    begun = true;
+    text += fmt::format("{} (c {})\n", rule.name, rule.number);
+  }
+  return text;
+}
+
+void ExplainOverview(CommandCall& call) {
+  const SettingStore& store = call.session.settings();
+  const std::vector<std::string>& watched = call.agent().WatchedForExplanations();
+  Summary summary(55);
+  if (call.session.stream().column() != 0) summary.Text("\n");
+  summary.Rule('=').Text("                   Explainer Summary\n").Rule('=');
+  summary.Row("Watch all chunk formations", ExplainAnswer(store.IsOn("explain", "all")));
+  summary.Row("Explain justifications", ExplainAnswer(store.IsOn("explain", "justifications")));
+  summary.Row("Number of specific rules watched", std::to_string(watched.size()));
+  if (!watched.empty()) {
+    std::string text = fmt::format("{:<54}", "Rules watched:");
+    for (std::size_t n = 0; n < watched.size(); ++n) text += (n == 0 ? "" : std::string(54, ' ')) + watched[n] + "\n";
+    for (const std::string& learned : call.agent().LearnedFromWatched()) text += std::string(54, ' ') + learned + "\n";
+    summary.Text(text + "\n");
+  } else {
+    summary.Text(store.IsOn("explain", "all") ? "\n" : "Rules watched:\n");
+  }
+  const std::uint32_t current = call.session.explain().rule;
+  if (current != 0 && current <= call.agent().Explained().size()) {
+    summary.Text(fmt::format("Currently explaining {} (c {}).\n", call.agent().Explained()[current - 1].name, current));
+  } else {
+    summary.Text("No rule is currently being explained.\n");
+  }
+  for (const bool justifications : {false, true}) {
+    const std::string kind = justifications ? "Justifications" : "Chunks";
+    if (AnyExplained(call, justifications)) {
+      summary.Text(ListedRules(call, justifications, fmt::format("{:<54}", kind + " available for explanation:"), 54) +
+                   "\n");
+    } else {
+      summary.Text(justifications ? "No justifications have been recorded.\n" : "No chunks have been recorded.\n");
+    }
+  }
+  summary.Rule('-');
+  summary.Text(
+      "\nUse 'explain chunk [ <chunk-name> | id ]' to explore the formation of that chunk.\n"
+      "Use 'explain ?' to learn more about explain's sub-command and settings.\n");
+  call.Out(summary.Take());
+}
+
+void ExplainHelp(CommandCall& call) {
+  const SettingStore& store = call.session.settings();
+  std::string text = "========= Explainer Commands and Settings =========\n";
+  const auto row = [&](std::string_view left, std::string_view what) { text += fmt::format("{:<54}{}\n", left, what); };
+  const auto setting = [&](std::string_view name, std::string_view what) {
+    row(fmt::format("{:<39}{}", name, store.IsOn("explain", name) ? "[ ON | off ]" : "[ on | OFF ]"), what);
+  };
+  row("explain ?", "Print this help listing");
+  text += "------------------ What to Record -----------------\n";
+  setting("all", "Whether to record all rules that are learned");
+  setting("justifications", "Whether to record justifications");
+  row("record <chunk-name>", "Record any chunks formed from a specific rule");
+  row("list-chunks", "List all rules learned");
+  row("list-justifications", "List all justifications learned");
+  text += "------------- Starting an Explanation -------------\n";
+  row("chunk [<chunk name> | <chunk id> ]", "Start discussing chunk");
+  row("formation", "Describe initial formation of chunk");
+  text += "------------- Browsing an Explanation -------------\n";
+  row("instantiation <inst id>", "Explain instantiation");
+  row("explanation-trace", "Switch to explanation trace inspection");
+  row("wm-trace", "Switch to working memory trace inspection");
+  text += "-------------- Supporting Analysis ----------------\n";
+  row("constraints", "Display extra transitive constraints required by problem-solving");
+  row("identity", "Display identity to identity set mappings");
+  row("stats", "Display statistics about currently discussed chunk");
+  setting("only-chunk-identities", "Identity analysis only prints identities sets found in chunk");
+  text += "---------------------------------------------------\n\n";
+  row("To change a setting:", "explain <setting> [<value>]");
+  row("For a detailed explanation of these settings:", "help explain");
+  call.Out(text);
+}
+
+bool SetExplainSwitch(CommandCall& call, const std::string& name) {
+  SettingStore& store = call.session.settings();
+  if (call.words.size() == 2) {
+    call.Out(fmt::format("{} is {}\n", name, store.Get("explain", name)));
+    return true;
+  }
+  if (call.words.size() > 3 || store.Set("explain", name, call.words[2].text) != SettingStore::SetResult::kOk) {
+    return call.Fail(
+        "Invalid argument for explain command. Use 'explain ?' to see a list of valid sub-commands and settings.");
+  }
+  const bool on = store.IsOn("explain", name);
+  call.agent().RecordExplanations(store.IsOn("explain", "all"), store.IsOn("explain", "justifications"));
+  if (name == "all") {
+    call.Out(on ? "Will monitor all chunks created.\n" : "Will only monitor specific chunks or time intervals.\n");
+  } else if (name == "justifications") {
+    call.Out(on ? "Will record justifications created.\n" : "Will not record justifications.\n");
+  } else {
+    call.Out(on ? "Will only print identities found in chunks.\n"
+                : "Will print all identities involved in problem-solving.\n");
+  }
+  return true;
+}
+
+bool WatchRule(CommandCall& call) {
+  if (call.words.size() != 3) return call.Fail("Please name the rule whose chunks are to be recorded.");
+  const std::string& name = call.words[2].text;
+  if (call.agent().FindProduction(name) == kernel::ProductionId::kNone) {
+    call.Out(fmt::format("Could not find a rule named {} to watch.\nType 'print' to see a list of all rules.\n", name));
+    return call.FailPrinted();
+  }
+  const std::vector<std::string>& watched = call.agent().WatchedForExplanations();
+  const bool on = std::ranges::find(watched, name) == watched.end();
+  call.agent().WatchForExplanations(name, on);
+  call.Out(fmt::format("{} watching any chunks formed by rule '{}'\n", on ? "Now" : "No longer", name));
+  return true;
+}
+
+constexpr std::string_view kSeeLists =
+    "Type 'explain list-chunks' or 'explain list-justifications' to see a list of rule formations Soar has recorded.\n";
+
+bool ExplainChunk(CommandCall& call) {
+  if (call.words.size() != 3) return call.Fail("Please specify the chunk using either the chunk's name or its ID.");
+  const std::string& word = call.words[2].text;
+  const std::vector<ExplainedRule>& rules = call.agent().Explained();
+  const bool is_number = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
+  const ExplainedRule* found = nullptr;
+  for (const ExplainedRule& rule : rules) {
+    if (is_number ? std::to_string(rule.number) == word : rule.name == word) found = &rule;
+  }
+  if (found == nullptr) {
+    if (is_number) {
+      call.Out(fmt::format("Could not find a rule name or id {}.\n{}", word, kSeeLists));
+    } else {
+      bool known = call.agent().FindProduction(word) != kernel::ProductionId::kNone;
+      for (const kernel::ProductionPtr& justification : call.agent().Justifications()) {
+        known = known || justification->name == word;
+      }
+      if (known) call.Out(fmt::format("Soar has not recorded an explanation for {}.\n{}", word, kSeeLists));
+    }
+    return call.FailPrinted();
+  }
+  call.session.explain().rule = found->number;
+  call.session.explain().firing = found->base;
+  call.Out(fmt::format("Now explaining {}.\n{}", found->name, is_number ? "" : "\n") + ExplainedRuleText(*found));
+  return true;
+}
+
+void ShowFiring(CommandCall& call, const ExplainedRule& rule) {
+  const ExplainState& state = call.session.explain();
+  const ExplainedRule::Firing* const firing = rule.FindFiring(state.firing);
+  if (firing == nullptr) return;
+  call.Out(ExplainedFiringText(rule, *firing, state.elements) + (state.elements ? ExplainMenu(true) : ""));
+}
+
+bool ExplainFiring(CommandCall& call, const ExplainedRule& rule) {
+  if (call.words.size() != 3) return call.Fail("Please specify the instantiation by its number.");
+  const std::string& word = call.words[2].text;
+  const bool is_number = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
+  if (!is_number) call.Out("The instantiation ID must be a number.\n");
+  const std::uint64_t number = is_number ? std::strtoull(word.c_str(), nullptr, 10) : 0;
+  const ExplainedRule::Firing* const firing = rule.FindFiring(static_cast<std::uint32_t>(number));
+  if (firing == nullptr) {
+    call.Out(fmt::format("Could not find an instantiation with ID {}.\n", number));
+    return call.FailPrinted();
+  }
+  call.session.explain().firing = firing->serial;
+  ShowFiring(call, rule);
+  return true;
+}
+
+/// The full word for the beginnings that the menu names and for others that are unique.
+std::string FullExplainWord(const std::string& word) {
+  if (word == "f") return "formation";
+  if (word == "c") return "constraints";
+  if (word == "i") return "identity";
+  if (word == "s") return "stats";
+  if (word == "w") return "wm-trace";
+  if (word == "e") return "explanation-trace";
+  std::string found;
+  for (const SubcommandInfo& subcommand : kExplainSubcommands) {
+    if (subcommand.name == word) return word;
+    if (!subcommand.name.starts_with(word)) continue;
+    if (!found.empty()) return word;
+    found = subcommand.name;
+  }
+  return found.empty() ? word : found;
+}
+
+}  // namespace
+
+bool CommandExplain(CommandCall& call) {
+  if (call.words.size() < 2) {
+    ExplainOverview(call);
+    return true;
+  }
+  const std::string word = FullExplainWord(call.words[1].text);
+  if (word == "?" || word == "help") {
+    ExplainHelp(call);
+    return true;
+  }
+  if (word == "all" || word == "justifications" || word == "only-chunk-identities") return SetExplainSwitch(call, word);
+  if (word == "record") return WatchRule(call);
+  if (word == "chunk") return ExplainChunk(call);
+  if (word == "list-chunks" || word == "list-justifications") {
+    const bool justifications = word == "list-justifications";
+    if (AnyExplained(call, justifications)) {
+      call.Out(fmt::format("{} available for explanation:\n", justifications ? "Justifications" : "Chunks") +
+               ListedRules(call, justifications, "", 3));
+    } else {
+      call.Out(justifications ? "No justifications have been recorded.\n" : "No chunks have been recorded.\n");
+    }
+    return true;
+  }
+  const bool known = std::ranges::any_of(kExplainSubcommands,
+                                         [&](const SubcommandInfo& subcommand) { return subcommand.name == word; });
+  if (!known) {
+    return call.Fail("Invalid explain sub-command.  Use 'explain ?' to see a list of valid sub-commands and settings.");
+  }
+  ExplainState& state = call.session.explain();
+  if (state.rule == 0 || state.rule > call.agent().Explained().size()) {
+    return call.Fail(
+        "Please first specify the chunk you want to discuss with the command 'explain chunk [chunk-name | chunk ID]'.");
+  }
+  const ExplainedRule& rule = call.agent().Explained()[state.rule - 1];
+  if (word == "instantiation") return ExplainFiring(call, rule);
+  if (word == "formation") {
+    call.Out(FormationText(rule, state.elements));
+  } else if (word == "identity") {
+    call.Out(IdentityText(rule));
+  } else if (word == "constraints") {
+    call.Out(ConstraintsText(rule));
+  } else if (word == "stats") {
+    call.Out(ExplainedStatisticsText(rule));
+  } else {
+    state.elements = word == "wm-trace";
+    ShowFiring(call, rule);
+  }
+  return true;
+}
+
+namespace {
+constexpr SubcommandInfo kExplainTable[] = {
+    {"all", "[on | off]", "record how every rule is learned"},
+    {"justifications", "[on | off]", "record justifications as well"},
+    {"only-chunk-identities", "[on | off]", "show only what the learned rule contains"},
+    {"record", "RULE", "record what is learned from a rule"},
+    {"list-chunks", "", "rules that were learned"},
+    {"list-justifications", "", "justifications that were made"},
+    {"chunk", "[RULE | NUMBER]", "begin with a learned rule"},
+    {"formation", "", "how it came about"},
+    {"instantiation", "NUMBER", "one of the firings behind it"},
+    {"explanation-trace", "", "show tests"},
+    {"wm-trace", "", "show elements"},
+    {"constraints", "", "tests that had to hold"},
+    {"identity", "", "which variables are the same"},
+    {"stats", "", "figures about it"},
+};
+}  // namespace
+
+const std::span<const SubcommandInfo> kExplainSubcommands = kExplainTable;
+
+}  // namespace soarbox::cli

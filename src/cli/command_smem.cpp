@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "cli/command.h"
+#include "cli/interpreter.h"
+#include "cli/knowledge_printer.h"
+#include "cli/lookup.h"
+#include "cli/session.h"
+#include "cli/setting_store.h"
+#include "cli/smem_tables.h"
+#include "cli/summary.h"
+#include "journal/sqlite_journal.h"
+#include "kernel/agent.h"
+#include "kernel/longterm/journal.h"
+#include "kernel/longterm/knowledge_reader.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/semantic_memory.h"
+
+namespace soarbox::cli {
+namespace {
+
+using SetResult = SettingStore::SetResult;
+constexpr auto kRequired = OptionArgument::kRequired;
+constexpr auto kOptional = OptionArgument::kOptional;
+
+constexpr OptionSpec kSmemTable[] = {
+    {'a', "add", kOptional, "add objects"},
+    {'b', "backup", kOptional, "copy the database"},
+    {'c', "clear", OptionArgument::kNone, "forget everything"},
+    {'e', "enable", OptionArgument::kNone, "switch on"},
+    {'e', "on"},
+    {'d', "disable", OptionArgument::kNone, "switch off"},
+    {'d', "off"},
+    {'g', "get", kRequired, "show a setting"},
+    {'h', "history", kOptional, "when an object was used"},
+    {'i', "init", OptionArgument::kNone, "open the database again"},
+    {'P', "precalculate", OptionArgument::kNone, "prepare spreading"},
+    {'q', "query", kOptional, "find objects"},
+    {'r', "remove", kOptional, "remove objects or their elements"},
+    {'s', "set", kRequired, "change a setting"},
+    {'S', "stats", kOptional, "figures"},
+    {'t', "timers", kOptional, "times"},
+    {'x', "export", kOptional, "write everything as commands"},
+};
+
+using kernel::SemanticMemory;
+
+SemanticMemory& MemoryOf(CommandCall& call) {
+  return SemanticMemory::Of(call.agent().long_term());
+}
+
+bool FailWith(CommandCall& call, const Diagnostic& problem) {
+  return call.Fail(problem.hint.empty() ? problem.message : problem.message + ": " + problem.hint);
+}
+
+// Settings ------------------------------------------------------------------------------------------------------------
+
+/// Numbers between commas, as `base-incremental-threshes` shows them.
+std::vector<std::uint64_t> Numbers(const std::string& text) {
+  std::vector<std::uint64_t> numbers;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::size_t first = text.find_first_not_of(' ', at);
+    if (const auto number = ParseInteger(text.substr(first, end - first)); number && *number > 0) {
+      numbers.push_back(static_cast<std::uint64_t>(*number));
+    }
+    at = end + 1;
+  }
+  return numbers;
+}
+
+/// Hands the settings' texts to the memory.
+void Apply(CommandCall& call) {
+  const SettingStore& store = call.session.settings();
+  SemanticMemory& memory = MemoryOf(call);
+  kernel::SmemSettings& settings = memory.mutable_settings();
+  const auto text = [&](std::string_view name) { return store.Get("smem", name); };
+  const auto real = [&](std::string_view name) { return ParseDouble(text(name)).value_or(0); };
+  const auto whole = [&](std::string_view name) {
+    return static_cast<std::uint64_t>(ParseInteger(text(name)).value_or(0));
+  };
+  settings.enabled = store.IsOn("smem", "learning");
+  const std::string mode = text("activation-mode");
+  settings.activation_mode = mode == "base-level"  ? kernel::ActivationMode::kBaseLevel
+                             : mode == "frequency" ? kernel::ActivationMode::kFrequency
+                                                   : kernel::ActivationMode::kRecency;
+  settings.activate_on_query = store.IsOn("smem", "activate-on-query");
+  settings.base_decay = real("base-decay");
+  const std::string policy = text("base-update-policy");
+  settings.base_update_policy = policy == "naive"         ? kernel::BaseUpdatePolicy::kNaive
+                                : policy == "incremental" ? kernel::BaseUpdatePolicy::kIncremental
+                                                          : kernel::BaseUpdatePolicy::kStable;
+  settings.base_incremental_threshes = Numbers(text("base-incremental-threshes"));
+  settings.thresh = whole("thresh");
+  settings.base_inhibition = store.IsOn("smem", "base-inhibition");
+  settings.spreading = store.IsOn("smem", "spreading");
+  settings.spreading_limit = whole("spreading-limit");
+  settings.spreading_depth_limit = whole("spreading-depth-limit");
+  settings.spreading_baseline = real("spreading-baseline");
+  settings.spreading_continue_probability = real("spreading-continue-probability");
+  settings.spreading_loop_avoidance = store.IsOn("smem", "spreading-loop-avoidance");
+  settings.spreading_edge_updating = store.IsOn("smem", "spreading-edge-updating");
+  settings.spreading_wma_source = store.IsOn("smem", "spreading-wma-source");
+  settings.spreading_edge_update_factor = real("spreading-edge-update-factor");
+  memory.SettingsChanged();
+}
+
+// The database --------------------------------------------------------------------------------------------------------
+
+/// How the database is to be opened, with the path that it has now: folders may be changed before it is.
+struct Database {
+  bool is_file = false;
+  std::string path;
+  journal::OpenOptions options;
+};
+
+Database DatabaseOf(CommandCall& call) {
+  const SettingStore& store = call.session.settings();
+  Database database;
+  database.path = store.Get("smem", "path");
+  database.is_file = store.Get("smem", "database") == "file" && database.path != ":memory:";
+  if (!database.path.empty()) database.path = call.interpreter.Resolve(database.path).string();
+  database.options.overwrite = !store.IsOn("smem", "append");
+  database.options.survive_power = store.Get("smem", "optimization") == "safety";
+  return database;
+}
+
+/// Opens the file and takes over what it holds.
+Result<void> OpenFile(SemanticMemory& memory, const Database& database) {
+  memory.SetJournal(nullptr);
+  memory.Clear();
+  Result<journal::OpenedJournal> opened = journal::Open(database.path, journal::Memory::kSemantic, database.options);
+  if (!opened) return opened.error();
+  if (!memory.Load(opened->image, opened->records)) {
+    Diagnostic problem;
+    problem.message = database.path + " is damaged: its records make no sense";
+    problem.hint = "use a backup; the file was not touched";
+    return problem;
+  }
+  memory.SetJournal(std::move(opened->journal));
+  return {};
+}
+
+/// The file is opened when the memory is used first, by a command or in a run.
+void OpenLater(CommandCall& call) {
+  SemanticMemory& memory = MemoryOf(call);
+  const Database database = DatabaseOf(call);
+  if (!database.is_file || database.path.empty()) {
+    memory.SetOpener(nullptr);
+    return;
+  }
+  memory.SetOpener([database](SemanticMemory& opened) { return OpenFile(opened, database); });
+}
+
+/// For commands that use the memory. False if its file cannot be opened; the command has failed then.
+bool Use(CommandCall& call) {
+  SemanticMemory& memory = MemoryOf(call);
+  if (memory.opened()) return true;
+  const Database database = DatabaseOf(call);
+  memory.SetOpener(nullptr);
+  memory.EnsureOpen();
+  if (!database.is_file) return true;
+  if (database.path.empty()) return true;
+  const Result<void> result = OpenFile(memory, database);
+  if (result) return true;
+  memory.NoteClosed();
+  OpenLater(call);  // A run says it once more.
+  return FailWith(call, result.error());
+}
+
+bool Init(CommandCall& call) {
+  SemanticMemory& memory = MemoryOf(call);
+  const bool was_file = memory.journal() != nullptr;
+  const Database database = DatabaseOf(call);
+  memory.Keep();
+  memory.SetOpener(nullptr);
+  if (database.is_file) {
+    const Result<void> result = OpenFile(memory, database);
+    if (!result) {
+      memory.NoteClosed();
+      return FailWith(call, result.error());
+    }
+  } else if (was_file) {
+    memory.SetJournal(nullptr);
+    memory.Clear();
+  }
+  memory.EnsureOpen();
+  call.Out("Semantic memory system re-initialized.\n");
+  if (call.session.settings().IsOn("smem", "append")) {
+    call.Out(
+        "Note: Since append mode is on, smem --init does not clear the database.\n"
+        "      Use smem --clear to clear the contents.\n");
+  }
+  return true;
+}
+
+bool Get(CommandCall& call, const std::string& name) {
+  if (!SettingStore::Find("smem", name)) {
+    return call.Fail("Invalid semantic memory parameter.  Use 'help smem' to see list of valid settings.");
+  }
+  call.Out(fmt::format("{} is {}\n", name, call.session.settings().Get("smem", name)));
+  return true;
+}
+
+/// A number that is named goes on the list, or off it.
+std::string Toggled(const std::string& list, const std::string& value) {
+  const auto number = ParseInteger(value);
+  if (!number || *number <= 0) return {};
+  std::vector<std::uint64_t> numbers = Numbers(list);
+  const auto wanted = static_cast<std::uint64_t>(*number);
+  if (std::erase(numbers, wanted) == 0) numbers.push_back(wanted);
+  std::ranges::sort(numbers);
+  std::string text;
+  for (const std::uint64_t one : numbers) text += (text.empty() ? "" : ", ") + std::to_string(one);
+  return text.empty() ? " " : text;
+}
+
+bool Set(CommandCall& call, const ParsedWords& parsed) {
+  const std::string name = *parsed.Argument('s');
+  std::string value;
+  for (const Word& word : parsed.arguments) value += (value.empty() ? "" : " ") + word.text;
+  if (parsed.arguments.empty()) return call.Fail("Invalid arguments for set: a setting and its value are expected.");
+  SettingStore& store = call.session.settings();
+  SemanticMemory& memory = MemoryOf(call);
+  if (name == "thresh" && memory.opened()) {
+    return call.Fail("This parameter is protected while the semantic memory database is open.");
+  }
+  std::string kept = value;
+  if (name == "base-incremental-threshes") {
+    kept = Toggled(store.Get("smem", name), value);
+    if (kept.empty()) return call.Fail("Invalid setting for SMem parameter.");
+  }
+  const bool is_place = name == "path" || name == "database";
+  if (name == "path" && value != ":memory:") {
+    std::filesystem::path path;
+    if (!call.interpreter.ResolveForWriting(call, value, path)) return false;
+  }
+  if (name == "database" && value == "file" && call.interpreter.fence() != nullptr) {
+    return call.Fail("The files of a scenario may not write files: the database stays in memory.");
+  }
+  switch (store.Set("smem", name, kept)) {
+    case SetResult::kUnknown:
+      return call.Fail("Invalid SMem parameter.");
+    case SetResult::kInvalid:
+      return call.Fail("Invalid setting for SMem parameter.");
+    case SetResult::kOk:
+      break;
+  }
+  Apply(call);
+  call.Out(fmt::format("{} is now {}\n", name, value));
+  if ((name == "base-inhibition" || name == "spreading-edge-updating") && value == "on") {
+    call.Hint(name + " has no effect in this build", "the setting is kept, so that agents' files load");
+  }
+  if (is_place || name == "append" || name == "optimization") {
+    if (!memory.opened()) {
+      OpenLater(call);
+    } else if (is_place) {
+      call.Out("To finalize database switch, issue an smem --init command.\n");
+    }
+  }
+  if (name == "append" && value == "off") {
+    call.Out(
+        "Warning: Since append mode is off, starting/reinitializing,\n"
+        "         Soar will erase the semantic memory database.\n");
+  }
+  return true;
+}
+
+bool Switch(CommandCall& call, bool on) {
+  call.session.settings().Set("smem", "learning", std::string(OnOff(on)));
+  Apply(call);
+  call.Out(fmt::format("Semantic memory {}.\n", on ? "enabled" : "disabled"));
+  return true;
+}
+
+// Knowledge -----------------------------------------------------------------------------------------------------------
+
+bool Add(CommandCall& call, const std::string& text) {
+  if (!Use(call)) return false;
+  const std::string problem = kernel::AddKnowledge(MemoryOf(call), text);
+  MemoryOf(call).Keep();
+  if (!problem.empty()) return call.Fail(problem);
+  call.Out("Knowledge added to semantic memory.\n");
+  return true;
+}
+
+bool Query(CommandCall& call, const std::string& text, const ParsedWords& parsed) {
+  std::size_t limit = 1;
+  if (!parsed.arguments.empty()) {
+    const auto number = ParseInteger(parsed.arguments.front().text);
+    if (!number || *number < 1) return call.Fail("Number of answers expected.");
+    limit = static_cast<std::size_t>(*number);
+  }
+  if (!Use(call)) return false;
+  SemanticMemory& memory = MemoryOf(call);
+  kernel::Cue cue;
+  const std::string problem = kernel::ReadQuery(memory, text, cue);
+  if (!problem.empty()) return call.Fail(problem);
+  const std::vector<std::uint32_t> found = memory.Search(cue, limit);
+  for (const std::uint32_t object : found) call.Out(ObjectLine(memory, object, 1.0));
+  call.Out(found.empty() ? "SMem| No results for query." : "");
+  call.Out("\nSMem| Query complete.\n");
+  return true;
+}
+
+bool Remove(CommandCall& call, const std::string& text, const ParsedWords& parsed) {
+  const bool force = !parsed.arguments.empty() && parsed.arguments.front().text == "force";
+  if (!parsed.arguments.empty() && !force) return call.Fail("Too many arguments: only 'force' may follow.");
+  if (!Use(call)) return false;
+  const std::string errors = kernel::RemoveKnowledge(MemoryOf(call), text, force);
+  MemoryOf(call).Keep();
+  if (!errors.empty() && !force) return call.Fail("Error while attempting removal.\n" + errors);
+  call.Out("\n" + errors + "\nSMem| Removal complete.\n");
+  return true;
+}
+
+bool Clear(CommandCall& call) {
+  if (!Use(call)) return false;
+  MemoryOf(call).Clear();
+  MemoryOf(call).Keep();
+  call.Out("Semantic memory system cleared.\n");
+  return true;
+}
+
+bool Export(CommandCall& call, const std::string& file, const ParsedWords& parsed) {
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForWriting(call, file, path) || !Use(call)) return false;
+  const SemanticMemory& memory = MemoryOf(call);
+  std::optional<std::uint32_t> root;
+  if (!parsed.arguments.empty()) {
+    const std::string& name = parsed.arguments.front().text;
+    const kernel::Lti number = kernel::ObjectNamed(memory, name);
+    if (number == 0) return call.Fail("LTI " + name + " not found in semantic memory.");
+    root = memory.knowledge().Find(number);
+  }
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out << ExportText(memory, root);
+  out.close();
+  if (!out) return call.Fail("The file '" + file + "' cannot be written.");
+  call.Out("Exported semantic memory to file '" + file + "'.\n");
+  return true;
+}
+
+bool Backup(CommandCall& call, const std::string& file) {
+  std::filesystem::path path;
+  if (!call.interpreter.ResolveForWriting(call, file, path) || !Use(call)) return false;
+  kernel::RecordWriter image;
+  MemoryOf(call).Save(image);
+  const Result<void> written = journal::WriteCopy(path.string(), journal::Memory::kSemantic, image.bytes());
+  if (!written) return FailWith(call, written.error());
+  call.Out("SMem| Database backed up to " + file + "\n");
+  return true;
+}
+
+bool History(CommandCall& call, const std::string& name) {
+  if (!Use(call)) return false;
+  const SemanticMemory& memory = MemoryOf(call);
+  const kernel::Lti number = kernel::ObjectNamed(memory, name);
+  if (number == 0) return call.Fail("Could not find LTI " + name + " in semantic memory.");
+  call.Out(ObjectLine(memory, memory.knowledge().Find(number)));
+  return true;
+}
+
+bool Stats(CommandCall& call, const std::string& name) {
+  if (name.empty()) {
+    call.Out(SmemStatistics(call.session));
+    return true;
+  }
+  const std::string value = SmemStatistic(call.session, name);
+  if (value.empty()) return call.Fail("Invalid statistic.");
+  call.Out(" " + value + "\n");
+  return true;
+}
+
+/// The text of an option that wants braces, or a failure.
+bool TextOf(CommandCall& call, const ParsedWords& parsed, char letter, std::string& text) {
+  if (const auto argument = parsed.Argument(letter)) {
+    text = *argument;
+    return true;
+  }
+  return call.Fail("Too few arguments.");
+}
+
+}  // namespace
+
+const std::span<const OptionSpec> kSmemOptions = kSmemTable;
+
+bool CommandSmem(CommandCall& call) {
+  if (call.words.size() == 2 && (call.words[1].text == "?" || call.words[1].text == "help")) {
+    call.Out(SmemHelpTable(call.session.settings()));
+    return true;
+  }
+  ParsedWords parsed;
+  if (!call.Parse(kSmemTable, parsed)) return false;
+  if (parsed.options.empty()) {
+    if (!parsed.arguments.empty()) return call.Fail("Invalid syntax.");
+    call.Out(SmemSummary(call.session));
+    return true;
+  }
+  std::string text;
+  const char letter = parsed.options.front().letter;
+  switch (letter) {
+    case 'g':
+      return TextOf(call, parsed, letter, text) && Get(call, text);
+    case 's':
+      return TextOf(call, parsed, letter, text) && Set(call, parsed);
+    case 'e':
+      return Switch(call, true);
+    case 'd':
+      return Switch(call, false);
+    case 'a':
+      return TextOf(call, parsed, letter, text) && Add(call, text);
+    case 'q':
+      return TextOf(call, parsed, letter, text) && Query(call, text, parsed);
+    case 'r':
+      return TextOf(call, parsed, letter, text) && Remove(call, text, parsed);
+    case 'c':
+      return Clear(call);
+    case 'i':
+      return Init(call);
+    case 'x':
+      return TextOf(call, parsed, letter, text) && Export(call, text, parsed);
+    case 'b':
+      return TextOf(call, parsed, letter, text) && Backup(call, text);
+    case 'h':
+      return TextOf(call, parsed, letter, text) && History(call, text);
+    case 'S':
+      return Stats(call, parsed.Argument('S').value_or(""));
+    case 't':
+      return call.Fail("Semantic memory takes no times.");
+    default:
+      break;
+  }
+  // What spreads is worked out when it is asked for.
+  return Use(call);
+}
+
+}  // namespace soarbox::cli

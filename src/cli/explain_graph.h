@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "kernel/learn/explained_rule.h"
+
+/// Drawings of how a rule was learned, in the language of Graphviz.
+namespace soarbox::cli {
+
+/// Which identities became one, and which became constants.
+std::string IdentityGraphText(const kernel::ExplainedRule& rule, std::string_view line_style);
+/// The firings behind the rule as tables of their conditions and actions, with an edge from each condition to the
+/// firing that made what it tested; fields of one identity have one colour.
+std::string AnalysisGraphText(const kernel::ExplainedRule& rule, std::string_view line_style);
+
+}  // namespace soarbox::cli

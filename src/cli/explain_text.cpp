@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/explain_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "kernel/rules/print_production.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::ExplainedRule;
+using kernel::JoinReason;
+using Field = ExplainedRule::Field;
+
+std::string Padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size() + (text.size() < width ? 0 : 1)), ' ');
+  return text;
+}
+
+enum class Column { kText, kIdentity, kValue };
+
+const std::string& In(const Field& field, Column column) {
+  return column == Column::kText ? field.text : column == Column::kIdentity ? field.identity : field.value;
+}
+
+std::string ConditionText(const ExplainedRule::Condition& condition, Column column, bool shows_state) {
+  if (condition.negated) return condition.id.text;
+  std::string id = In(condition.id, column);
+  if (shows_state && condition.tests_state && id.find("state") == std::string::npos) id = "{ state " + id + " }";
+  return "(" + id + " ^" + In(condition.attribute, column) + " " + In(condition.value, column) +
+         (condition.acceptable ? " +" : "") + ")";
+}
+
+std::string ActionText(const ExplainedRule::Action& action, Column column, bool sign_inside) {
+  std::string text = "(" + In(action.id, column) + " ^" + In(action.attribute, column) + " " + In(action.value, column);
+  const std::string sign(kernel::PreferenceSign(action.type));
+  std::string rest = " " + sign;
+  if (!action.referent.value.empty()) rest += " " + In(action.referent, column);
+  return sign_inside ? text + rest + ")" : text + ")" + rest;
+}
+
+std::string PathText(const std::vector<std::uint32_t>& path) {
+  std::string text;
+  for (const std::uint32_t serial : path) text += fmt::format("{}i {}", text.empty() ? "" : " -> ", serial);
+  return text;
+}
+
+std::string_view ReasonText(JoinReason reason) {
+  switch (reason) {
+    case JoinReason::kRule:
+      return "Two identities propagated into the same variable";
+    case JoinReason::kSingleton:
+      return "Tested a super-state singleton WME previously tested by another rule";
+    case JoinReason::kChild:
+      return "Variable names a part of a result that another rule made";
+    case JoinReason::kConstantTested:
+      return "Variable in another rule was tested for a literal value";
+    case JoinReason::kConstantMade:
+      return "Variable in another rule tested a literal value";
+    case JoinReason::kFunctionResult:
+      return "Variable in another rule tested result of RHS function";
+    case JoinReason::kFunctionArgument:
+      return "Variable was used as argument in a RHS function";
+    case JoinReason::kSingletonLiteral:
+      return "Another rule tested a literal value of the same super-state singleton WME";
+  }
+  return "";
+}
+
+std::string EventText(const ExplainedRule::Event& event) {
+  const std::string what = event.to == 0 ? fmt::format("{} literalized", event.from)
+                                         : fmt::format("{} merged with {} {}", event.from, event.to, event.variable);
+  return fmt::format("  {:<30}| {}", what, ReasonText(event.reason));
+}
+
+std::string CreatorText(const ExplainedRule::Condition& condition) {
+  if (condition.operational) return "Higher-level Problem Space";
+  if (condition.creator == 0) return "Soar Architecture";
+  return fmt::format("i {} ({})", condition.creator, condition.creator_rule);
+}
+
+std::string TitleOf(const ExplainedRule& rule) {
+  return fmt::format("{} (c {})", rule.name, rule.number);
+}
+
+}  // namespace
+
+std::string ExplainedRuleText(const ExplainedRule& rule) {
+  std::string text = Padded(Padded("", 59) + "Using variable identity IDs", 109) +
+                     "Shortest Path to Result Instantiation\n\nsp {" + rule.name + "\n";
+  int number = 0;
+  for (const ExplainedRule::Condition& condition : rule.conditions) {
+    std::string row =
+        fmt::format("{:<6}{}", fmt::format("{}:", ++number), ConditionText(condition, Column::kText, true));
+    if (!condition.negated) {
+      row = Padded(row, 59) + ConditionText(condition, Column::kIdentity, true);
+      if (!condition.path.empty()) row = Padded(row, 109) + PathText(condition.path);
+    }
+    text += row + "\n";
+  }
+  text += "   -->\n";
+  number = 0;
+  for (const ExplainedRule::Action& action : rule.actions) {
+    text += Padded(fmt::format("{:<6}{}", fmt::format("{}:", ++number), ActionText(action, Column::kText, true)), 59) +
+            ActionText(action, Column::kIdentity, true) + "\n";
+  }
+  return text + "\nThis instantiation produced results in a superstate.\n";
+}
+
+std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::Firing& firing, bool elements) {
+  const std::string kind = elements ? "Working memory trace" : "Explanation trace";
+  std::string text = Padded(fmt::format("{} of instantiation # {}", kind, firing.serial), 56) +
+                     fmt::format("(match of rule {} at level {})\n", firing.rule, firing.level);
+  if (!elements) {
+    text += "\n" + Padded("", 56) + "Identities instead of variables            Operational    Creator\n\n";
+  } else {
+    text += Padded("", 56) + "Operational    Creator\n\n";
+  }
+  int number = 0;
+  for (const ExplainedRule::Condition& condition : firing.conditions) {
+    std::string row = fmt::format("{:<6}{}", fmt::format("{}:", ++number),
+                                  ConditionText(condition, elements ? Column::kValue : Column::kText, !elements));
+    if (!condition.negated) {
+      row = Padded(row, elements ? 60 : 56);
+      if (!elements) row = Padded(row + ConditionText(condition, Column::kIdentity, false), 103);
+      row += fmt::format("{:<11}{}", condition.operational ? "Yes" : "No", CreatorText(condition));
+    }
+    text += row + "\n";
+  }
+  text += "   -->\n";
+  number = 0;
+  for (const ExplainedRule::Action& action : firing.actions) {
+    std::string row = fmt::format("{:<6}{}", fmt::format("{}:", ++number),
+                                  ActionText(action, elements ? Column::kValue : Column::kText, !elements));
+    if (!elements) row = Padded(row, 56) + ActionText(action, Column::kIdentity, true);
+    text += row + "\n";
+  }
+  if (elements) return text;
+  text += "\n";
+  if (firing.made_result) {
+    text += "This instantiation produced results in a superstate.\n";
+  } else {
+    text +=
+        "Shortest path from this instantiation to an instantiation that produced a result: " + PathText(firing.path) +
+        "\n";
+  }
+  std::string events;
+  for (const ExplainedRule::Event& event : rule.events) {
+    if (event.firing == firing.serial) events += EventText(event) + "\n";
+  }
+  return text + (events.empty() ? fmt::format("No identity set unifications for instantiation {}.\n", firing.serial)
+                                : "Identity operations:\n\n" + events);
+}
+
+std::string FormationText(const ExplainedRule& rule, bool elements) {
+  const std::string line(84, '-');
+  const ExplainedRule::Firing* const base = rule.FindFiring(rule.base);
+  std::string text =
+      line + fmt::format("\nThe formation of chunk '{}' (c {}) \n", rule.name, rule.number) + line + "\n\n";
+  if (base != nullptr) {
+    text += fmt::format("Initial base instantiation (i {}) that fired when {} matched at level {} at time {}:\n\n",
+                        base->serial, base->rule, base->level, rule.decision);
+    text += ExplainedFiringText(rule, *base, elements) + "\n";
+  }
+  text += fmt::format("This chunk summarizes the problem-solving involved in the following {} rule firing{}:\n\n",
+                      rule.firings.size(), rule.firings.size() == 1 ? "" : "s");
+  for (const ExplainedRule::Firing& firing : rule.firings) {
+    text += fmt::format("   i {} ({})\n", firing.serial, firing.rule);
+  }
+  return text + "\n" + ExplainMenu(elements);
+}
+
+std::string IdentityText(const ExplainedRule& rule) {
+  std::string text = fmt::format("\nIdentity analysis of problem-solving behind rule {}:\n\n\n", TitleOf(rule));
+  text += fmt::format("Learned rule contained {} identities: ", rule.identities.size());
+  for (const std::uint32_t identity : rule.identities) text += fmt::format("{} ", identity);
+  text += "\n";
+  if (rule.events.empty()) return text + "No identity set unifications.\n";
+  text += "Identity set unifications:\n\n";
+  for (const ExplainedRule::Event& event : rule.events) {
+    text += EventText(event) + fmt::format(" in instantiation {}\n", event.firing);
+  }
+  return text;
+}
+
+std::string ConstraintsText(const ExplainedRule& rule) {
+  return fmt::format("\nConstraint analysis of problem-solving behind rule {}:\n", TitleOf(rule));
+}
+
+std::string ExplainedStatisticsText(const ExplainedRule& rule) {
+  std::string text = fmt::format("\nStatistics for learned rule {}:\n\n", TitleOf(rule));
+  const auto row = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("{:<71}{}\n", std::string(name) + ":", value);
+  };
+  const auto number = [&](std::string_view name, std::size_t value) { row(name, std::to_string(value)); };
+  const auto answer = [&](std::string_view name, bool yes) { row(name, yes ? "Yes" : "No"); };
+  const auto title = [&](std::string_view name) {
+    const std::string line(75, '-');
+    text += "\n" + line + "\n" + std::string(name) + "\n" + line + "\n";
+  };
+  const auto placed = std::ranges::count_if(rule.constraints, [](const auto& test) { return test.placed; });
+  number("Number of conditions", rule.conditions.size());
+  number("- Operational constraints", rule.operational_constraints);
+  number("- Non-operational constraints detected", rule.constraints.size());
+  number("- Non-operational constraints enforced", static_cast<std::size_t>(placed));
+  text += "\n";
+  number("Number of actions", rule.actions.size());
+  const ExplainedRule::Firing* const base = rule.FindFiring(rule.base);
+  row("Base instantiation", fmt::format("i {} ({})", rule.base, base != nullptr ? base->rule : std::string("?")));
+  title("                            Work Performed");
+  number("Number of rule firings analyzed during backtracing", rule.firings.size());
+  number("Duplicates chunks later created", rule.duplicates);
+  text += "\n";
+  number("Conditions merged", rule.merged_conditions);
+  number("Disjunction tests merged", rule.merged_disjunctions);
+  title("                           Identity Analysis");
+  number("Identities created in rule's sub-state", rule.identities_created);
+  number("Distinct identities in learned rules", rule.identities.size());
+  number("Identities joined", rule.joined);
+  number("Identities literalized", rule.literalized);
+  title("                    Problem-Solving Characteristics");
+  answer("Used negated reasoning about sub-state", rule.local_negation);
+  answer("Tested ^quiescence true", rule.quiescence);
+  answer("Tested knowledge retrieved from long-term memory", rule.long_term_memory);
+  answer("Added conditions to repair unconnected conditions or actions", rule.repaired);
+  return text;
+}
+
+std::string ExplainMenu(bool elements) {
+  const std::string line(117, '-');
+  return line + "\n- explain f    Explain initial formation of chunk                    explain " +
+         (elements ? "e    Switch to explanation trace       -\n" : "w    Switch to working memory trace    -\n") +
+         "- explain c    Explain constraints required by problem-solving       explain i    Explain identity analysis "
+         "        -\n"
+         "- explain s    Print chunk statistics                                chunk stats  Print overall chunk "
+         "statistics    -\n" +
+         line + "\n";
+}
+
+}  // namespace soarbox::cli

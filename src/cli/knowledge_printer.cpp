@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "cli/knowledge_printer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "cli/graph_text.h"
+#include "kernel/agent.h"
+#include "kernel/longterm/knowledge_reader.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/semantic_memory.h"
+
+namespace soarbox::cli {
+namespace {
+
+using kernel::Edge;
+using kernel::Knowledge;
+using kernel::StoreTerm;
+
+std::string TermText(const Knowledge& knowledge, StoreTerm term, bool short_floats = false) {
+  if (term.IsObject()) return "@" + std::to_string(knowledge.NumberAt(term.index()));
+  std::string text;
+  knowledge.terms().Append(text, term, short_floats);
+  return text;
+}
+
+/// Augmentations in the order in which they are shown; `by_name`: attributes by their texts, else by age.
+std::string Augmentations(const Knowledge& knowledge, std::uint32_t object, bool by_name, bool short_floats = false) {
+  struct Group {
+    std::string attribute;
+    std::vector<Edge> edges;
+  };
+  std::vector<Group> groups;
+  std::map<std::uint32_t, std::size_t> by_attribute;
+  for (const Edge& edge : knowledge.EdgesAt(object)) {
+    const auto [place, added] = by_attribute.try_emplace(edge.attribute.bits(), groups.size());
+    if (added) groups.push_back({TermText(knowledge, edge.attribute), {}});
+    groups[place->second].edges.push_back(edge);
+  }
+  if (by_name) std::ranges::stable_sort(groups, {}, &Group::attribute);
+  std::string text;
+  for (Group& group : groups) {
+    std::ranges::stable_sort(group.edges, {}, [&](const Edge& edge) {
+      return edge.value.IsObject() ? knowledge.NumberAt(edge.value.index()) : 0;
+    });
+    text += " ^" + group.attribute;
+    for (const Edge& edge : group.edges) text += " " + TermText(knowledge, edge.value, short_floats);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object, std::optional<double> activation) {
+  const Knowledge& knowledge = memory.knowledge();
+  return fmt::format("(@{}{} [{:+.3f}])\n", knowledge.NumberAt(object),
+                     Augmentations(knowledge, object, true, memory.TakeFirstLine()),
+                     activation ? *activation : memory.activations().Of(object));
+}
+
+std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth) {
+  const Knowledge& knowledge = memory.knowledge();
+  std::string text;
+  std::deque<std::pair<std::uint32_t, int>> open{{object, 1}};
+  std::set<std::uint32_t> seen{object};
+  while (!open.empty()) {
+    const auto [next, level] = open.front();
+    open.pop_front();
+    text += std::string(static_cast<std::size_t>(2 * (level - 1)), ' ') + ObjectLine(memory, next);
+    if (level >= depth) continue;
+    std::map<kernel::Lti, std::uint32_t> children;
+    for (const Edge& edge : knowledge.EdgesAt(next)) {
+      if (edge.value.IsObject()) children.emplace(knowledge.NumberAt(edge.value.index()), edge.value.index());
+    }
+    for (const auto& [number, child] : children) {
+      if (seen.insert(child).second) open.emplace_back(child, level + 1);
+    }
+  }
+  return text;
+}
+
+namespace {
+
+std::vector<std::uint32_t> ByNumber(const Knowledge& knowledge) {
+  std::vector<std::uint32_t> objects(knowledge.object_count());
+  for (std::uint32_t n = 0; n < objects.size(); ++n) objects[n] = n;
+  std::ranges::sort(objects, {}, [&](std::uint32_t object) { return knowledge.NumberAt(object); });
+  return objects;
+}
+
+}  // namespace
+
+std::string AllObjects(const kernel::SemanticMemory& memory) {
+  std::string text;
+  for (const std::uint32_t object : ByNumber(memory.knowledge())) text += ObjectLine(memory, object);
+  return text;
+}
+
+std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root) {
+  const Knowledge& knowledge = memory.knowledge();
+  std::vector<std::uint32_t> objects = ByNumber(knowledge);
+  if (root) {
+    std::set<std::uint32_t> reached{*root};
+    std::vector<std::uint32_t> open{*root};
+    while (!open.empty()) {
+      const std::uint32_t next = open.back();
+      open.pop_back();
+      for (const Edge& edge : knowledge.EdgesAt(next)) {
+        if (edge.value.IsObject() && reached.insert(edge.value.index()).second) open.push_back(edge.value.index());
+      }
+    }
+    std::erase_if(objects, [&](std::uint32_t object) { return !reached.contains(object); });
+  }
+  std::string text = "smem --add {\n";
+  for (const std::uint32_t object : objects) {
+    // An object without augmentations comes back by the links that lead to it.
+    if (knowledge.EdgesAt(object).empty()) continue;
+    text += fmt::format("(@{}{})\n", knowledge.NumberAt(object), Augmentations(knowledge, object, false));
+  }
+  return text + "}\n";
+}
+
+std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth) {
+  const Knowledge& knowledge = memory.knowledge();
+  std::deque<std::pair<std::uint32_t, int>> open;
+  std::set<std::uint32_t> seen;
+  if (root) {
+    open.emplace_back(*root, 0);
+  } else {
+    for (const std::uint32_t object : ByNumber(knowledge)) open.emplace_back(object, 0);
+  }
+  for (const auto& [object, distance] : open) seen.insert(object);
+  std::string text = "digraph smem {\n  node [shape=record];\n";
+  while (!open.empty()) {
+    const auto [object, distance] = open.front();
+    open.pop_front();
+    const std::string name = GraphQuoted("@" + std::to_string(knowledge.NumberAt(object)));
+    std::string rows, links;
+    // What lies behind the last level is named and not opened.
+    for (const Edge& edge : distance < depth ? knowledge.EdgesAt(object) : std::span<const Edge>()) {
+      const std::string attribute = TermText(knowledge, edge.attribute);
+      const std::string value = TermText(knowledge, edge.value);
+      if (!edge.value.IsObject()) {
+        rows += fmt::format("|{{{}|{}}}", GraphRecordText(attribute), GraphRecordText(value));
+        continue;
+      }
+      links += fmt::format("  {} -> {} [label={}];\n", name, GraphQuoted(value), GraphQuoted(attribute));
+      if (seen.insert(edge.value.index()).second) open.emplace_back(edge.value.index(), distance + 1);
+    }
+    text += fmt::format("  {} [label=\"{{@{}{}}}\"];\n{}", name, knowledge.NumberAt(object), rows, links);
+  }
+  return text + "}\n";
+}
+
+std::string PrintedKnowledge(kernel::Agent& agent, const std::string& word, int depth) {
+  if (kernel::SemanticMemory::Find(agent.long_term()) != nullptr) {
+    kernel::SemanticMemory& asked = kernel::SemanticMemory::Of(agent.long_term());
+    if (asked.waits_for_file()) asked.EnsureOpen();
+  }
+  const kernel::SemanticMemory* const memory = kernel::SemanticMemory::Find(agent.long_term());
+  if (word == "@") return memory == nullptr ? std::string() : AllObjects(*memory);
+  const kernel::Lti number = memory == nullptr ? 0 : kernel::ObjectNamed(*memory, word);
+  if (number == 0) return "LTI " + word + " not found in semantic memory.\n";
+  return ObjectTree(*memory, memory->knowledge().Find(number), depth);
+}
+
+}  // namespace soarbox::cli

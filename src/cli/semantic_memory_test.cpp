@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/longterm/semantic_memory.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "cli/interpreter.h"
+#include "cli/session.h"
+#include "kernel/agent.h"
+#include "kernel/longterm/long_term.h"
+
+namespace soarbox::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// An agent with a command line, in a folder.
+struct Desk {
+  explicit Desk(const fs::path& folder) { Do("cd " + folder.string()); }
+  std::string Do(const std::string& line) { return interpreter.Execute(session, line).text; }
+
+  kernel::Agent agent{"soar"};
+  Session session{agent};
+  Interpreter interpreter;
+};
+
+class SemanticMemoryTest : public testing::Test {
+ protected:
+  SemanticMemoryTest() {
+    folder_ = fs::temp_directory_path() /
+              ("soarbox_smem_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    folder_ = fs::canonical(folder_);
+  }
+  ~SemanticMemoryTest() override { fs::remove_all(folder_); }
+
+  static constexpr const char* kFile = "smem --set path facts.db; smem --set database file; smem --enable";
+  /// Counts up, and stores each number in an object of its own.
+  static constexpr const char* kCounting =
+      "sp {start (state <s> ^superstate nil -^n) --> (<s> ^operator <o> +) (<o> ^name start)}\n"
+      "sp {start*apply (state <s> ^operator.name start) --> (<s> ^n 1)}\n"
+      "sp {count (state <s> ^superstate nil ^n <n>) --> (<s> ^operator <o> + =) (<o> ^name count ^n <n>)}\n"
+      "sp {count*apply (state <s> ^operator <o> ^n <n> ^smem.command <c>) (<o> ^name count ^n <n>) -->"
+      " (<s> ^n <n> - ^n (+ <n> 1)) (<c> ^store <x>) (<x> ^number <n>)}\n"
+      "sp {forget (state <s> ^operator <o> ^smem (^command <c> ^result.success <x>)) (<o> ^name count)"
+      " (<c> ^store <x>) --> (<c> ^store <x> -)}\n";
+  fs::path folder_;
+};
+
+TEST_F(SemanticMemoryTest, SavingTheAgentKeepsFactsAndSettings) {
+  Desk desk(folder_);
+  desk.Do("smem --enable");
+  desk.Do("smem --set activation-mode frequency");
+  desk.Do("smem --add {(@1 ^name alpha ^next @2 ^age 3) (@2 ^name beta)}");
+  const std::string before = desk.Do("print @");
+  EXPECT_THAT(before, HasSubstr("^name alpha"));
+  desk.Do("save agent agent.soar");
+  Desk other(folder_);
+  other.Do("source agent.soar");
+  EXPECT_EQ(other.Do("print @"), before);
+  EXPECT_EQ(other.Do("smem --get activation-mode"), desk.Do("smem --get activation-mode"));
+}
+
+TEST_F(SemanticMemoryTest, AFileHoldsFactsAndHowActiveTheyAre) {
+  std::string before;
+  {
+    Desk desk(folder_);
+    desk.Do(kFile);
+    desk.Do("smem --add {(@1 ^kind k ^n 1.5 ^next @2) (@2 ^kind k ^name |a b|) (@steel ^kind k)}");
+    desk.Do("sp {ask (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.kind k)}");
+    desk.Do("run 3");
+    before = desk.Do("print @");
+    EXPECT_THAT(before, HasSubstr("[+1.000]"));
+    EXPECT_THAT(desk.Do("smem --backup copy.db"), HasSubstr("backed up"));
+  }
+  for (const char* file : {"facts.db", "copy.db"}) {
+    Desk desk(folder_);
+    desk.Do("smem --set path " + std::string(file) + "; smem --set database file");
+    desk.Do("smem --init");
+    EXPECT_EQ(desk.Do("print @"), before) << file;
+    EXPECT_EQ(desk.Do("print @steel"), "(@3 ^kind k [+1.000])\n");
+    desk.Do("smem --remove {(@steel ^kind)}");
+    desk.Do("smem --clear; smem --add {(@7 ^a b)}");
+  }
+  Desk desk(folder_);
+  desk.Do(kFile);
+  EXPECT_EQ(desk.Do("print @"), "(@7 ^a b [+0.000])\n");
+}
+
+TEST_F(SemanticMemoryTest, FilesThatCannotBeUsedAreNamedAndStay) {
+  std::ofstream(folder_ / "facts.db") << "no database at all, and longer than a header of a hundred bytes would be: "
+                                         "so there is no doubt about what it is";
+  const auto size = fs::file_size(folder_ / "facts.db");
+  {
+    Desk desk(folder_);
+    desk.Do(kFile);
+    EXPECT_THAT(desk.Do("smem --add {(@1 ^a b)}"), HasSubstr("facts.db is not a database"));
+    EXPECT_EQ(fs::file_size(folder_ / "facts.db"), size);
+    EXPECT_THAT(desk.Do("smem --init"), HasSubstr("facts.db is not a database"));
+    EXPECT_THAT(desk.Do("smem --backup facts.db; smem --set database memory; smem --backup facts.db"),
+                HasSubstr("facts.db is not a database"));
+  }
+  Desk first(folder_), second(folder_);
+  for (Desk* desk : {&first, &second}) desk->Do("smem --set path other.db; smem --set database file");
+  EXPECT_THAT(first.Do("smem --add {(@1 ^a b)}"), HasSubstr("Knowledge added"));
+  EXPECT_THAT(second.Do("smem --add {(@2 ^a b)}"), HasSubstr("in use by another process"));
+  // In a run the memory goes on without.
+  second.Do("smem --enable");
+  second.Do("smem --set path nowhere/at/all.db");
+  EXPECT_THAT(second.Do("smem --init"), HasSubstr("cannot be opened"));
+}
+
+TEST_F(SemanticMemoryTest, AKilledAgentLosesTheDecisionUnderWayAtMost) {
+  int stored = 0;
+  for (int round = 0; round < 12; ++round) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      Desk desk(folder_);
+      desk.Do(kFile);
+      desk.Do(kCounting);
+      desk.Do("smem --init");
+      // The number of stores whose output phase is over, after each decision.
+      for (;;) {
+        desk.agent.Step(kernel::RunUnit::kDecision);
+        const std::uint64_t done = kernel::SemanticMemory::Of(desk.agent.long_term()).counters().stores;
+        if (write(ends[1], &done, sizeof(done)) != sizeof(done)) _exit(0);
+      }
+    }
+    close(ends[1]);
+    std::uint64_t done = 0, number = 0;
+    for (int n = 0; n < 5 + round && read(ends[0], &number, sizeof(number)) == sizeof(number); ++n) done = number;
+    kill(child, SIGKILL);
+    while (read(ends[0], &number, sizeof(number)) == sizeof(number)) done = number;
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+
+    Desk desk(folder_);
+    desk.Do(kFile);
+    desk.Do("smem --init");
+    const kernel::Knowledge& knowledge = kernel::SemanticMemory::Of(desk.agent.long_term()).knowledge();
+    EXPECT_EQ(knowledge.CheckInvariants(), "");
+    const int now = static_cast<int>(knowledge.object_count());
+    EXPECT_GE(now, stored + static_cast<int>(done));
+    EXPECT_LE(now, stored + static_cast<int>(done) + 1);
+    EXPECT_EQ(knowledge.edge_count(), knowledge.object_count());
+    stored = now;
+  }
+  EXPECT_GT(stored, 12);
+}
+
+TEST_F(SemanticMemoryTest, WhatItAnswersKeepsTheKernelsInvariants) {
+  Desk desk(folder_);
+  desk.Do("smem --enable; wm activation --set forgetting on; wm activation --set activation on");
+  desk.Do("smem --add {(@1 ^kind k ^n 1 ^next @2) (@2 ^kind k ^n 2 ^next @1 ^deep.er 3)}");
+  desk.Do("sp {any (state <s> ^smem.command <c> ^type state -^kept) --> (<c> ^query.kind k ^depth 3)}");
+  desk.Do("sp {result (state <s> ^superstate <ss> ^smem.result.retrieved <r>) --> (<ss> ^got <r>)}");
+  desk.Do(
+      "sp {keep (state <s> ^superstate <ss> ^smem.result.retrieved <r>) --> (<s> ^operator <o> + =)"
+      " (<o> ^name keep ^r <r>)}");
+  desk.Do(
+      "sp {keep*apply (state <s> ^operator <o>) (<o> ^name keep ^r <r>) -->"
+      " (<s> ^kept <r>)}");
+  // Not beside the query, which goes as this comes: two kinds of command at once are none.
+  desk.Do("sp {put (state <s> ^kept <r> ^smem.command <c>) --> (<c> ^store <r>)}");
+  for (int n = 0; n < 40; ++n) {
+    desk.agent.Step(kernel::RunUnit::kPhase);
+    ASSERT_EQ(desk.agent.CheckInvariants(), "") << "after phase " << n;
+  }
+  EXPECT_THAT(desk.Do("smem --stats stores"), testing::Not(HasSubstr(" 0\n")));
+  desk.Do("init-soar");
+  EXPECT_EQ(desk.agent.CheckInvariants(), "");
+  desk.Do("run 5");
+  EXPECT_EQ(desk.agent.CheckInvariants(), "");
+}
+
+TEST_F(SemanticMemoryTest, AgentsThatKnowTheSameShareIt) {
+  std::string facts;
+  for (int n = 1; n <= 200; ++n) facts += "(@" + std::to_string(n) + " ^kind k ^n " + std::to_string(n) + ")";
+  Desk first(folder_), second(folder_), third(folder_);
+  for (Desk* desk : {&first, &second, &third}) {
+    desk->Do("smem --enable; smem --add {" + facts + "}");
+    desk->Do("sp {ask (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.kind k)}");
+  }
+  third.Do("smem --add {(@7 ^more x)}");
+  for (Desk* desk : {&first, &second, &third}) desk->Do("run 2");
+  const auto memory = [](Desk& desk) -> kernel::SemanticMemory& {
+    return kernel::SemanticMemory::Of(desk.agent.long_term());
+  };
+  EXPECT_EQ(&memory(first).knowledge(), &memory(second).knowledge());
+  EXPECT_NE(&memory(first).knowledge(), &memory(third).knowledge());
+  // Activation is each agent's own; who learns something new has a copy from then on.
+  second.Do("smem --add {(@201 ^kind k)}");
+  EXPECT_NE(&memory(first).knowledge(), &memory(second).knowledge());
+  EXPECT_EQ(first.Do("smem --stats nodes"), " 200\n");
+  EXPECT_EQ(second.Do("smem --stats nodes"), " 201\n");
+  EXPECT_EQ(second.Do("print @200"), "(@200 ^kind k ^n 200 [+1.000])\n");
+}
+
+TEST_F(SemanticMemoryTest, OneObjectMayHaveVeryManyValues) {
+  Desk desk(folder_);
+  std::string values;
+  for (int n = 0; n < 20000; ++n) values += " " + std::to_string(n);
+  EXPECT_THAT(desk.Do("smem --add {(@1 ^n" + values + ")}"), HasSubstr("Knowledge added"));
+  EXPECT_EQ(desk.Do("smem --stats edges"), " 20000\n");
+  EXPECT_THAT(desk.Do("smem --query {(<q> ^n 19999)}"), HasSubstr("Query complete"));
+}
+
+}  // namespace
+}  // namespace soarbox::cli
