@@ -122,8 +122,8 @@ void Kernel::SetAnswerLimit(int milliseconds) {
 void Kernel::OverhearCommands(std::function<void(char const* pAgentName, char const* pCommandLine)> listener) {
   if (data_->link) data_->link->OverhearCommands(std::move(listener));
 }
-void Kernel::FenceFiles(std::vector<std::string> folders) {
-  if (data_->link) data_->link->FenceFiles(std::move(folders));
+void Kernel::FenceFiles(std::vector<std::string> folders, bool rules_only) {
+  if (data_->link) data_->link->FenceFiles(std::move(folders), rules_only);
 }
 void Kernel::HoldIncomingCommands(bool state) {
   if (data_->link) data_->link->HoldIncoming(state);
@@ -286,6 +286,20 @@ char const* Kernel::ExecuteCommandLine(char const* pCommandLine, char const* pAg
                                     {pCommandLine, echoResults, noFilter || !data_->filtering, false});
   data_->last_line_ok = answer.ok;
   if (answer.failed_to_ask) SetDetailedError(kFailedToGetResponse, answer.text.c_str());
+  return data_->Answer(std::move(answer.text));
+}
+
+char const* Kernel::ExecuteRecordedCommandLine(char const* pCommandLine, char const* pAgentName) {
+  const Lock lock = Hold(*data_);
+  KernelLink* link = data_->Usable();
+  data_->last_line_ok = false;
+  if (!link) return data_->Answer(GetLastErrorDescription());
+  if (link->remote()) return data_->Answer("A kernel in another process takes no commands from recordings.");
+  Agent* agent = GetAgent(pAgentName);
+  LineRequest request{pCommandLine, false, true};
+  request.recorded = true;
+  LineAnswer answer = link->Execute(pAgentName, agent ? agent->data_->link.get() : nullptr, request);
+  data_->last_line_ok = answer.ok;
   return data_->Answer(std::move(answer.text));
 }
 

@@ -6,10 +6,13 @@
 #include "cli/rule_text.h"
 #include "cli/stack_printer.h"
 #include "kernel/agent.h"
+#include "kernel/learn/reinforcement.h"
 #include "kernel/rules/print_production.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/inspection_match.h"
+#include "sml/client/inspection_memory.h"
 #include "sml/client/local_agent_link.h"
+#include "sml/server/decision_facts.h"
 #include "soarbox_Inspection.h"
 
 namespace soarbox {
@@ -194,6 +197,7 @@ class LocalInspection final : public MindInspection {
         operators.candidates.push_back({SymbolText(agent_, chance.value), cli::OperatorName(agent_, chance.value),
                                         chance.numeric_value, chance.probability});
       }
+      operators.decision = server::DecisionNow(agent_, state);
     }
     return operators;
   }
@@ -215,9 +219,37 @@ class LocalInspection final : public MindInspection {
     return rules;
   }
 
+  InspectedLearning Learning() override {
+    InspectedLearning learning;
+    learning.by_reward = agent_.reinforcement().learning;
+    learning.last_reward = agent_.reward().reward;
+    learning.total_reward = agent_.reward().total_reward;
+    for (const ProductionId id : agent_.Productions()) {
+      const kernel::Production& production = agent_.production(id);
+      if (!production.is_rl) continue;
+      InspectedNumber& number = learning.numbers.emplace_back();
+      number.rule = cli::RuleName(agent_, production);
+      if (const kernel::RlValue* const learned = agent_.LearnedValue(id)) {
+        number.value = agent_.symbols().NumberValue(learned->value);
+        number.current = learned->current;
+        number.future = learned->future;
+        number.updates = static_cast<std::uint64_t>(learned->updates);
+      } else if (const Symbol text = production.actions.front().referent.symbol(); text.IsNumber()) {
+        number.value = number.future = agent_.symbols().NumberValue(text);
+      }
+    }
+    return learning;
+  }
+
+  InspectedLongTerm LongTerm(std::size_t most, std::string_view text) override {
+    return InspectLongTerm(agent_, most, text);
+  }
+  std::vector<InspectedMemory> Episode(std::size_t number) override { return InspectEpisode(agent_, number); }
+
   std::string RuleSource(std::string_view rule) override {
     const ProductionId id = cli::FindRule(agent_, rule);
-    return id == ProductionId::kNone ? std::string() : kernel::PrintProduction(agent_.symbols(), agent_.production(id));
+    return id == ProductionId::kNone ? std::string()
+                                     : kernel::PrintProduction(agent_.symbols(), *agent_.ProductionAsLearned(id));
   }
 
   std::optional<InspectedMatch> Match(std::string_view rule) override {
@@ -284,6 +316,11 @@ std::unique_ptr<MindInspection> InspectMind(sml::Agent& agent) {
   auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
   if (link == nullptr) return nullptr;
   return std::make_unique<LocalInspection>(*link);
+}
+
+std::optional<mind::Decision> AskDecision(sml::Agent& agent, std::string_view state) {
+  sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
+  return link == nullptr ? std::nullopt : link->Decision(state);
 }
 
 }  // namespace soarbox

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mind/decision.h"
 #include "sml/client/sml_Events.h"
 #include "sml/server/call_mutex.h"
 #include "sml/server/connection.h"
@@ -69,7 +70,8 @@ struct LineRequest {
   bool echo = false;
   bool no_filter = false;
   bool structured = false;
-  bool fenced = false;  ///< Loads a file for which the fence holds, if there is one.
+  bool fenced = false;    ///< Loads a file for which the fence holds, if there is one.
+  bool recorded = false;  ///< Comes from a recording: a fence holds always. Kernels elsewhere refuse it.
 };
 
 /// A link's own name for an element of the input.
@@ -112,6 +114,9 @@ class AgentLink {
   virtual void Register(int event) = 0;
   virtual void Unregister(int event) = 0;
 
+  /// What the decision procedure says of a state's operators now; none if that kernel does not tell.
+  virtual std::optional<soarbox::mind::Decision> Decision(std::string_view state) = 0;
+
   /// Everything on the input link and below the output link now, parents first.
   virtual void ListInput(const std::function<void(const OutputWme&)>& visit) = 0;
   virtual void ListOutput(const std::function<void(const OutputWme&)>& visit) = 0;
@@ -136,7 +141,9 @@ class KernelLink {
   /// Remote clients wait until CheckForIncoming.
   virtual void HoldIncoming(bool on) { static_cast<void>(on); }
 
-  virtual void FenceFiles(std::vector<std::string> folders) { static_cast<void>(folders); }
+  virtual void FenceFiles(std::vector<std::string> folders, bool rules_only) {
+    static_cast<void>(folders), static_cast<void>(rules_only);
+  }
 
   virtual int ListenerPort() = 0;
   virtual long long InitialTimeTag() = 0;

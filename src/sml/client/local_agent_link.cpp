@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sml/client/agent_data.h"
+#include "sml/server/decision_facts.h"
 #include "sml/server/listing.h"
 
 namespace sml {
@@ -13,6 +14,10 @@ using soarbox::server::InputWme;
 
 std::string LocalAgentLink::InputLinkName() {
   return kernel::ToString(hosted_.agent().symbols(), std::as_const(hosted_).agent().InputLinkIdentifier());
+}
+
+std::optional<soarbox::mind::Decision> LocalAgentLink::Decision(std::string_view state) {
+  return soarbox::server::DecisionNow(std::as_const(hosted_).agent(), state);
 }
 
 void LocalAgentLink::Note(const InputWme& wme) {

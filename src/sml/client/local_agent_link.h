@@ -45,6 +45,7 @@ class LocalAgentLink final : public AgentLink {
   void StopSelf() override { hosted_.RequestStop(); }
   void Register(int event) override { host_.Register(connection_, &hosted_, event); }
   void Unregister(int event) override { host_.Unregister(connection_, &hosted_, event); }
+  std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
   void ListInput(const std::function<void(const OutputWme&)>& visit) override;
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 

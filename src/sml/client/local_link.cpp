@@ -93,9 +93,9 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   }
   void HoldIncoming(bool on) override { host_.HoldPump(on); }
 
-  void FenceFiles(std::vector<std::string> folders) override {
+  void FenceFiles(std::vector<std::string> folders, bool rules_only) override {
     const std::lock_guard lock(host_.mutex());
-    host_.SetFence({folders.begin(), folders.end()});
+    host_.SetFence({folders.begin(), folders.end()}, rules_only);
   }
 
   int ListenerPort() override { return host_.Port(); }
@@ -137,7 +137,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     if (!hosted && agent && *agent) hosted = host_.Find(agent);
     if (!hosted && agent && *agent) return Unknown(agent, request.structured);
     const soarbox::cli::CommandResult result =
-        host_.Execute(hosted, request.line, {request.echo, !request.no_filter, this, request.fenced});
+        host_.Execute(hosted, request.line, {request.echo, !request.no_filter, this, request.fenced, request.recorded});
     return Answer(result, request.structured);
   }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <array>
-#include <charconv>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,8 +8,9 @@
 #include "kernel/agent.h"
 #include "kernel/observer.h"
 #include "sml/client/agent_data.h"
-#include "sml/client/decision_reason.h"
 #include "sml/client/local_agent_link.h"
+#include "sml/server/decision_facts.h"
+#include "sml/server/printed_names.h"
 #include "soarbox_Observation.h"
 
 namespace soarbox {
@@ -20,79 +19,54 @@ namespace {
 using cli::SymbolText;
 using kernel::Event;
 
-/// "S1", made in place.
-class IdentifierText {
- public:
-  IdentifierText(const kernel::Agent& agent, kernel::Symbol symbol) {
-    if (!symbol.IsIdentifier()) {
-      other_ = SymbolText(agent, symbol);
-      return;
-    }
-    text_[0] = agent.symbols().Letter(symbol);
-    const char* const end = std::to_chars(text_ + 1, text_ + sizeof text_, agent.symbols().Number(symbol)).ptr;
-    size_ = static_cast<std::size_t>(end - text_);
+/// The rule that made an element of the output link, or an empty text. Valid while the element is there.
+std::string_view RuleOfOutput(const kernel::Agent& agent, kernel::Symbol attribute, std::uint64_t timetag) {
+  const kernel::WorkingMemory& memory = agent.memory();
+  const kernel::SlotId slot = memory.FindSlot(agent.output().identifier(), attribute);
+  if (slot == kernel::SlotId::kNone) return {};
+  for (kernel::WmeId wme = memory.slot(slot).wmes; wme != kernel::WmeId::kNone; wme = memory.record(wme).next) {
+    if (memory.wme(wme).timetag != timetag) continue;
+    const kernel::PreferenceId preference = memory.record(wme).preference;
+    if (preference == kernel::PreferenceId::kNone) return {};
+    return agent.ProductionName(memory.preference(preference).instantiation);
   }
-  std::string_view view() const { return size_ == 0 ? std::string_view(other_) : std::string_view(text_, size_); }
-
- private:
-  char text_[24] = {};
-  std::size_t size_ = 0;
-  std::string other_;  ///< Of operators that are constants.
-};
-
-/// Names as they are printed. The same few come again and again, and it takes a while to see whether one needs bars.
-class PrintedNames {
- public:
-  /// Valid until the next call.
-  std::string_view Of(const kernel::Agent& agent, kernel::Symbol symbol) {
-    if (!symbol.IsString()) return other_ = SymbolText(agent, symbol);
-    const std::string_view text = agent.symbols().Text(symbol);
-    Entry& entry = entries_[text.empty() ? 0 : static_cast<unsigned char>(text.back()) % entries_.size()];
-    if (entry.printed.empty() || entry.text != text) entry = {std::string(text), SymbolText(agent, symbol)};
-    return entry.printed;
-  }
-
- private:
-  struct Entry {
-    std::string text, printed;
-  };
-  std::array<Entry, 8> entries_;
-  std::string other_;
-};
+  return {};
+}
 
 /// Passes on what a kernel in this process tells of one agent.
 class LocalObservation final : public Observation, kernel::Observer {
  public:
   LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
       : agent_(agent), listener_(listener) {
-    kernel::EventMask events = Event::kDecision | Event::kRun | Event::kOutput;
+    kernel::EventMask events = Event::kDecision | Event::kReason | Event::kRun | Event::kOutput | Event::kRecall;
     if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
     if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
     agent_.AddObserver(*this, events);
   }
   ~LocalObservation() override { agent_.RemoveObserver(*this); }
-  void BeforeRun() override { forced_ = agent_.selected_operator(); }
 
  private:
+  void OnDecided(const kernel::Agent& agent, const kernel::DecisionReport& report) override {
+    listener_.OnDecided(decisions_.Read(agent, report));
+  }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
-    const IdentifierText state(agent, goal.goal);
+    const server::IdentifierText state(agent, goal.goal);
     if (goal.op) {
-      const IdentifierText op(agent, goal.op);
-      listener_.OnOperator(static_cast<int>(goal.level), state.view(), op.view(), NameOf(agent, goal.op));
-      reason_.clear();
-      const bool is_forced = !forced_.empty() && op.view() == forced_;
-      AppendReasonOfOperator(agent, goal, is_forced, reason_);
-      if (is_forced) forced_.clear();
-      listener_.OnReason(reason_);
+      const server::IdentifierText op(agent, goal.op);
+      listener_.OnOperator(static_cast<int>(goal.level), state.view(), op.view(),
+                           names_.NameOfOperator(agent, goal.op));
     } else {
       listener_.OnState(static_cast<int>(goal.level), state.view(), cli::ImpasseName(goal.impasse),
                         goal.on_operator ? "operator" : "state");
-      listener_.OnReason(ReasonOfState(agent, goal));
     }
   }
   void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override {
     if (why == kernel::GoalRemoval::kWithSuperstate) return;
     listener_.OnStateGone(static_cast<int>(goal.level), SymbolText(agent, goal.goal));
+  }
+  void OnRecall(const kernel::Agent&, const kernel::RecallInfo& info) override {
+    listener_.OnRecall(static_cast<int>(info.level), info.is_episode, info.number, info.question, info.answer,
+                       info.reason);
   }
   void OnPrint(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
   void OnError(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
@@ -131,24 +105,11 @@ class LocalObservation final : public Observation, kernel::Observer {
                         SymbolText(agent, wme.value), wme.acceptable);
   }
 
-  /// The operator's ^name; empty if it has none. Valid until the next name is asked for.
-  std::string_view NameOf(const kernel::Agent& agent, kernel::Symbol op) {
-    if (!op.IsIdentifier()) return {};
-    // The symbol may have been swept, and its place taken by another.
-    const kernel::SymbolTable& symbols = agent.symbols();
-    if (!name_ || !symbols.IsLive(name_) || symbols.Text(name_) != "name") name_ = symbols.FindString("name");
-    if (!name_) return {};
-    const kernel::Symbol value = agent.memory().ValueOf(op, name_);
-    return value ? names_.Of(agent, value) : std::string_view();
-  }
-
   kernel::Agent& agent_;
   MindObserver& listener_;
   bool told_of_elaborations_ = false;
-  kernel::Symbol name_;  ///< "name".
-  PrintedNames names_;
-  std::string forced_;  ///< The operator that `select` or `predict` had settled before the run; empty: none.
-  std::string reason_;  ///< Keeps its memory from decision to decision.
+  server::PrintedNames names_;
+  server::DecisionReader decisions_;
 };
 
 /// Null if the kernel is in another process.

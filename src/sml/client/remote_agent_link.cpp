@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "sml/client/agent_data.h"
+#include "sml/wire/decision_element.h"
 
 namespace sml {
 
@@ -143,6 +144,14 @@ void RemoteAgentLink::StopSelf() {
       .AddArg("nofilter", "false");
   // Without waiting: another thread may be waiting for the end of the run.
   caller_.Tell(call);
+}
+
+std::optional<soarbox::mind::Decision> RemoteAgentLink::Decision(std::string_view state) {
+  Message call = Call(soarbox::wire::kDecisionCall);
+  call.root.children.front().AddArg("state", std::string(state));
+  const std::optional<Message> response = caller_.Ask(call);
+  if (!response || response->ErrorTag() || !response->ResultTag()) return std::nullopt;
+  return soarbox::wire::ReadDecision(*response->ResultTag());
 }
 
 void RemoteAgentLink::ListInput(const std::function<void(const OutputWme&)>& visit) {

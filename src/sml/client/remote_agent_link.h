@@ -50,6 +50,7 @@ class RemoteAgentLink final : public AgentLink {
   void StopSelf() override;
   void Register(int event) override;
   void Unregister(int event) override;
+  std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
   void ListInput(const std::function<void(const OutputWme&)>& visit) override;
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 

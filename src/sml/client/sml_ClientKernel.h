@@ -77,8 +77,12 @@ class EXPORT Kernel : public ClientErrors {
   /// carried out. Not part of the interface of Soar 9.6.3.
   void OverhearCommands(std::function<void(char const* pAgentName, char const* pCommandLine)> listener);
   /// From now on the commands in files that LoadProductions loads, and those that rules carry out, may read below these
-  /// folders only, and write and start nothing; for a kernel in this process. Not part of the interface of Soar 9.6.3.
-  void FenceFiles(std::vector<std::string> folders);
+  /// folders only, and write and start nothing; for a kernel in this process. `rules_only`: nothing is carried out but
+  /// rules and the loading of further files; other commands are passed over. Not part of the interface of Soar 9.6.3.
+  void FenceFiles(std::vector<std::string> folders, bool rules_only = false);
+  /// Like ExecuteCommandLine, for a line that comes from a recording: it may read below the folders of FenceFiles only,
+  /// and write and start nothing. Not part of the interface of Soar 9.6.3.
+  char const* ExecuteRecordedCommandLine(char const* pCommandLine, char const* pAgentName);
   /// While on, what remote clients ask a kernel in this process for waits until CheckForIncomingCommands, during runs
   /// too. Not part of the interface of Soar 9.6.3.
   void HoldIncomingCommands(bool state);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "Export.h"
+#include "mind/decision.h"
 
 namespace sml {
 class Agent;
@@ -69,6 +70,7 @@ struct InspectedOperators {
   std::vector<InspectedPreference> preferences;
   std::vector<InspectedCandidate> candidates;  ///< Empty if the decision would be an impasse.
   std::string impasse;                         ///< Of the state below, "none" if there is none.
+  mind::Decision decision;                     ///< What the decision procedure says of these preferences now.
 };
 
 struct InspectedRule {
@@ -109,6 +111,44 @@ struct InspectedMind {
   std::string input_link, output_link;
 };
 
+/// What reinforcement learning made of a rule's number: the sum of what it expects at once and of what follows.
+struct InspectedNumber {
+  std::string rule;
+  double value = 0, current = 0, future = 0;
+  std::uint64_t updates = 0;
+};
+
+struct InspectedLearning {
+  bool by_reward = false;  ///< Switched on.
+  double last_reward = 0;  ///< Of the last decision that collected any.
+  double total_reward = 0;
+  std::vector<InspectedNumber> numbers;  ///< Of each rule that can learn, in the order of loading.
+};
+
+/// An object of semantic memory.
+struct InspectedObject {
+  std::uint64_t number = 0;
+  std::string text;  ///< Its augmentations: "^kind ammo ^site @3".
+  double activation = 0;
+  std::uint64_t uses = 0;
+};
+
+/// What stood in working memory when an episode was taken: an element of an object.
+struct InspectedMemory {
+  std::uint32_t object = 0;  ///< 0: the top state.
+  std::string attribute, value;
+  bool is_object = false;
+  std::uint32_t value_object = 0;
+};
+
+struct InspectedLongTerm {
+  bool semantic = false, episodic = false;  ///< Switched on.
+  std::size_t objects = 0, augmentations = 0;
+  std::vector<InspectedObject> known;  ///< The most active first; no more than were asked for.
+  std::size_t episodes = 0;
+  std::vector<std::uint64_t> decisions;  ///< By episode, from 1: in which it was taken; 0: in an earlier run.
+};
+
 /// Looks into the mind of a client's agent between its runs. What Soarbox's own kernel tells besides the client API:
 /// values, not texts to be taken apart. Reads only; what it returns belongs to the caller. Used on the thread that runs
 /// the agent, never in the middle of its cycle. Must end before the agent does.
@@ -132,11 +172,20 @@ class EXPORT MindInspection {
   /// As `print` shows it; empty if there is none of this name.
   virtual std::string RuleSource(std::string_view rule) = 0;
   virtual std::optional<InspectedMatch> Match(std::string_view rule) = 0;
+  virtual InspectedLearning Learning() = 0;
+  /// Known objects with this text in their number or augmentations, no more than `most`.
+  virtual InspectedLongTerm LongTerm(std::size_t most, std::string_view text) = 0;
+  /// The contents of an episode, objects before what hangs on them; empty if there is no such episode.
+  virtual std::vector<InspectedMemory> Episode(std::size_t number) = 0;
   /// How the word that a command line ends with may go on.
   virtual std::vector<std::string> Complete(std::string_view line) = 0;
 };
 
 /// Null if the agent's kernel is in another process: then only the client API tells what there is.
 std::unique_ptr<MindInspection> EXPORT InspectMind(sml::Agent& agent);
+
+/// What the decision procedure says of a state's operators now; also of an agent whose kernel is in another process, if
+/// that is Soarbox's own. None if it is not. Empty if there is no such state, or no preference.
+std::optional<mind::Decision> EXPORT AskDecision(sml::Agent& agent, std::string_view state);
 
 }  // namespace soarbox

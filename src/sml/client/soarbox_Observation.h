@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "Export.h"
+#include "mind/decision.h"
 
 namespace sml {
 class Agent;
@@ -35,9 +36,20 @@ class MindObserver {
   /// A state went, with all below it, because its impasse was resolved or its reasons have gone.
   virtual void OnStateGone(int level, std::string_view state) = 0;
   virtual void OnHalt() = 0;
-  /// Right after OnOperator and OnState: why that was decided, in words: "the only one proposed; proposed by RULE",
-  /// "better than turn (O3), says RULE; ...". Empty if there is nothing to say.
-  virtual void OnReason(std::string_view reason) { (void)reason; }
+  /// Before OnOperator and OnState, if preferences spoke: what the decision procedure said of them. Valid during the
+  /// call only.
+  virtual void OnDecided(const mind::DecisionView& decision) { (void)decision; }
+  /// Long-term memory answered a command of rules. `number`: of the object, or of the episode; 0: nothing came.
+  /// `question`: "^kind ammo"; `answer`: of an object some of what is known of it; `reason`: why that came, or nothing.
+  virtual void OnRecall(int level, bool is_episode, std::uint64_t number, std::string_view question,
+                        std::string_view answer, std::string_view reason) {
+    (void)level;
+    (void)is_episode;
+    (void)number;
+    (void)question;
+    (void)answer;
+    (void)reason;
+  }
   /// Something new stands directly on the output link: the rule that made it.
   virtual void OnCommand(std::uint64_t timetag, std::string_view attribute, std::string_view rule) {
     (void)timetag;
@@ -65,8 +77,6 @@ enum class MindDetail : std::uint8_t {
 class EXPORT Observation {
  public:
   virtual ~Observation() = default;
-  /// Call before the agent runs, so that a choice that `decide select` has settled is told as such.
-  virtual void BeforeRun() = 0;
 };
 
 /// Null if the agent's kernel is in another process: then only the client API tells what there is.

@@ -155,7 +155,7 @@ Identifier* WorkingMemory::InputLink() {
   if (!link) return nullptr;
   const std::string name = link->InputLinkName();
   if (name.empty()) {
-    data_.SetError(kFailedToGetResponse, "The kernel did not tell the name of the input link");
+    data_.SetError(kFailedToGetResponse, "The kernel did not report the name of the input link");
     return nullptr;
   }
   input_link_ = identifiers_.Take();

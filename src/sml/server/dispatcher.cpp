@@ -7,9 +7,11 @@
 #include <cstdlib>
 
 #include "sml/server/answers.h"
+#include "sml/server/decision_facts.h"
 #include "sml/server/kernel_host.h"
 #include "sml/server/listing.h"
 #include "sml/server/output_documents.h"
+#include "sml/wire/decision_element.h"
 #include "sml/wire/message.h"
 
 namespace soarbox::server {
@@ -129,6 +131,12 @@ void GetAllInput(Request& request) {
 void GetAllOutput(Request& request) {
   wire::Element& command = request.response.root.Add("command").Set("name", "output");
   AddOutput(command, request.agent->agent(), std::as_const(*request.agent).agent().output().current(), true);
+}
+
+void TellDecision(Request& request) {
+  const std::string* state = request.Arg("state");
+  if (!state) return request.Invalid("State is missing");
+  wire::AddDecision(request.response.root.Add("result"), DecisionNow(request.agent->agent(), *state));
 }
 
 // Command lines and runs ----------------------------------------------------------------------------------------------
@@ -307,6 +315,7 @@ constexpr std::array kEntries = {
     Entry{"set_connection_info", NeedsAgent::kNo, SetConnectionInfo},
     Entry{"set_interrupt_check_rate", NeedsAgent::kNo, SetInterruptCheckRate},
     Entry{"shutdown", NeedsAgent::kNo, Shutdown},
+    Entry{wire::kDecisionCall, NeedsAgent::kYes, TellDecision},
     Entry{"suppress_event", NeedsAgent::kNo, SuppressEvent},
     Entry{"svs_input", NeedsAgent::kYes, SvsInput},
     Entry{"svs_output", NeedsAgent::kYes, SvsOutput},
@@ -345,7 +354,7 @@ void Dispatcher::Handle(const wire::Message& call, wire::Message& response) {
   if (host_.IsOverheard() && !from_.embedded() && GoesPastTheDoor(request)) {
     return wire::AddError(response, "The agents of this kernel live in a simulation, whose runs can be repeated: '" +
                                         *name +
-                                        "' is refused there. Command lines are noted and carried out; try 'wm add'.");
+                                        "' is refused there. Command lines are recorded and run; try 'wm add'.");
   }
   if (const std::string* agent = command->Arg("agent")) {
     request.agent = host_.Find(*agent);

@@ -36,6 +36,11 @@ void KernelHost::SourceSettings(HostedAgent& hosted) {
   for (const std::filesystem::path& folder : folders) {
     const std::filesystem::path file = folder / "settings.soar";
     if (!std::filesystem::exists(file, ignored)) continue;
+    // Where strangers' files are kept away, the folder that somebody happens to be in may be theirs; $SOAR_HOME is the
+    // user's own.
+    const bool is_own = home != nullptr && folder == home;
+    if (fence_ && !is_own && !fence_->MayRead(file)) continue;
+    const cli::Interpreter::Fenced fenced(interpreter_, is_own ? nullptr : fence_.get());
     interpreter_.Execute(hosted.session(), "source {" + file.string() + "}");
     return;
   }

@@ -66,13 +66,12 @@ class KernelHost : public cli::Host {
     bool echo = false;
     bool filter = true;
     const Connection* from = nullptr;
-    bool fenced = false;  ///< The line loads a file of a stranger.
+    bool fenced = false;    ///< The line loads a file of a stranger.
+    bool recorded = false;  ///< The line comes from a recording.
   };
   /// From now on the commands of files that are loaded fenced, and those that rules carry out, reach these folders
-  /// only.
-  void SetFence(std::vector<std::filesystem::path> folders) {
-    fence_ = std::make_unique<cli::Fence>(std::move(folders));
-  }
+  /// only. `rules_only`: they are looked over, and nothing but their rules counts.
+  void SetFence(std::vector<std::filesystem::path> folders, bool rules_only);
 
   /// `hosted` may be null: the line goes to the agent that was addressed last.
   cli::CommandResult Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options);
@@ -186,7 +185,11 @@ class KernelHost : public cli::Host {
   std::function<void()> pump_;
   std::atomic<bool> pump_requested_{false};
   std::atomic<bool> held_{false};
+  const cli::Fence* FenceOf(const LineOptions& options) const;
   std::unique_ptr<const cli::Fence> fence_;  ///< Null: none.
+  /// Lines of a recording have one always.
+  std::unique_ptr<const cli::Fence> recorded_fence_ =
+      std::make_unique<const cli::Fence>(std::vector<std::filesystem::path>(), cli::Fence::Source::kRecording);
   std::function<void(char const*, char const*)> overhear_;
   std::atomic<std::uint64_t> stop_requests_{0};
 };

@@ -49,6 +49,16 @@ std::optional<cli::CommandResult> KernelHost::PassFilters(HostedAgent& hosted, s
   return std::nullopt;
 }
 
+void KernelHost::SetFence(std::vector<std::filesystem::path> folders, bool rules_only) {
+  using Source = cli::Fence::Source;
+  fence_ = std::make_unique<const cli::Fence>(std::move(folders), rules_only ? Source::kRulesOnly : Source::kFiles);
+  recorded_fence_ = std::make_unique<const cli::Fence>(fence_->For(Source::kRecording));
+}
+
+const cli::Fence* KernelHost::FenceOf(const LineOptions& options) const {
+  return options.recorded ? recorded_fence_.get() : options.fenced ? fence_.get() : nullptr;
+}
+
 cli::CommandResult KernelHost::Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options) {
   const Stay stay(*this);
   HostedAgent& addressed = *Addressed(hosted);
@@ -65,7 +75,7 @@ cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::strin
   const bool echoes = (options.echo || hosted.session().output().echo_commands) && hosted.Listens(smlEVENT_ECHO);
   if (echoes) hosted.FireEcho(options.from, std::string(line));
   // A user's own line ends the fence that a file around it may have put up, a stranger's puts it up.
-  const cli::Interpreter::Fenced fenced(interpreter_, options.fenced ? fence_.get() : nullptr);
+  const cli::Interpreter::Fenced fenced(interpreter_, FenceOf(options));
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
   if (hosted.doomed) return result;
   // Memory may run out outside of a run too.

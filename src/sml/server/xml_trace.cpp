@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "cli/rl_update_log.h"
 #include "cli/stack_printer.h"
 #include "cli/trace_printer.h"
 #include "kernel/base/words.h"
@@ -103,6 +104,7 @@ void XmlTracer::Refresh() {
   if (on(TraceFlag::kPreferences)) mask = mask | Event::kPreference;
   if (on(TraceFlag::kDecisions) || on(TraceFlag::kConsistency)) mask = mask | Event::kDecision;
   if (on(TraceFlag::kIndifferent)) mask = mask | Event::kExploration;
+  if (on(TraceFlag::kRl)) mask = mask | Event::kReinforcement;
   hosted_.agent().AddObserver(*this, mask);
   subscribed_ = true;
 }
@@ -267,6 +269,15 @@ void XmlTracer::OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate
   if (policy == kernel::ExplorationPolicy::kBoltzmann) pen_.Set("exp", wire::FixedDouble(probability));
   Set(agent, "name", candidate);
   pen_.Set("type", "sum").Set("value", wire::FixedDouble(value)).End("candidate");
+}
+
+void XmlTracer::OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) {
+  AddText("message", cli::RlUpdateText(agent, update));
+}
+
+void XmlTracer::OnRewardGap(const kernel::Agent& agent, kernel::Symbol state, bool begins) {
+  AddText("warning",
+          std::string("gap ") + (begins ? "started" : "ended") + " (" + kernel::ToString(agent.symbols(), state) + ")");
 }
 
 }  // namespace soarbox::server

@@ -48,6 +48,8 @@ class XmlTracer : public kernel::Observer {
   void OnWarning(const kernel::Agent& agent, kernel::WarningKind kind, std::string_view text) override;
   void OnInterrupt(const kernel::Agent& agent, std::string_view reason) override;
   void OnHalt(const kernel::Agent& agent) override;
+  void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override;
+  void OnRewardGap(const kernel::Agent& agent, kernel::Symbol state, bool begins) override;
   void OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate, double value, double probability) override;
 
  private:

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mind/decision_codec.h"
+
+#include <bit>
+#include <cstddef>
+
+namespace soarbox::mind {
+namespace {
+
+class Out {
+ public:
+  explicit Out(std::string& bytes) : bytes_(bytes) {}
+  void Byte(std::uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
+  template <typename Enum>
+  void Kind(Enum value) {
+    Byte(static_cast<std::uint8_t>(value));
+  }
+  void Number(std::uint64_t value) {
+    for (; value >= 0x80; value >>= 7) Byte(static_cast<std::uint8_t>(value | 0x80));
+    Byte(static_cast<std::uint8_t>(value));
+  }
+  /// A place, or none as 0.
+  void Place(std::uint32_t value) { Number(value == Decision::kNoOperator ? 0 : std::uint64_t{value} + 1); }
+  void Double(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    for (int i = 0; i < 8; ++i) Byte(static_cast<std::uint8_t>(bits >> (8 * i)));
+  }
+  void Text(std::string_view text) {
+    Number(text.size());
+    bytes_.append(text);
+  }
+
+ private:
+  std::string& bytes_;
+};
+
+/// Once something does not fit, everything is zero, and failed() stays.
+class In {
+ public:
+  explicit In(std::string_view bytes) : bytes_(bytes) {}
+  bool failed() const { return failed_; }
+  bool AtEnd() const { return bytes_.empty(); }
+
+  std::uint8_t Byte() {
+    if (bytes_.empty()) {
+      failed_ = true;
+      return 0;
+    }
+    const auto value = static_cast<std::uint8_t>(bytes_.front());
+    bytes_.remove_prefix(1);
+    return value;
+  }
+  template <typename Enum>
+  Enum Kind(Enum last) {
+    const std::uint8_t value = Byte();
+    if (value <= static_cast<std::uint8_t>(last)) return static_cast<Enum>(value);
+    failed_ = true;
+    return Enum{};
+  }
+  std::uint64_t Number() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 35; shift += 7) {
+      const std::uint8_t byte = Byte();
+      value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+      if ((byte & 0x80) == 0) return value;
+    }
+    failed_ = true;
+    return 0;
+  }
+  /// How many things follow that take so many bytes each at least.
+  std::size_t Count(std::size_t least_bytes) {
+    const std::uint64_t count = Number();
+    if (count <= bytes_.size() / least_bytes) return static_cast<std::size_t>(count);
+    failed_ = true;
+    return 0;
+  }
+  /// A place below `end`, or none.
+  std::uint32_t Place(std::size_t end) {
+    const std::uint64_t value = Number();
+    if (value > end) failed_ = true;
+    return value == 0 || failed_ ? Decision::kNoOperator : static_cast<std::uint32_t>(value - 1);
+  }
+  double Double() {
+    std::uint64_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= static_cast<std::uint64_t>(Byte()) << (8 * i);
+    return std::bit_cast<double>(bits);
+  }
+  std::string Text() {
+    const std::size_t size = Count(1);
+    std::string text(bytes_.substr(0, size));
+    bytes_.remove_prefix(size);
+    return text;
+  }
+
+ private:
+  std::string_view bytes_;
+  bool failed_ = false;
+};
+
+bool HasReferent(PreferenceKind kind) {
+  return kind == PreferenceKind::kBetter || kind == PreferenceKind::kWorse || kind == PreferenceKind::kEqual;
+}
+
+}  // namespace
+
+void Pack(const DecisionView& decision, std::string& bytes) {
+  Out out(bytes);
+  out.Kind(decision.impasse);
+  out.Kind(decision.policy);
+  out.Byte(static_cast<std::uint8_t>((decision.is_forced ? 1 : 0) | (decision.has_changed ? 2 : 0)));
+  out.Number(decision.operators.size());
+  for (const DecisionView::Operator& op : decision.operators) {
+    out.Text(op.id);
+    out.Text(op.name);
+  }
+  out.Place(decision.selected);
+  out.Number(decision.preferences.size());
+  for (const DecisionView::Preference& preference : decision.preferences) {
+    out.Kind(preference.kind);
+    out.Place(preference.op);
+    if (HasReferent(preference.kind)) out.Place(preference.referent);
+    if (preference.kind == PreferenceKind::kNumeric) out.Double(preference.number);
+    out.Text(preference.rule);
+  }
+  out.Number(decision.by.size());
+  for (const std::uint32_t place : decision.by) out.Place(place);
+  out.Number(decision.drops.size());
+  for (const DecisionView::Drop& drop : decision.drops) {
+    out.Place(drop.op);
+    out.Kind(drop.stage);
+    out.Kind(drop.decisive);
+    out.Number(drop.first);
+    out.Number(drop.count);
+  }
+  out.Number(decision.left.size());
+  for (const DecisionView::Chance& chance : decision.left) {
+    out.Place(chance.op);
+    out.Double(chance.value);
+    out.Double(chance.probability);
+  }
+}
+
+std::optional<Decision> Unpack(std::string_view bytes) {
+  In in(bytes);
+  Decision decision;
+  decision.impasse = in.Kind(Impasse::kConstraintFailure);
+  decision.policy = in.Kind(Policy::kLast);
+  const std::uint8_t flags = in.Byte();
+  decision.is_forced = (flags & 1) != 0;
+  decision.has_changed = (flags & 2) != 0;
+  if (flags > 3) return std::nullopt;
+  decision.operators.resize(in.Count(2));
+  for (Decision::Operator& op : decision.operators) {
+    op.id = in.Text();
+    op.name = in.Text();
+  }
+  const std::size_t operators = decision.operators.size();
+  decision.selected = in.Place(operators);
+  decision.preferences.resize(in.Count(3));
+  for (Decision::Preference& preference : decision.preferences) {
+    preference.kind = in.Kind(PreferenceKind::kEqual);
+    preference.op = in.Place(operators);
+    if (HasReferent(preference.kind)) preference.referent = in.Place(operators);
+    if (preference.kind == PreferenceKind::kNumeric) preference.number = in.Double();
+    preference.rule = in.Text();
+  }
+  decision.by.resize(in.Count(1));
+  for (std::uint32_t& place : decision.by) {
+    place = in.Place(decision.preferences.size());
+    if (place == Decision::kNoOperator) return std::nullopt;
+  }
+  decision.drops.resize(in.Count(5));
+  for (Decision::Drop& drop : decision.drops) {
+    drop.op = in.Place(operators);
+    drop.stage = in.Kind(Stage::kWorst);
+    drop.decisive = in.Kind(Decisive::kNo);
+    const std::uint64_t first = in.Number(), count = in.Number();
+    if (drop.op == Decision::kNoOperator || first + count > decision.by.size()) return std::nullopt;
+    drop.first = static_cast<std::uint32_t>(first);
+    drop.count = static_cast<std::uint32_t>(count);
+  }
+  decision.left.resize(in.Count(17));
+  for (Decision::Chance& chance : decision.left) {
+    chance.op = in.Place(operators);
+    chance.value = in.Double();
+    chance.probability = in.Double();
+    if (chance.op == Decision::kNoOperator) return std::nullopt;
+  }
+  for (const Decision::Preference& preference : decision.preferences) {
+    if (preference.op == Decision::kNoOperator) return std::nullopt;
+    if (HasReferent(preference.kind) && preference.referent == Decision::kNoOperator) return std::nullopt;
+  }
+  if (in.failed() || !in.AtEnd()) return std::nullopt;
+  return decision;
+}
+
+Decision Owned(const DecisionView& from) {
+  Decision to;
+  to.impasse = from.impasse;
+  to.selected = from.selected;
+  to.is_forced = from.is_forced;
+  to.has_changed = from.has_changed;
+  to.policy = from.policy;
+  for (const DecisionView::Operator& op : from.operators)
+    to.operators.push_back({std::string(op.id), std::string(op.name)});
+  for (const DecisionView::Preference& p : from.preferences)
+    to.preferences.push_back({p.kind, p.op, p.referent, p.number, std::string(p.rule)});
+  for (const DecisionView::Drop& drop : from.drops)
+    to.drops.push_back({drop.op, drop.stage, drop.decisive, drop.first, drop.count});
+  to.by = from.by;
+  for (const DecisionView::Chance& chance : from.left) to.left.push_back({chance.op, chance.value, chance.probability});
+  return to;
+}
+
+}  // namespace soarbox::mind

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mind/decision.h"
+
+namespace soarbox::mind {
+
+/// Appends a decision as bytes, quick to make while a mind runs.
+void Pack(const DecisionView& decision, std::string& bytes);
+
+/// Reads what Pack wrote. None if the bytes are anything else: every place that they name is within bounds.
+std::optional<Decision> Unpack(std::string_view bytes);
+
+/// The same with texts of its own.
+Decision Owned(const DecisionView& decision);
+
+}  // namespace soarbox::mind

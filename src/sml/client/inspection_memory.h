@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "kernel/agent.h"
+#include "soarbox_Inspection.h"
+
+namespace soarbox {
+
+/// What an agent knows and remembers. See MindInspection.
+InspectedLongTerm InspectLongTerm(kernel::Agent& agent, std::size_t most, std::string_view text);
+std::vector<InspectedMemory> InspectEpisode(kernel::Agent& agent, std::size_t number);
+
+}  // namespace soarbox

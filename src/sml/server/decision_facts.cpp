@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/server/decision_facts.h"
+
+#include "cli/object_printer.h"
+#include "kernel/decide/exploration.h"
+#include "mind/decision_codec.h"
+
+namespace soarbox::server {
+namespace {
+
+using kernel::PreferenceType;
+using mind::PreferenceKind;
+
+/// Slots with more preferences are not decided again and again to see which drops mattered.
+constexpr std::size_t kMostTried = 64, kMostDropsTried = 16;
+
+PreferenceKind KindOf(PreferenceType type) {
+  switch (type) {
+    case PreferenceType::kAcceptable:
+      return PreferenceKind::kAcceptable;
+    case PreferenceType::kRequire:
+      return PreferenceKind::kRequire;
+    case PreferenceType::kReject:
+      return PreferenceKind::kReject;
+    case PreferenceType::kProhibit:
+      return PreferenceKind::kProhibit;
+    case PreferenceType::kBest:
+      return PreferenceKind::kBest;
+    case PreferenceType::kWorst:
+      return PreferenceKind::kWorst;
+    case PreferenceType::kBetter:
+      return PreferenceKind::kBetter;
+    case PreferenceType::kWorse:
+      return PreferenceKind::kWorse;
+    case PreferenceType::kUnaryIndifferent:
+      return PreferenceKind::kIndifferent;
+    case PreferenceType::kNumericIndifferent:
+      return PreferenceKind::kNumeric;
+    case PreferenceType::kBinaryIndifferent:
+      return PreferenceKind::kEqual;
+  }
+  return PreferenceKind::kAcceptable;
+}
+
+mind::Stage StageOf(kernel::DecisionStage stage) {
+  using kernel::DecisionStage;
+  switch (stage) {
+    case DecisionStage::kForced:
+      return mind::Stage::kForced;
+    case DecisionStage::kRequire:
+      return mind::Stage::kRequire;
+    case DecisionStage::kProhibit:
+      return mind::Stage::kProhibit;
+    case DecisionStage::kReject:
+      return mind::Stage::kReject;
+    case DecisionStage::kDominated:
+      return mind::Stage::kDominated;
+    case DecisionStage::kBest:
+      return mind::Stage::kBest;
+    case DecisionStage::kWorst:
+      return mind::Stage::kWorst;
+  }
+  return mind::Stage::kForced;
+}
+
+mind::Impasse ImpasseOf(kernel::ImpasseType impasse) {
+  switch (impasse) {
+    case kernel::ImpasseType::kTie:
+      return mind::Impasse::kTie;
+    case kernel::ImpasseType::kConflict:
+      return mind::Impasse::kConflict;
+    case kernel::ImpasseType::kConstraintFailure:
+      return mind::Impasse::kConstraintFailure;
+    case kernel::ImpasseType::kNone:
+    case kernel::ImpasseType::kNoChange:
+      break;
+  }
+  return mind::Impasse::kNone;
+}
+
+mind::Policy PolicyOf(kernel::ExplorationPolicy policy) {
+  switch (policy) {
+    case kernel::ExplorationPolicy::kBoltzmann:
+      return mind::Policy::kBoltzmann;
+    case kernel::ExplorationPolicy::kEpsilonGreedy:
+      return mind::Policy::kEpsilonGreedy;
+    case kernel::ExplorationPolicy::kSoftmax:
+      return mind::Policy::kSoftmax;
+    case kernel::ExplorationPolicy::kFirst:
+      return mind::Policy::kFirst;
+    case kernel::ExplorationPolicy::kLast:
+      return mind::Policy::kLast;
+  }
+  return mind::Policy::kSoftmax;
+}
+
+bool IsBinary(PreferenceType type) {
+  return type == PreferenceType::kBetter || type == PreferenceType::kWorse ||
+         type == PreferenceType::kBinaryIndifferent;
+}
+
+}  // namespace
+
+std::string_view DecisionReader::Keep(std::string_view text) {
+  if (used_ == texts_.size()) texts_.emplace_back();
+  return texts_[used_++] = text;
+}
+
+std::uint32_t DecisionReader::PlaceOf(const kernel::Agent& agent, kernel::Symbol op) {
+  std::uint32_t place = 0;
+  while (place < operators_.size() && operators_[place] != op) ++place;
+  if (place == operators_.size()) {
+    operators_.push_back(op);
+    const std::string_view id = Keep(IdentifierText(agent, op).view());
+    decision_.operators.push_back({id, Keep(names_.NameOfOperator(agent, op))});
+  }
+  return place;
+}
+
+const mind::DecisionView& DecisionReader::Read(const kernel::Agent& agent, const kernel::DecisionReport& report) {
+  decision_.Clear();
+  operators_.clear();
+  used_ = 0;
+  decision_.impasse = ImpasseOf(report.impasse);
+  decision_.policy = PolicyOf(agent.exploration().policy);
+  decision_.is_forced = report.is_forced;
+  for (const kernel::SlotPreference& from : report.preferences) {
+    mind::DecisionView::Preference& to = decision_.preferences.emplace_back();
+    to.kind = KindOf(from.type);
+    to.op = PlaceOf(agent, from.value);
+    if (IsBinary(from.type)) to.referent = PlaceOf(agent, from.referent);
+    if (from.type == PreferenceType::kNumericIndifferent) to.number = from.number;
+    to.rule = agent.ProductionName(agent.memory().preference(from.preference).instantiation);
+  }
+  if (report.selected) decision_.selected = PlaceOf(agent, report.selected);
+
+  const kernel::DecisionTrace& trace = report.trace;
+  decision_.by.assign(trace.by.begin(), trace.by.end());
+  const bool is_tried = report.preferences.size() <= kMostTried && trace.drops.size() <= kMostDropsTried;
+  for (const kernel::DecisionTrace::Drop& from : trace.drops) {
+    mind::Decisive decisive = mind::Decisive::kUnknown;
+    if (is_tried && from.count > 0) {
+      decisive = kernel::IsDecisive(report.preferences, trace, from) ? mind::Decisive::kYes : mind::Decisive::kNo;
+    }
+    decision_.drops.push_back({PlaceOf(agent, from.value), StageOf(from.stage), decisive, from.first, from.count});
+  }
+
+  const bool is_choice = report.impasse == kernel::ImpasseType::kNone;
+  std::vector<double> chances;
+  if (is_choice && report.candidates.size() > 1)
+    chances = kernel::SelectionChances(report.candidates, agent.exploration());
+  for (std::size_t i = 0; i < report.candidates.size(); ++i) {
+    const kernel::Candidate& candidate = report.candidates[i];
+    const double probability = !is_choice ? 0 : chances.empty() ? 1 : chances[i];
+    decision_.left.push_back(
+        {PlaceOf(agent, candidate.value), kernel::NumericValue(candidate, agent.exploration()), probability});
+  }
+  return decision_;
+}
+
+mind::Decision DecisionNow(const kernel::Agent& agent, std::string_view state) {
+  for (kernel::GoalLevel level = 1; level <= agent.goals().depth(); ++level) {
+    const kernel::Goal& goal = agent.goals().at(level);
+    if (goal.operator_slot == kernel::SlotId::kNone || cli::SymbolText(agent, goal.id) != state) continue;
+    DecisionReader reader;
+    mind::Decision decision = mind::Owned(reader.Read(agent, agent.ExplainDecision(goal)));
+    decision.has_changed = agent.OperatorOf(goal) && agent.memory().slot(goal.operator_slot).changed_since_selected;
+    return decision;
+  }
+  return {};
+}
+
+}  // namespace soarbox::server

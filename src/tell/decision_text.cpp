@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "tell/decision_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soarbox::tell {
+namespace {
+
+using mind::Decision;
+using mind::Decisive;
+using mind::Impasse;
+using mind::Policy;
+using mind::PreferenceKind;
+using mind::Stage;
+
+constexpr std::size_t kMostReasons = 4;  ///< That one sentence names.
+
+/// "a", "a and b", "a, b and c".
+std::string Listed(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+std::string Maker(const Decision::Preference& preference) {
+  return preference.rule.empty() ? "the architecture" : "rule " + preference.rule;
+}
+
+/// Who a better or worse preference puts above and below.
+std::uint32_t Upper(const Decision::Preference& p) {
+  return p.kind == PreferenceKind::kBetter ? p.op : p.referent;
+}
+std::uint32_t Lower(const Decision::Preference& p) {
+  return p.kind == PreferenceKind::kBetter ? p.referent : p.op;
+}
+
+class Teller {
+ public:
+  Teller(const Decision& decision, std::uint32_t subject) : decision_(decision), subject_(subject) {}
+
+  std::string Who(std::uint32_t op) const { return op == subject_ ? "it" : OperatorText(decision_, op); }
+
+  /// "rule R makes it better than turn (O3)".
+  std::string Clause(const Decision::Preference& p) const {
+    const std::string by = Maker(p), who = Who(p.op);
+    switch (p.kind) {
+      case PreferenceKind::kAcceptable:
+        return by + " proposes " + who;
+      case PreferenceKind::kRequire:
+        return by + " requires " + who;
+      case PreferenceKind::kReject:
+        return by + " rejects " + who;
+      case PreferenceKind::kProhibit:
+        return by + " prohibits " + who;
+      case PreferenceKind::kBest:
+        return by + " makes " + who + " best";
+      case PreferenceKind::kWorst:
+        return by + " makes " + who + " worst";
+      case PreferenceKind::kBetter:
+      case PreferenceKind::kWorse: {
+        // From the view of the one that the sentence is about.
+        const bool from_below = Lower(p) == subject_ || (p.kind == PreferenceKind::kWorse && Upper(p) != subject_);
+        const std::uint32_t first = from_below ? Lower(p) : Upper(p), second = from_below ? Upper(p) : Lower(p);
+        return by + " makes " + Who(first) + (from_below ? " worse than " : " better than ") + Who(second);
+      }
+      case PreferenceKind::kIndifferent:
+        return by + " makes " + who + " indifferent";
+      case PreferenceKind::kNumeric:
+        return fmt::format("{} gives {} the value {:g}", by, who, p.number);
+      case PreferenceKind::kEqual:
+        return by + " makes " + who + " indifferent to " + Who(p.referent);
+    }
+    return {};
+  }
+
+  std::span<const std::uint32_t> By(const Decision::Drop& drop) const {
+    return std::span(decision_.by).subspan(drop.first, drop.count);
+  }
+  const Decision::Preference& At(std::uint32_t place) const { return decision_.preferences[place]; }
+
+  /// Of several that each suffice, the one that speaks of the subject.
+  const Decision::Preference* Telling(const Decision::Drop& drop) const {
+    const Decision::Preference* first = nullptr;
+    for (const std::uint32_t place : By(drop)) {
+      const Decision::Preference& p = At(place);
+      if (first == nullptr) first = &p;
+      const bool compares = p.kind == PreferenceKind::kBetter || p.kind == PreferenceKind::kWorse;
+      if (p.op == subject_ || (compares && p.referent == subject_)) return &p;
+      if (drop.stage == Stage::kProhibit && p.kind == PreferenceKind::kProhibit &&
+          first->kind != PreferenceKind::kProhibit)
+        first = &p;
+    }
+    return first;
+  }
+
+  /// The preference by which a candidate that was dropped itself is better than this one; null if none is.
+  const Decision::Preference* DominatedBy(const Decision::Drop& drop, std::uint32_t other) const {
+    if (drop.stage != Stage::kDominated) return nullptr;
+    for (const std::uint32_t place : By(drop))
+      if (Upper(At(place)) == other) return &At(place);
+    return nullptr;
+  }
+
+  /// "a (O3) and b (O2) are each better than the other (rules R and S), so both were dropped", if this drop and another
+  /// one are by each other, and the subject is better than neither.
+  std::string Mutual(const Decision::Drop& drop, std::uint32_t& other) const {
+    if (subject_ != Decision::kNoOperator && DominatedBy(drop, subject_) != nullptr) return {};
+    for (const Decision::Drop& second : decision_.drops) {
+      const Decision::Preference* below = DominatedBy(drop, second.op);
+      const Decision::Preference* above = DominatedBy(second, drop.op);
+      if (below == nullptr || above == nullptr || &second == &drop) continue;
+      if (subject_ != Decision::kNoOperator && DominatedBy(second, subject_) != nullptr) continue;
+      other = second.op;
+      const std::string makers = below->rule == above->rule ? Maker(*below)
+                                                            : (below->rule.empty() || above->rule.empty()
+                                                                   ? Maker(*below) + " and " + Maker(*above)
+                                                                   : "rules " + below->rule + " and " + above->rule);
+      return OperatorText(decision_, drop.op) + " and " + OperatorText(decision_, second.op) +
+             " are each better than the other (" + makers + "), so both were dropped";
+    }
+    return {};
+  }
+
+  /// Each reason once, the first few.
+  std::vector<std::string> Reasons() const {
+    std::vector<std::string> reasons;
+    std::set<std::uint32_t> told;
+    std::size_t more = 0;
+    for (const Decision::Drop& drop : decision_.drops) {
+      if (told.contains(drop.op)) continue;
+      std::uint32_t other = Decision::kNoOperator;
+      std::string reason = Mutual(drop, other);
+      if (reason.empty()) {
+        const Decision::Preference* p = Telling(drop);
+        if (p == nullptr) continue;
+        reason = Clause(*p);
+        if (drop.decisive == Decisive::kNo)
+          reason += " (without that " + OperatorText(decision_, drop.op) + " would still lose)";
+      } else {
+        told.insert(other);
+      }
+      if (std::ranges::find(reasons, reason) != reasons.end()) continue;
+      if (reasons.size() < kMostReasons) {
+        reasons.push_back(std::move(reason));
+      } else {
+        ++more;
+      }
+    }
+    if (more > 0) reasons.push_back(fmt::format("{} more {} dropped", more, more == 1 ? "was" : "were"));
+    return reasons;
+  }
+
+  /// How one of several that are left was chosen; empty if it was the only one.
+  std::string Choice() const {
+    if (decision_.left.size() < 2) return {};
+    const std::size_t count = decision_.left.size();
+    if (decision_.policy == Policy::kFirst) return fmt::format("the newest of {} indifferent operators", count);
+    if (decision_.policy == Policy::kLast) return fmt::format("the oldest of {} indifferent operators", count);
+    const auto chosen = std::ranges::find(decision_.left, decision_.selected, &Decision::Chance::op);
+    if (chosen == decision_.left.end()) return {};
+    const bool has_value = std::ranges::any_of(decision_.preferences, [&](const Decision::Preference& p) {
+      return p.kind == PreferenceKind::kNumeric && p.op == decision_.selected;
+    });
+    return fmt::format("chosen by chance, with a probability of {:.3g} %{}, among {} indifferent operators",
+                       chosen->probability * 100, has_value ? fmt::format(" (its value is {:g})", chosen->value) : "",
+                       count);
+  }
+
+ private:
+  const Decision& decision_;
+  std::uint32_t subject_;
+};
+
+const Decision::Preference* FirstOf(const Decision& decision, PreferenceKind kind, std::uint32_t op) {
+  for (const Decision::Preference& p : decision.preferences)
+    if (p.kind == kind && p.op == op) return &p;
+  return nullptr;
+}
+
+std::string Joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+}  // namespace
+
+std::string_view StageName(mind::Stage stage) {
+  switch (stage) {
+    case Stage::kForced:
+      return "forced";
+    case Stage::kRequire:
+      return "require";
+    case Stage::kProhibit:
+      return "prohibit";
+    case Stage::kReject:
+      return "reject";
+    case Stage::kDominated:
+      return "dominated";
+    case Stage::kBest:
+      return "best";
+    case Stage::kWorst:
+      return "worst";
+  }
+  return {};
+}
+
+std::string OperatorText(const mind::Decision& decision, std::uint32_t op) {
+  if (op >= decision.operators.size()) return {};
+  const mind::Decision::Operator& it = decision.operators[op];
+  return it.name.empty() ? it.id : it.name + " (" + it.id + ")";
+}
+
+std::string WhySelected(const mind::Decision& decision) {
+  if (decision.selected == Decision::kNoOperator) return {};
+  if (decision.is_forced) return "the command decide select had settled it";
+  const Teller teller(decision, decision.selected);
+  if (const Decision::Preference* require = FirstOf(decision, PreferenceKind::kRequire, decision.selected))
+    return teller.Clause(*require);
+  std::vector<std::string> parts;
+  if (std::string choice = teller.Choice(); !choice.empty()) parts.push_back(std::move(choice));
+  for (std::string& reason : teller.Reasons()) parts.push_back(std::move(reason));
+  if (!parts.empty()) return Joined(parts);
+  const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
+  return "the only operator proposed" + (proposal == nullptr ? std::string() : ", by " + Maker(*proposal));
+}
+
+std::string WhyDropped(const mind::Decision& decision, std::uint32_t op) {
+  const Decision::Drop* drop = decision.DropOf(op);
+  if (drop == nullptr) return {};
+  if (drop->stage == Stage::kForced) return "the command decide select had settled another one";
+  const Teller teller(decision, op);
+  std::vector<std::string> parts;
+  for (const std::uint32_t place : teller.By(*drop)) {
+    std::string clause = teller.Clause(teller.At(place));
+    if (std::ranges::find(parts, clause) == parts.end() && parts.size() < kMostReasons)
+      parts.push_back(std::move(clause));
+  }
+  std::string text = Listed(parts);
+  if (drop->decisive == Decisive::kNo)
+    text += parts.size() > 1 ? "; without these it would still lose" : "; without that it would still lose";
+  return text;
+}
+
+std::string WhyNothing(const mind::Decision& decision) {
+  if (decision.selected != Decision::kNoOperator) return {};
+  const Teller teller(decision, Decision::kNoOperator);
+  std::vector<std::string> left;
+  for (auto at = decision.left.rbegin(); at != decision.left.rend(); ++at)  // The oldest proposal first.
+    left.push_back(OperatorText(decision, at->op));
+  switch (decision.impasse) {
+    case Impasse::kTie: {
+      std::vector<std::string> parts = {"no preference decides among " + Listed(left)};
+      for (std::string& reason : teller.Reasons()) parts.push_back(std::move(reason));
+      return Joined(parts);
+    }
+    case Impasse::kConflict: {
+      std::vector<std::string> parts = {"each of " + Listed(left) + " is worse than another one"};
+      for (const Decision::Drop& drop : decision.drops) {
+        if (drop.stage != Stage::kDominated || parts.size() > kMostReasons) continue;
+        std::string clause = teller.Clause(*teller.Telling(drop));
+        if (std::ranges::find(parts, clause) == parts.end()) parts.push_back(std::move(clause));
+      }
+      return Joined(parts);
+    }
+    case Impasse::kConstraintFailure: {
+      std::vector<std::string> parts;
+      for (const Decision::Preference& p : decision.preferences) {
+        const bool is_required = FirstOf(decision, PreferenceKind::kRequire, p.op) != nullptr;
+        if (p.kind != PreferenceKind::kRequire && !(p.kind == PreferenceKind::kProhibit && is_required)) continue;
+        if (parts.size() < kMostReasons) parts.push_back(teller.Clause(p));
+      }
+      return Joined(parts);
+    }
+    case Impasse::kNone:
+      break;
+  }
+  if (!decision.left.empty() || decision.drops.empty()) return {};
+  return (decision.drops.size() == 1 ? "the only operator proposed was dropped: "
+                                     : "every operator proposed was dropped: ") +
+         Joined(teller.Reasons());
+}
+
+std::string WhyDecided(const mind::Decision& decision) {
+  if (decision.selected == Decision::kNoOperator) return WhyNothing(decision);
+  std::string text = WhySelected(decision);
+  const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
+  if (proposal != nullptr && !text.starts_with("the only operator proposed"))
+    text += "; proposed by " + Maker(*proposal);
+  return text;
+}
+
+}  // namespace soarbox::tell
