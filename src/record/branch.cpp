@@ -65,14 +65,14 @@ Result<void> Branch::Check() {
   if (!recorded) return recorded.error();
   TickRecord now;
   Observe(*simulation_, std::move(events), level_, now);
-  const std::optional<Difference> difference = FirstDifference(**recorded, now);
+  const std::optional<Difference> difference = FirstDifference(**recorded, now, past_.header().own_kernel);
   if (!difference) return {};
   Diagnostic problem;
   problem.file = past_.name();
   problem.message = fmt::format("simulated again, the run has another state at tick {}: {}{} was {} and is {}", tick_,
                                 difference->agent.empty() ? "" : difference->agent + "'s ", difference->element,
                                 difference->recorded, difference->now);
-  problem.hint = warnings_.empty() ? "`soarbox verify` tells the first tick that differs" : warnings_.front().message;
+  problem.hint = warnings_.empty() ? "`soarbox verify` reports the first tick that differs" : warnings_.front().message;
   return problem;
 }
 

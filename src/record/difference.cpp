@@ -81,10 +81,11 @@ std::string Joined(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::optional<Difference> FirstDifference(const TickRecord& recorded, const TickRecord& now) {
+std::optional<Difference> FirstDifference(const TickRecord& recorded, const TickRecord& now, bool with_minds) {
   if (recorded.inputs != now.inputs)
     return Difference{recorded.tick, "", "inputs", Text(recorded.inputs), Text(now.inputs)};
-  if (std::optional<Difference> minds = DifferenceOfMinds(recorded, now)) return minds;
+  if (with_minds)
+    if (std::optional<Difference> minds = DifferenceOfMinds(recorded, now)) return minds;
   if (std::optional<Difference> bodies = DifferenceOfBodies(recorded, now)) return bodies;
   if (recorded.state_hash != now.state_hash) {
     return Difference{recorded.tick, "", "the state's hash", fmt::format("{:016x}", recorded.state_hash),

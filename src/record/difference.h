@@ -19,8 +19,8 @@ struct Difference {
 };
 
 /// The first thing in which two records of one tick differ, minds before bodies; none if they are equal in all that
-/// both hold.
-std::optional<Difference> FirstDifference(const TickRecord& recorded, const TickRecord& now);
+/// both hold. Without `with_minds` only what there is to see of them counts.
+std::optional<Difference> FirstDifference(const TickRecord& recorded, const TickRecord& now, bool with_minds = true);
 /// The first mind, in A's order, that decided or said something else in A than in B.
 std::optional<Difference> DecisionThatDiffers(const TickRecord& a, const TickRecord& b);
 

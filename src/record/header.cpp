@@ -67,6 +67,7 @@ Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& se
   header.step_s = step_s;
   header.level = level;
   header.own_kernel = settings.soar.remote_host.empty();
+  header.memory_mb = settings.limits.memory_bytes >> 20;
   return header;
 }
 
@@ -91,6 +92,7 @@ std::string EncodeHeader(const Header& header) {
     out.Text(file.name);
     out.Text(file.content);
   }
+  out.Number(header.memory_mb);
   return bytes;
 }
 
@@ -120,6 +122,7 @@ Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
       file.content = in.Text();
     }
   }
+  if (version >= 4) header.memory_mb = in.Number();
   const bool sensible = width > 0 && width <= 65535 && height > 0 && height <= 65535 && header.step_s > 0 &&
                         header.step_s <= 10 && level < kLevels.size();
   if (in.failed() || !sensible) {

@@ -32,6 +32,7 @@ struct Header {
   std::vector<KeptFile> files;    ///< What it was made from, as it was then; empty if that was not kept.
   std::string branched_from;      ///< The recording of the run that this one went back in and left; empty: of none.
   std::uint64_t branch_tick = 0;  ///< The last tick that both have.
+  std::uint64_t memory_mb = sim::SimulationSettings{}.limits.memory_bytes >> 20;  ///< That the world might take.
 };
 
 /// The header for a run of this scenario, made with these settings from the present folder. `scenario` and

@@ -26,8 +26,9 @@ constexpr std::size_t kMostFiles = 2000;
 constexpr std::size_t kMostLookedAt = 20'000;  // The folder may be somebody's home.
 constexpr int kDeepest = 8;
 
-/// The scripts, rules and scenario files below a folder, in order of their names.
-std::vector<fs::path> FilesBelow(const fs::path& folder) {
+/// The scripts, rules and scenario files below a folder, in order of their names. Links that lead out of all folders of
+/// the run are not followed: a recording goes to others.
+std::vector<fs::path> FilesBelow(const fs::path& folder, const std::vector<fs::path>& all_folders) {
   constexpr std::array<std::string_view, 3> kEndings = {".lua", ".soar", ".toml"};
   std::vector<fs::path> files;
   std::error_code error;
@@ -35,9 +36,9 @@ std::vector<fs::path> FilesBelow(const fs::path& folder) {
   for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
        !error && it != end && ++looked_at <= kMostLookedAt; it.increment(error)) {
     if (it.depth() >= kDeepest) it.disable_recursion_pending();
-    std::error_code ignored;
     const std::string ending = it->path().extension().string();
-    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() && it->is_regular_file(ignored))
+    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() &&
+        IsPlainFileBelow(it->path(), all_folders))
       files.push_back(it->path());
   }
   std::sort(files.begin(), files.end());
@@ -128,9 +129,12 @@ ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
   ScenarioFiles all;
   world::StateHash hash;
   std::size_t bytes = 0;
+  std::vector<fs::path> all_folders = scenario.script_folders;
+  for (const auto* more : {&scenario.rule_folders, &scenario.fallback_rule_folders})
+    all_folders.insert(all_folders.end(), more->begin(), more->end());
   for (std::uint32_t folder = 0; folder < scenario.rule_folders.size(); ++folder) {
     const fs::path& root = scenario.rule_folders[folder];
-    for (const fs::path& file : FilesBelow(root)) {
+    for (const fs::path& file : FilesBelow(root, all_folders)) {
       KeptFile kept{folder, file.lexically_relative(root).generic_string(), ReadText(file).value_or("")};
       AddTo(hash, folder, kept.name, kept.content);
       bytes += kept.content.size();

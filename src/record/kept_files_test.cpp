@@ -74,6 +74,19 @@ class KeptFilesTest : public testing::Test, protected NotedRun {
   ScratchFolder scratch_;
 };
 
+TEST_F(KeptFilesTest, WhatLinksLeadOutToIsNotKept) {
+  const ScratchFolder outside;
+  Put(outside.path() / "secret.soar", "somebody's secret");
+  fs::create_symlink(outside.path() / "secret.soar", folder() / "link.soar");
+  fs::create_directory_symlink(outside.path(), folder() / "linked");
+  fs::create_symlink("/dev/zero", folder() / "zero.lua");
+  fs::create_symlink(folder() / "more" / "walk.soar", folder() / "same.soar");
+  const ScenarioFiles files = ReadScenarioFiles(scenario);
+  EXPECT_EQ(files.files, (std::vector<KeptFile>{{0, "more/walk.soar", Rules("amble")},
+                                                {0, "same.soar", Rules("amble")},
+                                                {0, "scout.soar", "source more/walk.soar\n"}}));
+}
+
 TEST_F(KeptFilesTest, ScriptsRulesAndScenarioFilesAreKeptAndNothingElse) {
   const ScenarioFiles files = ReadScenarioFiles(scenario);
   EXPECT_EQ(files.files, (std::vector<KeptFile>{{0, "more/walk.soar", Rules("amble")},

@@ -84,7 +84,7 @@ Result<void> Reader::ReadFrames() {
     }
     switch (block.frame.kind) {
       case BlockKind::kHeader: {
-        if (has_header) return Damaged(block.payload_at, "a second header stands in the recording");
+        if (has_header) return Damaged(block.payload_at, "the recording has a second header");
         const Result<std::string> payload = ReadPayload(block);
         if (!payload) return payload.error();
         Result<Header> header = DecodeHeader(*payload, block.frame.version);

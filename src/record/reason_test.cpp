@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // What a recording tells of why operators were selected, with minds that run.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -13,6 +14,8 @@
 
 namespace soarbox::record {
 namespace {
+
+using testing::MatchesRegex;
 
 /// What an agent with these rules decides first, after a command, if there is one.
 MindRecord FirstDecisions(const std::string& rules, const std::string& command) {
@@ -40,10 +43,36 @@ constexpr const char* kEither = R"(sp {scout*either
    (<other> ^name other)
 })";
 
+/// a is better than b, b is better than a, and nothing speaks of c.
+constexpr const char* kCircle = R"(sp {scout*propose
+   (state <s> ^superstate nil ^io.input-link.self)
+-->
+   (<s> ^operator <a> + ^operator <b> + ^operator <c> +)
+   (<a> ^name a)
+   (<b> ^name b)
+   (<c> ^name c)
+}
+sp {scout*ab
+   (state <s> ^operator <a> + ^operator <b> +)
+   (<a> ^name a)
+   (<b> ^name b)
+-->
+   (<s> ^operator <a> > <b>)
+}
+sp {scout*ba
+   (state <s> ^operator <a> + ^operator <b> +)
+   (<a> ^name a)
+   (<b> ^name b)
+-->
+   (<s> ^operator <b> > <a>)
+})";
+
 TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
   const MindRecord free = FirstDecisions(kEither, "");
   ASSERT_FALSE(free.decisions.empty());
-  EXPECT_EQ(free.reasons[0], "at random, one of 2 indifferent ones; proposed by scout*either");
+  EXPECT_EQ(
+      free.reasons[0],
+      "chosen by chance, with a probability of 50 %, among 2 indifferent operators; proposed by rule scout*either");
   // The other one has the number before or behind; there is no operator with the third.
   int number = 0;
   ASSERT_EQ(std::sscanf(free.decisions[0].c_str(), "O: O%d", &number), 1) << free.decisions[0];
@@ -58,9 +87,34 @@ TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
     }
     ++forced;
     EXPECT_EQ(decided.decisions[0].find("O: " + id + " "), 0u) << decided.decisions[0];
-    EXPECT_EQ(decided.reasons[0], "forced by select (or foretold by predict); proposed by scout*either");
+    EXPECT_EQ(decided.reasons[0], "the command decide select had settled it; proposed by rule scout*either");
   }
   EXPECT_EQ(forced, 1);
+}
+
+TEST(Reasons, TwoThatAreEachBetterThanTheOtherLeaveTheThird) {
+  const MindRecord record = FirstDecisions(kCircle, "");
+  ASSERT_FALSE(record.decisions.empty());
+  EXPECT_EQ(record.decisions[0].substr(record.decisions[0].find('(')), "(c)");
+  EXPECT_THAT(record.reasons[0],
+              MatchesRegex("b \\([A-Z][0-9]+\\) and a \\([A-Z][0-9]+\\) are each better than the other "
+                           "\\(rules scout\\*(ab and scout\\*ba|ba and scout\\*ab)\\), so both were "
+                           "dropped; proposed by rule scout\\*propose"));
+}
+
+TEST(Reasons, AnImpasseSaysBetweenWhat) {
+  const MindRecord record = FirstDecisions(R"(sp {scout*either
+   (state <s> ^superstate nil ^io.input-link.self)
+-->
+   (<s> ^operator <one> + ^operator <other> +)
+   (<one> ^name one)
+   (<other> ^name other)
+})",
+                                           "");
+  ASSERT_FALSE(record.decisions.empty());
+  EXPECT_THAT(record.decisions[0], testing::HasSubstr("(operator tie)"));
+  EXPECT_THAT(record.reasons[0], MatchesRegex("no preference decides among (one|other) \\([A-Z][0-9]+\\) and "
+                                              "(one|other) \\([A-Z][0-9]+\\)"));
 }
 
 TEST(Reasons, AMindThatWaitsSaysSoOnce) {

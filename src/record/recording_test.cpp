@@ -182,18 +182,20 @@ TEST_F(RecordingTest, WhatIsNoRecordingIsRefusedByName) {
   EXPECT_FALSE(Writer::Create(folder() / "no" / "such" / "folder", SomeHeader()));
 }
 
-/// The header of SomeHeader as version 2 of the format had it: without what a run was made from and branched from.
-std::string HeaderOfVersion2() {
+/// The header of SomeHeader as earlier versions of the format had it: the second without what a run was made from and
+/// branched from, neither with the memory that its world might take.
+std::string HeaderOfVersion(int version) {
   Header header = SomeHeader();
   header.files.clear();
   header.branched_from.clear();
   header.branch_tick = 0;
+  header.memory_mb = 0;
   std::string bytes = EncodeHeader(header);
-  bytes.resize(bytes.size() - 3);  // Each an empty text or a zero.
+  bytes.resize(bytes.size() - (version == 2 ? 4 : 1));  // Each an empty text or a zero.
   return bytes;
 }
 
-TEST_F(RecordingTest, TheVersionBeforeIsStillReadAndOthersAreRefused) {
+TEST_F(RecordingTest, TheVersionsBeforeAreStillReadAndOthersAreRefused) {
   BlockFrame frame;
   frame.kind = BlockKind::kHeader;
   const auto put = [&](std::uint16_t version, const std::string& header) {
@@ -201,18 +203,24 @@ TEST_F(RecordingTest, TheVersionBeforeIsStillReadAndOthersAreRefused) {
     PutBytes(file(), std::string(kMagic) + EncodeBlock(frame, header));
     return Reader::Open(file());
   };
-  const Result<std::unique_ptr<Reader>> older = put(2, HeaderOfVersion2());
-  // It holds no ticks, and says so; but it is understood.
-  EXPECT_NE(older.error().message.find("no tick"), std::string::npos) << older.error().message;
-  for (const std::uint16_t version : {1, 4, 65535}) {
-    const Result<std::unique_ptr<Reader>> refused = put(version, EncodeHeader(SomeHeader()));
+  for (const std::uint16_t version : {2, 3}) {
+    const Result<std::unique_ptr<Reader>> older = put(version, HeaderOfVersion(version));
+    // It holds no ticks, and says so; but it is understood.
+    EXPECT_NE(older.error().message.find("no tick"), std::string::npos) << older.error().message;
+    const Result<Header> header = DecodeHeader(HeaderOfVersion(version), version);
+    ASSERT_TRUE(header);
+    EXPECT_EQ(header->seed, SomeHeader().seed);
+    EXPECT_EQ(header->memory_mb, Header().memory_mb);
+  }
+  for (const int version : {1, kVersion + 1, 65535}) {
+    const Result<std::unique_ptr<Reader>> refused =
+        put(static_cast<std::uint16_t>(version), EncodeHeader(SomeHeader()));
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("format " + std::to_string(version)), std::string::npos);
   }
-  const Result<Header> header = DecodeHeader(HeaderOfVersion2(), 2);
+  const Result<Header> header = DecodeHeader(HeaderOfVersion(2), 2);
   ASSERT_TRUE(header);
   EXPECT_TRUE(header->files.empty());
-  EXPECT_EQ(header->seed, SomeHeader().seed);
 }
 
 TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {

@@ -68,6 +68,9 @@ Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const R
   settings.screen_width_px = static_cast<int>(header.screen_width_px);
   settings.screen_height_px = static_cast<int>(header.screen_height_px);
   settings.soar.threads = rerun.threads;
+  // A recording is a stranger's: it may ask for more than is usual, but not for all that there is.
+  constexpr std::uint64_t kMostMemory_mb = 16'384;
+  settings.limits.memory_bytes = static_cast<std::size_t>(std::min(header.memory_mb, kMostMemory_mb)) << 20;
   Result<Rerun> made = Restart(recording, *scenario, settings, rerun);
   if (made) made->warnings.insert(made->warnings.begin(), warnings.begin(), warnings.end());
   return made;
@@ -94,9 +97,9 @@ Result<Rerun> Restart(Timeline& recording, const sim::Scenario& given_scenario, 
         Warning(recording, "files of the scenario have changed since this was recorded", std::move(hint)));
   }
   if (!header.own_kernel) {
-    rerun.warnings.push_back(Warning(recording,
-                                     "the minds of this recording lived in a kernel that was not Soarbox's own",
-                                     "Soarbox's own kernel takes its place now"));
+    rerun.warnings.push_back(Warning(recording, "the minds of this recording ran in a kernel in another process",
+                                     "they run in this one now; their thoughts are not compared, because the other "
+                                     "kernel reported less"));
   }
   sim::SimulationSettings settings = given;
   settings.soar.seed = settings.seed;
@@ -115,7 +118,10 @@ Result<Rerun> Restart(Timeline& recording, const sim::Scenario& given_scenario, 
     for (const std::string& line : entry.inputs) text += line + "\n";
     sim::InputText read = sim::ReadInputs(text, recording.name());
     if (!read.problems.empty()) return read.problems.front();
-    for (sim::Input& input : read.inputs) rerun.simulation->Submit(std::move(input));
+    for (sim::Input& input : read.inputs) {
+      input.recorded = true;
+      rerun.simulation->Submit(std::move(input));
+    }
   }
   return rerun;
 }
@@ -138,7 +144,7 @@ Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const 
           return false;
         }
         verdict.last_tick = now.tick;
-        verdict.difference = FirstDifference(**recorded, now);
+        verdict.difference = FirstDifference(**recorded, now, recording.header().own_kernel);
         return !verdict.difference.has_value();
       });
   if (damage) return *damage;

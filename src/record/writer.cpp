@@ -49,7 +49,7 @@ Result<std::unique_ptr<Writer>> Writer::Create(const fs::path& path, const Heade
 
 Result<void> Writer::Failed(const char* doing) {
   failure_ = Problem(path_, std::string("the recording ends here: ") + doing + ": " + std::strerror(errno),
-                     "what was recorded until now can be used; free some room on the disk and record anew");
+                     "what was recorded until now can be used; free some disk space and record again");
   failure_->severity = Severity::kWarning;
   return *failure_;
 }

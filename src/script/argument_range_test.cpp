@@ -194,10 +194,10 @@ TEST_F(ArgumentRangeTest, APlaceIsToldOnceWhateverItsValues) {
 }
 
 TEST_F(ArgumentRangeTest, VectorsTellOfWhatTheyCannotReckonWith) {
-  EXPECT_EQ(Told("v = Vector.new(1) + nil"), "a vector + nil gives nil: on the right stands a vector or a number|");
-  EXPECT_EQ(Told("v = Vector.new(1) * 'a'"), "a vector * string gives nil: on the right stands a vector or a number|");
-  EXPECT_EQ(Told("v = {} - Vector.new(1)"), "table - a vector gives nil: on the right stands a vector or a number|");
-  EXPECT_EQ(Told("v = 2 / Vector.new(1)"), "a number / a vector gives nil: the vector stands on the left|");
+  EXPECT_EQ(Told("v = Vector.new(1) + nil"), "a vector + nil gives nil: put a vector or a number on the right|");
+  EXPECT_EQ(Told("v = Vector.new(1) * 'a'"), "a vector * string gives nil: put a vector or a number on the right|");
+  EXPECT_EQ(Told("v = {} - Vector.new(1)"), "table - a vector gives nil: put a vector or a number on the right|");
+  EXPECT_EQ(Told("v = 2 / Vector.new(1)"), "a number / a vector gives nil: put the vector on the left|");
   EXPECT_EQ(Told("v = Vector.new(1, 2)"),
             "Vector.new takes nothing, a vector, a number or three numbers: this gives nil|");
   EXPECT_EQ(Told("v = Vector.Length(agent)"), "argument 1 is not a vector but AgentType: the call is ignored|");

@@ -149,13 +149,13 @@ constexpr PlainCall kPlainCalls[] = {
 /// Says why an operation on vectors gives nil.
 void WarnOfOperands(lua_State* state, const char* operation) {
   if (!ToVector(state, 1) && lua_type(state, 1) == LUA_TNUMBER) {
-    WarnAtCaller(state, std::string("a number ") + operation + " a vector gives nil: the vector stands on the left");
+    WarnAtCaller(state, std::string("a number ") + operation + " a vector gives nil: put the vector on the left");
     return;
   }
   const int wrong = ToVector(state, 1) ? 2 : 1;
   std::string text = "a vector " + std::string(operation) + " " + NameOfValue(state, wrong);
   if (wrong == 1) text = NameOfValue(state, 1) + (" " + std::string(operation)) + " a vector";
-  WarnAtCaller(state, text + " gives nil: on the right stands a vector or a number");
+  WarnAtCaller(state, text + " gives nil: put a vector or a number on the right");
 }
 
 /// v op w and v op s, component by component; nil if the left side is no vector or the right side is neither.

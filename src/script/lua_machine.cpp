@@ -129,8 +129,10 @@ ScriptError LuaMachine::TakeError(int status) {
     error->diagnostic.file = path().PathOf(script());
     error->diagnostic.message =
         memory_.world_refused()
-            ? "the scripts of this world together have too little memory left for this one: their limit is " +
-                  std::to_string(setup_.world->limits().memory_bytes >> 20) + " MB"
+            ? "this world has too little memory left for this script: of " +
+                  std::to_string(setup_.world->limits().memory_bytes >> 20) + " MB, scripts have taken " +
+                  std::to_string(setup_.world->used_bytes() >> 20) + " MB, and minds and bodies " +
+                  std::to_string(setup_.world->other_bytes() >> 20) + " MB; --memory gives it more"
             : "the script needs more than its limit of " + std::to_string(memory_.limit_bytes() >> 10) +
                   " KB of memory";
     // What the script held is garbage now; without this the next call would fail at once.
@@ -175,9 +177,9 @@ void LuaMachine::RaiseOutOfBudget(lua_State* state) {
   if (world_bound_) {
     lua_pushfstring(
         state,
-        "the script was given up after %d thousand instructions: one call may use a tenth of what all scripts "
-        "of this world have left in this step",
-        static_cast<int>(armed_ / 1000));
+        "the script was given up after %d instructions: one call may use a tenth of what all scripts of this world "
+        "have left in this step",
+        static_cast<int>(armed_));
     lua_error(state);
   }
   lua_pushfstring(state, "the script ran for more than %d thousand instructions in one call: is there an endless loop?",

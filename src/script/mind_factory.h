@@ -36,6 +36,8 @@ class MindFactory {
   /// Called when the agent has its body and its target and Agent_Initialize has run. On failure the agent stays in the
   /// world, marked as failed, and the diagnostic is reported; the script goes on.
   virtual Result<void> MakeMind(world::EntityId agent, const AgentCreationRequest& request) = 0;
+  /// What all minds take of the world's memory, as last measured.
+  virtual std::size_t MemoryBytes() const { return 0; }
 };
 
 }  // namespace soarbox::script

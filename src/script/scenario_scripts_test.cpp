@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/host_fixture.h"
 
-// Whole scenarios: the thesis' world in the dialect of its scripts with minds that always say the same, and agents in
-// the manner of the book's chapters 1 and 2, over our Lua library.
+// Whole scenarios: the thesis' world in the dialect of its scripts with minds that always say the same, and agents of
+// scripts alone, over our Lua library.
 
 namespace soarbox::script {
 namespace {
@@ -106,43 +106,25 @@ TEST_F(HostTest, AShowroomOfAllPiecesComesToRestOnTheGround) {
   EXPECT_EQ(Errors(), "");
 }
 
-TEST_F(HostTest, SeekersPursuersFollowersAndPathWalkersMoveAsTheBookHasThem) {
+TEST_F(HostTest, OnTheCommonNobodyCreepsAndNobodySpins) {
   settings_.script_folders.insert(settings_.script_folders.begin(),
                                   std::filesystem::path(SOARBOX_SOURCE_DIR) / "scenarios" / "movement");
   Start();
-  ASSERT_EQ(world_->AgentIds().size(), 27u);
-  EXPECT_EQ(world_->FindAgent(EntityId{20})->PathPoints().size(), 6u);
-  Ticks(60);
-  for (const EntityId id : world_->AgentIds()) EXPECT_NEAR(world_->FindAgent(id)->Position().y, 0.8f, 0.02f);
-
-  // The seeker reaches its first target between the seventh and the ninth second.
-  world::Agent* seeker = world_->FindAgent(EntityId{2});
-  int ticks = 60;
-  while (seeker->Target() == Vec3{50, 0, 0} && ticks < 400) {
+  ASSERT_EQ(world_->AgentIds().size(), 20u);
+  const EntityId courier = world_->AgentIds()[0], dog = world_->AgentIds()[1];
+  EXPECT_EQ(world_->FindAgent(world_->AgentIds()[19])->PathPoints().size(), 17u) << "a lap is closed";
+  float nearest = 1000, fastest = 0, run = 0;
+  Vec3 before = world_->FindAgent(courier)->Position();
+  for (int tick = 0; tick < 1200; ++tick) {
     Tick();
-    ++ticks;
-  }
-  EXPECT_NEAR(static_cast<float>(ticks) / 30.0f, 7.85f, 0.8f);
-  EXPECT_LE(std::abs(seeker->Target().x), 50.0f);
-
-  float nearest = 1000, fastest = 0;
-  while (ticks < 1200) {
-    Tick();
-    ++ticks;
-    nearest = std::min(nearest, Distance(seeker->Position(), world_->FindAgent(EntityId{3})->Position()));
+    const Vec3 here = world_->FindAgent(courier)->Position();
+    run += Distance(here, std::exchange(before, here));
+    nearest = std::min(nearest, Distance(here, world_->FindAgent(dog)->Position()));
     for (const EntityId id : world_->AgentIds()) fastest = std::max(fastest, world_->FindAgent(id)->Speed());
   }
-  EXPECT_LT(nearest, 1.0f);
+  EXPECT_LT(nearest, 1.5f) << "the dog catches the courier";
+  EXPECT_GT(run, 140) << "which runs on all the same";
   EXPECT_LT(fastest, 8.5f);
-  float distance = 0;
-  for (std::uint32_t id = 4; id <= 8; ++id)
-    distance += Distance(seeker->Position(), world_->FindAgent(EntityId{id})->Position()) / 5;
-  EXPECT_LT(distance, 9.0f);
-  for (std::uint32_t id = 9; id <= 28; ++id) {
-    const world::Agent* walker = world_->FindAgent(EntityId{id});
-    const Vec3 on_path = *walker->NearestPointOnPath(walker->Position());
-    EXPECT_LT(Distance(on_path, walker->Position()), 3.0f) << id;
-  }
   EXPECT_EQ(Errors(), "");
 }
 

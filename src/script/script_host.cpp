@@ -124,6 +124,7 @@ bool ScriptHost::Initialize() {
 
 void ScriptHost::BeginTick(std::span<const EntityId> removed_objects) {
   budget_.BeginTick();
+  CountOthers();
   for (const EntityId id : removed_objects) {
     context_.events.RemoveTarget(Number(id));
     context_.collisions.RemoveObject(id);
@@ -241,6 +242,11 @@ void ScriptHost::CallSandbox(const char* function, bool with_time) {
   NoteResult(EntityId::kSandbox, function, error);
 }
 
+void ScriptHost::CountOthers() {
+  const std::size_t bodies = world_.AgentIds().size() * kAgentBodyBytes + world_.ObjectIds().size() * kObjectBodyBytes;
+  budget_.SetOthers(bodies + (minds_ == nullptr ? 0 : minds_->MemoryBytes()));
+}
+
 Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
   Diagnostic refusal;
   const bool has_script = !request.script.empty();
@@ -249,6 +255,15 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
   }
   if (agents_.size() >= settings_.max_agents) {
     refusal.message = "there are " + std::to_string(agents_.size()) + " agents already: no more are made";
+    return refusal;
+  }
+  CountOthers();
+  if (budget_.memory_left() == 0) {
+    refusal.message = "this world has no memory left for another agent: of " +
+                      std::to_string(budget_.limits().memory_bytes >> 20) + " MB, scripts have taken " +
+                      std::to_string(budget_.used_bytes() >> 20) + " MB, and minds and bodies " +
+                      std::to_string(budget_.other_bytes() >> 20) + " MB";
+    refusal.hint = "--memory gives it more";
     return refusal;
   }
   if (creation_depth_ >= kMaxCreationDepth) {

@@ -86,6 +86,9 @@ class ScriptHost final : private AgentMaker {
   /// Tells it what was not told because it came again and again, at the end of a run.
   void TellCounts() { reporter_.TellCounts(); }
 
+  /// What all machines take of the world's memory.
+  std::size_t memory_bytes() const { return budget_.used_bytes(); }
+
   /// How a script ended all scripts (os.exit): none is called any more. Nothing if none did.
   const std::optional<ScriptsEnd>& End() const { return budget_.end(); }
 
@@ -101,6 +104,8 @@ class ScriptHost final : private AgentMaker {
   struct AgentScript;
 
   Result<world::EntityId> MakeAgent(const AgentCreationRequest& request) override;
+  /// Counts what minds and bodies take now.
+  void CountOthers();
   void InitializeAgent(AgentScript& script);
   AgentScript* Find(world::EntityId agent);
   const AgentScript* Find(world::EntityId agent) const;

@@ -33,7 +33,8 @@ void ScriptReporter::Warn(const Diagnostic& warning, std::string_view subject) {
   if (seen_.size() < kMostWarnings) return;
   Diagnostic last;
   last.severity = Severity::kWarning;
-  last.message = "there were " + std::to_string(kMostWarnings) + " different warnings of scripts: no more are told";
+  last.message =
+      "there were " + std::to_string(kMostWarnings) + " different warnings from scripts: further ones are not reported";
   listener_.OnScriptWarning(last);
 }
 

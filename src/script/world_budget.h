@@ -10,13 +10,15 @@
 
 namespace soarbox::script {
 
+/// About what a body takes in physics, the scene and the senses of others.
+inline constexpr std::size_t kAgentBodyBytes = std::size_t{24} << 10, kObjectBodyBytes = std::size_t{8} << 10;
+
 /// What all scripts, and all minds, of a world may use together. All of it is counted, none of it timed, so that a
 /// limit is reached at the same place in every run.
 struct WorldLimits {
-  std::uint64_t setup_instructions = 2'000'000'000;      ///< Until the first tick.
-  std::uint64_t tick_instructions = 100'000'000;         ///< In each tick.
-  std::size_t memory_bytes = std::size_t{3} << 30;       ///< Of all machines.
-  std::size_t mind_memory_bytes = std::size_t{4} << 30;  ///< Of all Soar minds.
+  std::uint64_t setup_instructions = 2'000'000'000;  ///< Until the first tick.
+  std::uint64_t tick_instructions = 100'000'000;     ///< In each tick.
+  std::size_t memory_bytes = std::size_t{2} << 30;   ///< Of all machines, Soar minds and bodies.
   std::size_t objects = 5'000;
   std::size_t nodes = 100'000;  ///< Of the scene, those of agents and objects included.
   std::size_t lights = 256;
@@ -63,13 +65,22 @@ class WorldBudget {
 
   /// Takes memory for a machine that has `has_bytes`; false: refused.
   bool TakeMemory(std::size_t bytes, std::size_t has_bytes) {
-    const std::size_t left = limits_.memory_bytes - used_bytes_;
+    const std::size_t left = memory_left();
     if (bytes > left || (has_bytes >= kSmallMachine && has_bytes + bytes > left / 8)) return false;
     used_bytes_ += bytes;
     return true;
   }
   void GiveMemoryBack(std::size_t bytes) { used_bytes_ -= bytes; }
   std::size_t used_bytes() const { return used_bytes_; }
+
+  /// What minds and bodies take of the world's memory now.
+  void SetOthers(std::size_t bytes) { other_bytes_ = bytes; }
+  std::size_t other_bytes() const { return other_bytes_; }
+  /// An eighth is not for scripts: minds that think go on when scripts have taken all that they may.
+  std::size_t memory_left() const {
+    const std::size_t most = limits_.memory_bytes - limits_.memory_bytes / 8;
+    return most - std::min(most, used_bytes_ + other_bytes_);
+  }
 
   /// Takes room for a printed text; false: there is none, and the text is left out.
   bool TakePrint(std::size_t bytes) {
@@ -85,7 +96,7 @@ class WorldBudget {
   WorldLimits limits_;
   std::uint64_t instructions_left_;
   std::size_t print_left_;
-  std::size_t used_bytes_ = 0;
+  std::size_t used_bytes_ = 0, other_bytes_ = 0;
   std::optional<ScriptsEnd> end_;
 };
 

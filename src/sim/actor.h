@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,22 @@ struct Happening {
   std::string by;
   float bearing_deg = 0;
   float damage = 0;
+};
+
+/// A thing that an actor carries.
+struct CarriedThing {
+  std::string name;
+  Item item;  ///< Its object is gone from the world.
+};
+
+/// A thing that an actor has seen, as it was when it was last in view.
+struct SeenThing {
+  std::string name, kind;
+  world::Vec3 position;
+  float radius_m = 0;
+  bool moves = false;
+  bool visible = false;
+  std::uint64_t seen_tick = 0;
 };
 
 /// How a command went, for the mind that said it.
@@ -118,8 +135,8 @@ class Actor {
   const std::optional<world::Weapon>& weapon() const { return weapon_; }
   world::EntityId target() const { return target_; }
   void SetTarget(world::EntityId target) { target_ = target; }
-  std::vector<std::string>& carried() { return carried_; }
-  const std::vector<std::string>& carried() const { return carried_; }
+  std::vector<CarriedThing>& carried() { return carried_; }
+  const std::vector<CarriedThing>& carried() const { return carried_; }
   /// Where it supposes an agent to be: friends and agents in view as they are, others as last noticed. Nothing, with a
   /// reason, for agents that it never noticed or has forgotten.
   struct Sighting {
@@ -140,6 +157,9 @@ class Actor {
   // Knowledge; the senses keep it.
   Contacts& contacts() { return contacts_; }
   const Contacts& contacts() const { return contacts_; }
+  /// Things in view, or remembered: by their number in the world.
+  std::map<world::EntityId, SeenThing>& things() { return things_; }
+  const std::map<world::EntityId, SeenThing>& things() const { return things_; }
   std::deque<Happening>& happenings() { return happenings_; }
   const std::deque<Happening>& happenings() const { return happenings_; }
   void Notice(Happening happening);
@@ -184,7 +204,8 @@ class Actor {
   float walk_mps_;
   std::string stance_ = "standing";
   world::EntityId target_ = world::kNoEntity;
-  std::vector<std::string> carried_;
+  std::vector<CarriedThing> carried_;
+  std::map<world::EntityId, SeenThing> things_;
   bool is_scripted_;  ///< A script moves the body; this one only perceives.
   bool dead_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/vocabulary.h"
 
@@ -101,8 +102,11 @@ Result<bool> SetBodyProperty(BodyKind& body, const std::string& name, const Valu
   }
   if (name == "looks") {
     const std::string* text = std::get_if<std::string>(&value);
-    if (text == nullptr || (*text != "person" && *text != "capsule"))
-      return WrongType(name, "\"person\" or \"capsule\"");
+    if (text == nullptr || std::find(std::begin(kLooks), std::end(kLooks), *text) == std::end(kLooks)) {
+      std::string known;
+      for (const std::string_view looks : kLooks) known += (known.empty() ? "\"" : ", \"") + std::string(looks) + "\"";
+      return WrongType(name, "one of " + known);
+    }
     body.looks = *text;
     return true;
   }

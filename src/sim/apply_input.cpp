@@ -21,6 +21,7 @@ script::InputEvent MouseEvent(float x_px, float y_px) {
 
 struct Applier {
   const InputTargets& to;
+  bool recorded;
 
   void Warn(std::string message, std::string hint = {}) const {
     Diagnostic warning;
@@ -68,7 +69,7 @@ struct Applier {
 
   void operator()(const CameraInput& in) const { to.world.camera().FollowViewer(in.position, in.orientation); }
 
-  void operator()(const CommandInput& in) const { to.answer(in, to.soar.Execute(in.agent, in.line)); }
+  void operator()(const CommandInput& in) const { to.answer(in, to.soar.Execute(in.agent, in.line, recorded)); }
 
   void operator()(const ScriptInput& in) const {
     world::EntityId id = world::EntityId::kSandbox;
@@ -90,8 +91,8 @@ struct Applier {
 
 }  // namespace
 
-void ApplyInput(const InputValue& value, const InputTargets& targets) {
-  std::visit(Applier{targets}, value);
+void ApplyInput(const Input& input, const InputTargets& targets) {
+  std::visit(Applier{targets, input.recorded}, input.value);
 }
 
 }  // namespace soarbox::sim

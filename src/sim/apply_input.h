@@ -31,6 +31,6 @@ struct InputTargets {
 };
 
 /// Lets an input take effect. What it cannot do is told.
-void ApplyInput(const InputValue& value, const InputTargets& targets);
+void ApplyInput(const Input& input, const InputTargets& targets);
 
 }  // namespace soarbox::sim

@@ -59,8 +59,11 @@ void Arena::GiveLooks(Actor& actor) {
   world::Scene& scene = world_.scene();
   const BodyKind& kind = actor.kind();
   const world::NodeId node = actor.body().node();
-  if (kind.looks == "capsule") {
-    scene.SetMaterial(scene.CreateCapsule(node, kind.height_m, kind.radius_m), kind.material);
+  if (kind.looks != "person") {
+    // The viewer draws a creature in the place of a capsule with its material.
+    const std::string_view material = MaterialOfLooks(kind.looks);
+    scene.SetMaterial(scene.CreateCapsule(node, kind.height_m, kind.radius_m),
+                      material.empty() ? kind.material : std::string(material));
     return;
   }
   const world::NodeId person = scene.CreateMesh(node, "models/soarbox/soldier.mesh");
@@ -99,6 +102,21 @@ world::EntityId Arena::FindObjectNamed(std::string_view name) const {
   for (const world::EntityId id : world_.ObjectIds())
     if (NameOfObject(id) == name) return id;
   return world::kNoEntity;
+}
+
+bool Arena::PutDown(const CarriedThing& thing, world::Vec3 ground) {
+  const Item& item = thing.item;
+  const world::EntityId id = item.shape == "column" ? world_.CreateCapsule(item.size.y, item.size.x / 2)
+                                                    : world_.CreateBox(item.size.x, item.size.y, item.size.z);
+  world::Object* object = world_.FindObject(id);
+  if (object == nullptr) return false;
+  object->SetMass(item.mass_kg);
+  object->SetPosition(ground + world::Vec3{0, item.size.y / 2, 0});
+  if (!item.material.empty()) world_.scene().SetMaterial(object->node(), item.material);
+  places_.object_names[id] = thing.name;
+  Item& placed = places_.items[id] = item;
+  placed.object = id;
+  return true;
 }
 
 void Arena::BuildWays() {

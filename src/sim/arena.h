@@ -40,6 +40,9 @@ class Arena {
   /// Its name in the scenario, or its kind and number.
   std::string NameOfObject(world::EntityId object) const;
 
+  /// Puts a thing that was carried on the ground at that place, under its name. False if the world takes no more.
+  bool PutDown(const CarriedThing& thing, world::Vec3 ground);
+
   /// Makes a navigation mesh of what stands there now; commands to move then go by it.
   void BuildWays();
   /// The corners of the way, without its start; empty if there is no mesh or no way.

@@ -2,6 +2,7 @@
 #include "sim/body_kind.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace soarbox::sim {
 
@@ -19,7 +20,7 @@ std::span<const BodyKind> BodyKinds() {
 
     BodyKind& runner = made[2];
     runner.name = "runner";
-    runner.meaning = "a person without a weapon who is fast";
+    runner.meaning = "a fast person without a weapon";
     runner.max_speed_mps = 8;
     runner.walk_mps = 5;
 
@@ -35,6 +36,26 @@ std::span<const BodyKind> BodyKinds() {
     return made;
   }();
   return kinds;
+}
+
+std::string_view MaterialOfLooks(std::string_view looks) {
+  constexpr std::pair<std::string_view, std::string_view> kMaterials[] = {
+      {"sheep", "Soarbox/Sheep"}, {"bear", "Soarbox/Bear"}, {"hare", "Soarbox/Hare"}, {"cook", "Soarbox/Cook"}};
+  for (const auto& [name, material] : kMaterials)
+    if (name == looks) return material;
+  return {};
+}
+
+std::string_view MaterialOfThing(std::string_view name, std::string_view gives, bool is_item) {
+  const auto has = [name](std::string_view part) { return name.find(part) != std::string_view::npos; };
+  if (gives == "health" || has("medkit")) return "Soarbox/Medkit";
+  if (gives == "ammunition" || has("ammo")) return "Soarbox/Ammunition";
+  if (has("rock") || has("stone") || has("boulder")) return "Soarbox/Rock";
+  if (has("crate") || has("box") || has("chest")) return "Soarbox/Crate";
+  if (has("sack") || has("bag") || has("flour")) return "Soarbox/Sack";
+  if (is_item) return "Soarbox/Sack";
+  if (has("shed") || has("house") || has("hut") || has("wall")) return "Soarbox/Brick";
+  return "Soarbox/Concrete";
 }
 
 const AgentKind* FindAgentKind(std::string_view name) {

@@ -38,10 +38,17 @@ struct BodyKind {
   float health = 100;
   bool armed = false;
   world::WeaponSettings weapon;
-  std::string looks = "person";      ///< Or "capsule".
+  std::string looks = "person";      ///< Or another of kLooks.
   std::string material = "Ground2";  ///< Of a capsule.
   SenseSettings senses;
 };
+
+/// What an agent can look like.
+inline constexpr std::string_view kLooks[] = {"person", "capsule", "sheep", "bear", "hare", "cook"};
+/// The material that stands for a creature; empty: it looks like a person or a plain capsule.
+std::string_view MaterialOfLooks(std::string_view looks);
+/// The material of a thing or an item whose author names none: by the words of its name, and by what it gives.
+std::string_view MaterialOfThing(std::string_view name, std::string_view gives, bool is_item);
 
 /// The kinds that come with the program; the first one is what an author gets who names none.
 std::span<const BodyKind> BodyKinds();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/check.h"
 
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <fstream>
 #include <map>
@@ -16,10 +15,13 @@
 #include "diagnostics/read_text.h"
 #include "script/check_names.h"
 #include "script/check_syntax.h"
+#include "sim/live_edits.h"
 #include "sim/reasons.h"
 #include "sim/rule_slips.h"
+#include "sim/rule_surroundings.h"
 #include "sim/scenario_file.h"
 #include "sim/soar_host.h"
+#include "sim/sourced_files.h"
 #include "sim/vocabulary.h"
 #include "sml_Client.h"
 
@@ -44,82 +46,50 @@ std::string LineOf(const std::string& text, int number) {
   return line;
 }
 
-/// Where a rule's body holds a word after ^ or a dot.
-struct Place {
-  int line = 0, column = 0;
-  std::string excerpt;
-};
-Place FindInRule(const std::string& text, const std::string& rule, const std::string& word, bool is_attribute) {
-  Place place;
-  std::size_t begin = 0;
-  for (std::size_t at = text.find(rule); at != std::string::npos; at = text.find(rule, at + 1)) {
-    const std::size_t end = at + rule.size();
-    const bool whole = end >= text.size() || std::isspace(static_cast<unsigned char>(text[end])) != 0;
-    if (at > 0 && whole && (text[at - 1] == '{' || std::isspace(static_cast<unsigned char>(text[at - 1])) != 0)) {
-      begin = at;
-      break;
-    }
-  }
-  std::size_t found = begin;
-  const auto is_name = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '*';
-  };
-  for (std::size_t at = text.find(word, begin); at != std::string::npos; at = text.find(word, at + 1)) {
-    const char before = at > 0 ? text[at - 1] : ' ';
-    const char after = at + word.size() < text.size() ? text[at + word.size()] : ' ';
-    if (is_name(after) || (is_attribute ? before != '^' && before != '.' : is_name(before))) continue;
-    found = at;
-    break;
-  }
-  place.line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(found), '\n'));
-  const std::size_t line_begin =
-      text.rfind('\n', found) == std::string::npos || found == 0 ? 0 : text.rfind('\n', found - 1) + 1;
-  const std::size_t start = text.rfind('\n', found == 0 ? 0 : found - 1) == std::string::npos ? 0 : line_begin;
-  place.column = static_cast<int>(found - start) + 1;
-  place.excerpt = text.substr(start, std::min(text.find('\n', start), text.size()) - start);
-  return place;
+SoarSettings LookingOver(const std::vector<fs::path>& folders) {
+  SoarSettings settings;
+  settings.folders = folders;
+  settings.rules_only = true;
+  settings.threads = 1;
+  return settings;
 }
 
-Diagnostic Warn(const fs::path& file, const std::string& text, const std::string& rule, const std::string& word,
-                bool is_attribute, std::string message, std::string hint) {
-  Diagnostic warning = Problem(file, std::move(message), std::move(hint));
-  warning.severity = Severity::kWarning;
-  const Place place = FindInRule(text, rule, word, is_attribute);
-  warning.line = place.line;
-  warning.column = place.column;
-  warning.excerpt = place.excerpt;
-  warning.excerpt_length = static_cast<int>(word.size());
-  return warning;
-}
-
-/// What stands around a file of rules: words in Lua scripts beside it may be percepts and commands of their own.
-struct Surroundings {
-  std::set<std::string> lua_words;
-  std::set<std::string> made_by_rules;  ///< By all rules of the same folder: messages carry attributes.
-  bool has_lua_body = false;
-};
-
-std::set<std::string> WordsOf(const std::string& text) {
-  std::set<std::string> words;
-  std::string word;
-  for (const char c : text + " ") {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-') {
-      word += c;
-    } else if (!word.empty()) {
-      words.insert(std::exchange(word, {}));
-    }
+/// The folder of the scenario that a file belongs to, if it lies in one or in a folder below; else its own folder.
+fs::path ScenarioFolderOf(const fs::path& file) {
+  constexpr int kDeepest = 4;
+  std::error_code error;
+  const fs::path own = fs::absolute(file, error).lexically_normal().parent_path();
+  fs::path folder = own;
+  for (int i = 0; i < kDeepest && folder.has_relative_path(); ++i, folder = folder.parent_path()) {
+    for (const char* name : {"scenario.toml", "Sandbox.lua"})
+      if (fs::exists(folder / name, error)) return folder;
   }
-  return words;
+  return own;
 }
 
 class Checker {
  public:
   std::vector<Diagnostic> problems;
 
+  /// `given`: what is to be looked over. Nothing outside of these folders, and of those that the files lie in, is read.
+  Checker(const std::vector<fs::path>& given, const CheckToml& check_toml) : check_toml_(check_toml) {
+    std::error_code error;
+    for (const fs::path& path : given) {
+      if (fs::is_directory(path, error)) {
+        folders_.push_back(path);
+        continue;
+      }
+      folders_.push_back(ScenarioFolderOf(path));
+      if (const fs::path target = fs::canonical(path, error); !error) folders_.push_back(target.parent_path());
+    }
+  }
+
   void Check(const fs::path& file) {
     std::error_code error;
     if (fs::is_directory(file, error)) return CheckFolder(file);
-    if (!fs::is_regular_file(file, error)) {
+    if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
+      problems.push_back(Problem(file, "this is no plain file", "pipes and devices are not read"));
+    } else if (!fs::is_regular_file(file, error)) {
       problems.push_back(Problem(file, "there is no such file",
                                  "name files of rules (.soar), scripts (.lua), scenarios (.toml) or folders"));
     } else if (const std::string why = WhyNoPlainText(ReadText(file).value_or("")); !why.empty()) {
@@ -142,7 +112,13 @@ class Checker {
     std::error_code error;
     for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
       const fs::path extension = it->path().extension();
-      if (extension == ".soar" || extension == ".lua" || extension == ".toml") files.push_back(it->path());
+      if (extension != ".soar" && extension != ".lua" && extension != ".toml") continue;
+      if (it->is_symlink(error) && it->exists(error) && !it->is_directory(error) &&
+          !IsPlainFileBelow(it->path(), folders_)) {
+        problems.push_back(Problem(it->path(), "this link leads out of the folder", "what it leads to is not read"));
+      } else {
+        files.push_back(it->path());
+      }
     }
     std::sort(files.begin(), files.end());
     if (files.empty()) problems.push_back(Problem(folder, "this folder holds no rules, scripts or scenarios"));
@@ -150,6 +126,7 @@ class Checker {
   }
 
   void CheckScenario(const fs::path& file) {
+    if (check_toml_ && !check_toml_(file, problems)) return;
     const ScenarioFile read = ParseScenarioFile(ReadText(file).value_or(""), file, problems);
     for (const ScenarioFile::Agent& agent : read.agents) {
       if (agent.rules.empty() || agent.rules == kGivenRules) continue;
@@ -174,38 +151,35 @@ class Checker {
 
   const Surroundings& Around(const fs::path& folder) {
     const auto [at, is_new] = around_.try_emplace(folder);
+    if (is_new) at->second = LookAround(folder, folders_);
+    return at->second;
+  }
+
+  /// Of the scenario files in a folder, or in the one above; a script beside them may make further places.
+  const KnownPlaces& PlacesBeside(const fs::path& folder) {
+    const auto [at, is_new] = places_.try_emplace(folder);
     if (!is_new) return at->second;
     std::error_code error;
-    std::vector<fs::path> files;
-    for (fs::directory_iterator it(folder.empty() ? fs::path(".") : folder, error), end; !error && it != end;
-         it.increment(error))
-      files.push_back(it->path());
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files) {
-      if (file.extension() == ".lua") {
-        const std::string text = ReadText(file).value_or("");
-        at->second.has_lua_body |= text.find("Agent_Update") != std::string::npos;
-        const std::set<std::string> words = WordsOf(text);
-        at->second.lua_words.insert(words.begin(), words.end());
-      } else if (file.extension() == ".soar") {
-        // Attributes that right-hand sides make are found rule by rule; this only knows that a word follows a ^.
-        const std::string text = BlankComments(ReadText(file).value_or(""));
-        for (std::size_t arrow = text.find("-->"); arrow != std::string::npos; arrow = text.find("-->", arrow + 3)) {
-          const std::size_t end = std::min(text.find("\nsp", arrow), text.size());
-          const std::string side = text.substr(arrow, end - arrow);
-          for (std::size_t i = side.find('^'); i != std::string::npos; i = side.find('^', i + 1)) {
-            const std::size_t stop = std::min(side.find_first_of(" \t\n()", i), side.size());
-            at->second.made_by_rules.insert(side.substr(i + 1, stop - i - 1));
-          }
-        }
+    for (const fs::path& looked : {folder.empty() ? fs::path(".") : folder, folder / ".."}) {
+      bool has_script = false;
+      for (fs::directory_iterator it(looked, error), end; !error && it != end; it.increment(error)) {
+        has_script |= it->path().extension() == ".lua";
+        if (it->path().extension() != ".toml" || !IsPlainFileBelow(it->path(), folders_)) continue;
+        std::vector<Diagnostic> ignored;
+        const ScenarioFile read = ParseScenarioFile(ReadText(it->path()).value_or(""), it->path(), ignored);
+        for (const Waypoint& waypoint : read.waypoints) at->second.waypoints.insert(waypoint.name);
+        for (const Region& region : read.regions) at->second.regions.insert(region.name);
+        at->second.is_known = true;
       }
+      if (has_script) at->second = {};
+      if (has_script || at->second.is_known) break;
     }
     return at->second;
   }
 
   void CheckRules(const fs::path& file) {
     if (host_ == nullptr) {
-      Result<std::unique_ptr<SoarHost>> made = SoarHost::Create({});
+      Result<std::unique_ptr<SoarHost>> made = SoarHost::Create(LookingOver(folders_));
       if (!made) return problems.push_back(made.error());
       host_ = std::move(*made);
     }
@@ -220,68 +194,43 @@ class Checker {
 
   void Lint(const fs::path& file, const std::string& text, const std::vector<RuleText>& rules, bool complete) {
     const Surroundings& around = Around(file.parent_path());
-    FindDuplicates(file, text);
-    const KnownWords known{around.made_by_rules, around.lua_words, complete};
-    for (const auto& slips : {FindSlipsOfForm(rules), FindSlipsOfMeaning(rules, known)}) {
+    std::vector<RuleFile> files = {{file, text}};
+    for (const fs::path& one : WithSourcedFiles(file, folders_))
+      if (one != file) files.push_back({one, BlankComments(ReadText(one).value_or(""))});
+    for (Diagnostic& twice : FindDuplicates(files)) problems.push_back(std::move(twice));
+    const KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()), complete};
+    for (const auto& slips :
+         {FindSlipsOfForm(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfWorld(rules, known.places)}) {
       for (const Slip& slip : slips) {
         if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
-        const std::string& word = slip.word.empty() ? slip.rule : slip.word;
-        problems.push_back(Warn(file, text, slip.rule, word, slip.is_attribute, slip.message, slip.hint));
+        problems.push_back(PlaceSlip(slip, file, text));
       }
     }
   }
 
-  /// A rule's name that stands twice in a file: the later one takes the place of the earlier.
-  void FindDuplicates(const fs::path& file, const std::string& text) {
-    std::map<std::string, int> lines;
-    int number = 0;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) {
-      ++number;
-      std::istringstream words(line);
-      std::string begin, name;
-      words >> begin;
-      if (begin == "sp" && words >> name && name.starts_with('{')) {
-        if (name == "{") words >> name;
-        while (name.starts_with('{')) name.erase(0, 1);
-      } else if (begin.starts_with("sp{")) {
-        name = begin.substr(3);
-      }
-      name = name.substr(0, name.find('('));
-      if (name.empty()) continue;
-      const auto [at, is_new] = lines.try_emplace(name, number);
-      if (is_new) continue;
-      Diagnostic warning = Problem(
-          file, "rule " + name + " stands in line " + std::to_string(at->second) + " already: this one takes its place",
-          "give each rule a name of its own");
-      warning.severity = Severity::kWarning;
-      warning.line = number;
-      warning.column = static_cast<int>(line.find(name)) + 1;
-      warning.excerpt = line;
-      warning.excerpt_length = static_cast<int>(name.size());
-      problems.push_back(std::move(warning));
-    }
-  }
-
+  const CheckToml& check_toml_;
+  std::vector<fs::path> folders_;
   std::unique_ptr<SoarHost> host_;
   int count_ = 0;
   std::map<fs::path, Surroundings> around_;
+  std::map<fs::path, KnownPlaces> places_;
 };
 
 }  // namespace
 
 std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string& name) {
-  Result<std::unique_ptr<SoarHost>> host = SoarHost::Create({});
-  if (!host) return {host.error()};
   // Kernels tell lines of files only.
-  static std::atomic<int> number = 0;
   std::error_code error;
-  const fs::path file = fs::temp_directory_path(error) /
-                        ("soarbox-" + std::to_string(getpid()) + "-" + std::to_string(++number) + ".soar");
+  std::string folder = (fs::temp_directory_path(error) / "soarbox-check-XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr)
+    return {Problem(folder, "this folder cannot be made, so that the rules cannot be checked")};
+  const fs::path file = fs::path(folder) / "rules.soar";
+  Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(LookingOver({folder}));
+  if (!host) return {host.error()};
   if (!(std::ofstream(file, std::ios::binary) << text).flush())
     return {Problem(file, "this file cannot be written, so that the rules cannot be checked")};
   Result<SoarHost::Loaded> loaded = (*host)->CreateAgent("check", file);
-  fs::remove(file, error);
+  fs::remove_all(folder, error);
   std::vector<Diagnostic> problems = loaded ? std::move(loaded->problems) : std::vector<Diagnostic>{loaded.error()};
   for (Diagnostic& problem : problems) problem.file = name;
   return problems;
@@ -292,8 +241,8 @@ std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::stri
   return {};
 }
 
-std::vector<Diagnostic> CheckFiles(const std::vector<fs::path>& files) {
-  Checker checker;
+std::vector<Diagnostic> CheckFiles(const std::vector<fs::path>& files, const CheckToml& check_toml) {
+  Checker checker(files, check_toml);
   for (const fs::path& file : files) checker.Check(file);
   // Files that source each other are read more than once.
   std::vector<Diagnostic> distinct;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace soarbox::sim {
 /// Looks over files of rules, Lua and scenario files without running them: what does not parse, and what is likely a
 /// slip: attributes that nothing writes, commands that no body knows, operators that are proposed and never applied.
 /// Folders stand for the files in them. Problems come in the order of the files.
-std::vector<Diagnostic> CheckFiles(const std::vector<std::filesystem::path>& files);
+/// `check_toml` looks over what else .toml files hold, and says whether one is a scenario at all.
+using CheckToml = std::function<bool(const std::filesystem::path& file, std::vector<Diagnostic>& problems)>;
+std::vector<Diagnostic> CheckFiles(const std::vector<std::filesystem::path>& files, const CheckToml& check_toml = {});
 
 /// What is wrong with a text of rules, with lines and columns in it. `name` is what it is called in the messages.
 std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string& name);

@@ -109,11 +109,11 @@ void ClarifyUnclosed(Diagnostic& problem, const SourceFile& source) {
   for (int at = begin; at < end; ++at) {
     const std::string& text = source.Code(at);
     if (std::count(text.begin(), text.end(), '|') % 2 == 0) continue;
-    problem.message = "rule " + name + ": the text that begins here with | does not end";
-    problem.hint = "put a second | behind it: |like this|";
+    problem.message = "rule " + name + ": the text that starts here with | has no closing |";
+    problem.hint = "close it with a second bar: |like this|";
     return PointAt(problem, source, at, text.rfind('|'), text.size() - text.rfind('|'));
   }
-  problem.message = "rule " + name + " is not closed: its } is missing";
+  problem.message = "rule " + name + " is not closed: } is missing";
   problem.hint = end <= source.count() ? "the next rule begins in line " + std::to_string(end) + "; put } before it"
                                        : "put } at its end";
 }
@@ -124,19 +124,21 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
   const std::string word = line.substr(0, line.find_first_of(" \t{"));
   for (const char* mark : {"//", ";", "--", "/*", "%"}) {
     if (!line.starts_with(mark) || line.starts_with("-->")) continue;
-    problem.message = std::string(mark) + " begins no comment";
-    problem.hint = "comments begin with #";
+    problem.message = std::string(mark) + " does not start a comment";
+    problem.hint = "comments start with #";
     return PointAt(problem, source, problem.line, source.Line(problem.line).find(mark), std::string_view(mark).size());
   }
   if (line.starts_with('(') || line.starts_with("-->") || line.starts_with('}') || line.starts_with('^') ||
       line.starts_with("-(") || line.starts_with("-{")) {
-    problem.message = "this line stands outside of a rule";
+    problem.message = "this line is outside any rule";
     problem.hint = "a rule is written sp {name conditions --> actions}; look at the brackets before this line";
     return;
   }
   if (line.find('{') != kNowhere && word != "sp" && word != "gp" && word.size() <= 6) {
-    problem.message = "'" + word + "' begins no rule";
-    problem.hint = "a rule begins with sp {";
+    problem.message = "expected sp { here" + (word.empty() ? std::string() : ", found '" + word + "'");
+    problem.hint = "a rule starts with sp {";
+    const std::size_t at = source.Line(problem.line).find_first_not_of(" \t");
+    PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, std::max<std::size_t>(word.size(), 1));
   }
 }
 
@@ -146,7 +148,7 @@ bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
   if (!line.starts_with("sp ") && !line.starts_with("gp ")) return false;
   const std::string rest = Trimmed(line.substr(3));
   if (rest.empty() || rest.front() == '{' || rest.front() == '"') return false;
-  problem.message = "the { behind sp is missing";
+  problem.message = "{ is missing after sp";
   problem.hint = "write sp {" + rest;
   PointAt(problem, source, problem.line, line.find(rest), rest.size());
   return true;
@@ -165,16 +167,16 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   if (problem.message.find("or --> before the actions") != kNowhere) {
     if (found.size() > 1 && found.find_first_not_of("-=>") == kNowhere)
       problem.hint = "write --> between the conditions and the actions";
-    if (before == '[' || found.front() == '[') problem.hint = "conditions stand between ( and )";
-    if (found == ")") problem.hint = "there is one ) too many before it";
+    if (before == '[' || found.front() == '[') problem.hint = "write conditions between ( and )";
+    if (found == ")") problem.hint = "there is one ) too many before this";
   }
   if (problem.message.find("expected ^attribute") != kNowhere &&
       std::isalpha(static_cast<unsigned char>(found[0])) != 0)
     problem.hint = "did you mean ^" + found + "?";
   if (found == ")" && problem.message.find("expected a value") != kNowhere)
-    problem.hint = "each ^attribute has a value behind it";
-  if (found[0] == '"') problem.hint = "texts stand between bars: |I am going|";
-  if (found == "<") problem.hint = "a variable is written without blanks: <o>";
+    problem.hint = "write a value after each ^attribute";
+  if (found[0] == '"') problem.hint = "write text between bars: |I am going|";
+  if (found == "<") problem.hint = "write a variable without blanks: <o>";
   if (found != "^") return;
   // "( <o> ^" where a value was expected: the bracket before it was never closed.
   const std::size_t open = line.rfind('(', column);
@@ -186,9 +188,18 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
     if (text[last] == ')' || text.substr(0, last + 1).ends_with("-->")) return;
     problem.message =
         problem.message.substr(0, problem.message.find("expected")) + "a ) is missing at the end of this line";
-    problem.hint = "each ( has a ) of its own";
+    problem.hint = "close each ( with a )";
     return PointAt(problem, source, at, last, 1);
   }
+}
+
+/// The actions of such a rule are read as conditions: whatever the reader stumbles over there comes of it.
+bool LacksArrow(const Diagnostic& problem, const SourceFile& source) {
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0 || problem.severity != Severity::kError) return false;
+  for (int at = begin; at < EndOfRule(source, begin); ++at)
+    if (source.Code(at).find("->") != kNowhere || source.Code(at).find("=>") != kNowhere) return false;
+  return true;
 }
 
 /// "constant sate stands where only a variable can match": the word state, or nearly.
@@ -230,7 +241,7 @@ void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
     PointAt(problem, source, at, column + 1, variable.size());
     break;
   }
-  problem.message = "rule " + name + ": no condition binds " + variable + ", of which this action tells something";
+  problem.message = "rule " + name + ": no condition binds " + variable + ", which this action is about";
   const std::string_view near = Suggest(variable, {others.begin(), others.end()});
   if (conditions.find("(state " + variable) == kNowhere && conditions.find("(state") == kNowhere) {
     problem.hint = "the rule's first condition is missing: (state " + variable + " ^superstate nil ...)";
@@ -267,7 +278,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
       ClarifyUnclosed(problem, source);
     } else if (text.starts_with("no such command") || text.find("argument allowed when printing") != kNowhere) {
       ClarifyCommand(problem, source);
-      outside = text.find("outside of a rule") != kNowhere;
+      outside = text.find("outside any rule") != kNowhere;
       if (outside && was_outside) continue;
     } else if (ClarifyMissingBrace(problem, source)) {
       outside = true;
@@ -281,6 +292,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
     } else {
       ClarifyState(problem);
       ClarifyFound(problem, source);
+      if (LacksArrow(problem, source)) problem.hint = "write --> between the conditions and the actions";
     }
     kept.push_back(std::move(problem));
   }

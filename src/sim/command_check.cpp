@@ -59,7 +59,7 @@ std::string UnknownParameter(const CommandRow& row, const std::string& name) {
 CommandFault CheckCommand(const SaidCommand& command) {
   const CommandRow* row = FindCommand(command.name);
   if (row == nullptr) {
-    std::string text = "no body knows the command ^" + command.name;
+    std::string text = "there is no command ^" + command.name;
     if (const std::string_view near = NearestCommand(command.name); !near.empty())
       text += ": did you mean ^" + std::string(near) + "?";
     return {"unknown-command", {}, text};
@@ -69,6 +69,12 @@ CommandFault CheckCommand(const SaidCommand& command) {
             {},
             "^" + command.name + " has a constant as its value: make it an identifier, (<out> ^" + command.name +
                 " <command>), with the parameters below it"};
+  }
+  if (command.is_too_large) {
+    return {"too-large",
+            {},
+            "there is too much below ^" + command.name +
+                ": up to 1000 elements of a command are read, and circular links count each time"};
   }
   // Whatever stands beside what say and broadcast know travels with the message.
   const bool is_message = row->part == BodyPart::kVoice;
@@ -103,10 +109,10 @@ CommandFault CheckCommand(const SaidCommand& command) {
   const bool has_z = FindPercept(command.parameters, "z") != nullptr;
   if (row->place != TakesPlace::kNo && has_x != has_z) {
     const char* missing = has_x ? "z" : "x";
-    return {"missing-parameter", missing, command.name + " needs ^x and ^z together; ^" + missing + " is not there"};
+    return {"missing-parameter", missing, command.name + " requires ^x and ^z together; ^" + missing + " is not there"};
   }
   if (row->place == TakesPlace::kRequired && !has_place) {
-    return {"no-place", {}, command.name + " needs a place: ^x and ^z, ^waypoint, ^region, ^agent or ^object"};
+    return {"no-place", {}, command.name + " requires a place: ^x and ^z, ^waypoint, ^region, ^agent or ^object"};
   }
   return {};
 }

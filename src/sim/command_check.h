@@ -14,7 +14,8 @@ struct SaidCommand {
   std::uint64_t tag = 0;  ///< Names it for as long as it stays there.
   std::string name;
   PerceptList parameters;
-  bool is_object = true;  ///< False: the rules gave the attribute a constant instead of an identifier.
+  bool is_object = true;      ///< False: the rules gave the attribute a constant instead of an identifier.
+  bool is_too_large = false;  ///< More stands below it than is read; nothing of it is.
 };
 
 /// What is wrong with a command before anybody tries it; `reason` is empty if nothing is.

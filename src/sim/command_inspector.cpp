@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdlib>
 #include <sstream>
 
 #include "sim/rule_text.h"
 #include "sml_Client.h"
+#ifdef SOARBOX_OWN_KERNEL
+#include "soarbox_Inspection.h"
+#endif
 
 namespace soarbox::sim {
 namespace {
@@ -268,6 +272,9 @@ OperatorFacts CommandInspector::Operators(std::string_view state) {
     facts.state = state;
     facts.selected = stack[i].operator_id;
     facts.impasse = i + 1 < stack.size() ? stack[i + 1].impasse : "none";
+#ifdef SOARBOX_OWN_KERNEL
+    facts.decision = AskDecision(agent_, state);
+#endif
   }
   return facts;
 }
@@ -294,6 +301,31 @@ std::vector<RuleFact> CommandInspector::Rules() {
   for (std::size_t i = 0; i < rules.size() && rules.size() <= kMostAsked; ++i)
     rules[i].matches = ReadMatches(rules[i].name, Ask("matches " + rules[i].name)).complete;
   return rules;
+}
+
+std::vector<NumberFact> ReadNumbers(std::string_view text) {
+  std::vector<NumberFact> numbers;
+  for (const std::string& line : Lines(std::string(text))) {
+    const std::vector<std::string> words = Words(WithoutBlanks(line));
+    // (In the mode delta-bar-delta two more numbers stand in front.)
+    if (words.size() < 3) continue;
+    NumberFact& number = numbers.emplace_back();
+    number.rule = words.front();
+    number.updates = static_cast<std::uint64_t>(std::strtod(words[words.size() - 2].c_str(), nullptr));
+    number.value = std::strtod(words.back().c_str(), nullptr);
+  }
+  // Newest first is how kernels list them.
+  std::ranges::reverse(numbers);
+  return numbers;
+}
+
+LearningFacts CommandInspector::Learning() {
+  LearningFacts facts;
+  facts.by_reward = Ask("rl --get learning").find("on") != std::string::npos;
+  facts.numbers = ReadNumbers(Ask("print --rl"));
+  facts.last_reward = std::strtod(Ask("rl --stats total-reward").c_str(), nullptr);
+  facts.total_reward = std::strtod(Ask("rl --stats global-reward").c_str(), nullptr);
+  return facts;
 }
 
 std::string CommandInspector::RuleSource(std::string_view rule) {

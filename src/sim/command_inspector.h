@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "sim/inspector.h"
+#include "sim/learning_facts.h"
 
 namespace soarbox::sim {
 
 /// Asks a mind in the Soar command language, whatever kernel it lives in, and reads what that prints.
-class CommandInspector final : public Inspector {
+class CommandInspector final : public Inspector, public LearningSource {
  public:
   explicit CommandInspector(sml::Agent& agent) : agent_(agent) {}
 
@@ -30,6 +31,8 @@ class CommandInspector final : public Inspector {
   /// Conditions and how many pass them.
   std::optional<MatchFacts> Match(std::string_view rule) override;
   std::vector<std::string> Complete(std::string_view line) override;
+  /// Without the parts of the numbers.
+  LearningFacts Learning() override;
 
  private:
   std::string Ask(const std::string& command);
@@ -45,6 +48,8 @@ std::vector<ElementFact> ReadElements(std::string_view text);
 std::vector<StateFact> ReadStack(std::string_view text);
 /// `preferences S1 operator --names`.
 OperatorFacts ReadPreferences(std::string_view text);
+/// `print --rl`: name, updates, number.
+std::vector<NumberFact> ReadNumbers(std::string_view text);
 /// `matches RULE`.
 MatchFacts ReadMatches(std::string_view rule, std::string_view text);
 

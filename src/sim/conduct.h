@@ -20,6 +20,7 @@ struct Conduct {
 std::span<const Conduct> MovingConducts();     // conduct_move.cpp
 std::span<const Conduct> FollowingConducts();  // conduct_follow.cpp
 std::span<const Conduct> FightingConducts();   // conduct_fight.cpp
+std::span<const Conduct> CarryingConducts();   // conduct_carry.cpp
 std::span<const Conduct> OtherConducts();      // conduct_other.cpp
 /// Null for a command that has none.
 ConductStep FindConduct(std::string_view command);
@@ -33,6 +34,8 @@ struct WalkOrder {
   bool slow_down = true;
   bool stands = true;                          ///< Done only once it has come to rest.
   world::EntityId through = world::kNoEntity;  ///< A thing or agent that is no obstacle.
+  world::EntityId shun = world::kNoEntity;     ///< An agent to keep away from on the way,
+  float shun_m = 0;                            ///< so far.
 };
 StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order);
 /// The direction nearest to the wanted one (a unit vector) in which the next metres are free; remembers the side in

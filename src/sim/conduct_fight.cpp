@@ -78,30 +78,7 @@ StepResult Reload(Actor& actor, Running& command) {
   return StepResult::Going(passed_s / std::max(0.01f, weapon.settings().reload_s));
 }
 
-StepResult PickUp(Actor& actor, Running& command) {
-  constexpr float kReach_m = 1.5f;
-  Places& places = actor.arena().places();
-  const world::EntityId id = actor.arena().FindObjectNamed(command.Word("object"));
-  const world::Object* object = actor.world().FindObject(id);
-  if (object == nullptr) return StepResult::Failed("no-such-object");
-  const auto item = places.items.find(id);
-  if (item == places.items.end()) return StepResult::Failed("not-an-item");
-  if (FlatDistance(actor.body().Position(), object->Position()) > kReach_m) return StepResult::Failed("out-of-reach");
-  if (item->second.gives == "ammunition" && actor.weapon()) {
-    actor.weapon()->AddReserve(static_cast<int>(item->second.amount));
-  } else if (item->second.gives == "health") {
-    actor.body().SetHealth(std::min(actor.kind().health, actor.body().Health() + item->second.amount));
-  } else {
-    actor.carried().push_back(command.Word("object"));
-  }
-  actor.arena().Tell(actor.id(), "takes", command.Word("object"));
-  actor.world().RemoveObject(id);
-  places.items.erase(item);
-  places.object_names.erase(id);
-  return StepResult::Done();
-}
-
-constexpr Conduct kFightConducts[] = {{"shoot", Shoot}, {"reload", Reload}, {"pick-up", PickUp}};
+constexpr Conduct kFightConducts[] = {{"shoot", Shoot}, {"reload", Reload}};
 
 }  // namespace
 

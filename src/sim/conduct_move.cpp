@@ -78,11 +78,40 @@ StepResult GoTo(Actor& actor, Running& command, double within_m, float speed_mps
   if (place->radius_m > 0) order.within_m += actor.body().Radius();
   order.speed_mps = speed_mps;
   order.through = place->entity;
+  if (command.Get("away-from") != nullptr) {
+    order.shun = actor.arena().FindAgentNamed(command.Word("away-from"));
+    order.shun_m = static_cast<float>(command.Number("gap", 6));
+    if (order.shun == world::kNoEntity) return StepResult::Failed("no-such-agent");
+    if (order.shun == actor.id()) return StepResult::Failed("itself");
+  }
   return WalkTo(actor, command, order);
 }
 
 StepResult MoveTo(Actor& actor, Running& command) {
   return GoTo(actor, command, 0.75, actor.speed_mps());
+}
+
+/// The direction to go in so that the way keeps away from somebody: past it on the side where the goal is nearer, and
+/// off from it where it is too near already.
+Vec3 KeptAway(Actor& actor, Running& command, const WalkOrder& order, Vec3 wanted) {
+  std::string_view unknown;
+  const auto seen = actor.Find(order.shun, unknown);
+  if (!seen) return wanted;  // Nobody knows where it is.
+  const Vec3 from = Flat(actor.body().Position() - seen->position);
+  const float range_m = world::Length(from);
+  constexpr float kHeed_m = 3;  // From so far outside of the gap on it bends its way.
+  if (range_m > order.shun_m + kHeed_m || range_m < 0.01f) {
+    command.index = 0;
+    return wanted;
+  }
+  const Vec3 off = from * (1 / range_m);
+  const float towards = -world::Dot(wanted, off);
+  if (towards <= 0 && range_m >= order.shun_m) return wanted;  // It leaves it behind anyway.
+  const Vec3 left{off.z, 0, -off.x};
+  // It keeps to the side that it has begun to pass on.
+  if (command.index == 0) command.index = world::Dot(wanted, left) >= 0 ? 1 : -1;
+  const float push = std::clamp((order.shun_m + kHeed_m - range_m) / kHeed_m, 0.0f, 2.0f) - 1;
+  return world::Normalized(left * static_cast<float>(command.index) + off * push);
 }
 
 StepResult Arrive(Actor& actor, Running& command) {
@@ -235,7 +264,8 @@ StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order) {
 
   const std::optional<Vec3> next = NextCorner(actor, command, order);
   if (!next) return StepResult::Failed("no-way");
-  const Vec3 wanted = world::Normalized(Flat(*next - here));
+  Vec3 wanted = world::Normalized(Flat(*next - here));
+  if (order.shun != world::kNoEntity) wanted = KeptAway(actor, command, order, wanted);
   const float ahead_m = std::min(FlatDistance(here, *next), 1.2f + 0.5f * order.speed_mps);
   float pace = order.speed_mps;
   if (order.slow_down) pace = std::min(pace, std::max(0.4f, 1.6f * (left_m - order.within_m * 0.5f)));
@@ -244,7 +274,8 @@ StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order) {
 }
 
 ConductStep FindConduct(std::string_view command) {
-  for (const auto& family : {MovingConducts(), FollowingConducts(), FightingConducts(), OtherConducts()})
+  for (const auto& family :
+       {MovingConducts(), FollowingConducts(), FightingConducts(), CarryingConducts(), OtherConducts()})
     for (const Conduct& conduct : family)
       if (conduct.command == command) return conduct.step;
   return nullptr;

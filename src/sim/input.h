@@ -83,6 +83,8 @@ using InputValue = std::variant<KeyInput, ButtonInput, PointerInput, WheelInput,
 struct Input {
   std::uint64_t tick = 0;
   InputValue value;
+  /// Read from a recording: a stranger may have made it, so that its commands write and start nothing.
+  bool recorded = false;
   friend bool operator==(const Input&, const Input&) = default;
 };
 

@@ -37,7 +37,7 @@ bool InputDoor::Submit(Input input) {
 }
 
 void InputDoor::Note(InputValue value) {
-  if (noted_.size() < kMostPerTick) noted_.push_back({tick_ + 1, std::move(value)});
+  if (noted_.size() < kMostPerTick) noted_.push_back({tick_ + 1, std::move(value), false});
 }
 
 void InputDoor::BeginTick(std::uint64_t tick) {

@@ -39,7 +39,7 @@ class LineReader {
     if (!ok()) return {};
     word_at_ = rest_at_;
     if (AtEnd()) {
-      Fail(std::string("the line ends where ") + what + " should stand");
+      Fail(std::string("the line ends where ") + what + " is expected");
       return {};
     }
     if (line_[rest_at_] == '"') return Quoted();
@@ -84,7 +84,7 @@ class LineReader {
   void End() {
     if (!ok()) return;
     word_at_ = rest_at_;
-    if (!AtEnd()) Fail("the line goes on after its end: '" + std::string(line_.substr(rest_at_)) + "'");
+    if (!AtEnd()) Fail("unexpected text at the end of the line: '" + std::string(line_.substr(rest_at_)) + "'");
   }
 
  private:
@@ -274,7 +274,7 @@ InputText ReadInputs(std::string_view text, const std::string& file) {
     const auto tick = reader.Value<std::uint64_t>("a tick: a whole number from 1");
     if (reader.ok() && tick == 0) reader.Fail("ticks begin at 1");
     const std::vector<InputValue> values = ReadLine(reader, pointer);
-    for (const InputValue& value : values) read.inputs.push_back({tick, value});
+    for (const InputValue& value : values) read.inputs.push_back({tick, value, false});
     if (reader.ok()) continue;
     Diagnostic diagnostic;
     diagnostic.file = file;

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "sim/command_inspector.h"
+#include "sim/learning_facts.h"
+#include "sim/memory_facts.h"
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
@@ -84,7 +86,7 @@ ConditionFact Fact(InspectedCondition from) {
   return {std::move(from.text), from.negated, from.partial_matches};
 }
 
-class OwnInspector final : public Inspector {
+class OwnInspector final : public Inspector, public LearningSource, public LongTermSource {
  public:
   explicit OwnInspector(std::unique_ptr<MindInspection> mind) : mind_(std::move(mind)) {}
 
@@ -122,8 +124,12 @@ class OwnInspector final : public Inspector {
   }
   OperatorFacts Operators(std::string_view state) override {
     InspectedOperators from = mind_->Operators(state);
-    return {std::move(from.state), std::move(from.selected), Facts<PreferenceFact>(std::move(from.preferences)),
-            Facts<CandidateFact>(std::move(from.candidates)), std::move(from.impasse)};
+    return {std::move(from.state),
+            std::move(from.selected),
+            Facts<PreferenceFact>(std::move(from.preferences)),
+            Facts<CandidateFact>(std::move(from.candidates)),
+            std::move(from.impasse),
+            std::move(from.decision)};
   }
   std::vector<RuleFact> Rules() override { return Facts<RuleFact>(mind_->Rules()); }
   std::string RuleSource(std::string_view rule) override { return mind_->RuleSource(rule); }
@@ -142,6 +148,37 @@ class OwnInspector final : public Inspector {
     return to;
   }
   std::vector<std::string> Complete(std::string_view line) override { return mind_->Complete(line); }
+  LearningFacts Learning() override {
+    InspectedLearning from = mind_->Learning();
+    LearningFacts facts{from.by_reward, from.last_reward, from.total_reward, {}};
+    for (InspectedNumber& number : from.numbers) {
+      facts.numbers.push_back({std::move(number.rule), number.value, number.current, number.future, number.updates});
+    }
+    return facts;
+  }
+
+  LongTermFacts LongTerm(std::size_t most, const std::string& text) override {
+    InspectedLongTerm from = mind_->LongTerm(most, text);
+    LongTermFacts facts;
+    facts.semantic = from.semantic;
+    facts.episodic = from.episodic;
+    facts.objects = from.objects;
+    facts.augmentations = from.augmentations;
+    for (InspectedObject& object : from.known) {
+      facts.known.push_back({object.number, std::move(object.text), object.activation, object.uses});
+    }
+    facts.episodes = from.episodes;
+    facts.decisions = std::move(from.decisions);
+    return facts;
+  }
+  std::vector<RememberedFact> Episode(std::size_t number) override {
+    std::vector<RememberedFact> facts;
+    for (InspectedMemory& from : mind_->Episode(number)) {
+      facts.push_back(
+          {from.object, std::move(from.attribute), std::move(from.value), from.is_object, from.value_object});
+    }
+    return facts;
+  }
 
  private:
   std::unique_ptr<MindInspection> mind_;

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mind/decision.h"
+
 namespace sml {
 class Agent;
 }
@@ -72,6 +74,8 @@ struct OperatorFacts {
   std::vector<PreferenceFact> preferences;
   std::vector<CandidateFact> candidates;  ///< Empty if the decision would be an impasse.
   std::string impasse;                    ///< Of the state below; "none" if there is none.
+  /// What the decision procedure says of these preferences now; none where that is not told. Nobody works it out again.
+  std::optional<mind::Decision> decision;
 };
 
 struct RuleFact {

@@ -3,54 +3,57 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
 
 #include "diagnostics/read_text.h"
-#include "script/check_syntax.h"
 #include "script/keep_state.h"
+#include "sim/check.h"
 #include "sim/rule_text.h"
 #include "sim/simulation.h"
+#include "sim/sourced_files.h"
+#include "sim/vet_rules.h"
 
 namespace soarbox::sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The files that a file of rules sources, with all below them.
-void AddSourced(const fs::path& file, std::set<fs::path>& found) {
-  constexpr std::size_t kMostFiles = 500;
-  if (found.size() >= kMostFiles || !found.insert(file).second) return;
-  std::istringstream lines(BlankComments(ReadText(file).value_or("")));
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string command, name;
-    if (!(words >> command >> name) || command != "source") continue;
-    if (name.size() > 1 && name.front() == '"') name = name.substr(1, name.size() - 2);
-    std::error_code error;
-    // A file names its neighbours by their own names, wherever it is sourced from.
-    const fs::path sourced = file.parent_path() / name;
-    if (fs::is_regular_file(sourced, error)) AddSourced(sourced, found);
-  }
-}
-
 bool IsPlainFile(const fs::path& file) {
   std::error_code error;
   return fs::is_regular_file(file, error);
 }
 
-/// What is the matter with a file that cannot be read any more: "this ...".
+/// What is the matter with a file that cannot be read any more.
 std::string WhyUnreadable(const fs::path& file) {
   std::error_code error;
-  if (fs::is_directory(file, error)) return "is a folder now";
-  return IsPlainFile(file) ? "file cannot be read any more" : "is no plain file any more";
+  if (fs::is_directory(file, error)) return "this is a folder now";
+  return IsPlainFile(file) ? "this file can no longer be read" : "this is no longer a plain file";
 }
 
-std::string NoteOfEarlier(const WatchedFile& file) {
-  return std::string("\n   note: the ") + (file.is_rules ? "rules" : "script") + " before that stay" +
-         (file.is_rules ? "\n" : "s\n");
+Diagnostic EditNews(Severity severity, const fs::path& file, std::string message, std::string hint = {}) {
+  Diagnostic told;
+  told.severity = severity;
+  told.file = file.string();
+  told.message = std::move(message);
+  told.hint = std::move(hint);
+  return told;
+}
+
+constexpr const char* kKeepsRunning = "the previous version keeps running";
+
+/// Names of the rules that are new or differ.
+std::set<std::string> ChangedRules(const std::string& before, const std::string& after) {
+  const SplitText old = SplitRules(before);
+  std::set<std::string> names;
+  for (const auto& [name, text] : SplitRules(after).rules) {
+    const auto at = old.rules.find(name);
+    if (at == old.rules.end() || at->second != text) names.insert(name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -60,9 +63,7 @@ std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files) {
   for (const WatchedFile& file : files) {
     all.push_back(file);
     if (!file.is_rules) continue;
-    std::set<fs::path> found;
-    AddSourced(file.file, found);
-    for (const fs::path& one : found)
+    for (const fs::path& one : WithSourcedFiles(file.file))
       if (one != file.file) all.push_back({file.agent, one, true});
   }
   return all;
@@ -71,6 +72,8 @@ std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files) {
 SplitText SplitRules(std::string_view given) {
   SplitText split;
   const std::string text = BlankComments(std::string(given));
+  split.only_rules.reserve(text.size());
+  for (const char c : text) split.only_rules += c == '\n' ? '\n' : ' ';
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t line_end = std::min(text.find('\n', at), text.size());
     const bool begins = (text.compare(at, 2, "sp") == 0 || text.compare(at, 2, "gp") == 0) &&
@@ -103,6 +106,7 @@ SplitText SplitRules(std::string_view given) {
       return split;
     }
     split.rules[name] = text.substr(at, end + 1 - at);
+    split.only_rules.replace(at, end + 1 - at, split.rules[name]);
     at = std::min(text.find('\n', end), text.size() - 1) + 1;
   }
   return split;
@@ -149,64 +153,66 @@ void LiveEdits::Watch() {
   }
 }
 
-bool LiveEdits::Edit(const WatchedFile& file, const std::string& before, const std::string& after,
-                     std::vector<std::string>& told) {
-  if (!file.is_rules) {
-    if (const auto problem = script::CheckSyntax(after, file.file.string())) {
-      told.push_back(Format(*problem) + "   note: the script before this edit stays\n");
-      return false;
-    }
-    simulation_.Submit(ScriptInput{file.agent, script::WithKept(after, script::UnchangedVariables(before, after))});
-    return true;
+std::optional<std::string> LiveEdits::TakeChange(const fs::path& file, Version& version,
+                                                 std::vector<Diagnostic>& told) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file, error);
+  // Editors put a new file in the place of the old one: a moment without any is nothing to report.
+  if (error) {
+    if (++version.missed == 2) told.push_back(EditNews(Severity::kWarning, file, "this file is gone", kKeepsRunning));
+    return std::nullopt;
   }
-  const SplitText now = SplitRules(after);
-  if (!now.unclosed.empty()) {
-    told.push_back(file.file.string() + ": error: the rule " + now.unclosed +
-                   " is not closed\n   note: the rules before this edit stay\n");
-    return false;
-  }
-  const std::vector<std::string> edits = EditsBetween(SplitRules(before), now);
-  for (const std::string& edit : edits) simulation_.Submit(CommandInput{file.agent, edit});
-  return !edits.empty();
+  version.missed = 0;
+  if (time == version.time) return std::nullopt;
+  version.time = time;
+  std::optional<std::string> text = IsPlainFile(file) ? ReadText(file) : std::nullopt;
+  if (!text) told.push_back(EditNews(Severity::kWarning, file, WhyUnreadable(file), kKeepsRunning));
+  if (!text || *text == version.text) return std::nullopt;
+  return text;
 }
 
-std::vector<std::string> LiveEdits::Poll() {
-  std::vector<std::string> told;
-  Watch();
-  std::set<fs::path> changed, failed, missing;
-  std::map<fs::path, std::string> before;
-  for (const WatchedFile& file : files_) {
-    Version& version = versions_[file.file];
-    if (!changed.contains(file.file)) {
-      std::error_code error;
-      const auto time = fs::last_write_time(file.file, error);
-      // Editors put a new file in the place of the old one: a moment without any is nothing to tell.
-      if (!error) version.missed = 0;
-      if (error && missing.insert(file.file).second && ++version.missed == 2)
-        told.push_back(file.file.string() + ": warning: this file is gone" + NoteOfEarlier(file));
-      if (error || time == version.time) continue;
-      version.time = time;
-      std::optional<std::string> text = IsPlainFile(file.file) ? ReadText(file.file) : std::nullopt;
-      if (!text)
-        told.push_back(file.file.string() + ": warning: this " + WhyUnreadable(file.file) + NoteOfEarlier(file));
-      if (!text || *text == version.text) continue;
-      before[file.file] = std::exchange(version.text, std::move(*text));
-      version.earlier.emplace_back(simulation_.tick(), before[file.file]);
-      changed.insert(file.file);
-    }
-    if (failed.contains(file.file)) continue;
-    if (!Edit(file, before[file.file], version.text, told)) {
-      failed.insert(file.file);
-      // The next good version is compared with what runs, not with what never did.
-      if (!told.empty()) {
-        version.text = before[file.file];
-        version.earlier.pop_back();
-      }
-    }
+void LiveEdits::Submit(const WatchedFile& file, const std::string& before, const std::string& after) {
+  if (!file.is_rules) {
+    simulation_.Submit(ScriptInput{file.agent, script::WithKept(after, script::UnchangedVariables(before, after))});
+    return;
   }
-  for (const fs::path& file : changed)
-    if (!failed.contains(file))
-      told.push_back("soarbox: " + file.string() + " was edited; the world goes on with it\n");
+  for (const std::string& edit : EditsBetween(SplitRules(before), SplitRules(after)))
+    simulation_.Submit(CommandInput{file.agent, edit});
+}
+
+void LiveEdits::TellSlips(std::vector<Diagnostic>& told) {
+  std::erase_if(edited_, [&](const Edited& edited) {
+    if (simulation_.tick() <= edited.tick) return false;
+    for (Diagnostic& slip : simulation_.SlipsOf(edited.agent, edited.rules)) told.push_back(std::move(slip));
+    return true;
+  });
+}
+
+std::vector<Diagnostic> LiveEdits::Poll() {
+  std::vector<Diagnostic> told;
+  TellSlips(told);
+  Watch();
+  std::set<fs::path> looked_at;
+  for (const WatchedFile& changed : files_) {
+    if (!looked_at.insert(changed.file).second) continue;
+    Version& version = versions_[changed.file];
+    const std::optional<std::string> text = TakeChange(changed.file, version, told);
+    if (!text) continue;
+    std::vector<Diagnostic> problems =
+        changed.is_rules ? VetRuleFile(*text, changed.file) : CheckScriptText(*text, changed.file.string());
+    const bool is_refused = HasError(problems);
+    told.insert(told.end(), std::make_move_iterator(problems.begin()), std::make_move_iterator(problems.end()));
+    // The next good version is compared with what runs, not with what never did.
+    if (is_refused) {
+      told.push_back(EditNews(Severity::kNote, changed.file, std::string("nothing was changed; ") + kKeepsRunning));
+      continue;
+    }
+    for (const WatchedFile& file : files_)
+      if (file.file == changed.file) Submit(file, version.text, *text);
+    if (changed.is_rules) edited_.push_back({changed.agent, ChangedRules(version.text, *text), simulation_.tick()});
+    version.earlier.emplace_back(simulation_.tick(), std::exchange(version.text, *text));
+    told.push_back(EditNews(Severity::kNote, changed.file, "reloaded"));
+  }
   return told;
 }
 

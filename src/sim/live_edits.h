@@ -4,10 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "diagnostics/diagnostic.h"
 
 namespace soarbox::sim {
 
@@ -26,6 +30,7 @@ std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files);
 /// The rules of a text by name, with comments blanked. Empty, with the name of the rule at fault, if one is not closed.
 struct SplitText {
   std::map<std::string, std::string> rules;
+  std::string only_rules;  ///< The text with all that stands outside of rules blanked: places stay.
   std::string unclosed;
 };
 SplitText SplitRules(std::string_view text);
@@ -36,7 +41,8 @@ std::vector<std::string> EditsBetween(const SplitText& before, const SplitText& 
 
 /// Lets edits of rules and scripts reach a running world: looks at the files' times between ticks, and hands what
 /// changed to the simulation's one door, so that a record of the inputs replays the edits too. A file that does not
-/// parse changes nothing: the version before it stays. Reads the disk; for the program that runs the simulation.
+/// parse changes nothing (vet_rules.h): the previous version keeps running. Reads the disk; for the program that runs
+/// the simulation.
 class LiveEdits {
  public:
   explicit LiveEdits(Simulation& simulation);
@@ -44,8 +50,8 @@ class LiveEdits {
   /// this tick, so that what was edited since reaches it as an edit of its own, soon.
   LiveEdits(Simulation& simulation, const LiveEdits& earlier);
 
-  /// Looks at all files; what it did is told in lines.
-  std::vector<std::string> Poll();
+  /// Looks at all files; says what was reloaded (a note), and what is wrong.
+  std::vector<Diagnostic> Poll();
 
  private:
   struct Version {
@@ -55,12 +61,22 @@ class LiveEdits {
     int missed = 0;                                              ///< How often in a row it was not there.
   };
   void Watch();
-  bool Edit(const WatchedFile& file, const std::string& before, const std::string& after,
-            std::vector<std::string>& told);
+  /// The new text of a file that has changed; nothing if it has not, or cannot be read.
+  std::optional<std::string> TakeChange(const std::filesystem::path& file, Version& version,
+                                        std::vector<Diagnostic>& told);
+  void Submit(const WatchedFile& file, const std::string& before, const std::string& after);
+  /// Slips in rules that were edited, once they run: what others make counts.
+  void TellSlips(std::vector<Diagnostic>& told);
 
   Simulation& simulation_;
   std::vector<WatchedFile> files_;
   std::map<std::filesystem::path, Version> versions_;
+  struct Edited {
+    std::string agent;
+    std::set<std::string> rules;
+    std::uint64_t tick = 0;  ///< They run after this one.
+  };
+  std::vector<Edited> edited_;  ///< One agent for each file.
 };
 
 }  // namespace soarbox::sim

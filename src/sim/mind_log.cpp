@@ -8,6 +8,7 @@
 
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
+#include "mind/decision_codec.h"
 #include "soarbox_Observation.h"
 #endif
 
@@ -38,29 +39,38 @@ struct MindLog::Listener final : MindObserver {
   }
 
   void OnOperator(int level, std::string_view, std::string_view id, std::string_view name) override {
-    is_told = true;
     Settle(level, name.empty() ? id : name);
     tick.notes.NoteOperator(level, id, name);
+    NoteDecided();
   }
   void OnState(int level, std::string_view state, std::string_view impasse, std::string_view attribute) override {
     // A program that waits says so in each cycle; once is enough, however long it waits.
-    is_told = waits_in != state;
-    if (!is_told) return;
+    if (waits_in == state) {
+      decided.clear();
+      return;
+    }
     Settle(level, {});
     waits_in = state;
     tick.notes.NoteState(level, state, impasse, attribute);
+    NoteDecided();
   }
   void OnStateGone(int level, std::string_view state) override {
-    is_told = true;
     Settle(level, {});
     tick.notes.NoteStateGone(level, state);
   }
-  void OnHalt() override {
-    is_told = true;
-    tick.notes.NoteHalt();
+  void OnHalt() override { tick.notes.NoteHalt(); }
+  void OnDecided(const mind::DecisionView& decision) override {
+    decided.clear();
+    mind::Pack(decision, decided);
   }
-  void OnReason(std::string_view reason) override {
-    if (is_told) tick.notes.NoteReason(reason);
+  void NoteDecided() {
+    tick.notes.NoteDecided(decided);
+    decided.clear();
+  }
+  void OnRecall(int level, bool is_episode, std::uint64_t number, std::string_view question, std::string_view answer,
+                std::string_view reason) override {
+    tick.notes.NoteRecall(level, is_episode, number, question, answer);
+    tick.notes.NoteReason(reason);
   }
   void OnCommand(std::uint64_t timetag, std::string_view, std::string_view rule) override {
     if (!rule.empty()) tick.notes.NoteRuleOfCommand(timetag, rule);
@@ -75,7 +85,7 @@ struct MindLog::Listener final : MindObserver {
   std::vector<std::string> operators;  ///< By level of the goal stack, the first `depth` of them.
   std::size_t depth = 0;
   std::string waits_in;  ///< The state that was told last, if nothing was since.
-  bool is_told = false;  ///< The last decision was, so that its reason counts.
+  std::string decided;   ///< What was said of the decision that comes next, packed.
   std::unique_ptr<Observation> observation;
 };
 
@@ -98,12 +108,6 @@ struct MindLog::Listener {
 void MindLog::Listen(sml::Agent&, MindDetail) {}
 
 #endif
-
-void MindLog::BeforeRun() {
-#ifdef SOARBOX_OWN_KERNEL
-  if (listener_->observation != nullptr) listener_->observation->BeforeRun();
-#endif
-}
 
 MindLog::MindLog() : listener_(std::make_unique<Listener>()) {}
 MindLog::~MindLog() = default;

@@ -33,8 +33,6 @@ class MindLog {
   void Listen(sml::Agent& agent, MindDetail detail);
   /// Forgets the tick before.
   void Clear();
-  /// Call before the agent runs.
-  void BeforeRun();
 
   /// What has been noted in this tick, to add to or to copy; stays where it is for the life of the log.
   MindNotes& notes();

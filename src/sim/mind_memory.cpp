@@ -16,6 +16,11 @@ constexpr std::size_t kLeastGrowth_bytes = std::size_t{8} << 20;
 /// What a partial match takes, and what it takes with all that becomes of it.
 constexpr std::size_t kMatch_bytes = 64, kGrownMatch_bytes = 256;
 
+/// A mind that takes this part of the world's memory is told of.
+constexpr std::size_t kMuch = 8;
+constexpr const char* kGrowingRules =
+    "look for rules that add elements in each decision and never take them back; --memory gives the world more";
+
 std::string Megabytes(std::size_t bytes) {
   return std::to_string((bytes + (std::size_t{1} << 19)) >> 20) + " MB";
 }
@@ -25,7 +30,7 @@ std::string Megabytes(std::size_t bytes) {
 /// What is left is dealt out to those who decide now, so that they cannot use more together within one tick.
 void Minds::LimitMemory() {
   if (ready_.empty()) return;
-  const std::size_t left = memory_limit_ - std::min(memory_limit_, memory_bytes_);
+  const std::size_t left = MemoryLeft();
   const std::size_t share = std::max(kLeastGrowth_bytes, left / ready_.size());
   for (const std::size_t i : ready_)
     minds_[i].soar.AllowMatches(minds_[i].memory_bytes / kMatch_bytes + share / kGrownMatch_bytes);
@@ -39,8 +44,9 @@ void Minds::KeepWithinMemory() {
     const std::size_t now = mind.soar.MemoryBytes();
     memory_bytes_ = memory_bytes_ - mind.memory_bytes + now;
     mind.memory_bytes = now;
+    if (now > memory_limit_ / kMuch && !mind.told_memory) TellMemory(mind);
   }
-  while (memory_bytes_ > memory_limit_) {
+  while (memory_bytes_ + scripts_bytes_ + bodies_bytes_ > memory_limit_) {
     Mind* largest = nullptr;
     for (Mind& mind : minds_)
       if (!mind.gone && mind.memory_bytes > 0 && (largest == nullptr || mind.memory_bytes > largest->memory_bytes))
@@ -50,16 +56,30 @@ void Minds::KeepWithinMemory() {
   }
 }
 
+void Minds::TellMemory(Mind& mind) {
+  mind.told_memory = true;
+  Event event;
+  event.kind = EventKind::kDiagnostic;
+  event.agent = world_.FindAgent(mind.agent)->name();
+  event.diagnostic.severity = Severity::kWarning;
+  event.diagnostic.file = mind.rules.string();
+  event.diagnostic.message = "the mind of " + event.agent + " has grown to " + Megabytes(mind.memory_bytes) +
+                             " of the " + Megabytes(memory_limit_) + " that this world may take";
+  event.diagnostic.hint = kGrowingRules;
+  report_(std::move(event));
+}
+
 void Minds::HaltForMemory(Mind& mind) {
   const std::string& name = world_.FindAgent(mind.agent)->name();
   Event event;
   event.kind = EventKind::kMindFailed;
   event.agent = name;
   event.diagnostic.file = mind.rules.string();
-  event.diagnostic.message = name + " stands still from now on: the minds of this world together need more than " +
-                             Megabytes(memory_limit_) + " of memory, and its " + Megabytes(mind.memory_bytes) +
-                             " are the most";
-  event.diagnostic.hint = "look for rules that add elements in each decision and never take them back";
+  event.diagnostic.message = name + " stops for good: this world needs more than " + Megabytes(memory_limit_) +
+                             " of memory (minds " + Megabytes(memory_bytes_) + ", scripts " +
+                             Megabytes(scripts_bytes_) + ", bodies " + Megabytes(bodies_bytes_) + "), and its " +
+                             Megabytes(mind.memory_bytes) + " are the most of any mind";
+  event.diagnostic.hint = kGrowingRules;
   memory_bytes_ -= mind.memory_bytes;
   mind.memory_bytes = 0;
   mind.lost = mind.gone = true;

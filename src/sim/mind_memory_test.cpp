@@ -47,7 +47,7 @@ Outcome PlayHogs(int hogs, std::size_t limit_bytes, int threads, int ticks) {
   EXPECT_TRUE(scenario.ok());
   SimulationSettings settings;
   settings.soar.threads = threads;
-  settings.limits.mind_memory_bytes = limit_bytes;
+  settings.limits.memory_bytes = limit_bytes;
   auto simulation = Simulation::Create(scenario.value(), settings);
   EXPECT_TRUE(simulation.ok());
   Outcome outcome;
@@ -79,7 +79,7 @@ TEST(MindMemory, AHundredMindsThatGrowAreHaltedOneByOneAndTheWorldGoesOn) {
   const Outcome outcome = PlayHogs(100, std::size_t{30} << 20, 1, 10);
   EXPECT_FALSE(outcome.halted.empty());
   EXPECT_FALSE(outcome.halted.contains("honest"));
-  EXPECT_NE(outcome.first.find("together need more than 30 MB"), std::string::npos) << outcome.first;
+  EXPECT_NE(outcome.first.find("this world needs more than 30 MB of memory"), std::string::npos) << outcome.first;
 }
 
 TEST(MindMemory, WhoIsHaltedDoesNotDependOnTheThreads) {

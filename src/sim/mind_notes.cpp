@@ -6,26 +6,10 @@
 #include <cstring>
 #include <utility>
 
-namespace soarbox::sim {
+#include "mind/decision_codec.h"
+#include "tell/decision_text.h"
 
-enum class MindNotes::Kind : std::uint8_t {
-  kInteger,  // Percepts by the type of their value: path, attribute; a text's value is the third text.
-  kFloat,
-  kText,
-  kGone,
-  kCommand,
-  kOutcome,  // Command, how it went, reason.
-  kRuleOfCommand,
-  kOperator,  // The number is the level; id, name.
-  kState,     // State, impasse, attribute.
-  kStateGone,
-  kHalt,
-  kReason,
-  kFire,
-  kRetract,
-  kAdded,  // Id, attribute, value; a key of one: acceptable.
-  kRemoved,
-};
+namespace soarbox::sim {
 
 struct MindNotes::Head {
   std::uint64_t number;  ///< The value's bits, a time tag or a level.
@@ -101,8 +85,17 @@ void MindNotes::NoteStateGone(int level, std::string_view state) {
 void MindNotes::NoteHalt() {
   Add(Kind::kHalt, 0);
 }
+void MindNotes::NoteRecall(int level, bool is_episode, std::uint64_t number, std::string_view question,
+                           std::string_view answer) {
+  const std::string what =
+      number == 0 ? (is_episode ? "no episode" : "no fact") : (is_episode ? "episode " : "@") + std::to_string(number);
+  Add(Kind::kRecall, static_cast<std::uint64_t>(level), what, question, answer);
+}
 void MindNotes::NoteReason(std::string_view reason) {
   if (!reason.empty()) Add(Kind::kReason, 0, reason);
+}
+void MindNotes::NoteDecided(std::string_view decision) {
+  if (!decision.empty()) Add(Kind::kDecided, 0, decision);
 }
 
 void MindNotes::NoteFiring(std::string_view rule, bool retracts) {
@@ -126,6 +119,22 @@ std::string Joined(std::string_view path, std::string_view attribute, std::uint3
 
 }  // namespace
 
+bool MindNotes::Next(std::size_t& at, View& view) const {
+  if (at + sizeof(Head) > used_) return false;
+  Head head;
+  std::memcpy(&head, bytes_.data() + at, sizeof head);
+  at += sizeof head;
+  std::string_view* texts[] = {&view.first, &view.second, &view.third};
+  for (std::size_t i = 0; i < head.sizes.size(); ++i) {
+    *texts[i] = std::string_view(bytes_).substr(at, head.sizes[i]);
+    at += head.sizes[i];
+  }
+  view.kind = head.kind;
+  view.number = head.number;
+  view.key = head.key;
+  return true;
+}
+
 MindWords MindNotes::Words(bool with_details) const {
   MindWords words;
   std::vector<std::pair<std::uint64_t, std::string_view>> rules;
@@ -136,16 +145,9 @@ MindWords MindNotes::Words(bool with_details) const {
   const auto detail = [&words](std::string_view what) {
     return std::to_string(words.decisions.size()).append(" ").append(what);
   };
-  for (std::size_t at = 0; at + sizeof(Head) <= used_;) {
-    Head head;
-    std::memcpy(&head, bytes_.data() + at, sizeof head);
-    at += sizeof head;
-    std::array<std::string_view, 3> texts;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-      texts[i] = std::string_view(bytes_).substr(at, head.sizes[i]);
-      at += head.sizes[i];
-    }
-    const auto [first, second, third] = texts;
+  View head;
+  for (std::size_t at = 0; Next(at, head);) {
+    const std::string_view first = head.first, second = head.second, third = head.third;
     const auto percept = [&, path = first, attribute = second](const auto& value) {
       words.percepts.push_back(Joined(path, attribute, head.key) + " " + DescribeValue({{}, 0, value}));
     };
@@ -197,11 +199,22 @@ MindWords MindNotes::Words(bool with_details) const {
       case Kind::kStateGone:
         decided(Indent(head.number).append("<==S: ").append(first));
         break;
+      case Kind::kRecall: {
+        std::string line = Indent(head.number).append("recall ").append(first);
+        line.append(" {").append(third).append("} for {").append(second).append("}");
+        decided(std::move(line));
+        break;
+      }
       case Kind::kHalt:
         decided("halt");
         break;
       case Kind::kReason:
         if (!words.reasons.empty()) words.reasons.back() = first;
+        break;
+      case Kind::kDecided:
+        if (words.reasons.empty()) break;
+        if (const std::optional<mind::Decision> decision = mind::Unpack(first))
+          words.reasons.back() = tell::WhyDecided(*decision);
         break;
       case Kind::kFire:
       case Kind::kRetract:

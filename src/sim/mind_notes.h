@@ -24,7 +24,7 @@ struct MindWords {
   std::vector<std::string> details;
   /// "move-to ^waypoint gate", and how commands went: "move-to: complete".
   std::vector<std::string> commands;
-  /// For each of the decisions: why it was taken ("the only one proposed; proposed by RULE"), or nothing.
+  /// For each of the decisions: why it was taken ("the only operator proposed, by rule RULE"), or nothing.
   std::vector<std::string> reasons;
   /// For each of the commands: the rule that made it, where that is known and it is a command.
   std::vector<std::string> command_rules;
@@ -55,8 +55,13 @@ class MindNotes {
   void NoteState(int level, std::string_view state, std::string_view impasse, std::string_view attribute);
   void NoteStateGone(int level, std::string_view state);
   void NoteHalt();
-  /// Of the last decision.
+  /// What long-term memory answered: "recall @12 {^kind ammo ^site @3} for {^kind ammo}" among the decisions, "episode
+  /// 7" for @12 if it is one, "no fact" or "no episode" where nothing came. NoteReason says why.
+  void NoteRecall(int level, bool is_episode, std::uint64_t number, std::string_view question, std::string_view answer);
+  /// Of the last decision, in words.
   void NoteReason(std::string_view reason);
+  /// Of the last decision: what the decision procedure said, packed (mind/decision_codec.h).
+  void NoteDecided(std::string_view decision);
 
   // Details.
   void NoteFiring(std::string_view rule, bool retracts);
@@ -66,8 +71,37 @@ class MindNotes {
   /// The words; without details they are left out.
   MindWords Words(bool with_details = true) const;
 
+  enum class Kind : std::uint8_t {
+    kInteger,  ///< Percepts by the type of their value: path, attribute; a text's value is the third text.
+    kFloat,
+    kText,
+    kGone,
+    kCommand,  ///< "move-to ^waypoint gate"; the number is its time tag.
+    kOutcome,  ///< Command, how it went, reason.
+    kRuleOfCommand,
+    kOperator,  ///< The number is the level; id, name.
+    kState,     ///< State, impasse, attribute; the number is the level.
+    kStateGone,
+    kHalt,
+    kReason,
+    kDecided,  ///< Of the last decision: bytes.
+    kRecall,   ///< What came ("@12"), the question, the answer; the number is the level.
+    kFire,
+    kRetract,
+    kAdded,  ///< Id, attribute, value; a key of one: acceptable.
+    kRemoved,
+  };
+  /// One of the notes, for whoever wants no words.
+  struct View {
+    Kind kind = Kind::kHalt;
+    std::uint64_t number = 0;
+    std::string_view first, second, third;
+    std::uint32_t key = 0;
+  };
+  /// Reads the note at this place, 0 for the first, and moves on; false behind the last.
+  bool Next(std::size_t& at, View& view) const;
+
  private:
-  enum class Kind : std::uint8_t;
   struct Head;
   void Add(Kind kind, std::uint64_t number, std::string_view first = {}, std::string_view second = {},
            std::string_view third = {}, std::uint32_t key = 0);

@@ -3,10 +3,24 @@
 
 #include <gtest/gtest.h>
 
+#include "mind/decision_codec.h"
+
 namespace soarbox::sim {
 namespace {
 
 using Lines = std::vector<std::string>;
+
+/// One operator that a rule proposes.
+std::string OnlyOne() {
+  mind::DecisionView decision;
+  decision.operators = {{"O1", "seek"}};
+  decision.preferences = {{mind::PreferenceKind::kAcceptable, 0, mind::Decision::kNoOperator, 0, "scout*propose"}};
+  decision.left = {{0, 0, 1}};
+  decision.selected = 0;
+  std::string bytes;
+  mind::Pack(decision, bytes);
+  return bytes;
+}
 
 TEST(MindNotes, PerceptsAreWordedWithPathKeyAndValue) {
   MindNotes notes;
@@ -22,18 +36,19 @@ TEST(MindNotes, PerceptsAreWordedWithPathKeyAndValue) {
 
 TEST(MindNotes, DecisionsAreIndentedByLevelAndHaveTheirReasons) {
   MindNotes notes;
-  notes.NoteReason("of a decision before");
+  notes.NoteDecided(OnlyOne());
   notes.NoteOperator(1, "O1", "seek");
-  notes.NoteReason("the only one proposed");
+  notes.NoteDecided(OnlyOne());
   notes.NoteState(2, "S2", "no-change", "operator");
   notes.NoteOperator(2, "O2", "");
+  notes.NoteDecided("damaged");
   notes.NoteStateGone(2, "S2");
   notes.NoteState(1, "S1", "none", "state");
   notes.NoteHalt();
   const MindWords words = notes.Words();
   EXPECT_EQ(words.decisions,
             (Lines{"O: O1 (seek)", "   ==>S: S2 (operator no-change)", "   O: O2", "   <==S: S2", "==>S: S1", "halt"}));
-  EXPECT_EQ(words.reasons, (Lines{"the only one proposed", "", "", "", "", ""}));
+  EXPECT_EQ(words.reasons, (Lines{"the only operator proposed, by rule scout*propose", "", "", "", "", ""}));
 }
 
 TEST(MindNotes, CommandsHaveTheRuleThatMadeThem) {

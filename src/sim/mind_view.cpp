@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -163,6 +164,13 @@ RuleMatch MindView::Match(const std::string& rule) {
     }
   }
   return match;
+}
+
+bool MindView::HasFired(const std::string& rule) {
+  // " 3:  rule"
+  std::istringstream in(Ask("production firing-counts " + rule));
+  std::uint64_t count = 0;
+  return !(in >> count) || count > 0;
 }
 
 std::vector<Preference> MindView::Preferences(const std::string& state, bool with_elements) {

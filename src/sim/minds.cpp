@@ -197,6 +197,8 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   if (!loaded) return loaded.error();
   minds_.push_back(
       {agent, settings, kind->follows_leader, is_scripted, *rules, SoarMind(*loaded->agent, settings), loaded->thread});
+  minds_.back().memory_bytes = minds_.back().soar.MemoryBytes();
+  memory_bytes_ += minds_.back().memory_bytes;
   // An agent that another one makes while it is made itself has its mind first.
   if (place_by_id_.size() <= Number(agent)) place_by_id_.resize(Number(agent) + std::size_t{1});
   place_by_id_[Number(agent)] = static_cast<std::uint32_t>(minds_.size());
@@ -208,7 +210,15 @@ Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesy
   Result<SoarHost::Loaded> loaded =
       host_.CreateAgent(agent, rules, settings.waits ? "soar wait-snc on" : "", is_scripted);
   if (!loaded) return loaded;
+  has_new_rules_ = true;
+  const bool is_first = !failed_.contains(rules);
+  std::set<std::string> failed_rules;
   for (Diagnostic& problem : loaded->problems) {
+    // Several errors may be one rule's: "rule NAME: ...".
+    if (problem.severity == Severity::kError && is_first &&
+        failed_rules.insert(problem.message.substr(0, problem.message.find(':'))).second)
+      failed_[rules].push_back(std::filesystem::path(problem.file).filename().string() + ":" +
+                               std::to_string(problem.line));
     if (!reported_.insert(Format(problem)).second) continue;
     Event event;
     event.kind = EventKind::kDiagnostic;
@@ -251,6 +261,7 @@ Minds::Mind* Minds::FindNamed(std::string_view agent) {
 }
 
 void Minds::Decide() {
+  if (has_new_rules_) TellSlips();
   for (Mind& mind : minds_) {
     mind.decide_s = 0;
     if (mind.soar.is_logged()) mind.soar.log().Clear();
@@ -285,7 +296,9 @@ void Minds::Notice() {
     for (std::size_t i = first; i < actors.size(); i += step) {
       if (!actors[i]->IsAlive()) continue;
       HearOrders(*actors[i]);
-      if (IsSenseTick(*actors[i])) NoticeOthers(*actors[i]);
+      if (!IsSenseTick(*actors[i])) continue;
+      NoticeOthers(*actors[i]);
+      NoticeThings(*actors[i]);
     }
   };
   if (actors.size() < kWorthThreads) return notice(0, 1);
@@ -412,7 +425,7 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
   event.agent = body.name();
   event.diagnostic.file = mind.rules.string();
   event.diagnostic.message =
-      body.name() + " ran out of memory and stands still from now on: " + std::string(mind.soar.Breakdown());
+      body.name() + " ran out of memory and stops for good: " + std::string(mind.soar.Breakdown());
   event.diagnostic.hint = "conditions that share no variable match in all combinations of their elements";
   report_(std::move(event));
   return true;
@@ -437,7 +450,7 @@ void Minds::TellGap(Mind& mind, const world::Agent& body) {
     return;
   }
   if (std::exchange(mind.in_gap, true)) return;
-  TellCause(mind, body, "it found no command within its decision budget");
+  TellCause(mind, body, "it gave no command within its decision budget");
 }
 
 /// An agent whose body the vocabulary drives may well have nothing to say in a tick: it is idle only when nothing is
@@ -466,7 +479,7 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
   event.kind = EventKind::kGap;
   event.agent = body.name();
   event.text = std::move(text);
-  event.reasons = MindReasons(mind.soar.agent()).WhyIdle(KnownAttributes());
+  event.reasons = MindReasons(mind.soar.agent(), FailedIn(mind.rules)).WhyIdle(KnownAttributes());
   if (mind.last_answer.find(" failed: ") != std::string::npos)
     event.reasons.insert(event.reasons.begin(), "its last command " + mind.last_answer);
   const std::string cause = event.reasons.empty() ? std::string() : event.reasons.front();
@@ -486,6 +499,11 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
                             (percepts.size() > kShown ? percepts.substr(0, kShown) + " ..." : percepts));
   }
   report_(std::move(event));
+}
+
+std::vector<std::string> Minds::FailedIn(const std::filesystem::path& rules) const {
+  const auto failed = failed_.find(rules);
+  return failed == failed_.end() ? std::vector<std::string>() : failed->second;
 }
 
 std::set<std::string> Minds::KnownAttributes() {
@@ -536,7 +554,7 @@ std::vector<std::string> Minds::Why(std::string_view agent) {
     lines.emplace_back("was halted: the minds of this world needed too much memory");
     return lines;
   }
-  MindReasons reasons(at->soar.agent());
+  MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
   Actor* actor = arena_.Find(at->agent);
   if (body.Health() <= 0) {
     lines.emplace_back("is dead");

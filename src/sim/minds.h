@@ -37,8 +37,14 @@ class Minds final : public script::MindFactory {
   void SetSenseScript(SenseScript sense) { sense_script_ = std::move(sense); }
   /// How much is noted of what minds do that are made from now on.
   void SetDetail(MindDetail detail) { detail_ = detail; }
-  /// What all minds together may take; the one with most is halted when it is more.
+  /// What the world may take; when it is more, the mind with most is halted.
   void SetMemoryLimit(std::size_t bytes) { memory_limit_ = bytes; }
+  /// What scripts and bodies have of that.
+  void SetOtherMemory(std::size_t scripts_bytes, std::size_t bodies_bytes) {
+    scripts_bytes_ = scripts_bytes;
+    bodies_bytes_ = bodies_bytes;
+  }
+  std::size_t MemoryBytes() const override { return memory_bytes_; }
   /// Kinds of bodies that options may name.
   std::vector<BodyKind>& body_kinds() { return body_kinds_; }
 
@@ -60,6 +66,12 @@ class Minds final : public script::MindFactory {
   /// it when EndAnswers returns; until then nothing else may ask a mind for anything.
   void Answer();
   void EndAnswers() { pool_.Join(); }
+
+  /// Reports what is most likely a slip in rules that loaded, once per file of rules: when all agents of the set-up are
+  /// there, as their rules and scripts decide which words are known.
+  void TellSlips();
+  /// The same for some rules of an agent, by name, as they run now: warnings with their places.
+  std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules);
 
   /// Tells how often causes came up that were told once.
   void TellCounts();
@@ -90,6 +102,7 @@ class Minds final : public script::MindFactory {
     bool lost = false;             ///< Its program has broken down, or could not be made again.
     bool gone = false;             ///< Its agent was destroyed: there is no program to ask.
     std::size_t memory_bytes = 0;  ///< When it was last measured.
+    bool told_memory = false;      ///< That it takes much.
     bool in_gap = false;
     bool told_halt = false;
     int gaps = 0;                  ///< How often it was found doing nothing.
@@ -129,6 +142,7 @@ class Minds final : public script::MindFactory {
   void LimitMemory();
   void KeepWithinMemory();
   void HaltForMemory(Mind& mind);
+  void TellMemory(Mind& mind);
   void TellGap(Mind& mind, const world::Agent& body);
   void TellIdle(Mind& mind, const world::Agent& body);
   void TellHalt(Mind& mind, const world::Agent& body);
@@ -137,7 +151,9 @@ class Minds final : public script::MindFactory {
   void TellWritten(Mind& mind, const world::Agent& body);
   /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.
   std::set<std::string> KnownAttributes();
+  std::vector<std::string> FailedIn(const std::filesystem::path& rules) const;
   void Tell(EventKind kind, const world::Agent& body, std::string text);
+  std::vector<Diagnostic> FindSlips(Mind& mind, const std::set<std::string>& rules);
 
   world::World& world_;
   const Scenario& scenario_;
@@ -158,11 +174,19 @@ class Minds final : public script::MindFactory {
   std::vector<std::size_t> places_;                ///< Scratch: by thread.
   WorkerPool pool_;
   int asked_ = 0;  ///< How often a mind was asked why it does nothing.
-  std::size_t memory_limit_ = script::WorldLimits{}.mind_memory_bytes;
+  std::size_t MemoryLeft() const {
+    return memory_limit_ - std::min(memory_limit_, memory_bytes_ + scripts_bytes_ + bodies_bytes_);
+  }
+  std::size_t memory_limit_ = script::WorldLimits{}.memory_bytes;
+  std::size_t scripts_bytes_ = 0, bodies_bytes_ = 0;
   std::size_t memory_bytes_ = 0;                                          ///< Of all minds, as last measured.
   std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< Per file: attributes that its rules make.
-  std::set<std::string> script_rows_;  ///< Attributes that scripts' Agent_Sense returned.
-  std::set<std::string> reported_;     ///< Problems told already: many agents share one file.
+  std::set<std::string> script_rows_;            ///< Attributes that scripts' Agent_Sense returned.
+  std::set<std::string> reported_;               ///< Problems told already: many agents share one file.
+  bool has_new_rules_ = false;                   ///< Minds were made whose rules may still have slips to report.
+  std::set<std::filesystem::path> looked_over_;  ///< Files of rules whose slips were reported.
+  /// Files of rules of which some did not load, and where those stand: "hero.soar:12".
+  std::map<std::filesystem::path, std::vector<std::string>> failed_;
 };
 
 /// A script's table as percepts, and parameters as a script's table.

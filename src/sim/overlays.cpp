@@ -99,6 +99,25 @@ std::string TextOf(const world::Message& message) {
   return text;
 }
 
+/// Where things and items have their names: above them.
+Vec3 TopOf(const world::Object& object) {
+  constexpr float kHighest_m = 2.5f;
+  return object.Position() + Vec3{0, std::min(object.Radius(), kHighest_m), 0};
+}
+
+void AddPlaces(const Arena& arena, std::vector<world::PlaceSnapshot>& out) {
+  using Kind = world::PlaceSnapshot::Kind;
+  const Places& places = arena.places();
+  for (const Waypoint& waypoint : places.waypoints) out.push_back({Kind::kWaypoint, waypoint.name, waypoint.position});
+  for (const Region& region : places.regions) out.push_back({Kind::kRegion, region.name, region.center});
+  for (const auto& [id, name] : places.object_names) {
+    const world::Object* object = arena.world().FindObject(id);
+    if (object == nullptr) continue;
+    const bool is_item = places.items.contains(id);
+    out.push_back({is_item ? Kind::kItem : Kind::kThing, name, TopOf(*object)});
+  }
+}
+
 }  // namespace
 
 world::OverlaySnapshot TakeOverlays(const Arena& arena, Minds& minds, const world::OverlayWants& wants) {
@@ -132,6 +151,7 @@ world::OverlaySnapshot TakeOverlays(const Arena& arena, Minds& minds, const worl
     if (age_s > kSpeechStays_s || message.from == world::kNoEntity || message.about == "order") continue;
     all.speech.push_back({Number(message.from), NumberOrNone(message.to), TextOf(message), age_s});
   }
+  AddPlaces(arena, all.places);
   world.AddOverlays(wants, all);
   return all;
 }

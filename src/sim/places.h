@@ -36,6 +36,10 @@ struct Item {
   world::EntityId object;
   std::string gives;  ///< "ammunition", "health" or empty: just a thing to carry.
   float amount = 0;
+  // What it looks like, for when it is put down again.
+  std::string shape = "box", material;
+  world::Vec3 size{0.4f, 0.4f, 0.4f};
+  float mass_kg = 0;
 };
 
 /// The named parts of a world, in the order in which the scenario names them.

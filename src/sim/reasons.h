@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "diagnostics/result.h"
@@ -14,7 +15,9 @@ namespace soarbox::sim {
 /// Why a Soar program does what it does, or does not, in sentences. Costs nothing until somebody asks.
 class MindReasons {
  public:
-  explicit MindReasons(sml::Agent& agent) : view_(agent) {}
+  /// `failed`: where rules stand that did not load, "hero.soar:12".
+  explicit MindReasons(sml::Agent& agent, std::vector<std::string> failed = {})
+      : view_(agent), failed_(std::move(failed)) {}
 
   /// Why it does nothing, most telling first; each a whole sentence or two. `known`: attributes that are made
   /// elsewhere (percepts of scripts, other agents' messages).
@@ -34,7 +37,7 @@ class MindReasons {
  private:
   using RuleList = std::vector<const RuleText*>;
 
-  /// "rule x needs ^io.input-link.self.health < 50, and it is 100"; empty if all its conditions hold.
+  /// "rule x requires ^io.input-link.self.health < 50, but it is 100"; empty if all its conditions hold.
   std::string ExplainRule(const RuleText& rule, const std::set<std::string>& known);
   std::string ExplainAbsence(const RuleText& rule, const ConditionText& condition, const std::set<std::string>& known);
   /// The nearest of these rules, each explained, and the rules that make what they wait for.
@@ -43,8 +46,13 @@ class MindReasons {
   std::vector<std::string> ExplainConflict(const std::string& state, const std::string& about);
   std::vector<std::string> WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
                                          const std::set<std::string>& known);
-  /// The rule that makes an attribute; null if none does.
-  const RuleText* MakerOf(const std::string& attribute);
+  /// The rule, other than this one, whose action makes what the condition waits for: there, and with a value that may
+  /// pass its test. Null if none does.
+  const RuleText* MakerOf(const RuleText& rule, const ConditionText& condition);
+  /// "; rule x makes it", and for which operator it does.
+  static std::string MadeBy(const RuleText& maker);
+  /// Rules that did not load, as something to mend before others are written; empty if all did.
+  std::string WhatFailed() const;
   std::string StateOf(const RuleText& rule);
 
   struct Tree;
@@ -53,6 +61,7 @@ class MindReasons {
   void TellRule(const RuleText& rule, int depth, Tree& tree);
 
   MindView view_;
+  std::vector<std::string> failed_;
 };
 
 /// "did you mean ^distance?" or nothing, from percepts and these.

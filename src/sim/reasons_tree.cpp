@@ -37,7 +37,7 @@ void MindReasons::TellRule(const RuleText& rule, int depth, Tree& tree) {
   if (waits.front().path.front() == "operator") {
     for (const std::string& name : rule.applies)
       if (!name.empty()) TellOperator(name, depth + 1, tree);
-  } else if (const RuleText* maker = MakerOf(waits.front().path.back()); maker != nullptr && maker != &rule) {
+  } else if (const RuleText* maker = MakerOf(rule, waits.front())) {
     TellRule(*maker, depth + 1, tree);
   }
 }

@@ -54,7 +54,7 @@ void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
                      {},
                      false,
                      "no condition of rule " + rule.name + " begins with (state <s>",
-                     "begin the first one with it: (state <s> ^superstate nil ...)"});
+                     "begin the first condition with it: (state <s> ^superstate nil ...)"});
     return;
   }
   std::set<std::string> linked;
@@ -76,12 +76,19 @@ void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
     const std::string_view near = condition.id.size() > 3 ? Suggest(condition.id, others) : std::string_view();
     slips.push_back({rule.name, condition.id, false,
                      "nothing in rule " + rule.name + " leads from the state to " + condition.id,
-                     near.empty() ? "link it: some other condition needs " + condition.id + " as its value"
+                     near.empty() ? "link it: give another condition " + condition.id + " as its value"
                                   : "did you mean " + std::string(near) + "?"});
   }
 }
 
-/// The constants of a value; what stands between bars comes without them.
+/// "<name" or "name>"; not a relation, and not a bracket of << a b >>.
+bool IsHalfVariable(const std::string& word) {
+  if (word.size() < 2 || word.find_first_not_of("<>=") == std::string::npos) return false;
+  if (word.starts_with("<<") || word.ends_with(">>")) return false;
+  return (word.front() == '<') != (word.back() == '>');
+}
+
+/// The constants of a value that may be slips: those between bars, without them, and half variables.
 std::vector<std::string> ConstantsIn(const std::string& value) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < value.size();) {
@@ -91,7 +98,11 @@ std::vector<std::string> ConstantsIn(const std::string& value) {
     }
     const bool is_quoted = value[at] == '|';
     const std::size_t end = std::min(is_quoted ? value.find('|', at + 1) : value.find(' ', at), value.size());
-    if (is_quoted) words.push_back(value.substr(at + 1, end - at - 1));
+    if (is_quoted) {
+      words.push_back(value.substr(at + 1, end - at - 1));
+    } else if (const std::string word = value.substr(at, end - at); IsHalfVariable(word)) {
+      words.push_back(word);
+    }
     at = end + 1;
   }
   return words;
@@ -105,11 +116,11 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
         if (word.size() < 2 || word.find(' ') != std::string::npos) continue;
         if (word.find_first_not_of("<>=!") == std::string::npos) {
           slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
-                           "the relations are < <= > >= <> (not equal) <=> (of the same type); = is left out"});
+                           "the relations are < <= > >= <> (not equal) <=> (of the same type); leave = out"});
         } else if (word.front() == '<' || word.back() == '>') {
           slips.push_back({rule.name, word, false,
                            word + " in rule " + rule.name + " is read as a word, not as a variable",
-                           "a variable has < in front and > behind, and no blanks"});
+                           "write a variable between < and >, without blanks"});
         }
       }
     }
@@ -121,14 +132,14 @@ void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
     slips.push_back({rule.name,
                      {},
                      false,
-                     "rule " + rule.name + " does nothing: there is nothing behind its -->",
+                     "rule " + rule.name + " does nothing: no action follows its -->",
                      "an action looks like (<s> ^attribute value)"});
   for (const std::string& call : rule.calls) {
     if (!call.starts_with("exec ")) continue;
     const std::string name = call.substr(5);
     const std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
     slips.push_back({rule.name, name, false,
-                     "rule " + rule.name + " calls the function " + name + ", which there is not",
+                     "rule " + rule.name + " calls the function " + name + ", which does not exist",
                      near.empty() ? "built in are write, crlf, halt, + - * / and others"
                                   : "did you mean " + std::string(near) + "?"});
   }
@@ -164,7 +175,7 @@ void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
       const std::string gone = action.value.substr(0, action.value.find(' '));
       if (IsVariable(gone) && !bound.contains(gone) && !ids.contains(gone))
         slips.push_back({rule.name, gone, false,
-                         "no condition of rule " + rule.name + " binds " + gone + ": the action takes nothing away",
+                         "no condition of rule " + rule.name + " binds " + gone + ": the action removes nothing",
                          "a condition { " + gone + " constant } does not bind it either: write the constant"});
       continue;
     }

@@ -39,15 +39,14 @@ class MeaningChecker {
       const std::string& attribute = condition.attribute;
       if (states.contains(condition.id) && (attribute == "input-link" || attribute == "output-link")) {
         Tell(rule, attribute, true, "a state has no ^" + attribute + " of its own, as rule " + rule.name + " tests",
-             "it stands below ^io: ^io." + attribute);
+             "it is below ^io: ^io." + attribute);
         continue;
       }
       if (!IsConstantAttribute(attribute) || IsMade(attribute)) continue;
       if (inputs.contains(condition.id) && IsPerceptAttribute(attribute)) CheckPlace(rule, attribute);
       if (IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
       if (IsArchitectureAttribute(attribute) || IsPerceptAttribute(attribute) || !known_.complete) continue;
-      Tell(rule, attribute, true,
-           "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule writes",
+      Tell(rule, attribute, true, "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule makes",
            SuggestAttribute(attribute, made_));
     }
   }
@@ -62,8 +61,9 @@ class MeaningChecker {
       if (!IsConstantAttribute(action.attribute) || known_.scripts.contains(action.attribute)) continue;
       if (FindCommand(action.attribute) == nullptr) {
         const std::string_view near = NearestCommand(action.attribute);
+        if (near.empty() && !known_.scripts.empty()) continue;  // Scripts may take any command.
         Tell(rule, action.attribute, true,
-             "rule " + rule.name + " says ^" + action.attribute + ", a command that no body knows",
+             "rule " + rule.name + " says ^" + action.attribute + ", a command that does not exist",
              near.empty() ? "docs/commands.md lists the commands" : "did you mean ^" + std::string(near) + "?");
       } else if (!IsVariable(FirstWord(action.value))) {
         SaidCommand said;
@@ -101,6 +101,8 @@ class MeaningChecker {
     bool applies_any = false, proposes_any = false;
     for (const RuleText& rule : rules_) {
       applied.insert(rule.applies.begin(), rule.applies.end());
+      applied.insert(rule.works_on.begin(), rule.works_on.end());
+      applies_any |= rule.works_on.contains("");
       proposed.insert(rule.proposes.begin(), rule.proposes.end());
       proposes_any |= rule.proposes.contains("");
       // A rule that applies any operator makes something of it; one that only takes answers away does not.
@@ -139,9 +141,10 @@ class MeaningChecker {
   void CheckPlace(const RuleText& rule, const std::string& attribute) {
     for (const PerceptRow& row : Percepts())
       if (row.path == attribute) return;
-    Tell(rule, attribute, true,
-         "rule " + rule.name + " tests ^" + attribute + " directly below the input link, where no percept has it",
-         "it is " + PlacesOfPercept(attribute));
+    Tell(
+        rule, attribute, true,
+        "rule " + rule.name + " tests ^" + attribute + " directly below the input link, where there is no such percept",
+        "it is " + PlacesOfPercept(attribute));
   }
 
   /// A word that the percepts of that name never have.

@@ -161,18 +161,23 @@ void Classify(RuleText& rule) {
     }
     if (!named) rule.proposes.insert("");
   }
+  std::set<std::string> states;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) states.insert(condition.id);
   for (const RuleAttribute& condition : rule.conditions) {
     if (condition.attribute != "operator" || condition.negated) continue;
     if (condition.value.ends_with(" +") || condition.value == "+") continue;
+    const bool is_above = !states.contains(condition.id) && !rule.proposes.empty();
+    std::set<std::string>& tested = is_above ? rule.works_on : rule.applies;
     const std::string id = FirstWord(condition.value);
     bool named = false;
     for (const RuleAttribute& name : rule.conditions) {
       if (name.id != id || name.attribute != "name" || name.negated) continue;
       const std::set<std::string> names = NamesOf(name.value);
-      rule.applies.insert(names.begin(), names.end());
+      tested.insert(names.begin(), names.end());
       named = true;
     }
-    if (!named) rule.applies.insert("");
+    if (!named) tested.insert("");
   }
 }
 

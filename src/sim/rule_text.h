@@ -26,6 +26,8 @@ struct RuleText {
   std::set<std::string> proposes;
   /// Names of the operators whose selection it tests; "" for any.
   std::set<std::string> applies;
+  /// Names of operators of a state above below which it proposes others: it works on them in a substate.
+  std::set<std::string> works_on;
   /// Attributes that it puts directly on the output link.
   std::set<std::string> says;
   /// Names of the functions that its actions call.

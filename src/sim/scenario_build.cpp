@@ -29,7 +29,9 @@ void BuildThing(const ScenarioFile::Thing& thing, ScenarioBuild& build) {
   object->SetOrientation(AboutUp(thing.heading_deg));
   build.world.scene().SetMaterial(object->node(), thing.material);
   if (!thing.name.empty()) build.arena.places().object_names[id] = thing.name;
-  if (thing.is_item) build.arena.places().items[id] = {id, thing.gives, thing.amount};
+  if (thing.is_item)
+    build.arena.places().items[id] = {id,         thing.gives,  thing.amount, thing.shape, thing.material,
+                                      thing.size, thing.mass_kg};
 }
 
 /// Those of one entry stand side by side along x, in rows: the next row stands behind the one before.
@@ -122,12 +124,27 @@ bool ScenarioEnd::Holds(const ScenarioFile::Condition& condition) const {
     const world::Agent* agent = world_.FindAgent(arena_.FindAgentNamed(condition.dead));
     if (agent == nullptr || agent->Health() > 0) return false;
   }
+  const Region* region = arena_.places().FindRegion(condition.region);
   if (!condition.agent.empty()) {
-    const world::Agent* agent = world_.FindAgent(arena_.FindAgentNamed(condition.agent));
-    const Region* region = arena_.places().FindRegion(condition.region);
-    if (agent == nullptr || region == nullptr || !region->Contains(agent->Position())) return false;
+    const world::EntityId id = arena_.FindAgentNamed(condition.agent);
+    const world::Agent* agent = world_.FindAgent(id);
+    if (agent == nullptr) return false;
+    if (!condition.region.empty() && (region == nullptr || !region->Contains(agent->Position()))) return false;
+    if (!condition.carries.empty() && !Carries(id, condition.carries)) return false;
   }
-  return true;
+  if (!condition.item.empty()) {
+    const world::Object* item = world_.FindObject(arena_.FindObjectNamed(condition.item));
+    if (item == nullptr || item->removal_requested() || region == nullptr || !region->Contains(item->Position()))
+      return false;
+  }
+  return std::ranges::all_of(condition.all, [this](const auto& part) { return Holds(part); });
+}
+
+bool ScenarioEnd::Carries(world::EntityId agent, const std::string& thing) const {
+  for (const auto& actor : arena_.actors())
+    if (actor->id() == agent)
+      return std::ranges::any_of(actor->carried(), [&](const CarriedThing& one) { return one.name == thing; });
+  return false;
 }
 
 std::string ScenarioEnd::Check() {

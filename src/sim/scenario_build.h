@@ -34,6 +34,7 @@ class ScenarioEnd {
 
  private:
   bool Holds(const ScenarioFile::Condition& condition) const;
+  bool Carries(world::EntityId agent, const std::string& thing) const;
 
   std::vector<ScenarioFile::Condition> waiting_;
   const world::World& world_;

@@ -36,9 +36,9 @@ const toml::node& EntryAt(const toml::table& table, std::string_view name) {
 /// What to do about the reader's complaint.
 std::string HintOf(std::string_view complaint) {
   constexpr std::pair<std::string_view, std::string_view> kHints[] = {
-      {"could not determine value type", "texts stand between quotes: name = \"scout\""},
+      {"could not determine value type", "put text between quotes: name = \"scout\""},
       {"unescaped control characters", "the text that begins in this line has no closing quote"},
-      {"cannot redefine", "a key stands once in its table; [[agent]] begins the next one"},
+      {"cannot redefine", "a key may occur once in its table; [[agent]] begins the next one"},
   };
   for (const auto& [part, hint] : kHints)
     if (complaint.find(part) != std::string_view::npos) return std::string(hint);
@@ -230,15 +230,17 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
       made.is_item = is_item;
       made.name = reader.Name(*table);
       made.position = reader.Point(*table, "position").value_or(world::Vec3{});
-      made.material = reader.Text(*table, "material", is_item ? "White" : "Ground2");
+      made.material = reader.Text(*table, "material");
       if (is_item) {
         made.size = {0.4f, 0.4f, 0.4f};
         made.gives = reader.Text(*table, "gives");
         if (!made.gives.empty() && made.gives != "ammunition" && made.gives != "health")
           reader.Problem(*table->get("gives"), "an item gives \"ammunition\" or \"health\"");
         made.amount = static_cast<float>(reader.Number(*table, "amount", 0, 10000).value_or(0));
+        if (made.material.empty()) made.material = MaterialOfThing(made.name, made.gives, true);
         continue;
       }
+      if (made.material.empty()) made.material = MaterialOfThing(made.name, {}, false);
       made.shape = reader.Text(*table, "shape", "box");
       if (made.shape != "box" && made.shape != "column")
         reader.Problem(*table->get("shape"), "an obstacle's shape is \"box\" or \"column\"");
@@ -294,25 +296,92 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
   if (total > kMostEntries) reader.Problem(root, "these are too many agents");
 }
 
+/// What conditions may name.
+struct Names {
+  std::set<std::string> agents, teams, regions, items;
+};
+
+Names NamesIn(const ScenarioFile& read) {
+  Names names;
+  for (const ScenarioFile::Agent& agent : read.agents) {
+    const std::string rules = agent.rules == kGivenRules ? std::string() : agent.rules;
+    std::string name = agent.name;
+    if (name.empty()) name = rules.empty() ? "agent" : std::filesystem::path(rules).stem().string();
+    for (int i = 1; i <= agent.count; ++i) names.agents.insert(agent.count > 1 ? name + "-" + std::to_string(i) : name);
+    // A second one of the same name gets a number; nobody else does.
+    names.agents.insert(name + "-2");
+    const auto team = agent.options.find("team");
+    const auto* word = team == agent.options.end() ? nullptr : std::get_if<std::string>(&team->second);
+    if (word != nullptr) names.teams.insert(*word);
+  }
+  for (const Region& region : read.regions) names.regions.insert(region.name);
+  for (const ScenarioFile::Thing& thing : read.things)
+    if (thing.is_item) names.items.insert(thing.name);
+  return names;
+}
+
+class ConditionReader {
+ public:
+  ConditionReader(Reader& reader, const Names& names) : reader_(reader), names_(names) {}
+
+  ScenarioFile::Condition Read(const toml::table& table, std::string_view what, bool is_part) {
+    std::vector<std::string_view> keys = {"after", "team_down", "agent", "region", "carries", "item", "dead"};
+    if (!is_part) keys.insert(keys.end(), {"name", "all"});
+    reader_.CheckKeys(table, what, keys);
+    ScenarioFile::Condition made;
+    made.after_s = reader_.Number(table, "after", 0, 1e6);
+    made.team_down = Known(table, "team_down", "team", names_.teams);
+    made.dead = Known(table, "dead", "agent", names_.agents);
+    made.agent = Known(table, "agent", "agent", names_.agents);
+    made.region = Known(table, "region", "region", names_.regions);
+    made.carries = Known(table, "carries", "item", names_.items);
+    made.item = Known(table, "item", "item", names_.items);
+    const bool has_agent = !made.agent.empty(), has_item = !made.item.empty();
+    if (has_agent && made.region.empty() && made.carries.empty())
+      reader_.Problem(table, "'agent' needs 'region' (it is there) or 'carries' (it has that item)");
+    if (!has_agent && !made.carries.empty()) reader_.Problem(table, "'carries' needs 'agent': who carries it");
+    if (has_item && made.region.empty()) reader_.Problem(table, "'item' needs 'region': where it lies");
+    if (!made.region.empty() && !has_agent && !has_item)
+      reader_.Problem(table,
+                      "'agent' and 'region' belong together: the agent is in the region; so do 'item' and 'region'");
+    if (!is_part)
+      for (const toml::table* part : reader_.Tables(table, "all"))
+        made.all.push_back(Read(*part, "a part of 'all'", true));
+    if (!made.after_s && made.team_down.empty() && !has_agent && !has_item && made.dead.empty() && made.all.empty())
+      reader_.Problem(table,
+                      "nothing says when: write 'after', 'team_down', 'dead', 'agent' with 'region' or 'carries', "
+                      "'item' with 'region', or 'all' with several of them");
+    return made;
+  }
+
+ private:
+  /// A name of something that the scenario has.
+  std::string Known(const toml::table& table, std::string_view key, std::string_view kind,
+                    const std::set<std::string>& names) {
+    std::string name = reader_.Text(table, key);
+    if (name.empty() || names.contains(name)) return name;
+    const std::string_view near = Suggest(name, {names.begin(), names.end()});
+    std::string hint = near.empty() ? std::string() : "did you mean '" + std::string(near) + "'?";
+    if (near.empty() && !names.empty() && names.size() < 10) {
+      for (const std::string& one : names) hint += (hint.empty() ? "there are: " : ", ") + one;
+    }
+    reader_.Problem(*table.get(key), "there is no " + std::string(kind) + " '" + name + "'", hint);
+    return name;
+  }
+
+  Reader& reader_;
+  const Names& names_;
+};
+
 void ReadConditions(Reader& reader, const toml::table& root, ScenarioFile& read) {
+  const Names names = NamesIn(read);
+  ConditionReader conditions(reader, names);
   for (const bool ends : {true, false}) {
     for (const toml::table* table : reader.Tables(root, ends ? "end" : "goal")) {
-      reader.CheckKeys(*table, ends ? "an end" : "a goal", {"name", "after", "team_down", "agent", "region", "dead"});
-      ScenarioFile::Condition& made = read.conditions.emplace_back();
+      ScenarioFile::Condition made = conditions.Read(*table, ends ? "an end" : "a goal", false);
       made.ends = ends;
-      made.after_s = reader.Number(*table, "after", 0, 1e6);
-      made.team_down = reader.Text(*table, "team_down");
-      made.agent = reader.Text(*table, "agent");
-      made.region = reader.Text(*table, "region");
-      made.dead = reader.Text(*table, "dead");
       made.name = reader.Name(*table, "the end");
-      if (made.agent.empty() != made.region.empty())
-        reader.Problem(*table, "'agent' and 'region' belong together: the agent is in the region");
-      if (!made.after_s && made.team_down.empty() && made.agent.empty() && made.dead.empty())
-        reader.Problem(*table, "nothing says when: write 'after', 'team_down', 'dead', or 'agent' and 'region'");
-      const auto known = [&](const Region& region) { return region.name == made.region; };
-      if (!made.region.empty() && std::none_of(read.regions.begin(), read.regions.end(), known))
-        reader.Problem(*table->get("region"), "there is no region '" + made.region + "'");
+      read.conditions.push_back(std::move(made));
     }
   }
 }
@@ -344,9 +413,10 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
     return read;
   }
   Reader reader(file.string(), problems);
-  reader.CheckKeys(
-      root, "a scenario",
-      {"description", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body", "agent", "end", "goal"});
+  reader.CheckKeys(root, "a scenario",
+                   // src/mission reads the last two.
+                   {"description", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body", "agent", "end",
+                    "goal", "mission", "check"});
   read.description = reader.Text(root, "description");
   if (const auto seed = reader.Number(root, "seed", 0, 9e15)) read.seed = static_cast<std::uint64_t>(*seed);
   read.seconds = reader.Number(root, "seconds", 0, 1e6);

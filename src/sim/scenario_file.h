@@ -33,12 +33,15 @@ struct ScenarioFile {
     int across = 1000;  ///< So many of them stand side by side; the next ones stand behind these.
     int line = 0;
   };
-  /// All that is given must hold; reached once.
+  /// All that is given must hold at the same time; reached once.
   struct Condition {
     std::string name;
     bool ends = true;
     std::optional<double> after_s;
-    std::string team_down, agent, region, dead;
+    std::string team_down, dead;
+    std::string agent, region, carries;  ///< The agent is in the region, or carries the item, or both.
+    std::string item;                    ///< It lies in the region.
+    std::vector<Condition> all;          ///< Further ones.
   };
 
   std::filesystem::path file;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -77,7 +78,7 @@ void SenseSelf(const Actor& actor, PerceptSink& sink) {
   if (const std::string leader = NameOfAgent(actor, body.Leader()); !leader.empty())
     sink.Word(RowOf("self.leader"), leader);
   std::uint32_t key = 0;
-  for (const std::string& thing : actor.carried()) sink.Word(RowOf("self.carries"), thing, ++key);
+  for (const CarriedThing& thing : actor.carried()) sink.Word(RowOf("self.carries"), thing.name, ++key);
   sink.Close();
 }
 
@@ -241,31 +242,44 @@ bool IsInView(const Actor& actor, Vec3 point) {
 }
 
 void SenseObjects(const Actor& actor, PerceptSink& sink) {
-  const world::World& world = actor.world();
-  for (const world::EntityId id : world.ObjectIds()) {
-    const world::Object& object = *world.FindObject(id);
-    if (object.kind() == world::ObjectKind::kPlane || id == actor.arena().ground() || object.removal_requested())
-      continue;
-    const Vec3 center = object.Position();
-    if (!IsInView(actor, center) || !HasLineOfSight(world, actor.body(), center, id)) continue;
+  const Vec3 here = actor.body().Position();
+  std::map<std::string_view, std::pair<float, world::EntityId>> nearest;  // Of those in view, by kind.
+  for (const auto& [id, thing] : actor.things()) {
+    if (!thing.visible) continue;
+    const float range_m = FlatDistance(here, thing.position);
+    const auto [best, is_first] = nearest.try_emplace(thing.kind, range_m, id);
+    if (!is_first && range_m < best->second.first) best->second = {range_m, id};
+  }
+  for (const auto& [id, thing] : actor.things()) {
+    const auto best = nearest.find(thing.kind);
     sink.Open(RowOf("object"), Number(id));
-    sink.Word(RowOf("object.name"), actor.arena().NameOfObject(id));
-    const bool is_item = actor.arena().places().items.contains(id);
-    const world::ObjectKind kind = object.kind();
-    sink.Word(RowOf("object.kind"), is_item                                     ? "item"
-                                    : kind == world::ObjectKind::kBox           ? "box"
-                                    : kind == world::ObjectKind::kMesh          ? "mesh"
-                                    : kind == world::ObjectKind::kPhysicsSphere ? "sphere"
-                                                                                : "capsule");
-    sink.Number(RowOf("object.range"), static_cast<double>(FlatDistance(actor.body().Position(), center)));
-    sink.Number(RowOf("object.bearing"), BearingTo(actor, center));
+    sink.Word(RowOf("object.name"), thing.name);
+    sink.Word(RowOf("object.kind"), thing.kind);
+    sink.Word(RowOf("object.visible"), YesNo(thing.visible));
+    sink.Number(RowOf("object.last-seen"), thing.visible ? 0 : Seconds(actor, actor.world().tick() - thing.seen_tick));
+    sink.Word(RowOf("object.nearest"), YesNo(best != nearest.end() && best->second.second == id));
+    sink.Number(RowOf("object.range"), static_cast<double>(FlatDistance(here, thing.position)));
+    sink.Number(RowOf("object.bearing"), BearingTo(actor, thing.position));
     sink.Open(RowOf("object.position"));
-    sink.Number(RowOf("object.position.x"), static_cast<double>(center.x));
-    sink.Number(RowOf("object.position.z"), static_cast<double>(center.z));
+    sink.Number(RowOf("object.position.x"), static_cast<double>(thing.position.x));
+    sink.Number(RowOf("object.position.z"), static_cast<double>(thing.position.z));
     sink.Close();
-    sink.Number(RowOf("object.radius"), static_cast<double>(object.Radius()));
-    sink.Word(RowOf("object.moves"), YesNo(object.Mass() > 0));
+    sink.Number(RowOf("object.radius"), static_cast<double>(thing.radius_m));
+    sink.Word(RowOf("object.moves"), YesNo(thing.moves));
     sink.Close();
+  }
+}
+
+std::string_view WordOf(world::ObjectKind kind) {
+  switch (kind) {
+    case world::ObjectKind::kBox:
+      return "box";
+    case world::ObjectKind::kMesh:
+      return "mesh";
+    case world::ObjectKind::kPhysicsSphere:
+      return "sphere";
+    default:
+      return "capsule";
   }
 }
 
@@ -388,6 +402,38 @@ void NoticeOthers(Actor& actor) {
     contact.forward = other.Forward();
     contact.alive = other.Health() > 0;
   }
+}
+
+void NoticeThings(Actor& actor) {
+  if (!actor.kind().senses.Has("objects")) return;
+  const world::World& world = actor.world();
+  auto& things = actor.things();
+  for (auto& [id, thing] : things) thing.visible = false;
+  for (const world::EntityId id : world.ObjectIds()) {
+    const world::Object& object = *world.FindObject(id);
+    if (object.kind() == world::ObjectKind::kPlane || id == actor.arena().ground() || object.removal_requested())
+      continue;
+    const Vec3 center = object.Position();
+    if (!IsInView(actor, center) || !HasLineOfSight(world, actor.body(), center, id)) continue;
+    SeenThing& thing = things[id];
+    if (thing.name.empty()) {
+      thing.name = actor.arena().NameOfObject(id);
+      thing.kind = actor.arena().places().items.contains(id) ? "item" : WordOf(object.kind());
+    }
+    thing.position = center;
+    thing.radius_m = object.Radius();
+    thing.moves = object.Mass() > 0;
+    thing.visible = true;
+    thing.seen_tick = world.tick();
+  }
+  // It forgets what it has not seen for long, and what is no longer where it was: it looks at the empty place.
+  const auto memory_s = static_cast<double>(actor.kind().senses.memory_s);
+  std::erase_if(things, [&](const auto& known) {
+    const SeenThing& thing = known.second;
+    if (thing.visible) return false;
+    if (Seconds(actor, world.tick() - thing.seen_tick) > memory_s) return true;
+    return IsInView(actor, thing.position) && HasLineOfSight(world, actor.body(), thing.position, known.first);
+  });
 }
 
 void SenseSurroundings(const Actor& actor, PerceptSink& sink) {

@@ -16,6 +16,8 @@ void SenseMessages(const Actor& actor, PerceptSink& sink);
 void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard);
 /// Looks and listens: brings the actor's contacts up to date. Draws noise from the agent's own stream, in agent order.
 void NoticeOthers(Actor& actor);
+/// The same for things.
+void NoticeThings(Actor& actor);
 /// What it perceives of its surroundings: others (from its contacts), things, places. Read at the rate of its senses.
 void SenseSurroundings(const Actor& actor, PerceptSink& sink);
 /// All that it perceives, for people.

@@ -15,6 +15,7 @@
 #include "sim/overlays.h"
 #include "sim/scenario_build.h"
 #include "sim/scenario_file.h"
+#include "sim/sourced_files.h"
 #include "world/state_hash.h"
 #include "world/world.h"
 
@@ -183,7 +184,7 @@ void Simulation::Impl::KeepConnected() {
   Event event;
   if (std::exchange(connected, false)) {
     event.kind = EventKind::kMindLost;
-    event.text = "the Soar kernel at " + address + " has gone; its agents stand still until one answers there";
+    event.text = "the Soar kernel at " + address + " is gone; its agents do nothing until a kernel answers there";
     Report(std::move(event));
   }
   if (!soar->Reconnect()) return;
@@ -209,7 +210,7 @@ void Simulation::Impl::ApplyInputs() {
       [this](const Diagnostic& warning) { ReportDiagnostic(warning); },
       [this](world::EntityId agent, const std::string& order) { arena->Order(agent, order); }};
   for (const auto& [asked, answer] : std::exchange(answered, {})) ReportAnswer(asked, answer);
-  for (const Input& input : door.taken().subspan(door.noted())) ApplyInput(input.value, targets);
+  for (const Input& input : door.taken().subspan(door.noted())) ApplyInput(input, targets);
 }
 
 void Simulation::Impl::ReportAnswer(const CommandInput& asked, const Result<std::string>& answer) {
@@ -279,10 +280,16 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
     const SaidCommand command = mind->soar.commands()[i];  // A copy: the script may make agents with minds.
     body.SetLastCommand(command.name);
     ReportCommand(*mind, body, command);
-    const bool succeeded = scripts->UpdateAgent(id, command.name, ToTable(command.parameters));
-    mind = minds->Find(id);
     Outcome outcome;
     outcome.tag = command.tag;
+    if (command.is_too_large) {
+      outcome.status = Outcome::Status::kError;
+      outcome.reason = "too-large";
+      minds->NoteAnswer(*mind, std::move(outcome));
+      continue;
+    }
+    const bool succeeded = scripts->UpdateAgent(id, command.name, ToTable(command.parameters));
+    mind = minds->Find(id);
     if (!succeeded) {
       outcome.status = Outcome::Status::kError;
       outcome.reason = "script-failed";
@@ -320,12 +327,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   auto impl = std::make_unique<Impl>(scenario, settings);
   SoarSettings soar = settings.soar;
   soar.seed = settings.seed;
-  soar.folders = scenario.rule_folders;
-  // The rules that come with the program are read as well: agents whose scenario names none get them.
-  if (!soar.folders.empty()) {
-    const auto& fallback = scenario.fallback_rule_folders;
-    soar.folders.insert(soar.folders.end(), fallback.begin(), fallback.end());
-  }
+  soar.folders = ReadableRuleFolders(scenario);
   Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(soar);
   if (!host) return host.error();
   impl->soar = std::move(*host);
@@ -333,7 +335,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   impl->arena = std::make_unique<Arena>(impl->world, report);
   impl->minds = std::make_unique<Minds>(impl->world, impl->scenario, *impl->soar, *impl->arena, report);
   impl->minds->SetDetail(settings.mind_detail);
-  impl->minds->SetMemoryLimit(settings.limits.mind_memory_bytes);
+  impl->minds->SetMemoryLimit(settings.limits.memory_bytes);
   std::optional<ScenarioFile> definition;
   if (!scenario.definition.empty()) {
     Result<ScenarioFile> read = ReadScenarioFile(scenario.definition);
@@ -373,6 +375,8 @@ void Simulation::Tick() {
   Stopwatch watch;
   s.ServeClients();
   s.KeepConnected();
+  s.minds->SetOtherMemory(s.scripts->memory_bytes(), s.world.AgentIds().size() * script::kAgentBodyBytes +
+                                                         s.world.ObjectIds().size() * script::kObjectBodyBytes);
 
   // Events.
   s.scripts->BeginTick(s.world.BeginTick());
@@ -434,6 +438,9 @@ const TickCosts& Simulation::costs() const {
 }
 const world::World& Simulation::world() const {
   return impl_->world;
+}
+const Arena& Simulation::arena() const {
+  return *impl_->arena;
 }
 world::SceneSnapshot Simulation::Snapshot() const {
   return impl_->world.Snapshot();
@@ -536,6 +543,10 @@ std::vector<std::string> Simulation::Why(std::string_view agent) const {
 
 Result<std::vector<std::string>> Simulation::WhyTopic(std::string_view agent, const std::string& topic) {
   return impl_->minds->WhyTopic(agent, topic);
+}
+
+std::vector<Diagnostic> Simulation::SlipsOf(std::string_view agent, const std::set<std::string>& rules) const {
+  return impl_->minds->SlipsOf(agent, rules);
 }
 
 void Simulation::Finish() {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ class World;
 }
 
 namespace soarbox::sim {
+
+class Arena;
 
 /// What one Soar mind did in a tick (see MindWords for the words).
 struct MindReport {
@@ -80,6 +83,8 @@ class Simulation {
   std::uint64_t tick() const;
   double time_s() const;
   const world::World& world() const;
+  /// Places, items and what actors carry and know, for whoever only looks.
+  const Arena& arena() const;
   world::SceneSnapshot Snapshot() const;
   /// The same in the place of an earlier one, whose memory is used again.
   void Snapshot(world::SceneSnapshot& scene) const;
@@ -128,6 +133,8 @@ class Simulation {
   std::vector<std::string> Why(std::string_view agent) const;
   /// Why it does or does not say this command, select this operator or match this rule now.
   Result<std::vector<std::string>> WhyTopic(std::string_view agent, const std::string& topic);
+  /// What is most likely a slip in these rules of an agent as they run now, as warnings with their places.
+  std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules) const;
   /// Ends the scripts of all simulations as soon as they can be: the process is to end. May be called from a signal's
   /// handler.
   static void EndScripts();

@@ -11,10 +11,13 @@
 #include <utility>
 
 #include "sim/clarify_errors.h"
+#include "sim/vet_rules.h"
 #include "sml_Client.h"
 
 namespace soarbox::sim {
 namespace {
+
+namespace fs = std::filesystem;
 
 Diagnostic Problem(std::string message, std::string hint = {}) {
   Diagnostic diagnostic;
@@ -50,12 +53,20 @@ void Hold(Kernel& kernel, bool on) {
 
 /// Rule files are a stranger's: our own kernel keeps their commands within the scenario's folders.
 template <typename Kernel>
-void PutUpFence(Kernel& kernel, const std::vector<std::filesystem::path>& folders) {
-  if constexpr (requires { kernel.FenceFiles(std::vector<std::string>()); }) {
+void PutUpFence(Kernel& kernel, const SoarSettings& settings) {
+  if constexpr (requires { kernel.FenceFiles(std::vector<std::string>(), false); }) {
     std::vector<std::string> names;
-    for (const std::filesystem::path& folder : folders) names.push_back(folder.string());
-    if (!names.empty()) kernel.FenceFiles(std::move(names));
+    for (const std::filesystem::path& folder : settings.folders) names.push_back(folder.string());
+    if (!names.empty() || settings.rules_only) kernel.FenceFiles(std::move(names), settings.rules_only);
   }
+}
+
+/// A recording is a stranger's, too. Other kernels know no fence and get nothing of it.
+template <typename Kernel>
+const char* ExecuteRecorded(Kernel& kernel, const char* line, const char* agent) {
+  if constexpr (requires { kernel.ExecuteRecordedCommandLine(line, agent); })
+    return kernel.ExecuteRecordedCommandLine(line, agent);
+  return nullptr;
 }
 
 /// Never null; asks for HadError().
@@ -127,7 +138,7 @@ Result<std::unique_ptr<SoarHost>> SoarHost::Create(const SoarSettings& settings)
 SoarHost::SoarHost(std::unique_ptr<::sml::Kernel> kernel, const SoarSettings& settings)
     : kernel_(std::move(kernel)), settings_(settings) {
   Overhear(*kernel_, heard_);
-  PutUpFence(*kernel_, settings_.folders);
+  PutUpFence(*kernel_, settings_);
   if (!IsRemote() && settings_.port == 0) MakeFurtherKernels();
 }
 
@@ -138,7 +149,7 @@ void SoarHost::MakeFurtherKernels() {
     std::unique_ptr<::sml::Kernel> kernel(
         ::sml::Kernel::CreateKernelInCurrentThread(true, static_cast<int>(::sml::Kernel::kSuppressListener)));
     if (kernel->HadError()) return;
-    PutUpFence(*kernel, settings_.folders);
+    PutUpFence(*kernel, settings_);
     further_.push_back(std::move(kernel));
   }
 }
@@ -153,6 +164,11 @@ SoarHost::~SoarHost() {
 Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const std::filesystem::path& rules,
                                                const char* first, bool beside_world) {
   const std::string file = rules.string();
+  if (std::error_code error; fs::exists(rules, error) && !fs::is_regular_file(rules, error)) {
+    Diagnostic problem = Problem("the rules of " + name + " are no plain file", "name a file of rules");
+    problem.file = file;
+    return problem;
+  }
   if (!std::ifstream(rules)) {
     Diagnostic problem =
         Problem("the rules of " + name + " cannot be read", "check the name, or add their folder with --path");
@@ -218,7 +234,7 @@ std::vector<CommandInput> SoarHost::TakeHeard() {
   return std::exchange(heard_, {});
 }
 
-Result<std::string> SoarHost::Execute(const std::string& agent, const std::string& line) {
+Result<std::string> SoarHost::Execute(const std::string& agent, const std::string& line, bool recorded) {
   const auto found = agents_.find(agent);
   if (found == agents_.end()) {
     std::vector<std::string_view> names;
@@ -227,10 +243,27 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
     return Problem("there is no Soar agent '" + agent + "' for the command '" + line + "'",
                    near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
   }
+  // What does not parse changes nothing: the kernel would excise the rule of before first.
+  for (Diagnostic& problem : VetTypedRules(line)) {
+    if (problem.severity != Severity::kError) continue;
+    problem.hint += std::string(problem.hint.empty() ? "" : "; ") + "nothing was changed";
+    return std::move(problem);
+  }
   ::sml::Kernel& kernel = KernelOf(found->second);
-  const char* text = kernel.ExecuteCommandLine(line.c_str(), agent.c_str());
+  const char* text = recorded ? ExecuteRecorded(kernel, line.c_str(), agent.c_str())
+                              : kernel.ExecuteCommandLine(line.c_str(), agent.c_str());
+  if (text == nullptr)
+    return Problem("the command '" + line + "' comes from a recording, and this kernel has no fence");
   std::string answer = text == nullptr ? "" : text;
   if (kernel.GetLastCommandLineResult()) return answer;
+  // Soar adds these to whatever failed, also where no file is being read: they help nobody who typed a line.
+  constexpr std::string_view kSourcing = "Error while sourcing file";
+  constexpr std::string_view kDetails = "command failed (see return string for details)";
+  for (const std::string_view tail : {kSourcing, kDetails}) {
+    if (tail == kSourcing && line.starts_with("source")) continue;
+    if (const std::size_t at = answer.rfind(tail); at != std::string::npos) answer.erase(at, tail.size());
+  }
+  answer.erase(answer.find_last_not_of(" \n") + 1);
   return Problem("the command '" + line + "' failed for " + agent + ": " + answer);
 }
 

@@ -29,6 +29,8 @@ struct SoarSettings {
       2000;  ///< A kernel elsewhere that is silent for so long while it is asked something counts as gone.
   /// What rule files may read, below these; empty: anything. They write nothing then.
   std::vector<std::filesystem::path> folders;
+  /// Nothing of them is carried out but rules and the loading of further files: they are looked over.
+  bool rules_only = false;
   /// How many threads the minds decide on; 0: one per core. With a port or a kernel elsewhere it is one.
   int threads = 0;
   std::uint64_t seed = 1;  ///< Seeds each agent's random choices.
@@ -71,8 +73,8 @@ class SoarHost {
   /// What they said to the agents, in order, since the last call. Debuggers of a kernel elsewhere are not heard.
   std::vector<CommandInput> TakeHeard();
   /// Carries out a command line for an agent; returns what it printed. Fails if there is no such agent or the command
-  /// fails.
-  Result<std::string> Execute(const std::string& agent, const std::string& line);
+  /// fails. `recorded`: it comes from a recording, and may read below the folders only, and write and start nothing.
+  Result<std::string> Execute(const std::string& agent, const std::string& line, bool recorded = false);
 
   /// False once a remote kernel has gone away.
   bool IsConnected() const;

@@ -15,17 +15,22 @@ namespace {
 
 constexpr std::size_t kMostWritten = 64 * 1024;
 constexpr int kDeepestParameter = 4;
+/// Of one command, whatever is below it, and of all that a mind says in one tick.
+constexpr std::size_t kMostParameters = 1'000, kMostParametersPerTick = 20'000;
 
-/// What stands below an identifier of the output link.
-PerceptList ReadBelow(sml::Identifier& parent, int depth = 0) {
+/// What stands below an identifier of the output link. Links may go round in circles, and each way through them counts:
+/// `left` is taken down with each element that is read, and nothing is read beyond it.
+PerceptList ReadBelow(sml::Identifier& parent, std::size_t& left, int depth = 0) {
   PerceptList list;
   for (int i = 0; i < parent.GetNumberChildren(); ++i) {
     sml::WMElement* child = parent.GetChild(i);
     if (child == nullptr) continue;
+    if (left == 0) break;
+    --left;
     Percept& read = list.emplace_back();
     read.attribute = child->GetAttribute();
     if (sml::Identifier* object = child->ConvertToIdentifier()) {
-      read.value = depth < kDeepestParameter ? ReadBelow(*object, depth + 1) : PerceptList{};
+      read.value = depth < kDeepestParameter ? ReadBelow(*object, left, depth + 1) : PerceptList{};
     } else if (sml::IntElement* integer = child->ConvertToIntElement()) {
       read.value = static_cast<std::int64_t>(integer->GetValue());
     } else if (sml::FloatElement* number = child->ConvertToFloatElement()) {
@@ -118,7 +123,6 @@ void SoarMind::Perceive(const Actor& body, bool surroundings) {
 }
 
 void SoarMind::Decide() {
-  if (is_logged_) log_.BeforeRun();
   answer_ = agent_->RunSelfTilOutput();
   ReadOutput();
 }
@@ -132,6 +136,7 @@ void SoarMind::ReadOutput() {
   commands_.clear();
   withdrawn_.clear();
   for (Standing& standing : standing_) standing.seen = false;
+  std::size_t tick_left = kMostParametersPerTick;
   if (sml::Identifier* link = agent_->GetOutputLink()) {
     for (int i = 0; i < link->GetNumberChildren(); ++i) {
       sml::WMElement* child = link->GetChild(i);
@@ -147,7 +152,14 @@ void SoarMind::ReadOutput() {
       said.tag = tag;
       said.name = child->GetAttribute();
       said.is_object = at->word != nullptr;
-      if (said.is_object) said.parameters = ReadBelow(*at->word);
+      if (said.is_object) {
+        const std::size_t given = std::min(kMostParameters, tick_left);
+        std::size_t left = given;
+        said.parameters = ReadBelow(*at->word, left);
+        tick_left -= given - left;
+        said.is_too_large = left == 0;
+        if (said.is_too_large) said.parameters.clear();
+      }
       if (is_logged_) NoteSaid(said);
     }
   }

@@ -112,7 +112,7 @@ sp {apply*clear (state <s> ^operator.name clear ^io.output-link <o>) (<o> ^step 
 
 TEST(Threads, MindsThatAreMadeOrAskedWhileOthersDecideChangeNothing) {
   const std::string one = Happenings(1);
-  for (const char* part : {"step of 7", "agent-20", "found no command", "too weak"})
+  for (const char* part : {"step of 7", "agent-20", "gave no command", "too weak"})
     EXPECT_NE(one.find(part), std::string::npos) << part << " in\n" << one;
   EXPECT_EQ(Happenings(2), one);
   EXPECT_EQ(Happenings(4), one);

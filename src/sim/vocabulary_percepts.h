@@ -68,9 +68,12 @@ inline constexpr PerceptRow kPerceptTable[] = {
     Number("agent.last-seen", "agents", "s", 0, 1000, 0.5, "How long ago it was last noticed: 0 while it is"),
     Number("agent.confidence", "agents", "", 0, 1, 0.1, "1 in view, less when heard, falling to 0 with age"),
 
-    Object("object", "objects", "A thing in view; once per thing"),
+    Object("object", "objects", "A thing in view, or seen before and remembered; once per thing"),
     Word("object.name", "objects", "", "Its name in the scenario, or its kind and number"),
     Word("object.kind", "objects", "box capsule mesh sphere item", "What it is"),
+    Word("object.visible", "objects", "yes no", "Whether it is in view now"),
+    Number("object.last-seen", "objects", "s", 0, 1000, 0.5, "How long ago it was last in view: 0 while it is"),
+    Word("object.nearest", "objects", "yes no", "yes: in view, and no other of its kind that is so is nearer"),
     Number("object.range", "objects", "m", 0, kFar_m, 0.1, "Distance to its centre"),
     Integer("object.bearing", "objects", "deg", -180, 180,
             "Direction to it: 0 is straight ahead, positive to the left"),

@@ -36,7 +36,7 @@ void AddParameter(std::string& text, const ParameterRow& row) {
   const std::string range = DescribeRange(row.unit, row.min, row.max, row.words);
   std::string what(NameOf(row.type));
   if (!range.empty()) what += " (" + range + ")";
-  if (row.required) what += ", needed";
+  if (row.required) what += ", required";
   text += "* " + Code("^" + std::string(row.name)) + ": " + what + ". " + std::string(row.meaning) + ".\n";
 }
 
@@ -48,12 +48,13 @@ std::string PerceptReference() {
       "What a Soar agent perceives: attributes below `^io.input-link`. This page is made from the table in\n"
       "`src/sim/vocabulary_percepts.h`, which is also what writes the input link. Numbers are rounded to the step that "
       "the\n"
-      "table gives, and only differences are written: what did not change costs nothing.\n\n"
-      "An agent's senses are chosen where it is made: `senses = { only = [\"self\", \"agents\"], sight = 40 }`; see\n"
-      "[scenarios](scenarios.md). A Lua body adds percepts of its own with `Agent_Sense(agent)`: the table that it "
+      "table gives. Only changes are written: what stays the same costs nothing.\n\n"
+      "You choose an agent's senses where you create it: `senses = { only = [\"self\", \"agents\"], sight = 40 }`; "
+      "see\n"
+      "[scenarios](scenarios.md). A Lua body can add percepts of its own with `Agent_Sense(agent)`: the table that it "
       "returns\n"
       "appears on the input link, nested tables as identifiers.\n\n"
-      "## Senses\n\n| sense | what it tells |\n| --- | --- |\n";
+      "## Senses\n\n| sense | what it is about |\n| --- | --- |\n";
   for (const SenseRow& sense : Senses()) text += Row({Code(sense.name), sense.meaning});
   for (const SenseRow& sense : Senses()) {
     text += "\n## " + std::string(sense.name) + "\n\n| attribute | value | meaning |\n| --- | --- | --- |\n";
@@ -79,13 +80,14 @@ std::string CommandReference() {
       "<name>)\n}\n```\n\n"
       "A command is carried out once. The world answers below it:\n\n"
       "* `^status complete`: it is done;\n"
-      "* `^status error` with `^reason` (below), and `^parameter` if one is at fault;\n"
-      "* `^status interrupted`: another command took the same part of the body;\n"
-      "* `^progress`: while a lasting command goes on, how much of it is done, 0 to 1 in steps of 0.1.\n\n"
-      "A command that the rules take off the output link before it has ended is given up. Commands for different parts "
+      "* `^status error` with a `^reason` (see below), and `^parameter` if one is wrong;\n"
+      "* `^status interrupted`: another command needed the same part of the body;\n"
+      "* `^progress`: how much of a lasting command is done, from 0 to 1 in steps of 0.1.\n\n"
+      "If your rules remove a command from the output link before it has ended, it is given up. Commands for different "
+      "parts "
       "of\n"
-      "the body go on side by side.\n\n"
-      "A place is named by one of these parameters:\n\n";
+      "the body run at the same time.\n\n"
+      "Name a place with one of these parameters:\n\n";
   for (const ParameterRow& row : PlaceParameters()) AddParameter(text, row);
   text += "\n| command | part | |\n| --- | --- | --- |\n";
   for (const CommandRow& row : Commands()) text += Row({Code(row.name), NameOf(row.part), row.meaning});
@@ -94,7 +96,7 @@ std::string CommandReference() {
             ". Complete when: " + std::string(row.ends) + ".\n";
     if (row.place != TakesPlace::kNo || !row.parameters.empty()) text += "\n";
     if (row.place == TakesPlace::kRequired) text += "* a place.\n";
-    if (row.place == TakesPlace::kOptional) text += "* a place, or nothing.\n";
+    if (row.place == TakesPlace::kOptional) text += "* a place (optional).\n";
     for (const ParameterRow& parameter : row.parameters) AddParameter(text, parameter);
     if (!row.reasons.empty()) text += "\nMay fail with " + WordList(row.reasons) + ".\n";
   }

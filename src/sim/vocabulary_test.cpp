@@ -19,7 +19,8 @@ SaidCommand Say(std::string name, PerceptList parameters = {}) {
 
 TEST(Vocabulary, EachCommandHasItsConductAndEachConductItsRow) {
   std::size_t conducts = 0;
-  for (const auto& family : {MovingConducts(), FollowingConducts(), FightingConducts(), OtherConducts()}) {
+  for (const auto& family :
+       {MovingConducts(), FollowingConducts(), FightingConducts(), CarryingConducts(), OtherConducts()}) {
     conducts += family.size();
     for (const Conduct& conduct : family) EXPECT_NE(FindCommand(conduct.command), nullptr) << conduct.command;
   }

@@ -11,35 +11,16 @@ namespace soarbox::world {
 namespace {
 
 // What the sandbox's scripts may name without loading anything of their own (spec 11).
-constexpr const char* kMaterials[] = {"White",
-                                      "Red",
-                                      "Green",
-                                      "Blue",
-                                      "RedGlow",
-                                      "GreenGlow",
-                                      "BlueGlow",
-                                      "TransparentRed",
-                                      "TransparentGreen",
-                                      "TransparentBlue",
-                                      "TransparentYellow",
-                                      "TransparentWhite",
-                                      "Ground",
-                                      "Ground2",
-                                      "NobiaxModular",
-                                      "base_material",
-                                      "base_animated_material",
-                                      "SF_Soldier_Body",
-                                      "SF_Soldier_Body_Dark",
-                                      "SF_Soldier_HelmetVisor",
-                                      "SF_Soldier_HelmetVisor_Dark",
-                                      "SF_Weapon_WeaponBody",
-                                      "SF_Weapon_Holo",
-                                      "SF_Weapon_Stabilization",
-                                      "SF_Weapon_Thursters",
-                                      "Particles/Bullet",
-                                      "Particles/Impact",
-                                      "debug_draw",
-                                      "debug_opaque_draw"};
+constexpr const char* kMaterials[] = {
+    "White", "Red", "Green", "Blue", "RedGlow", "GreenGlow", "BlueGlow", "TransparentRed", "TransparentGreen",
+    "TransparentBlue", "TransparentYellow", "TransparentWhite", "Ground", "Ground2", "NobiaxModular", "base_material",
+    "base_animated_material", "SF_Soldier_Body", "SF_Soldier_Body_Dark", "SF_Soldier_HelmetVisor",
+    "SF_Soldier_HelmetVisor_Dark", "SF_Weapon_WeaponBody", "SF_Weapon_Holo", "SF_Weapon_Stabilization",
+    "SF_Weapon_Thursters", "Particles/Bullet", "Particles/Impact", "debug_draw", "debug_opaque_draw",
+    // Surfaces, things and creatures of scenario files.
+    "Soarbox/Brick", "Soarbox/Concrete", "Soarbox/Crate", "Soarbox/Metal", "Soarbox/Stone", "Soarbox/Rock",
+    "Soarbox/Medkit", "Soarbox/Ammunition", "Soarbox/Sack", "Soarbox/Sheep", "Soarbox/Bear", "Soarbox/Hare",
+    "Soarbox/Cook"};
 constexpr const char* kSkies[] = {"ThickCloudsWaterSkyBox"};
 constexpr const char* kParticles[] = {"Bullet", "BulletImpact"};
 

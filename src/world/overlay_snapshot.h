@@ -72,14 +72,22 @@ struct PushSnapshot {
   Vec3 spin_rad_s{};  ///< By which an angular impulse changed how the body turns; about its axis, by the right hand.
 };
 
+/// A named part of the world that is no agent.
+struct PlaceSnapshot {
+  enum class Kind : std::uint8_t { kWaypoint, kRegion, kItem, kThing } kind = Kind::kWaypoint;
+  std::string name;
+  Vec3 position;  ///< On the ground; of items and things the top.
+};
+
 /// Everything that overlays need besides the scene, at the end of one tick. Recordings do not hold it.
 struct OverlaySnapshot {
   std::uint64_t tick = 0;
   std::vector<AgentOverlay> agents;  ///< In ascending id.
   std::vector<ShotSnapshot> shots;
   std::vector<SpeechSnapshot> speech;
-  bool has_navigation = false;  ///< There is a navigation mesh, it is ready and was wanted.
-  bool has_influence = false;   ///< The same of an influence map.
+  std::vector<PlaceSnapshot> places;  ///< Waypoints, regions, then things and items that have names.
+  bool has_navigation = false;        ///< There is a navigation mesh, it is ready and was wanted.
+  bool has_influence = false;         ///< The same of an influence map.
   // Only what was wanted.
   bool has_pushes = false;                  ///< They were wanted; there may have been none.
   std::vector<PushSnapshot> pushes;         ///< In the order in which they were given.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <mutex>
+#include <new>
 
 #include "world/physics_bullet.h"
 #include "world/physics_capsule_plane.h"
@@ -175,7 +177,29 @@ struct PhysicsWorld::Impl {
   std::vector<Obstacle> obstacles;
 };
 
-PhysicsWorld::PhysicsWorld(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+namespace {
+
+/// Bullet goes on with what its allocator gives it, whatever that is.
+void* TakeForBullet(std::size_t size, int alignment) {
+  const auto step = static_cast<std::size_t>(alignment);
+  void* memory = std::aligned_alloc(step, (size + step - 1) / step * step);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+/// Before Bullet takes any memory.
+const WorldSettings& WithSafeMemory(const WorldSettings& settings) {
+  static const bool is_set = [] {
+    btAlignedAllocSetCustomAligned(TakeForBullet, std::free);
+    return true;
+  }();
+  static_cast<void>(is_set);
+  return settings;
+}
+
+}  // namespace
+
+PhysicsWorld::PhysicsWorld(const WorldSettings& settings) : impl_(std::make_unique<Impl>(WithSafeMemory(settings))) {}
 
 bool PhysicsWorld::IsCrowded() const {
   return impl_->pair_limit.reached;

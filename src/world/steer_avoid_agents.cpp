@@ -2,29 +2,16 @@
 #include "world/steer_avoid_agents.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace soarbox::world {
 namespace {
 
-constexpr float kNearlyParallel = 0.707f;
-// Lets rounding err on the side of looking closer, so that the order of the candidates never shows.
-constexpr float kSlack = 1.0001f;
+/// Ways whose directions differ by less than 45 degrees, either way round, run along each other.
+constexpr float kAlongEachOther = 0.707f;
 
-Vec3 Ahead(const AgentMotion& agent, float time_s) {
-  return agent.position + agent.forward * (agent.speed * time_s);
-}
-
-float AwayFrom(float leftness) {
-  return leftness > 0 ? -1.0f : 1.0f;
-}
-
-// +1: to the left, -1: to the right, 0: the other one will have to give way.
-float DodgingSide(const AgentMotion& self, const AgentMotion& threat, float time_s) {
-  const float parallelness = Dot(self.forward, threat.forward);
-  if (parallelness < -kNearlyParallel) return AwayFrom(Dot(Ahead(threat, time_s) - self.position, self.left));
-  if (parallelness > kNearlyParallel) return AwayFrom(Dot(threat.position - self.position, self.left));
-  return threat.speed <= self.speed ? AwayFrom(Dot(self.left, threat.velocity)) : 0.0f;
+/// Where somebody is after so long who keeps heading and speed.
+Vec3 PlaceIn(const AgentMotion& who, float seconds) {
+  return who.position + who.forward * (who.speed * seconds);
 }
 
 }  // namespace
@@ -34,49 +21,61 @@ Lookout::Lookout(std::size_t self_index, std::span<const AgentMotion> all, float
     : all_(all),
       self_(all[self_index]),
       self_index_(static_cast<std::uint32_t>(self_index)),
-      fastest_mps_(std::abs(self_.speed) + max_speed_mps),
-      touching_m_(self_.radius + max_radius_m),
-      threat_s_(look_ahead_s) {}
+      look_ahead_s_(look_ahead_s),
+      max_closing_mps_(self_.speed + max_speed_mps),
+      touch_m_(self_.radius + max_radius_m) {}
 
 float Lookout::range_m() const {
-  return std::max(touching_m_, 2 * self_.radius + fastest_mps_ * threat_s_);
+  if (touching_) return touch_m_;
+  const float seconds = meeting_ ? meeting_->in_s : look_ahead_s_;
+  // Farther off than both can run by then, and their bodies' width.
+  return std::max(touch_m_, max_closing_mps_ * seconds + 2 * self_.radius);
 }
 
 void Lookout::Look(std::uint32_t index) {
   const AgentMotion& other = all_[index];
   if (index == self_index_ || !other.alive) return;
-  const Vec3 apart = self_.position - other.position;
-  const float squared = LengthSquared(apart);
-  const float radii = self_.radius + other.radius;
-  if (squared < radii * radii && index < touching_) touching_ = index;
-  const float reach = 2 * self_.radius + (std::abs(self_.speed) + std::abs(other.speed)) * threat_s_;
-  if (squared <= reach * reach * kSlack) Consider(other, index, apart);
+  if (Distance(self_.position, other.position) < self_.radius + other.radius && PushFrom(other) != Vec3{}) {
+    touching_ = std::min(touching_.value_or(index), index);
+    return;
+  }
+  if (touching_) return;
+  const std::optional<float> in_s = MeetsIn(other);
+  if (!in_s) return;
+  const bool is_sooner = !meeting_ || *in_s < meeting_->in_s || (*in_s == meeting_->in_s && index < meeting_->index);
+  if (is_sooner) meeting_ = Meeting{index, *in_s};
 }
 
-// The two come nearest at the time t that makes their distance smallest at their present velocities:
-// t = w . (p - p_other) / |w|^2 with the relative velocity w. Most candidates drop out before the division.
-void Lookout::Consider(const AgentMotion& other, std::uint32_t index, Vec3 apart) {
-  const Vec3 relative = other.velocity - self_.velocity;
-  const float closing = Dot(relative, apart);
-  const float speed_squared = LengthSquared(relative);
-  if (speed_squared > 0 && (closing < 0 || closing > threat_s_ * speed_squared * kSlack)) return;
-  const float time_s = speed_squared > 0 ? closing / speed_squared : 0.0f;
-  const bool sooner = time_s < threat_s_ || (time_s == threat_s_ && threat_ != kNobody && index < threat_);
-  if (!sooner) return;
-  const float clearance = 2 * self_.radius;
-  if (LengthSquared(Ahead(self_, time_s) - Ahead(other, time_s)) >= clearance * clearance) return;
-  threat_ = index;
-  threat_s_ = time_s;
+Vec3 Lookout::PushFrom(const AgentMotion& other) const {
+  const Vec3 off = self_.position - other.position;
+  return off - self_.forward * Dot(off, self_.forward);
+}
+
+std::optional<float> Lookout::MeetsIn(const AgentMotion& other) const {
+  const Vec3 drift = other.velocity - self_.velocity;
+  const float drift_mps = Length(drift);
+  float in_s = 0;
+  if (drift_mps > 0) in_s = Dot(drift * (1 / drift_mps), self_.position - other.position) / drift_mps;
+  if (!(in_s >= 0) || in_s >= look_ahead_s_) return std::nullopt;
+  if (Distance(PlaceIn(self_, in_s), PlaceIn(other, in_s)) >= 2 * self_.radius) return std::nullopt;
+  return in_s;
+}
+
+float Lookout::SideFor(const AgentMotion& other, float in_s) const {
+  const float agreement = Dot(self_.forward, other.forward);
+  const auto away_from = [&](float to_its_left) { return to_its_left > 0 ? -1.0f : 1.0f; };
+  const bool along = agreement > kAlongEachOther || agreement < -kAlongEachOther;
+  // Along each other: off from the side where it is, or will be when they pass. Across: behind its back, and only the
+  // faster one need do so.
+  if (!along) return other.speed <= self_.speed ? away_from(Dot(self_.left, other.velocity)) : 0;
+  const Vec3 place = agreement > 0 ? other.position : PlaceIn(other, in_s);
+  return away_from(Dot(place - self_.position, self_.left));
 }
 
 Vec3 Lookout::Force() const {
-  if (touching_ != kNobody) {
-    const Vec3 away = self_.position - all_[touching_].position;
-    const Vec3 sideways = away - self_.forward * Dot(away, self_.forward);
-    if (LengthSquared(sideways) > 0) return sideways;
-  }
-  if (threat_ == kNobody) return {};
-  return self_.left * DodgingSide(self_, all_[threat_], threat_s_);
+  if (touching_) return PushFrom(all_[*touching_]);
+  if (!meeting_) return {};
+  return self_.left * SideFor(all_[meeting_->index], meeting_->in_s);
 }
 
 }  // namespace soarbox::world

@@ -2,43 +2,47 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <span>
 
 #include "world/agent_motion.h"
 
 namespace soarbox::world {
 
-/// Sidesteps other agents (after Reynolds, 1999, unaligned collision avoidance). An agent that touches self is pushed
-/// away from, sideways; failing that, the one with the earliest near miss within look_ahead_s is dodged to the left or
-/// right (unit length). Of several that touch, or that miss at the same time, the one with the lowest index counts: it
-/// does not matter in which order others are looked at.
+/// Getting out of each other's way (docs/spec/lua_api.md, ForceToAvoidAgents): who touches the agent is pushed off
+/// sideways; else it steps aside for the one that it would run into first. The answer does not depend on the order in
+/// which others are looked at: between equals the lower index counts.
 class Lookout {
  public:
-  /// No agent of `all` is faster or wider than told. self_index is one of them.
+  /// No agent of `all` is faster or wider than told; self_index is one of them.
   Lookout(std::size_t self_index, std::span<const AgentMotion> all, float look_ahead_s, float max_speed_mps,
           float max_radius_m);
 
-  /// Beyond this centre distance nobody matters; it shrinks with what was found.
+  /// Nobody whose centre is farther away can matter any more. Shrinks as others are looked at.
   float range_m() const;
-  /// Looks at one agent; self and the dead do not count.
+  /// Takes one agent into account; self and the dead do not count.
   void Look(std::uint32_t index);
-  /// What follows when all within range were looked at.
+  /// The force, once all within range have been looked at. Of length 1, or shorter for a push; zero: the way is free.
   Vec3 Force() const;
 
  private:
-  static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
-
-  void Consider(const AgentMotion& other, std::uint32_t index, Vec3 apart);
+  struct Meeting {
+    std::uint32_t index;
+    float in_s;
+  };
+  /// Sideways off from it; zero if it is straight ahead or behind.
+  Vec3 PushFrom(const AgentMotion& other) const;
+  /// How soon the other's body and its own would overlap; nothing if they would not within the time that counts.
+  std::optional<float> MeetsIn(const AgentMotion& other) const;
+  /// -1: step to the right, 1: to the left, 0: the other one yields.
+  float SideFor(const AgentMotion& other, float in_s) const;
 
   std::span<const AgentMotion> all_;
   const AgentMotion& self_;
   std::uint32_t self_index_;
-  float fastest_mps_;  ///< That two can close in.
-  float touching_m_;
-  std::uint32_t touching_ = kNobody;
-  std::uint32_t threat_ = kNobody;
-  float threat_s_;  ///< When it comes nearest; without a threat, how far ahead is looked.
+  float look_ahead_s_, max_closing_mps_, touch_m_;
+  std::optional<std::uint32_t> touching_;
+  std::optional<Meeting> meeting_;
 };
 
 }  // namespace soarbox::world

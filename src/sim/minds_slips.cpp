@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What rules that loaded say and most likely do not mean, reported as soon as they run.
+#include <algorithm>
+
+#include "diagnostics/read_text.h"
+#include "sim/live_edits.h"
+#include "sim/minds.h"
+#include "sim/reasons.h"
+#include "sim/rule_slips.h"
+#include "sim/rule_surroundings.h"
+#include "sim/sourced_files.h"
+
+namespace soarbox::sim {
+namespace {
+
+std::vector<RuleFile> FilesOf(const std::filesystem::path& rules, const Scenario& scenario) {
+  const auto read = [](const std::filesystem::path& file) {
+    return RuleFile{file, BlankComments(ReadText(file).value_or(""))};
+  };
+  std::vector<RuleFile> files = {read(rules)};
+  for (const std::filesystem::path& file : WithSourcedFiles(rules, ReadableRuleFolders(scenario)))
+    if (file != rules) files.push_back(read(file));
+  return files;
+}
+
+Diagnostic Placed(const Slip& slip, const std::vector<RuleFile>& files) {
+  for (const RuleFile& file : files) {
+    Diagnostic warning = PlaceSlip(slip, file.file, file.text);
+    if (warning.line != 0) return warning;
+  }
+  return PlaceSlip(slip, {}, {});  // Typed.
+}
+
+}  // namespace
+
+std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>& only) {
+  MindReasons reasons(mind.soar.agent());
+  KnownWords known;
+  known.attributes = KnownAttributes();
+  known.complete = !only.empty() || !failed_.contains(mind.rules);
+  known.places.is_known = !mind.is_scripted;
+  for (const Waypoint& waypoint : arena_.places().waypoints) known.places.waypoints.insert(waypoint.name);
+  for (const Region& region : arena_.places().regions) known.places.regions.insert(region.name);
+  std::vector<std::filesystem::path> folders;
+  if (mind.is_scripted) folders = scenario_.script_folders;
+  folders.push_back(mind.rules.parent_path());
+  for (const std::filesystem::path& folder : folders) {
+    Surroundings around = LookAround(folder, {&folder, 1});
+    known.scripts.merge(around.lua_words);
+    known.attributes.merge(around.made_by_rules);
+  }
+  std::vector<RuleFile> files = FilesOf(mind.rules, scenario_);
+  std::vector<Diagnostic> warnings;
+  for (const auto& slips : {FindSlipsOfForm(reasons.rules()), FindSlipsOfMeaning(reasons.rules(), known),
+                            FindSlipsOfWorld(reasons.rules(), known.places)}) {
+    for (const Slip& slip : slips) {
+      if (!only.empty() && !only.contains(slip.rule)) continue;
+      Diagnostic warning = Placed(slip, files);
+      if (!warning.file.empty()) warning.file = scenario_.Original(warning.file).string();
+      warnings.push_back(std::move(warning));
+    }
+  }
+  if (!only.empty()) return warnings;
+  for (RuleFile& file : files) file.file = scenario_.Original(file.file);
+  for (Diagnostic& twice : FindDuplicates(files)) warnings.push_back(std::move(twice));
+  return warnings;
+}
+
+void Minds::TellSlips() {
+  has_new_rules_ = false;
+  for (Mind& mind : minds_) {
+    if (mind.gone || mind.lost || !looked_over_.insert(mind.rules).second) continue;
+    const std::string& name = world_.FindAgent(mind.agent)->name();
+    for (Diagnostic& slip : FindSlips(mind, {})) {
+      if (!reported_.insert(Format(slip)).second) continue;
+      Event event;
+      event.kind = EventKind::kDiagnostic;
+      event.agent = name;
+      event.diagnostic = std::move(slip);
+      report_(std::move(event));
+    }
+  }
+}
+
+std::vector<Diagnostic> Minds::SlipsOf(std::string_view agent, const std::set<std::string>& rules) {
+  Mind* mind = FindNamed(agent);
+  if (mind == nullptr || mind->gone || mind->lost || rules.empty()) return {};
+  return FindSlips(*mind, rules);
+}
+
+}  // namespace soarbox::sim

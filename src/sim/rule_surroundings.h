@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+
+namespace soarbox::sim {
+
+/// What the other files of a folder add to what its rules may test and say.
+struct Surroundings {
+  std::set<std::string> lua_words;      ///< Scripts may make percepts and take commands of their own.
+  std::set<std::string> made_by_rules;  ///< Attributes in actions of any rule: messages carry them.
+};
+
+/// Reads the scripts and rules directly in a folder; an empty path is the current one. Pipes, devices and links that
+/// lead out of the `readable` folders are left alone.
+Surroundings LookAround(const std::filesystem::path& folder, std::span<const std::filesystem::path> readable);
+
+}  // namespace soarbox::sim
