@@ -1,41 +1,85 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- From steering to motion: each of these functions is about one agent and one step.
+-- What steered agents have in common: forces put to work, speed kept within bounds, a body to be seen, lines that show
+-- where an agent wants to go.
 
--- Pushes with all of the agent's strength along the ground towards `force` (whose y is set to 0), and turns the agent to
--- where it is going to move.
+-- Wishes whose square is below this are none.
+local kFaint = 0.1;
+-- How much of a new acceleration, and of a new direction, is taken over at once.
+local kEagerness, kTurning = 0.4, 0.2;
+local kSkin = "Ground2";
+local kGreen, kRed = Vector.new(0, 1, 0), Vector.new(1, 0, 0);
+
+local function IsFaint(vector)
+    return Vector.LengthSquared(vector) < kFaint;
+end
+
+-- A vector along the ground; changes what it is given.
+local function Level(vector)
+    vector.y = 0;
+    return vector;
+end
+
+-- The acceleration of an agent that pushes with all its force in a direction; nil if it does not or cannot.
+local function FullAcceleration(agent, direction)
+    local mass = agent:GetMass();
+    if (mass > 0 and not IsFaint(direction)) then
+        return Vector.Normalize(Level(direction)) * (agent:GetMaxForce() / mass);
+    end
+end
+
+-- Pushes the agent with all its force in the direction of `force` and turns it to where it goes. Flattens `force`.
 function AgentUtilities_ApplyPhysicsSteeringForce(agent, force, deltaTimeInSeconds)
-    agent:Push(force, deltaTimeInSeconds);
+    local acceleration = FullAcceleration(agent, force);
+    if (acceleration) then
+        agent:ApplyForce(Vector.Normalize(force) * agent:GetMaxForce());
+        local heading = Level(agent:GetVelocity() + acceleration * deltaTimeInSeconds);
+        agent:SetForward(Vector.Normalize(heading));
+    end
 end
 
--- Changes the velocity instead, smoothly: `accumulator` is a vector of the caller's that remembers the acceleration from
--- step to step.
+-- The same by changing the velocity, smoothly: `accumulator` is the acceleration of the call before, kept by the caller.
 function AgentUtilities_ApplySteeringForce2(agent, force, accumulator, deltaTimeInSeconds)
-    agent:PushSmoothly(force, accumulator, deltaTimeInSeconds);
+    local wanted = FullAcceleration(agent, force);
+    if (not wanted) then
+        return;
+    end
+    local smooth = accumulator + (wanted - accumulator) * kEagerness;
+    accumulator.x, accumulator.y, accumulator.z = smooth.x, smooth.y, smooth.z;
+    local velocity = agent:GetVelocity() + smooth * deltaTimeInSeconds;
+    agent:SetVelocity(velocity);
+    if (not IsFaint(velocity)) then
+        local heading = Vector.Normalize(Level(velocity));
+        local forward = agent:GetForward();
+        agent:SetForward(Vector.Normalize(forward + (heading - forward) * kTurning));
+    end
 end
 
--- Nobody runs faster than their top speed; jumps and falls are let be.
+-- Nobody runs faster than its greatest speed; falling is free.
 function AgentUtilities_ClampHorizontalSpeed(agent)
-    agent:ClampSpeed();
+    local most, velocity = agent:GetMaxSpeed(), agent:GetVelocity();
+    local speed = math.sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
+    if (speed > most) then
+        velocity.x, velocity.z = velocity.x * most / speed, velocity.z * most / speed;
+        agent:SetVelocity(velocity);
+    end
 end
 
--- A capsule to look at, which the agent wears from now on.
+-- Moves an agent that physics does not move.
+function AgentUtilities_UpdatePosition(agent, deltaTimeInSeconds)
+    agent:SetPosition(agent:GetPosition() + agent:GetVelocity() * deltaTimeInSeconds);
+end
+
+-- A capsule to be seen; returns its node.
 function AgentUtilities_CreateAgentRepresentation(agent, height, radius)
-    local body = Core.CreateCapsule(agent, height, radius);
-    Core.SetMaterial(body, "Ground2");
-    return body;
+    local capsule = Core.CreateCapsule(agent, height, radius);
+    Core.SetMaterial(capsule, kSkin);
+    return capsule;
 end
 
--- For this step: green from the agent to its target, red around the target.
 function AgentUtilities_DrawLineToTarget(agent)
-    Core.DrawLine(agent:GetTarget(), agent:GetPosition(), Vector.new(0, 1, 0));
+    Core.DrawLine(agent:GetPosition(), agent:GetTarget(), kGreen);
 end
 
 function AgentUtilities_DrawTargetRadius(agent)
-    Core.DrawCircle(agent:GetTarget(), agent:GetTargetRadius(), Vector.new(1, 0, 0));
-end
-
--- What physics does for agents with a body: go on at the present velocity.
-function AgentUtilities_UpdatePosition(agent, deltaTimeInSeconds)
-    local way = agent:GetVelocity() * deltaTimeInSeconds;
-    agent:SetPosition(way + agent:GetPosition());
+    Core.DrawCircle(agent:GetTarget(), agent:GetTargetRadius(), kRed);
 end

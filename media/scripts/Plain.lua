@@ -1,11 +1,20 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A sunlit plain of 200 by 200 m under a cloudy sky.
+-- Open country: a wide plain in the light of a low sun, under a sky with clouds.
 
+local kSide = 200;
+
+local function Sun(sandbox)
+    local sun = Core.CreateDirectionalLight(sandbox, Vector.new(0.7, -1, 0.5));
+    Core.SetLightDiffuse(sun, Vector.new(1.8, 1.7, 1.45));
+    Core.SetLightSpecular(sun, Vector.new(1.8, 1.7, 1.45));
+end
+
+-- Makes the plain; returns its ground.
 function Plain_Create(sandbox)
+    local ground = Sandbox.CreatePlane(sandbox, kSide, kSide);
+    Core.SetMaterial(ground, "Ground2");
+    Sun(sandbox);
+    Sandbox.SetAmbientLight(sandbox, Vector.new(0.32, 0.33, 0.36));
     Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0));
-    Core.SetMaterial(Sandbox.CreatePlane(sandbox, 200, 200), "Ground2");
-    Sandbox.SetAmbientLight(sandbox, Vector.new(0.3));
-    local sun = Core.CreateDirectionalLight(sandbox, Vector.new(1, -1, 1));
-    Core.SetLightDiffuse(sun, Vector.new(1.8, 1.4, 0.9));
-    Core.SetLightSpecular(sun, Vector.new(1.8, 1.4, 0.9));
+    return ground;
 end

@@ -1,56 +1,62 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What a soldier's decisions ask. userData has agent and blackboard; the blackboard knows enemy, ammo and maxHealth.
+-- Questions about a soldier that its logic asks: SoldierEvaluators_NAME(userData), with the agent and its blackboard.
 
+-- Health of which a soldier says that it is critical, as a share of what it began with.
 local kCriticalShare = 0.2;
-local kReached = 1.5;
 local kShootRange = 3;
+local kArrived = 1.5;
 
-function SoldierEvaluators_True(userData)
+local ask = {};
+
+function ask.True()
     return true;
 end
 
-function SoldierEvaluators_IsAlive(userData)
-    return userData.agent:GetHealth() > 0 and userData.blackboard:Get("alive") ~= false;
+function ask.Random()
+    return math.random() < 0.5;
 end
 
-function SoldierEvaluators_IsNotAlive(userData)
-    return not SoldierEvaluators_IsAlive(userData);
+function ask.IsAlive(userData)
+    return userData.agent:GetHealth() > 0;
 end
 
-function SoldierEvaluators_HasCriticalHealth(userData)
-    return userData.agent:GetHealth() < userData.blackboard:Get("maxHealth") * kCriticalShare;
+function ask.HasCriticalHealth(userData)
+    local full = userData.blackboard:Get("maxHealth") or 0;
+    return userData.agent:GetHealth() < full * kCriticalShare;
 end
 
-function SoldierEvaluators_HasEnemy(userData)
+function ask.HasEnemy(userData)
     return userData.blackboard:Get("enemy") ~= nil;
 end
 
-function SoldierEvaluators_HasNoEnemy(userData)
-    return not SoldierEvaluators_HasEnemy(userData);
-end
-
-function SoldierEvaluators_HasAmmo(userData)
+function ask.HasAmmo(userData)
     return (userData.blackboard:Get("ammo") or 0) > 0;
 end
 
-function SoldierEvaluators_HasNoAmmo(userData)
-    return not SoldierEvaluators_HasAmmo(userData);
+local function Gap(userData, place)
+    return Vector.Distance(userData.agent:GetPosition(), place);
 end
 
-function SoldierEvaluators_CanShootAgent(userData)
+function ask.CanShootAgent(userData)
     local enemy = userData.blackboard:Get("enemy");
-    return enemy ~= nil and enemy:GetHealth() > 0
-        and Vector.Distance(userData.agent:GetPosition(), enemy:GetPosition()) < kShootRange;
+    return enemy ~= nil and enemy:GetHealth() > 0 and Gap(userData, enemy:GetPosition()) < kShootRange;
 end
 
-function SoldierEvaluators_HasMovePosition(userData)
-    return Vector.Distance(userData.agent:GetPosition(), userData.agent:GetTarget()) > kReached;
+function ask.IsAtMovePosition(userData)
+    return Gap(userData, userData.agent:GetTarget()) <= kArrived;
 end
 
-function SoldierEvaluators_IsAtMovePosition(userData)
-    return not SoldierEvaluators_HasMovePosition(userData);
+-- Those that are another one's opposite.
+local kOpposites = {
+    IsNotAlive = "IsAlive", HasNoEnemy = "HasEnemy", HasNoAmmo = "HasAmmo", HasMovePosition = "IsAtMovePosition"
+};
+for name, other in pairs(kOpposites) do
+    local question = ask[other];
+    ask[name] = function(userData)
+        return not question(userData);
+    end;
 end
 
-function SoldierEvaluators_Random(userData)
-    return math.random() >= 0.5;
+for name, question in pairs(ask) do
+    _G["SoldierEvaluators_" .. name] = question;
 end

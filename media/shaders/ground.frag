@@ -3,6 +3,7 @@
 #include "scene.glsl"
 
 uniform vec4 base_colour;
+uniform vec4 trim_colour;  // Of the grass on it; clear: none grows there.
 uniform vec4 finish;
 
 // How much of a pixel a line at every multiple of `step_m` covers, without shimmer in the distance. `pixel_m`: what a
@@ -42,9 +43,21 @@ void main()
 
     vec3 colour = base_colour.rgb * (0.74 + 0.52 * grain) * (1.0 + 0.045 * checker);
     colour = mix(colour, colour * vec3(0.88, 1.02, 0.84), smoothstep(0.42, 0.68, broader.r) * 0.7);
+
+    // Where it is the floor of the world, grass grows, but not on the tracks that people have worn.
+    float floor_share = trim_colour.a * step(0.55, facing.y) * (1.0 - smoothstep(0.04, 0.08, abs(world_position.y)));
+    float wobble = 1.3 * (broader.g - 0.5);
+    float along = abs(place.y - 15.0 - 6.0 * sin(place.x * 0.045) - 2.0 * sin(place.x * 0.13 + 1.3));
+    float across = abs(place.x + 19.0 - 5.0 * sin(place.y * 0.05 + 0.7) - 1.5 * sin(place.y * 0.17));
+    float track = 1.0 - smoothstep(0.75, 1.35, min(along, across) + wobble);
+    float dry = smoothstep(0.45, 0.75, broader.b);
+    vec3 grass = mix(trim_colour.rgb, trim_colour.rgb * vec3(1.22, 1.06, 1.02), dry) * (0.72 + 0.56 * grain);
+    vec3 soil = base_colour.rgb * vec3(0.98, 0.88, 0.70) * (0.80 + 0.40 * grain);
+    colour = mix(colour, mix(grass, soil, track), floor_share);
+
     float fine_line = GridLine(place, pixel_m, 1.0, 0.03) * 0.20;
     float strong_line = GridLine(place, pixel_m, 10.0, 0.09) * 0.46;
-    colour *= 1.0 - max(fine_line, strong_line) * 0.55;
+    colour *= 1.0 - max(fine_line, strong_line) * mix(0.55, 0.38, floor_share);
 
 #ifdef LOW_DETAIL
     vec3 light = ShadeDull(ToLinear(colour), normalize(world_normal));

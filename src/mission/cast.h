@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+#include "mission/mission.h"
+#include "sim/scenario_file.h"
+
+namespace soarbox::mission {
+
+/// The names that a scenario file and its rules know, to look up what checks speak of.
+struct Cast {
+  std::vector<std::string> agents, teams, items, things, waypoints, regions, ends;
+  std::set<std::string> rules;       ///< Names of rules.
+  std::set<std::string> rule_words;  ///< All words in the files of rules: operators, attributes, values.
+};
+
+/// Reads the names. Rules are all files of rules below the scenario's folder.
+Cast CastOf(const sim::ScenarioFile& file);
+
+/// Adds a problem for each name that nothing knows, with what was probably meant.
+void CheckNames(const Mission& mission, const Cast& cast, std::vector<Diagnostic>& problems);
+
+/// Looks over the checks of a .toml file for `soarbox check`; false if it is no scenario besides.
+bool CheckMissionFile(const std::filesystem::path& file, std::vector<Diagnostic>& problems);
+/// Whether this text is a mission file, which names a scenario, and not a scenario itself.
+bool IsMissionText(std::string_view text);
+
+}  // namespace soarbox::mission

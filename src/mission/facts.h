@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mission/keys.h"
+#include "world/math.h"
+
+namespace soarbox::mission {
+
+/// Something that happened to an agent in a tick.
+struct EventFact {
+  Key key = Key::kPrints;
+  std::string word;                                       ///< Whom, what, which rule, which command.
+  std::vector<std::pair<std::string, std::string>> with;  ///< Parameters.
+  std::string status, reason;                             ///< Of a command's answer; empty: it was said.
+};
+
+/// An operator that was selected in a tick.
+struct OperatorFact {
+  int level = 1;
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> with;
+};
+
+struct ElementFact {
+  std::size_t path = 0;  ///< Index in Wants::elements.
+  std::string value;
+  char support = 'i';
+};
+
+/// All that checks may ask of one agent at the end of a tick. Numbers that nobody asked for stay as they are.
+struct AgentFacts {
+  std::string name, team;
+  bool alive = true;
+  bool has_mind = false;
+  world::Vec3 position;
+  double health = 0, speed = 0;
+  std::optional<double> ammunition;
+  double distance = 0, rounds = 0, damage = 0, idle = 0, repeats = 0;
+  double answered = 0, decisions = 0, firings = 0, elements = 0, depth = 1, learned = 0;
+  double reused = 0, reward = 0, updates = 0;
+  std::vector<std::string> carried, sees;
+  std::vector<EventFact> events;
+  std::vector<OperatorFact> operators;
+  std::vector<ElementFact> found;
+};
+
+struct ItemFacts {
+  std::string name;
+  world::Vec3 position;
+  bool carried = false;
+};
+
+struct PlaceFacts {
+  std::string name;
+  world::Vec3 center;
+  float radius_m = 0, half_x_m = 0, half_z_m = 0;  ///< As sim::Region; a waypoint has none.
+};
+
+/// What there is to know of one tick.
+struct TickFacts {
+  std::uint64_t tick = 0;
+  double time_s = 0;
+  std::vector<AgentFacts> agents;  ///< In creation order; nobody leaves, who is gone is dead.
+  std::vector<ItemFacts> items;
+  std::vector<PlaceFacts> waypoints, regions;  ///< The same in each tick.
+  std::vector<std::string> ended;              ///< Ends and goals reached so far.
+  std::vector<EventFact> problems;
+};
+
+}  // namespace soarbox::mission

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "diagnostics/read_text.h"
+#include "mission/cast.h"
+#include "mission/read_mission.h"
+#include "mission/test_missions.h"
+#include "sim/scenario_file.h"
+
+namespace soarbox::mission {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsFile(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error);
+}
+
+/// A .toml file with checks of its own.
+bool HasChecks(const fs::path& file) {
+  const std::string text = ReadText(file).value_or("");
+  if (IsMissionText(text)) return true;
+  for (std::size_t at = text.find("[[check]]"); at != std::string::npos; at = text.find("[[check]]", at + 1))
+    if (at == 0 || text[at - 1] == '\n') return true;
+  return false;
+}
+
+/// The files that the mission's scenario is read from.
+sim::ScenarioFile ReadDefinition(const fs::path& definition) {
+  std::vector<Diagnostic> others;
+  return sim::ParseScenarioFile(ReadText(definition).value_or(""), definition, others);
+}
+
+}  // namespace
+
+fs::path StateFolder(std::string_view what) {
+  fs::path state;
+  if (const char* folder = std::getenv("XDG_STATE_HOME"); folder != nullptr && *folder != '\0') {
+    state = folder;
+  } else if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    state = fs::path(home) / ".local" / "state";
+  } else {
+    return {};
+  }
+  return state / "soarbox" / what;
+}
+
+std::vector<fs::path> FindMissionFiles(const fs::path& path, const sim::DataFolders& data) {
+  std::error_code error;
+  if (IsFile(path)) return {path};
+  fs::path folder = path;
+  if (!fs::is_directory(folder, error)) {
+    folder = data.scenarios / path;
+    if (!path.is_relative() || !fs::is_directory(folder, error)) return {};
+  }
+  std::vector<fs::path> files;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator it(folder, options, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (it->is_directory(error) && (name.starts_with('.') || name == "build")) {
+      it.disable_recursion_pending();
+    } else if (name.ends_with(".toml") && IsFile(it->path()) && HasChecks(it->path())) {
+      files.push_back(it->path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+fs::path MissionFileOf(const sim::Scenario& scenario) {
+  if (scenario.definition.empty()) return {};
+  if (HasChecks(scenario.definition)) return scenario.definition;
+  const fs::path beside = scenario.definition.parent_path() / "mission.toml";
+  return IsFile(beside) && HasChecks(beside) ? beside : fs::path();
+}
+
+LoadedMission LoadMission(const fs::path& file, const sim::DataFolders& data, std::vector<Diagnostic>& problems) {
+  LoadedMission loaded;
+  Diagnostic problem;
+  problem.file = file.string();
+  const std::optional<std::string> text = ReadText(file);
+  if (!text) {
+    problem.message = "this mission cannot be read";
+    problems.push_back(std::move(problem));
+    return loaded;
+  }
+  const std::size_t before = problems.size();
+  const bool is_mission = IsMissionText(*text);
+  loaded.mission = ParseMission(*text, file, !is_mission, problems);
+  Mission& mission = loaded.mission;
+  if (problems.size() > before) return loaded;
+  std::error_code error;
+  if (mission.checks.empty()) {
+    problem.message = "nothing is checked here";
+    problem.hint = "write [[check]] tables: docs/missions.md";
+    problems.push_back(std::move(problem));
+    return loaded;
+  }
+  if (!is_mission) mission.scenario = file.string();
+  fs::path beside = file.parent_path() / mission.scenario;
+  if (mission.scenario == ".") beside = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (is_mission && fs::exists(beside, error)) mission.scenario = beside.lexically_normal().string();
+  Result<sim::Scenario> scenario = sim::FindScenario(mission.scenario, data);
+  if (!scenario) {
+    problem.message = scenario.error().message;
+    problem.hint = scenario.error().hint;
+    problems.push_back(std::move(problem));
+    return loaded;
+  }
+  loaded.scenario = std::move(*scenario);
+  const bool is_plain = file.filename() == "mission.toml" || file.filename() == "scenario.toml";
+  mission.name = (is_plain ? fs::absolute(file, error).parent_path().filename() : file.stem()).string();
+  if (!loaded.scenario.definition.empty()) {
+    const sim::ScenarioFile definition = ReadDefinition(loaded.scenario.definition);
+    if (loaded.scenario.rules.empty()) CheckNames(mission, CastOf(definition), problems);
+    loaded.seconds = definition.seconds.value_or(60);
+    if (mission.seeds.empty() && definition.seed) mission.seeds = {*definition.seed};
+  }
+  loaded.seconds = mission.seconds.value_or(loaded.seconds);
+  return loaded;
+}
+
+}  // namespace soarbox::mission

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mission/gather_facts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mission/sentences.h"
+#include "sim/arena.h"
+#include "sim/inspector.h"
+#include "sim/learning_facts.h"
+#include "world/world.h"
+
+namespace soarbox::mission {
+namespace {
+
+PlaceFacts PlaceOf(const sim::Waypoint& waypoint) {
+  return {waypoint.name, waypoint.position, 0, 0, 0};
+}
+PlaceFacts PlaceOf(const sim::Region& region) {
+  return {region.name, region.center, region.radius_m, region.half_x_m, region.half_z_m};
+}
+
+std::string ImpasseName(std::string_view impasse, std::string_view attribute) {
+  if (impasse == "no-change") return std::string(attribute) + "-no-change";
+  return std::string(impasse);
+}
+
+std::string ValueText(const world::Message::Value& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+  if (const auto* number = std::get_if<double>(&value)) return NumberText(*number);
+  return std::get<std::string>(value);
+}
+
+}  // namespace
+
+std::string SplitCommand(std::string_view text, std::vector<std::pair<std::string, std::string>>& with) {
+  const std::size_t blank = text.find(' ');
+  const std::string name(text.substr(0, blank));
+  while (true) {
+    const std::size_t caret = text.find(" ^");
+    if (caret == std::string_view::npos) return name;
+    text.remove_prefix(caret + 2);
+    const std::size_t gap = text.find(' ');
+    if (gap == std::string_view::npos) return name;
+    const std::string_view rest = text.substr(gap + 1);
+    with.emplace_back(std::string(text.substr(0, gap)), std::string(rest.substr(0, rest.find(" ^"))));
+    text = text.substr(gap);
+  }
+}
+
+FactGatherer::FactGatherer(sim::Simulation& simulation, Wants wants)
+    : simulation_(simulation), wants_(std::move(wants)) {}
+
+std::size_t FactGatherer::IndexOf(std::string_view name) const {
+  for (std::size_t i = 0; i < facts_.agents.size(); ++i)
+    if (facts_.agents[i].name == name) return i;
+  return facts_.agents.size();
+}
+
+const TickFacts& FactGatherer::Gather(const sim::EventList& events) {
+  facts_.tick = simulation_.tick();
+  facts_.time_s = simulation_.time_s();
+  if (!is_begun_) {
+    for (const sim::Waypoint& waypoint : simulation_.arena().places().waypoints)
+      facts_.waypoints.push_back(PlaceOf(waypoint));
+    for (const sim::Region& region : simulation_.arena().places().regions) facts_.regions.push_back(PlaceOf(region));
+  }
+  facts_.problems.clear();
+  GatherBodies();
+  GatherItems();
+  GatherEvents(events);
+  GatherMessages();
+  if (wants_.notes || wants_.firings || wants_.insight) GatherMinds();
+  is_begun_ = true;
+  return facts_;
+}
+
+void FactGatherer::GatherBodies() {
+  const world::World& world = simulation_.world();
+  const auto actors = simulation_.arena().actors();
+  std::size_t next_actor = 0;
+  // Agents come in ascending id and so do ours; those who have left the world stay here as dead.
+  for (const world::EntityId id : world.AgentIds()) {
+    auto at = std::lower_bound(ids_.begin(), ids_.end(), world::Number(id));
+    if (at == ids_.end() || *at != world::Number(id)) {
+      const auto place = at - ids_.begin();
+      ids_.insert(at, world::Number(id));
+      facts_.agents.insert(facts_.agents.begin() + place, AgentFacts{});
+      memories_.insert(memories_.begin() + place, Memory{});
+      at = ids_.begin() + place;
+      facts_.agents[static_cast<std::size_t>(place)].health = static_cast<double>(world.FindAgent(id)->Health());
+      facts_.agents[static_cast<std::size_t>(place)].position = world.FindAgent(id)->Position();
+    }
+  }
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    AgentFacts& facts = facts_.agents[i];
+    facts.events.clear();
+    const world::EntityId id{ids_[i]};
+    const world::Agent* body = world.FindAgent(id);
+    if (body == nullptr) {
+      facts.alive = false;
+      continue;
+    }
+    facts.name = body->name();
+    facts.team = body->Team();
+    const auto health = static_cast<double>(body->Health());
+    facts.damage += std::max(0.0, facts.health - health);
+    facts.health = health;
+    facts.alive = health > 0;
+    const world::Vec3 moved = body->Position() - facts.position;
+    facts.speed = std::hypot(static_cast<double>(body->Velocity().x), static_cast<double>(body->Velocity().z));
+    facts.distance += std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.z));
+    facts.position = body->Position();
+    while (next_actor < actors.size() && actors[next_actor]->id() < id) ++next_actor;
+    if (next_actor == actors.size() || actors[next_actor]->id() != id) continue;
+    sim::Actor& actor = *actors[next_actor];
+    if (actor.weapon()) facts.ammunition = actor.weapon()->rounds() + actor.weapon()->reserve();
+    facts.carried.clear();
+    for (const sim::CarriedThing& thing : actor.carried()) facts.carried.push_back(thing.name);
+    if (!actor.IsBusy() && facts.alive && is_begun_) facts.idle += static_cast<double>(world.settings().step_s);
+    facts.sees.clear();
+    for (const auto& [other, contact] : actor.contacts())
+      if (const world::Agent* seen = contact.visible ? world.FindAgent(other) : nullptr)
+        facts.sees.push_back(seen->name());
+    for (const sim::Happening& happening : actor.happenings()) {
+      if (happening.number <= memories_[i].happened) continue;
+      memories_[i].happened = happening.number;
+      if (happening.type == "collision") facts.events.push_back({Key::kCollides, happening.by, {}, {}, {}});
+      if (happening.type == "hit") facts.events.push_back({Key::kHitBy, happening.by, {}, {}, {}});
+    }
+  }
+}
+
+void FactGatherer::GatherItems() {
+  const sim::Places& places = simulation_.arena().places();
+  for (const auto& [id, item] : places.items) {
+    const auto name = places.object_names.find(id);
+    if (name == places.object_names.end()) continue;
+    const auto at = std::find_if(facts_.items.begin(), facts_.items.end(),
+                                 [&](const ItemFacts& known) { return known.name == name->second; });
+    ItemFacts& known = at != facts_.items.end() ? *at : facts_.items.emplace_back();
+    known.name = name->second;
+    if (const world::Object* object = simulation_.world().FindObject(id)) known.position = object->Position();
+  }
+  for (ItemFacts& item : facts_.items) {
+    item.carried = false;
+    for (const AgentFacts& agent : facts_.agents) {
+      if (std::find(agent.carried.begin(), agent.carried.end(), item.name) == agent.carried.end()) continue;
+      item.carried = true;
+      item.position = agent.position;
+    }
+  }
+}
+
+void FactGatherer::GatherEvents(const sim::EventList& events) {
+  for (const sim::Event& event : events) {
+    const bool is_diagnostic = event.kind == sim::EventKind::kDiagnostic ||
+                               event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed;
+    if (event.kind == sim::EventKind::kEnded) facts_.ended.push_back(event.text);
+    if (is_diagnostic && event.diagnostic.severity != Severity::kNote)
+      facts_.problems.push_back(
+          {Key::kProblem, event.diagnostic.severity == Severity::kError ? "error" : "warning", {}, {}, {}});
+    const std::size_t index = IndexOf(event.agent);
+    if (index == facts_.agents.size()) continue;
+    AgentFacts& agent = facts_.agents[index];
+    if (event.kind == sim::EventKind::kLog) agent.events.push_back({Key::kPrints, event.text, {}, {}, {}});
+    if (event.kind == sim::EventKind::kNews && event.news == "shoots") {
+      agent.rounds += 1;
+      constexpr std::string_view kHits = "hits ";
+      if (event.text.starts_with(kHits))
+        agent.events.push_back({Key::kHits, event.text.substr(kHits.size()), {}, {}, {}});
+    }
+  }
+}
+
+void FactGatherer::GatherMessages() {
+  const world::MessageBoard& board = simulation_.arena().board();
+  for (std::size_t i = board.FirstAfter(messages_); i < board.messages().size(); ++i) {
+    const world::Message& message = board.messages()[i];
+    const auto at = std::find(ids_.begin(), ids_.end(), world::Number(message.from));
+    if (at == ids_.end()) continue;
+    EventFact event{Key::kMessage, message.about, {}, {}, {}};
+    for (const world::Message::Field& field : message.fields)
+      event.with.emplace_back(field.name, ValueText(field.value));
+    const world::Agent* to = simulation_.world().FindAgent(message.to);
+    event.with.emplace_back("to", to != nullptr ? to->name() : "all");
+    facts_.agents[static_cast<std::size_t>(at - ids_.begin())].events.push_back(std::move(event));
+  }
+  messages_ = board.posted();
+}
+
+void FactGatherer::GatherMinds() {
+  for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
+    const std::size_t agent = IndexOf(simulation_.AgentOfMind(i));
+    if (agent == facts_.agents.size()) continue;
+    facts_.agents[agent].has_mind = true;
+    ReadNotes(simulation_.NotesOfMind(i), agent);
+    if (wants_.insight && (facts_.agents[agent].alive || !is_begun_)) Inspect(facts_.agents[agent], agent);
+  }
+}
+
+void FactGatherer::GatherInsight() {
+  for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
+    const std::size_t agent = IndexOf(simulation_.AgentOfMind(i));
+    if (agent < facts_.agents.size()) Inspect(facts_.agents[agent], agent);
+  }
+}
+
+void FactGatherer::ReadNotes(const sim::MindNotes& notes, std::size_t agent) {
+  using Kind = sim::MindNotes::Kind;
+  AgentFacts& facts = facts_.agents[agent];
+  Memory& memory = memories_[agent];
+  facts.operators.clear();
+  for (std::size_t level = 0; level < memory.selected.size(); ++level)
+    if (!memory.selected[level].name.empty()) facts.operators.push_back(memory.selected[level]);
+  const auto leave = [&](std::uint64_t level) {
+    if (memory.selected.size() >= level && level > 0) memory.selected.resize(static_cast<std::size_t>(level - 1));
+  };
+  sim::MindNotes::View note;
+  for (std::size_t at = 0; notes.Next(at, note);) {
+    switch (note.kind) {
+      case Kind::kOperator: {
+        if (note.number == 0 || note.number > 1000) break;
+        leave(note.number);
+        memory.selected.resize(static_cast<std::size_t>(note.number));
+        OperatorFact chosen{
+            static_cast<int>(note.number), std::string(note.second.empty() ? note.first : note.second), {}};
+        if (wants_.insight) {
+          if (const auto inspector = simulation_.Inspect(facts.name)) {
+            for (const sim::ElementFact& element : inspector->ElementsOf(note.first))
+              chosen.with.emplace_back(element.attribute, element.value);
+          }
+        }
+        memory.selected.back() = chosen;
+        facts.operators.push_back(std::move(chosen));
+        break;
+      }
+      case Kind::kState:
+        leave(note.number);
+        if (note.number > 1) facts.events.push_back({Key::kImpasse, ImpasseName(note.second, note.third), {}, {}, {}});
+        break;
+      case Kind::kStateGone:
+        leave(note.number);
+        break;
+      case Kind::kCommand: {
+        EventFact event{Key::kCommand, {}, {}, {}, {}};
+        event.word = SplitCommand(note.first, event.with);
+        if (const auto under_way = memory.under_way.find(event.word);
+            under_way != memory.under_way.end() && under_way->second == note.first)
+          facts.repeats += 1;
+        memory.under_way[event.word] = note.first;
+        memory.last_said[event.word] = note.first;
+        facts.events.push_back(std::move(event));
+        break;
+      }
+      case Kind::kOutcome: {
+        EventFact event{Key::kCommand, std::string(note.first), {}, std::string(note.second), std::string(note.third)};
+        if (const auto said = memory.last_said.find(event.word); said != memory.last_said.end())
+          SplitCommand(said->second, event.with);
+        memory.under_way.erase(event.word);
+        facts.events.push_back(std::move(event));
+        break;
+      }
+      case Kind::kFire:
+        facts.events.push_back({Key::kRule, std::string(note.first), {}, {}, {}});
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+void FactGatherer::GatherRetrievals(sim::Inspector& inspector, const std::vector<sim::StateFact>& stack,
+                                    AgentFacts& facts, Memory& memory) {
+  // The answer to a command is an element below ^smem.result or ^epmem.result; a new one has a new time tag.
+  constexpr std::pair<std::string_view, std::string_view> kMemories[] = {{"smem", "semantic"}, {"epmem", "episodic"}};
+  const auto objects = [&](const std::string& id, std::string_view attribute) {
+    std::vector<std::string> found;
+    for (const sim::ElementFact& element : inspector.ElementsOf(id))
+      if (element.attribute == attribute && element.is_object) found.push_back(element.value);
+    return found;
+  };
+  std::uint64_t newest = memory.answered_timetag;
+  for (const sim::StateFact& state : stack) {
+    for (const auto& [link, name] : kMemories) {
+      for (const std::string& memory_link : objects(state.id, link)) {
+        for (const std::string& result : objects(memory_link, "result")) {
+          for (const sim::ElementFact& answer : inspector.ElementsOf(result)) {
+            if (answer.timetag <= memory.answered_timetag) continue;
+            if (answer.attribute != "success" && answer.attribute != "failure") continue;
+            newest = std::max(newest, answer.timetag);
+            facts.events.push_back({Key::kRetrieval, std::string(name), {}, answer.attribute, {}});
+          }
+        }
+      }
+    }
+  }
+  memory.answered_timetag = newest;
+}
+
+void FactGatherer::Inspect(AgentFacts& facts, std::size_t agent) {
+  const std::unique_ptr<sim::Inspector> inspector = simulation_.Inspect(facts.name);
+  if (inspector == nullptr) return;
+  const sim::MindFacts mind = inspector->Mind();
+  facts.decisions = static_cast<double>(mind.decisions);
+  facts.firings = static_cast<double>(mind.firings);
+  facts.elements = static_cast<double>(mind.elements);
+  const std::vector<sim::StateFact> stack = inspector->Stack();
+  facts.depth = static_cast<double>(stack.size());
+  Memory& memory = memories_[agent];
+  if (wants_.numbers) {
+    if (auto* const source = dynamic_cast<sim::LearningSource*>(inspector.get())) {
+      const sim::LearningFacts learning = source->Learning();
+      facts.reward = learning.total_reward;
+      facts.updates = 0;
+      for (const sim::NumberFact& number : learning.numbers) facts.updates += static_cast<double>(number.updates);
+    }
+  }
+  if (wants_.retrievals) GatherRetrievals(*inspector, stack, facts, memory);
+  if (wants_.learned) {
+    double reused = 0;
+    for (const sim::RuleFact& rule : inspector->Rules())
+      if (rule.type == "chunk") reused += static_cast<double>(rule.firings);
+    facts.reused = std::max(facts.reused, reused);
+  }
+  if (!memory.knows_rules || memory.rules != mind.rules) {
+    // Rules that were learned and have gone again still count.
+    double learned = 0;
+    for (const sim::RuleFact& rule : inspector->Rules()) learned += rule.type == "chunk" ? 1 : 0;
+    facts.learned = std::max(facts.learned, learned);
+    memory.rules = mind.rules;
+    memory.knows_rules = true;
+  }
+  facts.answered = 0;
+  if (!mind.output_link.empty()) {
+    for (const sim::ElementFact& command : inspector->ElementsOf(mind.output_link)) {
+      if (!command.is_object) continue;
+      for (const sim::ElementFact& below : inspector->ElementsOf(command.value)) {
+        if (below.attribute != "status" ||
+            (below.value != "complete" && below.value != "error" && below.value != "interrupted"))
+          continue;
+        facts.answered += 1;
+        break;
+      }
+    }
+  }
+  facts.found.clear();
+  for (std::size_t i = 0; i < wants_.elements.size() && !stack.empty(); ++i) {
+    std::vector<std::string> at = {stack.front().id};
+    std::string_view path = wants_.elements[i];
+    while (!at.empty()) {
+      const std::size_t dot = path.find('.');
+      const std::string_view attribute = path.substr(0, dot);
+      std::vector<std::string> next;
+      for (const std::string& id : at) {
+        for (const sim::ElementFact& element : inspector->ElementsOf(id)) {
+          if (element.attribute != attribute || element.acceptable) continue;
+          if (dot != std::string_view::npos) {
+            if (element.is_object) next.push_back(element.value);
+            continue;
+          }
+          char support = 'i';
+          for (const sim::MakerFact& maker : inspector->MakersOf(element.timetag))
+            if (maker.kind != sim::MakerFact::Kind::kRule || maker.o_supported) support = 'o';
+          facts.found.push_back({i, element.value, support});
+        }
+      }
+      if (dot == std::string_view::npos) break;
+      path.remove_prefix(dot + 1);
+      at = std::move(next);
+    }
+  }
+}
+
+}  // namespace soarbox::mission

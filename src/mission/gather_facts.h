@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mission/facts.h"
+#include "mission/mission.h"
+#include "sim/simulation.h"
+
+namespace soarbox::mission {
+
+/// Makes the facts of each tick from a simulation that goes by. It looks only: the run is the same without it.
+class FactGatherer {
+ public:
+  FactGatherer(sim::Simulation& simulation, Wants wants);
+
+  /// Call after the set-up and after each tick, with the events of that tick. Valid until the next call.
+  const TickFacts& Gather(const sim::EventList& events);
+  const TickFacts& facts() const { return facts_; }
+  /// Asks each mind for its numbers now, whether any check wants them or not.
+  void GatherInsight();
+
+ private:
+  void GatherBodies();
+  void GatherItems();
+  void GatherEvents(const sim::EventList& events);
+  void GatherMessages();
+  void GatherMinds();
+  void ReadNotes(const sim::MindNotes& notes, std::size_t agent);
+  void Inspect(AgentFacts& facts, std::size_t agent);
+  std::size_t IndexOf(std::string_view name) const;
+
+  struct Memory;
+  static void GatherRetrievals(sim::Inspector& inspector, const std::vector<sim::StateFact>& stack, AgentFacts& facts,
+                               Memory& memory);
+
+  /// What a mind was about when the tick began, and what goes on.
+  struct Memory {
+    std::vector<OperatorFact> selected;  ///< By level.
+    std::vector<std::string> ids;
+    std::map<std::string, std::string> last_said;  ///< By the command's name: with its parameters.
+    std::map<std::string, std::string> under_way;
+    std::uint32_t happened = 0;
+    std::size_t rules = 0;
+    bool knows_rules = false;
+    std::uint64_t answered_timetag = 0;  ///< Of the newest answer of a long-term memory.
+  };
+
+  sim::Simulation& simulation_;
+  Wants wants_;
+  TickFacts facts_;
+  std::vector<Memory> memories_;  ///< As facts_.agents.
+  std::vector<std::uint32_t> ids_;
+  std::uint32_t messages_ = 0;
+  bool is_begun_ = false;
+};
+
+/// "move-to ^waypoint gate ^within 2": the name, and the parameters.
+std::string SplitCommand(std::string_view text, std::vector<std::pair<std::string, std::string>>& with);
+
+}  // namespace soarbox::mission

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "mission/mission.h"
+
+namespace soarbox::mission {
+
+/// Reads the checks of a text: of a scenario file ([mission] and [[check]]) or of a mission file, which names a
+/// scenario on top. Everything that is wrong is added to the problems, with its line; names are not looked up
+/// (check_names.h). docs/missions.md describes the language.
+Mission ParseMission(std::string_view text, const std::filesystem::path& file, bool is_scenario_file,
+                     std::vector<Diagnostic>& problems);
+
+/// Reads [[check]] and [[mistake]] of a lesson file.
+Mission ParseLessonChecks(std::string_view text, const std::filesystem::path& file, std::vector<Diagnostic>& problems);
+
+/// "1..20", "3", "1,4,7..9"; nothing if it is something else, or more than a million.
+std::optional<std::vector<std::uint64_t>> ParseSeeds(std::string_view text);
+/// "1..20" or "1, 4, 7".
+std::string SeedsText(const std::vector<std::uint64_t>& seeds);
+
+}  // namespace soarbox::mission

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mission/run_mission.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "mission/gather_facts.h"
+#include "mission/sentences.h"
+#include "record/header.h"
+#include "record/recorder.h"
+#include "record/writer.h"
+#include "sim/simulation.h"
+#include "world/world.h"
+
+namespace soarbox::mission {
+namespace {
+
+/// So long a run that has failed goes on when all is decided, so that the last moment has an afterwards.
+constexpr double kAfterFailure_s = 1;
+constexpr std::size_t kMostReasons = 8;
+constexpr std::size_t kMostAsked = 5;
+
+Wants WantsWithNumbers(const Mission& mission, bool all) {
+  Wants wants = WantsOf(mission);
+  wants.notes |= all;
+  return wants;
+}
+
+sim::SimulationSettings SettingsOf(const RunSpec& spec, const Wants& wants) {
+  sim::SimulationSettings settings;
+  settings.seed = spec.seed;
+  settings.soar.threads = 1;
+  if (wants.notes || wants.insight) settings.mind_detail = sim::MindDetail::kDecisions;
+  if (wants.firings) settings.mind_detail = sim::MindDetail::kAll;
+  if (const std::size_t colon = spec.kernel.rfind(':'); colon != std::string::npos) {
+    settings.soar.remote_host = spec.kernel.substr(0, colon);
+    std::from_chars(spec.kernel.data() + colon + 1, spec.kernel.data() + spec.kernel.size(), settings.soar.remote_port);
+  }
+  return settings;
+}
+
+Result<std::unique_ptr<sim::Simulation>> Make(const RunSpec& spec, const sim::SimulationSettings& settings) {
+  Result<std::unique_ptr<sim::Simulation>> made = sim::Simulation::Create(spec.scenario, settings);
+  if (!made || !spec.empty_minds) return made;
+  for (std::size_t i = 0; i < (*made)->soar_agents(); ++i) {
+    const Result<std::string> emptied = (*made)->Command((*made)->AgentOfMind(i), "excise --all");
+    if (!emptied) return emptied.error();
+  }
+  return made;
+}
+
+bool TellsAll(sim::Simulation& simulation) {
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+    const auto inspector = simulation.Inspect(simulation.AgentOfMind(i));
+    if (inspector != nullptr && !inspector->TellsAll()) return false;
+  }
+  return true;
+}
+
+/// A name that no agent has would make `never` true by itself.
+std::string UnknownName(const Mission& mission, const TickFacts& facts) {
+  for (const Check& check : mission.checks) {
+    const auto is_one = [&](const AgentFacts& agent) {
+      return agent.team == check.team ||
+             std::any_of(check.agents.begin(), check.agents.end(), [&](const std::string& name) {
+               return name == agent.name || name.find('*') != std::string::npos;
+             });
+    };
+    const bool of_agents = !check.team.empty() || !check.agents.empty();
+    if (of_agents && std::none_of(facts.agents.begin(), facts.agents.end(), is_one))
+      return "there is no " + (check.team.empty() ? "agent '" + check.agents.front() : "team '" + check.team) +
+             "' in this scenario (line " + std::to_string(check.line) + ")";
+    if (!check.item.empty() && std::none_of(facts.items.begin(), facts.items.end(),
+                                            [&](const ItemFacts& item) { return item.name == check.item; }))
+      return "there is no item '" + check.item + "' in this scenario (line " + std::to_string(check.line) + ")";
+  }
+  return {};
+}
+
+/// Which question to its mind tells why a condition did not come true.
+std::string TopicOf(const Check& check) {
+  for (const Condition& condition : check.conditions) {
+    if (condition.words.empty() || condition.words.front().find('*') != std::string::npos) continue;
+    if (condition.row->key == Key::kOperator || condition.row->key == Key::kCommand || condition.row->key == Key::kRule)
+      return condition.words.front();
+  }
+  return {};
+}
+
+/// What keeps a run's story: its recorder, if there is one.
+class Keeper {
+ public:
+  Keeper(const RunSpec& spec, const sim::SimulationSettings& settings, const sim::Simulation& simulation,
+         std::string& error) {
+    record::Header header = record::HeaderOf(
+        spec.scenario, settings, static_cast<double>(simulation.world().settings().step_s), record::Level::kAll);
+    std::error_code failure;
+    const std::filesystem::path named =
+        spec.scenario.definition.empty() ? spec.scenario.script : spec.scenario.definition;
+    header.scenario = std::filesystem::absolute(named, failure).string();
+    if (!spec.scenario.rules.empty())
+      header.scenario = std::filesystem::absolute(spec.scenario.rules, failure).string();
+    std::filesystem::create_directories(spec.recording.parent_path(), failure);
+    Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(spec.recording, header, {});
+    if (!writer) {
+      error = writer.error().message;
+      return;
+    }
+    recorder_ = std::make_unique<record::Recorder>(std::move(*writer), record::Level::kAll);
+  }
+  bool IsOpen() const { return recorder_ != nullptr; }
+  void Take(const sim::Simulation& simulation, sim::EventList events) {
+    if (recorder_ == nullptr) return;
+    if (const Result<void> taken = recorder_->Take(simulation, std::move(events)); !taken) is_good_ = false;
+  }
+  bool Finish() {
+    if (recorder_ == nullptr) return false;
+    return recorder_->Finish().ok() && is_good_;
+  }
+
+ private:
+  std::unique_ptr<record::Recorder> recorder_;
+  bool is_good_ = true;
+};
+
+/// Runs it again, with everything kept, and asks the minds at the moments that were decided.
+void TellWhy(const RunSpec& spec, RunResult& result) {
+  Wants wants = WantsOf(*spec.mission);
+  wants.firings = true;
+  const sim::SimulationSettings settings = SettingsOf(spec, wants);
+  Result<std::unique_ptr<sim::Simulation>> made = Make(spec, settings);
+  if (!made) return;
+  sim::Simulation& simulation = **made;
+  std::string error;
+  Keeper keeper(spec, settings, simulation, error);
+  if (!keeper.IsOpen()) result.error = "the recording was not kept: " + error;
+  keeper.Take(simulation, simulation.TakeEvents());
+  std::size_t asked = 0;
+  const auto ask = [&] {
+    for (std::size_t i = 0; i < spec.mission->checks.size() && i < result.checks.size(); ++i) {
+      CheckResult& check = result.checks[i];
+      if (check.verdict.state == State::kTrue || check.verdict.state == State::kOpen ||
+          check.verdict.tick != simulation.tick())
+        continue;
+      if (spec.mission->checks[i].marker || asked++ >= kMostAsked) continue;
+      std::string agent = check.verdict.agent;
+      if (agent.empty() && spec.mission->checks[i].agents.size() == 1) agent = spec.mission->checks[i].agents.front();
+      check.reasons = ReasonsFor(spec.mission->checks[i], agent, simulation);
+    }
+  };
+  while (simulation.tick() < result.ticks) {
+    simulation.Tick();
+    keeper.Take(simulation, simulation.TakeEvents());
+    ask();
+  }
+  if (simulation.StateHash() != result.state_hash)
+    result.error = "the same run came to another state when it was made again: that is a fault of Soarbox";
+  if (keeper.Finish()) result.recording = spec.recording.string();
+}
+
+}  // namespace
+
+std::vector<std::string> ReasonsFor(const Check& check, const std::string& agent, sim::Simulation& simulation) {
+  std::vector<std::string> lines;
+  if (agent.empty()) return lines;
+  const std::string topic = TopicOf(check);
+  if (!topic.empty()) {
+    if (Result<std::vector<std::string>> why = simulation.WhyTopic(agent, topic)) lines = std::move(*why);
+  }
+  if (lines.empty()) lines = simulation.Why(agent);
+  if (lines.size() > kMostReasons) {
+    lines.resize(kMostReasons);
+    lines.emplace_back("...");
+  }
+  return lines;
+}
+
+bool RunResult::IsUndecided() const {
+  return std::any_of(checks.begin(), checks.end(),
+                     [](const CheckResult& check) { return check.verdict.state == State::kUndecided; });
+}
+
+RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
+  RunResult result;
+  result.seed = spec.seed;
+  const Mission& mission = *spec.mission;
+  const Wants wants = WantsWithNumbers(mission, spec.to_the_end);
+  const sim::SimulationSettings settings = SettingsOf(spec, wants);
+  Result<std::unique_ptr<sim::Simulation>> made = Make(spec, settings);
+  if (!made) {
+    result.outcome = "refused";
+    result.error = Format(made.error());
+    return result;
+  }
+  sim::Simulation& simulation = **made;
+  FactGatherer gatherer(simulation, wants);
+  Evaluator evaluator(mission, TellsAll(simulation));
+  std::map<std::string, double>& numbers = result.numbers;
+  const auto count = [&](const sim::EventList& events, const TickFacts& facts) {
+    for (const sim::Event& event : events) {
+      numbers["commands"] += event.kind == sim::EventKind::kCommand ? 1 : 0;
+      numbers["failed_commands"] += event.kind == sim::EventKind::kOutcome && event.text.starts_with("error") ? 1 : 0;
+      numbers["gaps"] += event.kind == sim::EventKind::kGap ? 1 : 0;
+      numbers["problems"] +=
+          event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError ? 1 : 0;
+    }
+    for (const AgentFacts& agent : facts.agents) {
+      for (const EventFact& event : agent.events) {
+        if (event.key == Key::kImpasse) numbers["impasses_" + event.word] += 1;
+        if (event.key == Key::kCollides) numbers["collisions"] += 1;
+        if (event.key == Key::kHits) numbers["hits"] += 1;
+        if (event.key == Key::kMessage) numbers["messages"] += 1;
+      }
+    }
+  };
+  const auto feed = [&] {
+    const sim::EventList events = simulation.TakeEvents();
+    const TickFacts& facts = gatherer.Gather(events);
+    evaluator.Feed(facts);
+    count(events, facts);
+    if (on_facts) on_facts(facts);
+  };
+  feed();
+  if (const std::string unknown = UnknownName(mission, gatherer.facts()); !unknown.empty()) {
+    result.outcome = "refused";
+    result.error = unknown;
+    return result;
+  }
+  double decided_at_s = -1;
+  while (simulation.time_s() < spec.seconds - 1e-6 && !simulation.HasEnded()) {
+    simulation.Tick();
+    feed();
+    if (spec.to_the_end || !evaluator.IsDecided()) continue;
+    if (decided_at_s < 0) decided_at_s = simulation.time_s();
+    if (!evaluator.HasFailed() || simulation.time_s() >= decided_at_s + kAfterFailure_s) break;
+  }
+  evaluator.Finish();
+  if (spec.to_the_end) gatherer.GatherInsight();
+  result.passed = evaluator.HasPassed();
+  result.seconds = simulation.time_s();
+  result.ticks = simulation.tick();
+  result.state_hash = simulation.StateHash();
+  result.idle_checks = evaluator.idle_checks();
+  double alive = 0;
+  for (const AgentFacts& agent : gatherer.facts().agents) {
+    alive += agent.alive ? 1 : 0;
+    numbers["distance"] += agent.distance;
+    numbers["rounds"] += agent.rounds;
+    numbers["damage"] += agent.damage;
+    numbers["health"] += agent.health;
+    numbers["idle"] += agent.idle;
+    numbers["decisions"] += agent.decisions;
+    numbers["firings"] += agent.firings;
+    numbers["learned"] += agent.learned;
+  }
+  numbers["alive"] = alive;
+  const std::span<const Verdict> verdicts = evaluator.verdicts();
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    CheckResult& check = result.checks.emplace_back();
+    check.verdict = verdicts[i];
+    const Check& asked = i < mission.checks.size() ? mission.checks[i] : mission.mistakes[i - mission.checks.size()];
+    if (verdicts[i].state != State::kTrue) check.expected = Expectation(asked, verdicts[i].agent, mission);
+  }
+  simulation.Finish();
+  const bool all_true =
+      std::all_of(verdicts.begin(), verdicts.begin() + static_cast<std::ptrdiff_t>(mission.checks.size()),
+                  [](const Verdict& verdict) { return verdict.state == State::kTrue; });
+  if (!spec.recording.empty() && (spec.record_always || !result.passed || !all_true)) {
+    made->reset();
+    TellWhy(spec, result);
+  }
+  return result;
+}
+
+}  // namespace soarbox::mission

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mission/sentences.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace soarbox::mission {
+namespace {
+
+std::string Joined(const std::vector<std::string>& words, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " " + std::string(last) + " " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string BoundsText(const Bounds& bounds, std::string_view unit) {
+  const auto number = [&](double value) { return NumberText(value) + std::string(unit); };
+  if (bounds.min && bounds.max) {
+    if (*bounds.min == *bounds.max) return number(*bounds.min);
+    return NumberText(*bounds.min) + " to " + number(*bounds.max);
+  }
+  if (bounds.min) return "at least " + number(*bounds.min);
+  if (bounds.max) return "at most " + number(*bounds.max);
+  return "any";
+}
+
+std::string WithText(const Condition& condition) {
+  std::string text;
+  for (const auto& [name, value] : condition.with) text += " ^" + name + " " + value;
+  return text;
+}
+
+std::string Plural(const Bounds& times) {
+  const bool is_one = times.max.value_or(times.min.value_or(0)) == 1;
+  return BoundsText(times, is_one ? " time" : " times");
+}
+
+}  // namespace
+
+std::string NumberText(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f", number);
+  std::string result = text.data();
+  while (result.ends_with('0')) result.pop_back();
+  if (result.ends_with('.')) result.pop_back();
+  return result == "-0" ? "0" : result;
+}
+
+std::string SecondsText(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+  return text.data();
+}
+
+std::string Infinitive(const Condition& condition) {
+  const std::string words = Joined(condition.words, "or");
+  switch (condition.row->key) {
+    case Key::kAt:
+      return "be at " + words;
+    case Key::kInside:
+      return "be inside " + words;
+    case Key::kNear:
+      return "be " + BoundsText(condition.bounds, " m") + " from " + words;
+    case Key::kAlive:
+      return condition.truth ? "be alive" : "be dead";
+    case Key::kTeamDown:
+      return "see nobody of team " + words + " alive";
+    case Key::kTeamWins:
+      return "see team " + words + " win";
+    case Key::kEnded:
+      return "reach '" + Joined(condition.words, "or") + "'";
+    case Key::kCarries:
+      return "carry " + words;
+    case Key::kCarried:
+      return condition.truth ? "be carried" : "not be carried";
+    case Key::kHealth:
+      return "have a health of " + BoundsText(condition.bounds, "");
+    case Key::kAmmunition:
+      return "have " + BoundsText(condition.bounds, " rounds");
+    case Key::kSpeed:
+      return "go at " + BoundsText(condition.bounds, " m/s");
+    case Key::kDistance:
+      return "walk " + BoundsText(condition.bounds, " m");
+    case Key::kRounds:
+      return "fire " + BoundsText(condition.bounds, " rounds");
+    case Key::kDamage:
+      return "lose " + BoundsText(condition.bounds, " health");
+    case Key::kIdle:
+      return "stand idle " + BoundsText(condition.bounds, " s");
+    case Key::kSees:
+      return "see " + words;
+    case Key::kCollides:
+      return "collide with " + (words == "any"      ? std::string("anything")
+                                : words == "friend" ? "a friend"
+                                : words == "enemy"  ? "an enemy"
+                                                    : words);
+    case Key::kHitBy:
+      return "be hit by " + (words == "any"      ? std::string("anybody")
+                             : words == "friend" ? "a friend"
+                             : words == "enemy"  ? "an enemy"
+                                                 : words);
+    case Key::kHits:
+      return "hit " + (words == "any"      ? std::string("anybody")
+                       : words == "friend" ? "a friend"
+                       : words == "enemy"  ? "an enemy"
+                                           : words);
+    case Key::kMessage:
+      return "send a message about " + words + WithText(condition);
+    case Key::kPrints:
+      return "print \"" + Joined(condition.words, "or") + "\"";
+    case Key::kOperator:
+      return "select operator " + words + WithText(condition) +
+             (condition.level ? " at level " + std::to_string(*condition.level) : "");
+    case Key::kImpasse:
+      return words == "any" ? std::string("meet an impasse") : "meet a " + words + " impasse";
+    case Key::kCommand:
+      if (!condition.status.empty()) {
+        return "get " + condition.status + (condition.reason.empty() ? "" : " " + condition.reason) + " for " + words +
+               WithText(condition);
+      }
+      return "say " + words + WithText(condition);
+    case Key::kAnswered:
+      return "leave " + BoundsText(condition.bounds, "") + " answered commands on the output link";
+    case Key::kRepeats:
+      return "say a command that is under way again " + BoundsText(condition.bounds, " times");
+    case Key::kDecisions:
+      return "take " + BoundsText(condition.bounds, " decisions");
+    case Key::kFirings:
+      return "fire rules " + BoundsText(condition.bounds, " times");
+    case Key::kElements:
+      return "have " + BoundsText(condition.bounds, " elements in working memory");
+    case Key::kDepth:
+      return "have " + BoundsText(condition.bounds, " states in the goal stack");
+    case Key::kRule:
+      return "fire rule " + words;
+    case Key::kElement: {
+      std::string text = "have ^" + words;
+      if (!condition.is.empty()) text += " " + condition.is;
+      if (condition.support != 0) text += std::string(" with ") + condition.support + "-support";
+      return text;
+    }
+    case Key::kLearned:
+      return "learn " + BoundsText(condition.bounds, " rules");
+    case Key::kReused:
+      return "fire learned rules " + BoundsText(condition.bounds, " times");
+    case Key::kReward:
+      return "collect a reward of " + BoundsText(condition.bounds, "");
+    case Key::kUpdates:
+      return "learn its numbers anew " + BoundsText(condition.bounds, " times");
+    case Key::kRetrieval:
+      return "get " + (condition.status.empty() ? std::string("an answer") : "the answer " + condition.status) +
+             " from " + (words == "any" ? std::string("a") : "its " + words) + " memory";
+    case Key::kProblem:
+      return "show " + (words == "any" ? std::string("any problem") : "a problem of severity " + words);
+  }
+  return {};
+}
+
+std::string Whom(const Check& check) {
+  if (!check.item.empty()) return check.item;
+  if (check.agents.empty() && check.team.empty()) return "the run";
+  const std::string names =
+      check.team.empty() ? Joined(check.agents, check.who == Who::kAny ? "or" : "and") : check.team;
+  switch (check.who) {
+    case Who::kEach:
+      return check.team.empty() && check.agents.size() == 1 ? names : "each of " + names;
+    case Who::kAny:
+      return check.team.empty() ? names : "somebody of " + names;
+    case Who::kTogether:
+      return "all of " + names + " in one tick";
+    case Who::kSome:
+      return std::to_string(check.some) + " of " + names + " in one tick";
+  }
+  return names;
+}
+
+std::string Expectation(const Check& check, std::string_view who, const Mission& mission) {
+  std::vector<std::string> what;
+  for (const Condition& condition : check.conditions) what.push_back(Infinitive(condition));
+  std::string text = who.empty() ? Whom(check) : std::string(who);
+  const auto name = [&](std::size_t index) {
+    return index < mission.checks.size() ? "\"" + mission.checks[index].name + "\"" : std::string("another check");
+  };
+  text += check.mode == Mode::kNever ? " should never " : check.mode == Mode::kAlways ? " should always " : " should ";
+  text += Joined(what, "and");
+  const bool is_counter = !check.conditions.empty() && check.conditions.front().row->kind == Kind::kCounter;
+  if (check.mode == Mode::kTimes && !is_counter) text += " " + Plural(check.times);
+  if (check.for_s) text += " for " + NumberText(*check.for_s) + " s";
+  if (check.mode == Mode::kWhenever) {
+    text += " within " + NumberText(check.within_s.value_or(0)) + " s whenever " + name(check.whenever);
+  } else if (check.within_s) {
+    text += " within " + NumberText(*check.within_s) + " s";
+  }
+  if (check.after != kNoCheck) text += " after " + name(check.after);
+  if (check.after_s) text += " after " + NumberText(*check.after_s) + " s";
+  if (check.before != kNoCheck) text += " before " + name(check.before);
+  if (check.until != kNoCheck) text += " until " + name(check.until);
+  if (check.from_s) text += " from " + NumberText(*check.from_s) + " s on";
+  if (check.by_s) text += (check.mode == Mode::kComesTrue ? " by " : " up to ") + NumberText(*check.by_s) + " s";
+  return text;
+}
+
+}  // namespace soarbox::mission

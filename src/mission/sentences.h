@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mission/mission.h"
+
+namespace soarbox::mission {
+
+/// A number as people write it: "3", "0.5", "12.25".
+std::string NumberText(double number);
+/// Seconds with one digit: "17.3 s".
+std::string SecondsText(double seconds);
+
+/// "be at gate", "say move-to ^waypoint north", "have a health of at least 30".
+std::string Infinitive(const Condition& condition);
+/// "scout", "blue", "anna or bert", "all of blue in one tick".
+std::string Whom(const Check& check);
+/// What a check demands: "scout should be at gate by 30 s". `who`: instead of all whom it is about. `other`: the names
+/// of the mission's checks.
+std::string Expectation(const Check& check, std::string_view who, const Mission& mission);
+
+}  // namespace soarbox::mission

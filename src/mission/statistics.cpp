@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mission/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace soarbox::mission {
+namespace {
+
+constexpr double kZ95 = 1.959963984540054;
+constexpr int kResamples = 10'000;
+
+/// A small generator of our own: the standard library's distributions differ between implementations.
+class Generator {
+ public:
+  explicit Generator(std::uint64_t seed) : state_(seed) {}
+  std::size_t Below(std::size_t bound) {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return static_cast<std::size_t>((z >> 11) % bound);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+double NormalCdf(double x) {
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
+
+/// By bisection: it is asked a few times only.
+double NormalQuantile(double probability) {
+  double low = -9, high = 9;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (low + high) / 2;
+    (NormalCdf(middle) < probability ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+Interval WilsonInterval(std::size_t good, std::size_t all) {
+  if (all == 0) return {0, 1};
+  const auto n = static_cast<double>(all);
+  const double rate = static_cast<double>(good) / n, z2 = kZ95 * kZ95;
+  const double center = (rate + z2 / (2 * n)) / (1 + z2 / n);
+  const double half = kZ95 / (1 + z2 / n) * std::sqrt(rate * (1 - rate) / n + z2 / (4 * n * n));
+  return {good == 0 ? 0 : std::max(0.0, center - half), good == all ? 1 : std::min(1.0, center + half)};
+}
+
+double Mean(std::span<const double> values) {
+  if (values.empty()) return 0;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double Median(std::span<const double> values) {
+  if (values.empty()) return 0;
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+double StandardDeviation(std::span<const double> values) {
+  if (values.size() < 2) return 0;
+  const double mean = Mean(values);
+  double sum = 0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
+  if (values.empty()) return {};
+  const double mean = Mean(values);
+  if (values.size() < 2 || StandardDeviation(values) == 0) return {mean, mean};
+  Generator generator(seed);
+  std::vector<double> means(kResamples);
+  for (double& each : means) {
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += values[generator.Below(values.size())];
+    each = sum / static_cast<double>(values.size());
+  }
+  std::sort(means.begin(), means.end());
+  // Corrected for bias and acceleration: means of skewed samples lean to one side.
+  const auto below = static_cast<double>(std::lower_bound(means.begin(), means.end(), mean) - means.begin());
+  const double bias = NormalQuantile(std::clamp(below / kResamples, 1e-4, 1 - 1e-4));
+  const double sum = mean * static_cast<double>(values.size());
+  double cubes = 0, squares = 0;
+  for (const double value : values) {
+    const double without = mean - (sum - value) / static_cast<double>(values.size() - 1);
+    cubes += without * without * without;
+    squares += without * without;
+  }
+  const double acceleration = squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
+  const auto at = [&](double z) {
+    const double shifted = bias + (bias + z) / (1 - acceleration * (bias + z));
+    const double place = NormalCdf(shifted) * (kResamples - 1);
+    return means[static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(kResamples - 1)))];
+  };
+  return {at(-kZ95), at(kZ95)};
+}
+
+double McNemar(std::size_t only_first, std::size_t only_second) {
+  const std::size_t n = only_first + only_second, few = std::min(only_first, only_second);
+  if (n == 0) return 1;
+  double sum = 0;
+  for (std::size_t k = 0; k <= few; ++k) {
+    sum += std::exp(std::lgamma(static_cast<double>(n) + 1) - std::lgamma(static_cast<double>(k) + 1) -
+                    std::lgamma(static_cast<double>(n - k) + 1) - static_cast<double>(n) * std::log(2.0));
+  }
+  return std::min(1.0, 2 * sum);
+}
+
+}  // namespace soarbox::mission

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "report/page.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "diagnostics/read_text.h"
+#include "record/reader.h"
+
+namespace soarbox::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRuns = 50;
+
+Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
+  Diagnostic problem;
+  problem.file = file.string();
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+void Replace(std::string& text, std::string_view mark, std::string_view with) {
+  if (const std::size_t at = text.find(mark); at != std::string::npos) text.replace(at, mark.size(), with);
+}
+
+/// What stands on the page for readers without scripts: title, checks and key moments.
+std::string PlainBody(const Json& data) {
+  std::string body =
+      "<h1>" + EscapeHtml(data.value("title", "")) + "</h1>\n<p>" + EscapeHtml(data.value("verdict", "")) + "</p>\n";
+  const auto list = [&](const char* key, const char* head) {
+    const Json rows = data.value(key, Json::array());
+    if (rows.empty()) return;
+    body += std::string("<h2>") + head + "</h2>\n<ul>\n";
+    for (const Json& row : rows) {
+      body += "<li>" + EscapeHtml(row.value("time_text", "")) + " " + EscapeHtml(row.value("mark", "")) + " " +
+              EscapeHtml(row.value("text", row.value("name", "")));
+      for (const Json& reason : row.value("reasons", Json::array()))
+        body += "<br>" + EscapeHtml(reason.get<std::string>());
+      body += "</li>\n";
+    }
+    body += "</ul>\n";
+  };
+  list("checks", "Checks");
+  list("moments", "Key moments");
+  list("summary", "Results");
+  return body;
+}
+
+std::uint64_t HashOf(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return hash;
+}
+
+}  // namespace
+
+std::string ForScriptElement(std::string_view json) {
+  std::string safe;
+  safe.reserve(json.size());
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '<') {
+      safe += "\\u003c";
+    } else if (c == '>') {
+      safe += "\\u003e";
+    } else if (c == '&') {
+      safe += "\\u0026";
+    } else if (json.substr(i, 3) == "\xe2\x80\xa8" || json.substr(i, 3) == "\xe2\x80\xa9") {
+      safe += json[i + 2] == '\xa8' ? "\\u2028" : "\\u2029";
+      i += 2;
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string EscapeHtml(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      case '{':  // The page's own marks are in braces.
+        safe += "&#123;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& data) {
+  std::error_code error;
+  std::vector<std::string> parts;
+  if (fs::is_directory(source, error)) {
+    if (fs::exists(source / "sweep.id", error)) {
+      Result<std::string> made = SweepData(source, data);
+      if (!made) return made;
+      parts.push_back(std::move(*made));
+    } else {
+      std::vector<fs::path> files;
+      for (fs::directory_iterator it(source, error), end; !error && it != end; it.increment(error))
+        if (record::IsRecording(it->path())) files.push_back(it->path());
+      std::sort(files.begin(), files.end());
+      if (files.empty())
+        return Problem(source, "this folder holds no recordings and no sweep",
+                       "soarbox test and soarbox run --record make recordings");
+      if (files.size() > kMostRuns) files.resize(kMostRuns);
+      for (const fs::path& file : files) {
+        Result<std::string> made = RunData(file, data);
+        if (!made) return made;
+        parts.push_back(std::move(*made));
+      }
+    }
+  } else if (record::IsRecording(source)) {
+    Result<std::string> made = RunData(source, data);
+    if (!made) return made;
+    parts.push_back(std::move(*made));
+  } else if (source.extension() == ".toml" &&
+             fs::exists(fs::path(source).replace_extension(".sweep") / "sweep.id", error)) {
+    return MakePage(fs::path(source).replace_extension(".sweep"), data);
+  } else if (!fs::exists(source, error)) {
+    return Problem(source, "there is no such file or folder");
+  } else {
+    return Problem(source, "this is neither a recording, nor a folder of recordings, nor a sweep",
+                   "soarbox run SCENARIO --record FILE makes a recording");
+  }
+  const fs::path folder = data.media / "report";
+  std::string page = ReadText(folder / "page.html").value_or("");
+  const std::string style = ReadText(folder / "page.css").value_or(""),
+                    script = ReadText(folder / "page.js").value_or("");
+  if (page.empty() || style.empty() || script.empty())
+    return Problem(folder, "the parts of the page are not there: the program is not installed whole");
+  std::string all = "[";
+  for (const std::string& part : parts) all += (all.size() > 1 ? ",\n" : "") + part;
+  all += "]";
+  const Json first = Json::parse(parts.front());
+  char nonce[20];
+  std::snprintf(nonce, sizeof nonce, "%016llx", static_cast<unsigned long long>(HashOf(all)));
+  Replace(page, "{{title}}", EscapeHtml(first.value("title", "Soarbox")));
+  Replace(
+      page, "{{policy}}",
+      std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'nonce-") + nonce + "'");
+  Replace(page, "{{style}}", style);
+  Replace(page, "{{plain}}", PlainBody(first));
+  Replace(page, "{{nonce}}", nonce);
+  Replace(page, "{{nonce}}", nonce);
+  Replace(page, "{{script}}", script);
+  Replace(page, "{{data}}", ForScriptElement(all));
+  return page;
+}
+
+}  // namespace soarbox::report

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "diagnostics/result.h"
+#include "sim/scenario.h"
+
+namespace soarbox::report {
+
+/// One page about a recording, a folder of recordings or a sweep's folder, as one file that needs nothing else: texts
+/// reach it as data only, and it runs no script but its own.
+Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data);
+
+/// The data of a recorded run, as JSON: the run is simulated again, so that every mind can be asked. `mission`: judged
+/// by these checks; empty: by those of its scenario, if it has any.
+Result<std::string> RunData(const std::filesystem::path& recording, const sim::DataFolders& data);
+/// The data of a sweep, from its rows. `spec` empty: the file that belongs to the folder by its name.
+Result<std::string> SweepData(const std::filesystem::path& folder, const sim::DataFolders& data);
+
+/// JSON that may stand inside an HTML script element: no character of it ends the element or begins another.
+std::string ForScriptElement(std::string_view json);
+/// Text that stands for itself in HTML.
+std::string EscapeHtml(std::string_view text);
+
+}  // namespace soarbox::report

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "diagnostics/read_text.h"
+#include "mission/gather_facts.h"
+#include "mission/sentences.h"
+#include "mission/test_missions.h"
+#include "record/reader.h"
+#include "record/rerun.h"
+#include "report/page.h"
+#include "sim/simulation.h"
+#include "world/world.h"
+
+namespace soarbox::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double kWay_Hz = 5;
+constexpr std::size_t kMostMoments = 12;
+constexpr std::size_t kMostEvents = 20'000;
+constexpr std::size_t kMostSpans = 60'000;
+constexpr std::size_t kMostSamples = 18'000;  ///< An hour at 5 Hz.
+constexpr std::size_t kLargestFile = 200'000;
+
+double Rounded(double value, double to) {
+  return std::round(value / to) * to;
+}
+
+/// Numbers with few digits make a page half as large.
+Json Short(double value) {
+  const double rounded = Rounded(value, 0.01);
+  if (rounded == std::floor(rounded)) return static_cast<std::int64_t>(rounded);
+  return std::round(value * 100) / 100;
+}
+
+std::string TimeText(double seconds) {
+  return mission::SecondsText(seconds);
+}
+
+/// Collects what the page shows while the run goes by again.
+class RunStory {
+ public:
+  RunStory(sim::Simulation& simulation, const mission::Mission& mission)
+      : simulation_(simulation), mission_(mission), gatherer_(simulation, WantsOf(mission)), evaluator_(mission) {}
+
+  void See(std::uint64_t last_tick) {
+    const sim::EventList events = simulation_.TakeEvents();
+    const mission::TickFacts& facts = gatherer_.Gather(events);
+    evaluator_.Feed(facts);
+    if (every_ == 0) {
+      const double step_s = static_cast<double>(simulation_.world().settings().step_s);
+      every_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(1 / kWay_Hz / step_s)));
+      while (last_tick / every_ > kMostSamples) ++every_;
+    }
+    if (facts.tick % every_ == 0 || facts.tick == last_tick) Sample(facts);
+    for (const sim::Event& event : events) Tell(event);
+    for (std::size_t i = 0; i < facts.agents.size(); ++i) Follow(facts, i);
+    Ask(facts);
+  }
+
+  Json Finish(bool has_mission) {
+    const bool was_decided = evaluator_.IsDecided();
+    if (!was_decided) evaluator_.Finish();
+    const mission::TickFacts& facts = gatherer_.facts();
+    if (!was_decided) Ask(facts);
+    Json data;
+    Json agents = Json::array();
+    for (std::size_t i = 0; i < facts.agents.size(); ++i) {
+      const mission::AgentFacts& agent = facts.agents[i];
+      Close(i, facts.time_s);
+      Json& made = agents.emplace_back(Json{{"name", agent.name},
+                                            {"team", agent.team},
+                                            {"distance", Short(agent.distance)},
+                                            {"health", Short(agent.health)},
+                                            {"alive", agent.alive},
+                                            {"rounds", Short(agent.rounds)},
+                                            {"damage", Short(agent.damage)}});
+      if (i < ways_.size()) made.update(ways_[i]);
+      made["rules"] = Rules(agent.name);
+    }
+    data["times"] = times_;
+    data["agents"] = std::move(agents);
+    data["spans"] = spans_;
+    data["events"] = events_;
+    data["checks"] = Checks();
+    std::stable_sort(moments_.begin(), moments_.end(),
+                     [](const Json& a, const Json& b) { return a["rank"] < b["rank"]; });
+    if (moments_.size() > kMostMoments) moments_.resize(kMostMoments);
+    std::stable_sort(moments_.begin(), moments_.end(),
+                     [](const Json& a, const Json& b) { return a["time"] < b["time"]; });
+    data["moments"] = moments_;
+    std::size_t failed = 0, all = 0;
+    for (std::size_t i = 0; i < mission_.checks.size(); ++i) {
+      if (mission_.checks[i].marker) continue;
+      ++all;
+      failed += evaluator_.verdicts()[i].state == mission::State::kTrue ? 0 : 1;
+    }
+    data["verdict"] = !has_mission  ? std::string("no checks")
+                      : failed == 0 ? "passed: all of " + std::to_string(all) + " checks"
+                                    : "failed: " + std::to_string(failed) + " of " + std::to_string(all) + " checks";
+    data["passed"] = has_mission ? Json(failed == 0) : Json(nullptr);
+    data["waypoints"] = Places(facts.waypoints);
+    data["regions"] = Places(facts.regions);
+    return data;
+  }
+
+ private:
+  static Json Places(const std::vector<mission::PlaceFacts>& places) {
+    Json list = Json::array();
+    for (const mission::PlaceFacts& place : places)
+      list.push_back(Json{{"name", place.name},
+                          {"x", Short(static_cast<double>(place.center.x))},
+                          {"z", Short(static_cast<double>(place.center.z))},
+                          {"r", Short(static_cast<double>(place.radius_m))},
+                          {"hx", Short(static_cast<double>(place.half_x_m))},
+                          {"hz", Short(static_cast<double>(place.half_z_m))}});
+    return list;
+  }
+
+  void Sample(const mission::TickFacts& facts) {
+    times_.push_back(Short(facts.time_s));
+    for (std::size_t i = 0; i < facts.agents.size(); ++i) {
+      if (ways_.size() <= i)
+        ways_.push_back(Json{{"from", times_.size() - 1},
+                             {"x", Json::array()},
+                             {"z", Json::array()},
+                             {"hp", Json::array()},
+                             {"v", Json::array()}});
+      const mission::AgentFacts& agent = facts.agents[i];
+      ways_[i]["x"].push_back(Short(static_cast<double>(agent.position.x)));
+      ways_[i]["z"].push_back(Short(static_cast<double>(agent.position.z)));
+      ways_[i]["hp"].push_back(static_cast<std::int64_t>(std::lround(agent.health)));
+      ways_[i]["v"].push_back(std::round(agent.speed * 10) / 10);
+    }
+  }
+
+  void Add(double time_s, const std::string& agent, const char* kind, std::string text) {
+    if (events_.size() < kMostEvents)
+      events_.push_back(Json{{"t", Short(time_s)}, {"a", agent}, {"k", kind}, {"text", std::move(text)}});
+  }
+
+  void Moment(double time_s, int rank, const std::string& agent, std::string text,
+              const std::vector<std::string>& reasons = {}) {
+    moments_.push_back(Json{{"time", Short(time_s)},
+                            {"time_text", TimeText(time_s)},
+                            {"rank", rank},
+                            {"agent", agent},
+                            {"text", std::move(text)},
+                            {"reasons", reasons}});
+  }
+
+  void Tell(const sim::Event& event) {
+    switch (event.kind) {
+      case sim::EventKind::kCommand:
+        Add(event.time_s, event.agent, "command",
+            event.parameters.empty() ? event.text : event.text + " " + event.parameters);
+        break;
+      case sim::EventKind::kOutcome:
+        Add(event.time_s, event.agent, "outcome", event.news + ": " + event.text);
+        break;
+      case sim::EventKind::kNews:
+        Add(event.time_s, event.agent, event.news == "says" ? "message" : "news", event.news + " " + event.text);
+        if (event.news == "dies")
+          Moment(event.time_s, 1, event.agent, event.agent + " dies, " + event.text, simulation_.Why(event.agent));
+        if (event.news == "shoots" && !has_shot_)
+          Moment(event.time_s, 4, event.agent, event.agent + " fires the first shot", simulation_.Why(event.agent));
+        has_shot_ |= event.news == "shoots";
+        break;
+      case sim::EventKind::kLog:
+        Add(event.time_s, event.agent, "print", event.text);
+        break;
+      case sim::EventKind::kEnded:
+        Add(event.time_s, {}, "end", event.text);
+        Moment(event.time_s, 0, {}, event.text + " is reached");
+        break;
+      case sim::EventKind::kGap:
+        Add(event.time_s, event.agent, "gap", event.text);
+        Moment(event.time_s, 3, event.agent, event.agent + ": " + event.text, event.reasons);
+        break;
+      case sim::EventKind::kDiagnostic:
+      case sim::EventKind::kAgentFailed:
+      case sim::EventKind::kMindFailed:
+        Add(event.time_s, event.agent, "problem", event.diagnostic.message);
+        break;
+      default:
+        break;
+    }
+  }
+
+  /// Operators as spans, impasses as moments.
+  void Follow(const mission::TickFacts& facts, std::size_t index) {
+    const mission::AgentFacts& agent = facts.agents[index];
+    if (open_.size() <= index) open_.resize(index + 1);
+    const std::string now = agent.operators.empty() ? std::string() : agent.operators.back().name;
+    if (now != open_[index].first) {
+      Close(index, facts.time_s);
+      open_[index] = {now, facts.time_s};
+    }
+    for (const mission::EventFact& event : agent.events) {
+      if (event.key != mission::Key::kImpasse) continue;
+      Add(facts.time_s, agent.name, "impasse", event.word);
+      if (told_.insert(agent.name + "/" + event.word).second)
+        Moment(facts.time_s, event.word == "tie" || event.word == "conflict" ? 2 : 5, agent.name,
+               agent.name + " meets its first " + event.word + " impasse", simulation_.Why(agent.name));
+    }
+  }
+
+  void Close(std::size_t index, double time_s) {
+    if (index >= open_.size() || open_[index].first.empty()) return;
+    if (spans_.size() < kMostSpans)
+      spans_.push_back(Json::array({index, Short(open_[index].second), Short(time_s), open_[index].first}));
+    open_[index].first.clear();
+  }
+
+  /// The minds' reasons, at the moments at which checks fail.
+  void Ask(const mission::TickFacts& facts) {
+    if (reasons_.size() < mission_.checks.size()) reasons_.resize(mission_.checks.size());
+    for (std::size_t i = 0; i < mission_.checks.size(); ++i) {
+      const mission::Verdict& verdict = evaluator_.verdicts()[i];
+      if (mission_.checks[i].marker || verdict.tick != facts.tick || verdict.state == mission::State::kTrue ||
+          verdict.state == mission::State::kOpen || !reasons_[i].empty())
+        continue;
+      std::string agent = verdict.agent;
+      if (agent.empty() && mission_.checks[i].agents.size() == 1) agent = mission_.checks[i].agents.front();
+      reasons_[i] = mission::ReasonsFor(mission_.checks[i], agent, simulation_);
+      Moment(verdict.time_s, 0, agent, mission::Expectation(mission_.checks[i], agent, mission_) + "; " + verdict.was,
+             reasons_[i]);
+    }
+  }
+
+  Json Checks() const {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < mission_.checks.size(); ++i) {
+      const mission::Verdict& verdict = evaluator_.verdicts()[i];
+      const bool is_good = verdict.state == mission::State::kTrue;
+      std::string text = mission_.checks[i].name;
+      if (!is_good)
+        text += ": " + mission::Expectation(mission_.checks[i], verdict.agent, mission_) + "; " + verdict.was;
+      list.push_back(Json{{"name", mission_.checks[i].name},
+                          {"state", std::string(mission::NameOf(verdict.state))},
+                          {"mark", mission_.checks[i].marker ? "moment"
+                                   : is_good                 ? "passed"
+                                                             : "failed"},
+                          {"time", Short(verdict.time_s)},
+                          {"time_text", TimeText(verdict.time_s)},
+                          {"text", text},
+                          {"reasons", i < reasons_.size() ? reasons_[i] : std::vector<std::string>{}}});
+    }
+    return list;
+  }
+
+  Json Rules(const std::string& agent) {
+    Json list = Json::array();
+    const std::unique_ptr<sim::Inspector> inspector = simulation_.Inspect(agent);
+    if (inspector == nullptr) return list;
+    for (const sim::RuleFact& rule : inspector->Rules()) {
+      Json& made = list.emplace_back(Json{{"name", rule.name}, {"firings", rule.firings}, {"type", rule.type}});
+      if (!rule.file.empty()) made["file"] = fs::path(rule.file).filename().string() + ":" + std::to_string(rule.line);
+      if (rule.firings > 0) continue;
+      const std::optional<sim::MatchFacts> match = inspector->Match(rule.name);
+      if (match && match->failing && *match->failing < match->conditions.size())
+        made["stops"] = "condition " + std::to_string(*match->failing + 1) + " of " +
+                        std::to_string(match->conditions.size()) + ": " + match->conditions[*match->failing].text;
+    }
+    return list;
+  }
+
+  static mission::Wants WantsOf(const mission::Mission& mission) {
+    mission::Wants wants = mission::WantsOf(mission);
+    wants.notes = true;
+    return wants;
+  }
+
+  sim::Simulation& simulation_;
+  const mission::Mission& mission_;
+  mission::FactGatherer gatherer_;
+  mission::Evaluator evaluator_;
+  std::uint64_t every_ = 0;
+  Json times_ = Json::array(), spans_ = Json::array(), events_ = Json::array();
+  std::vector<Json> ways_;
+  std::vector<Json> moments_;
+  std::vector<std::pair<std::string, double>> open_;
+  std::vector<std::vector<std::string>> reasons_;
+  std::set<std::string> told_;
+  bool has_shot_ = false;
+};
+
+/// What stands on the ground, for the map.
+Json Things(const sim::Simulation& simulation) {
+  Json list = Json::array();
+  const world::SceneSnapshot scene = simulation.Snapshot();
+  for (const world::DrawableSnapshot& drawn : scene.drawables) {
+    if (drawn.belongs_to_agent || !drawn.visible || list.size() > 2000) continue;
+    const bool is_box = drawn.shape == world::ShapeKind::kBox;
+    if (!is_box && drawn.shape != world::ShapeKind::kCapsule && drawn.shape != world::ShapeKind::kCylinder) continue;
+    const double w = static_cast<double>(is_box ? drawn.size.x : 2 * drawn.size.x),
+                 d = static_cast<double>(is_box ? drawn.size.z : 2 * drawn.size.x);
+    if (w > 200 || d > 200) continue;
+    const double turn = 2 *
+                        std::atan2(static_cast<double>(drawn.orientation.y), static_cast<double>(drawn.orientation.w)) *
+                        180 / 3.14159265358979;
+    list.push_back(Json{{"x", Short(static_cast<double>(drawn.position.x))},
+                        {"z", Short(static_cast<double>(drawn.position.z))},
+                        {"w", Short(w)},
+                        {"d", Short(d)},
+                        {"turn", Short(turn)},
+                        {"round", !is_box}});
+  }
+  return list;
+}
+
+/// The checks that the scenario has now.
+mission::Mission MissionOf(const record::Header& header, const sim::DataFolders& data) {
+  std::error_code error;
+  const fs::path scenario = fs::path(header.folder) / header.scenario;
+  const fs::path named = fs::exists(scenario, error) ? scenario : data.scenarios / header.scenario;
+  const fs::path folder = fs::is_directory(named, error) ? named : named.parent_path();
+  std::vector<fs::path> candidates = {folder / "mission.toml"};
+  candidates.push_back(fs::is_directory(named, error) ? folder / "scenario.toml" : named);
+  for (const fs::path& file : candidates) {
+    if (file.extension() != ".toml" || mission::FindMissionFiles(file, data).empty()) continue;
+    std::vector<Diagnostic> problems;
+    mission::LoadedMission loaded = mission::LoadMission(file, data, problems);
+    if (problems.empty()) return std::move(loaded.mission);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> RunData(const fs::path& recording, const sim::DataFolders& data) {
+  Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(recording);
+  if (!reader) return reader.error();
+  const record::Header& header = (*reader)->header();
+  record::RerunSettings settings;
+  settings.threads = 1;
+  Result<record::Rerun> rerun = record::Restart(**reader, data, settings);
+  if (!rerun) return rerun.error();
+  sim::Simulation& simulation = *rerun->simulation;
+  const mission::Mission mission = MissionOf(header, data);
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i)
+    simulation.NoteMind(simulation.AgentOfMind(i),
+                        mission::WantsOf(mission).firings ? sim::MindDetail::kAll : sim::MindDetail::kDecisions);
+  const std::uint64_t last = (*reader)->last_tick();
+  RunStory story(simulation, mission);
+  story.See(last);
+  Json things = Things(simulation);
+  while (simulation.tick() < last) {
+    simulation.Tick();
+    story.See(last);
+  }
+  Json made{{"kind", "run"}};
+  const Result<const record::TickRecord*> end = (*reader)->At(last);
+  made["same"] = end.ok() && (*end)->state_hash == simulation.StateHash();
+  const std::string name = fs::path(header.scenario).filename() == "scenario.toml"
+                               ? fs::path(header.scenario).parent_path().filename().string()
+                               : fs::path(header.scenario).filename().string();
+  made["title"] = name + ", seed " + std::to_string(header.seed);
+  made["scenario"] = header.scenario;
+  made["seed"] = header.seed;
+  made["build"] = header.build;
+  made["seconds"] = Short(simulation.time_s());
+  made["command"] = "soarbox replay " + recording.string();
+  made.update(story.Finish(!mission.checks.empty()));
+  made["things"] = std::move(things);
+  Json warnings = Json::array();
+  for (const Diagnostic& warning : rerun->warnings) warnings.push_back(warning.message);
+  made["warnings"] = std::move(warnings);
+  Json files = Json::array();
+  std::set<std::string> seen;
+  for (const sim::WatchedFile& file : simulation.Files()) {
+    if (!seen.insert(file.file.string()).second) continue;
+    const std::string text = ReadText(file.file).value_or("");
+    if (!text.empty() && text.size() < kLargestFile)
+      files.push_back(Json{{"name", file.file.filename().string()}, {"text", text}});
+  }
+  made["files"] = std::move(files);
+  return made.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace soarbox::report

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "mission/statistics.h"
+#include "report/page.h"
+#include "sweep/run_sweep.h"
+
+namespace soarbox::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRows = 20'000;
+constexpr std::size_t kMostOutliers = 10;
+
+using Values = std::map<std::uint64_t, double>;  // By seed.
+
+Json IntervalOf(const std::vector<double>& values) {
+  const mission::Interval interval = mission::BootstrapInterval(values);
+  return Json{{"mean", mission::Mean(values)},
+              {"low", interval.low},
+              {"high", interval.high},
+              {"median", mission::Median(values)},
+              {"sd", mission::StandardDeviation(values)}};
+}
+
+}  // namespace
+
+Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& data) {
+  Diagnostic problem;
+  problem.file = folder.string();
+  fs::path place = folder;
+  if (place.filename().empty()) place = place.parent_path();
+  const fs::path file = fs::path(place).replace_extension(".toml");
+  std::vector<Diagnostic> problems;
+  const sweep::Spec spec = sweep::ReadSpec(file, problems);
+  if (!problems.empty()) return problems.front();
+  const Result<sweep::Plan> plan = sweep::MakePlan(spec, place, data);
+  if (!plan) return plan.error();
+  const std::vector<sweep::Row> rows = sweep::RowsOf(spec, *plan, place, problems);
+  if (rows.empty()) {
+    problem.message = "this sweep has no runs yet";
+    problem.hint = "soarbox sweep " + file.string() + " makes them";
+    return problem;
+  }
+  Json made{{"kind", "sweep"},
+            {"title", file.stem().string() + ": " + std::to_string(rows.size()) + " runs"},
+            {"command", "soarbox sweep " + file.string()}};
+  made["build"] = rows.front().build;
+  Json names = Json::array(), variants = Json::array(), summary = Json::array();
+  const std::size_t count = plan->variants.size();
+  std::vector<std::string> numbers;
+  std::map<std::string, std::vector<Values>> by_number;
+  const auto add = [&](const std::string& name, const sweep::Row& row, double value) {
+    auto& values = by_number[name];
+    if (values.empty()) {
+      values.resize(count);
+      numbers.push_back(name);
+    }
+    values[row.variant][row.seed] = value;
+  };
+  std::vector<std::size_t> passed(count), ok(count), broken(count);
+  std::vector<std::vector<std::size_t>> checks(count, std::vector<std::size_t>(spec.mission.checks.size()));
+  for (const sweep::Row& row : rows) {
+    if (row.result.outcome != "ok") {
+      ++broken[row.variant];
+      continue;
+    }
+    ++ok[row.variant];
+    passed[row.variant] += row.result.passed ? 1 : 0;
+    for (std::size_t i = 0; i < spec.mission.checks.size(); ++i) checks[row.variant][i] += row.result.IsTrue(i) ? 1 : 0;
+    for (std::size_t i = 0; i < spec.metrics.size() && i < row.metrics.size(); ++i)
+      if (row.metrics[i]) add(spec.metrics[i].name, row, *row.metrics[i]);
+    add("seconds", row, row.result.seconds);
+    for (const auto& [name, value] : row.result.numbers) add(name, row, value);
+  }
+  for (std::size_t v = 0; v < count; ++v) {
+    const mission::Interval interval = mission::WilsonInterval(passed[v], ok[v]);
+    Json& variant = variants.emplace_back(Json{{"name", plan->variants[v].variant.name},
+                                               {"runs", ok[v]},
+                                               {"broken", broken[v]},
+                                               {"passed", passed[v]},
+                                               {"low", interval.low},
+                                               {"high", interval.high}});
+    Json& shares = variant["checks"] = Json::array();
+    for (std::size_t i = 0; i < spec.mission.checks.size(); ++i) {
+      const mission::Interval each = mission::WilsonInterval(checks[v][i], ok[v]);
+      shares.push_back(Json{{"true", checks[v][i]}, {"low", each.low}, {"high", each.high}});
+    }
+  }
+  Json check_names = Json::array();
+  for (const mission::Check& check : spec.mission.checks) check_names.push_back(check.name);
+  std::ostringstream verdict;
+  if (!spec.mission.checks.empty() && count > 0 && ok[0] > 0)
+    verdict << plan->variants[0].variant.name << " passes in " << passed[0] << " of " << ok[0] << " runs";
+  Json metrics = Json::array();
+  Json outliers = Json::array();
+  for (const std::string& name : numbers) {
+    const std::vector<Values>& values = by_number[name];
+    std::vector<double> all;
+    Json by_variant = Json::array();
+    for (std::size_t v = 0; v < count; ++v) {
+      std::vector<double> of;
+      for (const auto& [seed, value] : values[v]) of.push_back(value);
+      all.insert(all.end(), of.begin(), of.end());
+      Json stats = of.empty() ? Json::object() : IntervalOf(of);
+      stats["values"] = of;
+      by_variant.push_back(std::move(stats));
+    }
+    if (std::adjacent_find(all.begin(), all.end(), std::not_equal_to<>()) == all.end()) continue;
+    Json differences = Json::array();
+    for (std::size_t v = 1; v < count; ++v) {
+      std::vector<double> paired;
+      for (const auto& [seed, value] : values[v])
+        if (const auto other = values[0].find(seed); other != values[0].end()) paired.push_back(value - other->second);
+      if (paired.size() < 2) continue;
+      Json difference = IntervalOf(paired);
+      difference["variant"] = plan->variants[v].variant.name;
+      difference["pairs"] = paired.size();
+      difference["values"] = paired;
+      differences.push_back(std::move(difference));
+    }
+    metrics.push_back(
+        Json{{"name", name}, {"variants", std::move(by_variant)}, {"differences", std::move(differences)}});
+    // Furthest from the median of its variant.
+    for (std::size_t v = 0; v < count; ++v) {
+      std::vector<double> of;
+      for (const auto& [seed, value] : values[v]) of.push_back(value);
+      const double median = mission::Median(of), spread = mission::StandardDeviation(of);
+      if (spread <= 0) continue;
+      for (const auto& [seed, value] : values[v]) {
+        const double away = std::abs(value - median) / spread;
+        if (away < 3) continue;
+        outliers.push_back(
+            Json{{"away", away},
+                 {"variant", plan->variants[v].variant.name},
+                 {"seed", seed},
+                 {"what", name},
+                 {"value", value},
+                 {"median", median},
+                 {"command", "soarbox run " + plan->variants[v].argument + " --seed " + std::to_string(seed)}});
+      }
+    }
+  }
+  std::stable_sort(outliers.begin(), outliers.end(),
+                   [](const Json& a, const Json& b) { return a["away"] > b["away"]; });
+  Json few = Json::array();
+  std::set<std::string> told;
+  for (const Json& outlier : outliers) {
+    if (few.size() < kMostOutliers && told.insert(outlier["command"].get<std::string>()).second) few.push_back(outlier);
+  }
+  std::istringstream lines(sweep::Summary(spec, *plan, rows));
+  for (std::string line; std::getline(lines, line);) summary.push_back(Json{{"text", line}});
+  Json table = Json::array(), failed = Json::array();
+  for (const sweep::Row& row : rows) {
+    if (table.size() >= kMostRows) break;
+    Json cells = Json::array({plan->variants[row.variant].variant.name, row.seed, row.result.outcome, row.result.passed,
+                              std::round(row.result.seconds * 100) / 100});
+    for (const char* name : {"distance", "commands", "decisions", "hits", "alive"}) {
+      const auto at = row.result.numbers.find(name);
+      cells.push_back(at != row.result.numbers.end() ? std::round(at->second * 100) / 100 : 0);
+    }
+    table.push_back(std::move(cells));
+    if (row.result.outcome != "ok")
+      failed.push_back(Json{{"variant", plan->variants[row.variant].variant.name},
+                            {"seed", row.seed},
+                            {"outcome", row.result.outcome},
+                            {"error", row.result.error}});
+  }
+  made["verdict"] = verdict.str();
+  made["variants"] = std::move(variants);
+  made["check_names"] = std::move(check_names);
+  made["metrics"] = std::move(metrics);
+  made["outliers"] = std::move(few);
+  made["summary"] = std::move(summary);
+  made["columns"] = Json::array(
+      {"variant", "seed", "outcome", "passed", "seconds", "distance", "commands", "decisions", "hits", "alive"});
+  made["rows"] = std::move(table);
+  made["failed"] = std::move(failed);
+  return made.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace soarbox::report

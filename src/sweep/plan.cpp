@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sweep/plan.h"
+
+#include <toml++/toml.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <system_error>
+
+#include "diagnostics/read_text.h"
+#include "mission/cast.h"
+#include "sim/scenario_file.h"
+
+namespace soarbox::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestFolder = 64 << 20;
+
+Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
+  Diagnostic problem;
+  problem.file = file.string();
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+class Digest {
+ public:
+  void Add(std::string_view text) {
+    for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    value_ = (value_ ^ text.size()) * 0x100000001b3u;
+  }
+  std::string Text() const {
+    char text[20];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value_));
+    return text;
+  }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+Result<void> Write(const fs::path& file, std::string_view text) {
+  if ((std::ofstream(file, std::ios::binary) << text).flush()) return {};
+  return Problem(file, "this file cannot be written", "is the disk full, or the folder not yours?");
+}
+
+/// Sets "agent.scout.senses.sight" of a scenario; the entries of [[agent]] go by their names.
+bool Set(toml::table& root, std::string_view path, const toml::node& value) {
+  toml::node* at = &root;
+  while (true) {
+    const std::size_t dot = path.find('.');
+    const std::string part(path.substr(0, dot));
+    if (toml::array* list = at->as_array()) {
+      toml::node* found = nullptr;
+      for (toml::node& entry : *list) {
+        toml::table* table = entry.as_table();
+        if (table != nullptr && (*table)["name"].value_or(std::string_view()) == part) found = table;
+      }
+      if (found == nullptr || dot == std::string_view::npos) return false;
+      at = found;
+    } else if (toml::table* table = at->as_table()) {
+      if (dot == std::string_view::npos) {
+        value.visit([&](const auto& concrete) { table->insert_or_assign(part, concrete); });
+        return true;
+      }
+      if (!table->contains(part)) table->insert(part, toml::table{});
+      at = table->get(part);
+    } else {
+      return false;
+    }
+    path.remove_prefix(dot + 1);
+  }
+}
+
+/// Changes the copy of a scenario file as the variant says.
+Result<void> Change(const fs::path& definition, const Variant& variant, const Spec& spec) {
+  if (variant.rules.empty() && variant.parameters.empty() && variant.setup.empty()) return {};
+  const bool is_file = definition.extension() == ".toml";
+  const auto refuse = [&](std::string message, std::string hint) {
+    Diagnostic problem = Problem(spec.file, "variant '" + variant.name + "': " + std::move(message), std::move(hint));
+    problem.line = variant.line;
+    return problem;
+  };
+  const fs::path folder = definition.parent_path();
+  std::error_code error;
+  std::map<std::string, std::string> of_agents;
+  for (const auto& [who, file] : variant.rules) {
+    const fs::path to = who.ends_with(".soar") ? folder / who : folder / fs::path(file).filename();
+    if (who.ends_with(".soar") && !fs::exists(to, error))
+      return refuse("the scenario has no rules '" + who + "'", "name an agent, or a file of rules in its folder");
+    fs::copy_file(file, to, fs::copy_options::overwrite_existing, error);
+    if (error) return refuse("'" + file + "' cannot be copied: " + error.message(), {});
+    if (!who.ends_with(".soar")) of_agents[who] = to.filename().string();
+  }
+  if (!is_file) {
+    if (of_agents.empty() && variant.parameters.empty() && variant.setup.empty()) return {};
+    return refuse("a scenario made by a script takes other files of rules only",
+                  "write rules = { \"file.soar\" = \"other.soar\" }");
+  }
+  toml::table root = toml::parse(ReadText(definition).value_or(""), definition.string());
+  for (const auto& [agent, file] : of_agents)
+    if (!Set(root, "agent." + agent + ".rules", toml::value<std::string>(file)))
+      return refuse("there is no agent '" + agent + "'", "rules = { AGENT = FILE } names an [[agent]] of the scenario");
+  for (const auto& [path, text] : variant.parameters) {
+    const toml::table value = toml::parse("value = " + text);
+    if (!Set(root, path, *value.get("value")))
+      return refuse("there is no parameter '" + path + "'",
+                    "\"agent.NAME.senses.sight\" and \"seconds\" are such paths");
+  }
+  if (!variant.setup.empty()) {
+    std::string lines;
+    for (const std::string& line : variant.setup) lines += line + "\n";
+    std::map<std::string, bool> done;
+    if (toml::array* agents = root["agent"].as_array()) {
+      for (toml::node& entry : *agents) {
+        const std::string rules =
+            entry.as_table() != nullptr ? (*entry.as_table())["rules"].value_or(std::string()) : std::string();
+        if (rules.empty() || done[rules]) continue;
+        done[rules] = true;
+        const fs::path file = folder / rules;
+        if (const Result<void> written = Write(file, lines + ReadText(file).value_or("")); !written) return written;
+      }
+    }
+  }
+  std::ostringstream out;
+  out << root << '\n';
+  std::vector<Diagnostic> problems;
+  (void)sim::ParseScenarioFile(out.str(), definition, problems);
+  if (!problems.empty()) return refuse(problems.front().message, problems.front().hint);
+  return Write(definition, out.str());
+}
+
+/// Whether a folder's entry is part of the scenario: neither hidden, nor built, nor a sweep or a recording.
+bool BelongsToScenario(const fs::path& entry) {
+  const std::string name = entry.filename().string();
+  std::error_code error;
+  return !name.starts_with('.') && !name.ends_with(".sweep") && !name.ends_with(".soarrec") && name != "build" &&
+         !fs::exists(entry / "sweep.id", error);
+}
+
+/// Copies the scenario's folder, once. What a link in it leads to is copied only if that lies in the folder, too; pipes
+/// and devices are left out.
+Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
+  const fs::path file = scenario.definition.empty() ? scenario.script : scenario.definition;
+  const fs::path from = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return Problem(folder, "this folder cannot be made: " + error.message());
+  std::uintmax_t bytes = 0;
+  // Sweeps in the scenario's own folder are no part of it, this one above all.
+  const std::string inside = fs::weakly_canonical(folder, error).string();
+  for (fs::recursive_directory_iterator it(from, error), end; !error && it != end; it.increment(error)) {
+    std::error_code unknown;
+    const std::string place = fs::weakly_canonical(it->path(), unknown).string() + "/";
+    if (!BelongsToScenario(it->path()) || inside.starts_with(place)) {
+      it.disable_recursion_pending();
+      continue;
+    }
+    const fs::path target = folder / fs::relative(it->path(), from, unknown);
+    std::error_code failed;
+    if (!it->is_symlink(unknown) && it->is_directory(unknown)) {
+      fs::create_directories(target, failed);
+    } else if (IsPlainFileBelow(it->path(), {&from, 1})) {
+      bytes += it->file_size(unknown);
+      if (bytes > kLargestFolder) return Problem(from, "this scenario's folder is too large to copy for each variant");
+      fs::copy_file(it->path(), target, fs::copy_options::overwrite_existing, failed);
+    }
+    if (failed) return Problem(target, "this file cannot be written: " + failed.message());
+  }
+  if (error) return Problem(from, "this folder cannot be read: " + error.message());
+  return folder / file.filename();
+}
+
+void AddFolder(const fs::path& folder, Digest& digest) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->is_regular_file(error)) files.push_back(it->path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    digest.Add(fs::relative(file, folder, error).string());
+    digest.Add(ReadText(file).value_or(""));
+  }
+}
+
+}  // namespace
+
+Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataFolders& data) {
+  Plan plan;
+  Digest digest;
+  std::error_code error;
+  for (const Variant& variant : spec.variants) {
+    std::string argument = variant.scenario.empty() ? spec.scenario : variant.scenario;
+    if (fs::path beside = spec.file.parent_path() / argument; fs::exists(beside, error)) argument = beside.string();
+    Result<sim::Scenario> original = sim::FindScenario(argument, data);
+    if (!original) return Problem(spec.file, original.error().message, original.error().hint);
+    // The copy is made in full beside its place, so that a sweep that is killed here begins again.
+    const fs::path place = folder / "variants" / variant.name;
+    fs::path file = original->definition.empty() ? original->script : original->definition;
+    const bool is_rules = !original->rules.empty();
+    if (is_rules) return Problem(spec.file, "a sweep wants a scenario, not a file of rules", "soarbox new writes one");
+    if (!fs::exists(place, error)) {
+      const fs::path making = folder / "variants" / ("." + variant.name);
+      fs::remove_all(making, error);
+      Result<fs::path> copied = CopyOf(*original, making);
+      if (!copied) return copied.error();
+      if (const Result<void> changed = Change(*copied, variant, spec); !changed) return changed.error();
+      fs::rename(making, place, error);
+      if (error) return Problem(place, "this folder cannot be made: " + error.message());
+    }
+    ReadyVariant ready;
+    ready.variant = variant;
+    ready.argument = (place / file.filename()).string();
+    Result<sim::Scenario> scenario = sim::FindScenario(ready.argument, data);
+    if (!scenario) return scenario.error();
+    ready.loaded.scenario = std::move(*scenario);
+    ready.loaded.mission = spec.mission;
+    ready.loaded.mission.name = variant.name;
+    ready.loaded.seconds = spec.mission.seconds.value_or(60);
+    if (!ready.loaded.scenario.definition.empty()) {
+      const Result<sim::ScenarioFile> read = sim::ReadScenarioFile(ready.loaded.scenario.definition);
+      if (!read) return read.error();
+      if (!spec.mission.seconds) ready.loaded.seconds = read->seconds.value_or(60);
+      std::vector<Diagnostic> problems;
+      mission::CheckNames(spec.mission, mission::CastOf(*read), problems);
+      if (!problems.empty()) return problems.front();
+    }
+    digest.Add(variant.name);
+    digest.Add(variant.kernel);
+    digest.Add(std::to_string(ready.loaded.seconds));
+    AddFolder(place, digest);
+    plan.variants.push_back(std::move(ready));
+  }
+  for (const mission::Check& check : spec.mission.checks) digest.Add(check.name + std::to_string(check.line));
+  for (const Metric& metric : spec.metrics) digest.Add(metric.name);
+  plan.digest = digest.Text();
+  return plan;
+}
+
+}  // namespace soarbox::sweep

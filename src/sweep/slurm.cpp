@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sweep/slurm.h"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "diagnostics/read_text.h"
+
+namespace soarbox::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kLook = std::chrono::milliseconds(1000);
+
+std::string Quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+struct Answer {
+  int code = -1;
+  std::string text;  ///< What it printed, errors too.
+};
+
+Answer Ask(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += Quoted(word) + " ";
+  Answer answer;
+  std::FILE* pipe = popen((line + "2>&1").c_str(), "re");
+  if (pipe == nullptr) return answer;
+  std::array<char, 4096> bytes;
+  for (std::size_t got = 0; (got = fread(bytes.data(), 1, bytes.size(), pipe)) > 0;)
+    answer.text.append(bytes.data(), got);
+  const int status = pclose(pipe);
+  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return answer;
+}
+
+Diagnostic Problem(std::string message, std::string hint = {}) {
+  Diagnostic problem;
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+/// The job that this folder's sweep was given to last; empty if none.
+std::string JobOf(const fs::path& folder) {
+  std::string job = ReadText(folder / "slurm" / "job").value_or("");
+  while (!job.empty() && (job.back() == '\n' || job.back() == ' ')) job.pop_back();
+  return job;
+}
+
+/// Whether Slurm still has tasks of it to run. An answer that is none (the controller is busy) counts as yes.
+bool IsKnown(const std::string& job) {
+  const Answer answer = Ask({"squeue", "--noheader", "--jobs", job, "--format", "%T"});
+  if (answer.code == 0) return answer.text.find_first_not_of(" \n") != std::string::npos;
+  return answer.text.find("Invalid job id") == std::string::npos;
+}
+
+}  // namespace
+
+std::string WhyNoSlurm() {
+  for (const char* program : {"sbatch", "squeue", "scancel"}) {
+    if (Ask({"sh", "-c", std::string("command -v ") + program}).code != 0)
+      return std::string("Slurm's command '") + program + "' is not installed on this machine";
+  }
+  return {};
+}
+
+Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings, const std::function<bool()>& goes_on) {
+  if (const std::string missing = WhyNoSlurm(); !missing.empty())
+    return Problem(missing,
+                   "run this on a login node of the cluster, or without --on slurm to use this machine's cores");
+  std::string job = JobOf(folder);
+  if (job.empty() || !IsKnown(job)) {
+    std::error_code error;
+    fs::create_directories(folder / "slurm", error);
+    const fs::path script = fs::absolute(folder / "slurm" / "task.sh", error);
+    std::ostringstream text;
+    text << "#!/bin/sh\n# One task of a sweep; Soarbox wrote this.\nexec";
+    for (const std::string& word : settings.task_command) text << ' ' << Quoted(word);
+    text << " --tasks " << settings.tasks << " --task \"$SLURM_ARRAY_TASK_ID\" --jobs \"${SLURM_CPUS_ON_NODE:-0}\"\n";
+    if (!(std::ofstream(script) << text.str()).flush()) return Problem("'" + script.string() + "' cannot be written");
+    std::vector<std::string> words = {"sbatch",
+                                      "--parsable",
+                                      "--requeue",
+                                      "--job-name=soarbox-sweep",
+                                      "--array=0-" + std::to_string(settings.tasks - 1),
+                                      "--output=" + fs::absolute(folder / "slurm", error).string() + "/%A_%a.log"};
+    if (!settings.partition.empty()) words.push_back("--partition=" + settings.partition);
+    if (!settings.account.empty()) words.push_back("--account=" + settings.account);
+    if (!settings.time.empty()) words.push_back("--time=" + settings.time);
+    words.push_back(script.string());
+    const Answer submitted = Ask(words);
+    job = submitted.text.substr(0, submitted.text.find_first_of(";\n"));
+    if (submitted.code != 0 || job.empty() || job.find_first_not_of("0123456789") != std::string::npos)
+      return Problem("Slurm did not take the job: " + submitted.text, "sinfo shows the partitions and their nodes");
+    if (!(std::ofstream(folder / "slurm" / "job") << job << '\n').flush())
+      return Problem("the job's number cannot be written below '" + folder.string() + "'");
+  }
+  while (IsKnown(job)) {
+    if (!goes_on()) return {};
+    std::this_thread::sleep_for(kLook);
+  }
+  return {};
+}
+
+Result<void> CancelOnSlurm(const fs::path& folder) {
+  if (const std::string missing = WhyNoSlurm(); !missing.empty()) return Problem(missing);
+  const std::string job = JobOf(folder);
+  if (job.empty()) return Problem("this sweep was not given to Slurm");
+  if (const Answer answer = Ask({"scancel", job}); answer.code != 0)
+    return Problem("Slurm did not end job " + job + ": " + answer.text);
+  return {};
+}
+
+}  // namespace soarbox::sweep

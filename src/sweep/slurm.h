@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+
+namespace soarbox::sweep {
+
+/// How a sweep is given to Slurm.
+struct SlurmSettings {
+  std::vector<std::string> task_command;  ///< What a task runs; "--task N" is added. The same command on each node.
+  int tasks = 1;                          ///< Of the job array.
+  std::string partition, account, time;   ///< As sbatch takes them; empty: the cluster's.
+};
+
+/// A sentence that says what is missing if Slurm's commands are not installed here; empty if they are.
+std::string WhyNoSlurm();
+
+/// Submits a job array and waits until Slurm knows it no longer. A job of this folder that still runs is waited for
+/// instead. `goes_on` is asked each few seconds; false leaves the job alone and returns.
+Result<void> RunOnSlurm(const std::filesystem::path& folder, const SlurmSettings& settings,
+                        const std::function<bool()>& goes_on);
+/// Ends the job of this folder, if there is one.
+Result<void> CancelOnSlurm(const std::filesystem::path& folder);
+
+}  // namespace soarbox::sweep

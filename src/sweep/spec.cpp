@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "diagnostics/read_text.h"
+#include "mission/read_mission.h"
+#include "sweep/plan.h"
+
+namespace soarbox::sweep {
+namespace {
+
+constexpr std::size_t kMostVariants = 1000;
+
+class SpecReader {
+ public:
+  SpecReader(Spec& spec, std::vector<Diagnostic>& problems) : spec_(spec), problems_(problems) {}
+
+  void Read(const toml::table& root) {
+    CheckKeys(root, "a sweep",
+              {"scenario", "mission", "seeds", "seconds", "wall", "pass", "record", "check", "variant", "metric"});
+    spec_.scenario = Text(root, "scenario");
+    if (const std::string mission = Text(root, "mission"); !mission.empty()) ReadMission(*root.get("mission"), mission);
+    if (spec_.scenario.empty()) Problem(root, "this sweep names no scenario", "write scenario = \"thesis\" on top");
+    if (spec_.mission.seeds.empty()) Problem(root, "this sweep has no seeds", "write seeds = \"1..100\" on top");
+    if (root.contains("record")) spec_.record = Text(root, "record");
+    if (spec_.record != "none" && spec_.record != "failed" && spec_.record != "all")
+      Problem(*root.get("record"), "'record' is \"none\", \"failed\" or \"all\"");
+    for (const toml::table* table : Tables(root, "variant")) ReadVariant(*table);
+    if (spec_.variants.empty()) spec_.variants.push_back({"default", {}, {}, {}, {}, {}, 0});
+    std::set<std::string> names;
+    for (const Variant& variant : spec_.variants) {
+      if (!names.insert(variant.name).second)
+        Problem(root, "there are two variants named '" + variant.name + "'", "give each a name of its own");
+      for (const auto& [key, value] : variant.parameters)
+        if (std::find(spec_.parameters.begin(), spec_.parameters.end(), key) == spec_.parameters.end())
+          spec_.parameters.push_back(key);
+    }
+    for (const toml::table* table : Tables(root, "metric")) ReadMetric(*table);
+  }
+
+ private:
+  void Problem(const toml::node& at, std::string message, std::string hint = {}) {
+    Diagnostic& problem = problems_.emplace_back();
+    problem.file = spec_.file.string();
+    problem.line = static_cast<int>(at.source().begin.line);
+    problem.column = static_cast<int>(at.source().begin.column);
+    problem.message = std::move(message);
+    problem.hint = std::move(hint);
+  }
+
+  void CheckKeys(const toml::table& table, const std::string& what, const std::vector<std::string_view>& known) {
+    for (const auto& [key, value] : table) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      const std::string_view near = Suggest(key.str(), known);
+      Problem(value, what + " has no '" + std::string(key.str()) + "'",
+              near.empty() ? "docs/sweeps.md lists what there is" : "did you mean '" + std::string(near) + "'?");
+    }
+  }
+
+  std::string Text(const toml::table& table, std::string_view key) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return {};
+    if (const auto text = node->value_exact<std::string>()) return *text;
+    Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
+    return {};
+  }
+
+  std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key) {
+    std::vector<const toml::table*> tables;
+    const toml::node* node = root.get(key);
+    if (node == nullptr) return tables;
+    const toml::array* list = node->as_array();
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+      if (list->get(i)->is_table()) tables.push_back(list->get(i)->as_table());
+    if (list == nullptr || tables.size() != list->size())
+      Problem(*node, "write [[" + std::string(key) + "]] above each one");
+    return tables;
+  }
+
+  void ReadMission(const toml::node& at, const std::string& name) {
+    const std::filesystem::path file = spec_.file.parent_path() / name;
+    const std::optional<std::string> text = ReadText(file);
+    if (!text) return Problem(at, "there is no mission '" + name + "' beside this sweep");
+    mission::Mission read = mission::ParseMission(
+        *text, file, text->find("\nscenario") == std::string::npos && !text->starts_with("scenario"), problems_);
+    if (spec_.scenario.empty()) {
+      spec_.scenario =
+          read.scenario.empty() ? file.string() : (file.parent_path() / read.scenario).lexically_normal().string();
+      if (!std::filesystem::exists(spec_.scenario)) spec_.scenario = read.scenario;
+    }
+    if (spec_.mission.seeds.empty()) spec_.mission.seeds = read.seeds;
+    if (!spec_.mission.seconds) spec_.mission.seconds = read.seconds;
+    if (spec_.mission.checks.empty()) spec_.mission.checks = std::move(read.checks);
+  }
+
+  static std::string ValueText(const toml::node& node) {
+    std::ostringstream out;
+    node.visit([&out](const auto& value) { out << value; });
+    return out.str();
+  }
+
+  void ReadVariant(const toml::table& table) {
+    CheckKeys(table, "a variant", {"name", "scenario", "rules", "parameters", "setup", "kernel"});
+    Variant base;
+    base.line = static_cast<int>(table.source().begin.line);
+    base.name = Text(table, "name");
+    if (base.name.empty()) base.name = "variant-" + std::to_string(spec_.variants.size() + 1);
+    if (base.name.find('/') != std::string::npos || base.name.starts_with('.') || base.name.size() > 100)
+      Problem(table, "'" + base.name + "' is no name for a variant", "it names a folder: use letters, digits, - and _");
+    base.scenario = Text(table, "scenario");
+    base.kernel = Text(table, "kernel");
+    if (const toml::node* rules = table.get("rules")) {
+      const toml::table* named = rules->as_table();
+      if (named == nullptr) Problem(*rules, "'rules' takes { AGENT = \"file.soar\" }");
+      for (const auto& [agent, file] : named != nullptr ? *named : toml::table{}) {
+        const auto path = file.value_exact<std::string>();
+        if (!path) Problem(file, "'" + std::string(agent.str()) + "' takes a file of rules in quotes");
+        if (path && !std::filesystem::is_regular_file(spec_.file.parent_path() / *path))
+          Problem(file, "there is no file '" + *path + "' beside this sweep");
+        base.rules.emplace_back(std::string(agent.str()), (spec_.file.parent_path() / path.value_or("")).string());
+      }
+    }
+    if (const toml::node* setup = table.get("setup")) {
+      const toml::array* lines = setup->as_array();
+      for (std::size_t i = 0; lines != nullptr && i < lines->size(); ++i)
+        if (const auto line = lines->get(i)->value_exact<std::string>()) base.setup.push_back(*line);
+      if (lines == nullptr || base.setup.size() != lines->size())
+        Problem(*setup, "'setup' takes a list of command lines in quotes");
+    }
+    std::vector<Variant> expanded = {base};
+    if (const toml::node* node = table.get("parameters")) {
+      const toml::table* parameters = node->as_table();
+      if (parameters == nullptr) Problem(*node, "'parameters' takes { \"agent.scout.senses.sight\" = 40 }");
+      for (const auto& [key, value] : parameters != nullptr ? *parameters : toml::table{}) {
+        const toml::array* list = value.as_array();
+        std::vector<Variant> next;
+        for (const Variant& variant : expanded) {
+          for (std::size_t i = 0; i < (list != nullptr ? list->size() : 1); ++i) {
+            Variant made = variant;
+            const std::string text = ValueText(list != nullptr ? *list->get(i) : value);
+            made.parameters.emplace_back(std::string(key.str()), text);
+            if (list != nullptr && list->size() > 1) made.name += "-" + SafeName(text);
+            next.push_back(std::move(made));
+            if (next.size() > kMostVariants)
+              return Problem(value, "these are more than " + std::to_string(kMostVariants) + " variants");
+          }
+        }
+        expanded = std::move(next);
+      }
+    }
+    spec_.variants.insert(spec_.variants.end(), expanded.begin(), expanded.end());
+  }
+
+  static std::string SafeName(std::string text) {
+    for (char& c : text)
+      if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-') c = '_';
+    return text;
+  }
+
+  void ReadMetric(const toml::table& table) {
+    CheckKeys(table, "a metric", {"name", "time_of", "at_end", "max", "mean", "agent", "team"});
+    Metric metric;
+    metric.name = Text(table, "name");
+    if (const std::string check = Text(table, "time_of"); !check.empty()) {
+      metric.of = Metric::Of::kTimeOf;
+      const auto& checks = spec_.mission.checks;
+      const auto at =
+          std::find_if(checks.begin(), checks.end(), [&](const mission::Check& each) { return each.name == check; });
+      if (at == checks.end()) return Problem(*table.get("time_of"), "there is no check '" + check + "'");
+      metric.check = static_cast<std::size_t>(at - checks.begin());
+      if (metric.name.empty()) metric.name = "time of " + check;
+    } else {
+      std::string key;
+      for (const auto& [word, of] :
+           {std::pair{"at_end", Metric::Of::kAtEnd}, {"max", Metric::Of::kMax}, {"mean", Metric::Of::kMean}}) {
+        if (!table.contains(word)) continue;
+        metric.of = of;
+        key = Text(table, word);
+      }
+      const mission::KeyRow* row = mission::FindKey(key);
+      if (row == nullptr || row->names != mission::Names::kNothing)
+        return Problem(table, "a metric is the time_of a check, or at_end, max or mean of a number such as \"health\"");
+      mission::Condition condition;
+      condition.row = row;
+      metric.asked.conditions.push_back(std::move(condition));
+      if (const std::string agent = Text(table, "agent"); !agent.empty()) metric.asked.agents = {agent};
+      metric.asked.team = Text(table, "team");
+      if (metric.asked.agents.empty() && metric.asked.team.empty()) metric.asked.agents = {"*"};
+      if (metric.name.empty()) metric.name = key;
+    }
+    spec_.metrics.push_back(std::move(metric));
+  }
+
+  Spec& spec_;
+  std::vector<Diagnostic>& problems_;
+};
+
+}  // namespace
+
+Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems) {
+  Spec spec;
+  spec.file = file;
+  Diagnostic problem;
+  problem.file = file.string();
+  const std::optional<std::string> text = ReadText(file);
+  if (!text) {
+    problem.message = "this sweep cannot be read";
+    problem.hint = "docs/sweeps.md shows one";
+    problems.push_back(std::move(problem));
+    return spec;
+  }
+  // Checks and seeds are those of missions.
+  spec.mission = mission::ParseLessonChecks(*text, file, problems);
+  if (!problems.empty()) return spec;
+  const toml::table root = toml::parse(*text, file.string());
+  SpecReader(spec, problems).Read(root);
+  return spec;
+}
+
+}  // namespace soarbox::sweep
