@@ -61,7 +61,7 @@ void AgentTroubles::Add(const sim::EventList& events) {
   using Kind = sim::EventKind;
   for (const sim::Event& event : events) {
     const bool is_error = event.kind == Kind::kAgentFailed || event.kind == Kind::kMindFailed ||
-                          (event.kind == Kind::kDiagnostic && event.diagnostic.severity != Severity::kNote);
+                          (event.kind == Kind::kDiagnostic && event.diagnostic.severity == Severity::kError);
     if (!is_error) continue;
     std::vector<Trouble>& list = troubles_[event.agent];
     if (list.size() == kMost) list.erase(list.begin());

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "debugger/rules.h"
 #include "diagnostics/diagnostic.h"
+#include "sim/live_edits.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -48,7 +50,14 @@ void Console::Run(sim::Simulation& simulation, const std::string& line) {
   Keep(ConsoleLine::Kind::kInput, tick, line);
   const Result<std::string> answer = simulation.Command(agent_, line);
   own_.push_back(line);
-  if (answer) return Keep(ConsoleLine::Kind::kOutput, tick, *answer);
+  if (answer) {
+    Keep(ConsoleLine::Kind::kOutput, tick, *answer);
+    std::set<std::string> rules;
+    for (const auto& [name, text] : sim::SplitRules(line).rules) rules.insert(name);
+    for (const Diagnostic& slip : simulation.SlipsOf(agent_, rules))
+      Keep(ConsoleLine::Kind::kHint, tick, slip.message + (slip.hint.empty() ? "" : ": " + slip.hint));
+    return;
+  }
   Keep(ConsoleLine::Kind::kError, tick, answer.error().message);
   if (!answer.error().hint.empty()) Keep(ConsoleLine::Kind::kHint, tick, answer.error().hint);
   if (answer.error().message.find("did you mean") != std::string::npos) return;

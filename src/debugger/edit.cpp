@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "debugger/edit.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +10,7 @@
 
 #include "sim/check.h"
 #include "sim/live_edits.h"
+#include "sim/vet_rules.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -18,28 +21,6 @@ Diagnostic Problem(const std::filesystem::path& file, std::string message, std::
   problem.message = std::move(message);
   problem.hint = std::move(hint);
   return problem;
-}
-
-bool HasError(const std::vector<Diagnostic>& problems) {
-  return std::ranges::any_of(problems, [](const Diagnostic& p) { return p.severity == Severity::kError; });
-}
-
-/// The text without the lines that source files which are there: those are edited and checked by themselves, and stand
-/// beside the file, not beside the copy that is checked. Lines keep their numbers.
-std::string WithoutSourced(const std::string& text, const std::filesystem::path& file) {
-  std::istringstream lines(text);
-  std::string rest;
-  for (std::string line; std::getline(lines, line); rest += '\n') {
-    std::istringstream words(line);
-    std::string command, name;
-    std::error_code error;
-    if (words >> command >> name && command == "source") {
-      std::erase(name, '"');
-      if (std::filesystem::is_regular_file(file.parent_path() / name, error)) continue;
-    }
-    rest += line;
-  }
-  return rest;
 }
 
 }  // namespace
@@ -60,17 +41,12 @@ Result<Edit> Edit::Open(const sim::WatchedFile& file) {
 std::vector<Diagnostic> Edit::Check() const {
   const std::string name = file_.file.string();
   if (!file_.is_rules) return sim::CheckScriptText(text_, name);
-  const sim::SplitText split = sim::SplitRules(text_);
-  if (split.unclosed.empty()) return sim::CheckRuleText(WithoutSourced(text_, file_.file), name);
-  Diagnostic problem =
-      Problem(file_.file, "the rule " + split.unclosed + " is not closed", "a rule ends with a brace: }");
-  problem.line = LineOf(split.unclosed);
-  return {problem};
+  return sim::VetRuleFile(text_, file_.file);
 }
 
 std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
   std::vector<Diagnostic> problems = Check();
-  if (HasError(problems)) return problems;
+  if (sim::HasError(problems)) return problems;
   const std::vector<std::string> lines = file_.is_rules
                                              ? sim::EditsBetween(sim::SplitRules(running_), sim::SplitRules(text_))
                                              : std::vector<std::string>();
@@ -87,10 +63,30 @@ std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
 }
 
 Result<void> Edit::Save() {
-  std::ofstream out(file_.file, std::ios::binary);
-  if (!out || !(out << text_).flush())
+  // Whole or not at all: a full disk must not cost what was there.
+  namespace fs = std::filesystem;
+  std::error_code error, ignored;
+  fs::path target = fs::canonical(file_.file, error);
+  if (error) target = file_.file;
+  const fs::path half = fs::path(target).concat(".soarbox-new");
+  std::ofstream out(half, std::ios::binary | std::ios::trunc);
+  const bool is_written = out && (out << text_).flush();
+  out.close();
+  const auto permissions = fs::status(target, ignored).permissions();
+  const bool may_write = access(target.c_str(), W_OK) == 0 || !fs::exists(target, ignored);
+  error.clear();
+  if (is_written && may_write) {
+    if (permissions != fs::perms::unknown) fs::permissions(half, permissions, ignored);
+    fs::rename(half, target, error);
+  }
+  if (!is_written || !may_write || error) {
+    fs::remove(half, ignored);
     return Problem(file_.file, "this file cannot be written", "check the folder and its permissions");
+  }
   saved_ = text_;
+  // A run in a window takes over what is saved, unless it has errors.
+  if (!sim::HasError(Check())) running_ = text_;
+  written_ = fs::last_write_time(file_.file, ignored);
   return {};
 }
 

@@ -34,6 +34,8 @@ class Edit {
   std::vector<Diagnostic> Apply(sim::Simulation& simulation);
   /// Writes the file.
   Result<void> Save();
+  /// The world has begun again, with what is on the disk.
+  void BeginAgain() { running_ = saved_; }
   /// Back to what is on the disk.
   void Revert() { text_ = saved_; }
 

@@ -51,16 +51,17 @@ TEST_F(Debugger, TheWinnerIsToldWithTheRuleThatMadeItWin) {
   const auto walk = std::ranges::find(view.rows, "walk", &OperatorRow::name);
   const auto rest = std::ranges::find(view.rows, "rest", &OperatorRow::name);
   EXPECT_TRUE(walk->selected);
-  EXPECT_THAT(view.sentence, HasSubstr("walk (" + walk->id + ") won: it is better than rest (" + rest->id +
-                                       ") by rule hero*prefer*walk."));
-  EXPECT_EQ(rest->verdict, "worse than walk (" + walk->id + ") by rule hero*prefer*walk");
+  EXPECT_THAT(view.sentence,
+              HasSubstr("walk (" + walk->id + ") was selected: rule hero*prefer*walk makes it better than rest (" +
+                        rest->id + ")."));
+  EXPECT_EQ(rest->verdict, "rule hero*prefer*walk makes it worse than walk (" + walk->id + ")");
 }
 
 TEST_F(Debugger, ATieIsToldAndShownOnTheStack) {
   Start(kTie);
   Tick();
   const auto mind = Mind();
-  EXPECT_THAT(LookAtOperators(*mind, "S1").sentence, HasSubstr("tie: no preference decides"));
+  EXPECT_THAT(LookAtOperators(*mind, "S1").sentence, HasSubstr("no preference decides among one (O"));
   const StackView stack = LookAtStack(*mind);
   ASSERT_GE(stack.levels.size(), 2u);
   EXPECT_EQ(stack.levels[1].impasse, "operator tie");
@@ -144,11 +145,11 @@ TEST_F(Debugger, WhyLeadsFromTheAgentToThePercept) {
   Tick();
   const std::string text = ToText(WhyAgent(*simulation_, "hero"));
   EXPECT_THAT(text, HasSubstr("command move ^speed 1.5"));
-  EXPECT_THAT(text, HasSubstr("won: it is better than rest"));
+  EXPECT_THAT(text, HasSubstr("was selected: rule hero*prefer*walk makes it better than rest"));
   EXPECT_THAT(text, HasSubstr("rule hero*elaborate"));
   EXPECT_THAT(text, HasSubstr("^health 100 (perceived)"));
   EXPECT_THAT(ToText(*WhyCommand(*Mind(), "move")), HasSubstr("rule hero*apply*walk"));
-  EXPECT_THAT(ToText(WhyNameOrError(*simulation_, "hero", "rest")), HasSubstr("worse than walk"));
+  EXPECT_THAT(ToText(WhyNameOrError(*simulation_, "hero", "rest")), HasSubstr("makes it worse than walk"));
   EXPECT_THAT(ToText(WhyNameOrError(*simulation_, "hero", "rst")), HasSubstr("did you mean rest?"));
   EXPECT_THAT(ToText(WhyAgent(*simulation_, "nobody")), HasSubstr("there is no agent nobody"));
 }

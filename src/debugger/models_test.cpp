@@ -72,42 +72,58 @@ sim::OperatorFacts Facts(std::string selected, std::vector<sim::PreferenceFact> 
   return facts;
 }
 
-TEST(Operators, EachWayToWinHasItsSentence) {
+TEST(Operators, WithoutTheProceduresAccountNoReasonIsMadeUp) {
   const auto ok = [](const char* value) { return Preference("acceptable", value); };
-  EXPECT_EQ(Weigh(Facts("O1", {ok("O1")})).sentence,
-            "O1 won: it is the only operator that is proposed by rule acceptable*O1.");
-  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("reject", "O2")})).sentence,
-            "O1 won: O2 is rejected by rule reject*O2.");
-  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("best", "O1")})).sentence,
-            "O1 won: it is best by rule best*O1.");
-  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("worst", "O2")})).sentence,
-            "O1 won: O2 is worst by rule worst*O2.");
-  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("worse", "O2", "O1")})).sentence,
-            "O1 won: it is better than O2 by rule worse*O2.");
-  EXPECT_EQ(Weigh(Facts("O1", {ok("O1"), ok("O2"), Preference("require", "O1")})).sentence,
-            "O1 won: it is required by rule require*O1.");
+  const OperatorsView view = View(Facts("O1", {ok("O1"), ok("O2"), Preference("reject", "O2")}));
+  EXPECT_EQ(view.sentence, "O1 is selected.");
+  EXPECT_EQ(view.rows[1].verdict, "proposed");
+  EXPECT_EQ(View(Facts("O1", {})).sentence, "O1 is selected.");
+  EXPECT_EQ(View(Facts("", {})).sentence, "no operator is proposed in S1.");
 }
 
-TEST(Operators, EachImpasseHasItsSentence) {
-  const auto ok = [](const char* value) { return Preference("acceptable", value); };
-  EXPECT_THAT(Weigh(Facts("", {ok("O1"), ok("O2")})).sentence, HasSubstr("O1 and O2 tie"));
-  EXPECT_THAT(Weigh(Facts("", {ok("O1"), ok("O2"), Preference("better", "O1", "O2"), Preference("better", "O2", "O1")}))
-                  .sentence,
-              HasSubstr("each better than the other"));
-  EXPECT_THAT(Weigh(Facts("", {Preference("require", "O1"), Preference("require", "O2")})).sentence,
-              HasSubstr("2 operators are required"));
-  EXPECT_EQ(Weigh(Facts("", {})).sentence, "no operator is proposed in S1.");
-  EXPECT_EQ(Weigh(Facts("", {ok("O1"), Preference("prohibit", "O1")})).sentence,
-            "every operator that is proposed has been ruled out: O1 is prohibited by rule prohibit*O1.");
+TEST(Operators, TheDropsOfADecisionStandWithTheirRules) {
+  sim::OperatorFacts facts = Facts("O1", {Preference("acceptable", "O1"), Preference("acceptable", "O2"),
+                                          Preference("reject", "O2"), Preference("worst", "O3")});
+  mind::Decision& decision = facts.decision.emplace();
+  decision.operators = {{"O1", ""}, {"O2", ""}, {"O3", ""}};
+  decision.preferences = {{mind::PreferenceKind::kAcceptable, 0, mind::Decision::kNoOperator, 0, "p1"},
+                          {mind::PreferenceKind::kAcceptable, 1, mind::Decision::kNoOperator, 0, "p2"},
+                          {mind::PreferenceKind::kReject, 1, mind::Decision::kNoOperator, 0, "tired*stay"},
+                          {mind::PreferenceKind::kWorst, 2, mind::Decision::kNoOperator, 0, "w"}};
+  decision.by = {2};
+  decision.drops = {{1, mind::Stage::kReject, mind::Decisive::kYes, 0, 1}};
+  decision.left = {{0, 0, 1}};
+  decision.selected = 0;
+  const OperatorsView view = View(facts);
+  EXPECT_EQ(view.sentence, "O1 was selected: rule tired*stay rejects O2.");
+  EXPECT_EQ(view.rows[0].verdict, "selected");
+  EXPECT_EQ(view.rows[1].verdict, "rule tired*stay rejects it");
+  EXPECT_EQ(view.rows[2].verdict, "not proposed");
+  ASSERT_TRUE(view.rows[1].dropped);
+  EXPECT_EQ(view.rows[1].dropped->stage, "reject");
+  EXPECT_EQ(view.rows[1].dropped->is_decisive, true);
+  EXPECT_EQ(view.rows[1].dropped->rules, std::vector<std::string>{"tired*stay"});
+
+  decision.has_changed = true;
+  EXPECT_EQ(View(facts).sentence,
+            "O1 is selected, and preferences have changed since. By those that stand now: rule tired*stay rejects O2.");
+  decision.has_changed = false;
+  facts.selected = "O2";
+  decision.selected = 1;
+  EXPECT_EQ(View(facts).sentence,
+            "O2 is selected, but by now rule tired*stay rejects it: it goes at the next decision.");
+  facts.selected.clear();
+  decision.selected = mind::Decision::kNoOperator;
+  EXPECT_EQ(View(facts).sentence, "O1 would be selected at the next decision: rule tired*stay rejects O2.");
 }
 
 TEST(Operators, AChoiceByChanceTellsItsProbability) {
   sim::OperatorFacts facts = Facts("O2", {Preference("acceptable", "O1"), Preference("acceptable", "O2"),
                                           Preference("numeric", "O1", "3"), Preference("numeric", "O2", "1")});
   facts.candidates = {{"O1", "", 3, 0.75}, {"O2", "", 1, 0.25}};
-  const OperatorsView view = Weigh(facts);
-  EXPECT_EQ(view.sentence, "O2 was chosen by chance among 2 indifferent operators, with a probability of 25 %.");
+  const OperatorsView view = View(facts);
   EXPECT_EQ(view.rows[0].value, 3);
+  EXPECT_EQ(view.rows[0].probability, 0.75);
 }
 
 // Memory --------------------------------------------------------------------------------------------------------------

@@ -8,191 +8,116 @@
 
 #include "debugger/facts_text.h"
 #include "debugger/recorded_mind.h"
+#include "tell/decision_text.h"
 
 namespace soarbox::debugger {
 namespace {
 
 using sim::PreferenceFact;
 
-/// Weighs preferences the way a decision does, and notes at each step who leaves and why.
-class Scale {
- public:
-  explicit Scale(OperatorsView& view) : view_(view) {}
+std::string Who(const OperatorRow& row) {
+  return NameAndId(row.name, row.id);
+}
 
-  void Weigh() {
-    for (std::size_t i = 0; i < view_.rows.size(); ++i)
-      if (view_.rows[i].proposed) left_.push_back(i);
-    if (left_.empty()) {
-      view_.sentence = view_.rows.empty() ? "no operator is proposed in " + view_.state + "."
-                                          : "no operator is proposed in " + view_.state + " any more.";
-      return Finish();
-    }
-    if (Require()) return Finish();
-    Drop("prohibit", "prohibited");
-    Drop("reject", "rejected");
-    Compare();
-    Best();
-    Worst();
-    Finish();
+/// The facts of the decision, in the words of tell, for one view.
+class Account {
+ public:
+  Account(const mind::Decision& decision, OperatorsView& view) : decision_(decision), view_(view) {}
+
+  void Write() {
+    for (OperatorRow& row : view_.rows) TellRow(row);
+    view_.sentence = Sentence();
   }
 
  private:
-  std::string Who(std::size_t row) const { return NameAndId(view_.rows[row].name, view_.rows[row].id); }
-
-  const PreferenceFact* Get(std::size_t row, std::string_view type) const {
-    for (const PreferenceFact& preference : view_.rows[row].preferences)
-      if (preference.type == type) return &preference;
-    return nullptr;
+  bool IsLeft(std::uint32_t op) const {
+    return std::ranges::any_of(decision_.left, [&](const auto& chance) { return chance.op == op; });
   }
 
-  static std::string By(const PreferenceFact& preference) {
-    return preference.maker.rule.empty() ? std::string() : " by rule " + preference.maker.rule;
-  }
-
-  void Leave(std::size_t row, std::string verdict) {
-    view_.rows[row].verdict = std::move(verdict);
-    std::erase(left_, row);
-  }
-
-  /// One that is required is chosen, whatever else is said.
-  bool Require() {
-    std::vector<std::size_t> required;
-    for (const std::size_t row : left_)
-      if (Get(row, "require") != nullptr) required.push_back(row);
-    if (required.empty()) return false;
-    for (const std::size_t row : std::vector<std::size_t>(left_))
-      if (std::ranges::find(required, row) == required.end()) Leave(row, "not required");
-    reason_ = "it is required" + By(*Get(required.front(), "require"));
-    if (required.size() > 1) {
-      view_.sentence = fmt::format(
-          "{} operators are required, which contradict each other: a rule may require one only.", required.size());
-    } else if (const PreferenceFact* prohibit = Get(required.front(), "prohibit")) {
-      view_.sentence = Who(required.front()) + " is required and prohibited" + By(*prohibit) + ".";
-    }
-    return true;
-  }
-
-  void Drop(std::string_view type, const std::string& word) {
-    for (const std::size_t row : std::vector<std::size_t>(left_)) {
-      const PreferenceFact* preference = Get(row, type);
-      if (preference == nullptr) continue;
-      if (left_.size() == 1) last_gone_ = row;
-      Leave(row, word + By(*preference));
-      reason_ = Who(row) + " is " + word + By(*preference);
-    }
-  }
-
-  /// Whether a preference of `row` or of `other` says that `row` is worse.
-  const PreferenceFact* WorseThan(std::size_t row, std::size_t other) const {
-    for (const PreferenceFact& preference : view_.rows[row].preferences)
-      if (preference.type == "worse" && preference.referent == view_.rows[other].id) return &preference;
-    for (const PreferenceFact& preference : view_.rows[other].preferences)
-      if (preference.type == "better" && preference.referent == view_.rows[row].id) return &preference;
-    return nullptr;
-  }
-
-  void Compare() {
-    const std::vector<std::size_t> all = left_;
-    for (const std::size_t row : all) {
-      for (const std::size_t other : all) {
-        const PreferenceFact* worse = row == other ? nullptr : WorseThan(row, other);
-        if (worse == nullptr) continue;
-        if (WorseThan(other, row) != nullptr) {
-          if (view_.sentence.empty())
-            view_.sentence = Who(row) + " and " + Who(other) + " are each better than the other: rules contradict.";
-          continue;
-        }
-        Leave(row, "worse than " + Who(other) + By(*worse));
-        reason_ = "it is better than " + Who(row) + By(*worse);
-        break;
+  void TellRow(OperatorRow& row) const {
+    const std::uint32_t op = decision_.Find(row.id);
+    if (op == mind::Decision::kNoOperator) return;
+    if (const mind::Decision::Drop* drop = decision_.DropOf(op)) {
+      row.verdict = tell::WhyDropped(decision_, op);
+      DroppedBy& dropped = row.dropped.emplace();
+      dropped.stage = tell::StageName(drop->stage);
+      if (drop->decisive != mind::Decisive::kUnknown) dropped.is_decisive = drop->decisive == mind::Decisive::kYes;
+      for (std::uint32_t i = drop->first; i < drop->first + drop->count; ++i) {
+        const std::string& rule = decision_.preferences[decision_.by[i]].rule;
+        if (std::ranges::find(dropped.rules, rule) == dropped.rules.end()) dropped.rules.push_back(rule);
       }
+    } else if (!IsLeft(op)) {
+      row.verdict = row.proposed ? "" : "not proposed";
+    } else {
+      row.verdict = row.selected ? "selected" : "could win";
     }
+    if (row.selected && decision_.is_forced) row.verdict = "selected";
   }
 
-  void Best() {
-    const auto best = std::ranges::find_if(left_, [&](std::size_t row) { return Get(row, "best") != nullptr; });
-    if (best == left_.end()) return;
-    const std::size_t first = *best;
-    for (const std::size_t row : std::vector<std::size_t>(left_))
-      if (Get(row, "best") == nullptr) Leave(row, "not best, as " + Who(first) + " is");
-    reason_ = "it is best" + By(*Get(first, "best"));
-  }
-
-  void Worst() {
-    if (std::ranges::all_of(left_, [&](std::size_t row) { return Get(row, "worst") != nullptr; })) return;
-    for (const std::size_t row : std::vector<std::size_t>(left_)) {
-      const PreferenceFact* worst = Get(row, "worst");
-      if (worst == nullptr) continue;
-      Leave(row, "worst" + By(*worst));
-      reason_ = Who(row) + " is worst" + By(*worst);
+  std::string Sentence() const {
+    const auto selected = std::ranges::find_if(view_.rows, [](const OperatorRow& row) { return row.selected; });
+    if (selected != view_.rows.end()) return OfSelected(*selected);
+    if (!view_.selected.empty()) return view_.selected + " is selected, and no preference speaks of it any more.";
+    if (std::ranges::none_of(view_.rows, &OperatorRow::proposed)) {
+      return "no operator is proposed in " + view_.state + (view_.rows.empty() ? "." : " any more.");
     }
-  }
-
-  std::string ListLeft() const {
-    std::string text;
-    for (std::size_t i = 0; i < left_.size(); ++i)
-      text += (i == 0 ? "" : i + 1 == left_.size() ? " and " : ", ") + Who(left_[i]);
+    if (decision_.impasse == mind::Impasse::kNone && !decision_.left.empty()) return OfNext();
+    std::string text = tell::WhyNothing(decision_) + ".";
+    if (decision_.impasse == mind::Impasse::kTie) {
+      text +=
+          " If it does not matter which, add = where they are proposed: (<s> ^operator <o> + =); if one is better, a "
+          "rule (<s> ^operator <better> > <other>).";
+    }
     return text;
   }
 
-  void Finish() {
-    const auto selected =
-        std::ranges::find_if(view_.rows, [&](const OperatorRow& row) { return row.id == view_.selected; });
-    const bool has_selected = !view_.selected.empty() && selected != view_.rows.end();
-    for (const std::size_t row : left_)
-      if (view_.rows[row].verdict.empty()) view_.rows[row].verdict = "could win";
-    if (!view_.sentence.empty() && !has_selected) return;
-    if (has_selected) {
-      const auto place = static_cast<std::size_t>(selected - view_.rows.begin());
-      if (selected->verdict.empty() || selected->verdict == "could win") selected->verdict = "selected";
-      view_.sentence = WonBecause(place);
-    } else if (!view_.selected.empty()) {
-      view_.sentence = view_.selected + " is selected, and no preference speaks of it any more.";
-    } else if (left_.empty()) {
-      view_.sentence = "every operator that is proposed has been ruled out: " + reason_ + ".";
-    } else if (left_.size() == 1) {
-      view_.sentence = Who(left_.front()) + " would be selected at the next decision.";
-    } else if (!view_.impasse.empty() || !AllIndifferent()) {
-      view_.sentence =
-          ListLeft() +
-          " tie: no preference decides between them. If it does not matter which, add = where they are "
-          "proposed: (<s> ^operator <o> + =); if one is better, a rule (<s> ^operator <better> > <other>).";
-    } else {
-      view_.sentence = "one of " + ListLeft() + " would be chosen by chance: they are indifferent.";
+  std::string OfSelected(const OperatorRow& row) const {
+    const std::uint32_t op = decision_.Find(row.id);
+    if (!decision_.is_forced && (decision_.impasse != mind::Impasse::kNone || !IsLeft(op))) {
+      std::string why = tell::WhyDropped(decision_, op);
+      if (why.empty()) why = row.proposed ? tell::WhyNothing(Undecided()) : "it is proposed no more";
+      return Who(row) + " is selected, but by now " + why + ": it goes at the next decision.";
     }
+    if (decision_.has_changed && !decision_.is_forced) {
+      return Who(row) + " is selected, and preferences have changed since. By those that stand now: " +
+             tell::WhySelected(decision_) + ".";
+    }
+    return Who(row) + " was selected: " + tell::WhySelected(decision_) + ".";
   }
 
-  bool AllIndifferent() const {
-    return std::ranges::all_of(left_, [&](std::size_t row) {
-      return Get(row, "indifferent") != nullptr || Get(row, "numeric") != nullptr || Get(row, "equal") != nullptr;
-    });
+  mind::Decision Undecided() const {
+    mind::Decision decision = decision_;
+    decision.selected = mind::Decision::kNoOperator;
+    return decision;
   }
 
-  std::string WonBecause(std::size_t place) const {
-    const std::string who = Who(place);
-    if (std::ranges::find(left_, place) == left_.end()) {
-      return who + " is selected, but by now it is " +
-             (view_.rows[place].proposed ? view_.rows[place].verdict : "proposed no more") +
-             ": it goes at the next decision.";
-    }
-    const auto proposed = std::ranges::count_if(view_.rows, [](const OperatorRow& row) { return row.proposed; });
-    if (proposed == 1) {
-      const PreferenceFact* acceptable = Get(place, "acceptable");
-      return who + " won: it is the only operator that is proposed" + (acceptable == nullptr ? "" : By(*acceptable)) +
-             ".";
-    }
-    if (left_.size() == 1) return who + " won: " + reason_ + ".";
-    const OperatorRow& row = view_.rows[place];
-    std::string text = who + " was chosen by chance among " + std::to_string(left_.size()) + " indifferent operators";
-    if (row.probability) text += fmt::format(", with a probability of {:.3g} %", *row.probability * 100);
-    return text + ".";
+  std::string OfNext() const {
+    if (decision_.left.size() > 1)
+      return fmt::format("one of {} indifferent operators would be selected at the next decision.",
+                         decision_.left.size());
+    mind::Decision decided = decision_;
+    decided.selected = decision_.left.front().op;
+    return tell::OperatorText(decided, decided.selected) +
+           " would be selected at the next decision: " + tell::WhySelected(decided) + ".";
   }
 
+  const mind::Decision& decision_;
   OperatorsView& view_;
-  std::vector<std::size_t> left_;
-  std::string reason_;
-  std::size_t last_gone_ = 0;
 };
+
+/// Where the procedure's account is missing: what is selected, without a why.
+void TellWithout(OperatorsView& view) {
+  for (OperatorRow& row : view.rows) {
+    row.verdict = row.selected ? "selected" : row.proposed ? "proposed" : "";
+    if (row.selected) view.sentence = Who(row) + " is selected.";
+  }
+  if (!view.sentence.empty()) return;
+  if (!view.selected.empty()) {
+    view.sentence = view.selected + " is selected.";
+  } else if (view.rows.empty()) {
+    view.sentence = "no operator is proposed in " + view.state + ".";
+  }
+}
 
 OperatorRow& RowOf(OperatorsView& view, const std::string& id, const std::string& name) {
   const auto at = std::ranges::find_if(view.rows, [&](const OperatorRow& row) { return row.id == id; });
@@ -220,7 +145,7 @@ std::string Describe(const PreferenceFact& preference) {
   return by + "makes it " + preference.type;
 }
 
-OperatorsView Weigh(const sim::OperatorFacts& facts) {
+OperatorsView View(const sim::OperatorFacts& facts) {
   OperatorsView view;
   view.state = facts.state;
   view.selected = facts.selected;
@@ -238,7 +163,11 @@ OperatorsView Weigh(const sim::OperatorFacts& facts) {
     if (has_value) row.value = candidate.value;
     row.probability = candidate.probability;
   }
-  Scale(view).Weigh();
+  if (facts.decision) {
+    Account(*facts.decision, view).Write();
+  } else {
+    TellWithout(view);
+  }
   return view;
 }
 
@@ -263,8 +192,9 @@ OperatorsView LookAtOperators(sim::Inspector& mind, std::string_view state) {
     none.note = "there is no state " + wanted + " now";
     return none;
   }
-  OperatorsView view = Weigh(facts);
+  OperatorsView view = View(facts);
   if (!mind.TellsAll()) view.note = "what the preferences rest on: " + std::string(Absence(mind));
+  if (!facts.decision) view.note += (view.note.empty() ? "" : "; ") + ("why: " + std::string(Absence(mind)));
   TellRecorded(mind, view);
   return view;
 }
@@ -300,6 +230,12 @@ Json ToJson(const OperatorsView& view) {
     one["name"] = row.name;
     one["selected"] = row.selected;
     one["verdict"] = row.verdict;
+    if (row.dropped) {
+      Json& dropped = one["dropped"];
+      dropped["stage"] = row.dropped->stage;
+      dropped["rules"] = row.dropped->rules;
+      if (row.dropped->is_decisive) dropped["decisive"] = *row.dropped->is_decisive;
+    }
     if (row.value) one["value"] = *row.value;
     if (row.probability) one["probability"] = *row.probability;
     one["preferences"] = Json::array();

@@ -11,12 +11,20 @@
 
 namespace soarbox::debugger {
 
+/// Why a candidate was dropped, as values.
+struct DroppedBy {
+  std::string stage;                ///< Of the decision procedure: "reject", "dominated", ...
+  std::optional<bool> is_decisive;  ///< Without these rules the outcome would be another one; none: not tried.
+  std::vector<std::string> rules;   ///< Each alone suffices; an empty name is the architecture.
+};
+
 /// One operator that preferences speak of.
 struct OperatorRow {
   std::string id, name;  ///< The name may be empty.
   bool selected = false;
   bool proposed = false;              ///< Has an acceptable or require preference.
-  std::string verdict;                ///< "selected", "rejected by rule x", "worse than seek (O2)", "could win", ...
+  std::string verdict;                ///< "selected", "rule x rejects it", "could win", ...
+  std::optional<DroppedBy> dropped;   ///< By the decision procedure.
   std::optional<double> value;        ///< Numeric, of those that could be chosen.
   std::optional<double> probability;  ///< 0 to 1.
   std::vector<sim::PreferenceFact> preferences;
@@ -28,14 +36,14 @@ struct OperatorsView {
   std::string selected;  ///< Identifier; empty: none.
   std::string impasse;   ///< That this state led to: "tie", ...; empty if there is none.
   std::vector<OperatorRow> rows;
-  std::string sentence;  ///< "seek (O2) won: rule prefer*seek makes it better than rest (O3)."
+  std::string sentence;  ///< "seek (O2) was selected: rule prefer*seek makes it better than rest (O3)."
   std::string note;
 };
 
 /// An empty `state`: the lowest one with operators.
 OperatorsView LookAtOperators(sim::Inspector& mind, std::string_view state = {});
-/// Preferences of a state weighed, without a mind: for tests and other sources.
-OperatorsView Weigh(const sim::OperatorFacts& facts);
+/// Facts of a state as a view. What the decision procedure said is told; where it is missing, nothing takes its place.
+OperatorsView View(const sim::OperatorFacts& facts);
 
 /// "rule r makes it better than rest (O3)", in words.
 std::string Describe(const sim::PreferenceFact& preference);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "debugger/percept_help.h"
+#include "sim/learning_facts.h"
 #include "sim/rule_text.h"
 
 namespace soarbox::debugger {
@@ -25,6 +26,23 @@ std::optional<double> Number(std::string_view text) {
 bool IsMemoryPath(std::string_view what) {
   const std::size_t dot = what.find('.');
   return dot != std::string_view::npos && sim::IsIdentifier(what.substr(0, dot));
+}
+
+constexpr std::string_view kLearned = "learned:";
+
+bool IsLearning(std::string_view what) {
+  return what == "reward" || what.starts_with(kLearned);
+}
+
+/// What reward has brought so far, or made of a rule's number.
+std::optional<double> Learned(sim::Inspector& mind, std::string_view what) {
+  auto* const source = dynamic_cast<sim::LearningSource*>(&mind);
+  if (source == nullptr) return std::nullopt;
+  const sim::LearningFacts facts = source->Learning();
+  if (what == "reward") return facts.total_reward;
+  const auto number = std::ranges::find(facts.numbers, what.substr(kLearned.size()), &sim::NumberFact::rule);
+  if (number == facts.numbers.end()) return std::nullopt;
+  return number->value;
 }
 
 /// The first number at the end of a way like "S1.io.input-link.speed".
@@ -174,10 +192,12 @@ void Plots::Sample(const sim::Simulation& simulation) {
       const auto times = times_.find(series.agent);
       if (times != times_.end() && times->second.back().tick == simulation.tick())
         Point(series, simulation.tick(), times->second.back().value);
-    } else if (IsMemoryPath(series.what)) {
+    } else if (IsMemoryPath(series.what) || IsLearning(series.what)) {
       const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(series.agent);
       if (mind == nullptr) continue;
-      if (const std::optional<double> value = Follow(*mind, series.what)) Point(series, simulation.tick(), *value);
+      const std::optional<double> value =
+          IsLearning(series.what) ? Learned(*mind, series.what) : Follow(*mind, series.what);
+      if (value) Point(series, simulation.tick(), *value);
     }
   }
 }
@@ -220,6 +240,14 @@ std::vector<std::string> Plottable(sim::Inspector& mind) {
   for (const sim::StateFact& state : mind.Stack())
     for (const sim::ElementFact& element : mind.ElementsOf(state.id))
       if (!element.is_object && Number(element.value)) paths.push_back(state.id + "." + element.attribute);
+  constexpr std::size_t kMostNumbers = 200;
+  if (auto* const source = dynamic_cast<sim::LearningSource*>(&mind)) {
+    const sim::LearningFacts learning = source->Learning();
+    if (!learning.numbers.empty()) paths.push_back("reward");
+    for (std::size_t n = 0; n < std::min(learning.numbers.size(), kMostNumbers); ++n) {
+      paths.push_back(std::string(kLearned) + learning.numbers[n].rule);
+    }
+  }
   return paths;
 }
 

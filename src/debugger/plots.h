@@ -33,7 +33,7 @@ struct PlotSeries {
 
 /// Numbers over ticks. What can be plotted of an agent:
 ///   "health", "speed", "fired" (rules that fired, MindDetail::kAll), "decisions",
-///   "decide_us" (real time; only of a live run),
+///   "decide_us" (real time), "reward" (in all), "learned:RULE" (the rule's number): all three only of a live run,
 ///   a percept's path ("self.speed", "agent#3.range"),
 ///   a way through working memory from an identifier ("S1.reward-link.reward.value"; only of a live run).
 class Plots {

@@ -9,7 +9,11 @@ void RunModels::Add(const record::TickRecord& tick) {
   messages.Add(tick);
   trace.Add(tick);
   plots.Add(tick);
-  for (const record::MindRecord& mind : tick.minds) coverage[mind.agent].Add(tick.tick, mind);
+  for (auto& [agent, log] : recalls) log.CutFrom(tick.tick);
+  for (const record::MindRecord& mind : tick.minds) {
+    coverage[mind.agent].Add(tick.tick, mind);
+    recalls[mind.agent].Add(tick.tick, mind);
+  }
 }
 
 }  // namespace soarbox::debugger

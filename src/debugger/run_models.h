@@ -8,6 +8,7 @@
 #include "debugger/agents.h"
 #include "debugger/messages.h"
 #include "debugger/plots.h"
+#include "debugger/recall.h"
 #include "debugger/rules.h"
 #include "debugger/timeline.h"
 #include "debugger/trace.h"
@@ -23,6 +24,7 @@ struct RunModels {
   Trace trace;
   Plots plots;
   std::map<std::string, Coverage, std::less<>> coverage;  ///< By agent.
+  std::map<std::string, RecallLog, std::less<>> recalls;  ///< By agent.
 
   void Add(const record::TickRecord& tick);
 };

@@ -26,6 +26,7 @@ MarkKind KindOf(const sim::Event& event) {
     case Kind::kNews:
       return event.news == "says" ? MarkKind::kMessage : MarkKind::kEvent;
     case Kind::kDiagnostic:
+      return event.diagnostic.severity == Severity::kError ? MarkKind::kError : MarkKind::kEvent;
     case Kind::kAgentFailed:
     case Kind::kMindFailed:
       return MarkKind::kError;

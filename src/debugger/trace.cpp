@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "debugger/facts_text.h"
 
@@ -16,6 +18,7 @@ TraceKind TraceKindOf(const sim::Event& event) {
   using Kind = sim::EventKind;
   switch (event.kind) {
     case Kind::kDiagnostic:
+      return event.diagnostic.severity == Severity::kError ? TraceKind::kError : TraceKind::kEvent;
     case Kind::kAgentFailed:
     case Kind::kMindFailed:
     case Kind::kMindLost:
@@ -29,7 +32,8 @@ TraceKind TraceKindOf(const sim::Event& event) {
 }
 
 std::string LineOf(const sim::Event& event) {
-  std::string text = std::string(sim::EventName(event.kind)) + ":";
+  const bool is_warning = event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kWarning;
+  std::string text = (is_warning ? "warning" : std::string(sim::EventName(event.kind))) + ":";
   for (const std::string* more : {&event.news, &event.text, &event.parameters})
     if (!more->empty()) text += " " + *more;
   for (const std::string& reason : event.reasons) text += "; " + reason;
@@ -38,6 +42,12 @@ std::string LineOf(const sim::Event& event) {
   if (!event.diagnostic.file.empty())
     text += event.diagnostic.file + ":" + std::to_string(event.diagnostic.line) + ": ";
   return text + event.diagnostic.message;
+}
+
+/// "shoot: complete", not "shoot ^agent red-1".
+bool IsOutcome(const std::string& command) {
+  const std::size_t colon = command.find(": ");
+  return colon != std::string::npos && colon < command.find(' ');
 }
 
 /// Fills in the lines of one tick.
@@ -68,7 +78,14 @@ struct Writer {
       Write(is_element ? TraceKind::kElement : TraceKind::kRule, mind.agent, std::string(shown));
     }
     while (next < mind.decisions.size()) WriteDecision(mind, next++);
-    for (const std::string& command : mind.commands) Write(TraceKind::kCommand, mind.agent, command);
+    for (const std::string& command : mind.commands)
+      if (!IsOutcome(command)) Write(TraceKind::kCommand, mind.agent, command);
+  }
+
+  /// How commands went: it comes of what happened in the world.
+  void WriteOutcomes(const record::MindRecord& mind) {
+    for (const std::string& command : mind.commands)
+      if (IsOutcome(command)) Write(TraceKind::kCommand, mind.agent, command);
   }
 
   void WriteDecision(const record::MindRecord& mind, std::size_t index) {
@@ -99,15 +116,56 @@ void Trace::Add(const record::TickRecord& tick) {
     if (TraceKindOf(event) == TraceKind::kCommand && !tick.minds.empty()) continue;
     writer.Write(TraceKindOf(event), event.agent, LineOf(event));
   }
+  for (const record::MindRecord& mind : tick.minds) writer.WriteOutcomes(mind);
   while (lines_.size() > most_) {
     lines_.pop_front();
     ++forgotten_;
   }
 }
 
+namespace {
+
+/// A word of a filter that asks for a kind of line: "rule:", "op:", "command:", or an attribute.
+struct Asked {
+  TraceKind kind;
+  std::string_view part;
+};
+std::optional<Asked> ReadAsked(std::string_view word) {
+  constexpr std::pair<std::string_view, TraceKind> kHeads[] = {
+      {"rule:", TraceKind::kRule}, {"op:", TraceKind::kDecision}, {"command:", TraceKind::kCommand}};
+  for (const auto& [head, kind] : kHeads)
+    if (word.starts_with(head)) return Asked{kind, word.substr(head.size())};
+  if (word.size() > 1 && word.starts_with('^')) return Asked{TraceKind::kElement, word};
+  return std::nullopt;
+}
+
+/// Attributes stand in elements, in percepts ("self.speed 3") and in the text of commands.
+bool HasAttribute(const TraceLine& line, std::string_view attribute) {
+  if (line.kind == TraceKind::kElement || line.kind == TraceKind::kRule) return Passes(attribute, line.text);
+  return line.kind == TraceKind::kPercept && Passes(attribute.substr(1), line.text);
+}
+
+}  // namespace
+
 bool TraceFilter::Lets(const TraceLine& line) const {
-  if (line.kind > most || (!agent.empty() && line.agent != agent)) return false;
-  return text.empty() || Passes(text, line.agent + " " + line.text);
+  if (!agent.empty() && line.agent != agent) return false;
+  std::string plain;
+  bool asks_kind = false, has_kind = false;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string_view word = std::string_view(text).substr(begin, end - begin);
+    begin = end + 1;
+    if (const auto asked = ReadAsked(word)) {
+      asks_kind = true;
+      const bool is_attribute = word.starts_with('^');
+      has_kind |= is_attribute ? HasAttribute(line, word) : line.kind == asked->kind && Passes(asked->part, line.text);
+    } else if (!word.empty()) {
+      plain.append(plain.empty() ? "" : " ").append(word);
+    }
+  }
+  // Who asks for a kind of line gets it whatever else is shown.
+  if (asks_kind ? !has_kind : line.kind > most) return false;
+  return plain.empty() || Passes(plain, line.agent + " " + line.text);
 }
 
 std::vector<const TraceLine*> Trace::Find(const TraceFilter& filter) const {

@@ -39,7 +39,9 @@ struct TraceLine {
 struct TraceFilter {
   TraceKind most = TraceKind::kEvent;  ///< Lines of this kind and of those before it.
   std::string agent;                   ///< Empty: all.
-  std::string text;                    ///< Each word of it must stand in the line.
+  /// Each word of it must stand in the line. "rule:NAME", "op:NAME", "command:NAME" and "^attribute" ask for lines
+  /// about these, whatever `most` says; of several of them one must hold.
+  std::string text;
 
   bool Lets(const TraceLine& line) const;
   friend bool operator==(const TraceFilter&, const TraceFilter&) = default;

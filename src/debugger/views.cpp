@@ -9,8 +9,10 @@
 #include "debugger/console.h"
 #include "debugger/facts_text.h"
 #include "debugger/io.h"
+#include "debugger/learning.h"
 #include "debugger/memory.h"
 #include "debugger/operators.h"
+#include "debugger/recall.h"
 #include "debugger/stack.h"
 #include "debugger/why.h"
 
@@ -27,6 +29,8 @@ constexpr ViewInfo kViews[] = {
     {"coverage", "", "which rules fired, and where the others stop", true},
     {"why", "[NAME]", "why the agent does what it does; or an operator, command or element: why, or why not", true},
     {"io", "", "input link, output link and commands", true},
+    {"learning", "[TEXT]", "numbers that reward has taught, and rules that were learned", true},
+    {"longterm", "[TEXT | #EPISODE]", "what it knows, its episodes, what it recalled and why; or one episode", true},
     {"timeline", "", "operators, impasses, commands and events over ticks", false},
     {"messages", "[TEXT]", "what agents said to each other", false},
     {"trace", "[TEXT]", "what happened, line by line", false},
@@ -97,6 +101,28 @@ Result<ViewText> ShowMemory(sim::Inspector& mind, const MemoryChanges& changes, 
   return Both(object);
 }
 
+Result<ViewText> ShowLongTerm(sim::Inspector& mind, const RecallLog* log, const std::string& of) {
+  if (of.starts_with('#')) {
+    const EpisodeView episode = LookAtEpisode(mind, static_cast<std::size_t>(WholeNumber(of.substr(1))));
+    if (episode.number == 0) return Problem("there is no episode " + of.substr(1), "they are numbered from 1");
+    return Both(episode);
+  }
+  const LongTermView view = LookAtLongTerm(mind, of);
+  ViewText text{ToText(view), {}};
+  Json json = ToJson(view);
+  json["recalls"] = Json::array();
+  if (log != nullptr) {
+    for (const Recall& recall : log->recalls()) {
+      const std::string line = ToText(recall);
+      if (line.find(of) == std::string::npos) continue;
+      text.text += "tick " + std::to_string(recall.tick) + ": " + line + "\n";
+      json["recalls"].push_back(ToJson(recall));
+    }
+  }
+  text.json = Print(json);
+  return text;
+}
+
 Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, sim::Inspector& mind,
                           const std::string& agent) {
   const std::string& of = request.of;
@@ -104,6 +130,11 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
   if (request.view == "stack") return Both(LookAtStack(mind));
   if (request.view == "memory") return ShowMemory(mind, changes, of);
   if (request.view == "io") return Both(LookAtIo(mind, changes));
+  if (request.view == "longterm") {
+    const auto log = source.models->recalls.find(agent);
+    return ShowLongTerm(mind, log == source.models->recalls.end() ? nullptr : &log->second, of);
+  }
+  if (request.view == "learning") return Both(LookAtLearning(mind, of));
   if (request.view == "rules") return Both(ListRules(mind, of));
   if (request.view == "operators") {
     const OperatorsView view = LookAtOperators(mind, of);
@@ -123,7 +154,13 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
     return Both(coverage.rows());
   }
   if (request.view == "why") {
-    if (of.empty()) return Both(WhyAgent(*source.simulation, agent));
+    if (of.empty()) {
+      WhyNode answer = WhyAgent(*source.simulation, agent);
+      if (const auto log = source.models->recalls.find(agent); log != source.models->recalls.end()) {
+        TellRecalls(log->second, answer);
+      }
+      return Both(answer);
+    }
     if (const std::uint64_t timetag = WholeNumber(of); timetag != 0) return Both(WhyElement(mind, timetag));
     return Both(WhyNameOrError(*source.simulation, agent, of));
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "viewer/interpolate.h"
 
@@ -56,37 +57,6 @@ const Quat kDown = Looking(0, -kPi / 2);
 
 }  // namespace
 
-CameraSnapshot FramingPose(std::span<const world::AgentSnapshot* const> agents, Quat orientation,
-                           float vertical_fov_deg, float aspect) {
-  // A margin at the sides, for labels and the window's bars.
-  const float slope_y = 0.80f * std::tan(vertical_fov_deg * kPi / 360);
-  const float slope_x = slope_y / 0.80f * 0.86f * std::max(aspect, 0.2f);
-  const Vec3 right = Rotate(orientation, {1, 0, 0}), up = Rotate(orientation, {0, 1, 0}),
-             ahead = Rotate(orientation, {0, 0, -1});
-  // Each point keeps the camera behind two planes per direction; the outermost ones settle its place.
-  float to_right = -1e9f, to_left = -1e9f, to_top = -1e9f, to_bottom = -1e9f, nearest = 1e9f;
-  for (const world::AgentSnapshot* agent : agents) {
-    for (const float y : {-0.5f, 0.5f}) {
-      const Vec3 at = agent->position + Vec3{0, y * agent->height_m, 0};
-      const float x = Dot(at, right), z = Dot(at, ahead), reach = 2 * agent->radius_m;
-      to_right = std::max(to_right, x + reach - z * slope_x);
-      to_left = std::max(to_left, reach - x - z * slope_x);
-      to_top = std::max(to_top, Dot(at, up) + reach - z * slope_y);
-      to_bottom = std::max(to_bottom, reach - Dot(at, up) - z * slope_y);
-      nearest = std::min(nearest, z);
-    }
-  }
-  constexpr float kAway_m = 6.5f;  // A single agent is not to fill the window.
-  const float depth =
-      std::min({-(to_right + to_left) / (2 * slope_x), -(to_top + to_bottom) / (2 * slope_y), nearest - kAway_m});
-  const float x = (to_right - to_left) / 2, y = (to_top - to_bottom) / 2;
-  CameraSnapshot pose;
-  pose.position = right * x + up * y + ahead * depth;
-  pose.orientation = orientation;
-  pose.vertical_fov_deg = vertical_fov_deg;
-  return pose;
-}
-
 void CameraRig::MoveTo(const CameraSnapshot& pose) {
   if (!world::IsFinite(pose.position) || !world::IsFinite(pose.orientation)) return;
   pose_ = pose;
@@ -95,8 +65,59 @@ void CameraRig::MoveTo(const CameraSnapshot& pose) {
       std::clamp(std::isfinite(pose.vertical_fov_deg) ? pose.vertical_fov_deg : kUsualFov_deg, 5.0f, 150.0f);
   shown_ = pose_;
   velocity_ = {};
+  drift_ = {};
   mode_ = CameraMode::kFree;
   on_the_way_ = 1;
+  keeps_ = false;
+}
+
+void CameraRig::BeginKeeping() {
+  if (mode_ != CameraMode::kFree && mode_ != CameraMode::kMap) return;
+  if (!keeps_) drift_ = {};
+  keeps_ = true;
+  keeper_.Begin();
+}
+
+void CameraRig::Keep(std::span<const FramedBody> agents, std::span<const Vec3> places, float aspect, float seconds) {
+  if (!keeps_) return;
+  const auto goal = keeper_.Follow(agents, places, pose_, aspect, seconds);
+  if (!goal) return;
+  pose_ = *goal;
+  if (mode_ == CameraMode::kMap) {
+    distance_ = std::clamp(goal->position.y, 25.0f, kFurthest_m);
+    pivot_ = {goal->position.x, 0, goal->position.z};
+    pose_.position = pivot_ + Vec3{0, distance_, 0};
+  }
+}
+
+void CameraRig::StopKeeping() {
+  if (!keeps_) return;
+  keeps_ = false;
+  velocity_ = drift_ = {};
+  on_the_way_ = 1;
+  pose_ = shown_;
+  if (mode_ != CameraMode::kMap) return;
+  pivot_ = {shown_.position.x, 0, shown_.position.z};
+  distance_ = std::clamp(shown_.position.y, 5.0f, kFurthest_m);
+}
+
+void CameraRig::Approach(float seconds) {
+  // A spring that is damped just so that it does not swing, solved exactly: the same at any frame rate.
+  constexpr float kPull = 2.6f;
+  const Vec3 away = shown_.position - pose_.position;
+  const Vec3 step = (drift_ + away * kPull) * seconds;
+  const float fade = std::exp(-kPull * seconds);
+  shown_.position = pose_.position + (away + step) * fade;
+  drift_ = (drift_ - step * kPull) * fade;
+  const float turn = 1 - std::exp(-4 * seconds);
+  shown_.orientation = BetweenOrientations(shown_.orientation, pose_.orientation, turn);
+  shown_.vertical_fov_deg += (pose_.vertical_fov_deg - shown_.vertical_fov_deg) * turn;
+  const float off = std::abs(Dot(Rotate(shown_.orientation, {0, 0, -1}), Rotate(pose_.orientation, {0, 0, -1})));
+  const bool is_there = world::LengthSquared(shown_.position - pose_.position) < 4e-6f &&
+                        world::LengthSquared(drift_) < 4e-6f && off > 1 - 1e-6f;
+  if (!is_there) return;
+  shown_ = pose_;
+  drift_ = {};
 }
 
 std::uint32_t CameraRig::agent() const {
@@ -112,6 +133,7 @@ void CameraRig::Glide() {
 void CameraRig::Arrive() {
   on_the_way_ = 1;
   shown_ = pose_;
+  drift_ = {};
 }
 
 float CameraRig::Reach() const {
@@ -139,8 +161,12 @@ void CameraRig::Zoom(const CameraInput& input, float nearest_m) {
 bool CameraRig::SetMode(CameraMode mode, const world::AgentSnapshot* agent) {
   const bool needs_agent = mode == CameraMode::kFollow || mode == CameraMode::kEyes;
   if (needs_agent && agent == nullptr) return false;
-  if (mode == mode_ && (!needs_agent || agent->id == agent_)) return true;
+  if (mode == mode_ && (!needs_agent || agent->id == agent_)) {
+    StopKeeping();
+    return true;
+  }
   Glide();
+  keeps_ = false;
   const CameraMode before = mode_;
   const float reach = Reach();
   if (agent != nullptr) agent_ = agent->id;
@@ -190,18 +216,25 @@ bool CameraRig::SetMode(CameraMode mode, const world::AgentSnapshot* agent) {
   return true;
 }
 
-void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float aspect, bool best_side) {
+void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float aspect, bool best_side,
+                      std::span<const Vec3> places, bool from_above) {
   if (agents.empty()) return;
   Glide();
+  std::vector<FramedBody> bodies;
+  for (const world::AgentSnapshot* agent : agents)
+    bodies.push_back({agent->position, {}, agent->radius_m, agent->height_m});
+  const auto pose_from = [&](Quat orientation, float fov_deg) {
+    return FramingPose(WithPlaces(bodies, places, orientation, fov_deg, aspect), orientation, fov_deg, aspect);
+  };
   Vec3 low = agents.front()->position, high = low;
-  for (const world::AgentSnapshot* agent : agents) {
-    const Vec3 p = agent->position;
+  for (const FramedBody& body : bodies) {
+    const Vec3 p = body.position;
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   const Vec3 middle = (low + high) * 0.5f;
   if (mode_ == CameraMode::kMap) {
-    const CameraSnapshot pose = FramingPose(agents, kDown, kMapFov_deg, aspect);
+    const CameraSnapshot pose = pose_from(kDown, kMapFov_deg);
     pivot_ = {pose.position.x, 0, pose.position.z};
     distance_ = std::clamp(pose.position.y, 25.0f, kFurthest_m);
     return;
@@ -215,13 +248,12 @@ void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float
     pose_.vertical_fov_deg = kUsualFov_deg;
   }
   const float fov = pose_.vertical_fov_deg;
-  const float pitch = std::clamp(PitchOf(shown_.orientation), -0.95f, -0.42f);
-  CameraSnapshot best = FramingPose(agents, Looking(YawOf(shown_.orientation), pitch), fov, aspect);
+  const float pitch = from_above ? -1.05f : std::clamp(PitchOf(shown_.orientation), -1.05f, -0.42f);
+  CameraSnapshot best = pose_from(Looking(YawOf(shown_.orientation), pitch), fov);
   constexpr int kSides = 12;
   for (int side = 0; best_side && side < kSides; ++side) {
     // From where the camera must stand back least; a side must be clearly better to take the place of an earlier one.
-    const CameraSnapshot pose =
-        FramingPose(agents, Looking(2 * kPi * static_cast<float>(side) / kSides, pitch), fov, aspect);
+    const CameraSnapshot pose = pose_from(Looking(2 * kPi * static_cast<float>(side) / kSides, pitch), fov);
     if (world::Distance(pose.position, middle) < 0.93f * world::Distance(best.position, middle)) best = pose;
   }
   best.position.y = std::max(best.position.y, 0.5f);
@@ -236,6 +268,7 @@ void CameraRig::GoTo(Vec3 way) {
   const float away = shown_.position.y / -way.y;
   if (away > kFurthestClick_m || mode_ == CameraMode::kEyes) return;
   Glide();
+  keeps_ = false;
   if (mode_ == CameraMode::kFollow) mode_ = CameraMode::kOrbit;
   pivot_ = shown_.position + way * away;
   if (mode_ != CameraMode::kFree) {
@@ -315,6 +348,9 @@ void CameraRig::Hover(const CameraInput& input, float seconds, float height_px) 
 void CameraRig::Update(const CameraInput& input, float seconds, const world::AgentSnapshot* agent, float height_px) {
   seconds = std::clamp(seconds, 0.0f, 0.1f);
   const bool steers = input.forward != 0 || input.left != 0 || input.up != 0 || input.panning;
+  const bool turns = input.looking && (input.mouse_dx != 0 || input.mouse_dy != 0);
+  const bool drags = input.panning && (input.mouse_dx != 0 || input.mouse_dy != 0);
+  if (turns || drags || input.wheel != 0 || input.forward != 0 || input.left != 0 || input.up != 0) StopKeeping();
   const bool needs_agent = mode_ == CameraMode::kFollow || mode_ == CameraMode::kEyes;
   if (needs_agent && agent == nullptr) SetMode(CameraMode::kFree, nullptr);
   if (mode_ == CameraMode::kFollow && steers) SetMode(input.panning ? CameraMode::kOrbit : CameraMode::kFree, nullptr);
@@ -346,6 +382,7 @@ void CameraRig::Update(const CameraInput& input, float seconds, const world::Age
       break;
     }
   }
+  if (keeps_) return Approach(seconds);
   if (on_the_way_ >= 1) {
     shown_ = pose_;
     return;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "viewer/camera_keeper.h"
 #include "world/math.h"
 #include "world/scene_snapshot.h"
 
@@ -42,9 +43,18 @@ class CameraRig {
   /// The agent that it goes with or looks out of; 0: none.
   std::uint32_t agent() const;
 
+  /// From now on it stays where all it is told of by Keep is in the picture, until the user steers it, another mode is
+  /// chosen or MoveTo is called. Freely flying and on the map only.
+  void BeginKeeping();
+  bool keeps() const { return keeps_; }
+  /// What is to stay in the picture of that shape (width over height); before each Update. Does nothing unless keeps().
+  void Keep(std::span<const FramedBody> agents, std::span<const world::Vec3> places, float aspect, float seconds);
+
   /// Glides to where all these agents fill the picture of that shape (width over height), in the present mode if that
-  /// can be. `best_side`: from where they are seen best, else from the side that the camera is on now.
-  void Frame(std::span<const world::AgentSnapshot* const> agents, float aspect, bool best_side);
+  /// can be. `best_side`: from where they are seen best, else from the side that the camera is on now. Places join in
+  /// as long as agents stay large enough. `from_above`: walls stand between them, so it looks down steeply.
+  void Frame(std::span<const world::AgentSnapshot* const> agents, float aspect, bool best_side,
+             std::span<const world::Vec3> places = {}, bool from_above = false);
 
   /// Glides towards the place on the ground that lies that way from the camera, and brings it to the middle of the
   /// picture; nothing happens above the horizon.
@@ -69,6 +79,10 @@ class CameraRig {
   /// How far the ground or the pivot is along the view: what a step of the wheel or a dragged pixel is measured by.
   float Reach() const;
   float ReachAlong(world::Vec3 way) const;
+  /// The user takes the camera: it stays where the picture shows it.
+  void StopKeeping();
+  /// Brings what is shown nearer to the pose, without ever jumping.
+  void Approach(float seconds);
   /// Changes the distance from the pivot.
   void Zoom(const CameraInput& input, float nearest_m);
 
@@ -82,10 +96,9 @@ class CameraRig {
   float distance_ = 8;  ///< From the pivot.
   std::uint32_t agent_ = 0;
   float look_yaw_ = 0, look_pitch_ = 0;  ///< Eyes: away from where the agent faces, in rad.
+  bool keeps_ = false;
+  CameraKeeper keeper_;
+  world::Vec3 drift_;  ///< m/s, of what is shown while it keeps.
 };
-
-/// The pose with this orientation from which all the agents are in the picture, as near as can be.
-world::CameraSnapshot FramingPose(std::span<const world::AgentSnapshot* const> agents, world::Quat orientation,
-                                  float vertical_fov_deg, float aspect);
 
 }  // namespace soarbox::viewer

@@ -4,7 +4,7 @@
 namespace soarbox::viewer {
 namespace {
 
-struct Corner {
+struct FillCorner {
   float place[3];
   std::uint8_t colour[4];
 };
@@ -20,8 +20,8 @@ FillBatch::FillBatch(const Ogre::MaterialPtr& material) : Ogre::SimpleRenderable
   mRenderOp.useIndexes = false;
   mRenderOp.vertexData = new Ogre::VertexData();  // Owned by us; Ogre's render operation is a plain struct.
   Ogre::VertexDeclaration* layout = mRenderOp.vertexData->vertexDeclaration;
-  layout->addElement(0, offsetof(Corner, place), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
-  layout->addElement(0, offsetof(Corner, colour), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
+  layout->addElement(0, offsetof(FillCorner, place), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
+  layout->addElement(0, offsetof(FillCorner, colour), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
   setMaterial(material);
   setCastShadows(false);
   setRenderQueueGroup(Ogre::RENDER_QUEUE_7);
@@ -39,7 +39,7 @@ void FillBatch::Reserve(std::size_t triangles) {
   capacity_ = std::max(triangles, 2 * capacity_);
   mRenderOp.vertexData->vertexBufferBinding->setBinding(
       0, Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
-             sizeof(Corner), 3 * capacity_, Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
+             sizeof(FillCorner), 3 * capacity_, Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
 }
 
 void FillBatch::Update(const std::vector<world::TriangleSnapshot>& triangles) {
@@ -47,8 +47,8 @@ void FillBatch::Update(const std::vector<world::TriangleSnapshot>& triangles) {
   if (triangles.empty()) return;
   Reserve(triangles.size());
   const auto buffer = mRenderOp.vertexData->vertexBufferBinding->getBuffer(0);
-  auto* out =
-      static_cast<Corner*>(buffer->lock(0, 3 * triangles.size() * sizeof(Corner), Ogre::HardwareBuffer::HBL_DISCARD));
+  auto* out = static_cast<FillCorner*>(
+      buffer->lock(0, 3 * triangles.size() * sizeof(FillCorner), Ogre::HardwareBuffer::HBL_DISCARD));
   for (const auto& triangle : triangles) {
     const world::Color c = triangle.color;
     for (const world::Vec3 p : {triangle.a, triangle.b, triangle.c}) {

@@ -8,13 +8,14 @@
 
 #include "viewer/draw_colors.h"
 #include "viewer/palette.h"
+#include "world/rotation.h"
 
 namespace soarbox::viewer {
 namespace {
 
 using Kind = ShownLabel::Kind;
 
-constexpr std::size_t kMostNames = 48, kMostSpeech = 10, kMostSpared = 48;
+constexpr std::size_t kMostNames = 48, kMostSpeech = 10, kMostSpared = 48, kMostPlaces = 24;
 /// So much of the picture may names cover; and with so many in it, each stays near its agent.
 constexpr float kMostCovered = 0.08f;
 constexpr std::size_t kMany = 24;
@@ -74,13 +75,20 @@ struct Item {
   LabelWish wish;
   const world::AgentSnapshot* agent = nullptr;
   const Ghost* ghost = nullptr;
+  const world::PlaceSnapshot* spot = nullptr;
   std::string title, text;
   bool stands_out = false;  ///< Selected or hovered.
   float alpha = 1;
+  float body_px = 0;                                          ///< Of names: how high the agent is in the picture.
   std::vector<ScreenPoint> speakers;                          ///< Of speech: whose heads its arrows point to.
   std::map<std::string, std::pair<world::Color, int>> teams;  ///< Of crowds: colour and number by team.
   LabelPlace place;
 };
+
+/// The width of the sign before the name of a place.
+float PlaceSign(const Metrics& metrics) {
+  return metrics.em * 0.62f;
+}
 
 std::uint64_t KeyOf(const Item& item) {
   return (static_cast<std::uint64_t>(item.kind) << 32) | (item.agent != nullptr ? item.agent->id : 0);
@@ -120,6 +128,8 @@ class Collector {
       if (!agent.alive) item.alpha *= 0.6f;
       item.wish.at = *at;
       item.wish.must_show = stands_out;
+      const auto feet = projection_.Project(agent.position - world::Vec3{0, agent.height_m / 2, 0});
+      item.body_px = feet ? std::hypot(feet->y - at->y, feet->x - at->x) : 0;
       const ImVec2 n = SizeOf(metrics_.name, item.title.c_str());
       const ImVec2 s = item.text.empty() ? ImVec2{0, 0} : SizeOf(metrics_.text, item.text.c_str());
       const float frame = 3 * metrics_.pad + metrics_.swatch;
@@ -202,6 +212,31 @@ class Collector {
     }
   }
 
+  /// Names of places come after all others: they are many, and stay where they are.
+  void AddPlaces() {
+    constexpr float kAfterAll = 5000, kThingsLater = 1000;
+    for (const world::PlaceSnapshot& spot : scene_.overlays.places) {
+      using Of = world::PlaceSnapshot::Kind;
+      if (spot.name.empty() || !world::IsFinite(spot.position)) continue;
+      const auto at = In(spot.position + world::Vec3{0, 0.25f, 0});
+      const float distance = world::Distance(spot.position, camera_.position);
+      const float gone_m = std::max(kGone_m, 2.2f * camera_.position.y);
+      if (!at || !(distance < gone_m)) continue;
+      Item& item = items.emplace_back();
+      item.kind = Kind::kPlace;
+      item.spot = &spot;
+      item.rank = kAfterAll + distance + (spot.kind == Of::kThing ? kThingsLater : 0);
+      item.text = Shortened(spot.name, 40);
+      item.alpha = std::clamp((gone_m - distance) / (gone_m * (1 - kFadeFrom_m / kGone_m)), 0.25f, 1.0f);
+      item.wish.at = *at;
+      item.wish.habit = LabelHabit::kAround;
+      item.wish.below_y = at->y + 0.5f * metrics_.em;
+      const ImVec2 size = SizeOf(metrics_.text, item.text.c_str());
+      item.wish.width = std::ceil(size.x + 2.4f * metrics_.pad + PlaceSign(metrics_));
+      item.wish.height = std::ceil(size.y + 2);
+    }
+  }
+
   void AddBodies() {
     std::vector<std::pair<float, ScreenBox>> found;
     for (const auto& agent : scene_.agents) {
@@ -271,6 +306,8 @@ class Painter {
         return Speech(item);
       case Kind::kGhost:
         return GhostName(item);
+      case Kind::kPlace:
+        return PlaceName(item);
     }
   }
 
@@ -361,6 +398,34 @@ class Painter {
     out_.AddText(metrics_.text, metrics_.text->FontSize, {box.left + 4, box.top + 1}, Packed(ink), item.text.c_str());
   }
 
+  /// A sign tells what it is: a ring for a waypoint, a square for a region or a thing, a lozenge for an item.
+  void PlaceName(const Item& item) {
+    using Of = world::PlaceSnapshot::Kind;
+    const ScreenBox& box = item.place.box;
+    const bool is_item = item.spot->kind == Of::kItem;
+    out_.AddRectFilled(Low(box), High(box), Faded(IM_COL32(12, 17, 24, 150), item.alpha), 3);
+    const ImU32 ink = Faded(is_item ? IM_COL32(255, 222, 128, 255) : IM_COL32(222, 232, 240, 255), item.alpha);
+    const float sign = PlaceSign(metrics_), half = sign * 0.36f;
+    const ImVec2 middle{box.left + metrics_.pad + sign / 2, (box.top + box.bottom) / 2};
+    switch (item.spot->kind) {
+      case Of::kWaypoint:
+        out_.AddCircle(middle, half, ink, 14, 1.4f);
+        break;
+      case Of::kRegion:
+        out_.AddRect({middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}, ink, 0, 0, 1.4f);
+        break;
+      case Of::kThing:
+        out_.AddRectFilled({middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}, ink);
+        break;
+      case Of::kItem:
+        out_.AddQuadFilled({middle.x, middle.y - half * 1.3f}, {middle.x + half * 1.3f, middle.y},
+                           {middle.x, middle.y + half * 1.3f}, {middle.x - half * 1.3f, middle.y}, ink);
+        break;
+    }
+    out_.AddText(metrics_.text, metrics_.text->FontSize, {box.left + metrics_.pad + sign + 2, box.top + 1}, ink,
+                 item.text.c_str());
+  }
+
   ImDrawList& out_;
   const Metrics& metrics_;
 };
@@ -378,7 +443,7 @@ std::vector<Item> LessThanNames(const std::vector<std::pair<const world::AgentSn
     if (crowd.members.size() == 1) {
       item.kind = Kind::kDot;
       item.agent = agents[crowd.members.front()].first;
-      item.wish.width = item.wish.height = std::round(metrics.em * 0.7f);
+      item.wish.width = item.wish.height = std::round(metrics.em * (agents.size() > kMany ? 0.45f : 0.7f));
       continue;
     }
     item.kind = Kind::kCrowd;
@@ -424,13 +489,14 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   Collector found(scene, camera, projection, metrics, screen);
   if (scene.names) found.AddNames();
+  if (scene.names) found.AddPlaces();
   if (scene.speech) found.AddSpeech();
   found.AddGhosts();
   if (found.items.empty() && found.far.empty()) return;
   found.AddBodies();
   for (Item& item : found.items) {
     const auto before = places_.find(KeyOf(item));
-    if (before == places_.end() || item.ghost != nullptr) continue;
+    if (before == places_.end() || item.agent == nullptr) continue;
     item.wish.usual_place = before->second;
     if (item.rank > 0) item.rank *= 0.9f;  // Who has a place keeps it unless another one is clearly nearer.
   }
@@ -442,8 +508,8 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
   for (const ScreenBox& box : scene.blocked) layout.Block(box);
   for (const ScreenBox& box : found.bodies) layout.Spare(box);
   std::vector<Item> shown;
-  std::size_t names = 0, bubbles = 0;
-  const bool are_many = found.items.size() > kMany;
+  std::size_t names = 0, bubbles = 0, spots = 0;
+  const bool are_many = scene.agents.size() > kMany;
   float left = kMostCovered * screen.x * screen.y;
   const auto place = [&](Item& item) {
     const auto at = layout.Place(item.wish);
@@ -459,18 +525,24 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
       if (bubbles < kMostSpeech && place(item)) ++bubbles;
     } else if (item.kind == Kind::kName) {
       if (are_many && !item.stands_out) item.wish.places = kPlacesOfMany;
-      const bool may_show = item.stands_out || (names < kMostNames && left > 0) || !are_many;
+      // Of a crowd, only those have names who are larger than these.
+      const bool is_small = are_many && item.body_px < 2.2f * metrics.em;
+      const bool may_show = item.stands_out || (names < kMostNames && left > 0 && !is_small) || !are_many;
       if (may_show && place(item)) {
         ++names;
         left -= shown.back().place.box.width() * shown.back().place.box.height();
       } else if (agent->alive) {
         found.far.emplace_back(agent, at);
       }
+    } else if (item.kind == Kind::kPlace) {
+      // Dots of agents come before them, below.
     } else {
       place(item);
     }
   }
   for (Item& item : LessThanNames(found.far, metrics)) place(item);
+  for (Item& item : found.items)
+    if (item.kind == Kind::kPlace && spots < kMostPlaces && place(item)) ++spots;
 
   places_.clear();
   Painter painter(metrics);

@@ -37,6 +37,7 @@ struct ShownLabel {
     kCrowd,   ///< How many of each team stand where there is no room for names.
     kSpeech,  ///< What one or several say.
     kGhost,   ///< The name of a figure that is not there.
+    kPlace,   ///< The name of a waypoint, a region, a thing or an item.
   };
   Kind kind = Kind::kName;
   std::uint32_t agent_id = 0;  ///< 0: several, or none.

@@ -4,7 +4,7 @@
 namespace soarbox::viewer {
 namespace {
 
-struct Corner {
+struct LineCorner {
   float here[3], there[3], side[2];
   std::uint8_t colour[4];
 };
@@ -13,7 +13,7 @@ std::uint8_t Byte(float value) {
   return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f);
 }
 
-Corner* AddLine(Corner* out, const world::LineSnapshot& line) {
+LineCorner* AddLine(LineCorner* out, const world::LineSnapshot& line) {
   const world::Vec3 a = line.from, b = line.to;
   for (int i = 0; i < 4; ++i) {
     const bool at_end = i >= 2;
@@ -36,10 +36,10 @@ LineBatch::LineBatch(const Ogre::MaterialPtr& material) : Ogre::SimpleRenderable
   mRenderOp.vertexData = new Ogre::VertexData();  // Owned by us; Ogre's render operation is a plain struct.
   mRenderOp.indexData = new Ogre::IndexData();
   Ogre::VertexDeclaration* layout = mRenderOp.vertexData->vertexDeclaration;
-  layout->addElement(0, offsetof(Corner, here), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
-  layout->addElement(0, offsetof(Corner, there), Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
-  layout->addElement(0, offsetof(Corner, side), Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES);
-  layout->addElement(0, offsetof(Corner, colour), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
+  layout->addElement(0, offsetof(LineCorner, here), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
+  layout->addElement(0, offsetof(LineCorner, there), Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
+  layout->addElement(0, offsetof(LineCorner, side), Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES);
+  layout->addElement(0, offsetof(LineCorner, colour), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
   setMaterial(material);
   setCastShadows(false);
   setRenderQueueGroup(Ogre::RENDER_QUEUE_8);
@@ -58,7 +58,7 @@ void LineBatch::Reserve(std::size_t lines) {
   capacity_ = std::max(lines, 2 * capacity_);
   auto& buffers = Ogre::HardwareBufferManager::getSingleton();
   mRenderOp.vertexData->vertexBufferBinding->setBinding(
-      0, buffers.createVertexBuffer(sizeof(Corner), 4 * capacity_,
+      0, buffers.createVertexBuffer(sizeof(LineCorner), 4 * capacity_,
                                     Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
   std::vector<std::uint32_t> indices;
   indices.reserve(6 * capacity_);
@@ -76,7 +76,8 @@ void LineBatch::Update(const std::vector<world::LineSnapshot>& lines, const std:
   if (count == 0) return;
   Reserve(count);
   const auto buffer = mRenderOp.vertexData->vertexBufferBinding->getBuffer(0);
-  auto* out = static_cast<Corner*>(buffer->lock(0, count * 4 * sizeof(Corner), Ogre::HardwareBuffer::HBL_DISCARD));
+  auto* out =
+      static_cast<LineCorner*>(buffer->lock(0, count * 4 * sizeof(LineCorner), Ogre::HardwareBuffer::HBL_DISCARD));
   for (const auto& line : lines) out = AddLine(out, line);
   for (const auto& line : extra) out = AddLine(out, line);
   buffer->unlock();

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "viewer/figure_meshes.h"
 #include "viewer/modular_meshes.h"
 #include "viewer/scenery_meshes.h"
 #include "viewer/shape_meshes.h"
@@ -18,10 +19,18 @@ std::string Key(const DrawableSnapshot& d, bool agent_body) {
   char text[160];
   std::snprintf(text, sizeof text, "shape/%d/%d/%.4g/%.4g/%.4g/%.3g/%.3g", static_cast<int>(d.shape),
                 agent_body ? 1 : 0, d.size.x, d.size.y, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
-  return text;
+  // What is a thing or a creature by its material is a mesh of its own.
+  return IsFigure(d.material.value()) ? std::string(text) + "/" + d.material.value() : text;
+}
+
+/// The extents of a box or a capsule; nothing for others.
+world::Vec3 ExtentsOf(const DrawableSnapshot& d) {
+  if (d.shape == ShapeKind::kBox) return d.size;
+  return d.shape == ShapeKind::kCapsule ? world::Vec3{2 * d.size.x, d.size.y, 2 * d.size.x} : world::Vec3{};
 }
 
 MeshData Build(const DrawableSnapshot& d, bool agent_body, bool& is_stand_in) {
+  if (auto figure = FigureMesh(d.material.value(), ExtentsOf(d))) return *figure;
   switch (d.shape) {
     case ShapeKind::kBox:
       return BoxMesh(d.size * -0.5f, d.size * 0.5f,
@@ -100,7 +109,7 @@ const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, boo
   const MeshData data = Build(drawable, agent_body, found.is_stand_in);
   found.material = data.material;
   found.mesh = UploadMesh("Soarbox/" + key, data);
-  if (agent_body && drawable.shape == ShapeKind::kCapsule) {
+  if (agent_body && drawable.shape == ShapeKind::kCapsule && !IsFigure(drawable.material.value())) {
     // Crowds: further away, coarser bodies.
     struct Level {
       float from_m;

@@ -17,6 +17,9 @@ struct NamedLook {
 constexpr Color kWhite{0.88f, 0.88f, 0.87f, 1}, kRed{0.80f, 0.16f, 0.13f, 1}, kGreen{0.22f, 0.62f, 0.24f, 1},
     kBlue{0.16f, 0.36f, 0.78f, 1}, kYellow{0.92f, 0.78f, 0.20f, 1}, kDark{0.05f, 0.06f, 0.08f, 1};
 
+/// The second colour of ground is what grows on it; clear: nothing does.
+constexpr Color kGrass{0.36f, 0.44f, 0.22f, 1}, kBare{0, 0, 0, 0};
+
 Color Clear(Color color) {
   color.a = 0.45f;
   return color;
@@ -36,8 +39,8 @@ const std::vector<NamedLook>& Looks() {
       {"TransparentBlue", {Clear(kBlue), kDark, 0.4f, 0, Paint::kPlain, 1}},
       {"TransparentYellow", {Clear(kYellow), kDark, 0.4f, 0, Paint::kPlain, 1}},
       {"TransparentWhite", {Clear(kWhite), kDark, 0.4f, 0, Paint::kPlain, 1}},
-      {"Ground", {{0.55f, 0.52f, 0.47f, 1}, kDark, 0.05f, 0, Paint::kGround, 1}},
-      {"Ground2", {{0.60f, 0.605f, 0.56f, 1}, kDark, 0.05f, 0, Paint::kGround, 1}},
+      {"Ground", {{0.55f, 0.52f, 0.47f, 1}, kBare, 0.05f, 0, Paint::kGround, 1}},
+      {"Ground2", {{0.60f, 0.605f, 0.56f, 1}, kGrass, 0.05f, 0, Paint::kGround, 1}},
       {"NobiaxModular", {{0.80f, 0.79f, 0.76f, 1}, {0.10f, 0.13f, 0.16f, 1}, 0.1f, 0, Paint::kConcrete, 0.39f}},
       {"base_material", {kWhite, kDark, 0.2f, 0, Paint::kPlain, 1}},
       {"base_animated_material", {kWhite, kDark, 0.2f, 0, Paint::kPlain, 1}},
@@ -59,6 +62,15 @@ const std::vector<NamedLook>& Looks() {
       {"Soarbox/Metal", {{0.62f, 0.66f, 0.70f, 1}, {0.15f, 0.16f, 0.17f, 1}, 0.38f, 0, Paint::kConcrete, 0.5f}},
       {"Soarbox/Leaves", {{0.62f, 0.74f, 0.42f, 1}, {0.31f, 0.24f, 0.17f, 1}, 0.02f, 0, Paint::kLeaves, 1}},
       {"Soarbox/Stone", {{0.78f, 0.77f, 0.74f, 1}, kDark, 0.05f, 0, Paint::kStone, 0.5f}},
+      {"Soarbox/Rock", {{0.62f, 0.60f, 0.56f, 1}, kDark, 0.05f, 0, Paint::kStone, 0.5f}},
+      {"Soarbox/Medkit", {{0.95f, 0.95f, 0.93f, 1}, {0.83f, 0.06f, 0.06f, 1}, 0.25f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Ammunition", {{0.30f, 0.34f, 0.20f, 1}, {0.86f, 0.62f, 0.18f, 1}, 0.15f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Sack", {{0.71f, 0.58f, 0.38f, 1}, {0.35f, 0.22f, 0.12f, 1}, 0.02f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Sheep", {{0.93f, 0.91f, 0.84f, 1}, {0.16f, 0.13f, 0.12f, 1}, 0.02f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Bear", {{0.36f, 0.22f, 0.12f, 1}, {0.62f, 0.45f, 0.30f, 1}, 0.04f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Hare", {{0.66f, 0.53f, 0.38f, 1}, {0.88f, 0.80f, 0.72f, 1}, 0.03f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Cook", {{0.97f, 0.97f, 0.96f, 1}, {0.85f, 0.62f, 0.48f, 1}, 0.05f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Hills", {{0.40f, 0.47f, 0.24f, 1}, {0.33f, 0.28f, 0.22f, 1}, 0.02f, 0, Paint::kPlain, 1}},
       {"Soarbox/Missing", {{1, 1, 1, 1}, kDark, 0.1f, 0.35f, Paint::kMissing, 1}},
   };
   return looks;

@@ -2,8 +2,10 @@
 #include "viewer/panel_host.h"
 
 #include <cmath>
+#include <iostream>
 
 #include "viewer/markup.h"
+#include "viewer/panels/draw_limit.h"
 #include "viewer/panels/panel_fonts.h"
 #include "viewer/panels/theme.h"
 
@@ -46,7 +48,7 @@ void PanelHost::SetTextScale(float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   LoadFonts();
-  ApplyTheme(scale_);
+  ApplyTheme(scale_, light_);
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
@@ -62,6 +64,12 @@ void PanelHost::SetTextScale(float scale) {
       Ogre::PixelBox(static_cast<unsigned>(width), static_cast<unsigned>(height), 1, Ogre::PF_BYTE_RGBA, pixels));
 }
 
+void PanelHost::SetLight(bool light) {
+  if (light == light_) return;
+  light_ = light;
+  ApplyTheme(scale_, light_);
+}
+
 void PanelHost::BeginFrame(int width, int height, float seconds) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
@@ -71,6 +79,9 @@ void PanelHost::BeginFrame(int width, int height, float seconds) {
 
 void PanelHost::EndFrame() {
   ImGui::EndFrame();
+  for (const std::string& name : CutOverfullWindows())
+    if (told_cut_.insert(name).second)
+      std::cerr << "soarbox: warning: " << name << " holds too much to be drawn whole\n";
 }
 
 }  // namespace soarbox::viewer

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <set>
+#include <string>
 
 #include "viewer/materials.h"
 #include "viewer/ogre_headers.h"
@@ -24,6 +26,9 @@ class PanelHost {
   /// Draws the texts of panels anew for this size; 1 is 100 %. Not between BeginFrame and EndFrame.
   void SetTextScale(float scale);
 
+  /// Dark letters on a light ground, or the other way.
+  void SetLight(bool light);
+
   ImFont* FontFor(world::UiFont font) const { return script_fonts_[static_cast<std::size_t>(font)]; }
   ImFont* panel_font() const { return panel_font_; }
   ImFont* bold_font() const { return bold_font_; }
@@ -38,6 +43,8 @@ class PanelHost {
   ImFont* bold_font_ = nullptr;
   ImFont* mono_font_ = nullptr;
   float scale_ = 1;
+  std::set<std::string> told_cut_;  ///< Windows that held too much to be drawn whole.
+  bool light_ = false;
 };
 
 }  // namespace soarbox::viewer

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "viewer/backdrop.h"
 #include "viewer/engine.h"
 #include "viewer/fill_batch.h"
 #include "viewer/ghost_view.h"
@@ -108,11 +109,13 @@ struct Viewer::Impl {
   std::optional<WorkspaceHost> workspace;  ///< Menus and panels; none: the picture alone.
 
   std::optional<GhostView> ghost_view;
+  std::optional<Backdrop> backdrop;
 
   CameraRig camera;
   ParticleLines particles;
   std::optional<std::uint32_t> camera_moves;
-  world::SceneSnapshot scene;  ///< Without its drawables; agents stand where they are drawn.
+  std::vector<std::uint32_t> kept;  ///< Whom the camera keeps in view; empty: all, and the places.
+  world::SceneSnapshot scene;       ///< Without its drawables; agents stand where they are drawn.
   RunStatus status;
   std::vector<InputEvent> events;
   std::vector<ViewerCommand> commands;
@@ -133,6 +136,7 @@ struct Viewer::Impl {
   std::string notice;
   float notice_s = 0;  ///< For how long it is still shown.
   bool has_framed = false;
+  bool has_walls = false;  ///< The scene is full of pieces of buildings.
   bool failed = false;
   Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
   FrameCosts costs;
@@ -142,6 +146,7 @@ struct Viewer::Impl {
   std::vector<world::LineSnapshot> last_marks;  ///< What the last frame drew over the scene.
   std::vector<world::TriangleSnapshot> last_fills;
   std::size_t last_ghosts = 0;
+  std::size_t shown_drawables = 0;
   world::CameraSnapshot rested_pose;
   float frames_per_second = 0;
   std::optional<AutoScale> auto_scale;  ///< Looks for the largest scale that is fast enough.
@@ -165,6 +170,9 @@ struct Viewer::Impl {
   void Do(ViewerCommand command);
   void SelectBeside(int step);
   bool SeesAgentsWell();
+  /// Lets the camera follow what happens, while it is not the user's.
+  void KeepInView(float seconds);
+  std::vector<world::Vec3> Places() const;
   /// The agent whose body or label is there; 0: none.
   std::uint32_t AgentUnder(ScreenPoint pixel) const;
   void Pick(const Picked& picked);
@@ -201,6 +209,7 @@ Result<void> Viewer::Impl::Build() {
   things.emplace(scene_manager, *materials, engine->low_detail() ? 0.45f : 1.0f, options.on_diagnostic);
   lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px));
   ghost_view.emplace(scene_manager, *materials);
+  backdrop.emplace(scene_manager, *materials);
   skeleton_lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px, true));
   fills = std::make_unique<FillBatch>(materials->FillMaterial());
   scene_manager.getRootSceneNode()->createChildSceneNode()->attachObject(lines.get());
@@ -216,7 +225,8 @@ Result<void> Viewer::Impl::Build() {
   input.emplace(engine->window());
   if (options.layout) {
     workspace.emplace(*engine, *panels, *options.layout);
-    if (Result<void> read = workspace->LoadScript(options.ui_script); !read) return read.error();
+    if (Result<void> read = workspace->LoadScript(options.ui_script, options.ui_script_from); !read)
+      return read.error();
     workspace->PlacePicture();
   }
   return {};
@@ -236,14 +246,47 @@ void Viewer::Impl::Frame(const std::vector<std::uint32_t>& agents, bool best_sid
     if (wanted && world::IsFinite(agent.position)) framed.push_back(&agent);
   }
   const float aspect = static_cast<float>(engine->width()) / static_cast<float>(engine->height());
-  camera.Frame(framed, aspect, best_side);
+  camera.Frame(framed, aspect, best_side, agents.empty() ? Places() : std::vector<world::Vec3>{},
+               best_side && has_walls);
+  if (framed.empty()) return;
+  kept = agents;
+  camera.BeginKeeping();
+}
+
+std::vector<world::Vec3> Viewer::Impl::Places() const {
+  std::vector<world::Vec3> places;
+  for (const world::PlaceSnapshot& place : overlays.places) {
+    if (place.kind != world::PlaceSnapshot::Kind::kThing) places.push_back(place.position);
+  }
+  return places;
+}
+
+void Viewer::Impl::KeepInView(float seconds) {
+  if (!camera.keeps()) return;
+  std::vector<FramedBody> living, all;
+  for (const auto& agent : scene.agents) {
+    const bool wanted = kept.empty() || std::find(kept.begin(), kept.end(), agent.id) != kept.end();
+    if (!wanted || !world::IsFinite(agent.position)) continue;
+    const FramedBody body{agent.position, status.paused ? world::Vec3{} : agent.velocity, agent.radius_m,
+                          agent.height_m};
+    all.push_back(body);
+    if (agent.alive) living.push_back(body);
+  }
+  const float aspect = static_cast<float>(engine->width()) / static_cast<float>(engine->height());
+  camera.Keep(living.empty() ? all : living, kept.empty() ? Places() : std::vector<world::Vec3>{}, aspect, seconds);
 }
 
 void Viewer::Impl::SetCamera(CameraMode mode) {
   // The key of the mode that follows also ends it.
   if (mode == CameraMode::kFollow && camera.mode() == mode && Selected() != nullptr && camera.agent() == Selected()->id)
     mode = CameraMode::kFree;
-  if (!camera.SetMode(mode, Selected())) Notice("Select an agent first: click it, or press Tab");
+  const bool needs_agent = mode == CameraMode::kFollow || mode == CameraMode::kEyes;
+  if (needs_agent && Selected() == nullptr) {
+    // Without a wish, somebody who lives.
+    const auto living = std::find_if(scene.agents.begin(), scene.agents.end(), [](const auto& a) { return a.alive; });
+    if (living != scene.agents.end()) selection = {living->id};
+  }
+  if (!camera.SetMode(mode, Selected())) Notice("There is no agent to go along with");
 }
 
 void Viewer::Impl::SelectBeside(int step) {
@@ -277,7 +320,8 @@ void Viewer::Impl::Pick(const Picked& picked) {
     return;
   }
   if (!picked.adds) {
-    selection = std::move(found);
+    // The ground is nobody: panels stay with whom they are about.
+    if (!found.empty()) selection = std::move(found);
     return;
   }
   for (const std::uint32_t agent : found) {
@@ -292,6 +336,7 @@ void Viewer::Impl::Pick(const Picked& picked) {
 
 void Viewer::Impl::Do(ViewerCommand command) {
   if (IsOfRun(command)) {
+    if (command == ViewerCommand::kQuit && workspace && !workspace->MayClose()) return;
     commands.push_back(command);
     return;
   }
@@ -313,10 +358,9 @@ void Viewer::Impl::Do(ViewerCommand command) {
   }
   switch (command) {
     case ViewerCommand::kFrameSelection:
-      Frame(selection, false);
-      break;
     case ViewerCommand::kFrameAll:
-      Frame({}, false);
+      if (camera.mode() == CameraMode::kOrbit) camera.SetMode(CameraMode::kFree, nullptr);
+      Frame(command == ViewerCommand::kFrameAll ? std::vector<std::uint32_t>{} : selection, false);
       break;
     case ViewerCommand::kFreeCamera:
       SetCamera(CameraMode::kFree);
@@ -410,11 +454,15 @@ void Viewer::Impl::ReportFailure(const std::string& what) {
 
 void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend) {
   things->Update(newest, previous, blend);
+  if (newest.drawables.size() != shown_drawables) backdrop->Show(newest);
+  shown_drawables = newest.drawables.size();
   shows_news |= newest.tick != scene.tick || newest.camera_moves != camera_moves;
   if (lights->Update(newest)) materials->UseFurtherLights();
   lights->SetSkyRotation(newest.sky_rotation_deg);
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water stand in for it");
 
+  // Pictures are taken of a camera that had the time that it has in a window.
+  const auto passed_s = static_cast<float>(newest.time_s - scene.time_s);
   scene.tick = newest.tick;
   scene.time_s = newest.time_s;
   scene.ui = newest.ui;
@@ -437,10 +485,23 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
     camera_moves = newest.camera_moves;
     camera.MoveTo(newest.camera);
   }
+  if (options.hidden && passed_s > 0) {
+    KeepInView(passed_s);
+    camera.Update({}, passed_s, camera.agent() != 0 ? Find(camera.agent()) : nullptr,
+                  static_cast<float>(engine->height()));
+  }
   if (options.frame_agents && !has_framed && !scene.agents.empty()) {
     has_framed = true;
-    if (newest.camera_moves == 0 || !SeesAgentsWell()) Frame({}, true);
+    // Among many pieces of buildings, agents are seen from above only.
+    constexpr std::ptrdiff_t kManyPieces = 40;
+    has_walls = kManyPieces < std::count_if(
+                                  newest.drawables.begin(), newest.drawables.end(),
+                                  [](const auto& drawable) {
+                                    return !drawable.belongs_to_agent && drawable.shape == world::ShapeKind::kMesh;
+                                  });
+    if (newest.camera_moves == 0 || has_walls || !SeesAgentsWell()) Frame({}, true);
     camera.Arrive();
+    camera.BeginKeeping();
   }
 }
 
@@ -467,9 +528,12 @@ void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   box = in.box;
   CameraInput steer = in.camera;
   if (cursor) steer.towards = View().RayThrough(*cursor);
+  const bool kept_before = camera.keeps();
+  KeepInView(seconds);
   camera.Update(steer, seconds, camera.agent() != 0 ? Find(camera.agent()) : nullptr,
                 static_cast<float>(engine->height()));
   if (options.hidden) camera.Arrive();
+  if (kept_before && !camera.keeps()) Notice("The camera is yours; Home gives it back");
   hovered = cursor ? AgentUnder(*cursor) : 0;
   notice_s = std::max(0.0f, notice_s - seconds);
 }
@@ -589,7 +653,7 @@ bool Viewer::Impl::Frame() {
   slept_s = 0;
   const FrameInput in = input->Read(workspace ? workspace->Claims() : InputClaims{});
   Apply(in, seconds);
-  if (in.closed) {
+  if (in.closed && (!workspace || workspace->MayClose())) {
     commands.push_back(ViewerCommand::kQuit);
     return false;
   }
@@ -644,7 +708,9 @@ bool Viewer::Impl::Frame() {
   if (engine->low_detail() && !options.hidden && options.ui_script.empty()) std::this_thread::sleep_until(now + kFrame);
   slept_s = std::chrono::duration<double>(Clock::now() - last_drawn).count();
   if (workspace) {
-    workspace->AfterDrawing(scene, View(), [this](const fs::path& file) { return SavePicture(file); });
+    workspace->AfterDrawing({scene, camera.pose(), View(), labels.shown(), selection.empty() ? 0 : selection.front(),
+                             [this](ScreenPoint pixel) { return AgentUnder(pixel); },
+                             [this](const fs::path& file) { return SavePicture(file); }});
   }
   return true;
 }
@@ -810,6 +876,9 @@ const Layout& Viewer::layout() const {
 }
 bool Viewer::ui_script_over() const {
   return !impl_->workspace || impl_->workspace->script_over();
+}
+std::size_t Viewer::ui_script_at() const {
+  return impl_->workspace ? impl_->workspace->script_at() : 0;
 }
 const std::optional<Diagnostic>& Viewer::ui_script_failure() const {
   return impl_->workspace ? impl_->workspace->script_failure() : Nothing<std::optional<Diagnostic>>();

@@ -45,6 +45,7 @@ struct ViewerOptions {
   bool show_status_bar = true;
   std::optional<Layout> layout = {};     ///< Menus and panels around the picture; none: the picture alone.
   std::filesystem::path ui_script = {};  ///< Plays a user (panels/ui_script.h); empty: none.
+  std::size_t ui_script_from = 0;        ///< So many of its steps another window has done.
   std::string log_file = {};             ///< The renderer's log; empty: none is written.
   /// Hears of what is missing and had to be replaced, once per name, and of a renderer that fails.
   std::function<void(const Diagnostic&)> on_diagnostic = {};
@@ -146,6 +147,8 @@ class Viewer {
   /// The script that plays a user has come to its end, or none was given; and what went wrong with it.
   bool ui_script_over() const;
   const std::optional<Diagnostic>& ui_script_failure() const;
+  /// How many of its steps are done.
+  std::size_t ui_script_at() const;
 
   /// Where the user looks from now; scripts ask for it (Sandbox.GetCameraPosition and its siblings).
   world::CameraSnapshot Camera() const;

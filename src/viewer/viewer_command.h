@@ -16,8 +16,9 @@ enum class ViewerCommand : std::uint8_t {
   // The run.
   kTogglePause,
   kSingleStep,    ///< Pauses and goes on by one tick.
-  kStepDecision,  ///< Pauses; the selected agent's mind alone goes on by a decision, its world stands still.
-  kStepPhase,     ///< The same by one phase of the decision cycle.
+  kStepDecision,  ///< Pauses; goes on by a tick in which the selected agent makes one decision.
+  kStepPhase,     ///< Pauses; the selected agent's mind alone goes on by a phase, its world stands still.
+  kStepChange,    ///< Goes on until the selected agent's operator, goal stack or command changes, and pauses.
   kFaster,
   kSlower,
   kNormalSpeed,

@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "viewer/backdrop_meshes.h"
 #include "viewer/body_mesh.h"
 #include "viewer/camera_rig.h"
+#include "viewer/figure_meshes.h"
 #include "viewer/images.h"
 #include "viewer/interpolate.h"
 #include "viewer/markup.h"
@@ -18,6 +20,7 @@
 #include "viewer/shape_meshes.h"
 #include "world/body_meshes.h"
 #include "world/modular_meshes.h"
+#include "world/rotation.h"
 #include "world/scenery_meshes.h"
 
 namespace soarbox::viewer {
@@ -268,6 +271,36 @@ TEST(Projection, AClickMeansTheNearestAgentUnderIt) {
   const auto aside = view.Project({3, 1.4f, 0});
   EXPECT_EQ(view.AgentAt(*aside, agents), 9u);
   EXPECT_EQ(view.AgentAt({20, 20}, agents), 0u);
+}
+
+TEST(FigureMesh, EachFillsItsShapeAndIsClosedEnoughToBeSeen) {
+  for (const char* material : {"Soarbox/Rock", "Soarbox/Medkit", "Soarbox/Ammunition", "Soarbox/Sack", "Soarbox/Sheep",
+                               "Soarbox/Bear", "Soarbox/Hare", "Soarbox/Cook"}) {
+    const auto mesh = FigureMesh(material, {1.2f, 1.7f, 0.8f});
+    ASSERT_TRUE(mesh.has_value()) << material;
+    EXPECT_TRUE(IsFigure(material));
+    EXPECT_EQ(mesh->material, material);
+    EXPECT_GT(mesh->indices.size(), 300U) << material;
+    const Bounds bounds = BoundsOf(*mesh);
+    EXPECT_GE(bounds.min.y, -0.95f) << material;
+    EXPECT_LT(bounds.max.y, 1.05f) << material;
+    EXPECT_NEAR(bounds.min.y, -0.85f, 0.35f) << material << " does not stand on the ground";
+    for (const MeshVertex& vertex : mesh->vertices) {
+      ASSERT_TRUE(world::IsFinite(vertex.position) && world::IsFinite(vertex.normal)) << material;
+      ASSERT_NEAR(world::Length(vertex.normal), 1, 0.01f) << material;
+    }
+  }
+  EXPECT_FALSE(FigureMesh("White", {1, 1, 1}).has_value());
+  EXPECT_FALSE(FigureMesh("Soarbox/Rock", {0, 1, 1}).has_value());
+}
+
+TEST(Backdrop, StandsAroundThePlainAndNotOnIt) {
+  for (const MeshData& mesh : {HillsMesh(), TreesMesh(), FenceMesh()}) {
+    ASSERT_FALSE(mesh.vertices.empty());
+    for (const MeshVertex& vertex : mesh.vertices)
+      EXPECT_GT(std::max(std::abs(vertex.position.x), std::abs(vertex.position.z)), 90) << "nobody can reach it";
+    EXPECT_LT(mesh.indices.size(), 60'000U);
+  }
 }
 
 TEST(CameraRig, FliesAtItsSpeedAndTwentyTimesThatWithShift) {

@@ -4,6 +4,9 @@
 #include <SDL.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <iostream>
+
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
 
@@ -23,16 +26,18 @@ void Shift(ImDrawList& list, float x, float y) {
 WorkspaceHost::WorkspaceHost(Engine& engine, PanelHost& host, const Layout& layout)
     : engine_(engine), host_(host), workspace_(layout) {}
 
-Result<void> WorkspaceHost::LoadScript(const std::filesystem::path& file) {
+Result<void> WorkspaceHost::LoadScript(const std::filesystem::path& file, std::size_t from) {
   if (file.empty()) return {};
   Result<UiScript> script = UiScript::Load(file);
   if (!script) return script.error();
   script_ = std::move(*script);
+  script_->Skip(from);
   return {};
 }
 
 void WorkspaceHost::PlacePicture() {
   host_.SetTextScale(static_cast<float>(workspace_.layout.text_percent) / 100);
+  host_.SetLight(workspace_.layout.light);
   picture_ = workspace_.PictureIn(engine_.window_width(), engine_.window_height());
   engine_.SetPicture(picture_.x, picture_.y, picture_.width, picture_.height);
   input_.SetPicture(picture_.x, picture_.y, picture_.width, picture_.height, workspace_.IsModal());
@@ -55,9 +60,22 @@ bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
   switch (event.key.keysym.scancode) {
     case SDL_SCANCODE_ESCAPE:
       // It closes what lies over the picture before it closes the window.
-      if (!workspace_.IsModal()) return !input_.has_keys() && (event.key.repeat != 0 || !IsSecondEscape());
+      if (workspace_.StayOpen() || workspace_.CloseFinder()) return true;
+      if (!workspace_.IsModal() && input_.has_keys()) {
+        input_.LeaveField();
+        return true;
+      }
+      if (!workspace_.IsModal()) return event.key.repeat != 0 || !IsSecondEscape();
       closes_help_ = true;
       ImGui::ClosePopupsOverWindow(nullptr, false);
+      return true;
+    case SDL_SCANCODE_P:
+      if (!control || (event.key.keysym.mod & KMOD_SHIFT) == 0) return false;
+      workspace_.Find(Finder::For::kAnything);
+      return true;
+    case SDL_SCANCODE_O:
+      if (!control) return false;
+      workspace_.Find((event.key.keysym.mod & KMOD_SHIFT) != 0 ? Finder::For::kRecording : Finder::For::kScenario);
       return true;
     case SDL_SCANCODE_F11:
       workspace_.only_picture = !workspace_.only_picture;
@@ -140,33 +158,58 @@ WorkspaceHost::Asked WorkspaceHost::Draw(const world::SceneSnapshot& scene, cons
                    asked.commands,
                    workspace_.shown_object,
                    is_on};
+  meter_.BeginPanels();
   workspace_.Draw(frame, engine_.window_width(), engine_.window_height(), frames_per_second);
+  meter_.EndPanels();
   return asked;
 }
 
-void WorkspaceHost::AfterDrawing(const world::SceneSnapshot& scene, const Projection& view,
-                                 const std::function<Result<void>(const std::filesystem::path&)>& save_picture) {
-  input_.ShowCursor();
-  const ImDrawData* drawn = ImGui::GetDrawData();
-  if (!script_ || script_->is_over() || drawn == nullptr) return;
-  const std::vector<ShownText> shown = CaptureText(*drawn, *ImGui::GetIO().Fonts);
-  UiStage stage{shown,
-                scene.tick,
-                scene.time_s,
-                input_.idle(),
-                {},
-                save_picture,
-                [] { return AuditLayout(*ImGui::GetIO().Fonts); }};
-  stage.place_of = [&](const std::string& name) -> std::optional<ImVec2> {
-    for (const world::AgentSnapshot& agent : scene.agents) {
-      if (agent.name != name) continue;
-      const auto at = view.Project(agent.position);
-      if (!at) return std::nullopt;
-      const ImVec2 place{at->x + static_cast<float>(picture_.x), at->y + static_cast<float>(picture_.y)};
-      if (picture_.Holds(place.x, place.y)) return place;
-    }
-    return std::nullopt;
+std::optional<ImVec2> WorkspaceHost::PlaceOf(const Drawn& drawn, const std::string& name) const {
+  const auto& agents = drawn.scene.agents;
+  const auto agent = std::find_if(agents.begin(), agents.end(), [&](const auto& a) { return a.name == name; });
+  if (agent == agents.end()) return std::nullopt;
+  const auto try_at = [&](ScreenPoint at) -> std::optional<ImVec2> {
+    const ImVec2 place{at.x + static_cast<float>(picture_.x), at.y + static_cast<float>(picture_.y)};
+    const PictureRect cover = workspace_.cover();
+    const bool is_free = picture_.Holds(place.x, place.y) && !cover.Holds(place.x, place.y);
+    if (!is_free || drawn.agent_at(at) != agent->id) return std::nullopt;
+    return place;
   };
+  // Its middle, if that can be seen; else whatever of it looks out from behind others.
+  const world::Vec3 beside = Rotate(drawn.camera.orientation, {agent->radius_m, 0, 0});
+  for (const float across : {0.0f, -0.5f, 0.5f, -0.9f, 0.9f}) {
+    for (const float up : {0.0f, 0.25f, 0.45f, -0.25f, -0.45f}) {
+      const auto at = drawn.view.Project(agent->position + beside * across + world::Vec3{0, up * agent->height_m, 0});
+      if (!at) continue;
+      if (const auto place = try_at(*at)) return place;
+    }
+  }
+  for (const ShownLabel& label : drawn.labels) {
+    if (label.agent_id != agent->id) continue;
+    if (const auto place = try_at({(label.box.left + label.box.right) / 2, (label.box.top + label.box.bottom) / 2}))
+      return place;
+  }
+  return std::nullopt;
+}
+
+void WorkspaceHost::AfterDrawing(const Drawn& drawn) {
+  input_.ShowCursor();
+  const ImDrawData* data = ImGui::GetDrawData();
+  if (!script_ || script_->is_over() || data == nullptr) return;
+  meter_.NoteDrawn();
+  const std::vector<ShownText> shown = CaptureText(*data, *ImGui::GetIO().Fonts);
+  UiStage stage{shown,
+                drawn.scene.tick,
+                drawn.scene.time_s,
+                input_.idle(),
+                [&](const std::string& agent) { return PlaceOf(drawn, agent); },
+                {},
+                drawn.save_picture,
+                [] { return AuditLayout(*ImGui::GetIO().Fonts); },
+                [&](const std::string& name) { std::cout << meter_.Read(name, drawn.scene.time_s) << std::endl; }};
+  for (const world::AgentSnapshot& agent : drawn.scene.agents) {
+    if (agent.id == drawn.selected) stage.selected = agent.name;
+  }
   script_->Advance(stage);
 }
 

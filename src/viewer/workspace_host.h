@@ -4,11 +4,14 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "viewer/engine.h"
+#include "viewer/frame_meter.h"
 #include "viewer/input_reader.h"
+#include "viewer/labels.h"
 #include "viewer/panel_host.h"
 #include "viewer/panels/panel_input.h"
 #include "viewer/panels/ui_script.h"
@@ -24,7 +27,9 @@ class WorkspaceHost {
  public:
   WorkspaceHost(Engine& engine, PanelHost& host, const Layout& layout);
 
-  Result<void> LoadScript(const std::filesystem::path& file);
+  /// A script that plays a user, from this step on.
+  Result<void> LoadScript(const std::filesystem::path& file, std::size_t from);
+  std::size_t script_at() const { return script_ ? script_->at() : 0; }
   /// Sets text size and picture as the layout wants them; before the input of a frame is read.
   void PlacePicture();
   InputClaims Claims();
@@ -41,9 +46,18 @@ class WorkspaceHost {
   };
   Asked Draw(const world::SceneSnapshot& scene, const RunStatus& status, std::uint32_t selected,
              float frames_per_second, const std::function<bool(ViewerCommand)>& is_on);
-  /// Lets the script that plays a user go on.
-  void AfterDrawing(const world::SceneSnapshot& scene, const Projection& view,
-                    const std::function<Result<void>(const std::filesystem::path&)>& save_picture);
+  /// What a frame showed, for the script that plays a user.
+  struct Drawn {
+    const world::SceneSnapshot& scene;
+    world::CameraSnapshot camera;
+    Projection view;
+    std::span<const ShownLabel> labels;
+    std::uint32_t selected = 0;
+    std::function<std::uint32_t(ScreenPoint)> agent_at;  ///< Whom a click there would select; 0: nobody.
+    std::function<Result<void>(const std::filesystem::path&)> save_picture;
+  };
+  /// Lets the script go on.
+  void AfterDrawing(const Drawn& drawn);
 
   PanelContents contents;
   std::vector<PanelRequest> requests;
@@ -52,11 +66,15 @@ class WorkspaceHost {
   bool& show_help() { return workspace_.show_help; }
   /// The user has asked to close the list of keys; once.
   bool TakeClosesHelp() { return std::exchange(closes_help_, false); }
+  /// Whether the window may close now; else the user is asked first.
+  bool MayClose() { return workspace_.MayClose(contents); }
   bool script_over() const { return !script_ || script_->is_over(); }
   const std::optional<Diagnostic>& script_failure() const;
 
  private:
   bool TakeShortcut(const SDL_Event& event);
+  /// Where in the window a click selects this agent and nobody else; none if nothing of it can be clicked.
+  std::optional<ImVec2> PlaceOf(const Drawn& drawn, const std::string& agent) const;
   /// Esc closes the window when it is pressed twice: who presses it once may have meant a field or a menu.
   bool IsSecondEscape();
 
@@ -68,6 +86,7 @@ class WorkspaceHost {
   bool closes_help_ = false;
   std::chrono::steady_clock::time_point escaped_at_;
   std::optional<UiScript> script_;
+  FrameMeter meter_;
 };
 
 }  // namespace soarbox::viewer

@@ -40,6 +40,40 @@ Range RangeOf(std::span<const GraphCurve> curves) {
   return range;
 }
 
+/// No more points than some for each pixel: of those that share one, the first, the extremes and the last.
+template <typename XOf, typename YOf>
+std::vector<ImVec2> LineOf(const GraphCurve& curve, double first, double last, bool is_stepped, const XOf& x_of,
+                           const YOf& y_of) {
+  constexpr float kColumn_px = 1;
+  std::vector<ImVec2> line;
+  const auto add = [&](ImVec2 point) {
+    if (is_stepped && !line.empty() && line.back().y != point.y) line.push_back({point.x, line.back().y});
+    line.push_back(point);
+  };
+  auto point = std::lower_bound(curve.points.begin(), curve.points.end(), first,
+                                [](const auto& one, double tick) { return one.first < tick; });
+  while (point != curve.points.end() && point->first <= last) {
+    const float x = x_of(point->first);
+    double low = 0, high = 0, begin = 0, end = 0;
+    int count = 0;
+    for (; point != curve.points.end() && point->first <= last && (count == 0 || x_of(point->first) - x < kColumn_px);
+         ++point) {
+      const double value = point->second;
+      if (!std::isfinite(value)) continue;
+      if (count++ == 0) low = high = begin = value;
+      low = std::min(low, value);
+      high = std::max(high, value);
+      end = value;
+    }
+    if (count == 0) continue;
+    add({x, y_of(begin)});
+    if (low < begin) add({x, y_of(low)});
+    if (high > begin) add({x, y_of(high)});
+    if (count > 1 && y_of(end) != line.back().y) add({x, y_of(end)});
+  }
+  return line;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves,
@@ -60,16 +94,7 @@ std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::s
   };
   out.PushClipRect(at, end, true);
   for (const GraphCurve& curve : curves) {
-    // No more points than pixels: of those that share one, the extremes.
-    std::vector<ImVec2> line;
-    for (const auto& [tick, value] : curve.points) {
-      if (tick < first - span || tick > last || !std::isfinite(value)) continue;
-      const ImVec2 point{x_of(tick), y_of(value)};
-      if (is_stepped && !line.empty()) line.push_back({point.x, line.back().y});
-      if (line.size() > 2 && point.x - line[line.size() - 2].x < 0.7f && line[line.size() - 2].y == line.back().y)
-        line.pop_back();
-      line.push_back(point);
-    }
+    const std::vector<ImVec2> line = LineOf(curve, first - span, last, is_stepped, x_of, y_of);
     if (line.size() == 1) out.AddCircleFilled(line[0], frame.Px(2), theme::Packed(curve.color));
     out.AddPolyline(line.data(), static_cast<int>(line.size()), theme::Packed(curve.color), 0, frame.Px(1.6f));
   }
@@ -105,6 +130,40 @@ std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::s
   ImGui::EndTooltip();
   if (clicked && tick >= 0) return static_cast<std::uint64_t>(tick);
   return std::nullopt;
+}
+
+float TimeAxisHeight() {
+  return ImGui::GetTextLineHeight() + 5;
+}
+
+void DrawTimeAxis(PanelFrame& frame, double first, double last) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::max(frame.Px(60), ImGui::GetContentRegionAvail().x);
+  ImGui::Dummy({width, TimeAxisHeight()});
+  const double step_s = frame.contents.moment.step_s, span = std::max(1.0, last - first);
+  // Round steps, so few that the texts stand apart.
+  constexpr double kSteps_s[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600, 7200, 36000};
+  const float room = 1.5f * ImGui::CalcTextSize("00:00.00").x;
+  const double least_s = span * step_s * static_cast<double>(room / width);
+  double every_s = kSteps_s[std::size(kSteps_s) - 1];
+  for (const double step : kSteps_s) {
+    if (step < least_s) continue;
+    every_s = step;
+    break;
+  }
+  ImDrawList& out = *ImGui::GetWindowDrawList();
+  out.AddLine(at, {at.x + width, at.y}, theme::Packed(theme::kEdge));
+  const auto begin = static_cast<long>(std::ceil(first * step_s / every_s - 1e-6));
+  for (long i = begin; static_cast<double>(i) * every_s <= last * step_s + 1e-6 && i < begin + 1000; ++i) {
+    const double time_s = static_cast<double>(i) * every_s;
+    const float x = at.x + width * static_cast<float>((time_s / step_s - first) / span);
+    out.AddLine({x, at.y}, {x, at.y + 4}, theme::Packed(theme::kQuiet));
+    std::string text = every_s < 1 ? Formatted("%.1f s", time_s) : TimeText(time_s);
+    // Whole seconds need no hundredths.
+    if (every_s >= 1 && text.size() > 3) text.resize(text.size() - 3);
+    const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
+    PutText(out, {std::clamp(x - half, at.x, at.x + width - 2 * half), at.y + 4}, theme::Packed(theme::kQuiet), text);
+  }
 }
 
 }  // namespace soarbox::viewer

@@ -23,4 +23,9 @@ struct GraphCurve {
 std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves,
                                        float height, double first_tick, double last_tick, bool is_stepped = false);
 
+/// The times below such graphs, one box for all that stand above each other.
+void DrawTimeAxis(PanelFrame& frame, double first_tick, double last_tick);
+/// The room that it takes.
+float TimeAxisHeight();
+
 }  // namespace soarbox::viewer

@@ -2,6 +2,7 @@
 #include "viewer/panels/layout.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -66,14 +67,17 @@ void Layout::SetText(int percent) {
 
 Layout DefaultLayout() {
   Layout layout;
-  layout.at(Area::kLeft) = {true, 275, {PanelId::kAgents, PanelId::kProblems}, 0};
+  layout.at(Area::kLeft) = {true, 275, {PanelId::kAgents, PanelId::kMission, PanelId::kProblems}, 0};
   layout.at(Area::kRight) = {true,
                              360,
                              {PanelId::kMind, PanelId::kWhy, PanelId::kMemory, PanelId::kRules, PanelId::kLinks,
                               PanelId::kEdit, PanelId::kBreakpoints, PanelId::kFutures},
                              0};
-  layout.at(Area::kBottom) = {
-      true, 190, {PanelId::kTimeline, PanelId::kTrace, PanelId::kConsole, PanelId::kPlots, PanelId::kMessages}, 0};
+  layout.at(Area::kBottom) = {true,
+                              190,
+                              {PanelId::kTimeline, PanelId::kTrace, PanelId::kConsole, PanelId::kPlots,
+                               PanelId::kMessages, PanelId::kWatch, PanelId::kMinds, PanelId::kLongTerm},
+                              0};
   return layout;
 }
 
@@ -98,6 +102,7 @@ std::string ToText(const Layout& layout) {
   std::ostringstream out;
   out << "# How the window of Soarbox is arranged. Written when it closes; delete it to begin anew.\n";
   out << "text " << layout.text_percent << '\n';
+  out << "colors " << (layout.light ? "light" : "dark") << '\n';
   out << "first-steps " << (layout.first_steps ? "shown" : "hidden") << '\n';
   for (std::size_t i = 0; i < kAreaCount; ++i) {
     const AreaLayout& area = layout.areas[i];
@@ -121,6 +126,10 @@ Layout ReadLayout(std::string_view text, Layout layout) {
       continue;
     }
     std::string shown;
+    if (word == "colors") {
+      if (words >> shown) layout.light = shown == "light";
+      continue;
+    }
     if (word == "first-steps") {
       if (words >> shown) layout.first_steps = shown != "hidden";
       continue;
@@ -142,6 +151,111 @@ Layout ReadLayout(std::string_view text, Layout layout) {
     area.front = area.panels.empty() ? 0 : std::min(front, area.panels.size() - 1);
   }
   return layout;
+}
+
+std::span<const NamedLayout> ShippedLayouts() {
+  static constexpr NamedLayout kShipped[] = {
+      {"Explore", "The window as it comes: agents, mind and timeline around the picture"},
+      {"Debug", "Rules, memory, watch, console and trace; a small picture"},
+      {"Write rules", "The editor in the middle of it all, with problems and console"},
+      {"Compare", "Several minds side by side, with messages and plots"}};
+  return kShipped;
+}
+
+namespace {
+
+std::optional<Layout> ShippedLayout(std::string_view name) {
+  using P = PanelId;
+  Layout layout = DefaultLayout();
+  if (name == "Explore") return layout;
+  if (name == "Debug") {
+    layout.at(Area::kLeft) = {true, 300, {P::kRules, P::kBreakpoints, P::kAgents, P::kProblems}, 0};
+    layout.at(Area::kRight) = {
+        true, 420, {P::kMind, P::kMemory, P::kWhy, P::kLinks, P::kWatch, P::kEdit, P::kFutures}, 0};
+    layout.at(Area::kBottom) = {
+        true, 280, {P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm}, 0};
+    return layout;
+  }
+  if (name == "Write rules") {
+    layout.at(Area::kLeft) = {true, 250, {P::kAgents, P::kRules}, 0};
+    layout.at(Area::kRight) = {
+        true, 560, {P::kEdit, P::kMind, P::kWhy, P::kMemory, P::kLinks, P::kWatch, P::kBreakpoints, P::kFutures}, 0};
+    layout.at(Area::kBottom) = {
+        true,
+        200,
+        {P::kProblems, P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm},
+        0};
+    return layout;
+  }
+  if (name != "Compare") return std::nullopt;
+  layout.at(Area::kRight) = {
+      true,
+      340,
+      {P::kWatch, P::kMind, P::kWhy, P::kMemory, P::kRules, P::kLinks, P::kEdit, P::kBreakpoints, P::kFutures},
+      0};
+  layout.at(Area::kBottom) = {
+      true, 300, {P::kMinds, P::kMessages, P::kPlots, P::kTimeline, P::kTrace, P::kConsole, P::kLongTerm}, 0};
+  return layout;
+}
+
+std::filesystem::path LayoutsFolder() {
+  const std::filesystem::path file = LayoutFile();
+  return file.empty() ? file : file.parent_path() / "layouts";
+}
+
+bool IsName(const std::string& name) {
+  return !name.empty() && name.size() <= 40 && name.front() != ' ' && name.back() != ' ' &&
+         std::all_of(name.begin(), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == ' ' || c == '-' || c == '_'; });
+}
+
+Diagnostic BadName(const std::string& name) {
+  Diagnostic problem;
+  problem.message = "'" + name + "' is no name for a layout: letters, digits, spaces, '-' and '_', at most 40";
+  return problem;
+}
+
+}  // namespace
+
+std::optional<Layout> FindLayout(const std::string& name, const Layout& base) {
+  std::optional<Layout> found;
+  std::error_code error;
+  const std::filesystem::path file = LayoutsFolder() / (name + ".ini");
+  if (IsName(name) && std::filesystem::exists(file, error))
+    found = LoadLayout(file);
+  else
+    found = ShippedLayout(name);
+  if (!found) return found;
+  found->text_percent = base.text_percent;
+  found->light = base.light;
+  found->first_steps = base.first_steps;
+  return found;
+}
+
+std::vector<std::string> SavedLayouts() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(LayoutsFolder(), error)) {
+    const std::filesystem::path& path = entry.path();
+    if (path.extension() == ".ini" && IsName(path.stem().string())) names.push_back(path.stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Result<void> SaveLayoutAs(const std::string& name, const Layout& layout) {
+  if (!IsName(name)) return BadName(name);
+  return SaveLayout(layout, LayoutsFolder() / (name + ".ini"));
+}
+
+Result<void> RemoveLayout(const std::string& name) {
+  if (!IsName(name)) return BadName(name);
+  std::error_code error;
+  std::filesystem::remove(LayoutsFolder() / (name + ".ini"), error);
+  if (!error) return {};
+  Diagnostic problem;
+  problem.message = "the layout '" + name + "' cannot be deleted: " + error.message();
+  return problem;
 }
 
 std::filesystem::path LayoutFile() {

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +33,7 @@ struct Layout {
 
   std::array<AreaLayout, kAreaCount> areas;
   int text_percent = 100;
+  bool light = false;        ///< Dark letters on a light ground.
   bool first_steps = false;  ///< Somebody new is led through the window.
 
   AreaLayout& at(Area area) { return areas[static_cast<std::size_t>(area)]; }
@@ -55,6 +58,20 @@ Layout LayoutOf(const std::vector<PanelId>& panels);
 /// say stays as in `base`.
 std::string ToText(const Layout& layout);
 Layout ReadLayout(std::string_view text, Layout base);
+
+/// Layouts that come with the window, for tasks: a name and a sentence each.
+struct NamedLayout {
+  std::string_view name, about;
+};
+std::span<const NamedLayout> ShippedLayouts();
+/// The layout of this name, one that was saved before one that comes with the window. Text size, colours and first
+/// steps stay as in `base`. Nothing if there is none.
+std::optional<Layout> FindLayout(const std::string& name, const Layout& base);
+/// Names of layouts that were saved, sorted.
+std::vector<std::string> SavedLayouts();
+/// Saves a layout under a name: letters, digits, spaces, '-' and '_'.
+Result<void> SaveLayoutAs(const std::string& name, const Layout& layout);
+Result<void> RemoveLayout(const std::string& name);
 
 /// Where the layout is remembered: $XDG_CONFIG_HOME/soarbox/window.ini, or below ~/.config. Empty if there is no home.
 std::filesystem::path LayoutFile();

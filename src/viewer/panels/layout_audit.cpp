@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "viewer/panels/text_capture.h"
 
@@ -32,6 +33,13 @@ struct PutTexts {
 };
 PutTexts put_texts;
 
+/// What panels say themselves.
+struct TooSmall {
+  int frame = -1;
+  std::vector<std::string> found;
+};
+TooSmall too_small;
+
 std::string NameOf(const ImGuiWindow& window) {
   // "Panels at the right/mind_1A2B/tree_3C4D": the numbers say nothing.
   std::string name;
@@ -49,6 +57,9 @@ bool IsShown(const ImGuiWindow& window) {
 }
 
 bool IsFloating(const ImGuiWindow& window) {
+  // These lie over others on purpose.
+  for (const std::string_view name : {"Find", "Close the window?", "Keys and mouse"})
+    if (window.Name == name) return true;
   return (window.Flags & (ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_Modal)) != 0;
 }
 
@@ -195,6 +206,14 @@ void PutText(ImDrawList& out, ImVec2 at, ImU32 color, std::string_view text) {
   out.AddText(at, color, text.data(), text.data() + text.size());
 }
 
+void NoteTooSmall(std::string what) {
+  const int frame = ImGui::GetFrameCount();
+  if (too_small.frame != frame) too_small.found.clear();
+  too_small.frame = frame;
+  if (std::find(too_small.found.begin(), too_small.found.end(), what) == too_small.found.end())
+    too_small.found.push_back(std::move(what));
+}
+
 void MayCut(ImVec2 corner, ImVec2 end) {
   const int frame = ImGui::GetFrameCount();
   if (cut_places.frame != frame) cut_places.places.clear();
@@ -204,6 +223,7 @@ void MayCut(ImVec2 corner, ImVec2 end) {
 
 std::vector<std::string> AuditLayout(const ImFontAtlas& fonts) {
   std::vector<std::string> found;
+  if (too_small.frame == ImGui::GetFrameCount()) found = too_small.found;
   std::vector<const ImGuiWindow*> fixed;
   std::vector<std::pair<const ImGuiWindow*, ShownText>> texts;
   for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {

@@ -20,6 +20,10 @@ std::vector<std::string> AuditLayout(const ImFontAtlas& fonts);
 /// keeps nothing, and no item tells how far such a text reaches.
 void PutText(ImDrawList& out, ImVec2 at, ImU32 color, std::string_view text);
 
+/// Something in this frame is too small to be of use, or is left out because there is no room: a sentence for the
+/// audit.
+void NoteTooSmall(std::string what);
+
 /// Texts within this part of the window are cut on purpose in this frame (a bar of the timeline, a field that scrolls).
 void MayCut(ImVec2 corner, ImVec2 end);
 

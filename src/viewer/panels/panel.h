@@ -51,6 +51,8 @@ class Panel {
   virtual void Draw(PanelFrame& frame) = 0;
   /// What it shows, to be copied; empty: nothing that is worth it.
   virtual std::string Text(const PanelFrame& frame) const = 0;
+  /// What was typed into it and would be lost with the window, a sentence; empty: nothing.
+  virtual std::string Unsent() const { return {}; }
 };
 
 std::unique_ptr<Panel> MakeAgentsPanel();
@@ -68,5 +70,9 @@ std::unique_ptr<Panel> MakeEditPanel();
 std::unique_ptr<Panel> MakeBreakpointsPanel();
 std::unique_ptr<Panel> MakeFuturesPanel();
 std::unique_ptr<Panel> MakeProblemsPanel();
+std::unique_ptr<Panel> MakeWatchPanel();
+std::unique_ptr<Panel> MakeMindsPanel();
+std::unique_ptr<Panel> MakeMissionPanel();
+std::unique_ptr<Panel> MakeLongTermPanel();
 
 }  // namespace soarbox::viewer

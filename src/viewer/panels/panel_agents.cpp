@@ -27,15 +27,42 @@ bool IsInTrouble(const AgentRow& row) {
   return !ImpasseOf(row).empty() && !IsAtWork(row);
 }
 
-/// The impasse of the lowest state, else the operator that was selected last, else what was said last.
-std::string Doing(const AgentRow& row) {
+/// "CrowdSeeker-12" as "CrowdS...-12" where it is too long: of many who are named alike, the number tells who it is.
+std::string CutBeforeNumber(const std::string& name, float width) {
+  constexpr std::size_t kLongest = 6, kLeast = 3;
+  const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  const std::size_t dash = name.rfind('-');
+  if (dash == std::string::npos || name.size() - dash > kLongest || width_of(name) <= width) return name;
+  const std::string number = "..." + name.substr(dash);
+  std::size_t kept = dash;
+  while (kept > kLeast && width_of(name.substr(0, kept) + number) > width) --kept;
+  while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xc0) == 0x80) --kept;
+  return name.substr(0, kept) + number;
+}
+
+/// "follow (O304)" without its identifier, which Mind shows.
+std::string NameAlone(const std::string& op) {
+  return op.substr(0, op.find(" ("));
+}
+
+/// The impasse of the lowest state, else what its body does, else the operator that is selected or was last.
+std::string Doing(const AgentRow& row, const std::string& activity) {
   if (IsInTrouble(row)) return ImpasseOf(row);
-  return row.last_op.empty() ? row.command : row.last_op;
+  if (!row.alive) return "dead";
+  if (!activity.empty()) return activity;
+  if (!row.op.empty()) return NameAlone(row.op);
+  return row.last_op.empty() ? row.command : NameAlone(row.last_op);
 }
 
 std::string Condition(const AgentRow& row) {
   if (row.failed) return "stopped";
   return row.alive ? Formatted("%.0f", static_cast<double>(row.health)) : "dead";
+}
+
+/// The command that its body carries out now; empty: none, or nobody tells.
+std::string ActivityOf(const PanelFrame& frame, std::uint32_t id) {
+  const auto found = frame.contents.activities.find(id);
+  return found == frame.contents.activities.end() ? std::string() : found->second;
 }
 
 class AgentsPanel final : public Panel {
@@ -52,16 +79,36 @@ class AgentsPanel final : public Panel {
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
                                        ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV |
                                        ImGuiTableFlags_SizingStretchProp;
-    if (!ImGui::BeginTable(is_wide ? "agents-wide" : "agents", is_wide ? 6 : 3, kFlags)) return;
+    // Names first: as wide as the longest, if that leaves room for what they do.
+    float longest = 0;
+    for (const AgentRow& row : all) {
+      const float sign = row.errors > 0 ? 3 * ImGui::GetFontSize() : 0;
+      longest = std::max(longest, ImGui::CalcTextSize(row.name.c_str()).x + sign);
+    }
+    const float health = ImGui::CalcTextSize("Health").x + ImGui::GetFontSize();
+    // In a very narrow list health stands in the tooltip alone.
+    constexpr float kNarrow_em = 17;
+    const bool has_health = ImGui::GetContentRegionAvail().x > kNarrow_em * ImGui::GetFontSize();
+    const float room = ImGui::GetContentRegionAvail().x - (has_health ? health : 0);
+    const float names = std::clamp(longest + 2.2f * ImGui::GetFontSize(), 0.3f * room, (is_wide ? 0.3f : 0.5f) * room);
+    // Widths that the user has dragged stay while names and text size do.
+    const std::string id = Formatted("%s/%.0f/%.0f",
+                                     is_wide      ? "agents-wide"
+                                     : has_health ? "agents"
+                                                  : "agents-narrow",
+                                     static_cast<double>(names), static_cast<double>(frame.scale * 100));
+    if (!ImGui::BeginTable(id.c_str(), is_wide ? 6 : has_health ? 3 : 2, kFlags)) return;
     const auto column = [](const char* name, float weight, AgentColumn by) {
       ImGui::TableSetupColumn(name, 0, weight, static_cast<ImGuiID>(by));
     };
     ImGui::TableSetupScrollFreeze(0, 1);
-    column("Name", 3, AgentColumn::kName);
+    ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthFixed, names, static_cast<ImGuiID>(AgentColumn::kName));
     if (is_wide) column("Team", 2, AgentColumn::kTeam);
     column("Doing", 3, AgentColumn::kOperator);
-    ImGui::TableSetupColumn("Health", ImGuiTableColumnFlags_WidthFixed, frame.Px(62),
-                            static_cast<ImGuiID>(AgentColumn::kHealth));
+    if (has_health) {
+      ImGui::TableSetupColumn("Health", ImGuiTableColumnFlags_WidthFixed, health,
+                              static_cast<ImGuiID>(AgentColumn::kHealth));
+    }
     if (is_wide) column("Kind", 2, AgentColumn::kKind);
     if (is_wide) column("Decision", 2, AgentColumn::kTime);
     ImGui::TableHeadersRow();
@@ -84,7 +131,7 @@ class AgentsPanel final : public Panel {
     clipper.Begin(static_cast<int>(rows.size()));
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        DrawRow(frame, rows[static_cast<std::size_t>(i)], is_wide);
+        DrawRow(frame, rows[static_cast<std::size_t>(i)], is_wide, has_health);
     }
     ImGui::EndTable();
   }
@@ -94,7 +141,7 @@ class AgentsPanel final : public Panel {
   }
 
  private:
-  static void DrawRow(PanelFrame& frame, const AgentRow& row, bool is_wide) {
+  static void DrawRow(PanelFrame& frame, const AgentRow& row, bool is_wide, bool has_health) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(row.id));
@@ -115,7 +162,8 @@ class AgentsPanel final : public Panel {
     const bool dull = !row.alive || row.failed;
     const std::string errors = "\xe2\x9a\xa0" + std::to_string(row.errors);
     const float beside = row.errors > 0 ? ImGui::CalcTextSize(errors.c_str()).x + font * 0.5f : 0;
-    CutText(row.name, ImGui::GetContentRegionAvail().x - beside, dull ? theme::kQuiet : theme::kText);
+    const float room = ImGui::GetContentRegionAvail().x - beside;
+    CutText(CutBeforeNumber(row.name, room), room, dull ? theme::kQuiet : theme::kText);
     if (row.errors > 0) {
       ImGui::SameLine(0, font * 0.4f);
       if (Link("problems", errors, theme::kBad)) {
@@ -128,10 +176,12 @@ class AgentsPanel final : public Panel {
       CutText(row.team, theme::kQuiet);
     }
     ImGui::TableNextColumn();
-    CutText(Doing(row), IsInTrouble(row) ? theme::kWarn : theme::kText);
+    CutText(Doing(row, ActivityOf(frame, row.id)), IsInTrouble(row) ? theme::kWarn : theme::kText);
     if (!ImpasseOf(row).empty()) TermTooltip(ImpasseOf(row));
-    ImGui::TableNextColumn();
-    ColoredText(row.health < 35 || dull ? theme::kBad : theme::kQuiet, Condition(row));
+    if (has_health) {
+      ImGui::TableNextColumn();
+      ColoredText(row.health < 35 || dull ? theme::kBad : theme::kQuiet, Condition(row));
+    }
     if (is_wide) {
       ImGui::TableNextColumn();
       CutText(row.kind, theme::kQuiet);

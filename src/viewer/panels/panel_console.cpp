@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
@@ -27,6 +29,16 @@ class ConsolePanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
     const PanelContents& contents = frame.contents;
+    if (contents.agent != agent_) {
+      // What was begun for one agent waits there until it is looked at again.
+      std::string next = std::exchange(lines_[contents.agent], {});
+      lines_.erase(contents.agent);
+      if (!line_.empty()) lines_[agent_] = line_;
+      line_ = replacement_ = std::move(next);
+      replaces_ = is_active_;  // The field that has the keyboard keeps a copy of its own.
+      agent_ = contents.agent;
+      offered_.clear();
+    }
     if (contents.agent.empty()) {
       EmptyNote("No agent is selected.", "Click one in the scene or in the list of agents to talk to its mind.");
       return;
@@ -42,6 +54,14 @@ class ConsolePanel final : public Panel {
 
   std::string Text(const PanelFrame& frame) const override {
     return frame.contents.console == nullptr ? std::string() : debugger::ToText(frame.contents.console->lines());
+  }
+
+  std::string Unsent() const override {
+    const auto is_line = [](const std::string& line) { return line.find_first_not_of(" \t") != std::string::npos; };
+    if (is_line(line_)) return "Console: \"" + line_ + "\" was typed and not sent.";
+    for (const auto& [agent, line] : lines_)
+      if (is_line(line)) return "Console of " + agent + ": \"" + line + "\" was typed and not sent.";
+    return {};
   }
 
  private:
@@ -103,6 +123,8 @@ class ConsolePanel final : public Panel {
     asked_ = false;
     const bool entered = ImGui::InputTextWithHint("##line", "a Soar command; Tab completes", line_.data(),
                                                   line_.capacity() + 1, kFlags, &ConsolePanel::OnEdit, this);
+    is_active_ = ImGui::IsItemActive();
+    if (is_active_ && !line_.empty()) KeepKeyboard();
     ImGui::PopFont();
     if (asked_) frame.Ask(CompleteRequest{frame.contents.agent, line_});
     if (!entered) return;
@@ -165,8 +187,10 @@ class ConsolePanel final : public Panel {
     data.InsertChars(0, text.c_str());
   }
 
+  std::string agent_;
+  std::map<std::string, std::string> lines_;  ///< Begun and not sent, by agent; of the others than agent_.
   std::string line_, offered_, waiting_for_, replacement_;
-  bool asked_ = false, replaces_ = false, wants_focus_ = false;
+  bool asked_ = false, replaces_ = false, wants_focus_ = false, is_active_ = false;
   std::vector<std::string> history_;
   std::size_t at_ = 0;
   std::uint64_t seen_lines_ = 0;

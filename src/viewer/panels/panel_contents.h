@@ -16,6 +16,7 @@
 #include "debugger/messages.h"
 #include "debugger/operators.h"
 #include "debugger/plots.h"
+#include "debugger/recall.h"
 #include "debugger/rules.h"
 #include "debugger/stack.h"
 #include "debugger/timeline.h"
@@ -35,6 +36,35 @@ struct ProblemRow {
   std::string agent;  ///< Empty: the scenario's or the sandbox's own.
   std::uint64_t tick = 0;
   double time_s = 0;
+};
+
+/// A check of the run's mission.
+struct CheckRow {
+  std::string name;
+  std::string expected;  ///< "scout should be at gate by 30 s".
+  std::string was;       ///< What was there instead; empty: nothing to say.
+  std::string agent;     ///< Who decided it; empty: nobody in particular.
+  bool is_marker = false;
+  std::string state;  ///< "open", "true", "false", "untested", "undecided".
+  std::uint64_t tick = 0;
+  double time_s = 0;
+};
+
+/// The lesson that the world belongs to.
+struct LessonContents {
+  std::string name, title, idea, task, panel;
+  std::vector<std::string> hints;  ///< Those that the learner has asked for.
+  std::size_t hint_count = 0;      ///< All that there are.
+  bool is_passed = false;
+  bool is_graded = false;          ///< Grading goes on.
+  std::vector<std::string> grade;  ///< What came of it, line by line.
+  std::string next;                ///< The lesson after this one; empty: it is the last.
+};
+
+/// A lesson that can be begun.
+struct LessonOffer {
+  std::string name, title;
+  bool is_passed = false;
 };
 
 /// Where the picture and the panels stand in the run.
@@ -65,9 +95,57 @@ struct EditContents {
   std::uint64_t go_to_count = 0;  ///< Grows each time that somebody wants to go there.
 };
 
+/// A file that was opened to be edited, whether it is looked at or not.
+struct OpenFile {
+  std::string file;
+  bool is_changed = false;  ///< It differs from what runs.
+  bool is_unsaved = false;  ///< It differs from what is on the disk.
+  std::string failure;      ///< Why it could not be saved last; empty: it could.
+};
+
 struct WhyContents {
   std::string question;  ///< "Why does scout do what it does?"
   std::optional<debugger::WhyNode> answer;
+};
+
+/// Something that is printed of minds again and again.
+struct WatchRow {
+  struct Cell {
+    std::string agent;
+    std::string text;     ///< What is there now.
+    bool is_new = false;  ///< It differs from what was there before the last change of the mind.
+    bool is_error = false;
+    std::uint64_t tick = 0;  ///< In which it became so.
+  };
+  std::string what;         ///< "S1.io.input-link.self.health", "print s1".
+  std::vector<Cell> cells;  ///< One for each agent of PanelContents::beside.
+};
+
+/// One of several minds that are looked at side by side.
+struct MindColumn {
+  std::string agent;
+  std::string note;  ///< Why nothing is shown; empty: something is.
+  debugger::StackView stack;
+  debugger::OperatorsView operators;
+  std::string command;  ///< What it said last.
+};
+
+/// A place where a text that is searched everywhere stands.
+struct FoundPlace {
+  enum class Kind : std::uint8_t { kRule, kFile, kMemory, kTrace, kMessage } kind = Kind::kRule;
+  std::string title;   ///< The line itself.
+  std::string detail;  ///< Where it stands: "fighter.soar:12", "0:03.20".
+  std::string agent;
+  std::string file;
+  int line = 0;
+  std::uint64_t tick = 0;
+  std::string id;  ///< Of memory: the identifier.
+};
+
+/// A world that can be opened.
+struct ScenarioOffer {
+  std::string name;   ///< What opens it: a name or a path.
+  std::string about;  ///< Its description; empty: none.
 };
 
 /// The old future beside the new one.
@@ -91,7 +169,11 @@ struct PanelContents {
   std::string not_recorded;
 
   std::vector<debugger::AgentRow> agents;
-  std::vector<ProblemRow> problems;  ///< In order of time.
+  std::map<std::uint32_t, std::string> activities;  ///< By agent: "move-to gate", what its body does now.
+  std::vector<ProblemRow> problems;                 ///< In order of time.
+  std::vector<CheckRow> checks;                     ///< Of the run's mission; none: it has none.
+  std::optional<LessonContents> lesson;
+  std::vector<LessonOffer> lessons;  ///< All, in their order.
   const debugger::Console* console = nullptr;
   std::uint64_t console_lines = 0;  ///< Grows with each new line.
   debugger::Completion completion;  ///< Of the line last asked for.
@@ -104,11 +186,26 @@ struct PanelContents {
   std::vector<sim::ElementFact> found;  ///< By the search of memory.
   std::vector<sim::RuleFact> rules;
   std::optional<debugger::RuleView> rule;
+  std::string rule_text;  ///< That rule as its author wrote it; empty if no file tells.
+  std::string rule_file;  ///< Where it stands there.
+  int rule_line = 0;
   std::vector<debugger::Coverage::Row> coverage;
+  debugger::LongTermView long_term;
+  std::string known_search;       ///< The text that all objects in `long_term` have.
+  debugger::EpisodeView episode;  ///< That is looked at; its number is 0 if none is.
   WhyContents why;
   debugger::IoView io;
   std::vector<sim::WatchedFile> files;  ///< That the selected agent was made from.
   EditContents edit;
+  std::vector<OpenFile> open_files;
+  std::vector<std::string> beside;  ///< The agents whose minds are looked at side by side.
+  std::vector<WatchRow> watches;
+  std::vector<MindColumn> minds;
+  std::string searched;  ///< Everywhere, for `places`.
+  std::vector<FoundPlace> places;
+  std::vector<std::string> all_files;  ///< That the world was made from; while a palette is open.
+  std::vector<ScenarioOffer> scenarios;
+  std::vector<std::string> recent;  ///< Scenarios and recordings that were opened before, the newest first.
   std::vector<debugger::Breakpoint> breakpoints;
   std::vector<debugger::BreakHit> hits;  ///< Why the world stands still; empty once it goes on.
   std::vector<std::string> plottable;
@@ -118,6 +215,7 @@ struct PanelContents {
   const debugger::Timeline* timeline = nullptr;
   const debugger::Trace* trace = nullptr;
   const debugger::MessageLog* messages = nullptr;
+  const debugger::RecallLog* recalls = nullptr;  ///< Of the selected agent.
   const std::vector<debugger::PlotSeries>* plots = nullptr;
 };
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <utility>
 
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/rule_source.h"
+#include "viewer/panels/text_history.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
@@ -33,10 +35,12 @@ class EditPanel final : public Panel {
       return;
     }
     if (file_ != edit.file || version_ != edit.version) {
+      const bool is_known = histories_.contains(edit.file);
       file_ = edit.file;
       version_ = edit.version;
-      text_ = edit.text;
-      Tokenize();
+      TextHistory& history = histories_[file_];
+      is_known ? history.Note(edit.text, false) : history.Begin(edit.text);
+      Take(edit.text);
     }
     if (edit.go_to_count != went_count_ || went_file_ != edit.file) {
       went_to_ = edit.go_to_line;
@@ -57,6 +61,22 @@ class EditPanel final : public Panel {
   }
 
  private:
+  /// Shows another text than the one that was typed.
+  void Take(const std::string& text) {
+    text_ = text;
+    replaces_ = is_active_;  // The field that has the keyboard keeps a copy of its own.
+    Tokenize();
+  }
+
+  void Undo(PanelFrame& frame, bool forth) {
+    TextHistory& history = histories_[file_];
+    if (forth ? !history.CanRedo() : !history.CanUndo()) return;
+    Take(forth ? history.Redo() : history.Undo());
+    const auto at = static_cast<std::ptrdiff_t>(history.changed_at());
+    scroll_to_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + at, '\n'));
+    frame.Ask(EditTextRequest{EditTextRequest::What::kType, text_});
+  }
+
   void Tokenize() {
     tokens_ = debugger::Tokenize(text_);
     lines_ = LineCount(text_);
@@ -69,10 +89,20 @@ class EditPanel final : public Panel {
     const bool can_find = !contents.edit.file.empty();
     ImGui::SetNextItemWidth(can_find ? ImGui::GetContentRegionAvail().x * 0.52f : -1);
     if (!ImGui::BeginCombo("##file", now.c_str())) return;
-    for (const sim::WatchedFile& file : contents.files) {
-      const std::string name = file.file.string();
-      if (ImGui::Selectable(file.file.filename().c_str(), name == contents.edit.file)) frame.Ask(EditRequest{name, 0});
+    const auto offer = [&](const std::filesystem::path& file) {
+      const std::string name = file.string();
+      const bool is_unsaved = std::any_of(contents.open_files.begin(), contents.open_files.end(),
+                                          [&](const OpenFile& open) { return open.file == name && open.is_unsaved; });
+      const std::string label = file.filename().string() + (is_unsaved ? "  (not saved)" : "") + "##" + name;
+      if (ImGui::Selectable(label.c_str(), name == contents.edit.file)) frame.Ask(EditRequest{name, 0});
       Tooltip(name);
+    };
+    for (const sim::WatchedFile& file : contents.files) offer(file.file);
+    // What was opened for other agents stays at hand.
+    for (const OpenFile& open : contents.open_files) {
+      const bool is_listed = std::any_of(contents.files.begin(), contents.files.end(),
+                                         [&](const sim::WatchedFile& file) { return file.file.string() == open.file; });
+      if (!is_listed) offer(open.file);
     }
     ImGui::EndCombo();
   }
@@ -91,7 +121,19 @@ class EditPanel final : public Panel {
         "stays. The file is not written. (Ctrl+Enter)");
     button("Check", What::kCheck, "Look for errors; change nothing");
     button("Save", What::kSave, "Write the file. (Ctrl+S)");
-    button("Revert", What::kRevert, "Back to what is on the disk");
+    button("Revert", What::kRevert, "Back to what is on the disk; Undo takes that back, too");
+    const TextHistory& history = histories_[file_];
+    FlowLine(ButtonWidth("Undo"), frame.Px(4));
+    ImGui::BeginDisabled(!history.CanUndo());
+    const bool back = ImGui::Button("Undo");
+    ImGui::EndDisabled();
+    Tooltip("Take the last change back (Ctrl+Z)");
+    FlowLine(ButtonWidth("Redo"), frame.Px(4));
+    ImGui::BeginDisabled(!history.CanRedo());
+    const bool forth = ImGui::Button("Redo");
+    ImGui::EndDisabled();
+    Tooltip("Do again what was taken back (Ctrl+Y)");
+    if (back || forth) Undo(frame, forth);
     FlowLine(ButtonWidth("Open in editor"), frame.Px(4));
     if (ImGui::Button("Open in editor")) frame.Ask(OpenFileRequest{edit.file, went_to_});
     Tooltip("With $VISUAL, $EDITOR or what your desktop takes for it; what you save there is reloaded by itself");
@@ -141,11 +183,18 @@ class EditPanel final : public Panel {
     }
   }
 
-  static int Grow(ImGuiInputTextCallbackData* data) {
-    if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
-    auto* text = static_cast<std::string*>(data->UserData);
-    text->resize(static_cast<std::size_t>(data->BufTextLen));
-    data->Buf = text->data();
+  static int OnEdit(ImGuiInputTextCallbackData* data) {
+    auto& self = *static_cast<EditPanel*>(data->UserData);
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
+      self.text_.resize(static_cast<std::size_t>(data->BufTextLen));
+      data->Buf = self.text_.data();
+    } else if (std::exchange(self.replaces_, false)) {
+      const std::string text = self.text_;  // It may be moved while the field changes.
+      const int caret = static_cast<int>(std::min(self.histories_[self.file_].changed_at(), text.size()));
+      data->DeleteChars(0, data->BufTextLen);
+      data->InsertChars(0, text.c_str());
+      data->CursorPos = data->SelectionStart = data->SelectionEnd = caret;
+    }
     return 0;
   }
 
@@ -156,15 +205,24 @@ class EditPanel final : public Panel {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gutter);
     // The field keeps the text and the caret; the coloured text is drawn over its own, which is clear.
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
-    const ImGuiInputTextFlags flags = ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AllowTabInput;
+    // It has a history of its own, which knows what came from the disk as well.
+    const ImGuiInputTextFlags flags = ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
+                                      ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_NoUndoRedo;
     const bool edited = ImGui::InputTextMultiline("##text", text_.data(), text_.capacity() + 1,
-                                                  {-1, below > 0 ? -below : -1}, flags, &EditPanel::Grow, &text_);
+                                                  {-1, below > 0 ? -below : -1}, flags, &EditPanel::OnEdit, this);
     ImGui::PopStyleColor();
     if (edited) {
+      constexpr double kPause_s = 1;
+      const double now = ImGui::GetTime();
+      histories_[file_].Note(text_, now - std::exchange(edited_at_, now) < kPause_s);
       Tokenize();
       frame.Ask(EditTextRequest{EditTextRequest::What::kType, text_});
     }
     const ImGuiIO& io = ImGui::GetIO();
+    is_active_ = ImGui::IsItemActive();
+    const bool asks_undo = is_active_ && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Z));
+    const bool asks_redo = is_active_ && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Y));
+    if (asks_undo || asks_redo) Undo(frame, asks_redo || io.KeyShift);
     if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)))
       frame.Ask(EditTextRequest{EditTextRequest::What::kApply, text_});
     if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(SDL_SCANCODE_S))
@@ -242,6 +300,10 @@ class EditPanel final : public Panel {
   }
 
   std::string file_, text_, went_file_, find_, found_;
+  std::map<std::string, TextHistory> histories_;  ///< By file.
+  bool is_active_ = false;                        ///< The text had the keyboard in the last frame.
+  bool replaces_ = false;                         ///< The active field is to take over text_.
+  double edited_at_ = -10;
   std::vector<std::size_t> places_;  ///< Where `found_` stands in the text.
   std::size_t place_ = static_cast<std::size_t>(-1), found_in_ = 0;
   bool goes_on_ = false;

@@ -26,23 +26,23 @@ class FuturesPanel final : public Panel {
     const FuturesContents& futures = *frame.contents.futures;
     const double step_s = frame.contents.moment.step_s;
     const auto time = [&](std::uint64_t tick) { return TimeText(static_cast<double>(tick) * step_s); };
-    Heading(frame, "The run went back to " + time(futures.branch_tick));
-    WrappedText(theme::kQuiet, futures.old_is_known ? "Ghosts show where everybody was at this time before."
-                                                    : "Before, the run did not come this far: there are no ghosts.");
-    ImGui::Separator();
     const record::Comparison& found = futures.comparison;
-    if (!found.difference) {
-      WrappedText(theme::kGood, "So far both futures are the same.");
-    } else {
-      DrawDifference(frame, "First difference", *found.difference);
-      if (found.decision) {
-        DrawDifference(frame, "First other decision or command", *found.decision);
-        for (const std::string& percept : found.percepts) {
-          ImGui::Bullet();
-          WrappedText(theme::kVariable, "perceived " + percept);
-        }
+    // The answer first: who decided otherwise, and why.
+    if (found.decision) {
+      DrawDifference(frame, "First other decision or command", *found.decision);
+      for (const std::string& percept : found.percepts) {
+        ImGui::Bullet();
+        WrappedText(theme::kVariable, "perceived " + percept);
       }
+    } else {
+      WrappedText(theme::kGood,
+                  found.difference ? "So far everybody decides as before." : "So far both futures are the same.");
     }
+    WrappedText(theme::kQuiet,
+                "The run went back to " + time(futures.branch_tick) + ". " +
+                    (futures.old_is_known ? "Ghosts show where everybody was at this time before."
+                                          : "Before, the run did not come this far: there are no ghosts."));
+    if (found.difference && !IsSame(found.difference, found.decision)) DrawFirst(frame, *found.difference);
     DrawCourse(frame, found);
   }
 
@@ -61,6 +61,20 @@ class FuturesPanel final : public Panel {
   }
 
  private:
+  static bool IsSame(const std::optional<record::Difference>& a, const std::optional<record::Difference>& b) {
+    return a && b && a->tick == b->tick && a->agent == b->agent && a->element == b->element;
+  }
+
+  /// What differed first of all is mostly the edit that made this future: a line that unfolds.
+  static void DrawFirst(PanelFrame& frame, const record::Difference& difference) {
+    const double time_s = static_cast<double>(difference.tick) * frame.contents.moment.step_s;
+    const std::string what = difference.agent + (difference.agent.empty() ? "" : " ") + difference.element;
+    const std::string title = "What differed first: " + TimeText(time_s) + "  " + what;
+    if (!ImGui::TreeNodeEx("first", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.substr(0, 120).c_str())) return;
+    DrawDifference(frame, "What differed first", difference);
+    ImGui::TreePop();
+  }
+
   static void DrawDifference(PanelFrame& frame, const char* title, const record::Difference& difference) {
     Heading(frame, title);
     ImGui::PushID(title);
@@ -77,7 +91,7 @@ class FuturesPanel final : public Panel {
         ImGui::TableNextColumn();
         ColoredText(theme::kQuiet, which);
         ImGui::TableNextColumn();
-        WrappedText(color, what.empty() ? "nothing" : what);
+        FoldedText(which, what.empty() ? "nothing" : what, color);
       };
       row("before", difference.recorded, theme::kWarn);
       row("now", difference.now, theme::kAccent);

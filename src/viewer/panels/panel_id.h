@@ -25,8 +25,11 @@ enum class PanelId : std::uint8_t {
   kBreakpoints,
   kFutures,
   kProblems,
+  kWatch,
+  kMinds,
+  kMission,
+  kLongTerm,
 };
-inline constexpr std::size_t kPanelCount = 15;
 
 /// What is said about a panel wherever it is offered.
 struct PanelInfo {
@@ -37,7 +40,8 @@ struct PanelInfo {
   char key;                ///< With Alt: brings it to the front.
 };
 
-inline constexpr std::array<PanelInfo, kPanelCount> kPanelInfos{{
+/// One line for each panel, in the order of PanelId.
+inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
     {PanelId::kAgents, "agents", "Agents", "Everybody in the world: team, state, operator, command. Click to select.",
      'A'},
     {PanelId::kMind, "mind", "Mind", "The goal stack, the operators that compete in it, and why the winner won.", 'M'},
@@ -58,7 +62,15 @@ inline constexpr std::array<PanelInfo, kPanelCount> kPanelInfos{{
     {PanelId::kFutures, "futures", "Futures",
      "After going back: the old future beside the new one, and where they part.", 'U'},
     {PanelId::kProblems, "problems", "Problems", "Errors and warnings in full, with file and line.", 'O'},
-}};
+    {PanelId::kWatch, "watch", "Watch",
+     "What you want to see of minds at each decision: attributes and Soar commands, several agents side by side.", 'H'},
+    {PanelId::kMinds, "minds", "Minds", "Several minds side by side: goal stack, operators, commands.", 'I'},
+    {PanelId::kMission, "mission", "Mission", "What agents are to do: checks that tick off as they come true. Lessons.",
+     'K'},
+    {PanelId::kLongTerm, "longterm", "Long-term memory",
+     "What the agent knows and remembers, what it recalled and why; an episode as ghosts in the scene.", 'Y'},
+});
+inline constexpr std::size_t kPanelCount = kPanelInfos.size();
 
 inline constexpr const PanelInfo& InfoOf(PanelId id) {
   return kPanelInfos[static_cast<std::size_t>(id)];

@@ -3,8 +3,11 @@
 
 #include <SDL.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cfloat>
+
+#include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -142,7 +145,10 @@ bool PanelInput::Take(SDL_Event& event) {
       const bool pressed = event.type == SDL_MOUSEBUTTONDOWN;
       const auto button = static_cast<std::size_t>(event.button.button & 7);
       notes_.push_back({Kind::kMove, x, y});
-      if (const int index = ButtonIndex(event.button.button); index >= 0)
+      const bool is_pictures = pressed ? !(world_buttons_.none() && IsOverPanel(x, y)) : world_buttons_[button];
+      // Whoever is in the middle of a line goes on typing it there.
+      const bool stays = KeyboardIsKept() && is_pictures;
+      if (const int index = ButtonIndex(event.button.button); index >= 0 && !stays)
         notes_.push_back({Kind::kButton, x, y, index, pressed});
       event.button.x -= x_;
       event.button.y -= y_;
@@ -220,6 +226,11 @@ void PanelInput::Apply() {
         io.KeyCtrl = (note.modifiers & KMOD_CTRL) != 0;
         io.KeyShift = (note.modifiers & KMOD_SHIFT) != 0;
         io.KeyAlt = (note.modifiers & KMOD_ALT) != 0;
+        break;
+      case Kind::kLeave:
+        // Escape would have the field forget what was typed.
+        if (wrote || keys.any()) return;
+        ImGui::ClearActiveID();
         break;
       case Kind::kText:
         if (keys.any() && io.KeyCtrl) break;

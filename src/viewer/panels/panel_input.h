@@ -30,6 +30,8 @@ class PanelInput {
   /// Notes an event for the panels. True if it is theirs alone; otherwise the mouse's place in it has become one in the
   /// picture.
   bool Take(SDL_Event& event);
+  /// The keyboard leaves the field that has it, after what was typed so far; the text stays.
+  void LeaveField() { notes_.push_back({Kind::kLeave}); }
   /// Hands what was noted to ImGui; before each frame.
   void Apply();
 
@@ -44,7 +46,7 @@ class PanelInput {
   bool has_keys() const;
 
  private:
-  enum class Kind { kMove, kButton, kWheel, kKey, kText };
+  enum class Kind { kMove, kButton, kWheel, kKey, kText, kLeave };
   struct Note {
     Kind kind;
     float x = 0, y = 0;

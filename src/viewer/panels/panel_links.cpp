@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
 #include <tuple>
 
 #include "debugger/percept_help.h"
@@ -145,9 +146,17 @@ class MessagesPanel final : public Panel {
       return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Time", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00:00.00").x);
-    ImGui::TableSetupColumn("From", 0, 1.6f);
-    ImGui::TableSetupColumn("To", 0, 1.6f);
-    ImGui::TableSetupColumn("Message", 0, 6);
+    // As wide as the newest names are, so that the message has the rest.
+    constexpr std::size_t kLookAt = 40;
+    float from = ImGui::CalcTextSize("From").x, to = ImGui::CalcTextSize("To").x;
+    for (std::size_t i = 0; i < std::min(rows.size(), kLookAt); ++i) {
+      from = std::max(from, ImGui::CalcTextSize(rows[rows.size() - 1 - i].from.c_str()).x);
+      to = std::max(to, ImGui::CalcTextSize(rows[rows.size() - 1 - i].to.c_str()).x);
+    }
+    const float most = 9 * ImGui::GetFontSize();
+    ImGui::TableSetupColumn("From", ImGuiTableColumnFlags_WidthFixed, std::min(from, most));
+    ImGui::TableSetupColumn("To", ImGuiTableColumnFlags_WidthFixed, std::min(to, most));
+    ImGui::TableSetupColumn("Message", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()));

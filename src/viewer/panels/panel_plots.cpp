@@ -23,9 +23,18 @@ class PlotsPanel final : public Panel {
     ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_NoNav);
     const auto count = static_cast<float>(contents.plots->size());
     const float label = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-    const float height = std::clamp(ImGui::GetContentRegionAvail().y / count - label, frame.Px(44), frame.Px(160));
+    const float room = ImGui::GetContentRegionAvail().y - TimeAxisHeight() - ImGui::GetStyle().ItemSpacing.y;
+    const float height = std::clamp(room / count - label, frame.Px(44), frame.Px(160));
+    // All of them over the same time, so that what stands above each other happened together.
+    const Moment& moment = contents.moment;
+    double first = static_cast<double>(moment.last_tick);
+    for (const debugger::PlotSeries& series : *contents.plots) {
+      first =
+          std::min(first, static_cast<double>(series.points.empty() ? moment.first_tick : series.points.front().tick));
+    }
     std::size_t number = 0;
-    for (const debugger::PlotSeries& series : *contents.plots) DrawPlot(frame, series, number++, height);
+    for (const debugger::PlotSeries& series : *contents.plots) DrawPlot(frame, series, number++, height, first);
+    DrawTimeAxis(frame, first, static_cast<double>(moment.last_tick));
     ImGui::EndChild();
   }
 
@@ -72,9 +81,10 @@ class PlotsPanel final : public Panel {
     return {};
   }
 
-  static void DrawPlot(PanelFrame& frame, const debugger::PlotSeries& series, std::size_t number, float height) {
+  static void DrawPlot(PanelFrame& frame, const debugger::PlotSeries& series, std::size_t number, float height,
+                       double first) {
     ImGui::PushID(static_cast<int>(number));
-    const ImVec4 color = theme::kSeries[number % (sizeof theme::kSeries / sizeof theme::kSeries[0])];
+    const ImVec4 color = theme::Series(number);
     GraphCurve curve{debugger::PlotTitle(series.what), color, {}};
     curve.points.reserve(series.points.size());
     for (const debugger::PlotPoint& point : series.points)
@@ -92,8 +102,6 @@ class PlotsPanel final : public Panel {
     if (ImGui::SmallButton("\xc3\x97")) frame.Ask(PlotRequest{series.agent, series.what, false});
     Tooltip("No longer plot it");
     const Moment& moment = frame.contents.moment;
-    const double first = series.points.empty() ? static_cast<double>(moment.first_tick)
-                                               : static_cast<double>(series.points.front().tick);
     if (const auto tick =
             DrawGraph(frame, "graph", {&curve, 1}, height, first, static_cast<double>(moment.last_tick), true))
       frame.Ask(SeekRequest{*tick});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -66,6 +67,14 @@ struct SearchMemoryRequest {
 struct RuleRequest {
   std::string rule;
 };
+/// Show what the agent knows with this text in it.
+struct SearchKnownRequest {
+  std::string text;
+};
+/// Look at an episode of the selected agent; 0: at none any more.
+struct EpisodeRequest {
+  std::size_t number = 0;
+};
 /// Note how far the rules match now, and tell which took part so far.
 struct CoverageRequest {};
 
@@ -92,6 +101,32 @@ struct EditTextRequest {
   std::string text;
 };
 
+/// Write all files that have changes.
+struct SaveAllRequest {};
+
+/// Show another world or recording in this window.
+struct OpenRunRequest {
+  std::string what;  ///< A scenario's name or path, or a file of a recording.
+};
+/// Print this of minds again and again, or no longer.
+struct WatchRequest {
+  std::string what;
+  bool is_on = true;
+};
+/// Look at an agent's mind beside those of others, or no longer.
+struct BesideRequest {
+  std::string agent;
+  bool is_on = true;
+};
+/// Find a text in all that can be searched; empty: no longer.
+struct SearchRequest {
+  std::string text;
+};
+/// Tell what can be opened and searched: somebody is about to choose.
+struct OfferRequest {
+  bool is_on = true;
+};
+
 struct BreakRequest {
   debugger::BreakKind kind = debugger::BreakKind::kFire;
   std::string agent, what;
@@ -101,10 +136,18 @@ struct ChangeBreakRequest {
   enum class What : std::uint8_t { kClear, kEnable, kDisable } what = What::kClear;
 };
 
+/// Help with a lesson, its grade, or another one: its files are put into the learner's folder, and the window shows it.
+struct LessonRequest {
+  enum class What : std::uint8_t { kHint, kGrade, kOpen } what = What::kHint;
+  std::string lesson = {};  ///< Which one to open.
+};
+
 using PanelRequest =
     std::variant<OpenFileRequest, ConsoleRequest, CompleteRequest, ClearConsoleRequest, ClearProblemsRequest,
                  SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest, TellRequest, StateRequest,
-                 ObjectRequest, ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, WhyRequest,
-                 PlotRequest, EditRequest, EditTextRequest, BreakRequest, ChangeBreakRequest>;
+                 ObjectRequest, ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, SearchKnownRequest,
+                 EpisodeRequest, WhyRequest, PlotRequest, EditRequest, EditTextRequest, SaveAllRequest, OpenRunRequest,
+                 WatchRequest, BesideRequest, SearchRequest, OfferRequest, BreakRequest, ChangeBreakRequest,
+                 LessonRequest>;
 
 }  // namespace soarbox::viewer

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <map>
 
+#include "debugger/fold_paths.h"
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/rule_source.h"
@@ -85,10 +87,23 @@ class RulesPanel final : public Panel {
     if (const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsCount > 0) {
       const bool by_fired = specs->Specs[0].ColumnIndex == 1;
       const bool up = specs->Specs[0].SortDirection == ImGuiSortDirection_Ascending;
-      std::stable_sort(rules.begin(), rules.end(), [&](const sim::RuleFact* a, const sim::RuleFact* b) {
-        const std::uint64_t x = by_fired ? a->firings : a->matches, y = by_fired ? b->firings : b->matches;
-        return up ? x < y : y < x;
-      });
+      // Counts change while somebody aims at a row: the order rests under the mouse.
+      if (ImGui::IsWindowHovered() && !specs->SpecsDirty && !order_.empty()) {
+        const auto place = [&](const sim::RuleFact* rule) {
+          const auto found = order_.find(rule->name);
+          return found == order_.end() ? order_.size() : found->second;
+        };
+        std::stable_sort(rules.begin(), rules.end(),
+                         [&](const sim::RuleFact* a, const sim::RuleFact* b) { return place(a) < place(b); });
+      } else {
+        std::stable_sort(rules.begin(), rules.end(), [&](const sim::RuleFact* a, const sim::RuleFact* b) {
+          const std::uint64_t x = by_fired ? a->firings : a->matches, y = by_fired ? b->firings : b->matches;
+          return up ? x < y : y < x;
+        });
+        order_.clear();
+        for (const sim::RuleFact* rule : rules) order_.emplace(rule->name, order_.size());
+      }
+      ImGui::TableGetSortSpecs()->SpecsDirty = false;
     }
     if (const int step = ListStep(); step != 0) {
       const auto is_chosen = [&](const sim::RuleFact* rule) {
@@ -159,7 +174,7 @@ class RulesPanel final : public Panel {
     ImGui::EndTable();
   }
 
-  static void DrawRule(PanelFrame& frame, const debugger::RuleView& view) {
+  void DrawRule(PanelFrame& frame, const debugger::RuleView& view) {
     ImGui::Separator();
     const sim::RuleFact& rule = view.rule;
     ImGui::PushFont(frame.fonts.bold);
@@ -182,7 +197,10 @@ class RulesPanel final : public Panel {
       frame.layout.Show(PanelId::kBreakpoints);
     }
     FlowLine(ButtonWidth("Copy"));
-    if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(view.source.c_str());
+    if (ImGui::SmallButton("Copy")) {
+      ImGui::SetClipboardText(frame.contents.rule_text.empty() ? view.source.c_str()
+                                                               : frame.contents.rule_text.c_str());
+    }
     Tooltip("The rule's text");
     FlowLine(ButtonWidth("Close"));
     if (ImGui::SmallButton("Close")) frame.Ask(RuleRequest{});
@@ -198,16 +216,29 @@ class RulesPanel final : public Panel {
     if (!rule.documentation.empty()) WrappedText(rule.documentation);
     DrawMatch(frame, view.match);
     ImGui::PushFont(frame.fonts.mono);
-    SourceItem(view.source, view.tokens);
+    const std::string& written = frame.contents.rule_text;
+    if (written != shown_text_) {
+      shown_text_ = written;
+      tokens_ = debugger::Tokenize(written);
+    }
+    // As its author wrote it; what was typed or learned, as it is printed.
+    if (written.empty())
+      SourceItem(view.source, view.tokens);
+    else
+      SourceItem(shown_text_, tokens_);
     ImGui::PopFont();
     DrawMatches(frame, view.match.facts);
     ImGui::EndChild();
   }
 
   static void DrawMatch(PanelFrame& frame, const debugger::PartialMatch& match) {
-    const sim::MatchFacts& facts = match.facts;
-    if (!match.sentence.empty()) WrappedText(facts.failing ? theme::kBad : theme::kGood, match.sentence);
-    if (!facts.failing) return;
+    if (!match.facts.failing) {
+      if (!match.sentence.empty()) WrappedText(theme::kGood, match.sentence);
+      return;
+    }
+    // As its author wrote it.
+    const sim::MatchFacts facts = debugger::FoldPaths(match.facts);
+    WrappedText(theme::kBad, debugger::Explain(facts));
     ImGui::PushFont(frame.fonts.mono);
     for (std::size_t i = 0; i < facts.conditions.size(); ++i) {
       const sim::ConditionFact& condition = facts.conditions[i];
@@ -239,6 +270,9 @@ class RulesPanel final : public Panel {
 
   int set_ = 0;
   std::string filter_;
+  std::map<std::string, std::size_t> order_;  ///< The places of rules when they were sorted last.
+  std::string shown_text_;
+  std::vector<debugger::Token> tokens_;  ///< Of it.
 };
 
 }  // namespace

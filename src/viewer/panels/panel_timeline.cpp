@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel.h"
@@ -37,7 +40,7 @@ ImVec4 ColorOf(const TimelineSpan& span) {
   if (span.is_state) return theme::kWarn;
   std::uint32_t hash = 2166136261u;
   for (const char c : span.text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-  return theme::kSeries[hash % (sizeof theme::kSeries / sizeof theme::kSeries[0])];
+  return theme::Series(hash);
 }
 
 /// Kinds are told apart by shape, too.
@@ -59,12 +62,71 @@ void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
       out.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, color);
       break;
     case MarkKind::kOutcome:
-      out.AddCircle(at, r * 0.8f, color, 0, thick * 0.8f);
+      out.AddCircle(at, r * 0.8f, color, 8, thick * 0.8f);
       break;
     case MarkKind::kEvent:
-      out.AddCircleFilled(at, r * 0.8f, color);
+      out.AddCircleFilled(at, r * 0.8f, color, 8);
   }
 }
+
+/// The corners that all tracks together may take: ImGui counts those of a window with 16 bits.
+constexpr float kMostBarCorners = 56'000;
+
+/// How finely a line of bars is drawn, so that all lines in view together keep to that. What is finer shares cells.
+struct Detail {
+  float cell_px = 2;          ///< Bars narrower than two of these share cells.
+  bool is_full = true;        ///< With round corners and texts.
+  float sign_cell_px = 6.8f;  ///< When there are more signs than these would hold, they share them.
+
+  static Detail For(float corners, float width, float px, float r) {
+    const float per_px = corners / std::max(1.0f, width);
+    if (per_px > 6.5f) return {std::max(2 * px, 8 / (per_px - 6)), true, 2 * r};
+    // Half of the corners for bars, half for signs, the roundest of which have 27.
+    const auto cell = [&](float corners_each, float least) {
+      return std::clamp(2 * corners_each / std::max(0.05f, per_px), least, std::max(least, width / 4));
+    };
+    return {cell(10, 2 * px), false, cell(27, 4 * r)};
+  }
+};
+
+/// Bars too narrow to be told apart: of those that share a cell the widest shows.
+class NarrowBars {
+ public:
+  NarrowBars(float left, float width, float cell) : left_(left), cell_(cell) {
+    cells_.resize(1 + static_cast<std::size_t>(std::max(0.0f, width / cell)));
+  }
+  void Add(int line, float x, float end, ImU32 color) {
+    if (end <= left_) return;
+    const auto at = static_cast<std::size_t>(std::max(0.0f, x - left_) / cell_);
+    if (at >= cells_.size()) return;
+    auto& cells = lines_[static_cast<std::size_t>(std::clamp(line, 0, kMostLines - 1))];
+    if (cells.empty()) cells.resize(cells_.size());
+    if (end - x <= cells[at].width) return;
+    cells[at] = {end - x, color};
+  }
+  void Draw(ImDrawList& out, float top, float height) const {
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      const auto& cells = lines_[line];
+      const float y = top + height * static_cast<float>(line);
+      for (std::size_t i = 0, end = 0; i < cells.size(); i = end) {
+        for (end = i + 1; end < cells.size() && cells[end].color == cells[i].color && cells[i].width > 0;) ++end;
+        if (cells[i].width <= 0) continue;
+        out.AddRectFilled({left_ + cell_ * static_cast<float>(i), y + 1},
+                          {left_ + cell_ * static_cast<float>(end), y + height - 1}, cells[i].color);
+      }
+    }
+  }
+
+ private:
+  struct Cell {
+    float width = 0;
+    ImU32 color = 0;
+  };
+  static constexpr int kMostLines = 64;
+  float left_, cell_;
+  std::vector<Cell> cells_;
+  std::array<std::vector<Cell>, kMostLines> lines_;
+};
 
 /// What each agent was about, over time.
 class TimelinePanel final : public Panel {
@@ -195,6 +257,11 @@ class TimelinePanel final : public Panel {
             track.agent.empty() ? "world" : track.agent.c_str());
     out.PopClipRect();
     out.PushClipRect({left_, at.y}, {left_ + width_, at.y + full}, true);
+    const float bottom = out.GetClipRectMax().y;
+    const float tracks_left = std::max(1.0f, std::ceil((bottom - at.y) / (height + marks_height + frame.Px(4))));
+    const float corners = (kMostBarCorners - static_cast<float>(out._VtxCurrentIdx)) / tracks_left;
+    const Detail detail = Detail::For(corners, width_, frame.Px(1), frame.Px(3.4f));
+    NarrowBars narrow(left_, width_, detail.cell_px);
     const auto draw = [&](const TimelineSpan& span) {
       if ((span.is_state && span.level == 1) || (!is_whole && span.is_state)) return;
       const float x = X(static_cast<double>(span.first_tick));
@@ -202,22 +269,28 @@ class TimelinePanel final : public Panel {
           x + frame.Px(2), X(static_cast<double>(span.open ? frame.contents.moment.last_tick : span.last_tick) + 1));
       const float y = at.y + height * static_cast<float>(line_of(span));
       const ImVec4 color = ColorOf(span);
-      out.AddRectFilled({x, y + 1}, {end, y + height - 1}, theme::Packed(color, span.is_state ? 0.25f : 0.42f), 3);
-      out.AddLine({x, y + 1}, {x, y + height - 1}, theme::Packed(color));
-      const std::string text = span.text.empty() ? span.id : span.text;
+      const std::string& text = span.text.empty() ? span.id : span.text;
+      if (ImGui::IsMouseHoveringRect({x, y}, {end, y + height})) hover_ = text + "  " + span.id;
+      const ImU32 fill = theme::Packed(color, span.is_state ? 0.25f : 0.42f);
+      if (end - x < 2 * detail.cell_px) return narrow.Add(line_of(span), x, end, fill);
+      const bool is_wide = end - x >= frame.Px(14);
+      out.AddRectFilled({x, y + 1}, {end, y + height - 1}, fill, is_wide && detail.is_full ? 3.0f : 0.0f);
+      out.AddRectFilled({x, y + 1}, {x + 1, y + height - 1}, theme::Packed(color));
       const float from = std::max(x, left_) + frame.Px(3);
-      if (end - from > frame.Px(14)) {
+      if (end - from > frame.Px(14) && detail.is_full) {
         out.PushClipRect({from, y}, {end - 1, y + height}, true);
         MayCut({from, y}, {end - 1, y + height});
-        PutText(out, {from, y + frame.Px(1)}, theme::Packed(theme::kText), text.c_str());
+        // Letters that the clip would hide cost as much as others.
+        const auto most = static_cast<std::size_t>((std::min(end, left_ + width_) - from) / frame.Px(2.5f)) + 1;
+        PutText(out, {from, y + frame.Px(1)}, theme::Packed(theme::kText), std::string_view(text).substr(0, most));
         out.PopClipRect();
       }
-      if (ImGui::IsMouseHoveringRect({x, y}, {end, y + height})) hover_ = text + "  " + span.id;
     };
     debugger::ForSpansWithin(track, first, last, draw);
+    narrow.Draw(out, at.y, height);
     const float below = at.y + height * static_cast<float>(lines);
     if (fired_height > 0) DrawFirings(frame, track, {at.x, below}, fired_height, first, last);
-    DrawMarks(frame, track, below + fired_height + marks_height / 2, first, last);
+    DrawMarks(frame, track, below + fired_height + marks_height / 2, first, last, detail);
     out.PopClipRect();
     out.AddLine({at.x, at.y + full}, {left_ + width_, at.y + full}, theme::Packed(theme::kEdge, 0.6f));
   }
@@ -232,8 +305,12 @@ class TimelinePanel final : public Panel {
     auto end = begin;
     for (; end != track.firings.end() && end->first <= last; ++end) most = std::max(most, end->second);
     const float floor = at.y + height - frame.Px(2), room = height - frame.Px(4);
+    float drawn_to = left_;
     for (auto firing = begin; firing != end; ++firing) {
-      const float x = X(static_cast<double>(firing->first)), next = X(static_cast<double>(firing->first) + 1);
+      const float next = X(static_cast<double>(firing->first) + 1);
+      if (next < drawn_to + 1) continue;  // One column to a pixel.
+      const float x = X(static_cast<double>(firing->first));
+      drawn_to = next;
       const float top = floor - std::max(1.0f, room * static_cast<float>(firing->second) / static_cast<float>(most));
       const float right = std::max(x + 1, next - (next - x > 3 ? 1.0f : 0.0f));
       out.AddRectFilled({x, top}, {right, floor}, theme::Packed(theme::kGood, 0.8f));
@@ -242,17 +319,54 @@ class TimelinePanel final : public Panel {
     }
   }
 
-  void DrawMarks(PanelFrame& frame, const TimelineTrack& track, float y, std::uint64_t first, std::uint64_t last) {
+  void DrawMarks(PanelFrame& frame, const TimelineTrack& track, float y, std::uint64_t first, std::uint64_t last,
+                 const Detail& detail) {
     ImDrawList& out = *ImGui::GetWindowDrawList();
     const float r = frame.Px(3.4f);
-    const auto begin = std::lower_bound(track.marks.begin(), track.marks.end(), first,
-                                        [](const TimelineMark& mark, std::uint64_t tick) { return mark.tick < tick; });
-    for (auto mark = begin; mark != track.marks.end() && mark->tick <= last; ++mark) {
+    const auto is_before = [](const TimelineMark& mark, std::uint64_t tick) { return mark.tick < tick; };
+    const auto begin = std::lower_bound(track.marks.begin(), track.marks.end(), first, is_before);
+    const auto end = std::lower_bound(begin, track.marks.end(), last + 1, is_before);
+    // Many signs share cells; of those in one the most telling shows.
+    const float cells = width_ / detail.sign_cell_px;
+    const bool share = static_cast<float>(end - begin) > cells;
+    float cell_begin = -1;
+    std::optional<MarkKind> kind;
+    const auto draw_cell = [&] {
+      if (kind) DrawSign(out, *kind, {cell_begin + detail.sign_cell_px / 2, y}, r, frame.Px(2));
+      kind.reset();
+    };
+    for (auto mark = begin; mark != end; ++mark) {
       const float x = X(static_cast<double>(mark->tick));
-      DrawSign(out, mark->kind, {x, y}, r, frame.Px(2));
+      if (share) {
+        const float at = left_ + detail.sign_cell_px * std::floor((x - left_) / detail.sign_cell_px);
+        if (at != cell_begin) draw_cell();
+        cell_begin = at;
+        if (!kind || Weight(mark->kind) > Weight(*kind)) kind = mark->kind;
+      } else {
+        DrawSign(out, mark->kind, {x, y}, r, frame.Px(2));
+      }
       if (ImGui::IsMouseHoveringRect({x - r, y - r}, {x + r, y + r}))
         hover_ = std::string(debugger::NameOf(mark->kind)) + ": " + mark->text;
     }
+    draw_cell();
+  }
+
+  static int Weight(MarkKind kind) {
+    switch (kind) {
+      case MarkKind::kError:
+        return 5;
+      case MarkKind::kEdit:
+        return 4;
+      case MarkKind::kMessage:
+        return 3;
+      case MarkKind::kCommand:
+        return 2;
+      case MarkKind::kOutcome:
+        return 1;
+      case MarkKind::kEvent:
+        break;
+    }
+    return 0;
   }
 
   void DrawCursor(PanelFrame& frame, float top, float bottom) {

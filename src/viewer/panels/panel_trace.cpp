@@ -74,10 +74,51 @@ class TracePanel final : public Panel {
     int level = static_cast<int>(filter_.most);
     if (ImGui::Combo("##level", &level, kLevels, IM_ARRAYSIZE(kLevels))) filter_.most = static_cast<TraceKind>(level);
     Tooltip("How much is shown: this and what stands above it. Rules and elements are noted for the selected agent.");
-    ImGui::SameLine();
+    FlowLine(frame.Px(110), frame.Px(4));
+    ImGui::SetNextItemWidth(frame.Px(110));
+    if (ImGui::BeginCombo("##about", "Only ...")) {
+      DrawChoices(frame);
+      ImGui::EndCombo();
+    }
+    Tooltip("Only lines about a rule, an operator, a command or an attribute");
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    FlowLine(box + ImGui::CalcTextSize("selected agent").x, frame.Px(6));
     ImGui::Checkbox("selected agent", &only_selected_);
-    ImGui::SameLine();
-    SearchField("##search", "Search: each word must stand in the line", filter_.text);
+    FlowLine(frame.Px(150), frame.Px(6));
+    SearchField("##search", "Search; rule:NAME op:NAME ^attribute", filter_.text);
+    Tooltip(
+        "Each word must stand in the line. rule:NAME, op:NAME, command:NAME and ^attribute show lines about these "
+        "alone.");
+  }
+
+  /// What lines may be about: what is known of the selected agent.
+  void DrawChoices(PanelFrame& frame) {
+    if (ImGui::Selectable("everything")) filter_.text.clear();
+    const auto offer = [&](const std::string& word) {
+      if (ImGui::Selectable(word.c_str())) filter_.text = word;
+    };
+    constexpr std::size_t kMost = 12, kLookAt = 300;
+    std::vector<std::string> seen;
+    const auto once = [&](const std::string& word) {
+      if (seen.size() < kMost && std::find(seen.begin(), seen.end(), word) == seen.end()) seen.push_back(word);
+    };
+    const debugger::TimelineTrack* track =
+        frame.contents.timeline == nullptr ? nullptr : frame.contents.timeline->Find(frame.contents.agent);
+    if (track != nullptr) {
+      std::size_t looked = 0;
+      for (auto span = track->spans.rbegin(); span != track->spans.rend() && ++looked < kLookAt; ++span)
+        if (!span->is_state && !span->text.empty()) once("op:" + span->text);
+    }
+    for (const std::string& word : seen) offer(word);
+    seen.clear();
+    for (const debugger::AgentRow& row : frame.contents.agents)
+      if (!row.command.empty()) once("command:" + row.command);
+    for (const std::string& word : seen) offer(word);
+    ImGui::Separator();
+    // Rules and attributes are many: what is typed behind them narrows them down.
+    offer("rule:");
+    offer("op:");
+    offer("^");
   }
 
   static void DrawLine(PanelFrame& frame, const TraceLine& line, int number) {

@@ -11,11 +11,13 @@
 #include "debugger/edit.h"
 #include "debugger/run_models.h"
 #include "record/recorder.h"
+#include "viewer/panels/draw_limit.h"
 #include "viewer/panels/first_steps.h"
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/terms.h"
 #include "viewer/panels/text_capture.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 #include "viewer/panels/workspace.h"
 
 namespace soarbox::viewer {
@@ -163,6 +165,22 @@ class PanelStage {
     problem.excerpt_length = 3;
     problem.hint = "did you mean <target>?";
     contents.problems.push_back({problem, "walker", 12, 0.4});
+    contents.checks = {{"it goes north", "walker should be at north by 30 s", "", "walker", false, "true", 5, 0.2},
+                       {"it rests", "walker should stand idle for at least 2 s", "it stood idle for 0 s", "walker",
+                        false, "false", 9, 0.3},
+                       {"a moment", "walker should see listener", "", "", true, "open", 0, 0},
+                       {"later", "walker should be at east by 60 s", "", "walker", false, "true", 1'000'000, 33'333}};
+    contents.moment.shown_tick = 20;
+    LessonContents lesson;
+    lesson.name = "01-a-rule";
+    lesson.title = "1. A rule fires once for each match";
+    lesson.idea = "A rule fires once for each set of elements that it matches.";
+    lesson.task = "Greet each visitor by name.";
+    lesson.hints = {"Watch the panel Memory."};
+    lesson.hint_count = 3;
+    lesson.grade = {"  yes  anna is greeted", "  no   once per visit"};
+    lesson.next = "02-operators";
+    contents.lesson = lesson;
     const std::unique_ptr<sim::Inspector> mind = simulation->Inspect(agent);
     contents.has_mind = mind != nullptr;
     if (mind == nullptr) return;
@@ -177,6 +195,7 @@ class PanelStage {
     contents.why.question = "Why does " + agent + " do what it does?";
     contents.why.answer = debugger::WhyAgent(*simulation, agent);
     contents.io = debugger::LookAtIo(*mind);
+    contents.long_term = debugger::LookAtLongTerm(*mind);
     contents.files = debugger::FilesOf(*simulation, agent);
     contents.edit.file = (folder_ / "walker.soar").string();
     contents.edit.text = kWalker;
@@ -213,6 +232,8 @@ class PanelStage {
                        workspace.shown_object,
                        [](ViewerCommand) { return false; }};
       workspace.Draw(frame, width, height, 60);
+      ImGui::EndFrame();
+      overfull = CutOverfullWindows();  // As the window does: it would end otherwise.
       ImGui::Render();
     }
     shown.clear();
@@ -235,6 +256,7 @@ class PanelStage {
   int width = 1280, height = 720, percent = 100;
   std::string shown;
   std::vector<std::string> complaints;
+  std::vector<std::string> overfull;  ///< Windows that held more than can be drawn.
 
  private:
   void Write(const char* file, const char* text) const { std::ofstream(folder_ / file) << text; }
@@ -306,6 +328,29 @@ TEST_F(Panels, AnAuditFindsWhatIsCutAndWhatOverlaps) {
   EXPECT_THAT(all, HasSubstr("third: cells of column 1 are cut"));
 }
 
+TEST_F(Panels, AnAuditFindsNamesAndFieldsThatAreTooSmallToBeOfUse) {
+  stage->SetSize(1280, 720, 100);
+  const auto audit = [](float width) {
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+      ImGui::NewFrame();
+      ImGui::SetNextWindowPos({10, 10});
+      ImGui::SetNextWindowSize({width, 120});
+      ImGui::Begin("small", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings);
+      CutText("blue-leader-of-the-second-team");
+      SearchField("##search", "Search", text);
+      ImGui::End();
+      ImGui::Render();
+    }
+    std::string all;
+    for (const std::string& complaint : AuditLayout(*ImGui::GetIO().Fonts)) all += complaint + "\n";
+    return all;
+  };
+  EXPECT_EQ(audit(200), "");
+  EXPECT_THAT(audit(50), HasSubstr("is cut to"));
+  EXPECT_THAT(audit(50), HasSubstr("the field 'Search' has no room to type in"));
+}
+
 TEST_F(Panels, AnAuditSeesWhatIsDrawnByHandWhereTheWindowScrolls) {
   stage->SetSize(1280, 720, 100);
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings;
@@ -346,6 +391,79 @@ TEST_F(Panels, AnAuditSeesWhatIsDrawnByHandWhereTheWindowScrolls) {
               HasSubstr("lie over each other"));
 }
 
+/// A run of this many ticks in which many agents decide, command and fire rules in each tick.
+debugger::RunModels BusyRun(std::uint64_t ticks, int agents) {
+  debugger::RunModels models;
+  record::TickRecord tick;
+  for (int i = 0; i < agents; ++i) tick.minds.emplace_back().agent = i == 0 ? "walker" : "agent-" + std::to_string(i);
+  models.plots.Plot("walker", "decisions");
+  for (tick.tick = 0; tick.tick <= ticks; ++tick.tick) {
+    tick.scene.time_s = static_cast<double>(tick.tick) / 30;
+    for (record::MindRecord& mind : tick.minds) {
+      const std::string number = std::to_string(tick.tick);
+      mind.decisions = {"O: O" + number + " (seek)", "==>S: S" + number + " (operator no-change)", "   O: O1 (think)"};
+      mind.commands = {"seek ^waypoint north", "seek: complete"};
+      mind.details = {"1 fire walker*propose*seek"};
+    }
+    models.Add(tick);
+  }
+  return models;
+}
+
+/// The corners of the window that has most.
+int MostCorners() {
+  int most = 0;
+  const ImDrawData& drawn = *ImGui::GetDrawData();
+  for (int i = 0; i < drawn.CmdListsCount; ++i) most = std::max(most, drawn.CmdLists[i]->VtxBuffer.Size);
+  return most;
+}
+
+TEST_F(Panels, DrawWhatCanBeSeenHoweverLongTheRunAndHoweverManyTheAgents) {
+  const debugger::RunModels runs[] = {BusyRun(1'000, 40), BusyRun(4'000, 40)};
+  for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{3840, 2160}}) {
+    stage->SetSize(width, height, 100);
+    for (const PanelId panel : {PanelId::kTimeline, PanelId::kPlots, PanelId::kTrace}) {
+      int corners[2] = {};
+      for (const std::size_t run : {0, 1}) {
+        const debugger::RunModels& models = runs[run];
+        stage->Fill("walker");
+        stage->contents.timeline = &models.timeline;
+        stage->contents.trace = &models.trace;
+        stage->contents.plots = &models.plots.series();
+        stage->contents.moment.last_tick = stage->contents.moment.shown_tick = models.timeline.last_tick();
+        stage->Draw(panel, [](Workspace& workspace, PanelId) { workspace.layout.at(Area::kBottom).size = 1400; });
+        corners[run] = MostCorners();
+        EXPECT_THAT(stage->overfull, testing::IsEmpty()) << InfoOf(panel).word << " at " << width;
+        EXPECT_LT(corners[run], 1 << 16) << InfoOf(panel).word << " at " << width;
+      }
+      // A short run does not fill a wide picture with a point per pixel.
+      EXPECT_LT(corners[1], std::max(corners[0] * 1.5, width * 4.0)) << InfoOf(panel).word << " at " << width;
+    }
+  }
+}
+
+TEST_F(Panels, AWindowThatHoldsTooMuchIsCutAndEndsNothing) {
+  stage->SetSize(1280, 720, 100);
+  for (const bool cut : {false, true}) {
+    ImGui::NewFrame();
+    ImGui::Begin("overfull");
+    for (int i = 0; i < (cut ? 40'000 : 10'000); ++i)
+      ImGui::GetWindowDrawList()->AddRectFilled({10, 10}, {20, 20}, 0xFFFFFFFF);
+    ImGui::End();
+    ImGui::EndFrame();
+    EXPECT_EQ(CutOverfullWindows().size(), cut ? 1u : 0u);
+    ImGui::Render();
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    for (int i = 0; i < drawn.CmdListsCount; ++i) {
+      const ImDrawList& list = *drawn.CmdLists[i];
+      unsigned elements = 0;
+      for (const ImDrawCmd& command : list.CmdBuffer) elements += command.ElemCount;
+      EXPECT_EQ(static_cast<int>(elements), list.IdxBuffer.Size);
+      for (const ImDrawIdx index : list.IdxBuffer) ASSERT_LT(index, list.VtxBuffer.Size);
+    }
+  }
+}
+
 TEST_F(Panels, CanBeCopied) {
   stage->SetSize(1280, 720, 100);
   stage->Fill("walker");
@@ -364,6 +482,8 @@ TEST_F(Panels, CanBeCopied) {
       {PanelId::kEdit, "walker*propose*seek"},
       {PanelId::kBreakpoints, "flee"},
       {PanelId::kProblems, "did you mean"},
+      {PanelId::kMission, "it stood idle for 0 s"},
+      {PanelId::kLongTerm, "no long-term memory is switched on"},
   };
   for (const auto& [panel, text] : wanted) {
     ImGui::SetClipboardText("");
@@ -442,6 +562,13 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
       {PanelId::kBreakpoints, {"stopped", "walker*propose*flee", "Hits"}},
       {PanelId::kFutures, {"There is one future yet."}},
       {PanelId::kProblems, {"error", "variable <t>", "did you mean", "walker.soar:14", "Open in editor"}},
+      {PanelId::kWatch, {"Nothing is watched yet.", "Add agent"}},
+      {PanelId::kMinds, {"No mind is looked at.", "Add agent"}},
+      {PanelId::kMission,
+       {"1. A rule fires once", "Greet each visitor", "Hint 2 of 3", "1. Watch the panel", "Check my rules",
+        "Next lesson", "1 of 3 checks, 1 failed", "it goes north", "0:00.20", "it stood idle for 0 s",
+        "a moment that others refer to", "walker should be at east by 60 s", "once per visit"}},
+      {PanelId::kLongTerm, {"Known 0", "Recalled 0", "Episodes 0", "no long-term memory is switched on"}},
   };
   ASSERT_EQ(wanted.size(), kPanelCount);
   for (const auto& [panel, texts] : wanted) {
@@ -453,6 +580,41 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
   tall.Move(PanelId::kPlots, Area::kRight);
   stage->Draw(tall);
   for (const char* text : {"decision time (\xc2\xb5s)", "reward", "0.5"}) EXPECT_THAT(stage->shown, HasSubstr(text));
+}
+
+TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
+  stage->Fill("walker");
+  debugger::RecallLog recalls;
+  record::MindRecord mind;
+  mind.decisions = {"recall @12 {^kind ammo ^site @3} for {^kind ammo}"};
+  mind.reasons = {"the only one that fits"};
+  recalls.Add(5, mind);
+  PanelContents& contents = stage->contents;
+  contents.recalls = &recalls;
+  sim::LongTermFacts& facts = contents.long_term.facts;
+  contents.long_term.note.clear();
+  facts.semantic = facts.episodic = true;
+  facts.objects = 5000;
+  facts.known = {{12, "^kind ammo ^site @3", 1.25, 3}, {3, "^name barn ^east-of |the old mill|", -0.5, 0}};
+  facts.episodes = 40;
+  for (const auto& [width, height] : {std::pair{1280, 800}, std::pair{1920, 1080}}) {
+    stage->SetSize(width, height, 100);
+    stage->Draw(PanelId::kLongTerm);
+    for (const char* text : {"Known 5000", "Recalled 1", "Episodes 40", "The 2 most active.", "@12", "1.250", "@3",
+                             "-0.500", "^kind ammo ^site @3"})
+      EXPECT_THAT(stage->shown, HasSubstr(text)) << width;
+    EXPECT_THAT(stage->complaints, IsEmpty()) << width;
+  }
+  stage->Draw(PanelId::kLongTerm, [](Workspace& workspace, PanelId opened) {
+    workspace.Open(opened);
+    workspace.CopyPanel();
+  });
+  for (const char* text : {"5000 objects", "@12 (^kind ammo ^site @3) for ^kind ammo: the only one that fits"})
+    EXPECT_THAT(ImGui::GetClipboardText(), HasSubstr(text));
+  facts.known.clear();
+  facts.objects = 0;
+  stage->Draw(PanelId::kLongTerm);
+  EXPECT_THAT(stage->shown, HasSubstr("Nothing is known yet."));
 }
 
 TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
@@ -479,6 +641,7 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   contents.operators = debugger::LookAtOperators(*mind);
   contents.objects = {{"S1", debugger::LookAtObject(*mind, "S1")}};
   contents.rules = debugger::ListRules(*mind);
+  contents.long_term = debugger::LookAtLongTerm(*mind);
   contents.rule.reset();
   contents.story.reset();
   const std::vector<std::pair<PanelId, std::vector<const char*>>> wanted = {
@@ -487,6 +650,7 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
       {PanelId::kRules, {"Not recorded at this level"}},
       {PanelId::kBreakpoints, {"Nothing stops a recording."}},
       {PanelId::kFutures, {"A recording has one future."}},
+      {PanelId::kLongTerm, {"what it knows and remembers: not recorded"}},
   };
   for (const auto& [panel, texts] : wanted) {
     stage->Draw(panel);

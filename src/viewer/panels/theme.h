@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <cstddef>
+#include <iterator>
+
 #include "diagnostics/diagnostic.h"
 
 namespace soarbox::viewer {
@@ -11,22 +14,21 @@ namespace soarbox::viewer {
 /// common kinds of colour blindness tell apart; nothing is told by colour alone.
 namespace theme {
 
-inline const ImVec4 kText{0.91f, 0.93f, 0.95f, 1};
-inline const ImVec4 kQuiet{0.61f, 0.67f, 0.73f, 1};
-inline const ImVec4 kGround{0.075f, 0.095f, 0.122f, 1};
-inline const ImVec4 kRaised{0.115f, 0.143f, 0.180f, 1};
-inline const ImVec4 kField{0.045f, 0.060f, 0.080f, 1};
-inline const ImVec4 kEdge{0.20f, 0.24f, 0.29f, 1};
+// There is a dark and a light set; ApplyTheme puts one of them into these.
+inline ImVec4 kText, kQuiet, kGround, kRaised, kField, kEdge;
 
-inline const ImVec4 kAccent{0.34f, 0.71f, 0.91f, 1};    ///< Sky blue: selected, links.
-inline const ImVec4 kGood{0.18f, 0.75f, 0.56f, 1};      ///< Bluish green: won, matches, running.
-inline const ImVec4 kWarn{0.95f, 0.68f, 0.13f, 1};      ///< Orange: changed, paused, a warning.
-inline const ImVec4 kBad{0.97f, 0.49f, 0.29f, 1};       ///< Vermilion: errors, failing conditions.
-inline const ImVec4 kNumber{0.94f, 0.89f, 0.26f, 1};    ///< Yellow: numbers.
-inline const ImVec4 kVariable{0.86f, 0.58f, 0.74f, 1};  ///< Reddish purple: variables, identifiers.
+inline ImVec4 kAccent;    ///< Sky blue: selected, links.
+inline ImVec4 kGood;      ///< Bluish green: won, matches, running.
+inline ImVec4 kWarn;      ///< Orange: changed, paused, a warning.
+inline ImVec4 kBad;       ///< Vermilion: errors, failing conditions.
+inline ImVec4 kNumber;    ///< Yellow: numbers.
+inline ImVec4 kVariable;  ///< Reddish purple: variables, identifiers.
 
 /// Colours of curves and tracks, told apart in this order.
-inline const ImVec4 kSeries[] = {kAccent, kWarn, kGood, kVariable, kNumber, kBad};
+inline ImVec4 Series(std::size_t number) {
+  const ImVec4 all[] = {kAccent, kWarn, kGood, kVariable, kNumber, kBad};
+  return all[number % std::size(all)];
+}
 
 inline ImU32 Packed(ImVec4 color, float alpha = 1) {
   color.w *= alpha;
@@ -39,7 +41,7 @@ inline ImVec4 ColorOf(Severity severity) {
 
 }  // namespace theme
 
-/// Sets ImGui's style for this text size; 1 is 100 %.
-void ApplyTheme(float scale);
+/// Sets the colours, and ImGui's style for this text size; 1 is 100 %.
+void ApplyTheme(float scale, bool light = false);
 
 }  // namespace soarbox::viewer

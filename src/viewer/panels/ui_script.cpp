@@ -21,9 +21,9 @@ constexpr std::chrono::seconds kLeastWait{8};
 /// Frames that the window gets to answer a step before the next.
 constexpr int kSettle = 2;
 
-constexpr std::array<std::string_view, 15> kWords{"click",      "click-agent", "double-click", "right-click", "hover",
-                                                  "click-at",   "drag",        "type",         "key",         "expect",
-                                                  "expect-not", "wait",        "until",        "picture",     "audit"};
+constexpr std::array<std::string_view, 16> kWords{
+    "click", "click-agent", "double-click", "right-click", "hover", "click-at", "drag",  "type",
+    "key",   "expect",      "expect-not",   "wait",        "until", "picture",  "audit", "measure"};
 
 void Push(SDL_Event event) {
   SDL_PushEvent(&event);
@@ -179,6 +179,10 @@ bool UiScript::Do(const Step& step, const UiStage& stage) {
     if (!complaints.empty()) Fail(step, what + " does not look as it should:" + complaints, stage);
     return true;
   }
+  if (step.word == "measure") {
+    stage.measure(what);
+    return true;
+  }
   return DoMouse(step, stage);
 }
 
@@ -199,12 +203,9 @@ bool UiScript::DoMouse(const Step& step, const UiStage& stage) {
     Click({number(0), number(1)}, SDL_BUTTON_LEFT);
     return true;
   }
+  if (step.word == "click-agent") return ClickAgent(step.arguments[0], stage);
   ImVec2 at;
-  if (step.word == "click-agent") {
-    const auto place = stage.place_of(step.arguments[0]);
-    if (!place) return false;
-    at = *place;
-  } else {
+  {
     const int which = step.arguments.size() > 1 ? std::max(1, std::atoi(step.arguments[1].c_str())) : 1;
     const TextPlace place = FindText(stage.shown, step.arguments[0], which);
     if (place.run == nullptr) return false;
@@ -217,6 +218,20 @@ bool UiScript::DoMouse(const Step& step, const UiStage& stage) {
     if (step.word == "double-click") Click(at, SDL_BUTTON_LEFT);
   }
   return true;
+}
+
+bool UiScript::ClickAgent(const std::string& agent, const UiStage& stage) {
+  constexpr int kPatience = 8;  // Frames until the click must have shown.
+  if (clicked_ && stage.selected == agent) {
+    clicked_ = false;
+    return true;
+  }
+  if (waited_ % kPatience != 0) return false;
+  const auto place = stage.place_of(agent);
+  if (!place) return false;
+  Click(*place, SDL_BUTTON_LEFT);
+  clicked_ = true;
+  return false;
 }
 
 void UiScript::Fail(const Step& step, std::string message, const UiStage& stage) {

@@ -23,6 +23,7 @@ int GrowText(ImGuiInputTextCallbackData* data) {
 
 bool wants_focus = false;
 int list_frame = -1;  ///< In which a list had the keys.
+int kept_frame = -1;  ///< In which a field kept the keyboard.
 
 }  // namespace
 
@@ -33,6 +34,14 @@ void FocusNextField(bool wanted) {
 void TakeFocus() {
   if (wants_focus) ImGui::SetKeyboardFocusHere();
   wants_focus = false;
+}
+
+void KeepKeyboard() {
+  kept_frame = ImGui::GetFrameCount();
+}
+
+bool KeyboardIsKept() {
+  return kept_frame >= 0 && kept_frame + 1 >= ImGui::GetFrameCount();
 }
 
 int ListStep() {
@@ -72,6 +81,23 @@ void WrappedText(ImVec4 color, std::string_view text) {
   ImGui::PopStyleColor();
 }
 
+void FoldedText(const char* id, std::string_view text, ImVec4 color) {
+  constexpr std::size_t kShort = 160;
+  const std::size_t line_end = text.find('\n');
+  if (text.size() <= kShort && line_end == std::string_view::npos) return WrappedText(color, text);
+  ImGui::PushID(id);
+  bool* const open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("open"));
+  if (*open) {
+    WrappedText(color, text);
+  } else {
+    std::size_t end = std::min({text.size(), kShort, line_end});
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+    WrappedText(color, std::string(text.substr(0, end)) + " ...");
+  }
+  if (Link("fold", *open ? "less" : "all of it")) *open = !*open;
+  ImGui::PopID();
+}
+
 void CutText(std::string_view text, float width, ImVec4 color) {
   const char* end = text.data() + text.size();
   if (ImGui::CalcTextSize(text.data(), end).x <= width) {
@@ -82,6 +108,10 @@ void CutText(std::string_view text, float width, ImVec4 color) {
   const char* fits = text.data();
   ImFont* font = ImGui::GetFont();
   font->CalcTextSizeA(ImGui::GetFontSize(), std::max(1.0f, width - dots), 0, text.data(), end, &fits);
+  // A few letters tell nothing.
+  constexpr std::ptrdiff_t kLeast = 4;
+  if (fits - text.data() < kLeast)
+    NoteTooSmall("'" + std::string(text) + "' is cut to '" + std::string(text.data(), fits) + "...'");
   ColoredText(color, std::string(text.data(), fits) + "...");
   Tooltip(text);
 }
@@ -135,6 +165,9 @@ bool SearchField(const char* id, const char* hint, std::string& text, float righ
   const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
                                                 ImGuiInputTextFlags_CallbackResize, GrowText, &text);
   MayCut(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  constexpr float kLeast_em = 5;
+  if (ImGui::GetItemRectSize().x < kLeast_em * ImGui::GetFontSize())
+    NoteTooSmall("the field '" + std::string(hint) + "' has no room to type in");
   if (ImGui::CalcTextSize(hint).x + 2 * ImGui::GetStyle().FramePadding.x > ImGui::GetItemRectSize().x) Tooltip(hint);
   return changed;
 }

@@ -17,6 +17,8 @@ void ColoredText(ImVec4 color, std::string_view text);
 /// Text that breaks at the panel's edge.
 void WrappedText(std::string_view text);
 void WrappedText(ImVec4 color, std::string_view text);
+/// Text of which the first lines are shown, and the others once it is unfolded.
+void FoldedText(const char* id, std::string_view text, ImVec4 color);
 /// Text that is cut with "..." at `width` px; whole in a tooltip.
 void CutText(std::string_view text, float width, ImVec4 color = theme::kText);
 /// The same in the width that is left.
@@ -35,6 +37,9 @@ bool SearchField(const char* id, const char* hint, std::string& text, float righ
 void FocusNextField(bool wanted = true);
 /// For a field of its own kind: call before it is drawn.
 void TakeFocus();
+/// The field that is drawn now keeps the keyboard when the picture is clicked: a line in it is not sent yet.
+void KeepKeyboard();
+bool KeyboardIsKept();
 /// In a list that was clicked last: -1 or 1 when the user wants the row above or below, by the arrow keys; else 0.
 int ListStep();
 /// Brings a row of a table of equal rows into view.

@@ -45,6 +45,10 @@ Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
   put(PanelId::kBreakpoints, MakeBreakpointsPanel());
   put(PanelId::kFutures, MakeFuturesPanel());
   put(PanelId::kProblems, MakeProblemsPanel());
+  put(PanelId::kWatch, MakeWatchPanel());
+  put(PanelId::kLongTerm, MakeLongTermPanel());
+  put(PanelId::kMinds, MakeMindsPanel());
+  put(PanelId::kMission, MakeMissionPanel());
 }
 
 Workspace::Metrics Workspace::Measure(int width, int height) const {
@@ -96,7 +100,10 @@ void Workspace::Draw(PanelFrame& frame, int width, int height, float frames_per_
               static_cast<int>(strip.size.y)};
   }
   if (show_help) DrawHelp(frame, width, height);
-  modal_ = show_help || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  finder_.Draw(frame, m.width, m.height, finder_.is_open() ? Actions(frame) : std::vector<Finder::Action>{});
+  closing_.Draw(frame, m.width, m.height);
+  modal_ = show_help || closing_.is_open() || finder_.is_open() ||
+           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
@@ -192,6 +199,14 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   const PanelId dropped = *static_cast<const PanelId*>(payload->Data);
   const bool is_here = std::find(side.panels.begin(), side.panels.end(), dropped) != side.panels.end();
   if (ImGui::IsMouseReleased(0) && !is_here) layout.Move(dropped, area);
+}
+
+bool Workspace::MayClose(const PanelContents& contents) {
+  std::vector<std::string> unsent;
+  for (const auto& panel : panels_) {
+    if (std::string text = panel->Unsent(); !text.empty()) unsent.push_back(std::move(text));
+  }
+  return closing_.MayClose(contents, std::move(unsent));
 }
 
 void Workspace::Open(PanelId panel) {

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "viewer/panels/closing.h"
+#include "viewer/panels/finder.h"
 #include "viewer/panels/first_steps.h"
 #include "viewer/panels/panel.h"
 
@@ -34,6 +36,16 @@ class Workspace {
   /// Whether a menu or another thing lies over the picture and takes the mouse wherever it is.
   bool IsModal() const { return modal_; }
 
+  /// Somebody wants to close the window: true if it may close; false: the user is asked, and kQuit comes if he agrees.
+  bool MayClose(const PanelContents& contents);
+  /// Leaves the question open whether the window is to close. True if there was one.
+  bool StayOpen() { return closing_.is_open() ? (closing_.Stay(), true) : false; }
+
+  /// Lets the user find a command, a panel, an agent, a rule, a file or a text; or something to open.
+  void Find(Finder::For what) { finder_.Open(what); }
+  /// True if that was open.
+  bool CloseFinder() { return finder_.is_open() ? (finder_.Close(), true) : false; }
+
   /// Brings a panel to the front and lets the keyboard go on there.
   void Open(PanelId panel);
   /// The keyboard goes to the field of the panel that is meant: the one under the mouse, else the one used last.
@@ -59,6 +71,10 @@ class Workspace {
   };
   Metrics Measure(int width, int height) const;
   void DrawMenus(PanelFrame& frame);
+  void DrawFileMenu(PanelFrame& frame);
+  void DrawLayoutMenu(PanelFrame& frame);
+  /// What the window itself can do, for the finder.
+  std::vector<Finder::Action> Actions(PanelFrame& frame);
   void DrawToolbar(PanelFrame& frame, const Metrics& metrics, float frames_per_second);
   void DrawScrubber(PanelFrame& frame, const Metrics& metrics);
   void DrawArea(PanelFrame& frame, Area area, const Metrics& metrics);
@@ -71,10 +87,14 @@ class Workspace {
   std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
   bool modal_ = false;
   FirstSteps first_steps_;
+  Closing closing_;
+  Finder finder_;
   PictureRect cover_{0, 0, 0, 0};
   PanelId used_ = PanelId::kAgents;  ///< Under the mouse when it was moved last, or opened by key since then.
   std::optional<PanelId> focus_;     ///< Its field takes the keyboard in the next frame.
   bool wants_copy_ = false;
+  std::string layout_name_;  ///< As typed into the menu of layouts.
+  std::string layout_fault_;
 };
 
 }  // namespace soarbox::viewer

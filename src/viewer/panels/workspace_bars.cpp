@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer/panels/icons.h"
+#include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
 #include "viewer/panels/workspace.h"
 
@@ -50,10 +51,7 @@ std::string SpeedText(double speed) {
 void Workspace::DrawMenus(PanelFrame& frame) {
   if (!ImGui::BeginMainMenuBar()) return;
   if (ImGui::BeginMenu("File")) {
-    if (ImGui::MenuItem("Save picture")) frame.Ask(SavePictureRequest{});
-    Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started");
-    ImGui::Separator();
-    CommandItem(frame, ViewerCommand::kQuit);
+    DrawFileMenu(frame);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("View")) {
@@ -105,12 +103,25 @@ void Workspace::DrawMenus(PanelFrame& frame) {
     if (ImGui::MenuItem("Smaller text", "Ctrl -")) layout.SetText(layout.text_percent - 25);
     if (ImGui::MenuItem("Normal text", "Ctrl 0")) layout.SetText(100);
     ImGui::Separator();
+    if (ImGui::BeginMenu("Layouts")) {
+      DrawLayoutMenu(frame);
+      ImGui::EndMenu();
+    }
+    ImGui::MenuItem("Light colors", nullptr, &layout.light);
     if (ImGui::MenuItem("Reset the layout")) {
       const int text = layout.text_percent;
+      const bool light = layout.light;
       layout = DefaultLayout();
+      layout.light = light;
       layout.SetText(text);
       only_picture = false;
     }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Find")) {
+    if (ImGui::MenuItem("Find anything ...", "Ctrl+Shift+P")) Find(Finder::For::kAnything);
+    Tooltip("Commands, panels, agents, rules, files, and any text in rules, memory and trace");
+    if (ImGui::MenuItem("Search in the panel", "Ctrl+F")) FocusField();
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
@@ -119,19 +130,113 @@ void Workspace::DrawMenus(PanelFrame& frame) {
       first_steps_.Begin();
     }
     Tooltip("Leads you through the window, one thing at a time");
+    if (ImGui::BeginMenu("Lessons", !frame.contents.lessons.empty())) {
+      int number = 0;
+      for (const LessonOffer& lesson : frame.contents.lessons) {
+        const std::string title = std::to_string(++number) + ". " + lesson.title;
+        if (ImGui::MenuItem(title.c_str(), lesson.is_passed ? "done" : nullptr))
+          frame.Ask(LessonRequest{LessonRequest::What::kOpen, lesson.name});
+      }
+      ImGui::EndMenu();
+    }
+    Tooltip("Learn Soar step by step: each lesson has a task, hints, and checks that tell whether it is done");
     if (ImGui::MenuItem("Keys and mouse", "?")) show_help = true;
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
 }
 
+void Workspace::DrawFileMenu(PanelFrame& frame) {
+  if (ImGui::MenuItem("Open scenario ...", "Ctrl+O")) Find(Finder::For::kScenario);
+  if (ImGui::MenuItem("Open recording ...", "Ctrl+Shift+O")) Find(Finder::For::kRecording);
+  if (ImGui::BeginMenu("Open recent", !frame.contents.recent.empty())) {
+    for (const std::string& recent : frame.contents.recent)
+      if (ImGui::MenuItem(recent.c_str())) frame.Ask(OpenRunRequest{recent});
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Save picture")) frame.Ask(SavePictureRequest{});
+  Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started");
+  ImGui::Separator();
+  CommandItem(frame, ViewerCommand::kQuit);
+}
+
+void Workspace::DrawLayoutMenu(PanelFrame& frame) {
+  const auto use = [&](const std::string& name) {
+    if (const auto found = FindLayout(name, layout)) layout = *found;
+    only_picture = false;
+  };
+  for (const NamedLayout& shipped : ShippedLayouts()) {
+    if (ImGui::MenuItem(std::string(shipped.name).c_str())) use(std::string(shipped.name));
+    Tooltip(shipped.about);
+  }
+  const std::vector<std::string> saved = SavedLayouts();
+  if (!saved.empty()) ImGui::Separator();
+  for (const std::string& name : saved) {
+    if (ImGui::MenuItem(name.c_str())) use(name);
+    if (ImGui::BeginPopupContextItem(name.c_str())) {
+      if (ImGui::MenuItem("Delete"))
+        if (const Result<void> gone = RemoveLayout(name); !gone) layout_fault_ = gone.error().message;
+      ImGui::EndPopup();
+    }
+    Tooltip("Right click to delete it");
+  }
+  ImGui::Separator();
+  ImGui::SetNextItemWidth(frame.Px(170));
+  SearchField("##name", "Save as: a name, Enter", layout_name_, frame.Px(1));
+  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !layout_name_.empty()) {
+    const Result<void> kept = SaveLayoutAs(layout_name_, layout);
+    layout_fault_ = kept ? std::string{} : kept.error().message;
+    if (kept) {
+      frame.Ask(TellRequest{"Layout saved as " + layout_name_});
+      layout_name_.clear();
+    }
+  }
+  if (!layout_fault_.empty()) ColoredText(theme::kBad, layout_fault_);
+}
+
+std::vector<Finder::Action> Workspace::Actions(PanelFrame&) {
+  std::vector<Finder::Action> actions{
+      {"Open scenario ...", "Ctrl+O", [this] { Find(Finder::For::kScenario); }},
+      {"Open recording ...", "Ctrl+Shift+O", [this] { Find(Finder::For::kRecording); }},
+      {"Light colors", layout.light ? "on" : "off", [this] { layout.light = !layout.light; }},
+      {"Larger text", "Ctrl +", [this] { layout.SetText(layout.text_percent + 25); }},
+      {"Smaller text", "Ctrl -", [this] { layout.SetText(layout.text_percent - 25); }},
+      {"Picture only", "F11", [this] { only_picture = !only_picture; }},
+      {"First steps", "", [this] {
+         layout.first_steps = true;
+         first_steps_.Begin();
+       }}};
+  const auto add = [&](const std::string& name, std::string about) {
+    actions.push_back({"Layout: " + name, std::move(about), [this, name] {
+                         if (const auto found = FindLayout(name, layout)) layout = *found;
+                       }});
+  };
+  for (const NamedLayout& shipped : ShippedLayouts()) add(std::string(shipped.name), std::string(shipped.about));
+  for (const std::string& name : SavedLayouts()) add(name, "saved");
+  return actions;
+}
+
 void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_per_second) {
   BeginBar("Run", m.menu, m.width, m.toolbar, theme::kRaised);
   const RunStatus& status = frame.status;
-  const auto button = [&](Icon icon, ViewerCommand command, std::string_view word, bool enabled = true) {
+  // Time and tick come first: where there is no room for both, buttons go without their words.
+  const std::string state = status.paused ? "Paused" : frame.contents.moment.is_live ? "Running" : "Replaying";
+  const std::string clock = "   " + TimeText(frame.scene.time_s) + "   tick " + std::to_string(frame.scene.tick);
+  const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  const float pad = ImGui::GetStyle().FramePadding.x, gap = ImGui::GetStyle().ItemSpacing.x;
+  const float icon = ImGui::GetFontSize() + 2 * pad + frame.Px(4);
+  const float words_width = width_of("PauseTickDecisionPhaseResetNext seed") + 6 * 0.6f * pad;
+  const float speed_width = width_of("Speed") + frame.Px(40 + 80 + 4) + 3 * gap + ButtonWidth("Max");
+  const float rest =
+      6 * icon + frame.Px(28) + 2 * gap + width_of(state + clock) + 2 * ImGui::GetStyle().WindowPadding.x;
+  const bool has_words = rest + speed_width + words_width <= m.width;
+  const bool has_slider = rest + speed_width <= m.width;
+  const auto button = [&](Icon sign, ViewerCommand command, std::string_view word, bool enabled = true) {
     const CommandInfo& info = InfoOf(command);
     std::string tip = std::string(info.title) + "  (" + std::string(info.keys) + ")\n" + std::string(info.meaning);
-    if (IconButton(icon, info.title.data(), word, tip, enabled)) frame.Command(command);
+    if (IconButton(sign, info.title.data(), has_words ? word : std::string_view{}, tip, enabled))
+      frame.Command(command);
     ImGui::SameLine(0, frame.Px(4));
   };
   button(status.paused ? Icon::kPlay : Icon::kPause, ViewerCommand::kTogglePause, status.paused ? "Run" : "Pause");
@@ -144,25 +249,25 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
   button(Icon::kNextSeed, ViewerCommand::kNextSeed, "Next seed", is_run);
   ImGui::SameLine(0, frame.Px(14));
 
-  ImGui::AlignTextToFramePadding();
-  ColoredText(theme::kQuiet, "Speed");
-  ImGui::SameLine();
-  const float number_x = ImGui::GetCursorPosX();
-  ImGui::TextUnformatted(SpeedText(status.speed).c_str());
-  ImGui::SameLine(number_x + frame.Px(40));
-  float speed = std::isinf(status.speed) ? 16.0f : static_cast<float>(status.speed);
-  ImGui::SetNextItemWidth(frame.Px(80));
-  constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
-  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, "", kFlags)) frame.Ask(SpeedRequest{speed});
-  Tooltip("Simulated seconds per second of yours; keys + and -");
-  ImGui::SameLine(0, frame.Px(4));
-  if (ImGui::Button("Max")) frame.Command(ViewerCommand::kUnlimited);
-  Tooltip(InfoOf(ViewerCommand::kUnlimited).meaning);
+  if (has_slider) {
+    ImGui::AlignTextToFramePadding();
+    ColoredText(theme::kQuiet, "Speed");
+    ImGui::SameLine();
+    const float number_x = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(SpeedText(status.speed).c_str());
+    ImGui::SameLine(number_x + frame.Px(40));
+    float speed = std::isinf(status.speed) ? 16.0f : static_cast<float>(status.speed);
+    ImGui::SetNextItemWidth(frame.Px(80));
+    constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
+    if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, "", kFlags)) frame.Ask(SpeedRequest{speed});
+    Tooltip("Simulated seconds per second of yours; keys + and -");
+    ImGui::SameLine(0, frame.Px(4));
+    if (ImGui::Button("Max")) frame.Command(ViewerCommand::kUnlimited);
+    Tooltip(InfoOf(ViewerCommand::kUnlimited).meaning);
+  }
 
   // At the right, as far as there is room: what is going on.
-  const auto& contents = frame.contents;
-  std::string words = status.paused ? "Paused" : contents.moment.is_live ? "Running" : "Replaying";
-  std::string details = "   " + TimeText(frame.scene.time_s) + "   tick " + std::to_string(frame.scene.tick);
+  std::string words = state, details = clock;
   const std::size_t agents = frame.scene.agents.size();
   std::string more = "   ";
   more.append(std::to_string(agents)).append(agents == 1 ? " agent" : " agents");
@@ -171,7 +276,11 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
   const float left = ImGui::GetCursorPosX(), room = m.width - left - ImGui::GetStyle().WindowPadding.x;
   const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   if (width(words + details + more) > room) more.clear();
-  if (width(words + details) > room) details.clear();
+  if (width(words + details) > room) words.clear();
+  if (width(words + details) > room) {
+    details.clear();
+    NoteTooSmall("the toolbar has no room for time and tick");
+  }
   if (width(words) <= room) {
     ImGui::SetCursorPosX(left + room - width(words + details + more));
     ImGui::AlignTextToFramePadding();
@@ -282,6 +391,8 @@ void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
   if (begin("Panels", "panels")) {
     row("Alt + letter", "Brings a panel to the front: the menu Panels tells which");
     row("Ctrl+F", "Search in the panel under the mouse");
+    row("Ctrl+Shift+P", "Find anything: commands, agents, rules, files, texts");
+    row("Ctrl+O, Ctrl+Shift+O", "Open a scenario, a recording");
     row("Ctrl+C", "Copy what the panel under the mouse shows");
     row("Up, Down", "In a list that was clicked: the row above, below");
     row("F11", "Picture only, or with panels");

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/recall.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "debugger/recorded_mind.h"
+
+namespace soarbox::debugger {
+namespace {
+
+constexpr std::size_t kMostRecalls = 2000;
+constexpr std::string_view kRecallWord = "recall ", kNoFactWord = "no fact", kNoEpisodeWord = "no episode",
+                           kEpisodeWord = "episode ";
+
+std::uint64_t RecalledNumber(std::string_view text) {
+  std::uint64_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+}  // namespace
+
+std::optional<Recall> ReadRecall(std::string_view line) {
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  Recall recall;
+  recall.level = 1 + static_cast<int>(indent / 3);
+  line.remove_prefix(indent);
+  const std::size_t open = line.find(" {"), between = line.rfind("} for {");
+  if (!line.starts_with(kRecallWord) || open == std::string_view::npos || between == std::string_view::npos ||
+      between < open + 2 || !line.ends_with('}'))
+    return std::nullopt;
+  const std::string_view what = line.substr(kRecallWord.size(), open - kRecallWord.size());
+  recall.answer = line.substr(open + 2, between - open - 2);
+  recall.question = line.substr(between + 7, line.size() - between - 8);
+  recall.is_episode = what.starts_with(kEpisodeWord) || what == kNoEpisodeWord;
+  if (what.starts_with(kEpisodeWord)) {
+    recall.number = RecalledNumber(what.substr(kEpisodeWord.size()));
+  } else if (what.starts_with('@')) {
+    recall.number = RecalledNumber(what.substr(1));
+  } else if (what != kNoFactWord && what != kNoEpisodeWord) {
+    return std::nullopt;
+  }
+  return recall;
+}
+
+void RecallLog::Add(std::uint64_t tick, const record::MindRecord& mind) {
+  for (std::size_t n = 0; n < mind.decisions.size(); ++n) {
+    std::optional<Recall> recall = ReadRecall(mind.decisions[n]);
+    if (!recall) continue;
+    recall->tick = tick;
+    if (n < mind.reasons.size()) recall->reason = mind.reasons[n];
+    recalls_.push_back(*std::move(recall));
+    ++count_;
+    if (recalls_.size() > kMostRecalls) recalls_.pop_front();
+  }
+}
+
+void RecallLog::CutFrom(std::uint64_t tick) {
+  while (!recalls_.empty() && recalls_.back().tick >= tick) {
+    recalls_.pop_back();
+    --count_;
+  }
+}
+
+RecallLog RecallLog::Until(std::uint64_t tick) const {
+  RecallLog until;
+  for (const Recall& recall : recalls_) {
+    if (recall.tick <= tick) until.recalls_.push_back(recall);
+  }
+  until.count_ = until.recalls_.size();
+  return until;
+}
+
+LongTermView LookAtLongTerm(sim::Inspector& mind, const std::string& text, std::size_t most) {
+  LongTermView view;
+  auto* const source = dynamic_cast<sim::LongTermSource*>(&mind);
+  if (source == nullptr) {
+    view.note = "what it knows and remembers: " + std::string(Absence(mind));
+    return view;
+  }
+  view.facts = source->LongTerm(most, text);
+  if (!view.facts.semantic && !view.facts.episodic) {
+    view.note = "no long-term memory is switched on: smem --enable, epmem --enable";
+  }
+  return view;
+}
+
+EpisodeView LookAtEpisode(sim::Inspector& mind, std::size_t number) {
+  EpisodeView view;
+  auto* const source = dynamic_cast<sim::LongTermSource*>(&mind);
+  if (source == nullptr || number == 0) return view;
+  const std::vector<sim::RememberedFact> facts = source->Episode(number);
+  if (facts.empty()) return view;
+  view.number = number;
+  // Objects in the order in which they are reached; each has the path that led to it first.
+  std::map<std::uint32_t, std::string> paths{{0, ""}};
+  std::map<std::uint32_t, std::string> ways;  // The attribute that leads there.
+  std::map<std::uint32_t, std::map<std::string, std::string>> values;
+  std::map<std::uint32_t, std::map<std::string, std::uint32_t>> links;
+  for (const sim::RememberedFact& fact : facts) {
+    const auto path = paths.find(fact.object);
+    const std::string here = (path == paths.end() ? std::string("?.") : path->second) + fact.attribute;
+    if (fact.is_object) {
+      paths.try_emplace(fact.value_object, here + ".");
+      ways.try_emplace(fact.value_object, fact.attribute);
+      links[fact.object].try_emplace(fact.attribute, fact.value_object);
+    } else {
+      values[fact.object].try_emplace(fact.attribute, fact.value);
+      view.lines.push_back(here + " " + fact.value);
+    }
+  }
+  std::ranges::sort(view.lines);
+  for (const auto& [object, way] : ways) {
+    const auto position = links[object].find("position");
+    if (position == links[object].end()) continue;
+    const std::map<std::string, std::string>& at = values[position->second];
+    const auto x = at.find("x"), z = at.find("z");
+    if (x == at.end() || z == at.end()) continue;
+    RememberedThing thing;
+    thing.kind = way;
+    const auto name = values[object].find("name");
+    thing.name = way == "self" ? "self" : name == values[object].end() ? way : name->second;
+    thing.x = std::strtod(x->second.c_str(), nullptr);
+    thing.z = std::strtod(z->second.c_str(), nullptr);
+    view.things.push_back(std::move(thing));
+  }
+  return view;
+}
+
+void TellRecalls(const RecallLog& log, WhyNode& answer) {
+  constexpr std::size_t kMostTold = 3;
+  const std::deque<Recall>& recalls = log.recalls();
+  for (std::size_t n = 0; n < std::min(recalls.size(), kMostTold); ++n) {
+    Recall recall = recalls[recalls.size() - 1 - n];
+    const std::string reason = std::exchange(recall.reason, {});
+    WhyNode node{(n == 0 ? "recalled last: " : "before that: ") + ToText(recall), "recall", "", {}};
+    if (!reason.empty()) node.below.push_back({reason, "reason", "", {}});
+    answer.below.push_back(std::move(node));
+  }
+}
+
+std::string ToText(const LongTermView& view) {
+  std::string text;
+  if (!view.note.empty()) text += view.note + "\n";
+  const sim::LongTermFacts& facts = view.facts;
+  if (facts.semantic || facts.objects > 0) {
+    text += fmt::format("semantic memory{}: {} objects, {} augmentations\n", facts.semantic ? "" : " (off)",
+                        facts.objects, facts.augmentations);
+    for (const sim::KnownObjectFact& object : facts.known) {
+      text += fmt::format("{:>8} {:>9.3f} {:>6}  {}\n", "@" + std::to_string(object.number), object.activation,
+                          object.uses, object.text);
+    }
+  }
+  if (facts.episodic || facts.episodes > 0) {
+    text += fmt::format("episodic memory{}: {} episodes\n", facts.episodic ? "" : " (off)", facts.episodes);
+  }
+  return text;
+}
+
+Json ToJson(const LongTermView& view) {
+  Json json;
+  json["semantic"] = view.facts.semantic;
+  json["episodic"] = view.facts.episodic;
+  json["objects"] = view.facts.objects;
+  json["augmentations"] = view.facts.augmentations;
+  json["episodes"] = view.facts.episodes;
+  json["known"] = Json::array();
+  for (const sim::KnownObjectFact& object : view.facts.known) {
+    Json one;
+    one["number"] = object.number;
+    one["activation"] = object.activation;
+    one["uses"] = object.uses;
+    one["text"] = object.text;
+    json["known"].push_back(std::move(one));
+  }
+  if (!view.note.empty()) json["note"] = view.note;
+  return json;
+}
+
+std::string ToText(const EpisodeView& view) {
+  if (view.number == 0) return "there is no such episode\n";
+  std::string text = fmt::format("episode {}\n", view.number);
+  for (const std::string& line : view.lines) text += "  " + line + "\n";
+  return text;
+}
+
+Json ToJson(const EpisodeView& view) {
+  Json json;
+  json["episode"] = view.number;
+  json["elements"] = view.lines;
+  json["things"] = Json::array();
+  for (const RememberedThing& thing : view.things) {
+    Json one;
+    one["name"] = thing.name;
+    one["kind"] = thing.kind;
+    one["x"] = thing.x;
+    one["z"] = thing.z;
+    json["things"].push_back(std::move(one));
+  }
+  return json;
+}
+
+std::string ToText(const Recall& recall) {
+  std::string text = recall.number == 0  ? (recall.is_episode ? "no episode" : "no fact")
+                     : recall.is_episode ? fmt::format("episode {}", recall.number)
+                                         : fmt::format("@{}", recall.number);
+  if (!recall.answer.empty()) text += " (" + recall.answer + ")";
+  text += " for " + recall.question;
+  if (!recall.reason.empty()) text += ": " + recall.reason;
+  return text;
+}
+
+Json ToJson(const Recall& recall) {
+  Json json;
+  json["tick"] = recall.tick;
+  json["level"] = recall.level;
+  json["memory"] = recall.is_episode ? "episodic" : "semantic";
+  json["number"] = recall.number;
+  json["question"] = recall.question;
+  json["answer"] = recall.answer;
+  json["reason"] = recall.reason;
+  return json;
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/camera_keeper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "world/rotation.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using world::CameraSnapshot;
+using world::Quat;
+using world::Vec3;
+
+/// Somebody who will be out of this part of the picture that soon makes the camera go.
+constexpr float kInside = 0.93f, kSoon_s = 0.8f;
+/// Where it goes, those who move have room for so long.
+constexpr float kRoom_s = 1.6f;
+/// The picture is too wide when the camera could come this much nearer; after a while it does.
+constexpr float kTooWide = 0.6f, kWideFor_s = 2.5f;
+/// Up to here the camera goes back for places; for agents up to kFurthest_m, those in the middle first.
+constexpr float kPlacesWithin_m = 46, kFurthest_m = 260;
+constexpr float kPlaceRadius_m = 0.6f, kPlaceHeight_m = 0.6f;
+
+float Tangent(float fov_deg) {
+  return std::tan(fov_deg * std::numbers::pi_v<float> / 360);
+}
+
+Vec3 Middle(std::span<const FramedBody> bodies) {
+  Vec3 low = bodies.front().position, high = low;
+  for (const FramedBody& body : bodies) {
+    const Vec3 p = body.position;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return (low + high) * 0.5f;
+}
+
+/// Whether head and feet are in that share of the picture.
+bool IsInside(const FramedBody& body, Vec3 at, const CameraSnapshot& pose, float aspect, float share) {
+  const Vec3 right = Rotate(pose.orientation, {1, 0, 0}), up = Rotate(pose.orientation, {0, 1, 0}),
+             ahead = Rotate(pose.orientation, {0, 0, -1});
+  const float slope_y = share * Tangent(pose.vertical_fov_deg), slope_x = slope_y * aspect;
+  for (const float y : {-0.5f, 0.5f}) {
+    const Vec3 away = at + Vec3{0, y * body.height_m, 0} - pose.position;
+    const float depth = Dot(away, ahead);
+    if (depth < 1 || std::abs(Dot(away, right)) > slope_x * depth || std::abs(Dot(away, up)) > slope_y * depth)
+      return false;
+  }
+  return true;
+}
+
+/// Where everybody is and will be.
+std::vector<FramedBody> WithRoom(std::span<const FramedBody> bodies) {
+  std::vector<FramedBody> all(bodies.begin(), bodies.end());
+  for (const FramedBody& body : bodies) {
+    FramedBody& later = all.emplace_back(body);
+    later.position += Vec3{body.velocity.x, 0, body.velocity.z} * kRoom_s;
+  }
+  return all;
+}
+
+/// Without those who are so far out that the others would be specks: the nearest to the middle of all stay.
+std::vector<FramedBody> WithinReach(std::span<const FramedBody> bodies, const CameraSnapshot& goal, float aspect) {
+  std::vector<FramedBody> kept(bodies.begin(), bodies.end());
+  const auto reaches = [&](std::size_t count) {
+    const std::span<const FramedBody> some(kept.data(), count);
+    const CameraSnapshot pose = FramingPose(some, goal.orientation, goal.vertical_fov_deg, aspect);
+    return world::Distance(pose.position, Middle(some)) <= kFurthest_m;
+  };
+  if (reaches(kept.size())) return kept;
+  Vec3 mean;
+  for (const FramedBody& body : kept) mean += body.position * (1 / static_cast<float>(kept.size()));
+  std::stable_sort(kept.begin(), kept.end(), [&](const FramedBody& a, const FramedBody& b) {
+    return world::Distance(a.position, mean) < world::Distance(b.position, mean);
+  });
+  std::size_t fits = 1, too_many = kept.size();
+  while (too_many - fits > 1) {
+    const std::size_t half = (fits + too_many) / 2;
+    (reaches(half) ? fits : too_many) = half;
+  }
+  kept.resize(fits);
+  return kept;
+}
+
+/// As a camera looks over a scene: not along the ground, and not straight down but on a map.
+Quat Comfortable(Quat orientation) {
+  const Vec3 ahead = Rotate(orientation, {0, 0, -1});
+  if (ahead.y < -0.999f) return orientation;
+  const float pitch = std::clamp(std::asin(std::clamp(ahead.y, -1.0f, 1.0f)), -1.05f, -0.42f);
+  const float yaw = std::atan2(-ahead.x, -ahead.z);
+  const Quat turn{std::cos(yaw / 2), 0, std::sin(yaw / 2), 0}, tilt{std::cos(pitch / 2), std::sin(pitch / 2), 0, 0};
+  return world::Normalized(turn * tilt);
+}
+
+}  // namespace
+
+CameraSnapshot FramingPose(std::span<const FramedBody> bodies, Quat orientation, float vertical_fov_deg, float aspect) {
+  // A margin at the sides, for labels and the window's bars.
+  const float slope_y = 0.80f * Tangent(vertical_fov_deg);
+  const float slope_x = 0.86f * Tangent(vertical_fov_deg) * std::max(aspect, 0.2f);
+  const Vec3 right = Rotate(orientation, {1, 0, 0}), up = Rotate(orientation, {0, 1, 0}),
+             ahead = Rotate(orientation, {0, 0, -1});
+  // Each point keeps the camera behind two planes per direction; the outermost ones settle its place.
+  float to_right = -1e9f, to_left = -1e9f, to_top = -1e9f, to_bottom = -1e9f, nearest = 1e9f;
+  for (const FramedBody& body : bodies) {
+    for (const float y : {-0.5f, 0.5f}) {
+      const Vec3 at = body.position + Vec3{0, y * body.height_m, 0};
+      const float x = Dot(at, right), z = Dot(at, ahead), reach = 2 * body.radius_m;
+      to_right = std::max(to_right, x + reach - z * slope_x);
+      to_left = std::max(to_left, reach - x - z * slope_x);
+      to_top = std::max(to_top, Dot(at, up) + reach - z * slope_y);
+      to_bottom = std::max(to_bottom, reach - Dot(at, up) - z * slope_y);
+      nearest = std::min(nearest, z);
+    }
+  }
+  constexpr float kAway_m = 6.5f;  // A single agent is not to fill the window.
+  const float depth =
+      std::min({-(to_right + to_left) / (2 * slope_x), -(to_top + to_bottom) / (2 * slope_y), nearest - kAway_m});
+  const float x = (to_right - to_left) / 2, y = (to_top - to_bottom) / 2;
+  CameraSnapshot pose;
+  pose.position = right * x + up * y + ahead * depth;
+  pose.orientation = orientation;
+  pose.vertical_fov_deg = vertical_fov_deg;
+  return pose;
+}
+
+std::vector<FramedBody> WithPlaces(std::span<const FramedBody> agents, std::span<const Vec3> places, Quat orientation,
+                                   float vertical_fov_deg, float aspect) {
+  std::vector<FramedBody> all(agents.begin(), agents.end());
+  if (agents.empty()) return all;
+  const Vec3 middle = Middle(agents);
+  std::vector<Vec3> nearest(places.begin(), places.end());
+  std::stable_sort(nearest.begin(), nearest.end(),
+                   [&](Vec3 a, Vec3 b) { return world::Distance(a, middle) < world::Distance(b, middle); });
+  for (const Vec3 place : nearest) {
+    if (!world::IsFinite(place)) continue;
+    all.push_back({place + Vec3{0, kPlaceHeight_m / 2, 0}, {}, kPlaceRadius_m, kPlaceHeight_m});
+    const CameraSnapshot pose = FramingPose(all, orientation, vertical_fov_deg, aspect);
+    if (world::Distance(pose.position, Middle(all)) > kPlacesWithin_m) all.pop_back();
+  }
+  return all;
+}
+
+std::optional<CameraSnapshot> CameraKeeper::Follow(std::span<const FramedBody> agents, std::span<const Vec3> places,
+                                                   const CameraSnapshot& goal, float aspect, float seconds) {
+  if (agents.empty()) return std::nullopt;
+  const std::vector<FramedBody> kept = WithinReach(agents, goal, aspect);
+  const Quat orientation = Comfortable(goal.orientation);
+  const auto frame = [&] {
+    const std::vector<FramedBody> all = WithPlaces(WithRoom(kept), places, orientation, goal.vertical_fov_deg, aspect);
+    CameraSnapshot pose = FramingPose(all, orientation, goal.vertical_fov_deg, aspect);
+    pose.position.y = std::max(pose.position.y, 0.5f);
+    return pose;
+  };
+  const bool all_stay = std::all_of(kept.begin(), kept.end(), [&](const FramedBody& body) {
+    const Vec3 later = body.position + Vec3{body.velocity.x, 0, body.velocity.z} * kSoon_s;
+    return IsInside(body, body.position, goal, aspect, kInside) && IsInside(body, later, goal, aspect, kInside);
+  });
+  if (!all_stay) {
+    wide_s_ = 0;
+    return frame();
+  }
+  const CameraSnapshot near = frame();
+  const Vec3 middle = Middle(kept);
+  const bool is_wide = world::Distance(near.position, middle) < kTooWide * world::Distance(goal.position, middle);
+  wide_s_ = is_wide ? wide_s_ + seconds : 0;
+  if (wide_s_ < kWideFor_s) return std::nullopt;
+  wide_s_ = 0;
+  return near;
+}
+
+}  // namespace soarbox::viewer

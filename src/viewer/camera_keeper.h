@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "world/math.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::viewer {
+
+/// Something that is to be in the picture.
+struct FramedBody {
+  world::Vec3 position;  ///< Of its middle.
+  world::Vec3 velocity;  ///< m/s
+  float radius_m = 0.35f, height_m = 1.75f;
+};
+
+/// The pose with this orientation from which all the bodies are in the picture, as near as can be.
+world::CameraSnapshot FramingPose(std::span<const FramedBody> bodies, world::Quat orientation, float vertical_fov_deg,
+                                  float aspect);
+
+/// Decides where the camera has to go so that what matters stays in the picture, and otherwise lets it rest.
+///
+/// It asks for a new place only when somebody is about to leave the picture, or when the picture has been far too wide
+/// for a while: small movements move nothing. It never turns the camera. Pure arithmetic, no drawing.
+class CameraKeeper {
+ public:
+  /// Agents come first: places (of waypoints, regions, items) join in as long as agents stay large enough.
+  /// `goal`: where the camera is or is on its way to. Returns the new goal; none: the present one is good.
+  std::optional<world::CameraSnapshot> Follow(std::span<const FramedBody> agents, std::span<const world::Vec3> places,
+                                              const world::CameraSnapshot& goal, float aspect, float seconds);
+  /// Forgets how long the picture has been too wide.
+  void Begin() { wide_s_ = 0; }
+
+ private:
+  float wide_s_ = 0;
+};
+
+/// Those of the places that can be shown with the agents without making them too small.
+std::vector<FramedBody> WithPlaces(std::span<const FramedBody> agents, std::span<const world::Vec3> places,
+                                   world::Quat orientation, float vertical_fov_deg, float aspect);
+
+}  // namespace soarbox::viewer

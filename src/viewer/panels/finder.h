@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "viewer/panels/panel.h"
+
+namespace soarbox::viewer {
+
+/// A list over the picture in which one types a part of what one wants: commands, panels, agents, rules, files, texts
+/// anywhere; or, to open something, scenarios and recordings. Enter does the chosen line, Esc closes.
+class Finder {
+ public:
+  enum class For : std::uint8_t { kAnything, kScenario, kRecording };
+
+  void Open(For what);
+  void Close() { wants_close_ = is_open_; }
+  bool is_open() const { return is_open_; }
+  /// Draws it, if it is open. What other parts of the window can do comes along as `more`.
+  struct Action {
+    std::string title, detail;
+    std::function<void()> act;
+  };
+  void Draw(PanelFrame& frame, float width, float height, const std::vector<Action>& more);
+
+ private:
+  struct Item {
+    const char* kind;
+    std::string title, detail;
+    std::function<void()> act;
+  };
+  std::vector<Item> Items(PanelFrame& frame, const std::vector<Action>& more) const;
+  void AddAnything(PanelFrame& frame, const std::vector<Action>& more, std::vector<Item>& items) const;
+  void AddPlaces(PanelFrame& frame, std::vector<Item>& items) const;
+  void AddOffers(PanelFrame& frame, std::vector<Item>& items) const;
+  void DrawRows(PanelFrame& frame, const std::vector<Item>& items, bool chosen);
+  void Leave(PanelFrame& frame);
+
+  For for_ = For::kAnything;
+  bool is_open_ = false, wants_focus_ = false, wants_close_ = false;
+  std::string text_, asked_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+
+#include "viewer/panels/panel.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+/// What is to be seen of a check at the moment that is shown: what is decided later is still open.
+std::string_view StateAt(const CheckRow& check, const Moment& moment) {
+  return check.tick > moment.shown_tick ? std::string_view("open") : std::string_view(check.state);
+}
+
+/// What agents are to do, and how far they are; the lesson that the world belongs to stands above it.
+class MissionPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    const PanelContents& contents = frame.contents;
+    if (contents.lesson) DrawLesson(frame, *contents.lesson);
+    if (contents.checks.empty()) {
+      if (!contents.lesson)
+        EmptyNote("This world has no mission.",
+                  "Write what agents are to do as [[check]] tables into scenario.toml: docs/missions.md");
+      return;
+    }
+    DrawHead(frame);
+    ImGui::BeginChild("checks", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    int number = 0;
+    for (const CheckRow& check : contents.checks) {
+      ImGui::PushID(++number);
+      DrawCheck(frame, check);
+      ImGui::PopID();
+    }
+    ImGui::EndChild();
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    std::string text;
+    if (frame.contents.lesson) text = frame.contents.lesson->title + "\n" + frame.contents.lesson->task + "\n";
+    for (const CheckRow& check : frame.contents.checks) {
+      const std::string_view state = StateAt(check, frame.contents.moment);
+      text += std::string(state) + "  " + check.name;
+      if (state != "open") text += "  " + TimeText(check.time_s);
+      text += "\n  " + check.expected + (check.was.empty() ? "" : "; " + check.was) + "\n";
+    }
+    return text;
+  }
+
+ private:
+  static void DrawHead(PanelFrame& frame) {
+    const Moment& moment = frame.contents.moment;
+    std::size_t all = 0, good = 0, bad = 0;
+    for (const CheckRow& check : frame.contents.checks) {
+      if (check.is_marker) continue;
+      const std::string_view state = StateAt(check, moment);
+      ++all;
+      good += state == "true" ? 1 : 0;
+      bad += state == "false" || state == "untested" ? 1 : 0;
+    }
+    const std::string words = std::to_string(good) + " of " + std::to_string(all) + " checks" +
+                              (bad > 0 ? ", " + std::to_string(bad) + " failed" : std::string());
+    ColoredText(bad > 0 ? theme::kBad : good == all ? theme::kGood : theme::kText, words);
+    if (moment.branches > 0)
+      WrappedText(theme::kWarn,
+                  "You went back and on: these are the checks of the run before. Reset begins a run that is checked.");
+    ImGui::Separator();
+  }
+
+  static void DrawCheck(PanelFrame& frame, const CheckRow& check) {
+    const std::string_view state = StateAt(check, frame.contents.moment);
+    const bool is_open = state == "open", is_good = state == "true";
+    const ImVec4 color = is_open                ? theme::kQuiet
+                         : is_good              ? theme::kGood
+                         : state == "undecided" ? theme::kWarn
+                                                : theme::kBad;
+    DrawMark(frame, color, is_open, is_good);
+    ImGui::SameLine(0, frame.Px(6));
+    const bool is_known = check.state != "open";  // Perhaps later than the moment that is shown.
+    if (!is_known) {
+      WrappedText(theme::kText, check.name);
+    } else {
+      ImGui::BeginGroup();
+      WrappedText(is_open ? theme::kQuiet : theme::kText, check.name);
+      ColoredText(theme::kAccent, TimeText(check.time_s));
+      ImGui::EndGroup();
+      if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      if (ImGui::IsItemClicked()) {
+        frame.Ask(SeekRequest{check.tick});
+        for (const world::AgentSnapshot& agent : frame.scene.agents)
+          if (agent.name == check.agent) frame.selected = agent.id;
+      }
+      Tooltip("Click to see this moment");
+    }
+    ImGui::Indent(frame.Px(22));
+    if (check.is_marker) {
+      WrappedText(theme::kQuiet, "a moment that others refer to");
+    } else if (is_open || !is_good) {
+      WrappedText(theme::kQuiet, check.expected);
+    }
+    if (!is_open && !is_good && !check.was.empty()) WrappedText(color, check.was);
+    ImGui::Unindent(frame.Px(22));
+    ImGui::Spacing();
+  }
+
+  /// An empty box, a tick or a cross: shapes, so that colours are not needed.
+  static void DrawMark(const PanelFrame& frame, ImVec4 color, bool is_open, bool is_good) {
+    const float size = ImGui::GetTextLineHeight(), inset = size * 0.15f;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 ink = ImGui::GetColorU32(color);
+    const float line = std::max(1.0f, frame.Px(1.6f));
+    const ImVec2 low{at.x + inset, at.y + inset}, high{at.x + size - inset, at.y + size - inset};
+    if (is_open) {
+      list.AddRect(low, high, ink, frame.Px(2));
+    } else if (is_good) {
+      const ImVec2 foot{at.x + size * 0.42f, high.y};
+      list.AddLine({low.x, at.y + size * 0.55f}, foot, ink, line);
+      list.AddLine(foot, {high.x, low.y}, ink, line);
+    } else {
+      list.AddLine(low, high, ink, line);
+      list.AddLine({low.x, high.y}, {high.x, low.y}, ink, line);
+    }
+    ImGui::Dummy({size, size});
+  }
+
+  static void DrawLesson(PanelFrame& frame, const LessonContents& lesson) {
+    WrappedText(theme::kAccent, lesson.title);
+    WrappedText(lesson.task);
+    FoldedText("idea", lesson.idea, theme::kQuiet);
+    using What = LessonRequest::What;
+    const bool has_more = lesson.hints.size() < lesson.hint_count;
+    const std::string hint = "Hint " + std::to_string(std::min(lesson.hints.size() + 1, lesson.hint_count)) + " of " +
+                             std::to_string(lesson.hint_count);
+    ImGui::BeginDisabled(!has_more);
+    if (ImGui::Button(hint.c_str())) frame.Ask(LessonRequest{What::kHint});
+    ImGui::EndDisabled();
+    Tooltip("A nudge first, then the idea, then the outline of the rule");
+    FlowLine(ButtonWidth("Check my rules"));
+    ImGui::BeginDisabled(lesson.is_graded);
+    if (ImGui::Button("Check my rules")) frame.Ask(LessonRequest{What::kGrade});
+    ImGui::EndDisabled();
+    Tooltip("Runs what you saved with ten seeds and tells whether the lesson is done");
+    if (!lesson.next.empty()) {
+      FlowLine(ButtonWidth("Next lesson"));
+      if (ImGui::Button("Next lesson")) frame.Ask(LessonRequest{What::kOpen, lesson.next});
+      Tooltip("Every lesson is open, whether this one is done or not");
+    }
+    int number = 0;
+    for (const std::string& text : lesson.hints) WrappedText(theme::kWarn, std::to_string(++number) + ". " + text);
+    if (lesson.is_graded) ColoredText(theme::kQuiet, "Ten seeds are run ...");
+    for (const std::string& line : lesson.grade) {
+      const bool is_bad = line.starts_with("  no ");
+      WrappedText(is_bad ? theme::kBad : theme::kText, line.substr(std::min(line.find_first_not_of(' '), line.size())));
+    }
+    if (lesson.is_passed) ColoredText(theme::kGood, "This lesson is done.");
+    ImGui::Separator();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeMissionPanel() {
+  return std::make_unique<MissionPanel>();
+}
+
+}  // namespace soarbox::viewer
