@@ -29,7 +29,7 @@ Diagnostic DiagnosticOf(const sim::Event& event) {
   if (!is_lost && event.kind != sim::EventKind::kMindBack) return diagnostic;
   diagnostic.severity = is_lost ? Severity::kError : Severity::kNote;
   diagnostic.message = event.text;
-  if (is_lost) diagnostic.hint = "the world goes on; start a kernel there again (soarbox kernel --port N)";
+  if (is_lost) diagnostic.hint = "the world keeps running; start a kernel there again (soarbox kernel --port N)";
   return diagnostic;
 }
 
@@ -37,8 +37,13 @@ Diagnostic DiagnosticOf(const sim::Event& event) {
 
 Desk::Desk(RunSession& session, const record::Header& header, const sim::Scenario& scenario,
            const sim::SimulationSettings& settings)
-    : session_(&session), past_(header, scenario, settings) {
+    : session_(&session),
+      past_(header, scenario, settings),
+      lesson_(std::make_unique<LessonDesk>(scenario, session.lesson())) {
   session.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
+  session.SetOnEdit([this](const Diagnostic& told) {
+    if (told.severity != Severity::kNote) NoteProblem(told, {});
+  });
 }
 
 Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range)
@@ -48,7 +53,46 @@ Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::Tick
       past_(recording, data, FirstOf(recording, range), LastOf(recording, range)) {}
 
 Desk::~Desk() {
-  if (session_ != nullptr) session_->Watch({});
+  KeepDrafts(true);
+  if (session_ != nullptr) {
+    session_->Watch({});
+    session_->SetOnEdit({});
+  }
+}
+
+Desk::Belongings Desk::TakeBelongings() {
+  KeepDrafts(true);
+  return {std::exchange(open_files_, {}), edited_file_,   edit_version_, breakpoints_.list(),
+          std::move(consoles_),           console_lines_, watches_,      beside_};
+}
+
+void Desk::Bring(Belongings belongings) {
+  open_files_ = std::move(belongings.open_files);
+  for (auto& [name, file] : open_files_) file.edit.BeginAgain();
+  edited_file_ = std::move(belongings.edited_file);
+  edit_version_ = belongings.edit_version;
+  for (const debugger::Breakpoint& kept : belongings.breakpoints) {
+    const Result<int> set = breakpoints_.Set(kept.kind, kept.agent, kept.what);
+    if (set && !kept.enabled) breakpoints_.Enable(*set, false);
+  }
+  consoles_ = std::move(belongings.consoles);
+  console_lines_ = belongings.console_lines + 1;
+  watches_ = std::move(belongings.watches);
+  beside_ = std::move(belongings.beside);
+}
+
+void Desk::KeepDrafts(bool at_once) {
+  constexpr auto kEvery = std::chrono::seconds(1);
+  if (!at_once && Clock::now() - kept_drafts_ < kEvery) return;
+  kept_drafts_ = Clock::now();
+  for (auto& [name, file] : open_files_) {
+    if (!std::exchange(file.has_draft, false)) continue;
+    if (!file.edit.is_unsaved()) {
+      drafts_.Drop(name);
+    } else if (const Result<void> kept = drafts_.Keep(name, file.edit.text()); !kept) {
+      NoteProblem(kept.error(), {});
+    }
+  }
 }
 
 void Desk::Prepare() {
@@ -58,7 +102,8 @@ void Desk::Prepare() {
   breakpoints_.Prepare(simulation);
   if (noted_agent_ == agent_ || past_.branches() > 0) return;  // Minds of another future note all.
   // Breakpoints may need the one before; they ask again in each frame.
-  if (!noted_agent_.empty()) simulation.NoteMind(noted_agent_, sim::MindDetail::kDecisions);
+  const sim::MindDetail least = std::max(sim::MindDetail::kDecisions, session_->LeastDetail());
+  if (!noted_agent_.empty()) simulation.NoteMind(noted_agent_, least);
   if (!agent_.empty()) simulation.NoteMind(agent_, sim::MindDetail::kAll);
   noted_agent_ = agent_;
 }
@@ -76,6 +121,7 @@ void Desk::OnTick(const record::TickRecord& tick) {
   }
   const sim::Simulation& simulation = session_->simulation();
   models_.plots.Sample(simulation);
+  LookForChange(tick);
   if (breakpoints_.list().empty()) return;
   if (std::vector<debugger::BreakHit> hits = breakpoints_.Check(simulation); !hits.empty()) {
     hits_ = std::move(hits);
@@ -87,6 +133,7 @@ void Desk::OnTick(const record::TickRecord& tick) {
 void Desk::Learn(const record::TickRecord& tick) {
   models_.Add(tick);
   for (const sim::Event& event : tick.events) {
+    if (event.news == "check") NoteCheck(event);
     if (!IsProblem(event)) continue;
     problems_.push_back({DiagnosticOf(event), event.agent, tick.tick, tick.scene.time_s});
     if (problems_.size() > kMostProblems) problems_.erase(problems_.begin());
@@ -94,6 +141,16 @@ void Desk::Learn(const record::TickRecord& tick) {
   for (auto& [agent, coverage] : coverage_) {
     if (const record::MindRecord* mind = record::FindMind(tick, agent)) coverage.Add(tick.tick, *mind);
   }
+}
+
+void Desk::NoteCheck(const sim::Event& event) {
+  constexpr std::size_t kParts = 4;  // As MissionWatch writes them.
+  if (event.reasons.size() != kParts) return;
+  const auto known = std::ranges::find(checks_, event.text, &viewer::CheckRow::name);
+  viewer::CheckRow& row = known != checks_.end() ? *known : checks_.emplace_back();
+  row = {event.text,       event.reasons[0], event.reasons[1], event.reasons[2], !event.reasons[3].empty(),
+         event.parameters, event.tick,       event.time_s};
+  is_stale_ = true;
 }
 
 void Desk::Show(std::uint64_t tick) {

@@ -8,8 +8,11 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/drafts.h"
+#include "app/lesson_desk.h"
 #include "app/pace.h"
 #include "app/run_session.h"
 #include "app/time_machine.h"
@@ -39,6 +42,12 @@ class Desk {
   Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range);
   ~Desk();
 
+  /// What the user has made and what outlives the run: files that are edited, breakpoints, what consoles say.
+  struct Belongings;
+  Belongings TakeBelongings();
+  /// Of a desk whose run has begun again.
+  void Bring(Belongings belongings);
+
   /// Shows another tick of a recording; the user's hand on the scrubber may have moved it since.
   void Show(std::uint64_t tick);
   std::uint64_t shown_tick() const { return past_.shown_tick(); }
@@ -55,6 +64,16 @@ class Desk {
   bool is_live() const { return past_.is_live(); }
   /// The user lets the world go on: what stopped it is over, and the newest moment is shown.
   void GoOn();
+  /// From now on the selected agent's mind is compared with what it is now, after each tick. Why it cannot be; empty:
+  /// it can.
+  std::string AwaitChange();
+  void AwaitNothing() { awaited_ = {}; }
+  /// What changed in that mind in the last tick, a sentence, once; or that nothing has for long.
+  std::string TakeChange();
+  /// The scenario or recording that the user wants to see instead; empty: none. Once.
+  std::string TakeWantedRun() { return std::exchange(wants_run_, {}); }
+  /// The lesson that the world belongs to; null for a recording.
+  const LessonDesk* lesson() const { return lesson_.get(); }
   /// Takes notes of this agent from now on, as if it were selected.
   void Follow(const std::string& agent) { agent_ = agent; }
 
@@ -63,7 +82,12 @@ class Desk {
   struct OpenFile {
     debugger::Edit edit;
     viewer::EditContents contents;
+    bool has_draft = false;                 ///< The draft on the disk is not what was typed.
+    std::string failure = {};               ///< Why it could not be saved.
+    std::optional<std::string> draft = {};  ///< To be shown once the file itself was, so that it can be undone.
   };
+
+  using OpenFiles = std::map<std::string, OpenFile>;
 
   void OnTick(const record::TickRecord& tick);
   /// What the models that grow with a run take from a tick, live or recorded.
@@ -81,14 +105,20 @@ class Desk {
   /// Why a recording tells nothing of the selected agent's mind at the tick that is shown.
   std::string NotRecorded() const;
   void NoteProblem(Diagnostic diagnostic, std::string agent);
+  /// A check of the run's mission came to be known or was decided.
+  void NoteCheck(const sim::Event& event);
 
   // What the user asks for (desk_requests.cpp).
   void Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pace& pace);
   void Resume(Pace& pace);
   void OpenEdit(const viewer::EditRequest& request);
   void ChangeText(const viewer::EditTextRequest& request);
+  bool SaveEdit(OpenFile& file);
   /// Takes over what another program has written to the file that is edited.
   void LookAtDisk();
+  /// Keeps what was typed and not saved on the disk, now and then, or `at_once`.
+  void KeepDrafts(bool at_once);
+  void ShowDraft();
   OpenFile* Edited() {
     const auto found = open_files_.find(edited_file_);
     return found == open_files_.end() ? nullptr : &found->second;
@@ -100,8 +130,21 @@ class Desk {
   void Refresh(viewer::Viewer& viewer);
   void FillMoment(viewer::PanelContents& contents);
   void FillMind(viewer::Viewer& viewer, sim::Inspector& mind);
+  /// The minds that are looked at side by side.
+  void FillBeside(viewer::PanelContents& contents, bool watches, bool minds);
+  /// What can be opened, and where a text stands that is searched everywhere.
+  void FillOffers(viewer::Viewer& viewer, sim::Inspector* mind);
+  /// The rule that is looked at as its author wrote it.
+  void FillRuleText(viewer::PanelContents& contents);
+  /// What bodies do now.
+  void FillActivities(viewer::PanelContents& contents);
   void FillWhy(viewer::PanelContents& contents, sim::Inspector* mind);
-  void FillFutures(viewer::Viewer& viewer);
+  /// Gives where everybody was in the old future.
+  std::vector<viewer::Ghost> FillFutures(viewer::PanelContents& contents);
+  void FillLongTerm(viewer::PanelContents& contents, sim::Inspector* mind);
+  /// Adds what the selected agent remembers of the episode that is looked at.
+  void AddRemembered(const viewer::PanelContents& contents, const world::SceneSnapshot& scene,
+                     std::vector<viewer::Ghost>& ghosts) const;
   /// The world that the panels look into: the live one, or the rebuilt past; null while that is not there.
   sim::Simulation* Looked();
   debugger::Console& ConsoleOf(const std::string& agent);
@@ -118,7 +161,9 @@ class Desk {
   std::vector<debugger::BreakHit> hits_;
   bool hit_is_new_ = false;
   std::vector<viewer::ProblemRow> problems_;
-  std::string news_;  ///< To be told in the picture; empty: nothing.
+  std::vector<viewer::CheckRow> checks_;
+  std::unique_ptr<LessonDesk> lesson_;  ///< Null: the world is no lesson's.
+  std::string news_;                    ///< To be told in the picture; empty: nothing.
   std::map<std::string, debugger::Console> consoles_;
   std::uint64_t console_lines_ = 0;
   std::map<std::string, debugger::Coverage> coverage_;
@@ -128,15 +173,32 @@ class Desk {
   std::string agent_;
   std::string noted_agent_;  ///< The one whose mind was asked to note all.
   std::string state_, search_, rule_;
+  std::vector<std::string> watches_, beside_;  ///< What is watched, and of which agents; none: of the selected one.
+  std::map<std::pair<std::string, std::string>, viewer::WatchRow::Cell> watched_;  ///< By what and agent: shown last.
   std::set<std::string> open_objects_;
+  std::string known_search_;
+  std::size_t episode_ = 0;  ///< Of the selected agent, as ghosts; 0: none.
   std::uint64_t timetag_ = 0;
+  /// The mind that is awaited to change, as it was.
+  struct Awaited {
+    std::string agent, operators, impasse, command;
+    std::uint64_t since_tick = 0;
+    std::string change;  ///< What came of it.
+  };
+  Awaited MindNow(const std::string& agent);
+  void LookForChange(const record::TickRecord& tick);
+  Awaited awaited_;  ///< No agent: none is.
   bool wants_coverage_ = false;
+  std::string wants_run_;  ///< What is to be opened instead of this run; empty: nothing.
+  std::string searched_;   ///< Everywhere; empty: nothing.
+  bool offers_ = false;    ///< Somebody is about to choose what to open.
   viewer::WhyRequest why_;
   /// Files that were opened to be edited; what was typed into one stays while another is looked at.
-  std::map<std::string, OpenFile> open_files_;
+  OpenFiles open_files_;
   std::string edited_file_;  ///< The one of them that is looked at; empty: none.
   std::uint64_t edit_version_ = 0;
-  Clock::time_point looked_at_disk_;
+  Clock::time_point looked_at_disk_, kept_drafts_, read_recent_;
+  Drafts drafts_{Drafts::Folder()};
   std::string completed_line_;
   debugger::Completion completion_;
 
@@ -150,6 +212,16 @@ class Desk {
   world::SceneSnapshot past_scene_;
   std::uint64_t past_scene_tick_ = ~std::uint64_t{0};
   bool has_told_damage_ = false;
+};
+
+struct Desk::Belongings {
+  OpenFiles open_files;
+  std::string edited_file;
+  std::uint64_t edit_version = 0;
+  std::vector<debugger::Breakpoint> breakpoints;
+  std::map<std::string, debugger::Console> consoles;
+  std::uint64_t console_lines = 0;
+  std::vector<std::string> watches, beside;
 };
 
 }  // namespace soarbox::app

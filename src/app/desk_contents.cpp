@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/desk.h"
+#include "debugger/recall.h"
 #include "debugger/why.h"
 #include "viewer/palette.h"
 #include "world/world.h"
@@ -22,7 +23,7 @@ constexpr double kRebuildSlice_s = 0.012;
 
 const char* const kNoKernel =
     "This mind cannot be looked into: its Soar kernel has gone, or it was halted because it needed too much memory. "
-    "The world goes on; the panel Problems tells more.";
+    "The world keeps running. The panel Problems says more.";
 
 std::uint64_t VisiblePanels(const viewer::Viewer& viewer) {
   std::uint64_t panels = 0;
@@ -42,15 +43,18 @@ std::string NameOf(const world::SceneSnapshot& scene, std::uint32_t id) {
 }  // namespace
 
 void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
+  ShowDraft();
   for (const viewer::PanelRequest& request : viewer.TakePanelRequests()) Obey(request, viewer, pace);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
   if (resume_at_ && (past_.is_live() || past_.shown_tick() != *resume_at_)) resume_at_.reset();
   if (resume_at_ && past_.past() != nullptr) Resume(pace);
   for (Diagnostic& warning : past_.TakeWarnings()) NoteProblem(std::move(warning), {});
   if (!news_.empty()) viewer.Tell(std::exchange(news_, {}));
+  if (lesson_ != nullptr) is_stale_ |= lesson_->Poll();
   ReadOn();
   FillPlots();
   LookAtDisk();
+  KeepDrafts(false);
 
   const record::TickRecord* shown = past_.Shown();
   const std::string agent = shown != nullptr ? NameOf(shown->scene, viewer.selected_agent()) : std::string{};
@@ -60,6 +64,8 @@ void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
     search_.clear();
     rule_.clear();
     open_objects_.clear();
+    known_search_.clear();
+    episode_ = 0;
     timetag_ = 0;
     why_ = {};
     viewer.panel_contents().coverage.clear();
@@ -116,10 +122,17 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.trace = &models_.trace;
   contents.messages = &models_.messages;
   contents.plots = &models_.plots.series();
+  const auto recalls = models_.recalls.find(agent_);
+  contents.recalls = recalls == models_.recalls.end() ? nullptr : &recalls->second;
   contents.problems = problems_;
+  contents.checks = checks_;
+  if (lesson_ != nullptr) lesson_->Fill(contents);
   contents.breakpoints = breakpoints_.list();
   contents.hits = hits_;
   contents.edit = {};
+  contents.open_files.clear();
+  for (const auto& [name, file] : open_files_)
+    contents.open_files.push_back({name, file.edit.is_changed(), file.edit.is_unsaved(), file.failure});
   if (const OpenFile* file = Edited()) {
     contents.edit = file->contents;
     contents.edit.is_changed = file->edit.is_changed();
@@ -136,7 +149,15 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.console_lines = console_lines_;
   contents.completion = completion_;
   contents.completed_line = completed_line_;
-  if (visible(PanelId::kEdit) && Live() != nullptr) contents.files = debugger::FilesOf(*Live(), agent_);
+  if (visible(PanelId::kEdit) && Live() != nullptr) {
+    contents.files = debugger::FilesOf(*Live(), agent_);
+    // Who edits wants the agent's rules first, then its scripts, and what comes with the program last.
+    const auto rank = [&](const sim::WatchedFile& file) {
+      return (file.agent == agent_ && !agent_.empty() ? 0 : 2) + (file.is_rules ? 0 : 1);
+    };
+    std::stable_sort(contents.files.begin(), contents.files.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  }
   changes_ = {};
   if (shown != nullptr) {
     if (const record::MindRecord* mind = record::FindMind(*shown, agent_))
@@ -157,8 +178,17 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   }
   contents.not_recorded = mind == nullptr ? std::string{} : debugger::MemoryAbsence(*mind);
   if (mind != nullptr) FillMind(viewer, *mind);
+  FillBeside(contents, visible(PanelId::kWatch), visible(PanelId::kMinds));
+  if (visible(PanelId::kAgents) || visible(PanelId::kMind)) FillActivities(contents);
+  FillOffers(viewer, mind.get());
   if (visible(PanelId::kWhy)) FillWhy(contents, mind.get());
-  FillFutures(viewer);
+  contents.long_term = {};
+  contents.known_search = known_search_;
+  contents.episode = {};
+  if (visible(PanelId::kLongTerm)) FillLongTerm(contents, mind.get());
+  std::vector<viewer::Ghost> ghosts = FillFutures(contents);
+  if (shown != nullptr) AddRemembered(contents, shown->scene, ghosts);
+  viewer.SetGhosts(std::move(ghosts));
 }
 
 void Desk::FillMind(viewer::Viewer& viewer, sim::Inspector& mind) {
@@ -188,6 +218,7 @@ void Desk::FillMind(viewer::Viewer& viewer, sim::Inspector& mind) {
   if (visible(PanelId::kRules)) {
     contents.rules = debugger::ListRules(mind);
     contents.rule = rule_.empty() ? std::nullopt : debugger::LookAtRule(mind, rule_);
+    FillRuleText(contents);
     if (wants_coverage_) {
       debugger::Coverage& coverage = coverage_[agent_];
       coverage.Look(mind);
@@ -212,12 +243,16 @@ void Desk::FillWhy(viewer::PanelContents& contents, sim::Inspector* mind) {
     } else if (const debugger::RecordedMind* recorded = recorded_.Find(agent_)) {
       why.answer = debugger::WhyRecorded(*recorded, agent_);
     }
+    const auto recalls = models_.recalls.find(agent_);
+    if (why.answer && recalls != models_.recalls.end())
+      debugger::TellRecalls(recalls->second.Until(past_.shown_tick()), *why.answer);
     return;
   }
   if (mind == nullptr) return;
   if (world == nullptr) {
     why.question = "Why, or why not, " + why_.what + "?";
-    why.answer = debugger::WhyNode{"Not recorded. It is told once this moment is simulated again.", "reason", {}, {}};
+    why.answer = debugger::WhyNode{
+        "Not recorded. Soarbox can say why once it has simulated this moment again.", "reason", {}, {}};
     return;
   }
   switch (why_.about) {
@@ -240,31 +275,62 @@ void Desk::FillWhy(viewer::PanelContents& contents, sim::Inspector* mind) {
   why.answer = debugger::WhyNameOrError(*world, agent_, why_.what);
 }
 
-void Desk::FillFutures(viewer::Viewer& viewer) {
-  viewer::PanelContents& contents = viewer.panel_contents();
+void Desk::FillLongTerm(viewer::PanelContents& contents, sim::Inspector* mind) {
+  if (mind == nullptr) return;
+  contents.long_term = debugger::LookAtLongTerm(*mind, known_search_);
+  contents.episode = debugger::LookAtEpisode(*mind, episode_);
+}
+
+std::vector<viewer::Ghost> Desk::FillFutures(viewer::PanelContents& contents) {
+  std::vector<viewer::Ghost> ghosts;
   record::Futures* futures = past_.futures();
-  if (futures == nullptr) return;
+  if (futures == nullptr) return ghosts;
   const std::uint64_t now = past_.shown_tick();
   const record::TickRecord* old = now >= *past_.branch_tick() ? futures->Old(now) : nullptr;
   contents.futures = viewer::FuturesContents{*past_.branch_tick(), now, old != nullptr, futures->comparison()};
   // Where everybody was at this time in the old future.
-  std::vector<viewer::Ghost> ghosts;
-  if (old != nullptr) {
-    for (const world::AgentSnapshot& agent : old->scene.agents) {
-      if (!agent.alive) continue;
-      viewer::Ghost ghost;
-      ghost.name = agent.name + " before";
-      ghost.agent_id = agent.id;
-      ghost.color = agent.team.empty() ? viewer::AgentColor(agent.kind) : viewer::TeamColor(agent.team);
-      ghost.opacity = 0.8f;
-      ghost.position = agent.position;
-      ghost.forward = agent.forward;
-      ghost.radius_m = agent.radius_m;
-      ghost.height_m = agent.height_m;
-      ghosts.push_back(std::move(ghost));
-    }
+  if (old == nullptr) return ghosts;
+  for (const world::AgentSnapshot& agent : old->scene.agents) {
+    if (!agent.alive) continue;
+    viewer::Ghost ghost;
+    ghost.name = agent.name + " before";
+    ghost.agent_id = agent.id;
+    ghost.color = agent.team.empty() ? viewer::AgentColor(agent.kind) : viewer::TeamColor(agent.team);
+    ghost.opacity = 0.8f;
+    ghost.position = agent.position;
+    ghost.forward = agent.forward;
+    ghost.radius_m = agent.radius_m;
+    ghost.height_m = agent.height_m;
+    ghosts.push_back(std::move(ghost));
   }
-  viewer.SetGhosts(std::move(ghosts));
+  return ghosts;
+}
+
+void Desk::AddRemembered(const viewer::PanelContents& contents, const world::SceneSnapshot& scene,
+                         std::vector<viewer::Ghost>& ghosts) const {
+  for (const debugger::RememberedThing& thing : contents.episode.things) {
+    const std::string& name = thing.name == "self" ? agent_ : thing.name;
+    viewer::Ghost ghost;
+    ghost.name = name + " in episode " + std::to_string(contents.episode.number);
+    ghost.opacity = 0.8f;
+    const auto agent = std::ranges::find(scene.agents, name, &world::AgentSnapshot::name);
+    if (agent != scene.agents.end()) {
+      ghost.agent_id = agent->id;
+      ghost.color = agent->team.empty() ? viewer::AgentColor(agent->kind) : viewer::TeamColor(agent->team);
+      ghost.position = agent->position;  // For the height.
+      ghost.forward = agent->forward;
+      ghost.radius_m = agent->radius_m;
+      ghost.height_m = agent->height_m;
+    } else {
+      // A thing: as a low column.
+      ghost.radius_m = 0.3f;
+      ghost.height_m = 0.6f;
+      ghost.position.y = ghost.height_m / 2;
+    }
+    ghost.position.x = static_cast<decltype(ghost.position.x)>(thing.x);
+    ghost.position.z = static_cast<decltype(ghost.position.z)>(thing.z);
+    ghosts.push_back(std::move(ghost));
+  }
 }
 
 }  // namespace soarbox::app

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/desk.h"
+#include "app/next_run.h"
 #include "app/open_editor.h"
 
 namespace soarbox::app {
@@ -56,6 +57,8 @@ struct Desk::Visitor {
   void operator()(const viewer::ElementRequest& request) const { desk.timetag_ = request.timetag; }
   void operator()(const viewer::SearchMemoryRequest& request) const { desk.search_ = request.text; }
   void operator()(const viewer::RuleRequest& request) const { desk.rule_ = request.rule; }
+  void operator()(const viewer::SearchKnownRequest& request) const { desk.known_search_ = request.text; }
+  void operator()(const viewer::EpisodeRequest& request) const { desk.episode_ = request.number; }
   void operator()(const viewer::CoverageRequest&) const { desk.wants_coverage_ = true; }
   void operator()(const viewer::WhyRequest& request) const { desk.why_ = request; }
   void operator()(const viewer::PlotRequest& request) const {
@@ -68,6 +71,47 @@ struct Desk::Visitor {
   }
   void operator()(const viewer::EditRequest& request) const { desk.OpenEdit(request); }
   void operator()(const viewer::EditTextRequest& request) const { desk.ChangeText(request); }
+  void operator()(const viewer::SaveAllRequest&) const {
+    for (auto& [name, file] : desk.open_files_) {
+      if (file.edit.is_unsaved()) desk.SaveEdit(file);
+    }
+  }
+  void operator()(const viewer::WatchRequest& request) const { Put(desk.watches_, request.what, request.is_on); }
+  void operator()(const viewer::BesideRequest& request) const {
+    // Who adds another mind wants to see it beside the one that is looked at.
+    if (request.is_on && desk.beside_.empty() && !desk.agent_.empty()) Put(desk.beside_, desk.agent_, true);
+    Put(desk.beside_, request.agent, request.is_on);
+  }
+  static void Put(std::vector<std::string>& list, const std::string& what, bool is_on) {
+    constexpr std::size_t kMost = 40;
+    const auto found = std::find(list.begin(), list.end(), what);
+    if (!is_on && found != list.end()) list.erase(found);
+    if (is_on && found == list.end() && list.size() < kMost) list.push_back(what);
+  }
+  void operator()(const viewer::OpenRunRequest& request) const {
+    const Result<NextRun> next = FindNextRun(request.what);
+    if (next) {
+      desk.wants_run_ = request.what;
+    } else {
+      desk.NoteProblem(next.error(), {});
+      const std::string& message = next.error().message;
+      viewer.Tell(message.substr(0, message.find(": ")));  // Problems has the rest.
+    }
+  }
+  void operator()(const viewer::LessonRequest& request) const {
+    using What = viewer::LessonRequest::What;
+    if (desk.lesson_ == nullptr) return;
+    if (request.what == What::kHint) return desk.lesson_->Hint();
+    if (request.what == What::kGrade) {
+      if (const Result<void> begun = desk.lesson_->Grade(); !begun) desk.NoteProblem(begun.error(), {});
+      return;
+    }
+    const Result<std::string> folder = desk.lesson_->Open(request.lesson);
+    if (!folder) return desk.NoteProblem(folder.error(), {});
+    operator()(viewer::OpenRunRequest{*folder});
+  }
+  void operator()(const viewer::SearchRequest& request) const { desk.searched_ = request.text; }
+  void operator()(const viewer::OfferRequest& request) const { desk.offers_ = request.is_on; }
   void operator()(const viewer::BreakRequest& request) const {
     if (desk.session_ == nullptr) return viewer.Tell("Nothing stops a recording: breakpoints are for a run");
     if (const Result<int> set = desk.breakpoints_.Set(request.kind, request.agent, request.what); !set)
@@ -137,7 +181,15 @@ void Desk::OpenEdit(const viewer::EditRequest& request) {
     contents.is_rules = file.is_rules;
     contents.version = ++edit_version_;
     contents.text = opened->text();
-    open_files_.emplace(name, OpenFile{std::move(*opened), std::move(contents)});
+    std::optional<std::string> waiting;
+    if (const std::optional<std::string> draft = drafts_.Find(name)) {
+      if (*draft == opened->text()) {
+        drafts_.Drop(name);
+      } else {
+        waiting = draft;
+      }
+    }
+    open_files_.emplace(name, OpenFile{std::move(*opened), std::move(contents)}).first->second.draft = waiting;
   }
   edited_file_ = name;
   OpenFile& edited = *Edited();
@@ -153,6 +205,7 @@ void Desk::ChangeText(const viewer::EditTextRequest& request) {
   viewer::EditContents& shown = file->contents;
   edit.text() = request.text;
   shown.text = request.text;
+  file->has_draft = true;
   if (request.what == What::kType) return;
   shown.notice.clear();
   const auto errors = [&] {
@@ -170,17 +223,13 @@ void Desk::ChangeText(const viewer::EditTextRequest& request) {
       if (sim::Simulation* world = Looked()) {
         shown.problems = edit.Apply(*world);
         shown.notice = errors() == 0 ? "Reloaded: it takes effect in the next tick."
-                                     : "Nothing was changed: the version before it goes on.";
+                                     : "Nothing was changed: the previous version keeps running.";
       } else {
         shown.notice = "Not yet: " + past_.PastNote();
       }
       break;
     case What::kSave:
-      if (const Result<void> saved = edit.Save(); !saved) {
-        shown.problems = {saved.error()};
-      } else {
-        shown.notice = "Saved.";
-      }
+      SaveEdit(*file);
       break;
     case What::kRevert:
       edit.Revert();
@@ -189,6 +238,28 @@ void Desk::ChangeText(const viewer::EditTextRequest& request) {
       shown.version = ++edit_version_;
       break;
   }
+}
+
+void Desk::ShowDraft() {
+  OpenFile* const file = Edited();
+  if (file == nullptr || !file->draft) return;
+  file->edit.text() = file->contents.text = *std::exchange(file->draft, std::nullopt);
+  file->contents.version = ++edit_version_;
+  file->contents.notice = "This is your draft: you typed it and did not save it. Undo or Revert goes back to the file.";
+  is_stale_ = true;
+}
+
+bool Desk::SaveEdit(OpenFile& file) {
+  viewer::EditContents& shown = file.contents;
+  const Result<void> saved = file.edit.Save();
+  file.failure = saved ? std::string{} : saved.error().message + ": " + saved.error().hint;
+  file.has_draft = true;
+  if (!saved) {
+    shown.problems = {saved.error()};
+    return false;
+  }
+  shown.notice = "Saved.";
+  return true;
 }
 
 void Desk::LookAtDisk() {

@@ -29,8 +29,8 @@ class TextPrinter : public EventPrinter {
           Line(event, event.text + (event.parameters.empty() ? "" : " " + event.parameters));
           break;
         }
-        Line(event, fmt::format("{:<14} perceives distance {:.2f}, stands at ({:.1f}, {:.1f})", event.text,
-                                event.perceived, event.position.x, event.position.z));
+        Line(event, fmt::format("{:<14} perceives distance {:.2f}, is at ({:.1f}, {:.1f})", event.text, event.perceived,
+                                event.position.x, event.position.z));
         break;
       case sim::EventKind::kOutcome:
       case sim::EventKind::kNews:
@@ -53,7 +53,7 @@ class TextPrinter : public EventPrinter {
         Line(event, "paused: " + event.text);
         break;
       case sim::EventKind::kMindBack:
-        Line(event, "goes on: " + event.text);
+        Line(event, "resumes: " + event.text);
         break;
       case sim::EventKind::kAgentFailed:
         Line(event, "stops: its script failed");
@@ -80,9 +80,12 @@ class TextPrinter : public EventPrinter {
   }
 
   void End(const RunFooter& footer) override {
-    out_ << fmt::format(
-        "soarbox: {} ticks, {:.1f} s simulated, {} agents ({} of them Soar), {} problems, state {:016x}\n",
-        footer.ticks, footer.time_s, footer.agents, footer.soar_agents, footer.problems, footer.state_hash);
+    const auto counted = [](std::uint64_t number, const char* word) {
+      return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+    };
+    out_ << fmt::format("soarbox: {}, {:.1f} s simulated, {} ({} of them Soar), {}, state {:016x}\n",
+                        counted(footer.ticks, "tick"), footer.time_s, counted(footer.agents, "agent"),
+                        footer.soar_agents, counted(footer.problems, "problem"), footer.state_hash);
     out_.flush();
   }
 

@@ -17,7 +17,9 @@
 namespace soarbox::app {
 namespace {
 
-constexpr auto kPollInterval = std::chrono::milliseconds(2);
+/// How often it is asked whether to end. Clients do not wait for that: a thread of the kernel's own serves them at
+/// once.
+constexpr auto kLookAtSignals = std::chrono::milliseconds(20);
 
 int CannotStart(std::string message, std::string hint = {}) {
   Diagnostic problem;
@@ -60,7 +62,7 @@ bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<s
 int ServeKernel(const KernelServerOptions& options) {
   CatchInterrupts();
   const int port = options.port == 0 ? static_cast<int>(sml::Kernel::kUseAnyPort) : options.port;
-  const std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(false, port));
+  const std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInNewThread(port));
   if (kernel->HadError()) {
     const char* why = kernel->GetLastErrorDescription();
     return CannotStart("port " + std::to_string(options.port) + " cannot be opened" +
@@ -75,9 +77,7 @@ int ServeKernel(const KernelServerOptions& options) {
     }
   }
   std::cout << "a Soar kernel listens on 127.0.0.1:" << kernel->GetListenerPort() << " (end with Ctrl-C)" << std::endl;
-  while (!WasInterrupted() && !kernel->IsConnectionClosed()) {
-    if (!kernel->CheckForIncomingCommands()) std::this_thread::sleep_for(kPollInterval);
-  }
+  while (!WasInterrupted() && !kernel->IsConnectionClosed()) std::this_thread::sleep_for(kLookAtSignals);
   kernel->Shutdown();
   return kOk;
 }

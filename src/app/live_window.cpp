@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/exit_codes.h"
+#include "app/next_run.h"
 #include "app/run_control.h"
 #include "world/world.h"
 
@@ -63,6 +64,12 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       pace_(options.speed.value_or(1)) {
   desk_.emplace(session, header_, scenario_, settings_);
   if (!options.remark.empty()) viewer.Tell(options.remark);  // Where the recording goes.
+  // A lesson stands beside the scene, and so does the panel that it is about.
+  if (desk_->lesson() != nullptr && desk_->lesson()->HasLesson()) {
+    for (const viewer::PanelInfo& info : viewer::kPanelInfos)
+      if (info.title == desk_->lesson()->Panel()) viewer.ShowPanel(info.id);
+    viewer.ShowPanel(viewer::PanelId::kMission);
+  }
   newest_ = previous_ = session.simulation().Snapshot();
   // Without a wish, an agent with a mind: somebody new sees at once what the panels are for.
   for (const world::AgentSnapshot& agent : newest_.agents) {
@@ -98,6 +105,11 @@ void LiveWindow::Tick(double step_s) {
     const Clock::time_point tick_start = Clock::now();
     session_.Tick();
     tick_time_.Add(Clock::now() - tick_start);
+    if (const std::string change = desk_->TakeChange(); !change.empty()) {
+      pace_.Pause();
+      viewer_.Tell(change);
+      is_cut = true;
+    }
     if (desk_->WasHit()) {
       pace_.Pause();
       viewer_.ShowPanel(viewer::PanelId::kBreakpoints);
@@ -117,14 +129,26 @@ Result<void> LiveWindow::Obey() {
   for (const ViewerCommand command : viewer_.TakeCommands()) {
     // Who lets the world or a mind go on while he looks at the past wants to see it go on.
     const bool is_step = command == ViewerCommand::kSingleStep || command == ViewerCommand::kStepDecision ||
-                         command == ViewerCommand::kStepPhase;
+                         command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange;
     if (command == ViewerCommand::kTogglePause || is_step) desk_->GoOn();
     pace_.Obey(command);
+    if (command == ViewerCommand::kStepChange) {
+      if (const std::string refusal = desk_->AwaitChange(); !refusal.empty()) {
+        pace_.Pause();
+        viewer_.Tell(refusal);
+      }
+    } else if (command == ViewerCommand::kTogglePause || is_step) {
+      desk_->AwaitNothing();
+    }
     const Result<bool> obeyed = control.Obey(command, session_, viewer_, newest_);
     if (!obeyed) return obeyed.error();
   }
+  if (control.has_ticked) previous_ = newest_ = session_.simulation().Snapshot();
   if (!control.has_begun_again) return {};
+  // What the user made in panels stays.
+  Desk::Belongings belongings = desk_->TakeBelongings();
   desk_.emplace(session_, header_, scenario_, settings_);
+  desk_->Bring(std::move(belongings));
   viewer_.SetGhosts({});
   viewer_.panel_contents() = {};
   newest_ = previous_ = session_.simulation().Snapshot();
@@ -145,6 +169,13 @@ int LiveWindow::Run() {
       return kCannotStart;
     }
     desk_->Serve(viewer_, pace_);
+    if (const std::string wanted = desk_->TakeWantedRun(); !wanted.empty()) {
+      if (Result<NextRun> next = FindNextRun(wanted)) {
+        next->script_line = viewer_.ui_script_at();
+        KeepNextRun(*next);
+        break;
+      }
+    }
     if (desk_->is_live()) {
       if (!was_live_) previous_ = newest_ = session_.simulation().Snapshot();
       deliverer_.Deliver(viewer_, session_.simulation());

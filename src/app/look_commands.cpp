@@ -10,6 +10,7 @@
 #include "app/exit_codes.h"
 #include "app/run_session.h"
 #include "debugger/why.h"
+#include "mission/cast.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "sim/check.h"
@@ -19,7 +20,7 @@
 namespace soarbox::app {
 
 int Check(const CheckOptions& options) {
-  const std::vector<Diagnostic> problems = sim::CheckFiles(options.files);
+  const std::vector<Diagnostic> problems = sim::CheckFiles(options.files, &mission::CheckMissionFile);
   int errors = 0;
   for (const Diagnostic& problem : problems) {
     errors += problem.severity == Severity::kError ? 1 : 0;
@@ -30,8 +31,9 @@ int Check(const CheckOptions& options) {
     }
   }
   if (!options.json) {
-    std::cout << errors << (errors == 1 ? " error, " : " errors, ")
-              << problems.size() - static_cast<std::size_t>(errors) << " warnings\n";
+    const std::size_t warnings = problems.size() - static_cast<std::size_t>(errors);
+    std::cout << errors << (errors == 1 ? " error, " : " errors, ") << warnings
+              << (warnings == 1 ? " warning\n" : " warnings\n");
   }
   return problems.empty() ? kOk : kProblems;
 }

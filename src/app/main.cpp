@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/inspect_command.h"
 #include "app/kernel_server.h"
+#include "app/learn_command.h"
 #include "app/look_commands.h"
 #include "app/new_scenario.h"
+#include "app/next_run.h"
 #include "app/recording_commands.h"
+#include "app/report_command.h"
 #include "app/run_options.h"
 #include "app/soar_shell.h"
+#include "app/sweep_command.h"
+#include "app/test_command.h"
 #include "app/usage_errors.h"
 #include "sim/scenario.h"
 
@@ -34,8 +44,10 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "a field), "
                   "or a name that `soarbox list` shows")
       ->capture_default_str();
-  run->add_flag("--headless", options.headless, "No window; 60 simulated seconds unless --seconds says otherwise");
-  run->add_option("--seconds", options.seconds, "End after so many simulated seconds")->check(NumberIn(0, kLongest_s));
+  run->add_flag("--headless", options.headless,
+                "Without a window; lasts as long as the scenario says, else 60 simulated seconds");
+  run->add_option("--seconds", options.seconds, "End after this many simulated seconds")
+      ->check(NumberIn(0, kLongest_s));
   run->add_option("--seed", options.seed,
                   "Seed of the world, the scripts and the minds (default: the scenario's own, else 1)")
       ->check(soarbox::app::WholeNumber());
@@ -57,18 +69,19 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(0.5, 1.0));
   run->add_option(
          "--show", options.show,
-         "Overlays that are on from the start, apart by commas: labels, trails, senses, paths, targets, shots, "
+         "Overlays to switch on at the start, separated by commas: labels, trails, senses, paths, targets, shots, "
          "messages, forces, belief, navigation, influence, physics")
       ->delimiter(',');
   run->add_option("--select", options.select, "Select this agent from the start");
-  run->add_option("--camera", options.camera, "free, orbit, follow, eyes or map; all but free and map want --select");
+  run->add_option("--camera", options.camera,
+                  "free, orbit, follow, eyes or map; all but free and map require --select");
   run->add_option("--panels", options.panels,
                   "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
-  run->add_option("--text", options.text_percent, "Size of the texts of these panels, in percent")
+  run->add_option("--text", options.text_percent, "Text size of these panels, in percent")
       ->capture_default_str()
       ->check(CLI::Range(75, 200));
   run->add_option("--ui-script", options.ui_script,
-                  "Play the user of the window from this file, then end (see docs/window.md)");
+                  "Play a user of the window from this file, then end (see docs/window.md)");
   run->add_option("--width", options.width_px, "Width of the window in pixels")
       ->capture_default_str()
       ->check(NumberIn(160, 7680));
@@ -77,50 +90,53 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(120, 4320));
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
-  run->add_option("--report", options.report_s, "Print where all agents are, each so many simulated seconds")
+  run->add_option("--report", options.report_s, "Print where all agents are, every this many simulated seconds")
       ->check(NumberIn(0.001, kLongest_s));
   run->add_option("--threads", options.threads,
-                  "Threads that the Soar minds decide on; 0: one per core; the run is the same on any number")
+                  "Threads on which the Soar minds decide; 0: one per core. The run is the same with any number")
       ->capture_default_str()
       ->check(NumberIn(0, 64));
+  run->add_option("--memory", options.memory_mb,
+                  "MB that the world may take, its scripts, minds and bodies together; the largest is stopped then")
+      ->capture_default_str()
+      ->check(NumberIn(64, 1'000'000));
   run->add_option("--input", options.input,
-                  "Keys, buttons, pointer and wheel at ticks, from this text file (see docs/command.md)");
+                  "Read inputs (keys, pointer, commands) with their ticks from this text file (see docs/command.md)");
   run->add_flag("--watch", options.watch,
                 "Let edits of rules and scripts reach the running world (a window always does)");
-  run->add_option("--port", options.port, "Let Soar debuggers attach at this TCP port of this machine; 0: none")
+  run->add_option("--port", options.port, "Let Soar debuggers on this machine attach at this TCP port; 0: none")
       ->check(NumberIn(0, 65535));
   CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
   run->add_flag("--no-record", options.no_record, "No recording; without this a run in a window is recorded")
       ->excludes(record);
   run->add_option("--record-level", options.record_level, "How much: world, decisions or all")->capture_default_str();
   run->add_option("--record-limit", options.record_limit_mb,
-                  "Megabytes; at this size the older half of the frames goes")
+                  "Megabytes; at this size the older half of the recording is dropped")
       ->check(NumberIn(1.0, 1e6));
   run->add_option("--kernel", options.kernel,
                   "HOST:PORT of a Soar kernel in another process to use instead of our own");
   run->add_option("--kernel-limit", options.kernel_limit_s,
-                  "Seconds that this kernel may be silent before it counts as gone")
+                  "Seconds without an answer after which this kernel counts as gone")
       ->capture_default_str()
       ->check(NumberIn(0.01, 3600.0));
 }
 
 void AddSoar(CLI::App& program, SoarShellOptions& options) {
   CLI::App* soar = program.add_subcommand("soar", "The interactive shell of the Soar command language");
-  soar->add_option("files", options.files, "Sourced first, in order");
+  soar->add_option("files", options.files, "Files to source first, in order");
   soar->add_flag("--json", options.json, "Answer each command with a line of JSON");
 }
 
 void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app::WhyOptions& why) {
-  CLI::App* checks =
-      program.add_subcommand("check", "Look over rules, scripts and scenario files without running them");
+  CLI::App* checks = program.add_subcommand("check", "Check rules, scripts and scenario files without running them");
   checks->add_option("files", check.files, "Files (.soar, .lua, .toml) and folders")->required();
   checks->add_flag("--json", check.json, "One line of JSON per problem");
 
-  CLI::App* reasons = program.add_subcommand("why", "Tell why an agent does what it does at a moment of a run");
+  CLI::App* reasons = program.add_subcommand("why", "Explain why an agent does what it does at a moment of a run");
   reasons->add_option("scenario", why.scenario, "As for `soarbox run`, or a recording")->required();
   reasons->add_option("topic", why.topic,
-                      "A command, an operator or a rule of the agent: why it comes about, or does not");
-  reasons->add_option("--agent", why.agent, "Its name; the first one with a mind if it is not said");
+                      "A command, an operator or a rule of the agent: explain why it happens, or does not");
+  reasons->add_option("--agent", why.agent, "The agent's name (default: the first one with a mind)");
   reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
   reasons->add_option("--seed", why.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
   reasons->add_option("--path", why.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
@@ -129,7 +145,7 @@ void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app
 void AddInspect(CLI::App& program, soarbox::app::InspectOptions& options) {
   CLI::App* inspect = program.add_subcommand("inspect", "Print what a debugger shows of an agent at a moment of a run");
   inspect->add_option("source", options.source, "A scenario as for `soarbox run`, or a recording")->required();
-  inspect->add_option("--agent", options.agent, "Its name; the first one with a Soar mind if it is not said");
+  inspect->add_option("--agent", options.agent, "The agent's name (default: the first one with a Soar mind)");
   inspect->add_option("--at", options.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
   inspect->add_option("--view", options.view, "What to show: " + soarbox::app::ViewsText())->capture_default_str();
   inspect->add_option("--from", options.from_s, "Where views over ticks begin, in simulated seconds")
@@ -137,17 +153,75 @@ void AddInspect(CLI::App& program, soarbox::app::InspectOptions& options) {
       ->check(NumberIn(0.0, 36000.0));
   inspect->add_option("--until", options.until,
                       "Stop sooner: fire RULE, match RULE, element PATTERN, impasse KIND or command NAME");
-  inspect->add_option("--kernel", options.kernel, "As for `soarbox run`: what only our own kernel tells is left out");
+  inspect->add_option("--kernel", options.kernel, "As for `soarbox run`: what only our own kernel can say is left out");
   inspect->add_flag("--json", options.json, "Print it as JSON");
   inspect->add_option("--seed", options.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
   inspect->add_option("--path", options.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
 }
 
+void AddTest(CLI::App& program, soarbox::app::TestOptions& options) {
+  CLI::App* test =
+      program.add_subcommand("test", "Run missions: check that agents do what they should, over many seeds");
+  test->add_option("paths", options.paths, "Missions, scenarios and folders (default: all below this folder)");
+  test->add_option("--seeds", options.seeds, "1..20 or 1,4,7, instead of the missions' own");
+  test->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
+      ->capture_default_str()
+      ->check(NumberIn(0, 1000));
+  test->add_option("--junit", options.junit, "Write the results to this file for continuous integration");
+  test->add_flag("--json", options.json, "One line of JSON per run, then one per mission");
+  test->add_flag("--watch", options.watch, "Test again whenever a file is saved");
+  test->add_flag("--empty", options.empty, "With minds that have no rules: a mission that passes so tests nothing");
+  CLI::Option* keep = test->add_option("--keep", options.keep, "Keep recordings of runs that fail in this folder");
+  test->add_flag("--no-keep", options.no_keep, "Keep none")->excludes(keep);
+}
+
+void AddSweep(CLI::App& program, soarbox::app::SweepOptions& options) {
+  CLI::App* sweep =
+      program.add_subcommand("sweep", "Run seeds times variants of a scenario into a table, on all cores or on Slurm");
+  sweep->add_option("spec", options.spec, "What to run (docs/sweeps.md)")->required();
+  sweep->add_option("--folder", options.folder,
+                    "Where rows, tables and variants go (default: the spec's name with .sweep)");
+  sweep->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
+      ->capture_default_str()
+      ->check(NumberIn(0, 1000));
+  sweep->add_option("--on", options.on, "here, or slurm: as a job array")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"here", "slurm"}));
+  sweep->add_option("--tasks", options.tasks, "Tasks of the job array")
+      ->capture_default_str()
+      ->check(NumberIn(1, 100000));
+  sweep->add_option("--task", options.task, "Make only this part of the runs, 0 to tasks - 1; without tables")
+      ->check(NumberIn(0, 100000));
+  sweep->add_option("--partition", options.partition, "As sbatch takes it");
+  sweep->add_option("--account", options.account, "As sbatch takes it");
+  sweep->add_option("--time", options.time, "As sbatch takes it");
+  sweep->add_flag("--cancel", options.cancel, "End the sweep's job on Slurm");
+  sweep->add_flag("--mix", options.mix, "Continue with rows that another build of the program made");
+}
+
+void AddReport(CLI::App& program, soarbox::app::ReportOptions& options) {
+  CLI::App* report =
+      program.add_subcommand("report", "Write one page about a recording or a sweep, to send to somebody");
+  report->add_option("source", options.source, "A recording, a folder of recordings, a sweep")->required();
+  report->add_option("-o,--output", options.output, "The page")->capture_default_str();
+}
+
+void AddLearn(CLI::App& program, soarbox::app::LearnOptions& options) {
+  CLI::App* learn = program.add_subcommand("learn", "Lessons that grade what you write");
+  learn->add_option(
+      "words", options.words,
+      "Nothing: the list; a lesson's number, or next: begin it; check N, hint N, reset N; test: try all lessons");
+  learn->add_option("--folder", options.folder, "Where your files are (default: ~/soarbox-lessons)");
+  learn->add_option("--from", options.from, "Lessons of this folder instead of the program's")
+      ->check(CLI::ExistingDirectory);
+  learn->add_flag("--json", options.json, "The list as lines of JSON");
+  learn->add_flag("--headless", options.headless, "Do not open the window");
+}
+
 void AddNew(CLI::App& program, soarbox::app::NewOptions& options) {
   CLI::App* made = program.add_subcommand("new", "Write a commented starter scenario with a test into a new folder");
-  made->add_option("name", options.name, "The folder to make; its last part is the scenario's name")->required();
-  CLI::Option* of_soar =
-      made->add_flag("--soar", options.soar, "One agent of Soar rules alone (this is what you get by default)");
+  made->add_option("name", options.name, "The folder to create; its last part is the scenario's name")->required();
+  CLI::Option* of_soar = made->add_flag("--soar", options.soar, "One agent made of Soar rules alone (the default)");
   CLI::Option* of_lua = made->add_flag("--lua", options.lua, "A world made by a Lua script, with a body of its own");
   CLI::Option* of_team = made->add_flag("--team", options.team, "Two teams of Soar agents");
   of_soar->excludes(of_lua, of_team);
@@ -202,15 +276,15 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
       ->check(CLI::Range(75, 200));
   replay->add_option("--detail", options.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
   replay->add_option("--render-scale", options.render_scale, "As for `soarbox run`")->check(NumberIn(0.5, 1.0));
-  replay->add_option("--width", options.width_px, "As for `soarbox run`; the recorded window's if it is not said")
+  replay->add_option("--width", options.width_px, "As for `soarbox run` (default: as in the recorded window)")
       ->check(NumberIn(160, 7680));
-  replay->add_option("--height", options.height_px, "Likewise")->check(NumberIn(120, 4320));
+  replay->add_option("--height", options.height_px, "As for --width")->check(NumberIn(120, 4320));
   replay->add_option("--ui-script", options.ui_script, "Play the user of the window from this file, then end");
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
   AddRecordingFile(*verify, options);
   AddThreads(*verify, options);
   verify->add_flag("--as-recorded", options.as_recorded,
-                   "With the scenario's files as they were when the run began, not as they are now");
+                   "Use the scenario's files as they were when the run began, not as they are now");
   CLI::App* export_data = program.add_subcommand("export", "Write a recording as a table or as JSON");
   AddRecordingFile(*export_data, options);
   AddRange(*export_data, options);
@@ -220,19 +294,58 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   export_data->add_flag("--recording", options.as_recording, "The part from --from to --to as a recording of its own")
       ->excludes(csv)
       ->needs(output);
-  CLI::App* resume = program.add_subcommand("resume", "Go back to a moment of a recording and go on live from there");
+  CLI::App* resume =
+      program.add_subcommand("resume", "Go back to a moment of a recording and continue live from there");
   AddRecordingFile(*resume, options);
   AddThreads(*resume, options);
   resume->add_option("--at", options.at_s, "The simulated second")->required()->check(NumberIn(0, kLongest_s));
   resume->add_option("--rules", options.rules, "Rules that replace those of the same names (may be repeated)");
   resume->add_option("--agent", options.agents, "Only this agent's rules (may be repeated)");
-  resume->add_option("--seconds", options.seconds, "Go on for so long (default: as long as the recording does)")
+  resume->add_option("--seconds", options.seconds, "Continue for this long (default: as long as the recording)")
       ->check(NumberIn(0, kLongest_s));
   resume->add_option("--record", options.output, "Record the new future, whole, to this file");
   resume->add_flag("--json", options.json, "Print events as lines of JSON");
-  CLI::App* compare = program.add_subcommand("compare", "Tell where two recordings part, and how they go on");
+  CLI::App* compare =
+      program.add_subcommand("compare", "Report where two recordings differ first, and how they continue");
   AddRecordingFile(*compare, options);
   compare->add_option("other", options.other, "The second recording")->required();
+}
+
+/// What the user of a window asks to see instead of its run opens in a window of its own, when that one has closed.
+int FollowedByOthers(int code, const RunOptions& first) {
+  while (const auto next = soarbox::app::TakeNextRun()) {
+    if (next->is_recording) {
+      RecordingOptions recording;
+      recording.file = next->what;
+      recording.detail = first.detail;
+      recording.render_scale = first.render_scale;
+      recording.panels = first.panels;
+      recording.text_percent = first.text_percent;
+      recording.width_px = first.width_px;
+      recording.height_px = first.height_px;
+      recording.ui_script = first.ui_script;
+      recording.ui_script_from = next->script_line;
+      code = soarbox::app::Replay(recording);
+    } else {
+      // What was asked of the first run alone (an agent, inputs, a length, a file for its recording) is not asked of
+      // it.
+      RunOptions run;
+      run.scenario = next->what;
+      run.speed = first.speed;
+      run.detail = first.detail;
+      run.render_scale = first.render_scale;
+      run.panels = first.panels;
+      run.text_percent = first.text_percent;
+      run.width_px = first.width_px;
+      run.height_px = first.height_px;
+      run.port = first.port;
+      run.no_record = first.no_record;
+      run.ui_script = first.ui_script;
+      run.ui_script_from = next->script_line;
+      code = soarbox::app::Run(run);
+    }
+  }
+  return code;
 }
 
 int Main(int argc, char** argv) {
@@ -254,6 +367,14 @@ int Main(int argc, char** argv) {
   AddLooks(program, check, why);
   soarbox::app::InspectOptions inspect;
   AddInspect(program, inspect);
+  soarbox::app::SweepOptions sweep;
+  AddSweep(program, sweep);
+  soarbox::app::ReportOptions report;
+  AddReport(program, report);
+  soarbox::app::LearnOptions learn;
+  AddLearn(program, learn);
+  soarbox::app::TestOptions test;
+  AddTest(program, test);
   program.add_subcommand("list", "List the scenarios that come with the program");
   if (const auto problem = soarbox::app::FindSingleDash(program, argc, argv)) {
     std::cerr << soarbox::Format(*problem);
@@ -274,15 +395,28 @@ int Main(int argc, char** argv) {
     }
     return soarbox::app::kUsage;
   }
-  if (program.got_subcommand("run")) return soarbox::app::Run(run);
+  if (program.got_subcommand("run")) return FollowedByOthers(soarbox::app::Run(run), run);
   if (program.got_subcommand("inspect")) return soarbox::app::Inspect(inspect);
   if (program.got_subcommand("soar")) return soarbox::app::RunSoarShell(soar);
-  if (program.got_subcommand("replay")) return soarbox::app::Replay(recording);
+  if (program.got_subcommand("replay")) {
+    run.detail = recording.detail;
+    run.render_scale = recording.render_scale;
+    run.panels = recording.panels;
+    run.text_percent = recording.text_percent;
+    run.width_px = recording.width_px.value_or(run.width_px);
+    run.height_px = recording.height_px.value_or(run.height_px);
+    run.ui_script = recording.ui_script;
+    return FollowedByOthers(soarbox::app::Replay(recording), run);
+  }
   if (program.got_subcommand("verify")) return soarbox::app::Verify(recording);
   if (program.got_subcommand("export")) return soarbox::app::Export(recording);
   if (program.got_subcommand("resume")) return soarbox::app::Resume(recording);
   if (program.got_subcommand("compare")) return soarbox::app::Compare(recording);
   if (program.got_subcommand("kernel")) return soarbox::app::ServeKernel(kernel);
+  if (program.got_subcommand("sweep")) return soarbox::app::Sweep(sweep);
+  if (program.got_subcommand("report")) return soarbox::app::Report(report);
+  if (program.got_subcommand("learn")) return soarbox::app::Learn(learn);
+  if (program.got_subcommand("test")) return soarbox::app::Test(test);
   if (program.got_subcommand("check")) return soarbox::app::Check(check);
   if (program.got_subcommand("why")) return soarbox::app::Why(why);
   if (program.got_subcommand("new")) return soarbox::app::NewScenario(made);
@@ -291,12 +425,40 @@ int Main(int argc, char** argv) {
 
 }  // namespace
 
+/// What a world that is out of memory ends with, on whatever thread it was. What is on disk of a recording stays.
+void TellNoMemory() {
+  static const char kText[] =
+      "soarbox: error: there is no memory left for this\n"
+      "   note: the system gave less than the world may take (--memory, 2048 MB unless you say otherwise); a recording "
+      "holds what happened up to here\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
+}
+
+[[noreturn]] void EndOnTerminate() {
+  if (const std::exception_ptr thrown = std::current_exception()) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+      TellNoMemory();
+      _exit(soarbox::app::kCannotStart);
+    } catch (...) {
+    }
+  }
+  std::abort();
+}
+
 int main(int argc, char** argv) {
+  std::set_terminate(EndOnTerminate);
+  // A file that may not grow any further is told of where it is written; the signal would end the program before.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = Main(argc, argv);
     std::cout.flush();
     if (std::cout) return code;
     std::cerr << "soarbox: error: standard output cannot be written; is the disk full?\n";
+    return soarbox::app::kCannotStart;
+  } catch (const std::bad_alloc&) {
+    TellNoMemory();
     return soarbox::app::kCannotStart;
   } catch (const std::exception& error) {
     std::cerr << "soarbox: error: " << error.what() << '\n';

@@ -57,6 +57,9 @@ void Pace::Obey(viewer::ViewerCommand command) {
     case viewer::ViewerCommand::kStepPhase:
       paused_ = true;
       break;
+    case viewer::ViewerCommand::kStepChange:
+      paused_ = false;
+      break;
     case viewer::ViewerCommand::kQuit:
       quit_ = true;
       break;

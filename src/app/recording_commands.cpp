@@ -222,13 +222,14 @@ int Resume(const RecordingOptions& options) {
       const std::string agent = simulation.Mind(i).agent;
       const bool wanted = options.agents.empty() ||
                           std::find(options.agents.begin(), options.agents.end(), agent) != options.agents.end();
-      if (wanted) simulation.Submit(sim::CommandInput{agent, rules});
+      if (wanted) simulation.Submit(sim::Input{0, sim::CommandInput{agent, rules}, true});
     }
   }
   // The new future is recorded from the beginning of the run, so that it can be replayed, verified and compared.
   RunOptions run;
   run.scenario = (*reader)->header().scenario;
   run.json = options.json;
+  run.headless = true;  // It ends where the scenario does.
   const double left_s =
       options.seconds.value_or(static_cast<double>((*reader)->last_tick() - at) * (*reader)->header().step_s);
   run.seconds = simulation.time_s() + left_s;

@@ -21,6 +21,7 @@ struct RecordingOptions {
   int text_percent = 100;                  ///< replay: of the panels named.
   std::optional<int> width_px, height_px;  ///< replay: none: as large as the run's window was.
   std::filesystem::path ui_script;         ///< replay: plays the user of the window.
+  std::size_t ui_script_from = 0;          ///< replay: so many of its steps another window has done.
   bool json = false;
   bool csv = false;
   bool as_recording = false;                 ///< export: a part as a recording of its own.

@@ -11,7 +11,9 @@
 
 #include "app/desk.h"
 #include "app/exit_codes.h"
+#include "app/next_run.h"
 #include "app/pace.h"
+#include "app/recent.h"
 #include "app/run_session.h"
 #include "app/window_layout.h"
 #include "viewer/viewer.h"
@@ -38,6 +40,7 @@ viewer::ViewerOptions OptionsOf(const record::Reader& recording, const sim::Data
                                              : viewer::Detail::kAuto;
   window.render_scale = options.render_scale;
   window.ui_script = options.ui_script;
+  window.ui_script_from = options.ui_script_from;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
   return window;
 }
@@ -78,6 +81,13 @@ class ReplayWindow {
       for (const viewer::InputEvent& event : viewer_.TakeEvents()) Obey(event);
       Move(pace_.TicksDue(step_s_));
       desk_.Serve(viewer_, pace_);
+      if (const std::string wanted = desk_.TakeWantedRun(); !wanted.empty()) {
+        if (Result<NextRun> next = FindNextRun(wanted)) {
+          next->script_line = viewer_.ui_script_at();
+          KeepNextRun(*next);
+          break;
+        }
+      }
       if (has_script_ && viewer_.ui_script_over()) break;
     }
     return kOk;
@@ -98,7 +108,7 @@ class ReplayWindow {
     if (command == ViewerCommand::kReset) {
       desk_.Show(desk_.first_tick());
     } else if (command == ViewerCommand::kNextSeed || command == ViewerCommand::kStepDecision ||
-               command == ViewerCommand::kStepPhase) {
+               command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange) {
       viewer_.Tell(std::string(viewer::InfoOf(command).title) + ": only in a run; this is a recording of one");
     } else {
       // At the end, to go on means to begin again.
@@ -161,6 +171,7 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
     problem.message = "there is no agent '" + options.select + "' to select at the beginning";
     return Fail(problem);
   }
+  NoteRecentRun(recording.file().string());
   const int code = replay.Run();
   if (is_own && !viewer::LayoutFile().empty()) {
     if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/kernel_address.h"
+#include "app/mission_watch.h"
 #include "app/record_run.h"
 #include "app/run_headless.h"
 #include "app/run_options.h"
@@ -25,7 +27,7 @@ namespace {
 
 constexpr double kHeadlessSeconds = 60;
 
-int CannotStart(const Diagnostic& problem) {
+int NotStarted(const Diagnostic& problem) {
   std::cerr << Format(problem);
   return kCannotStart;
 }
@@ -33,7 +35,7 @@ int CannotStart(const Diagnostic& problem) {
 /// Reads the file of inputs; false if it cannot be read or any line is wrong, after telling which.
 bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
   if (file.empty()) return true;
-  const std::optional<std::string> text = ReadText(file);
+  const std::optional<std::string> text = ReadText(file, ReadFrom::kAnything);
   if (!text) {
     Diagnostic problem;
     problem.file = file;
@@ -43,7 +45,10 @@ bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
   }
   const sim::InputText read = sim::ReadInputs(*text, file);
   for (const Diagnostic& problem : read.problems) std::cerr << Format(problem);
-  for (const sim::Input& input : read.inputs) simulation.Submit(input);
+  for (sim::Input input : read.inputs) {
+    input.recorded = true;  // A file of inputs may be anybody's.
+    simulation.Submit(std::move(input));
+  }
   return read.problems.empty();
 }
 
@@ -57,16 +62,16 @@ bool HasDisplay() {
 int Run(const RunOptions& given) {
   RunOptions options = given;
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return CannotStart(data.error());
+  if (!data) return NotStarted(data.error());
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
-  if (!scenario) return CannotStart(scenario.error());
+  if (!scenario) return NotStarted(scenario.error());
 
   // What the command line leaves open the scenario's file may say.
   if (!scenario.value().definition.empty()) {
     std::vector<Diagnostic> further;
     Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario.value().definition, &further);
     if (!file) {
-      const int code = CannotStart(file.error());
+      const int code = NotStarted(file.error());
       for (const Diagnostic& problem : further) std::cerr << Format(problem);
       return code;
     }
@@ -93,7 +98,7 @@ int Run(const RunOptions& given) {
         kHasWindow ? "on a machine without a screen, xvfb-run gives a virtual one" : "build with -DSOARBOX_VIEWER=ON";
     if (wants_screenshot) {
       note.message += ", so no picture can be taken";
-      return CannotStart(note);
+      return NotStarted(note);
     }
     note.severity = Severity::kWarning;
     note.message += ": the world runs headless";
@@ -109,6 +114,7 @@ int Run(const RunOptions& given) {
   settings.every_command = options.every_command;
   settings.soar.seed = seed;
   settings.soar.threads = options.threads;
+  settings.limits.memory_bytes = static_cast<std::size_t>(options.memory_mb) << 20;
   settings.soar.remote_limit_ms = static_cast<int>(options.kernel_limit_s * 1000);
   if (!options.kernel.empty()) {
     if (const Result<void> read = ReadKernelAddress(options.kernel, settings.soar); !read) {
@@ -129,6 +135,10 @@ int Run(const RunOptions& given) {
   // Labels and panels tell what minds decide.
   if (!options.headless && settings.mind_detail == sim::MindDetail::kNone)
     settings.mind_detail = sim::MindDetail::kDecisions;
+  // Checks are followed where somebody will look at them.
+  std::unique_ptr<MissionWatch> mission;
+  if (is_recorded || !options.headless) mission = MissionWatch::Of(*scenario, options.lesson, *data);
+  if (mission != nullptr) settings.mind_detail = std::max(settings.mind_detail, mission->LeastDetail());
 
   CatchInterrupts();
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
@@ -144,7 +154,7 @@ int Run(const RunOptions& given) {
       simulation = std::move(again);
     }
   }
-  if (!simulation) return CannotStart(simulation.error());
+  if (!simulation) return NotStarted(simulation.error());
 
   if (!SubmitInputs(options.input, **simulation)) return kCannotStart;
   options.watch |= !options.headless && !wants_screenshot;
@@ -152,6 +162,7 @@ int Run(const RunOptions& given) {
       options.json ? EventPrinter::MakeJson(std::cout) : EventPrinter::MakeText(std::cout, std::cerr);
   printer->Begin({scenario.value().name, seed, options.headless});
   RunSession session(std::move(*simulation), std::move(printer), options);
+  session.SetMission(std::move(mission));
   record::Header header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
   RunRecordings recordings(options);
   if (is_recorded) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The flow of time in a window, and runs that begin again; no display is needed.
+#include "app/run_control.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -119,6 +121,22 @@ TEST(RunSession, AMindCanTakeAStepAloneWhileTheWorldStandsStill) {
   EXPECT_NE(simulation.Inspect("blue-1")->Mind().phase, phase);
   run.HashAfter(10);
   EXPECT_EQ(simulation.tick(), tick + 10);
+}
+
+TEST(RunSession, AStepOfADecisionPerceivesDecidesOnceAndTellsWhat) {
+  SkirmishRun run(4);
+  run.HashAfter(10);
+  sim::Simulation& simulation = run.session->simulation();
+  const auto decisions = [&] { return simulation.Inspect("blue-1")->Mind().decisions; };
+  for (int i = 0; i < 5; ++i) {
+    const std::uint64_t tick = simulation.tick(), before = decisions();
+    const std::string told = StepDecision(*run.session, "blue-1");
+    EXPECT_EQ(simulation.tick(), tick + 1) << "new input comes with a tick";
+    EXPECT_EQ(decisions(), before + 1) << told;
+    EXPECT_TRUE(told.starts_with("blue-1: ")) << told;
+  }
+  const std::string budget = *simulation.Command("blue-1", "soar max-nil-output-cycles");
+  EXPECT_EQ(budget, *simulation.Command("blue-2", "soar max-nil-output-cycles")) << "as it was before";
 }
 
 TEST(RunSession, WhatComesAfterGoingBackIsRecordedInAFileOfItsOwn) {

@@ -30,19 +30,22 @@ struct RunOptions {
   std::string panels;               ///< With a picture: which panels it shows, "default" or their words; empty: none.
   int text_percent = 100;           ///< Of the panels named above.
   std::filesystem::path ui_script;  ///< Plays the user of a window; empty: none.
+  std::size_t ui_script_from = 0;   ///< So many of its steps another window has done.
   int width_px = 1280;
   int height_px = 720;
   std::optional<int> port;                 ///< For debuggers; none: 12121 with a window if it is free, closed without.
   std::string kernel;                      ///< HOST:PORT of a Soar kernel in another process; empty: our own.
   std::string input;                       ///< File of inputs with ticks; empty: none.
   int threads = 0;                         ///< For the minds; 0: one per core.
+  int memory_mb = 2048;                    ///< That the world may take: scripts, minds and bodies.
   std::filesystem::path record;            ///< File of the recording; empty: none, or in a window the usual one.
   bool no_record = false;                  ///< Not even in a window.
   std::string record_level = "decisions";  ///< record::LevelNamed.
   std::optional<double> record_limit_mb;   ///< None: no limit, or kUsualLimitMb in the usual file.
   std::string remark;                      ///< For the window's status bar: where the recording goes.
-  bool watch = false;           ///< Edits of rules and scripts reach the running world; a window always watches.
-  double kernel_limit_s = 2.0;  ///< How long that kernel may be silent before it counts as gone.
+  std::filesystem::path lesson;  ///< The folder of the lesson that this world belongs to; empty: looked up by name.
+  bool watch = false;            ///< Edits of rules and scripts reach the running world; a window always watches.
+  double kernel_limit_s = 2.0;   ///< How long that kernel may be silent before it counts as gone.
 };
 
 /// Carries out `soarbox run`; returns an ExitCode.

@@ -46,6 +46,7 @@ RunSession::RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_
                        const RunOptions& options)
     : simulation_(std::move(simulation)),
       printer_(std::move(printer)),
+      lesson_(options.lesson),
       end_s_(options.seconds.value_or(std::numeric_limits<double>::infinity())),
       ends_with_scenario_(options.headless),
       report_every_s_(options.report_s.value_or(0)) {
@@ -57,7 +58,15 @@ void RunSession::TakeEdits() {
   const auto now = std::chrono::steady_clock::now();
   if (edits_ == nullptr || now < next_look_) return;
   next_look_ = now + std::chrono::milliseconds(500);
-  for (const std::string& line : edits_->Poll()) std::cerr << line;
+  for (const Diagnostic& told : edits_->Poll()) {
+    std::cerr << Format(told);
+    if (on_edit_) on_edit_(told);
+  }
+}
+
+void RunSession::SetMission(std::unique_ptr<MissionWatch> mission) {
+  mission_ = std::move(mission);
+  if (mission_ != nullptr) mission_->Begin(*simulation_, unrecorded_);
 }
 
 void RunSession::Tick() {
@@ -119,6 +128,7 @@ Result<void> RunSession::BeginAgain(bool with_next_seed) {
   next_report_s_ = 0;
   printer_->Begin({scenario_name_, seed_, false});
   PrintEvents();
+  if (mission_ != nullptr) mission_->Begin(*simulation_, unrecorded_);
   if (on_made_) on_made_();
   return {};
 }
@@ -142,7 +152,7 @@ void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation, const rec
     Diagnostic note;
     note.severity = Severity::kNote;
     note.message = "the recording ends at tick " + std::to_string(simulation_->tick()) +
-                   ": the run goes on from tick " + std::to_string(simulation->tick());
+                   ": the run continues from tick " + std::to_string(simulation->tick());
     std::cerr << Format(note);
     if (const Result<void> written = recorder_->Finish(); !written) std::cerr << Format(written.error());
     recorder_.reset();
@@ -151,6 +161,7 @@ void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation, const rec
   simulation_->TakeEvents();
   simulation->TakeEvents();  // Those were told when they happened.
   simulation_ = std::move(simulation);
+  if (mission_ != nullptr) mission_->Leave();
   unrecorded_.clear();
   // What was edited on disk since then reaches the run as an edit of its own.
   if (edits_ != nullptr) edits_ = std::make_unique<sim::LiveEdits>(*simulation_, *edits_);
@@ -183,7 +194,9 @@ int RunSession::Finish() {
   footer.problems = problems_;
   printer_->End(footer);
   // A script's exit code is one byte, as a process' is.
-  if (const int asked = simulation_->ExitCode() & 0xff; asked != 0) return asked;
+  constexpr int kMostCode = 255;
+  const int asked = simulation_->ExitCode();
+  if (asked != 0) return asked > 0 && asked < kMostCode ? asked : kMostCode;
   return problems_ == 0 ? kOk : kProblems;
 }
 
@@ -195,8 +208,10 @@ void RunSession::PrintEvents() {
         (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError);
     if (is_problem) ++problems_;
     printer_->Print(event);
-    if (recorder_ != nullptr || on_tick_ || simulation_->tick() == 0) unrecorded_.push_back(std::move(event));
+    if (recorder_ != nullptr || on_tick_ || mission_ != nullptr || simulation_->tick() == 0)
+      unrecorded_.push_back(std::move(event));
   }
+  if (mission_ != nullptr) mission_->See(unrecorded_);
   // A run can be ended at any moment: what happened so far is out.
   if (!events.empty()) std::cout.flush();
 }

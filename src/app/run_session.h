@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "app/event_printer.h"
+#include "app/mission_watch.h"
 #include "app/run_options.h"
 #include "record/recorder.h"
 #include "sim/simulation.h"
@@ -27,6 +29,10 @@ class RunSession {
   void Idle();
   /// True once the asked-for time has passed or the user has asked to stop (Ctrl-C).
   bool IsOver() const;
+  /// Follows the checks of a mission, from what is there now; before anybody records or hears of ticks. Null: none.
+  void SetMission(std::unique_ptr<MissionWatch> mission);
+  /// What minds are to note even if nobody looks at them.
+  sim::MindDetail LeastDetail() const { return mission_ != nullptr ? mission_->LeastDetail() : sim::MindDetail::kNone; }
   /// Records what follows; with `last_tick_too`, what is there now first. Null: records nothing.
   void Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too = true);
   /// Hears of each tick from now on, and of what is there now first; an empty function: nobody does.
@@ -38,6 +44,9 @@ class RunSession {
                 const std::vector<record::TickInputs>& inputs);
   using OnBranch = std::function<void(const record::TickRecord& at, const std::vector<record::TickInputs>& inputs)>;
   void SetOnBranch(OnBranch on_branch) { on_branch_ = std::move(on_branch); }
+  /// Hears what live edits report: what was reloaded (notes), and what is wrong with a file. It takes effect in no run.
+  using OnEdit = std::function<void(const Diagnostic& told)>;
+  void SetOnEdit(OnEdit on_edit) { on_edit_ = std::move(on_edit); }
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
@@ -49,6 +58,8 @@ class RunSession {
   /// can end.
   Result<void> BeginAgain(bool with_next_seed);
   std::uint64_t seed() const { return seed_; }
+  /// The folder of the lesson that the world belongs to, if that was said.
+  const std::filesystem::path& lesson() const { return lesson_; }
 
   sim::Simulation& simulation() { return *simulation_; }
 
@@ -60,6 +71,8 @@ class RunSession {
 
   std::unique_ptr<sim::Simulation> simulation_;
   std::unique_ptr<EventPrinter> printer_;
+  std::unique_ptr<MissionWatch> mission_;
+  std::filesystem::path lesson_;
   std::unique_ptr<record::Recorder> recorder_;
   OnTick on_tick_;
   record::TickRecord seen_;    ///< For on_tick_.
@@ -77,6 +90,7 @@ class RunSession {
   Make make_;
   std::function<void()> on_made_;
   OnBranch on_branch_;
+  OnEdit on_edit_;
 };
 
 /// Makes SIGINT (Ctrl-C) and SIGTERM end the run: scripts are stopped where they are, the footer is printed, and after

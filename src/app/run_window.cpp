@@ -9,6 +9,7 @@
 #include "app/desk.h"
 #include "app/exit_codes.h"
 #include "app/live_window.h"
+#include "app/recent.h"
 #include "app/window_layout.h"
 #include "viewer/viewer.h"
 #include "world/world.h"
@@ -25,7 +26,7 @@ int Fail(const Diagnostic& problem) {
 }
 
 /// Turns on what the command line asks for; a word that means nothing is told with those that do.
-Result<void> Prepare(viewer::Viewer& viewer, const world::SceneSnapshot& scene, const RunOptions& options) {
+Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, const RunOptions& options) {
   const auto find = [](const std::string& word, viewer::CommandGroup group,
                        const char* option) -> Result<viewer::ViewerCommand> {
     std::vector<std::string_view> words;
@@ -41,6 +42,8 @@ Result<void> Prepare(viewer::Viewer& viewer, const world::SceneSnapshot& scene, 
     for (const std::string_view known : words) problem.hint += " " + std::string(known);
     return problem;
   };
+  viewer.ShowOverlays(simulation.Overlays({}));
+  const world::SceneSnapshot scene = simulation.Snapshot();
   viewer.Show(scene);
   if (!options.select.empty()) {
     std::vector<std::string_view> names;
@@ -89,7 +92,6 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
   viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1), .message = options.remark});
   viewer.Show(simulation.Snapshot());
   viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
-  if (options.camera.empty()) viewer.Do(viewer::ViewerCommand::kFrameAll);
   // Panels ask for what they need while they are laid out, and show it a moment later; the scene is drawn at the end.
   const int frames = desk ? 16 : 3;
   for (int i = 0; i < frames; ++i) {
@@ -119,6 +121,7 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
                                              : viewer::Detail::kAuto;
   window.render_scale = options.render_scale;
   window.ui_script = options.ui_script;
+  window.ui_script_from = options.ui_script_from;
   window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
   // What is asked for by name is for once; else the user's own arrangement is used, and remembered.
   const bool is_own = options.panels.empty() && !window.hidden && options.ui_script.empty();
@@ -134,9 +137,10 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
   if (!opened) return Fail(opened.error());
   viewer::Viewer& viewer = **opened;
-  if (const Result<void> prepared = Prepare(viewer, session.simulation().Snapshot(), options); !prepared)
+  if (const Result<void> prepared = Prepare(viewer, session.simulation(), options); !prepared)
     return Fail(prepared.error());
   if (window.hidden) return TakePicture(session, viewer, run, options);
+  NoteRecentRun(options.scenario);
   const int code = LiveWindow(session, viewer, run, options).Run();
   if (is_own && !viewer::LayoutFile().empty()) {
     if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)

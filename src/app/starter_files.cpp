@@ -9,12 +9,12 @@ namespace {
 
 constexpr std::string_view kWalkerRules = R"TEXT(# NAME: walk from waypoint to waypoint.
 #
-# An agent's life is a row of decisions. In each one, rules propose operators, one is chosen, and rules that
-# match the chosen operator apply it. What the agent perceives stands below ^io.input-link (docs/percepts.md);
+# An agent makes one decision after the other. Each time, rules propose operators, one is selected, and rules that
+# match the selected operator apply it. What the agent perceives is below ^io.input-link (docs/percepts.md);
 # what it says goes below ^io.output-link (docs/commands.md).
 
 # Propose: for each waypoint where the agent is not, going there is possible.
-# `+` proposes, `=` says that it does not matter which of several is chosen.
+# `+` proposes, `=` says that it does not matter which of several is selected.
 sp {NAME*propose*move-to
    (state <s> ^superstate nil ^io.input-link.waypoint <w>)
    (<w> ^name <name> ^here no)
@@ -35,7 +35,7 @@ sp {NAME*apply*move-to
 )TEXT";
 
 constexpr std::string_view kForget = R"TEXT(
-# Clear away what the world has answered, so that the output link stays tidy.
+# Remove commands that the world has answered, so that the output link stays tidy.
 sp {WHO*apply*forget-answered-command
    (state <s> ^superstate nil ^operator <o> ^io.output-link <out>)
    (<out> ^<name> <command>)
@@ -82,11 +82,28 @@ name = "goal"
 position = [6, 12]
 radius = 2
 
-# A goal is told when it is reached; with [[end]] instead, the run ends there.
+# A goal is reported when it is reached; with [[end]] instead, the run ends there.
 [[goal]]
 name = "the agent has been in the south"
 agent = "NAME"
 region = "goal"
+
+# What `soarbox test` checks, with each of these seeds (docs/missions.md).
+[mission]
+seeds = "1..5"
+
+[[check]]
+name = "it comes to the south"
+agent = "NAME"
+inside = "goal"
+by = 60
+
+[[check]]
+name = "no way fails"
+agent = "NAME"
+command = "move-to"
+status = "error"
+never = true
 )TEXT";
 
 constexpr std::string_view kLuaWorld = R"TEXT(-- NAME: a world made by a script, with an agent whose mind is Soar rules.

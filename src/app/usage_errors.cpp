@@ -96,7 +96,7 @@ Diagnostic UnknownArgument(const CLI::App& program, const CLI::App& command, con
   Diagnostic problem;
   if (!argument.starts_with('-')) {
     problem.message = name + " takes no further argument " + Quoted(argument);
-    problem.hint = name + " --help tells what it takes";
+    problem.hint = name + " --help lists what it takes";
     return problem;
   }
   const std::string option = argument.substr(0, argument.find('='));
@@ -134,7 +134,7 @@ Diagnostic BadValue(const CLI::App& command, const CLI::ParseError& error) {
   // Checks of this project are sentences about the option.
   if (const std::size_t takes = problem.message.find(": takes "); takes != std::string::npos)
     problem.message.erase(takes, 1);
-  problem.hint = name + " --help tells what it takes";
+  problem.hint = name + " --help lists what it takes";
   const CLI::Option* option = OptionNamed(command, sentence);
   if (option == nullptr) return problem;
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)

@@ -25,7 +25,7 @@ Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent) {
         if (!near.empty()) {
           problem.hint = "did you mean '" + std::string(near) + "'?";
         } else {
-          problem.hint = "it is 'default', 'none', or a list, apart by commas, of:";
+          problem.hint = "it is 'default', 'none', or a comma-separated list of:";
           for (const std::string_view known : all) problem.hint += " " + std::string(known);
         }
         return problem;

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What panels show of several minds, and of what minds do not say themselves: files, bodies.
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "app/desk.h"
+#include "debugger/watch.h"
+
+namespace soarbox::app {
+namespace {
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();
+  return text.str();
+}
+
+/// Behind the brace that closes the one at `open`; npos if none does. Comments and quoted texts hold no braces.
+std::size_t EndOfRule(const std::string& text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (c == '|' || c == '"') {
+      for (++i; i < text.size() && text[i] != c; ++i)
+        if (text[i] == '\\') ++i;
+    } else if (c == '{') {
+      ++depth;
+    } else if (c == '}' && --depth == 0) {
+      return i + 1;
+    }
+  }
+  return std::string::npos;
+}
+
+/// From the command that a rule begins with to its closing brace, as it stands there; empty if the text has no such
+/// rule.
+std::string RuleIn(const std::string& text, std::string_view rule, int& line) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+  for (std::size_t at = 0; (at = text.find(rule, at)) != std::string::npos; at += rule.size()) {
+    const std::size_t behind = at + rule.size();
+    if (behind < text.size() && !is_blank(text[behind]) && text[behind] != '(') continue;
+    std::size_t open = at;
+    while (open > 0 && is_blank(text[open - 1])) --open;
+    if (open == 0 || text[--open] != '{') continue;
+    std::size_t begin = open;
+    while (begin > 0 && is_blank(text[begin - 1])) --begin;
+    while (begin > 0 && std::isalpha(static_cast<unsigned char>(text[begin - 1]))) --begin;
+    const std::size_t end = EndOfRule(text, open);
+    if (end == std::string::npos) return {};
+    line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+    return text.substr(begin, end - begin);
+  }
+  return {};
+}
+
+}  // namespace
+
+void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds) {
+  contents.beside = beside_;
+  if (contents.beside.empty() && !agent_.empty()) contents.beside.push_back(agent_);
+  contents.watches.clear();
+  contents.minds.clear();
+  if (!watches && !minds) return;
+  sim::Simulation* const world = Looked();
+  const auto inspect = [&](const std::string& agent) -> std::unique_ptr<sim::Inspector> {
+    if (world != nullptr) return world->HasMind(agent) ? world->Inspect(agent) : nullptr;
+    return recording_ != nullptr && HasReadOn() ? recorded_.Inspect(agent) : nullptr;
+  };
+  if (watches) {
+    for (const std::string& what : watches_) contents.watches.push_back({what, {}});
+  }
+  for (const std::string& agent : contents.beside) {
+    const std::unique_ptr<sim::Inspector> mind = inspect(agent);
+    for (viewer::WatchRow& row : contents.watches) {
+      viewer::WatchRow::Cell cell;
+      cell.agent = agent;
+      cell.tick = past_.shown_tick();
+      if (mind != nullptr) {
+        debugger::WatchValue value = debugger::LookAtWatch(*mind, row.what);
+        cell.text = std::move(value.text);
+        cell.is_error = value.is_error;
+      } else {
+        cell.text = "no mind to look into";
+        cell.is_error = true;
+      }
+      viewer::WatchRow::Cell& before = watched_[{row.what, agent}];
+      if (before.text == cell.text && !before.agent.empty()) {
+        // It stays marked as new until the next tick.
+        cell.is_new = before.is_new && before.tick == cell.tick;
+        cell.tick = before.tick;
+      } else {
+        cell.is_new = !before.agent.empty();
+      }
+      before = cell;
+      row.cells.push_back(std::move(cell));
+    }
+    if (!minds) continue;
+    viewer::MindColumn& column = contents.minds.emplace_back();
+    column.agent = agent;
+    if (mind == nullptr) {
+      column.note = past_.is_live() ? "It has no Soar mind." : past_.PastNote();
+      continue;
+    }
+    column.stack = debugger::LookAtStack(*mind);
+    column.operators = debugger::LookAtOperators(*mind);
+    for (const debugger::AgentRow& row : contents.agents)
+      if (row.name == agent) column.command = row.command;
+  }
+}
+
+void Desk::FillRuleText(viewer::PanelContents& contents) {
+  contents.rule_text.clear();
+  if (!contents.rule || Live() == nullptr) return;
+  const sim::RuleFact& rule = contents.rule->rule;
+  if (rule.type != "user" && rule.type != "default") return;
+  for (const sim::WatchedFile& file : debugger::FilesOf(*Live(), agent_)) {
+    if (!file.is_rules) continue;
+    int line = 0;
+    std::string text = RuleIn(TextOf(file.file), rule.name, line);
+    // An edit that runs and is not saved stands in the open file.
+    if (const auto open = open_files_.find(file.file.string());
+        open != open_files_.end() && !open->second.edit.is_changed())
+      text = RuleIn(open->second.edit.text(), rule.name, line);
+    if (text.empty()) continue;
+    contents.rule_text = std::move(text);
+    contents.rule_file = file.file.string();
+    contents.rule_line = line;
+    return;
+  }
+}
+
+void Desk::FillActivities(viewer::PanelContents& contents) {
+  contents.activities.clear();
+  if (!past_.is_live() || Live() == nullptr) return;
+  for (const world::AgentOverlay& agent : Live()->Overlays({}).agents) {
+    if (agent.doing.empty()) continue;
+    contents.activities[agent.id] = agent.operator_name.empty() || agent.operator_name == agent.doing
+                                        ? agent.doing
+                                        : agent.operator_name + " \xc2\xb7 " + agent.doing;
+  }
+}
+
+Desk::Awaited Desk::MindNow(const std::string& agent) {
+  Awaited now;
+  now.agent = agent;
+  now.since_tick = past_.last_tick();
+  sim::Simulation* const live = Live();
+  const std::unique_ptr<sim::Inspector> mind = live != nullptr ? live->Inspect(agent) : nullptr;
+  if (mind == nullptr) return {};
+  for (const sim::StateFact& state : mind->Stack()) {
+    if (!state.operator_id.empty()) {
+      now.operators += now.operators.empty() ? "" : ", ";
+      now.operators +=
+          state.operator_name.empty() ? state.operator_id : state.operator_name + " (" + state.operator_id + ")";
+    }
+    // An operator whose command takes its time changes nothing.
+    if (state.level > 1 && !(state.attribute == "operator" && state.impasse == "no-change"))
+      now.impasse += (now.impasse.empty() ? "" : ", ") + state.attribute + " " + state.impasse;
+  }
+  return now;
+}
+
+std::string Desk::AwaitChange() {
+  AwaitNothing();
+  if (agent_.empty()) return "Select the Soar agent whose mind is to change";
+  awaited_ = MindNow(agent_);
+  return awaited_.agent.empty() ? agent_ + " has no Soar mind that can be looked into" : std::string();
+}
+
+void Desk::LookForChange(const record::TickRecord& tick) {
+  constexpr std::uint64_t kLongest_ticks = 3600;
+  if (awaited_.agent.empty() || !awaited_.change.empty()) return;
+  const Awaited now = MindNow(awaited_.agent);
+  const record::MindRecord* mind = record::FindMind(tick, awaited_.agent);
+  std::string change;
+  if (now.agent.empty()) {
+    change = "its mind has gone";
+  } else if (now.impasse != awaited_.impasse) {
+    change = now.impasse.empty() ? "out of the impasse " + awaited_.impasse : "impasse " + now.impasse;
+  } else if (mind != nullptr && !mind->commands.empty()) {
+    change = "said " + mind->commands.back();
+  } else if (now.operators != awaited_.operators) {
+    change = now.operators.empty() ? "no operator any more" : "now " + now.operators;
+  } else if (tick.tick > awaited_.since_tick + kLongest_ticks) {
+    change = "nothing has changed for two minutes";
+  }
+  if (!change.empty()) awaited_.change = awaited_.agent + ": " + change;
+}
+
+std::string Desk::TakeChange() {
+  if (awaited_.change.empty()) return {};
+  std::string change = std::move(awaited_.change);
+  awaited_ = {};
+  return change;
+}
+
+}  // namespace soarbox::app

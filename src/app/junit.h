@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "mission/test_missions.h"
+
+namespace soarbox::app {
+
+/// A mission with what came of it.
+struct TestedMission {
+  std::filesystem::path file;
+  mission::LoadedMission loaded;
+  mission::MissionOutcome outcome;
+};
+
+/// Writes the results as servers of continuous integration read them: a suite for each mission, a case for each check
+/// over all seeds.
+Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
+
+/// Whether a check is satisfied over all runs.
+bool CheckPassed(const TestedMission& tested, std::size_t check);
+
+}  // namespace soarbox::app

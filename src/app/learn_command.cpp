@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/learn_command.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/data_folders.h"
+#include "app/diagnostic_json.h"
+#include "app/exit_codes.h"
+#include "app/lesson.h"
+#include "app/lesson_progress.h"
+#include "app/run_options.h"
+#include "app/run_session.h"
+#include "diagnostics/read_text.h"
+#include "mission/sentences.h"
+
+namespace soarbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+int Refuse(std::string message, std::string hint = {}, std::string file = {}) {
+  Diagnostic problem;
+  problem.file = std::move(file);
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  std::cerr << Format(problem);
+  return kCannotStart;
+}
+
+/// A wrong answer may be right by luck; with so many seeds it is not.
+constexpr std::size_t kWrongSeeds = 4;
+
+class Learner {
+ public:
+  Learner(const LearnOptions& options, std::vector<Lesson> lessons) : options_(options), lessons_(std::move(lessons)) {
+    folder_ = options.folder.empty() ? LessonsFolder() : options.folder;
+  }
+
+  int List() {
+    for (std::size_t i = 0; i < lessons_.size(); ++i) {
+      const Lesson& lesson = lessons_[i];
+      const int attempts = progress_.Get(lesson.name, "attempts"), hints = progress_.Get(lesson.name, "hints");
+      if (options_.json) {
+        std::cout << ToLine(Json{{"number", i + 1},
+                                 {"name", lesson.name},
+                                 {"title", lesson.title},
+                                 {"passed", progress_.IsPassed(lesson.name)},
+                                 {"attempts", attempts},
+                                 {"hints", hints}})
+                  << '\n';
+        continue;
+      }
+      std::cout << (progress_.IsPassed(lesson.name) ? "done  " : "      ") << (i + 1 < 10 ? " " : "") << i + 1 << "  "
+                << lesson.title;
+      if (attempts > 0)
+        std::cout << "  (" << attempts << (attempts == 1 ? " attempt" : " attempts")
+                  << (hints > 0 ? ", " + std::to_string(hints) + (hints == 1 ? " hint" : " hints") : std::string())
+                  << ")";
+      std::cout << '\n';
+    }
+    if (!options_.json)
+      std::cout << "\nsoarbox learn N begins a lesson, soarbox learn next the first that is not done\n";
+    return kOk;
+  }
+
+  const Lesson* Find(const std::string& word) const {
+    for (std::size_t i = 0; i < lessons_.size(); ++i)
+      if (word == std::to_string(i + 1) || word == lessons_[i].name) return &lessons_[i];
+    if (word != "next") return nullptr;
+    const auto at = std::find_if(lessons_.begin(), lessons_.end(),
+                                 [&](const Lesson& lesson) { return !progress_.IsPassed(lesson.name); });
+    return at != lessons_.end() ? &*at : &lessons_.back();
+  }
+
+  fs::path FolderOf(const Lesson& lesson) const { return folder_ / lesson.name; }
+
+  bool Prepare(const Lesson& lesson) {
+    const Result<void> prepared = PrepareLesson(lesson, FolderOf(lesson));
+    if (!prepared) std::cerr << Format(prepared.error());
+    return prepared.ok();
+  }
+
+  int Begin(const Lesson& lesson) {
+    if (!Prepare(lesson)) return kCannotStart;
+    const fs::path folder = FolderOf(lesson);
+    const std::string number = std::to_string(&lesson - lessons_.data() + 1);
+    std::cout << "Lesson " << number << ". " << lesson.title << "\n\n"
+              << lesson.idea << "\n\nTask: " << lesson.task << "\nEdit:  " << (folder / lesson.rules).string()
+              << "\nSee:   soarbox run " << folder.string() << "\nGrade: soarbox learn check " << number
+              << "\nStuck: soarbox learn hint " << number << "\n";
+    if (!lesson.panel.empty()) std::cout << "Look:  the panel " << lesson.panel << "\n";
+    if (options_.headless) return kOk;
+    std::cout.flush();
+    RunOptions run;
+    run.scenario = folder.string();
+    run.lesson = lesson.folder;
+    run.watch = true;
+    return Run(run);
+  }
+
+  int Hint(const Lesson& lesson) {
+    const int used = progress_.Get(lesson.name, "hints");
+    const auto count = static_cast<int>(lesson.hints.size());
+    for (int i = 0; i <= std::min(used, count - 1); ++i)
+      std::cout << i + 1 << ". " << lesson.hints[static_cast<std::size_t>(i)] << '\n';
+    if (used >= count) std::cout << "These are all hints.\n";
+    if (used < count) progress_.Set(lesson.name, "hints", used + 1);
+    return kOk;
+  }
+
+  int Check(const Lesson& lesson) {
+    const fs::path folder = FolderOf(lesson);
+    std::error_code error;
+    if (!fs::exists(folder / lesson.rules, error))
+      return Refuse("this lesson has not begun", "soarbox learn " + lesson.name + " puts its files there",
+                    folder.string());
+    const Result<Grade> graded = GradeRules(lesson, folder, 0);
+    if (!graded) return Refuse(graded.error().message, graded.error().hint);
+    if (!graded->problems.empty()) {
+      for (const Diagnostic& problem : graded->problems) std::cout << Format(problem);
+      std::cout << "Fix this first. It does not count as an attempt.\n";
+      return kProblems;
+    }
+    progress_.Set(lesson.name, "attempts", progress_.Get(lesson.name, "attempts") + 1);
+    Print(lesson, *graded);
+    if (graded->passed) progress_.Set(lesson.name, "passed", 1);
+    return graded->passed ? kOk : kProblems;
+  }
+
+  void Print(const Lesson& lesson, const Grade& grade) const {
+    if (grade.outcome.runs.empty()) return;
+    const mission::Mission& mission = lesson.loaded.mission;
+    const mission::RunResult& run = grade.outcome.runs[grade.passed ? 0 : grade.example];
+    for (std::size_t i = 0; i < mission.checks.size() && i < run.checks.size(); ++i) {
+      if (mission.checks[i].marker) continue;
+      const mission::CheckResult& check = run.checks[i];
+      const bool is_good = check.verdict.state == mission::State::kTrue;
+      std::cout << (is_good ? "  yes  " : "  no   ") << mission.checks[i].name;
+      if (!is_good) std::cout << "\n         " << check.expected << "; " << check.verdict.was;
+      std::cout << '\n';
+    }
+    if (grade.passed) {
+      std::cout << "Passed with all of " << grade.outcome.runs.size() << " seeds.\n";
+      return;
+    }
+    std::cout << grade.outcome.passed << " of " << grade.outcome.runs.size() << " seeds passed; this was seed "
+              << run.seed << ": soarbox run " << FolderOf(lesson).string() << " --seed " << run.seed << '\n';
+    if (!grade.hint.empty()) std::cout << "\n" << grade.hint << '\n';
+  }
+
+  int Reset(const Lesson& lesson) {
+    const fs::path folder = FolderOf(lesson);
+    std::error_code error;
+    if (!fs::exists(folder, error)) return Begin(lesson);
+    for (int number = 2; number < 1000; ++number) {
+      const fs::path kept = folder_ / (lesson.name + "." + std::to_string(number));
+      if (fs::exists(kept, error)) continue;
+      fs::rename(folder, kept, error);
+      if (error) return Refuse("this folder cannot be moved: " + error.message(), {}, folder.string());
+      std::cout << "what you wrote is kept in " << kept.string() << '\n';
+      return Prepare(lesson) ? kOk : kCannotStart;
+    }
+    return Refuse("there are too many earlier folders of this lesson", "remove some", folder_.string());
+  }
+
+  /// Starters must fail, solutions pass, and each wrong answer must be told as the mistake that it is.
+  int Test() {
+    int bad = 0;
+    const auto tell = [&bad](const Lesson& lesson, const std::string& what, const std::string& wrong) {
+      std::cout << lesson.name << "  " << what << ": " << (wrong.empty() ? "as it should" : wrong) << '\n'
+                << std::flush;
+      bad += wrong.empty() ? 0 : 1;
+    };
+    for (const Lesson& lesson : lessons_) {
+      if (WasInterrupted()) return 130;
+      const Result<Grade> starter = GradeRules(lesson, lesson.folder, 1);
+      tell(lesson, "starter",
+           !starter          ? starter.error().message
+           : starter->passed ? "it passes already"
+                             : std::string());
+      const Result<Grade> solution = GradeRules(lesson, lesson.folder / "solution", 0);
+      std::string why;
+      if (!solution) {
+        why = solution.error().message;
+      } else if (!solution->problems.empty()) {
+        why = solution->problems.front().message;
+      } else if (!solution->passed) {
+        Print(lesson, *solution);
+        why = std::to_string(solution->outcome.passed) + " of " + std::to_string(solution->outcome.runs.size()) +
+              " seeds pass";
+      }
+      tell(lesson, "solution", why);
+      std::vector<fs::path> wrong;
+      std::error_code error;
+      for (fs::directory_iterator it(lesson.folder / "wrong", error), end; !error && it != end; it.increment(error))
+        wrong.push_back(it->path());
+      std::sort(wrong.begin(), wrong.end());
+      for (const fs::path& folder : wrong) {
+        std::string expected = ReadText(folder / "expects").value_or("");
+        while (!expected.empty() && expected.back() == '\n') expected.pop_back();
+        const Result<Grade> grade = GradeRules(lesson, folder, kWrongSeeds);
+        std::string problem;
+        if (!grade) {
+          problem = grade.error().message;
+        } else if (expected == "refused") {
+          problem = grade->problems.empty() ? "its rules should be refused" : "";
+        } else if (!grade->problems.empty()) {
+          problem = Format(grade->problems.front());
+        } else if (grade->passed) {
+          problem = "it passes";
+        } else if (grade->mistake != expected) {
+          Print(lesson, *grade);
+          problem = "it should be reported as \"" + expected + "\", but is reported as \"" + grade->mistake + "\"";
+        }
+        tell(lesson, "wrong/" + folder.filename().string(), problem);
+      }
+      if (wrong.size() < 4) tell(lesson, "wrong", "there are only " + std::to_string(wrong.size()) + " wrong answers");
+    }
+    return bad == 0 ? kOk : kProblems;
+  }
+
+ private:
+  const LearnOptions& options_;
+  std::vector<Lesson> lessons_;
+  fs::path folder_;
+  LessonProgress progress_;
+};
+
+}  // namespace
+
+int Learn(const LearnOptions& options) {
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return Refuse(data.error().message, data.error().hint);
+  const fs::path from = options.from.empty() ? data->scenarios.parent_path() / "lessons" : options.from;
+  std::vector<Diagnostic> problems;
+  std::vector<Lesson> lessons = ReadLessons(from, *data, problems);
+  for (const Diagnostic& problem : problems) std::cerr << Format(problem);
+  if (!problems.empty()) return kCannotStart;
+  if (lessons.empty()) return Refuse("there are no lessons in " + from.string());
+  CatchInterrupts();
+  Learner learner(options, std::move(lessons));
+  if (options.words.empty()) return learner.List();
+  const std::string& first = options.words.front();
+  if (first == "test") return learner.Test();
+  const bool is_verb = first == "check" || first == "hint" || first == "reset";
+  if (is_verb && options.words.size() > 2) return Refuse("this is one word too many: " + options.words.back());
+  const std::string which = is_verb ? (options.words.size() > 1 ? options.words[1] : "next") : first;
+  const Lesson* lesson = learner.Find(which);
+  if (lesson == nullptr) return Refuse("there is no lesson '" + which + "'", "soarbox learn lists them");
+  if (first == "check") return learner.Check(*lesson);
+  if (first == "hint") return learner.Hint(*lesson);
+  if (first == "reset") return learner.Reset(*lesson);
+  return learner.Begin(*lesson);
+}
+
+}  // namespace soarbox::app

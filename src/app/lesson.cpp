@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/lesson.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "app/run_session.h"
+#include "diagnostics/read_text.h"
+#include "mission/cast.h"
+#include "mission/read_mission.h"
+#include "mission/sentences.h"
+#include "sim/check.h"
+#include "sim/scenario_file.h"
+
+namespace soarbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kUsualSeeds = 10;
+
+/// {time}, {was} and {agent} of a hint, as the run had them.
+std::string Filled(std::string hint, const mission::Verdict& verdict) {
+  const auto put = [&hint](std::string_view mark, const std::string& text) {
+    for (std::size_t at = hint.find(mark); at != std::string::npos; at = hint.find(mark, at + text.size()))
+      hint.replace(at, mark.size(), text);
+  };
+  put("{time}", mission::SecondsText(verdict.time_s));
+  put("{was}", verdict.was);
+  put("{agent}", verdict.agent);
+  return hint;
+}
+
+}  // namespace
+
+fs::path ShippedLessons(const sim::DataFolders& data) {
+  return data.scenarios.parent_path() / "lessons";
+}
+
+std::vector<fs::path> LessonFolders(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (fs::is_regular_file(it->path() / "lesson.toml", error)) folders.push_back(it->path());
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+fs::path LessonOf(const fs::path& folder, const sim::DataFolders& data) {
+  std::error_code error;
+  if (fs::is_regular_file(folder / "lesson.toml", error)) return folder;
+  const fs::path known = ShippedLessons(data) / fs::absolute(folder, error).lexically_normal().filename();
+  return fs::is_regular_file(known / "lesson.toml", error) ? known : fs::path();
+}
+
+fs::path LessonsFolder() {
+  const char* home = std::getenv("HOME");
+  return fs::path(home != nullptr && *home != '\0' ? home : ".") / "soarbox-lessons";
+}
+
+Result<void> PrepareLesson(const Lesson& lesson, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  for (fs::directory_iterator it(lesson.folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    std::error_code of_one;
+    if (!it->is_regular_file(of_one) || name == "lesson.toml") continue;
+    const fs::path to = folder / name;
+    if (!fs::exists(to, of_one)) fs::copy_file(it->path(), to, error);
+    if (error) break;
+  }
+  if (!error) return {};
+  Diagnostic problem;
+  problem.file = folder.string();
+  problem.message = "the lesson's files cannot be written: " + error.message();
+  problem.hint = "name another folder with --folder";
+  return problem;
+}
+
+std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders& data,
+                                 std::vector<Diagnostic>& problems) {
+  Lesson lesson;
+  lesson.folder = folder;
+  lesson.name = folder.filename().string();
+  const std::size_t before = problems.size();
+  const std::string text = ReadText(folder / "lesson.toml").value_or("");
+  lesson.loaded.mission = mission::ParseLessonChecks(text, folder / "lesson.toml", problems);
+  if (problems.size() > before) return std::nullopt;
+  const toml::table root = toml::parse(text);
+  lesson.title = root["title"].value_or(lesson.name);
+  lesson.idea = root["idea"].value_or(std::string());
+  lesson.task = root["task"].value_or(std::string());
+  lesson.panel = root["panel"].value_or(std::string());
+  lesson.rules = root["rules"].value_or(std::string());
+  if (const toml::array* hints = root["hints"].as_array())
+    for (const toml::node& hint : *hints) lesson.hints.push_back(hint.value_or(std::string()));
+  mission::Mission& mission = lesson.loaded.mission;
+  mission.name = lesson.name;
+  Result<sim::Scenario> scenario = sim::FindScenario(folder.string(), data);
+  Diagnostic problem;
+  problem.file = (folder / "lesson.toml").string();
+  std::error_code error;
+  if (!scenario || scenario->definition.empty()) {
+    problem.message = "this lesson has no scenario.toml beside it";
+    problems.push_back(std::move(problem));
+    return std::nullopt;
+  }
+  if (lesson.rules.empty() || !fs::is_regular_file(folder / lesson.rules, error)) {
+    problem.message = "'rules' names no file of this lesson";
+    problem.hint = "write rules = \"porter.soar\": the file that the learner edits";
+    problems.push_back(std::move(problem));
+    return std::nullopt;
+  }
+  lesson.loaded.scenario = std::move(*scenario);
+  mission.scenario = folder.string();
+  const sim::ScenarioFile file =
+      sim::ParseScenarioFile(ReadText(folder / "scenario.toml").value_or(""), folder / "scenario.toml", problems);
+  mission::CheckNames(mission, mission::CastOf(file), problems);
+  lesson.loaded.seconds = mission.seconds.value_or(file.seconds.value_or(60));
+  if (mission.seeds.empty())
+    for (std::size_t seed = 1; seed <= kUsualSeeds; ++seed) mission.seeds.push_back(seed);
+  if (problems.size() > before) return std::nullopt;
+  return lesson;
+}
+
+std::vector<Lesson> ReadLessons(const fs::path& folder, const sim::DataFolders& data,
+                                std::vector<Diagnostic>& problems) {
+  std::vector<Lesson> lessons;
+  for (const fs::path& each : LessonFolders(folder))
+    if (std::optional<Lesson> lesson = ReadLesson(each, data, problems)) lessons.push_back(std::move(*lesson));
+  return lessons;
+}
+
+Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std::size_t seeds) {
+  Grade grade;
+  const fs::path rules = rules_folder / lesson.rules;
+  for (Diagnostic& problem : sim::CheckFiles({rules}))
+    if (problem.severity == Severity::kError) grade.problems.push_back(std::move(problem));
+  if (!grade.problems.empty()) return grade;
+  // The world and the others' rules are the lesson's; only this one file is the learner's.
+  mission::LoadedMission loaded = lesson.loaded;
+  loaded.scenario.rule_folders.insert(loaded.scenario.rule_folders.begin(), rules_folder);
+  mission::TestSettings settings;
+  settings.seeds = lesson.loaded.mission.seeds;
+  if (seeds > 0 && seeds < settings.seeds.size()) settings.seeds.resize(seeds);
+  Result<mission::MissionOutcome> outcome = mission::TestMission(
+      loaded, settings, [](const mission::RunResult&) {}, [] { return !WasInterrupted(); });
+  if (!outcome) return outcome.error();
+  grade.outcome = std::move(*outcome);
+  const mission::Mission& mission = lesson.loaded.mission;
+  grade.passed = grade.outcome.Passed(mission) && !grade.outcome.runs.empty();
+  if (grade.passed) return grade;
+  const auto failed = std::find_if(grade.outcome.runs.begin(), grade.outcome.runs.end(),
+                                   [](const mission::RunResult& run) { return !run.passed; });
+  if (failed == grade.outcome.runs.end()) return grade;
+  grade.example = static_cast<std::size_t>(failed - grade.outcome.runs.begin());
+  for (std::size_t i = 0; i < mission.mistakes.size(); ++i) {
+    const std::size_t at = mission.checks.size() + i;
+    if (!failed->IsTrue(at)) continue;
+    grade.mistake = mission.mistakes[i].name;
+    grade.hint = Filled(mission.mistakes[i].hint, failed->checks[at].verdict);
+    break;
+  }
+  return grade;
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "mission/test_missions.h"
+
+namespace soarbox::app {
+
+/// A lesson as its folder has it: lesson.toml, a world, a starter, a solution and wrong answers.
+struct Lesson {
+  std::filesystem::path folder;
+  std::string name;  ///< "01-a-rule"
+  std::string title, idea, task, panel;
+  std::string rules;  ///< The learner's file, "porter.soar".
+  std::vector<std::string> hints;
+  mission::LoadedMission loaded;
+};
+
+/// All lessons below a folder, in order. What is wrong with one is added to the problems.
+std::vector<Lesson> ReadLessons(const std::filesystem::path& folder, const sim::DataFolders& data,
+                                std::vector<Diagnostic>& problems);
+
+/// The one in this folder, if it is there and whole; what is wrong with it is added to the problems.
+std::optional<Lesson> ReadLesson(const std::filesystem::path& folder, const sim::DataFolders& data,
+                                 std::vector<Diagnostic>& problems);
+/// Where the program's own lessons are.
+std::filesystem::path ShippedLessons(const sim::DataFolders& data);
+/// Folders of lessons below a folder, in their order.
+std::vector<std::filesystem::path> LessonFolders(const std::filesystem::path& folder);
+/// The lesson whose files a learner has in this folder: one of the program with the folder's name, or the folder's
+/// own. Empty: none.
+std::filesystem::path LessonOf(const std::filesystem::path& folder, const sim::DataFolders& data);
+
+/// Where learners' files go unless they say otherwise: ~/soarbox-lessons.
+std::filesystem::path LessonsFolder();
+/// Copies what is not there yet of a lesson's files for the learner; nothing that is there is touched.
+Result<void> PrepareLesson(const Lesson& lesson, const std::filesystem::path& folder);
+
+/// What came of grading rules.
+struct Grade {
+  bool passed = false;
+  std::vector<Diagnostic> problems;  ///< Rules that do not load: nothing was run.
+  mission::MissionOutcome outcome;
+  std::string mistake, hint;  ///< The typical mistake that was recognised in the run, and what to tell about it.
+  std::size_t example = 0;    ///< Of the outcome's runs, the first that failed.
+};
+
+/// Runs the lesson's world with the rules of this folder. `seeds`: how many; 0: all.
+Result<Grade> GradeRules(const Lesson& lesson, const std::filesystem::path& rules_folder, std::size_t seeds);
+
+}  // namespace soarbox::app

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/lesson_desk.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "app/data_folders.h"
+#include "app/lesson.h"
+#include "app/lesson_progress.h"
+
+namespace soarbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A program that runs beside this one, and what it prints.
+class Helper {
+ public:
+  ~Helper() {
+    if (pid_ > 0) {
+      kill(pid_, SIGKILL);
+      waitpid(pid_, nullptr, 0);
+    }
+    if (pipe_ >= 0) close(pipe_);
+  }
+  bool IsRunning() const { return pid_ > 0; }
+  int code() const { return code_; }
+  const std::string& text() const { return text_; }
+
+  Result<void> Start(std::vector<std::string> words) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return Problem();
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t pid = 0;
+    const int failed = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    if (failed != 0) {
+      close(ends[0]);
+      errno = failed;
+      return Problem();
+    }
+    fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    pipe_ = ends[0];
+    pid_ = pid;
+    text_.clear();
+    return {};
+  }
+
+  /// True if it has ended since.
+  bool Poll() {
+    if (pid_ <= 0) return false;
+    std::array<char, 4096> bytes;
+    while (true) {
+      const ssize_t got = read(pipe_, bytes.data(), bytes.size());
+      if (got < 0) return false;  // Nothing yet.
+      if (got == 0) break;
+      text_.append(bytes.data(), static_cast<std::size_t>(got));
+    }
+    int status = 0;
+    waitpid(std::exchange(pid_, 0), &status, 0);
+    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    close(std::exchange(pipe_, -1));
+    return true;
+  }
+
+ private:
+  static Diagnostic Problem() {
+    Diagnostic problem;
+    problem.message = std::string("your rules cannot be checked now: ") + std::strerror(errno);
+    return problem;
+  }
+
+  pid_t pid_ = 0;
+  int pipe_ = -1, code_ = 0;
+  std::string text_;
+};
+
+std::vector<std::string> LinesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (end > at) lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+struct LessonDesk::Parts {
+  std::vector<Lesson> lessons;
+  std::size_t at;       ///< The world's; lessons.size(): none.
+  fs::path from, home;  ///< Of all lessons; of the learner's folders.
+  std::vector<std::string> grade;
+  Helper helper;
+  LessonProgress progress;
+
+  const Lesson* Now() const { return at < lessons.size() ? &lessons[at] : nullptr; }
+};
+
+LessonDesk::LessonDesk(const sim::Scenario& scenario, const fs::path& lesson) : parts_(std::make_unique<Parts>()) {
+  parts_->home = LessonsFolder();
+  parts_->at = 0;
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return;
+  fs::path taught = lesson;
+  if (taught.empty() && !scenario.definition.empty() && scenario.rules.empty())
+    taught = LessonOf(scenario.definition.parent_path(), *data);
+  parts_->from = taught.empty() ? ShippedLessons(*data) : taught.parent_path();
+  std::vector<Diagnostic> problems;  // soarbox learn tells them.
+  parts_->lessons = ReadLessons(parts_->from, *data, problems);
+  const auto is_it = [&](const Lesson& each) { return !taught.empty() && each.name == taught.filename(); };
+  const auto found = std::find_if(parts_->lessons.begin(), parts_->lessons.end(), is_it);
+  parts_->at = static_cast<std::size_t>(found - parts_->lessons.begin());
+  std::error_code error;
+  if (parts_->Now() != nullptr)
+    parts_->home = fs::absolute(scenario.definition, error).lexically_normal().parent_path().parent_path();
+}
+
+LessonDesk::~LessonDesk() = default;
+
+bool LessonDesk::HasLesson() const {
+  return parts_->Now() != nullptr;
+}
+
+std::string LessonDesk::Panel() const {
+  return parts_->Now() != nullptr ? parts_->Now()->panel : std::string();
+}
+
+void LessonDesk::Hint() {
+  const Lesson* now = parts_->Now();
+  if (now == nullptr) return;
+  const int used = parts_->progress.Get(now->name, "hints");
+  if (used < static_cast<int>(now->hints.size())) parts_->progress.Set(now->name, "hints", used + 1);
+}
+
+Result<void> LessonDesk::Grade() {
+  const Lesson* now = parts_->Now();
+  if (now == nullptr || parts_->helper.IsRunning()) return {};
+  parts_->grade.clear();
+  return parts_->helper.Start(
+      {"soarbox", "learn", "check", now->name, "--folder", parts_->home.string(), "--from", parts_->from.string()});
+}
+
+Result<std::string> LessonDesk::Open(const std::string& lesson) {
+  for (const Lesson& each : parts_->lessons) {
+    if (each.name != lesson) continue;
+    const fs::path folder = parts_->home / each.name;
+    if (const Result<void> prepared = PrepareLesson(each, folder); !prepared) return prepared.error();
+    return folder.string();
+  }
+  Diagnostic problem;
+  problem.message = "there is no lesson '" + lesson + "'";
+  return problem;
+}
+
+bool LessonDesk::Poll() {
+  if (!parts_->helper.Poll()) return false;
+  parts_->grade = LinesOf(parts_->helper.text());
+  parts_->progress = LessonProgress();
+  return true;
+}
+
+void LessonDesk::Fill(viewer::PanelContents& contents) const {
+  contents.lessons.clear();
+  for (const Lesson& lesson : parts_->lessons)
+    contents.lessons.push_back({lesson.name, lesson.title, parts_->progress.IsPassed(lesson.name)});
+  contents.lesson.reset();
+  const Lesson* now = parts_->Now();
+  if (now == nullptr) return;
+  viewer::LessonContents& shown = contents.lesson.emplace();
+  shown.name = now->name;
+  shown.title = std::to_string(parts_->at + 1) + ". " + now->title;
+  shown.idea = now->idea;
+  shown.task = now->task;
+  shown.panel = now->panel;
+  shown.hint_count = now->hints.size();
+  const auto used = static_cast<std::size_t>(std::max(0, parts_->progress.Get(now->name, "hints")));
+  shown.hints.assign(now->hints.begin(),
+                     now->hints.begin() + static_cast<std::ptrdiff_t>(std::min(used, now->hints.size())));
+  shown.is_passed = parts_->progress.IsPassed(now->name);
+  shown.is_graded = parts_->helper.IsRunning();
+  shown.grade = parts_->grade;
+  if (parts_->at + 1 < parts_->lessons.size()) shown.next = parts_->lessons[parts_->at + 1].name;
+}
+
+}  // namespace soarbox::app

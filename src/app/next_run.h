@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "diagnostics/result.h"
+
+namespace soarbox::app {
+
+/// What a window's user wants to see next: the window closes, and another one opens on it.
+struct NextRun {
+  std::string what;  ///< A scenario's name or path, or a recording.
+  bool is_recording = false;
+  std::size_t script_line = 0;  ///< Where a script that plays the user goes on.
+};
+
+/// Whether this can be opened, and what it is; else why not.
+Result<NextRun> FindNextRun(const std::string& what);
+/// Of this process, whose window is one at a time: kept by the window that closes, taken by the program.
+void KeepNextRun(NextRun next);
+std::optional<NextRun> TakeNextRun();
+
+}  // namespace soarbox::app

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+
+namespace soarbox::app {
+
+/// What `soarbox report` was asked for.
+struct ReportOptions {
+  std::filesystem::path source;  ///< A recording, a folder of recordings, a sweep.
+  std::filesystem::path output = "report.html";
+};
+
+int Report(const ReportOptions& options);
+
+}  // namespace soarbox::app

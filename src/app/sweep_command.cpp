@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/sweep_command.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <set>
+
+#include "app/data_folders.h"
+#include "app/exit_codes.h"
+#include "app/run_session.h"
+#include "diagnostics/read_text.h"
+#include "mission/sentences.h"
+#include "record/header.h"
+#include "sweep/run_sweep.h"
+#include "sweep/slurm.h"
+
+namespace soarbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostRounds = 5;
+
+int Refuse(const Diagnostic& problem) {
+  std::cerr << Format(problem);
+  return kCannotStart;
+}
+
+Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
+  Diagnostic problem;
+  problem.file = file.string();
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+/// A folder belongs to one sweep: its files and its build.
+Result<void> Claim(const fs::path& folder, const sweep::Plan& plan, const SweepOptions& options) {
+  const fs::path file = folder / "sweep.id";
+  const std::string known = ReadText(file).value_or("");
+  const std::string build = record::BuildId(), id = plan.digest + "\n" + build + "\n";
+  if (known.empty()) {
+    if ((std::ofstream(file, std::ios::binary) << id).flush()) return {};
+    return Problem(file, "this file cannot be written", "is the disk full, or the folder not yours?");
+  }
+  if (known == id) return {};
+  if (!known.starts_with(plan.digest + "\n"))
+    return Problem(folder, "another sweep lives in this folder: its scenario, checks or variants differ",
+                   "name another with --folder, or remove this one");
+  if (options.mix) return {};
+  return Problem(folder,
+                 "the runs in this folder were made by another build of the program, which may behave differently",
+                 "--mix continues anyway; --folder names a new one");
+}
+
+void Show(const sweep::Progress& progress, bool is_terminal, std::chrono::steady_clock::time_point begin) {
+  if (!is_terminal) return;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::size_t all = progress.there_before + progress.done;
+  std::cerr << "\r" << all << " of " << progress.planned << " runs";
+  if (progress.done > 0 && seconds > 1) {
+    const double rate = static_cast<double>(progress.done) / seconds;
+    std::cerr << ", " << mission::NumberText(rate) << " per second, "
+              << static_cast<int>(static_cast<double>(progress.planned - all) / rate) << " s to go";
+  }
+  if (progress.failed > 0) std::cerr << ", " << progress.failed << " crashed or hung";
+  std::cerr << "   " << std::flush;
+}
+
+}  // namespace
+
+int Sweep(const SweepOptions& options) {
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return Refuse(data.error());
+  std::vector<Diagnostic> problems;
+  const sweep::Spec spec = sweep::ReadSpec(options.spec, problems);
+  for (const Diagnostic& problem : problems) std::cerr << Format(problem);
+  if (!problems.empty()) return kCannotStart;
+  fs::path folder = options.folder;
+  if (folder.empty()) folder = fs::path(options.spec).replace_extension(".sweep");
+  if (options.cancel) {
+    const Result<void> ended = sweep::CancelOnSlurm(folder);
+    return ended ? static_cast<int>(kOk) : Refuse(ended.error());
+  }
+  if (options.on == "slurm") {
+    if (const std::string missing = sweep::WhyNoSlurm(); !missing.empty())
+      return Refuse(Problem(
+          {}, missing, "run this on a login node of the cluster, or without --on slurm to use this machine's cores"));
+  }
+  std::error_code error;
+  fs::create_directories(folder / "parts", error);
+  if (error)
+    return Refuse(Problem(folder, "this folder cannot be made: " + error.message(), "name another with --folder"));
+  const Result<sweep::Plan> plan = sweep::MakePlan(spec, folder, *data);
+  if (!plan) return Refuse(plan.error());
+  if (const Result<void> claimed = Claim(folder, *plan, options); !claimed) return Refuse(claimed.error());
+  CatchInterrupts();
+  const bool is_terminal = isatty(STDERR_FILENO) != 0;
+  const auto begin = std::chrono::steady_clock::now();
+  const std::size_t planned = spec.mission.seeds.size() * plan->variants.size();
+  if (options.on == "slurm") {
+    std::error_code ignored;
+    sweep::SlurmSettings settings;
+    settings.task_command = {fs::read_symlink("/proc/self/exe", ignored).string(), "sweep",
+                             fs::absolute(options.spec, ignored).string(), "--folder",
+                             fs::absolute(folder, ignored).string()};
+    if (options.mix) settings.task_command.emplace_back("--mix");
+    settings.tasks = options.tasks;
+    settings.partition = options.partition;
+    settings.account = options.account;
+    settings.time = options.time;
+    // What a node that died leaves undone is given out again.
+    for (int round = 0; round < kMostRounds && !WasInterrupted(); ++round) {
+      std::vector<Diagnostic> found;
+      if (sweep::RowsOf(spec, *plan, folder, found).size() == planned) break;
+      if (round > 0) std::cerr << "some runs are missing: given to Slurm again\n";
+      const Result<void> done = sweep::RunOnSlurm(folder, settings, [&] { return !WasInterrupted(); });
+      if (!done) return Refuse(done.error());
+    }
+    if (WasInterrupted()) {
+      std::cerr << "the jobs keep running; the same command waits for them again, --cancel ends them\n";
+      return 130;
+    }
+  } else {
+    sweep::SweepSettings settings;
+    settings.jobs = options.jobs;
+    if (options.task >= 0) {
+      settings.task = static_cast<std::size_t>(options.task);
+      settings.tasks = static_cast<std::size_t>(options.tasks);
+    }
+    auto shown = begin;
+    const Result<sweep::Progress> progress =
+        sweep::RunSweep(spec, *plan, folder, settings, [&](const sweep::Progress& now) {
+          if (std::chrono::steady_clock::now() - shown > std::chrono::milliseconds(300)) {
+            shown = std::chrono::steady_clock::now();
+            Show(now, is_terminal, begin);
+          }
+          return !WasInterrupted();
+        });
+    if (is_terminal) std::cerr << '\n';
+    if (!progress) return Refuse(progress.error());
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    std::cerr << progress->done << " runs made, " << progress->there_before << " were there, in "
+              << mission::SecondsText(seconds) << '\n';
+    if (options.task >= 0) return kOk;
+  }
+  std::vector<Diagnostic> differing;
+  const std::vector<sweep::Row> rows = sweep::RowsOf(spec, *plan, folder, differing);
+  for (const Diagnostic& problem : differing) std::cerr << Format(problem);
+  if (const Result<void> written = sweep::WriteTables(folder, spec, *plan, rows); !written)
+    return Refuse(written.error());
+  std::cout << sweep::Summary(spec, *plan, rows) << "tables: " << (folder / "results.csv").string() << ", "
+            << (folder / "results.sqlite").string() << '\n';
+  if (WasInterrupted()) {
+    std::cerr << planned - rows.size() << " runs are missing; run the same command again to continue\n";
+    return 130;
+  }
+  if (rows.size() < planned) {
+    std::cerr << planned - rows.size() << " of " << planned << " runs are missing\n";
+    return kProblems;
+  }
+  return differing.empty() ? kOk : kProblems;
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace soarbox::app {
+
+/// What `soarbox sweep` was asked for.
+struct SweepOptions {
+  std::filesystem::path spec;
+  std::filesystem::path folder;  ///< Empty: the spec's name with .sweep.
+  int jobs = 0;
+  std::string on = "here";  ///< Or "slurm".
+  int tasks = 1;            ///< Of a job array.
+  int task = -1;            ///< Only this part of the runs: a task of many; -1: all, and tables at the end.
+  std::string partition, account, time;
+  bool cancel = false;
+  bool mix = false;  ///< Rows of other builds count too.
+};
+
+int Sweep(const SweepOptions& options);
+
+}  // namespace soarbox::app
