@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/fence.h"
 #include "cli/interpreter.h"
 #include "cli/session.h"
 #include "kernel/agent.h"
@@ -54,6 +55,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     bool safe = command && !TouchesFiles(command->name);
     // `debug time COMMAND` carries out another command; `alias` may hide one.
     if (command && (command->name == "debug" || command->name == "alias")) safe = words.size() < 3;
+    // Long-term memories keep files; behind a fence they write none.
+    const bool remembers = command && (command->name == "smem" || command->name == "epmem");
+    const cli::Fence fence({});
+    const cli::Interpreter::Fenced fenced(interpreter, remembers ? &fence : nullptr);
     if (safe) interpreter.Execute(session, line);
     interpreter.Complete(session, line);
   }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Feeds long-term memory what a stranger may hand it: the text of `smem --add`, `smem --query` and `smem --remove`, and
+// the records of database files. The first byte says which. Whatever was taken over must keep the invariants, and what
+// was written again must be read again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/agent.h"
+#include "kernel/longterm/episode_records.h"
+#include "kernel/longterm/journal.h"
+#include "kernel/longterm/knowledge_reader.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/semantic_memory.h"
+
+namespace {
+
+using namespace soarbox::kernel;
+
+void Require(bool good) {
+  if (!good) std::abort();
+}
+
+void CheckKnowledge(SemanticMemory& memory) {
+  Require(memory.knowledge().CheckInvariants().empty());
+  RecordWriter image;
+  memory.Save(image);
+  Agent other("again");
+  SemanticMemory& again = SemanticMemory::Of(other.long_term());
+  Require(again.Load(image.bytes(), {}));
+  Require(again.knowledge().edge_count() == memory.knowledge().edge_count());
+}
+
+void TryText(SemanticMemory& memory, std::string_view text) {
+  const std::string given(text);
+  static_cast<void>(AddKnowledge(memory, given));
+  CheckKnowledge(memory);
+  Cue cue;
+  if (ReadQuery(memory, given, cue).empty()) static_cast<void>(memory.Search(cue, 3));
+  static_cast<void>(RemoveKnowledge(memory, given, true));
+  CheckKnowledge(memory);
+}
+
+void TryEpisodes(std::span<const std::uint8_t> bytes) {
+  EpisodeStore store;
+  EpisodeTerms terms;
+  if (!ReadEpisodes(bytes, store, terms)) return;
+  Require(*store.CheckInvariants() == '\0');
+  RecordWriter image;
+  EpisodeWriter(store, terms).Write(image);
+  EpisodeStore again;
+  EpisodeTerms again_terms;
+  Require(ReadEpisodes(image.bytes(), again, again_terms));
+  Require(again.last() == store.last() && again.fact_count() == store.fact_count());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0 || size > 100'000) return 0;
+  const std::span<const std::uint8_t> rest(data + 1, size - 1);
+  const std::string_view text(reinterpret_cast<const char*>(rest.data()), rest.size());
+  Agent agent("fuzz");
+  SemanticMemory& memory = SemanticMemory::Of(agent.long_term());
+  switch (data[0] % 4) {
+    case 0:
+      TryText(memory, text);
+      break;
+    case 1:
+      if (memory.Load(rest, {})) CheckKnowledge(memory);
+      break;
+    case 2: {
+      // Records, each behind its length.
+      std::vector<std::vector<std::uint8_t>> records;
+      RecordReader reader(rest);
+      while (!reader.AtEnd() && records.size() < 1000) {
+        const std::string_view record = reader.Text();
+        if (reader.ok() && !record.empty()) records.emplace_back(record.begin(), record.end());
+      }
+      if (memory.Load({}, records)) CheckKnowledge(memory);
+      break;
+    }
+    default:
+      TryEpisodes(rest);
+      break;
+  }
+  return 0;
+}

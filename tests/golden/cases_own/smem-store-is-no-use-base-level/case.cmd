@@ -1,0 +1,13 @@
+source agent.soar
+trace 0
+run 5
+print @
+print s1
+run 1
+print @
+run 2
+print @
+run 1
+print @
+run 1
+print @
