@@ -1,55 +1,68 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A soldier whose mind are the keys: each queues a command for its controller.
-require "DebugUtilities";
+-- A soldier without a mind: the user is its mind. A digit, on the keypad or above the letters, is an order for all
+-- soldiers: 1 stand idle, 2 shoot, 3 walk the level's path, 4 die, 5 change the stance. It prints what it begins to do.
+require "AgentCommunications";
 require "SandboxUtilities";
 require "SoldierController";
 
-local controller;
-local last;
-shots = 0;  -- That it heard, its own included.
-
-local kCommands = {
-    SoldierController.Commands.IDLE, SoldierController.Commands.SHOOT, SoldierController.Commands.MOVE,
-    SoldierController.Commands.DIE, SoldierController.Commands.CHANGE_STANCE
+local kOrders = {
+    ["1"] = "IDLE", ["2"] = "SHOOT", ["3"] = "MOVE", ["4"] = "DIE", ["5"] = "CHANGE_STANCE"
 };
 
-function Agent_Initialize(agent)
-    local soldier, weapon = Soldier_CreateLightSoldier(agent), Soldier_CreateWeapon(agent);
-    controller = SoldierController.new(agent, soldier, weapon);
+local body, deed;
+local fallen = false;
+shots = 0;  -- That it has heard, its own among them.
+
+local function Dress(agent)
+    local weapon = Soldier_CreateWeapon(agent);
+    local soldier = agent:GetId() % 2 == 0 and Soldier_CreateLightSoldier(agent) or Soldier_CreateSoldier(agent);
+    body = SoldierController.new(agent, soldier, weapon);
     Soldier_AttachWeapon(soldier, weapon);
-    agent:SetMaxSpeed(Soldier.Speed.Stand);
-    -- A path for the middle of the soldier.
-    local path = SandboxUtilities_GetLevelPath();
-    for _, point in ipairs(path) do
-        point.y = point.y + agent:GetHeight() / 2;
-    end
-    agent:SetPath(path, true);
-    Sandbox.AddEventCallback(agent:GetSandbox(), agent, function(_, self, type)
-        if (type == AgentCommunications.EventType.BulletShot) then
-            shots = shots + 1;
-        end
+end
+
+local function HearShots(agent)
+    AgentCommunications_AddEventCallback({ agent = agent }, AgentCommunications.EventType.BulletShot, function()
+        shots = shots + 1;
     end);
 end
 
-function Agent_Update(agent, deltaTimeInMillis)
-    controller:Update(agent, deltaTimeInMillis);
-    if (controller:CurrentCommand() ~= last) then
-        last = controller:CurrentCommand();
-        print(agent:GetId() .. " " .. tostring(last));
+function Agent_Initialize(agent)
+    local path = SandboxUtilities_GetLevelPath();
+    agent:SetMaxSpeed(Soldier.Speed.Stand);
+    agent:SetPosition(path[1] + Vector.new(0, agent:GetHeight() / 2, 0));
+    Soldier_SetPath(agent, path, true);
+    Dress(agent);
+    HearShots(agent);
+end
+
+-- Who was hit too often falls, whatever the order was.
+local function FallIfDead(agent)
+    if (not fallen and agent:GetHealth() <= 0) then
+        fallen = true;
+        body:ClearCommands();
+        body:QueueCommand(agent, kOrders["4"]);
     end
 end
 
+function Agent_Update(agent, deltaTimeInMillis)
+    FallIfDead(agent);
+    body:Update(agent, deltaTimeInMillis);
+    local now = body:CurrentCommand();
+    if (now and now ~= deed) then
+        deed = now;
+        print(agent:GetId() .. " " .. deed);
+    end
+end
+
+local function Digit(key)
+    return key and (key:match("^(%d)_key$") or key:match("^numpad_(%d)_key$")) or "";
+end
+
 function Agent_HandleEvent(agent, event)
-    if (event.source ~= "keyboard" or not event.pressed) then
+    local order = event.pressed and kOrders[Digit(event.key)];
+    if (not order or agent:GetHealth() <= 0) then
         return;
     end
-    for key, command in ipairs(kCommands) do
-        if (string.find(event.key, "^[numpad_]*" .. key .. "_key$")) then
-            if (command == SoldierController.Commands.DIE) then
-                controller:ImmediateCommand(agent, command);
-            else
-                controller:QueueCommand(agent, command);
-            end
-        end
-    end
+    body:ClearCommands();
+    body:QueueCommand(agent, order);
 end

@@ -1,14 +1,32 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Mind and body: soldiers that take commands. F4 drops a soldier; the keys 1 to 5 (or those of the number pad) tell all of
--- them to stand, shoot, move along the level's path, die, or change their stance.
-require "GUI";
-require "SandboxUtilities";
+-- A drill: soldiers of two uniforms on the level, who do what the digits order (CommandedSoldier.lua). F4 calls another
+-- soldier, F8 sends all of them home.
+require "LevelWorld";
+
+local kUniforms = { "dark", "light" };
+local kMostSoldiers = 12;
+local squad = {};
+
+local function CallSoldier(sandbox)
+    if (#squad >= kMostSoldiers) then
+        print("the squad is complete");
+        return;
+    end
+    local soldier = Sandbox.CreateAgent(sandbox, "CommandedSoldier.lua");
+    squad[#squad + 1] = soldier;
+    soldier:SetTeam(kUniforms[#squad % #kUniforms + 1]);
+end
+
+local onKey = { f4_key = CallSoldier };
+
+function onKey.f8_key()
+    for place, soldier in ipairs(squad) do
+        soldier:SetPosition(Vector.new(2 * place, 1, -4));
+    end
+end
 
 function Sandbox_Initialize(sandbox)
-    GUI_CreateUI(sandbox);
-    Sandbox.SetCameraPosition(sandbox, Vector.new(-17, 10, 0));
-    Sandbox.SetCameraOrientation(sandbox, Vector.new(-145, -50, -150));
-    SandboxUtilities_CreateLevel(sandbox);
+    LevelWorld_Initialize(sandbox, Vector.new(34, 26, -22), Vector.new(-142, 42, -155));
 end
 
 function Sandbox_Update(sandbox)
@@ -16,9 +34,9 @@ function Sandbox_Update(sandbox)
 end
 
 function Sandbox_HandleEvent(sandbox, event)
-    GUI_HandleEvent(sandbox, event);
-    if (event.pressed and event.key == "f4_key") then
-        local soldier = Sandbox.CreateAgent(sandbox, "CommandedSoldier.lua");
-        soldier:SetPosition(Vector.new(math.random(-5, 5), soldier:GetHeight() / 2, math.random(0, 6)));
+    LevelWorld_HandleEvent(sandbox, event);
+    local act = event.pressed and onKey[event.key];
+    if (act) then
+        act(sandbox);
     end
 end

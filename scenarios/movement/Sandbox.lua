@@ -1,48 +1,58 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Steering: a seeker, a pursuer that hunts it, followers that flock behind it, and runners on a path. Space shoots a block
--- that they get out of the way of, F1 resets the camera.
-require "DebugUtilities";
-require "GUI";
-require "SandboxUtilities";
+-- Steering on a common: a courier calls at four stalls, a dog chases it and rests after each catch, geese waddle behind
+-- the courier, and joggers run laps around them all. Space drops a bale that they get out of the way of.
+require "YardWorld";
 
-local kPath = {
-    Vector.new(0, 0, 0), Vector.new(30, 0, 0), Vector.new(30, 0, 50), Vector.new(-30, 0, 0), Vector.new(-30, 0, 20)
-};
+local kStalls = { { -24, -18 }, { 26, -12 }, { 17, 24 }, { -20, 20 } };
+local kGeese, kJoggers = 6, 12;
+local kCorners = 16;
+local kHandleYardEvent = Sandbox_HandleEvent;
 
-local function ResetCamera(sandbox)
-    Sandbox.SetCameraPosition(sandbox, Vector.new(-30, 5, 7));
-    Sandbox.SetCameraOrientation(sandbox, Vector.new(-131, -68, -133));
+-- An oval lap, as a list of places.
+local function Lap(halfWidth, halfLength)
+    local places = {};
+    for corner = 1, kCorners do
+        local angle = 2 * math.pi * corner / kCorners;
+        places[corner] = Vector.new(halfWidth * math.cos(angle), 0, halfLength * math.sin(angle));
+    end
+    return places;
+end
+
+-- The counter stands behind the place where customers stand, seen from the middle: nobody has to go round it.
+local function BuildStall(sandbox, x, z)
+    local counter = Sandbox.CreateBox(sandbox, 2, 1, 2);
+    local out = 1 + 3.5 / math.sqrt(x * x + z * z);
+    Core.SetPosition(counter, Vector.new(x * out, 0.5, z * out));
 end
 
 function Sandbox_Initialize(sandbox)
-    GUI_CreateUI(sandbox);
-    ResetCamera(sandbox);
-    SandboxUtilities_CreateLights(sandbox);
-    Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0));
-    Core.SetMaterial(Sandbox.CreatePlane(sandbox, 200, 200), "Ground2");
-
-    Sandbox.CreateAgent(sandbox, "SeekingAgent.lua");
-    Sandbox.CreateAgent(sandbox, "PursuingAgent.lua");
-    for _ = 1, 5 do
-        Sandbox.CreateAgent(sandbox, "FollowerAgent.lua");
+    YardWorld_Initialize(sandbox, Vector.new(0, 36, 58));
+    for _, stall in ipairs(kStalls) do
+        BuildStall(sandbox, stall[1], stall[2]);
     end
-    for _ = 1, 20 do
-        local runner = Sandbox.CreateAgent(sandbox, "PathingAgent.lua");
-        runner:SetPath(kPath, true);
-        runner:SetMaxSpeed(math.random(runner:GetMaxSpeed() * 0.85, runner:GetMaxSpeed() * 1.15));
+    Sandbox.CreateAgent(sandbox, "Courier.lua");
+    Sandbox.CreateAgent(sandbox, "Dog.lua");
+    for _ = 1, kGeese do
+        Sandbox.CreateAgent(sandbox, "Goose.lua");
+    end
+    for lane = 1, kJoggers do
+        local jogger = Sandbox.CreateAgent(sandbox, "Jogger.lua");
+        local lap = Lap(38 + lane % 3 * 2, 32 + lane % 3 * 2);
+        jogger:SetPath(lap, true);
+        jogger:SetPosition(lap[1 + lane * 5 % kCorners] + Vector.new(0, jogger:GetHeight() / 2, 0));
+        jogger:SetMaxSpeed(4 + lane / 6);
     end
 end
 
-function Sandbox_Update(sandbox)
-    GUI_UpdateUI(sandbox);
-    DebugUtilities_DrawDynamicBoundingSpheres(Sandbox.GetObjects(sandbox));
+local function DropBale(sandbox)
+    local bale = Sandbox.CreateBox(sandbox, 1.2, 1.2, 1.2);
+    Core.SetPosition(bale, Vector.new(math.random(-15, 15), 6, math.random(-15, 15)));
+    Core.SetMass(bale, 40);
 end
 
 function Sandbox_HandleEvent(sandbox, event)
-    GUI_HandleEvent(sandbox, event);
+    kHandleYardEvent(sandbox, event);
     if (event.pressed and event.key == "space_key") then
-        SandboxUtilities_ShootBox(sandbox);
-    elseif (event.pressed and event.key == "f1_key") then
-        ResetCamera(sandbox);
+        DropBale(sandbox);
     end
 end

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: BSD-2-Clause
 -- Tactics: two teams of soldiers look for each other on the level, fight, flee when they are hurt, and tell their team what
--- they see. The influence map shows who holds what: team1 blue, team2 red. F3 shows the navigation mesh, F4 hides the map.
+-- they see. F4 shows who holds what on the influence map: team1 blue, team2 red. F3 shows the navigation mesh.
 require "LevelWorld";
 require "SoldierTactics";
 
 local kSoldiers = 6;
 local kApart = 20;
 
-local mapIsShown = true;
+local mapIsShown = false;
 
 -- A place that is not near those that are taken; after some tries, any place.
 local function FreePlace(sandbox, taken)
@@ -33,6 +33,8 @@ function Sandbox_Initialize(sandbox)
         LevelWorld_PutAgent(Sandbox.CreateAgent(sandbox, "TacticalSoldier.lua"), FreePlace(sandbox, taken));
     end
     SoldierTactics_InitializeTactics(sandbox);
+    -- The map would hide the soldiers.
+    Sandbox.SetDrawInfluenceMap(sandbox, mapIsShown);
 end
 
 function Sandbox_Update(sandbox, deltaTimeInMillis)
