@@ -76,7 +76,7 @@ class Files(ScenarioCase):
         self.write("a.soar", "source b.soar\n")
         self.write("b.soar", "source a.soar\n")
         run = Run("check", self.folder / "a.soar")
-        self.assertEqual(run.out.count("nested too deeply"), 1, run.out)
+        self.assertEqual(run.out.count("This file sources itself"), 1, run.out)
 
     def test_other_files_are_no_scenarios(self):
         (self.folder / "x.png").write_bytes(b"\x89PNG")

@@ -54,6 +54,54 @@ sp {hero*propose*flee
 }
 """
 
+# a is better than b, b is better than a, and nothing speaks of c.
+CIRCLE = """
+sp {hero*propose
+   (state <s> ^superstate nil ^io.input-link.self)
+-->
+   (<s> ^operator <a> + ^operator <b> + ^operator <c> +)
+   (<a> ^name a)
+   (<b> ^name b)
+   (<c> ^name c)
+}
+sp {hero*prefer*ab
+   (state <s> ^operator <a> + ^operator <b> +)
+   (<a> ^name a)
+   (<b> ^name b)
+-->
+   (<s> ^operator <a> > <b>)
+}
+sp {hero*prefer*ba
+   (state <s> ^operator <a> + ^operator <b> +)
+   (<a> ^name a)
+   (<b> ^name b)
+-->
+   (<s> ^operator <b> > <a>)
+}
+"""
+
+# What rejects the other one comes after go has been selected, by its doing.
+LATER = """
+sp {hero*propose
+   (state <s> ^superstate nil ^io.input-link.self)
+-->
+   (<s> ^operator <go> + > ^operator <stay> +)
+   (<go> ^name go)
+   (<stay> ^name stay)
+}
+sp {hero*apply
+   (state <s> ^operator.name go)
+-->
+   (<s> ^went yes)
+}
+sp {hero*later
+   (state <s> ^went yes ^operator <stay> +)
+   (<stay> ^name stay)
+-->
+   (<s> ^operator <stay> -)
+}
+"""
+
 VIEWS = ["agents", "stack", "memory", "memory /vigour", "operators", "rules", "rule hero*propose*flee", "coverage",
          "why", "why rest", "why flee", "why move", "why runn", "io", "timeline", "messages", "trace", "plots self.health",
          "console print s1"]
@@ -73,6 +121,18 @@ class Inspect(ScenarioCase):
         self.assertEqual(run.code, 0, run.err)
         return run.out
 
+    def kernel_elsewhere(self):
+        """The port of a kernel in a process of its own."""
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        kernel = subprocess.Popen([COMMAND, "kernel", "--port", str(port)], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(kernel.stdout.close)
+        self.addCleanup(kernel.wait)
+        self.addCleanup(kernel.kill)
+        self.assertIn("listens", kernel.stdout.readline())
+        return port
+
     def test_each_view_prints_what_its_golden_file_says(self):
         for view in VIEWS:
             with self.subTest(view):
@@ -90,6 +150,8 @@ class Inspect(ScenarioCase):
         operators = json.loads(self.text("operators", "--json"))
         self.assertEqual([row["name"] for row in operators["operators"] if row["selected"]], ["walk"])
         self.assertIn("better than rest", operators["why"])
+        self.assertEqual([row["dropped"] for row in operators["operators"] if not row["selected"]],
+                         [{"stage": "dominated", "rules": ["hero*prefer*walk"], "decisive": True}])
 
     def test_a_run_stops_at_a_breakpoint(self):
         for until in ["fire hero*apply*walk", "match hero*prefer*walk", "element ^vigour *", "command move"]:
@@ -110,14 +172,7 @@ class Inspect(ScenarioCase):
                                  self.text(view, "--agent", "hero"))
 
     def test_a_kernel_elsewhere_is_asked_in_its_command_language(self):
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
-        kernel = subprocess.Popen([COMMAND, "kernel", "--port", str(port)], stdout=subprocess.PIPE, text=True)
-        self.addCleanup(kernel.stdout.close)
-        self.addCleanup(kernel.wait)
-        self.addCleanup(kernel.kill)
-        self.assertIn("listens", kernel.stdout.readline())
+        port = self.kernel_elsewhere()
         far = ("--kernel", f"127.0.0.1:{port}")
         for view in ["agents", "memory S1", "memory /vigour", "io", "messages", "plots S1.vigour", "console print s1",
                      "rule hero*propose*flee"]:
@@ -125,11 +180,34 @@ class Inspect(ScenarioCase):
                 there = self.text(view, *far)
                 here = self.text(view).replace(f", from {self.folder}/hero.soar:32", "")
                 self.assertEqual(there, here)
-        self.assertIn("walk (O2) won: it is better than rest (O1) by rule hero*prefer*walk.", self.text("operators", *far))
+        self.assertIn("walk (O2) was selected: rule hero*prefer*walk makes it better than rest (O1).", self.text("operators", *far))
         for view in ["stack", "operators", "memory 31", "why move"]:
             with self.subTest(view):
                 self.assertIn("not available there", self.text(view, *far))
-        self.assertIn("needs ^vigour < 10, and it is 100", self.text("why flee", *far))
+        self.assertIn("requires ^vigour < 10, but it is 100", self.text("why flee", *far))
+
+    def test_two_that_are_each_better_than_the_other_leave_the_third(self):
+        self.write("hero.soar", CIRCLE)
+        why = (r"c \([A-Z]\d\) was selected: (a|b) \([A-Z]\d\) and (a|b) \([A-Z]\d\) are each better than the other "
+               r"\(rules hero\*prefer\*(ab|ba) and hero\*prefer\*(ab|ba)\), so both were dropped")
+        recording = self.folder / "hero.soarbox"
+        run = Run("run", self.folder, "--headless", "--seconds", "0.5", "--record", recording)
+        self.assertEqual(run.code, 0, run.err)
+        port = self.kernel_elsewhere()
+        for mode, told in [("live", self.text("operators")), ("live", self.text("why")),
+                           ("simulated again", self.text("operators", "--agent", "hero", source=recording)),
+                           ("elsewhere", self.text("operators", "--kernel", f"127.0.0.1:{port}"))]:
+            with self.subTest(mode):
+                self.assertRegex(told, why + r"\.")
+        recorded = Run("replay", recording, "--headless")
+        self.assertEqual(recorded.code, 0, recorded.err)
+        self.assertRegex(recorded.out, why.removeprefix(r"c \([A-Z]\d\) was selected: ") + "; proposed by rule hero\\*propose")
+
+    def test_what_changed_after_a_decision_is_no_reason_for_it(self):
+        self.write("hero.soar", LATER)
+        self.assertRegex(self.text("operators"),
+                         r"go \([A-Z]\d\) is selected, and preferences have changed since\. By those that stand now: "
+                         r"rule hero\*later rejects stay (\([A-Z]\d\)) \(without that stay \1 would still lose\)\.")
 
     def test_what_is_not_there_is_told(self):
         for view, message in [("stak", "did you mean 'stack'?"), ("rule", "needs a name"),

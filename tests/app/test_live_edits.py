@@ -5,7 +5,7 @@ import os
 import subprocess
 import unittest
 
-from soarbox_command import COMMAND, ScenarioCase
+from soarbox_command import COMMAND, ScenarioCase, run_json
 from test_soar_authors import WORLD
 
 COUNT = """
@@ -39,7 +39,7 @@ class LiveEdits(ScenarioCase):
 
     def test_replace_rules_and_keep_working_memory(self):
         texts, err, _ = self.run_and_edit(lambda: self.write("hero.soar", COUNT.replace("|old |", "|new |")))
-        self.assertIn("was edited", err)
+        self.assertIn("hero.soar: note: reloaded\n", err)
         old = [int(text.split()[1]) for text in texts if text.startswith("old ")]
         new = [int(text.split()[1]) for text in texts if text.startswith("new ")]
         self.assertTrue(old and new, texts)
@@ -63,7 +63,7 @@ end
         self.write("Body.lua", body)
         self.write("Sandbox.lua", "function Sandbox_Initialize(s) Sandbox.CreateAgent(s, 'Body.lua') end")
         texts, err, end = self.run_and_edit(lambda: self.write("Body.lua", body.replace('"old"', '"new"')), None)
-        self.assertIn("Body.lua was edited", err)
+        self.assertIn("Body.lua: note: reloaded", err)
         self.assertEqual(end["problems"], 0)
         told = [text.split(": ", 1)[1].split() for text in texts]
         # It goes on counting where it was; the word that its author changed is the new one.
@@ -84,7 +84,7 @@ end
         self.write("parts/tell.soar", "source deep/tell.soar\n")
         self.write("parts/deep/tell.soar", tell)
         texts, err, _ = self.run_and_edit(edit, top)
-        self.assertIn("parts/deep/tell.soar was edited", err)
+        self.assertIn("parts/deep/tell.soar: note: reloaded", err)
         self.assertTrue(texts[0].startswith("old ") and texts[-1].startswith("new "), texts)
         self.assertEqual([int(text.split()[1]) for text in texts], sorted(int(text.split()[1]) for text in texts))
 
@@ -92,7 +92,7 @@ end
         rules = COUNT.split("sp {hero*tell")
         self.write("tell.soar", "sp {hero*tell" + rules[1])
         texts, err, _ = self.run_and_edit(lambda: self.write("tell.soar", "# nothing\n"), rules[0] + "source tell.soar\n")
-        self.assertIn("tell.soar was edited", err)
+        self.assertIn("tell.soar: note: reloaded", err)
         self.assertTrue(1 < self.last_tick < 160, "nothing is told after the edit")
 
     def test_that_put_something_else_in_place_of_a_file_are_told_once(self):
@@ -103,16 +103,54 @@ end
             texts, err, _ = self.run_and_edit(edit)
             if edit is folder:
                 (self.folder / "hero.soar").rmdir()
-            self.assertEqual(err.count(f"hero.soar: warning: {said}\n   note: the rules before that stay\n"), 1, err)
+            self.assertEqual(err.count(f"hero.soar: warning: {said}\n   note: the previous version keeps running\n"), 1, err)
             old = [int(text.split()[1]) for text in texts if text.startswith("old ")]
             self.assertGreater(old[-1], 40, "the rules go on to the end")
 
-    def test_that_do_not_parse_are_told_and_change_nothing(self):
-        for broken in (COUNT.replace("(crlf))}", "(crlf))"), COUNT.replace("(state <s> ^superstate nil ^heard <n>) -->", "(state <s> ^^heard <n>) -->")):
+    def test_that_do_not_parse_change_nothing_and_say_where_and_what_to_do(self):
+        tell = "sp {hero*tell (state <s> ^superstate nil ^heard <n>) -->"
+        for broken, message, hint in (
+                (COUNT.replace("(crlf))}", "(crlf))"), "rule hero*tell is not closed: } is missing", "put } at its end"),
+                (COUNT.replace("^heard <n>) --> (write", "^heard <n> --> (write"), "found '-->'", "still open"),
+                (COUNT.replace(tell, tell[3:]), "expected sp { here", "a rule starts with sp {"),
+                (COUNT.replace(tell, tell.replace(" -->", "")), "-->", "write --> between the conditions and the actions"),
+                (COUNT.replace("|old |", "|new |").replace("^heard 0", "^^heard 0"), "^", "")):
+            self.assertNotEqual(broken, COUNT)
             texts, err, end = self.run_and_edit(lambda text=broken: self.write("hero.soar", text))
-            self.assertTrue("error" in err or any("error" in text.lower() for text in texts) or end["problems"] > 0, (err, texts[-3:]))
-            old = [int(text.split()[1]) for text in texts if text.startswith("old ")]
-            self.assertGreater(old[-1], 40, "the old rules go on to the end")
+            self.assertRegex(err, r"hero\.soar:\d+(:\d+)?: error: ")
+            self.assertIn(message, err)
+            self.assertIn(hint, err)
+            self.assertTrue(err.endswith("hero.soar: note: nothing was changed; the previous version keeps running\n"), err)
+            self.assertEqual(end["problems"], 0)
+            self.assertEqual({text.split()[0] for text in texts}, {"old"})
+            self.assertGreater(int(texts[-1].split()[1]), 40, "the old rules go on to the end")
+
+    def test_of_a_misspelt_attribute_are_warned_of_when_they_run(self):
+        _, err, _ = self.run_and_edit(lambda: self.write("hero.soar", COUNT.replace("input-link.time", "input-link.tiem")))
+        self.assertIn("warning: rule hero*propose tests ^tiem, which no percept and no rule makes", err)
+        self.assertIn("did you mean ^time?", err)
+
+    def test_that_are_typed_and_do_not_parse_change_nothing_either(self):
+        self.write("hero.soar", COUNT)
+        self.write("scenario.toml", WORLD)
+        inputs = self.write("typed.txt", "30 command hero sp {hero*tell (state <s> ^superstate nil ^heard <n> --> (write |new |)}\n"
+                                         "60 command hero sp {hero*tell (state <s> ^superstate nil ^heard <n>) --> (write |new | <n> (crlf))}\n")
+        run = run_json(self.folder, "--seconds", 4, "--input", inputs)
+        problem = next(problem for problem in run.diagnostics() if problem["severity"] == "error")
+        self.assertIn("found '-->'", problem["message"])
+        self.assertTrue(problem["hint"].endswith("nothing was changed"), problem)
+        by_tick = [(event["tick"], event["text"].split()[0]) for event in run.of("log")]
+        self.assertEqual({word for tick, word in by_tick if 30 < tick < 60}, {"old"})
+        self.assertEqual({word for tick, word in by_tick if tick > 61}, {"new"})
+
+    def test_commands_that_fail_say_only_what_is_wrong(self):
+        self.write("hero.soar", COUNT)
+        self.write("scenario.toml", WORLD)
+        inputs = self.write("typed.txt", "20 command hero watch 99\n30 command hero nonsense\n")
+        run = run_json(self.folder, "--seconds", 2, "--input", inputs)
+        self.assertEqual([problem["message"] for problem in run.diagnostics() if problem["severity"] == "error"],
+                         ["the command 'watch 99' failed for hero: Expected trace level from 0 to 5.",
+                          "the command 'nonsense' failed for hero: No such command: nonsense"])
 
 
 if __name__ == "__main__":

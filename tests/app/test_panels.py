@@ -1,134 +1,35 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """A user of the window, with real events of mouse and keyboard: looks into an agent, stops it, changes it, goes back."""
-import pathlib
 import socket
 import subprocess
-import tempfile
 import time
 import unittest
 
 from png_picture import Picture
 from soarbox_command import COMMAND
-from virtual_display import can_draw, environment
+from virtual_display import can_draw
+from window_user import WALKER, WORLD, WindowUser
 
-WORLD = """
-seconds = 60
-
-[[agent]]
-name = "walker"
-rules = "walker.soar"
-body = "runner"
-
-[[agent]]
-name = "idler"
-rules = "idler.soar"
-body = "runner"
-position = [6, 0]
-
-[[waypoint]]
-name = "east"
-position = [18, 0]
-
-[[waypoint]]
-name = "north"
-position = [0, -18]
-"""
-
-WALKER = """
-sp {walker*propose*seek
-   (state <s> ^superstate nil ^io.input-link.waypoint <w>)
-   (<w> ^name <name> ^here no)
+# Knows two crates and a rope; asks for ammunition, then for what nobody knows, and for an episode.
+REMEMBERER = """
+smem --enable
+epmem --enable
+smem --add { (@1 ^kind ammo ^at barn) (@2 ^kind ammo ^at mill) (@3 ^kind rope) }
+sp {walker*start (state <s> ^superstate nil -^step) --> (<s> ^operator <o> +) (<o> ^name start)}
+sp {walker*start*apply (state <s> ^operator.name start ^smem.command <c>)
 -->
-   (<s> ^operator <o> +)
-   (<o> ^name seek ^waypoint <name>)
-}
-
-sp {walker*prefer*north
-   (state <s> ^superstate nil ^operator <a> + ^operator <b> +)
-   (<a> ^waypoint north)
-   (<b> ^waypoint east)
+   (<s> ^step 1) (<c> ^query <q>) (<q> ^kind ammo)}
+sp {walker*next (state <s> ^superstate nil ^step 1 ^smem.result.retrieved) --> (<s> ^operator <o> +) (<o> ^name next)}
+sp {walker*next*apply
+   (state <s> ^operator.name next ^smem.command <c> ^epmem.command <e>) (<c> ^query <q>)
 -->
-   (<s> ^operator <a> > <b>)
-}
-
-sp {walker*apply*seek
-   (state <s> ^operator <o> ^io.output-link <out>)
-   (<o> ^name seek ^waypoint <name>)
--->
-   (<out> ^seek <command>)
-   (<command> ^waypoint <name> ^within 0.8)
-}
-
-sp {walker*apply*forget-answered-command
-   (state <s> ^superstate nil ^operator <o> ^io.output-link <out>)
-   (<out> ^<name> <command>)
-   (<command> ^status)
--->
-   (<out> ^<name> <command> -)
-}
-"""
-
-IDLER = """
-sp {idler*propose*first
-   (state <s> ^superstate nil)
--->
-   (<s> ^operator <o> +)
-   (<o> ^name first)
-}
-
-sp {idler*propose*second
-   (state <s> ^superstate nil)
--->
-   (<s> ^operator <o> +)
-   (<o> ^name second)
-}
-
-sp {idler*propose*flee
-   (state <s> ^superstate nil ^io.input-link.self.health < 10)
--->
-   (<s> ^operator <o> +)
-   (<o> ^name flee)
-}
+   (<s> ^step 1 - 2) (<c> ^query <q> - ^query <n>) (<n> ^kind mortar) (<e> ^query <m>) (<m> ^step 1)}
+sp {walker*wait (state <s> ^superstate nil ^step 2) --> (<s> ^operator <o> +) (<o> ^name wait)}
 """
 
 
 @unittest.skipUnless(can_draw(), "no virtual display at hand")
-class Panels(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        for name, text in (("scenario.toml", WORLD), ("walker.soar", WALKER), ("idler.soar", IDLER)):
-            (self.folder / name).write_text(text, encoding="utf-8")
-
-    def window(self, script, *command, size=(1280, 720)):
-        """The command line that opens a window and plays a user in it."""
-        file = self.folder / "user.txt"
-        file.write_text(script, encoding="utf-8")
-        return [COMMAND, *command, "--width", str(size[0]), "--height", str(size[1]), "--ui-script", str(file),
-                "--detail", "low"]
-
-    def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
-        """Plays a user and expects that everything could be done; 1: something in the run was a problem."""
-        done = subprocess.run(
-            self.window(script, "run", str(self.folder), record, "--port", "0", *arguments, size=size),
-            capture_output=True, text=True, timeout=280, check=False, cwd=self.folder, env=environment(*size))
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def record(self, level):
-        """Records three seconds of the run and returns the file."""
-        file = self.folder / f"{level}.soarrec"
-        done = subprocess.run([COMMAND, "run", str(self.folder), "--headless", "--seconds", "3", "--record", str(file),
-                               "--record-level", level], capture_output=True, text=True, timeout=60, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return file
-
-    def replay(self, file, script):
-        done = subprocess.run(self.window(script, "replay", str(file)), capture_output=True, text=True, timeout=280,
-                              check=False, cwd=self.folder, env=environment(1280, 720))
-        self.assertEqual(done.returncode, 0, done.stderr)
-
+class Panels(WindowUser):
     def test_a_learner_finds_out_why(self):
         self.play("""
             until 0.5
@@ -175,7 +76,8 @@ class Panels(unittest.TestCase):
             click "Phase"
             expect "walker: one phase, next is"
             click "Decision"
-            expect "walker: one decision; the world stands still"
+            expect-not "one phase"
+            expect "walker:"
             click "Console"
             click "a Soar command"
             type "print s"
@@ -265,25 +167,60 @@ class Panels(unittest.TestCase):
             audit "a replay"
             """)
 
-    def test_a_recording_whose_scenario_has_gone_tells_what_it_holds(self):
+    def test_a_recording_whose_scenario_has_gone_rebuilds_minds_from_what_it_keeps(self):
         file = self.record("decisions")
         (self.folder / "scenario.toml").unlink()
         self.replay(file, """
             key P
             expect "Paused"
             click-at 500 704
-            expect "as recorded"
             expect "Goal stack"
             expect "seek"
-            expect "preferences: not recorded"
             click "Memory"
-            expect "Not recorded at this level"
+            expect "^reward-link"
             click "Senses"
             expect "Percepts (input link)"
             expect "free-ahead"
             click "Why"
-            expect "as it was recorded"
             expect "command seek"
+            """)
+
+    def test_what_an_agent_knows_recalls_and_remembers_is_told(self):
+        (self.folder / "walker.soar").write_text(REMEMBERER, encoding="utf-8")
+        file = self.folder / "remembered.soarrec"
+        self.play("""
+            until 1
+            key P
+            expect "Paused"
+            key Alt+Y
+            expect "Known 3"
+            expect "^kind ammo ^at mill"
+            audit "what is known"
+            click "Recalled 3"
+            expect "^kind mortar"
+            audit "what was recalled"
+            picture recalled.png
+            click "episode "
+            expect "taken in decision"
+            audit "an episode"
+            picture episode.png
+            click "Close"
+            expect "Click the strip"
+            click "Known 3"
+            click "Filter by text"
+            type "ROPE"
+            expect "^kind rope"
+            expect-not "^kind ammo"
+            key Escape
+            click "idler"
+            expect "no long-term memory is switched on"
+            """, record=f"--record={file}")
+        self.replay(file, """
+            until 1
+            click "walker"
+            click "Long-term memory"
+            click "Recalled 3"
+            expect "^kind mortar"
             """)
 
     def test_every_panel_is_drawn_over_a_filled_run(self):
@@ -476,15 +413,15 @@ class Panels(unittest.TestCase):
                 click "Mind"
                 picture mark.png
                 expect "cannot be looked into"
-                click "Problems"
-                expect "has gone"
+                click "Problems 1"
+                expect "its agents do nothing until"
                 click "Why"
                 click "Memory"
                 until 4
                 expect "Running"
                 """, "run", str(self.folder), "--no-record", "--kernel", f"127.0.0.1:{port}", "--kernel-limit", "0.5"),
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
-            env=environment(1280, 720))
+            env=self.surroundings((1280, 720)))
         self.addCleanup(run.kill)
         end = time.monotonic() + 120
         while not mark.exists() and run.poll() is None and time.monotonic() < end:

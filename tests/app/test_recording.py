@@ -77,7 +77,7 @@ class Replay(Recorded):
             self.assertEqual(len(mind.get("command_rules", [])), len(mind.get("commands", [])))
             reasons.update(mind.get("reasons", []))
             rules.update(mind.get("command_rules", []))
-        self.assertTrue(any("proposed by " in reason for reason in reasons), reasons)
+        self.assertTrue(any("by rule " in reason for reason in reasons), reasons)
         # Each command was made by a rule that fired.
         fired = {line.split("fire ", 1)[1] for tick in ticks for mind in tick.get("minds", [])
                  for line in mind.get("details", []) if "fire " in line}

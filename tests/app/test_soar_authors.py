@@ -290,7 +290,7 @@ class ScenarioFiles(ScenarioCase):
             ('[[agent]]\nbody = "soldir"\n', "there is no body 'soldir'", "did you mean 'soldier'?"),
             ('[[waypoint]]\nposition = [1]\n', "'position' takes [x, z]", ""),
             ('[[agent]\n', "", "TOML"),
-            ('[[end]]\nagent = "x"\nregion = "y"\n', "there is no region 'y'", ""),
+            ('[[agent]]\nname = "x"\n[[end]]\nagent = "x"\nregion = "y"\n', "there is no region 'y'", ""),
         ):
             self.write("scenario.toml", text)
             run = Run("run", self.folder, "--headless", "--seconds", 1)

@@ -123,6 +123,7 @@ class Skirmish(Behavior):
                     moves = run.of("command", agent=f"{team}-{number}", command="move-to")
                     self.assertGreaterEqual(moves[0]["time"], orders[0]["time"])
             self.assertTrue(any("^about enemy" in event["text"] for event in said))
+            self.assertEqual([event for event in run.of("gap") if event["time"] < 3], [], "nobody is idle when it begins")
             self.assertGreater(len(run.of("news", news="shoots")), 20)
             covered += len(run.of("outcome", command="take-cover", text="complete"))
             # Who is dead says and does nothing any more.

@@ -20,14 +20,14 @@ class Reasons(ScenarioCase):
 sp {hero*propose (state <s> ^superstate nil ^io.input-link.distnace < 3) --> (<s> ^operator <o> +) (<o> ^name go)}
 sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^stop <c>)}""")
         self.assertEqual(len(gaps), 1)
-        self.assertIn("tests ^distnace, which no sense and no rule ever writes: did you mean ^distance?", gaps[0]["reasons"][0])
+        self.assertIn("tests ^distnace, which no percept and no rule makes: did you mean ^distance?", gaps[0]["reasons"][0])
 
     def test_name_the_rule_that_came_nearest_its_failing_condition_and_the_values(self):
         reasons = self.gap("""
 sp {hero*far (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^operator <o> +) (<o> ^name go)}
 sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^stop <c>)}""")[0]["reasons"]
         self.assertEqual(reasons[0], "no operator is proposed in S1")
-        self.assertEqual(reasons[1], "rule hero*far needs ^io.input-link.self.health < 50, and it is 100")
+        self.assertEqual(reasons[1], "rule hero*far requires ^io.input-link.self.health < 50, but it is 100")
         self.assertTrue(any(reason.startswith("it perceives ") and "^health 100" in reason for reason in reasons))
 
     def test_name_the_operators_of_a_tie_and_what_would_decide_it(self):
@@ -60,12 +60,12 @@ sp {hero*b (state <s> ^operator <a> + ^operator <b> +) (<a> ^name one) (<b> ^nam
 
     def test_say_what_is_there_in_the_words_of_the_author(self):
         for conditions, said in (
-            ("(<in> ^self.weapon redy)", "rule hero*go needs ^io.input-link.self.weapon redy, and it is ready; "
+            ("(<in> ^self.weapon redy)", "rule hero*go requires ^io.input-link.self.weapon redy, but it is ready; "
              "it is never redy, only none ready cooling reloading empty"),
-            ("(<in> ^agent <a>)", "rule hero*go needs ^io.input-link.agent <a>, and there is none now (Another agent that"),
-            ("(<in> ^health > 50)", "^io.input-link.health > 50, and no sense writes it there: it is ^io.input-link.self.health"),
-            ("(<in> -^self.health 100)", "rule hero*go needs that there is no ^io.input-link.self"),
-            ("(<in> ^self <me>) (<me> ^reserve <r> ^health < <r>)", "^io.input-link.self.reserve > ^io.input-link.self.health, and it is 40; ^io.input-link.self.health is 100"),
+            ("(<in> ^agent <a>)", "rule hero*go requires ^io.input-link.agent <a>, but there is none now (Another agent that"),
+            ("(<in> ^health > 50)", "^io.input-link.health > 50, but no percept is there: it is ^io.input-link.self.health"),
+            ("(<in> -^self.health 100)", "rule hero*go requires no ^io.input-link.self"),
+            ("(<in> ^self <me>) (<me> ^reserve <r> ^health < <r>)", "^io.input-link.self.reserve > ^io.input-link.self.health, but it is 40; ^io.input-link.self.health is 100"),
         ):
             self.assertIn(said, self.nearest(conditions), conditions)
 
@@ -73,8 +73,37 @@ sp {hero*b (state <s> ^operator <a> + ^operator <b> +) (<a> ^name one) (<b> ^nam
         reasons = self.gap("""
 sp {hero*danger (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^danger yes)}
 sp {hero*go (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name go)}""" + self.GO)[0]["reasons"]
-        self.assertIn("rule hero*go needs ^danger yes, and there is none now; rule hero*danger makes it", reasons)
-        self.assertIn("rule hero*danger needs ^io.input-link.self.health < 50, and it is 100", reasons)
+        self.assertIn("rule hero*go requires ^danger yes, but there is none now; rule hero*danger makes it", reasons)
+        self.assertIn("rule hero*danger requires ^io.input-link.self.health < 50, but it is 100", reasons)
+
+    def test_do_not_name_a_rule_that_makes_something_else(self):
+        for rule in ("sp {hero*calm (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^danger no)}",
+                     "sp {hero*note (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^note <n>) (<n> ^danger yes)}",
+                     "sp {hero*end (state <s> ^superstate nil ^danger yes) --> (<s> ^danger yes -)}",
+                     "sp {hero*keep (state <s> ^superstate nil ^danger <d>) --> (<s> ^danger <d>)}"):
+            reasons = self.gap(rule + "\nsp {hero*go (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name go)}" +
+                               self.GO)[0]["reasons"]
+            said = [reason for reason in reasons if "hero*go requires ^danger yes" in reason]
+            self.assertEqual(len(said), 1, reasons)
+            self.assertNotIn("makes it", said[0].replace("no rule makes it", ""), rule)
+
+    def test_do_not_say_that_an_operator_was_applied_if_no_rule_fired_for_it(self):
+        reasons = self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*apply (state <s> ^operator.name go ^io.input-link.self.health < 50 ^io.output-link <out>) --> (<out> ^stop <c>)}""")[0]["reasons"]
+        self.assertEqual(reasons[0], "operator go is selected in S1 and no rule that applies it matches")
+        self.assertEqual(reasons[1], "rule hero*apply requires ^io.input-link.self.health < 50, but it is 100")
+        self.assertFalse([reason for reason in reasons if "has been applied" in reason])
+
+    def test_end_where_two_rules_wait_for_each_other(self):
+        rules = """
+sp {hero*a (state <s> ^superstate nil ^y yes) --> (<s> ^x yes)}
+sp {hero*b (state <s> ^superstate nil ^x yes) --> (<s> ^y yes)}
+sp {hero*go (state <s> ^superstate nil ^x yes) --> (<s> ^operator <o> +) (<o> ^name go)}""" + self.GO
+        reasons = self.gap(rules)[0]["reasons"]
+        self.assertEqual(len(reasons), len(set(reasons)), reasons)
+        why = Run("why", self.folder, "go", "--agent", "hero").out
+        self.assertEqual([why.count(f"rule {name} requires") for name in ("hero*go", "hero*a", "hero*b")], [1, 1, 1], why)
 
     def test_say_that_the_last_command_failed_and_that_its_operator_stays(self):
         gaps = self.gap("""
@@ -94,7 +123,7 @@ sp {hero*apply (state <s> ^operator.name goo ^io.output-link <out>) --> (<out> ^
 sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
 sp {hero*below (state <s> ^superstate.io.input-link.self.health < 50) --> (<s> ^operator <o> +) (<o> ^name step)}""")[0]["reasons"]
         self.assertIn("in the state below it no operator is proposed", reasons[0])
-        self.assertEqual(reasons[1], "rule hero*below needs ^superstate.io.input-link.self.health < 50, and it is 100")
+        self.assertEqual(reasons[1], "rule hero*below requires ^superstate.io.input-link.self.health < 50, but it is 100")
 
     def test_name_the_rule_that_halted_the_program(self):
         gaps = self.gap("""
@@ -109,8 +138,8 @@ sp {far*propose (state <s> ^superstate nil ^io.input-link.distance > 1000) --> (
 sp {far*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^go <c>)}""")
         self.write("Sandbox.lua", "function Sandbox_Initialize(s) Sandbox.CreateSoarAgent(s, 'Body.lua', 'far.soar', {name = 'far'}) end")
         gap = run_json(self.folder, "--seconds", 2).of("gap")[0]
-        self.assertEqual(gap["text"], "it found no command within its decision budget")
-        self.assertIn("rule far*propose needs ^io.input-link.distance > 1000, and it is 25", gap["reasons"])
+        self.assertEqual(gap["text"], "it gave no command within its decision budget")
+        self.assertIn("rule far*propose requires ^io.input-link.distance > 1000, but it is 25", gap["reasons"])
         self.assertTrue(any(reason.startswith("it perceives ^distance 25") for reason in gap["reasons"]), gap)
 
     def test_name_an_operator_that_nothing_applies(self):
@@ -151,12 +180,12 @@ sp {hero*apply*stroll (state <s> ^operator.name stroll ^io.output-link <out>) --
         for topic, tree in (
             ("flee", ["  rule hero*apply*run says it when it applies an operator",
                       "    operator run is not proposed now; stroll is selected",
-                      "      rule hero*propose*run needs ^danger yes, and there is none now; rule hero*danger makes it",
-                      "        rule hero*danger needs ^io.input-link.self.health < 50, and it is 100"]),
+                      "      rule hero*propose*run requires ^danger yes, but there is none now; rule hero*danger makes it",
+                      "        rule hero*danger requires ^io.input-link.self.health < 50, but it is 100"]),
             ("run", ["  operator run is not proposed now; stroll is selected",
-                     "    rule hero*propose*run needs ^danger yes, and there is none now; rule hero*danger makes it",
-                     "      rule hero*danger needs ^io.input-link.self.health < 50, and it is 100"]),
-            ("hero*danger", ["  rule hero*danger needs ^io.input-link.self.health < 50, and it is 100"]),
+                     "    rule hero*propose*run requires ^danger yes, but there is none now; rule hero*danger makes it",
+                     "      rule hero*danger requires ^io.input-link.self.health < 50, but it is 100"]),
+            ("hero*danger", ["  rule hero*danger requires ^io.input-link.self.health < 50, but it is 100"]),
         ):
             run = Run("why", rules, topic, "--at", 2)
             self.assertEqual((run.code, run.out.splitlines()[1:]), (0, tree), run.err)
@@ -260,8 +289,8 @@ region = "y"
         self.assertEqual({(problem["line"], problem["message"], problem.get("hint", "")) for problem in problems}, {
             (4, "the option 'heading' takes degrees", ""), (7, "there is no body 'soldir'", "did you mean 'soldier'?"),
             (10, 'an obstacle\'s shape is "box" or "column"', ""), (14, "there is no region 'y'", "")})
-        for text, hint in (("[[agent]]\nname = scout\n", 'texts stand between quotes: name = "scout"'),
-                           ('description = "x\n', "no closing quote"), ('seed = 1\nseed = 2\n', "stands once")):
+        for text, hint in (("[[agent]]\nname = scout\n", 'put text between quotes: name = "scout"'),
+                           ('description = "x\n', "no closing quote"), ('seed = 1\nseed = 2\n', "may occur once")):
             code, problems = self.check("scenario.toml", text)
             self.assertIn(hint, problems[0]["hint"])
 

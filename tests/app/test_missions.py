@@ -1,0 +1,374 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Missions, sweeps, reports and lessons through the real command."""
+import csv
+import json
+import os
+import pathlib
+import re
+import resource
+import shutil
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+import xml.etree.ElementTree as xml
+
+from soarbox_command import COMMAND, Run, ScenarioCase
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+
+WORLD = """
+seconds = 20
+[[agent]]
+name = "scout"
+rules = "scout.soar"
+position = [0, 0]
+[[waypoint]]
+name = "gate"
+position = [0, -12]
+[[waypoint]]
+name = "mill"
+position = [9, 0]
+"""
+RULES = """
+sp {scout*propose*go
+   (state <s> ^superstate nil ^io.input-link.waypoint <w>)
+   (<w> ^name gate ^here no)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name go)
+}
+sp {scout*apply*go
+   (state <s> ^operator.name go ^io.output-link <out>)
+-->
+   (<out> ^move-to <command>)
+   (<command> ^waypoint gate)
+   (write |off I go| (crlf))
+}
+"""
+
+
+class MissionCase(ScenarioCase):
+    def setUp(self):
+        super().setUp()
+        os.environ["XDG_STATE_HOME"] = str(self.folder / "state")
+        self.addCleanup(os.environ.pop, "XDG_STATE_HOME")
+
+    def mission(self, checks, world=WORLD, rules=RULES):
+        self.write("scout.soar", rules)
+        return self.write("scenario.toml", world + checks)
+
+    def judge(self, checks, *arguments, **more):
+        return Run("test", self.mission(checks, **more), *arguments)
+
+
+class Missions(MissionCase):
+    def test_what_agents_do_passes_and_what_they_do_not_fails_with_its_reason(self):
+        good = ('[[check]]\nagent = "scout"\nat = "gate"\nby = 10\n'
+                '[[check]]\nagent = "scout"\noperator = "go"\nby = 1\n'
+                '[[check]]\nagent = "scout"\ncommand = "move-to"\nwith = { waypoint = "gate" }\ntimes = 1\n'
+                '[[check]]\nagent = "scout"\nprints = "off*"\ntimes = 1\n'
+                '[[check]]\nagent = "scout"\nrule = "scout*apply*go"\ntimes = 1\n'
+                '[[check]]\nagent = "scout"\nimpasse = "tie"\nnever = true\n'
+                '[[check]]\nagent = "scout"\nelement = "io.input-link.waypoint.name"\nis = "gate"\nby = 1\n'
+                '[[check]]\nagent = "scout"\ndecisions = { min = 1 }\n'
+                '[[check]]\nagent = "scout"\ndistance = { min = 8, max = 14 }\n')
+        run = self.judge(good)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        run = self.judge(good + '[[check]]\nname = "to the mill"\nagent = "scout"\nat = "mill"\nby = 15\n')
+        self.assertEqual(run.code, 1, run.out + run.err)
+        self.assertRegex(run.out, r"to the mill +seed 1, 15\.0 s: scout should be at mill by 15 s; it came within [\d.]+ m, at ")
+        replay = re.search(r"soarbox replay (\S+) --from (\d+) --select scout", run.out)
+        self.assertTrue(replay, run.out)
+        self.assertEqual(Run("verify", replay[1]).code, 0)
+
+    def test_the_mind_is_asked_at_the_moment_of_the_failure(self):
+        run = self.judge('[[check]]\nagent = "scout"\noperator = "rest"\nby = 2\n',
+                         rules=RULES + "sp {scout*propose*rest (state <s> ^io.input-link.self.health < 50) --> (<s> ^operator <o> +) (<o> ^name rest)}")
+        self.assertEqual(run.code, 1, run.out + run.err)
+        self.assertIn("health", run.out, "the rule that would propose it stops there")
+
+    def test_exit_codes_tell_what_is_wrong(self):
+        self.assertEqual(self.judge('[[check]]\nagent = "scuot"\nat = "gate"\n').code, 3)
+        refused = self.judge('[[check]]\nagent = "scout"\nat = "gtae"\n')
+        self.assertEqual(refused.code, 3)
+        self.assertIn("there is no waypoint 'gtae'", refused.err)
+        self.assertIn("did you mean 'gate'?", refused.err)
+        self.assertIn("there is no waypoint 'gtae'", Run("check", self.folder / "scenario.toml").out)
+        self.mission("")
+        self.assertEqual(Run("test", self.folder / "nothing").code, 5)
+        (self.folder / "empty").mkdir()
+        self.assertEqual(Run("test", self.folder / "empty").code, 5)
+        self.assertEqual(Run("test", "--seeds", "x", self.folder).code, 2)
+
+    def test_results_are_told_as_json_and_to_servers(self):
+        report = self.folder / "out.xml"
+        run = self.judge('[mission]\nseeds = "1..3"\npass = 0\n[[check]]\nname = "a < b"\nagent = "scout"\nat = "mill"\nby = 2\n',
+                         "--json", "--junit", report, "--jobs", "2")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(sorted(event["seed"] for event in run.of("run")), [1, 2, 3])
+        self.assertEqual(run.of("mission")[0]["runs_passed"], 0)
+        case = xml.parse(report).getroot().find("testsuite/testcase")
+        self.assertEqual(case.get("name"), "a < b")
+
+    def test_one_job_or_two_give_the_same(self):
+        self.mission('[mission]\nseeds = "1..6"\n[[check]]\nagent = "scout"\nat = "gate"\nby = 10\n')
+        def told(jobs):
+            run = Run("test", self.folder, "--json", "--jobs", jobs)
+            return sorted((event["seed"], event["state_hash"], json.dumps(event["checks"])) for event in run.of("run"))
+        self.assertEqual(told(1), told(2))
+
+    def test_a_run_that_takes_too_long_is_told_and_the_others_are_not_lost(self):
+        run = self.judge('[mission]\nseeds = "1..2"\nwall = 1\nseconds = 100000\n[[check]]\nagent = "scout"\nat = "mill"\n')
+        self.assertEqual(run.code, 4, run.out + run.err)
+        self.assertIn("HH", run.out)
+
+    def test_a_run_that_crashes_costs_itself_only(self):
+        self.mission('[mission]\nseeds = "1..3"\nseconds = 20\n[[check]]\nagent = "scout"\nat = "gate"\nby = 10\n'
+                     '[[check]]\nagent = "scout"\nat = "mill"\nnever = true\n')
+        tester = subprocess.Popen([COMMAND, "test", self.folder, "--jobs", "1", "--no-keep"], text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        children = pathlib.Path(f"/proc/{tester.pid}/task/{tester.pid}/children")
+        killed = False
+        while tester.poll() is None and not killed:
+            for child in children.read_text(encoding="utf-8").split():
+                os.kill(int(child), signal.SIGSEGV)
+                killed = True
+        out, err = tester.communicate(timeout=240)
+        self.assertTrue(killed)
+        self.assertEqual(tester.returncode, 4, out + err)
+        self.assertRegex(out, r"C\.\.  2 of 3")
+        self.assertIn("signal 11", out)
+
+    def test_what_cannot_be_written_is_told_and_the_results_are_printed(self):
+        good = '[[check]]\nagent = "scout"\nat = "gate"\nby = 10\n'
+        nowhere = self.write("file", "") / "below"
+        run = self.judge(good, "--junit", nowhere / "out.xml")
+        self.assertEqual(run.code, 3, run.out + run.err)
+        self.assertIn("1 of 1", run.out)
+        self.assertIn("out.xml", run.err)
+        run = self.judge(good + '[[check]]\nagent = "scout"\nat = "mill"\nby = 2\n', "--keep", nowhere)
+        self.assertEqual(run.code, 1, run.out + run.err)
+        self.assertIn("the recording was not kept", run.out)
+        self.assertIn("it came within", run.out)
+        run = Run("learn", "1", "--headless", "--folder", nowhere)
+        self.assertEqual(run.code, 3, run.out)
+        self.assertIn("--folder", run.err)
+
+    def test_every_scenario_of_soar_agents_has_a_mission_that_passes_and_fails_without_rules(self):
+        folders = sorted(path.parent.name for path in (REPOSITORY / "scenarios").glob("soar_*/scenario.toml"))
+        for folder in folders:
+            self.assertTrue((REPOSITORY / "scenarios" / folder / "mission.toml").exists(), folder)
+        missions = [REPOSITORY / "scenarios" / folder / "mission.toml" for folder in folders]
+        run = Run("test", *missions, "--seeds", "1", "--no-keep")
+        self.assertEqual(run.code, 0, run.out + run.err)
+        empty = Run("test", *missions, "--seeds", "1", "--no-keep", "--empty", "--json")
+        self.assertEqual([event["mission"] for event in empty.of("mission") if event["passed"]], [])
+
+    def test_every_other_scenario_has_a_mission_that_passes(self):
+        folders = sorted(path.parent for path in (REPOSITORY / "scenarios").glob("*/Sandbox.lua"))
+        missions = [folder / "mission.toml" for folder in folders if not folder.name.startswith("soar_")]
+        self.assertGreater(len(missions), 8)
+        run = Run("test", *missions, "--seeds", "1", "--no-keep")
+        self.assertEqual(run.code, 0, run.out + run.err)
+
+    def test_the_starter_passes_its_own_mission(self):
+        self.assertEqual(Run("new", self.folder / "mine").code, 0)
+        run = Run("test", self.folder / "mine", "--no-keep")
+        self.assertEqual(run.code, 0, run.out + run.err)
+
+
+SWEEP = """
+scenario = "scenario.toml"
+seeds = "1..6"
+seconds = 8
+[[check]]
+name = "there"
+agent = "scout"
+at = "gate"
+[[variant]]
+name = "slow"
+parameters = { "agent.scout.speed" = 2 }
+[[variant]]
+name = "fast"
+parameters = { "agent.scout.speed" = 5, "agent.scout.senses.noise" = 0.5 }
+[[metric]]
+name = "arrival"
+time_of = "there"
+"""
+
+
+class Sweeps(MissionCase):
+    def rows(self, name="sweep.sweep"):
+        with open(self.folder / name / "results.csv", newline="", encoding="utf-8") as file:
+            return [{key: value for key, value in row.items() if key not in ("cpu_s", "peak_mb")} for row in csv.DictReader(file)]
+
+    def test_seeds_times_variants_become_a_table(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP)
+        run = Run("sweep", spec)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        rows = self.rows()
+        self.assertEqual(len(rows), 12)
+        self.assertEqual({row["variant"] for row in rows}, {"slow", "fast"})
+        self.assertEqual({row["outcome"] for row in rows}, {"ok"})
+        slow = [float(row["arrival"]) for row in rows if row["variant"] == "slow" and row["arrival"]]
+        fast = [float(row["arrival"]) for row in rows if row["variant"] == "fast" and row["arrival"]]
+        self.assertLess(max(fast), min(slow or [99]))
+        with sqlite3.connect(self.folder / "sweep.sweep" / "results.sqlite") as database:
+            told = database.execute('SELECT variant, seed, "check: there", state_hash FROM runs').fetchall()
+        self.assertEqual([(row["variant"], float(row["seed"]), row["check: there"], row["state_hash"]) for row in rows], told)
+        self.assertIn("on equal seeds", run.out)
+        again = Run("sweep", spec)
+        self.assertIn("0 runs made, 12 were there", again.err)
+        replay = Run("run", self.folder / "sweep.sweep" / "variants" / "slow", "--headless", "--seed", "3", "--seconds", "8", "--json")
+        self.assertEqual(replay.code, 0, replay.err)
+
+    def test_what_was_killed_goes_on_and_comes_to_the_same_table(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..12"))
+        for delay in (0.4, 0.8, 1.2):
+            child = subprocess.Popen([COMMAND, "sweep", spec], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(delay)
+            child.send_signal(signal.SIGKILL)
+            child.wait()
+        part = sorted((self.folder / "sweep.sweep" / "parts").glob("*.rows"))
+        if part:
+            with open(part[0], "a", encoding="utf-8") as file:
+                file.write("0123456789abcdef {\"half a li")
+        self.assertEqual(Run("sweep", spec).code, 0)
+        self.assertEqual(Run("sweep", spec, "--folder", self.folder / "whole").code, 0)
+        drop = lambda rows: [{key: value for key, value in row.items() if key != "tries"} for row in rows]
+        self.assertEqual(drop(self.rows()), drop(self.rows("whole")))
+
+    def test_what_is_wrong_with_a_sweep_is_told(self):
+        self.mission("")
+        for wrong, message in ((SWEEP.replace("agent.scout.speed", "agent.scuot.speed", 1), "there is no parameter 'agent.scuot.speed'"),
+                               (SWEEP.replace("senses.noise", "senses.niose"), "niose"),
+                               (SWEEP.replace('seeds = "1..6"', ""), "this sweep has no seeds"),
+                               (SWEEP.replace('time_of = "there"', 'time_of = "here"'), "there is no check 'here'"),
+                               (SWEEP.replace('at = "gate"', 'at = "gtae"'), "there is no waypoint 'gtae'")):
+            run = Run("sweep", self.write("wrong.toml", wrong), "--folder", self.folder / "w")
+            self.assertEqual(run.code, 3, run.out + run.err)
+            self.assertIn(message, run.err)
+            shutil.rmtree(self.folder / "w", ignore_errors=True)
+        spec = self.write("sweep.toml", SWEEP)
+        self.assertEqual(Run("sweep", spec).code, 0)
+        other = Run("sweep", self.write("other.toml", SWEEP.replace("8", "7")), "--folder", self.folder / "sweep.sweep")
+        self.assertEqual(other.code, 3)
+        self.assertIn("another sweep lives in this folder", other.err)
+
+    def test_a_full_disk_stops_it_and_what_was_made_stays(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP)
+        def little_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (9000, 9000))
+        full = subprocess.run([COMMAND, "sweep", spec, "--jobs", "1"], capture_output=True, text=True, timeout=240, check=False,
+                              preexec_fn=little_room)
+        self.assertEqual(full.returncode, 3, full.stdout + full.stderr)
+        self.assertIn("rows cannot be written", full.stderr)
+        self.assertIn("run the same command again when there is room", full.stderr)
+        again = Run("sweep", spec)
+        self.assertEqual(again.code, 0, again.out + again.err)
+        self.assertRegex(again.err, r"runs made, [1-9]\d* were there")
+        self.assertEqual(len(self.rows()), 12)
+
+    def test_a_folder_that_cannot_be_made_is_told(self):
+        self.mission("")
+        run = Run("sweep", self.write("sweep.toml", SWEEP), "--folder", self.write("file", "") / "below")
+        self.assertEqual(run.code, 3)
+        self.assertIn("name another with --folder", run.err)
+
+    @unittest.skipIf(shutil.which("sbatch"), "Slurm is installed")
+    def test_without_slurm_that_is_said(self):
+        self.mission("")
+        run = Run("sweep", self.write("sweep.toml", SWEEP), "--on", "slurm")
+        self.assertEqual(run.code, 3)
+        self.assertIn("is not installed", run.err)
+
+
+class Reports(MissionCase):
+    def test_a_page_stands_alone_and_texts_stay_texts(self):
+        evil = "x</script><script>alert(1)</script>\" onload='alert(2)'"
+        self.mission('[[check]]\nname = "%s"\nagent = "scout"\nat = "mill"\nby = 5\n' % evil.replace('"', '\\"'),
+                     rules=RULES + 'sp {scout*say (state <s> ^superstate nil ^io.input-link.self) --> (write |<script>alert(3)</script> {{data}} {{script}}| (crlf))}')
+        recording = self.folder / "run.soarrec"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "6", "--record", recording).code, 0)
+        page = self.folder / "report.html"
+        run = Run("report", recording, "-o", page)
+        self.assertEqual(run.code, 0, run.err)
+        text = page.read_text(encoding="utf-8")
+        self.assertEqual(text.count("<script"), 2, "the data and the page's own")
+        self.assertEqual(text.count("</script>"), 2)
+        self.assertNotRegex(text, r"(src|href)=[\"']?http")
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', text, re.S)[1])[0]
+        self.assertEqual(data["checks"][0]["name"], evil)
+        self.assertEqual(data["checks"][0]["state"], "false")
+        self.assertTrue(data["same"], "simulated again it comes to the recorded state")
+        self.assertEqual(data["spans"][0][3], "go")
+        fired = {rule["name"]: rule["firings"] for rule in data["agents"][0]["rules"]}
+        self.assertEqual(fired["scout*apply*go"], 1)
+
+    def test_a_sweep_becomes_a_page(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP)
+        self.assertEqual(Run("sweep", spec).code, 0)
+        page = self.folder / "sweep.html"
+        self.assertEqual(Run("report", spec, "-o", page).code, 0)
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])[0]
+        self.assertEqual([variant["runs"] for variant in data["variants"]], [6, 6])
+        self.assertEqual(len(data["rows"]), 12)
+
+    def test_what_cannot_be_read_or_written_is_told(self):
+        self.assertEqual(Run("report", self.folder / "nothing").code, 3)
+        self.assertEqual(Run("report", self.folder).code, 3)
+        self.mission("")
+        recording = self.folder / "run.soarrec"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "1", "--record", recording).code, 0)
+        run = Run("report", recording, "-o", self.write("file", "") / "page.html")
+        self.assertEqual(run.code, 3)
+        self.assertIn("page.html", run.err)
+
+    def test_the_page_reads_nothing_as_markup(self):
+        script = (REPOSITORY / "media" / "report" / "page.js").read_text(encoding="utf-8")
+        for word in ("innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval(", "Function("):
+            self.assertNotIn(word, script)
+
+
+class Lessons(MissionCase):
+    def test_starters_fail_solutions_pass_and_wrong_answers_get_their_own_hint(self):
+        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), 12)
+        run = Run("learn", "test")
+        self.assertEqual(run.code, 0, run.out + run.err)
+        told = run.out.splitlines()
+        self.assertEqual(sum("  solution: as it should" in line for line in told), 12)
+        self.assertGreaterEqual(sum("  wrong/" in line for line in told), 48)
+
+    def test_what_a_learner_wrote_stays(self):
+        mine = self.folder / "mine"
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        rules = mine / "01-a-rule" / "porter.soar"
+        run = Run("learn", "check", "1", "--folder", mine)
+        self.assertEqual(run.code, 1, run.out + run.err)
+        shutil.copy(REPOSITORY / "lessons" / "01-a-rule" / "solution" / "porter.soar", rules)
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        self.assertIn("^visible yes", rules.read_text(encoding="utf-8"), "nothing is overwritten")
+        run = Run("learn", "check", "1", "--folder", mine)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        self.assertRegex(Run("learn").out, r"done   1  ")
+        rules.write_text("sp {broken", encoding="utf-8")
+        run = Run("learn", "check", "1", "--folder", mine)
+        self.assertEqual(run.code, 1)
+        self.assertIn("does not count", run.out)
+        self.assertEqual(Run("learn", "reset", "1", "--folder", mine).code, 0)
+        self.assertTrue((mine / "01-a-rule.2" / "porter.soar").exists())
+        self.assertIn("1. ", Run("learn", "hint", "1", "--folder", mine).out)
+        progress = self.folder / "state" / "soarbox" / "learn" / "progress.json"
+        progress.write_text("{ damaged", encoding="utf-8")
+        self.assertEqual(Run("learn").code, 0)
+        self.assertTrue(progress.with_name("progress.json.damaged").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""How many clicks a task takes: the table of docs/window.md, played with real events and counted."""
+import pathlib
+import re
+import unittest
+
+from virtual_display import can_draw
+from window_user import WindowUser
+
+PAGE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "window.md"
+CLICKS = ("click", "click-agent", "click-at", "double-click", "right-click", "drag", "type", "key")
+
+# What a user does, in order, in one window: the task of the table (None: what is between two tasks), and the session.
+# Lines that are indented further are not the task's own: they see that it was done.
+STORY = (
+    (None, """
+        until 0.5
+        key P
+        expect "Paused"
+        """),
+    ("Ask why an agent does what it does", """
+        click-agent idler
+        click "Why"
+          expect "Why does idler do what it does?"
+        """),
+    ("Ask why not", """
+        click "Why not ..."
+        type "flee"
+        key Return
+          expect "Why not flee?"
+          expect "health"
+          click-agent walker
+        """),
+    ("See a rule and where it stops", """
+        key Ctrl+Shift+P
+        type "propose*seek"
+        key Return
+          expect "Break when it fires"
+          expect "(state <s> ^superstate nil"
+        """),
+    ("Change a rule in the running world", """
+        click "Edit"
+        click "Choose a file"
+        click "walker.soar"
+          expect "sp {walker*propose*seek"
+        click "sp {walker*propose*seek"
+        type "# mine "
+          expect "# mine"
+        click "Apply"
+          expect "Reloaded"
+        """),
+    ("Take the change back", """
+        click "Undo"
+          expect-not "# mine"
+        click "Apply"
+          expect "Reloaded"
+        """),
+    ("Stop when a rule fires", """
+        click "Breakpoints"
+        click "the rule's name"
+        type "walker*apply*forget*"
+        key Return
+          expect "any agent: a rule fires:"
+          click "\u00d7"
+          expect "No breakpoints."
+        """),
+    ("Watch a value of two agents", """
+        click "Watch"
+        click "Watch: a path"
+        type "io.input-link.self.health"
+        key Return
+          expect "100"
+        click "Add agent"
+        click "+ idler"
+          expect "idler \u00d7"
+          click "idler \u00d7"
+          expect-not "idler \u00d7"
+        """),
+    ("Step one decision", """
+        click "Decision"
+          expect "walker:"
+          expect "decision"
+        """),
+    ("Go on until something changes", """
+        key Ctrl+Shift+N
+          expect "walker:"
+          expect "Paused"
+        """),
+    ("Show one operator's lines in the trace", """
+        click "Trace"
+        click "Search; rule:NAME op:NAME ^attribute"
+        type "op:seek"
+          expect "seek"
+          expect-not "percept"
+          key Escape
+        """),
+    ("Find a text anywhere", """
+        key Ctrl+Shift+P
+        type "flee"
+          expect "idler*propose*flee"
+          expect "idler.soar:"
+          key Escape
+        """),
+    ("Compare several minds", """
+        key Ctrl+Shift+P
+        type "layout compare"
+        key Return
+        click "Add agent"
+        click "+ idler"
+          expect "operator tie"
+          key Ctrl+Shift+P
+          type "layout explore"
+          key Return
+        """),
+    (None, """
+        key P
+        until 4
+        key P
+        expect "Paused"
+        click "Edit"
+        expect "sp {walker*propose*seek"
+        """),
+    ("Go back and try another rule", """
+        drag 700 704 400 704
+          expect "Resume here"
+          expect-not "Rebuilding"
+        double-click "^name seek ^way"
+        type "dream"
+          expect "^name dream ^waypoint"
+        click "Apply"
+          expect "Reloaded"
+        click "Resume here"
+          expect-not "Resume here"
+          click "Save"
+          expect "Saved"
+        """),
+    ("Open another scenario", """
+        key Ctrl+O
+        type "soar_wander"
+        key Return
+          expect "stroller-1"
+          until 0.3
+          key Ctrl+Shift+O
+          type "decisions.soarrec"
+          key Return
+          expect "End"
+          key Ctrl+O
+          type "soar_wander"
+          key Return
+          expect "stroller-1"
+          until 0.3
+        """),
+    ("Open a recent recording", """
+        click "File"
+        click "Open recent"
+        click "decisions.soarrec"
+          expect "walker"
+          expect "End"
+        """),
+)
+
+
+def table():
+    """Task to number, as the page has it."""
+    part = PAGE.read_text(encoding="utf-8").split("### How many clicks", 1)[1].split("\n## ", 1)[0].split("\n### ", 1)[0]
+    rows = re.findall(r"^\| (.+?) \| .+ \| (\d+) \|$", part, flags=re.MULTILINE)
+    return {task: int(number) for task, number in rows}
+
+
+def count(session):
+    """Clicks and texts of a task; Enter belongs to the text that it ends."""
+    total, before = 0, ""
+    lines = [line for line in session.splitlines() if line.strip()]
+    margin = min(len(line) - len(line.lstrip()) for line in lines)
+    for line in lines:
+        words = line.split()
+        if len(line) - len(line.lstrip()) == margin and words[0] in CLICKS:
+            ends_text = words == ["key", "Return"] and before == "type"
+            total += not ends_text
+            before = words[0]
+    return total
+
+
+class Counting(unittest.TestCase):
+    def test_each_task_of_the_page_has_a_session_of_so_many_clicks(self):
+        counted = {task: count(session) for task, session in STORY if task is not None}
+        self.assertEqual(counted, table())
+
+
+@unittest.skipUnless(can_draw(), "no virtual display at hand")
+class Clicks(WindowUser):
+    def test_the_sessions_of_all_tasks_do_what_the_page_promises(self):
+        self.record("decisions")
+        self.play("".join(session for _, session in STORY))
+
+
+if __name__ == "__main__":
+    unittest.main()

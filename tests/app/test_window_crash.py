@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""A window that dies in the middle of something loses neither the recording nor what was typed."""
+import signal
+import subprocess
+import time
+import unittest
+
+from soarbox_command import COMMAND
+from test_window_tasks import TYPE_INTO_EDIT
+from virtual_display import can_draw
+from window_user import WALKER, WindowUser
+
+
+@unittest.skipUnless(can_draw(), "no virtual display at hand")
+class Crash(WindowUser):
+    def die(self, recording, how):
+        """Types into Edit and ends the window's process with that signal."""
+        script = "until 2.2" + TYPE_INTO_EDIT + "until 60\n"
+        window = subprocess.Popen(
+            self.window(script, "run", str(self.folder), f"--record={recording}", "--port", "0"),
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.folder,
+            env=self.surroundings((1280, 720)))
+        self.addCleanup(window.stderr.close)
+        self.addCleanup(window.wait)
+        self.addCleanup(window.kill)
+        drafts = self.home / "state" / "soarbox" / "drafts"
+        end = time.monotonic() + 120
+        while not list(drafts.glob("*.draft")) and window.poll() is None and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertIsNone(window.poll(), window.stderr.read() if window.poll() is not None else "")
+        self.assertEqual(len(list(drafts.glob("*.draft"))), 1, "it is on the disk while the window is open")
+        window.send_signal(how)
+        self.assertEqual(window.wait(timeout=60), -how)
+
+    def finds_again(self):
+        """The next window offers what was typed; the file is as it was."""
+        self.assertEqual((self.folder / "walker.soar").read_text(encoding="utf-8"), WALKER)
+        self.play("""
+            until 0.3
+            key P
+            click-agent walker
+            click "Edit"
+            click "Choose a file"
+            click "walker.soar"
+            expect "# mine"
+            expect "This is your draft"
+            click "Revert"
+            expect-not "# mine"
+            """)
+        self.play("""
+            until 0.3
+            key P
+            click-agent walker
+            click "Edit"
+            click "Choose a file"
+            click "walker.soar"
+            expect "sp {walker*propose*seek"
+            expect-not "# mine"
+            """)
+
+    def test_killed_and_aborted_windows_leave_drafts_and_whole_recordings(self):
+        for how in (signal.SIGKILL, signal.SIGABRT):
+            with self.subTest(how.name):
+                recording = self.folder / f"{how.name}.soarrec"
+                self.die(recording, how)
+                verified = subprocess.run([COMMAND, "verify", str(recording)], capture_output=True, text=True, timeout=60,
+                                          check=False)
+                self.assertEqual(verified.returncode, 0, verified.stderr)
+                exported = subprocess.run([COMMAND, "export", str(recording), "--csv"], capture_output=True, text=True,
+                                          timeout=60, check=False)
+                self.assertEqual(exported.returncode, 0, exported.stderr)
+                seconds = {line.split(",")[0] for line in exported.stdout.splitlines()[1:]}
+                self.assertGreaterEqual(len(seconds), 30, "all but the last second is there")
+                self.finds_again()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""What tests share that play a user of the window, with real events of mouse and keyboard."""
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from soarbox_command import COMMAND
+from virtual_display import environment
+
+WORLD = """
+seconds = 60
+
+[[agent]]
+name = "walker"
+rules = "walker.soar"
+body = "runner"
+
+[[agent]]
+name = "idler"
+rules = "idler.soar"
+body = "runner"
+position = [6, 0]
+
+[[waypoint]]
+name = "east"
+position = [18, 0]
+
+[[waypoint]]
+name = "north"
+position = [0, -18]
+"""
+
+WALKER = """
+sp {walker*propose*seek
+   (state <s> ^superstate nil ^io.input-link.waypoint <w>)
+   (<w> ^name <name> ^here no)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name seek ^waypoint <name>)
+}
+
+sp {walker*prefer*north
+   (state <s> ^superstate nil ^operator <a> + ^operator <b> +)
+   (<a> ^waypoint north)
+   (<b> ^waypoint east)
+-->
+   (<s> ^operator <a> > <b>)
+}
+
+sp {walker*apply*seek
+   (state <s> ^operator <o> ^io.output-link <out>)
+   (<o> ^name seek ^waypoint <name>)
+-->
+   (<out> ^seek <command>)
+   (<command> ^waypoint <name> ^within 0.8)
+}
+
+sp {walker*apply*forget-answered-command
+   (state <s> ^superstate nil ^operator <o> ^io.output-link <out>)
+   (<out> ^<name> <command>)
+   (<command> ^status)
+-->
+   (<out> ^<name> <command> -)
+}
+"""
+
+IDLER = """
+sp {idler*propose*first
+   (state <s> ^superstate nil)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name first)
+}
+
+sp {idler*propose*second
+   (state <s> ^superstate nil)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name second)
+}
+
+sp {idler*propose*flee
+   (state <s> ^superstate nil ^io.input-link.self.health < 10)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name flee)
+}
+
+sp {idler*apply*first
+   (state <s> ^operator.name first)
+-->
+   (<s> ^done first)
+}
+
+sp {idler*apply*second
+   (state <s> ^operator.name second)
+-->
+   (<s> ^done second)
+}
+
+sp {idler*apply*flee
+   (state <s> ^operator.name flee)
+-->
+   (<s> ^done flee)
+}
+"""
+
+
+class WindowUser(unittest.TestCase):
+    """Plays a user of the window. What the window keeps between runs lies in a folder of the test."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for name, text in (("scenario.toml", WORLD), ("walker.soar", WALKER), ("idler.soar", IDLER)):
+            (self.folder / name).write_text(text, encoding="utf-8")
+        self.home = self.folder / "home"
+
+    def surroundings(self, size):
+        return environment(*size) | {"XDG_STATE_HOME": str(self.home / "state"),
+                                     "XDG_CONFIG_HOME": str(self.home / "config")}
+
+    def window(self, script, *command, size=(1280, 720)):
+        """The command line that opens a window and plays a user in it."""
+        file = self.folder / "user.txt"
+        file.write_text(script, encoding="utf-8")
+        return [COMMAND, *command, "--width", str(size[0]), "--height", str(size[1]), "--ui-script", str(file),
+                "--detail", "low"]
+
+    def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
+        """Plays a user and expects that everything could be done; 1: something in the run was a problem."""
+        done = subprocess.run(
+            self.window(script, "run", str(self.folder), record, "--port", "0", *arguments, size=size),
+            capture_output=True, text=True, timeout=280, check=False, cwd=self.folder, env=self.surroundings(size))
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def record(self, level):
+        """Records three seconds of the run and returns the file."""
+        file = self.folder / f"{level}.soarrec"
+        done = subprocess.run([COMMAND, "run", str(self.folder), "--headless", "--seconds", "3", "--record", str(file),
+                               "--record-level", level], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return file
+
+    def replay(self, file, script):
+        done = subprocess.run(self.window(script, "replay", str(file)), capture_output=True, text=True, timeout=280,
+                              check=False, cwd=self.folder, env=self.surroundings((1280, 720)))
+        self.assertEqual(done.returncode, 0, done.stderr)
