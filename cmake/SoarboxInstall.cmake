@@ -4,7 +4,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS soarbox RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY media scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox)
+install(DIRECTORY media scenarios lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox)
 # What a user reads; the specification and the design stay with the source.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox PATTERN spec EXCLUDE PATTERN design EXCLUDE)
@@ -12,6 +12,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox PATTERN 
 if(TARGET soarbox_sml)
   install(TARGETS soarbox_sml EXPORT SoarboxTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(FILES ${SOARBOX_SML_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/soarbox-sml)
+  install(FILES ${SOARBOX_MIND_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/soarbox-sml/mind)
   install(EXPORT SoarboxTargets NAMESPACE Soarbox:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Soarbox)
   configure_package_config_file(
     "${CMAKE_CURRENT_SOURCE_DIR}/cmake/SoarboxConfig.cmake.in" "${PROJECT_BINARY_DIR}/SoarboxConfig.cmake"
