@@ -61,7 +61,7 @@ void Finder::Open(For what) {
   is_open_ = wants_focus_ = true;
   wants_close_ = false;
   text_.clear();
-  asked_ = "\n";  // Nothing like what is typed.
+  asked_.reset();
   at_ = 0;
 }
 

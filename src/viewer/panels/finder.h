@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,8 @@ class Finder {
 
   For for_ = For::kAnything;
   bool is_open_ = false, wants_focus_ = false, wants_close_ = false;
-  std::string text_, asked_;
+  std::string text_;
+  std::optional<std::string> asked_;  // The text that was last searched for; none yet after opening.
   std::size_t at_ = 0;
 };
 
