@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import tempfile
 import unittest
 
 from soarbox_command import COMMAND, ScenarioCase, run_json
@@ -23,17 +24,18 @@ class LiveEdits(ScenarioCase):
             self.write("hero.soar", rules)
             self.write("scenario.toml", WORLD)
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-        with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "4", "--seconds", "6", "--watch"],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment) as run:
-            lines = []
-            # The edit comes after a second of the world, however fast the machine is.
-            for line in run.stdout:
-                lines.append(line)
-                if json.loads(line).get("tick", 0) >= 30:
-                    break
-            edit()
-            out, err = run.communicate(timeout=60)
-        events = [json.loads(line) for line in [*lines, *out.splitlines()]]
+        events, edited = [], False
+        with tempfile.TemporaryFile("w+", encoding="utf-8") as errors:
+            with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "4", "--seconds", "6",
+                                   "--watch"], stdout=subprocess.PIPE, stderr=errors, text=True, env=environment) as run:
+                for line in run.stdout:
+                    events.append(json.loads(line))
+                    # The edit comes after a second of the world, however fast the machine is.
+                    if not edited and events[-1].get("tick", 0) >= 30:
+                        edited = True
+                        edit()
+            errors.seek(0)
+            err = errors.read()
         self.last_tick = max((event["tick"] for event in events if event["event"] == "log"), default=0)
         return [event["text"] for event in events if event["event"] == "log"], err, events[-1]
 
