@@ -124,11 +124,14 @@ void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
     // A justification may rest on an element that has left since: so may the preference that made it.
     const WmeRecord& record = engine_.memory.record(wme);
     PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
-    const bool inherits = preference != PreferenceId::kNone && engine_.memory.preference(preference).level == level;
-    if (preference != PreferenceId::kNone) preference = CloneAtLevel(preference, level);
+    bool inherits = false;
+    if (preference != PreferenceId::kNone) {
+      inherits = engine_.memory.preference(preference).level == level;
+      if (!inherits) preference = CloneAtLevel(preference, level);
+      if (preference != PreferenceId::kNone) engine_.preferences.AddReference(preference);
+    }
     traces[n] = {wme, engine_.memory.level(engine_.memory.wme(wme).id), inherits, preference};
     engine_.changes.AddReference(wme);
-    if (preference != PreferenceId::kNone) engine_.preferences.AddReference(preference);
   }
   if (engine_.selections.OfGoal(level) != SelectionKnowledge::kNone) engine_.chunker.NoteSelection(id);
 }
@@ -153,7 +156,8 @@ void Firing::RunActions(const Production& rule, InstantiationId id) {
   if (new_identifiers_.size() < new_count) new_identifiers_.resize(new_count);
   for (std::size_t n = 0; n < new_count; ++n) new_identifiers_[n] = Symbol();
   engine_.context.SetFiring(id);
-  for (std::size_t n = 0; n < rule.actions.size(); ++n) RunAction(rule.actions[n], n, id);
+  std::uint16_t number = 0;
+  for (const Action& action : rule.actions) RunAction(action, number++, id);
   engine_.context.SetFiring(InstantiationId::kNone);
 }
 
@@ -168,7 +172,7 @@ void Firing::RunTemplate(const Production& rule, InstantiationId id) {
     engine_.reinforcement.templates().Instantiate(instantiation.production, rule, {wmes_.data(), count}, value);
 }
 
-void Firing::RunAction(const Action& action, std::size_t number, InstantiationId id) {
+void Firing::RunAction(const Action& action, std::uint16_t number, InstantiationId id) {
   if (action.is_function_call) {
     Evaluate(action.value);
     return;
@@ -204,8 +208,7 @@ void Firing::RunAction(const Action& action, std::size_t number, InstantiationId
       !(is_goal && attribute == words::kOperator)) [[unlikely]] {
     return;
   }
-  const PreferenceId made = engine_.preferences.Make(id, object, attribute, value, referent, type, o_support_);
-  engine_.memory.mutable_preference(made).action = static_cast<std::uint16_t>(number);
+  engine_.preferences.Make(id, object, attribute, value, referent, type, o_support_, number);
 }
 
 Symbol Firing::BoundValue(BindingSite site) const {

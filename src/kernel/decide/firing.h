@@ -45,7 +45,7 @@ class Firing {
   void RunActions(const Production& rule, InstantiationId id);
   /// Makes a rule with the matched constants (learn/rl_template.h).
   void RunTemplate(const Production& rule, InstantiationId id);
-  void RunAction(const Action& action, std::size_t number, InstantiationId id);
+  void RunAction(const Action& action, std::uint16_t number, InstantiationId id);
   /// The value of a right-hand-side term; none if a function failed or gives nothing.
   Symbol Evaluate(const RhsValue& value) {
     if (value.kind == RhsValueKind::kConstant) return value.symbol();

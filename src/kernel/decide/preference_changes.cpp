@@ -10,11 +10,11 @@ namespace soarbox::kernel {
 
 PreferenceId PreferenceChanges::Make(InstantiationId instantiation, const Preference& content) {
   return Make(instantiation, content.id, content.attribute, content.value, content.referent, content.type,
-              content.o_supported);
+              content.o_supported, content.action);
 }
 
 PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, Symbol id, Symbol attribute, Symbol value,
-                                     Symbol referent, PreferenceType type, bool o_supported) {
+                                     Symbol referent, PreferenceType type, bool o_supported, std::uint16_t action) {
   const PreferenceId made = engine_.memory.MakePreference();
   Preference& preference = engine_.memory.mutable_preference(made);
   Instantiation& instantiation = engine_.instantiations[instantiation_id];
@@ -24,6 +24,7 @@ PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, Symbol id
   preference.referent = referent;
   preference.type = type;
   preference.o_supported = o_supported;
+  preference.action = action;
   if (o_supported && type == PreferenceType::kReject) o_reject_made_ = true;
   preference.instantiation = instantiation_id;
   preference.level = instantiation.level;

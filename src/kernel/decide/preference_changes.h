@@ -24,10 +24,10 @@ class PreferenceChanges {
   }
 
   /// A preference of an instantiation, at the head of its list; not in a slot yet. Of `content` only the symbols, the
-  /// type and the support count.
+  /// type, the support and the action count.
   PreferenceId Make(InstantiationId instantiation, const Preference& content);
   PreferenceId Make(InstantiationId instantiation, Symbol id, Symbol attribute, Symbol value, Symbol referent,
-                    PreferenceType type, bool o_supported);
+                    PreferenceType type, bool o_supported, std::uint16_t action = 0);
   /// Puts it in its slot, unless the top state has the same o-supported fact already. False if it was not added.
   bool Assert(PreferenceId preference);
   /// Takes it out of its slot and drops the slot's reference. While there are substates it lives on until its slot has

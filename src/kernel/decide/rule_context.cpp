@@ -125,8 +125,8 @@ void RuleContext::MakePreference(Symbol identifier, Symbol attribute, Symbol val
   preference.attribute = attribute;
   preference.value = value;
   preference.o_supported = engine_.instantiations[firing_].o_support;
-  const PreferenceId made = engine_.preferences.Make(firing_, preference);
-  engine_.memory.mutable_preference(made).action = Preference::kNoAction;
+  preference.action = Preference::kNoAction;
+  engine_.preferences.Make(firing_, preference);
 }
 
 bool RuleContext::IsGoal(Symbol identifier) const {

@@ -24,6 +24,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   out.quiescence = out.local_negation = out.long_term_memory = false;
   out.drafts.Clear();
   queue_.clear();
+  selected_proposal_ = SelectedProposal();
   VisitFiring(out.base);
   for (auto result = out.results.rbegin(); result != out.results.rend(); ++result) {
     VisitFiring(engine_.memory.preference(*result).instantiation);
@@ -61,6 +62,15 @@ void Backtracer::VisitSelection(std::uint32_t selection) {
   }
 }
 
+InstantiationId Backtracer::SelectedProposal() const {
+  if (out_->level > engine_.goals.depth()) return InstantiationId::kNone;
+  if (engine_.selections.OfGoal(out_->level) == SelectionKnowledge::kNone) return InstantiationId::kNone;
+  const WmeId selected = engine_.memory.slot(engine_.goals.at(out_->level).operator_slot).wmes;
+  if (selected == WmeId::kNone) return InstantiationId::kNone;
+  const PreferenceId proposal = engine_.memory.record(selected).preference;
+  return proposal == PreferenceId::kNone ? InstantiationId::kNone : engine_.memory.preference(proposal).instantiation;
+}
+
 void Backtracer::VisitFiring(InstantiationId firing) {
   Instantiation& instantiation = engine_.instantiations[firing];
   if (std::exchange(instantiation.backtrace, out_->trace_number) == out_->trace_number) return;
@@ -71,28 +81,19 @@ void Backtracer::VisitFiring(InstantiationId firing) {
   }
   if (instantiation.selection != SelectionKnowledge::kNone) {
     VisitSelection(instantiation.selection);
-  } else if (out_->level <= engine_.goals.depth()) {
-    // The proposal of the selected operator carries what selected it, as long as it is selected.
-    const std::uint32_t selection = engine_.selections.OfGoal(out_->level);
-    const WmeId selected = engine_.memory.slot(engine_.goals.at(out_->level).operator_slot).wmes;
-    if (selection != SelectionKnowledge::kNone && selected != WmeId::kNone) {
-      const PreferenceId proposal = engine_.memory.record(selected).preference;
-      if (proposal != PreferenceId::kNone && engine_.memory.preference(proposal).instantiation == firing) {
-        VisitSelection(selection);
-      }
-    }
+  } else if (firing == selected_proposal_) {
+    VisitSelection(engine_.selections.OfGoal(out_->level));
   }
   const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
   for (std::size_t n = 0; n < traces.size(); ++n) VisitCondition(firing, static_cast<std::uint16_t>(n), traces[n]);
   CollectNegations(firing);
 }
 
-void Backtracer::AddGround(const Explanation::Ground& ground) {
+inline void Backtracer::AddGround(const Explanation::Ground& ground, const Wme& wme) {
   const bool is_new = Mark(ground.wme);
   if (!is_new && !every_condition_) return;
   out_->grounds.push_back(ground);
   if (!is_new) return;
-  const Wme& wme = engine_.memory.wme(ground.wme);
   const GoalLevel goal = engine_.memory.goal_levels()[wme.id.index()];
   if (goal == 0) return;
   out_->lowest_ground = std::max(out_->lowest_ground, goal);
@@ -102,7 +103,7 @@ void Backtracer::AddGround(const Explanation::Ground& ground) {
 /// An item of an impasse rests on the proposal in the superstate.
 void Backtracer::VisitItem(WmeId item) {
   const WmeId proposal = engine_.goal_changes.ProposalOfItem(item);
-  if (proposal != WmeId::kNone) AddGround({InstantiationId::kNone, 0, proposal, item});
+  if (proposal != WmeId::kNone) AddGround({InstantiationId::kNone, 0, proposal, item}, engine_.memory.wme(proposal));
 }
 
 inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace) {
@@ -110,7 +111,7 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
   const Wme& wme = memory.wme(trace.wme);
   // An object may have become part of a higher state since.
   if (memory.level(wme.id) < out_->level) {
-    AddGround({firing, condition, trace.wme, WmeId::kNone});
+    AddGround({firing, condition, trace.wme, WmeId::kNone}, wme);
     return;
   }
   if (trace.preference != PreferenceId::kNone) {

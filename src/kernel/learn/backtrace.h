@@ -27,7 +27,10 @@ class Backtracer {
   /// What made the local operator that a firing tests, or that it proposed, better than the others.
   void VisitSelection(std::uint32_t selection);
   void VisitItem(WmeId item);
-  void AddGround(const Explanation::Ground& ground);
+  /// The firing that proposed the substate's selected operator, if what selected it is known. It carries that knowledge
+  /// as long as the operator is selected.
+  InstantiationId SelectedProposal() const;
+  void AddGround(const Explanation::Ground& ground, const Wme& wme);
   void CollectNegations(InstantiationId firing);
   bool MayReferToHigherOnly(const Condition& condition, InstantiationId firing) const;
   bool RefersToHigherOnly(const ConditionDraft& condition) const;
@@ -42,6 +45,7 @@ class Backtracer {
     WmeId item = WmeId::kNone;
   };
   std::vector<Open> queue_;
+  InstantiationId selected_proposal_ = InstantiationId::kNone;
   std::vector<std::uint32_t> seen_wmes_;
 };
 

@@ -19,6 +19,16 @@ IdentityGraph::Node IdentityAnalysis::OfClass(InstantiationId firing, std::uint1
   if (identity_class == IdentityPlan::kLiteral || !engine_.instantiations[firing].has_identities) {
     return IdentityGraph::kNone;
   }
+  const std::uint32_t serial = engine_.instantiations[firing].serial;
+  if (known_.empty()) known_.resize(std::size_t{1} << kKnownBits);
+  KnownClass& known = known_[(serial * 0x9E3779B1u + identity_class * 0x85EBCA77u) >> (32u - kKnownBits)];
+  if (known.analysis != analysis_ || known.serial != serial || known.identity_class != identity_class) {
+    known = {analysis_, serial, identity_class, FindOrigin(firing, identity_class)};
+  }
+  return known.node;
+}
+
+IdentityGraph::Node IdentityAnalysis::FindOrigin(InstantiationId firing, std::uint16_t identity_class) {
   const IdentityPlan& plan = reader_.Plan(firing);
   if (identity_class < plan.bound() &&
       reader_.SourceOf(firing, plan.first[identity_class]) == FiringReader::Source::kArchitecture) {
@@ -157,6 +167,7 @@ std::uint32_t IdentityAnalysis::NumberOfOwn(IdentityGraph::Node node) {
 
 void IdentityAnalysis::Analyze(const Explanation& explanation, bool log) {
   graph_.Clear();
+  ++analysis_;
   events_.clear();
   firing_of_serial_.clear();
   log_ = log;

@@ -58,6 +58,8 @@ class IdentityAnalysis {
   IdentityGraph::Node OfGround(const Explanation::Ground& ground, Field field);
 
  private:
+  /// As OfClass, without a look at what is known already.
+  IdentityGraph::Node FindOrigin(InstantiationId firing, std::uint16_t identity_class);
   void Join(InstantiationId firing, IdentityGraph::Node a, IdentityGraph::Node b, JoinReason reason);
   void Literalize(InstantiationId firing, IdentityGraph::Node node, JoinReason reason);
   void FollowLink(const Explanation::Link& link);
@@ -69,6 +71,18 @@ class IdentityAnalysis {
   IdentityGraph graph_;
   std::vector<JoinEvent> events_;
   bool log_ = false;
+
+  /// What this analysis found last: each class is asked for by many conditions, and finding its identity goes from
+  /// firing to firing.
+  struct KnownClass {
+    std::uint32_t analysis = 0, serial = 0;
+    std::uint16_t identity_class = 0;
+    IdentityGraph::Node node = IdentityGraph::kNone;
+  };
+  static constexpr unsigned kKnownBits = 10;
+  std::uint32_t analysis_ = 1;
+  std::vector<KnownClass> known_;  ///< Empty until first asked.
+
   std::unordered_map<std::uint32_t, InstantiationId> firing_of_serial_;         ///< Of identities; only with a log.
   std::unordered_map<std::uint32_t, const Explanation::Ground*> first_ground_;  ///< By element; scratch.
 };
