@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/decide/rule_directory.h"
 
+#include "kernel/base/sole_owner.h"
+
 namespace soarbox::kernel {
 
 RuleDirectory::Tables& RuleDirectory::Own() {
-  if (tables_.use_count() > 1) tables_ = std::make_shared<Tables>(*tables_);
+  if (!IsSoleOwner(tables_)) tables_ = std::make_shared<Tables>(*tables_);
   return *tables_;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/base/sole_owner.h"
 #include "kernel/match/rete_builder.h"
 #include "kernel/match/rete_inline.h"
 
@@ -10,7 +11,7 @@ namespace soarbox::kernel {
 // Rules ---------------------------------------------------------------------------------------------------------------
 
 void ReteState::OwnNetwork() {
-  if (network.use_count() > 1) {
+  if (!IsSoleOwner(network)) {
     network = std::make_shared<Network>(*network);
   }
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <memory>
+
+namespace soarbox::kernel {
+
+/// True if nobody else holds what `pointer` points to. Then what others did with it, on whatever thread, has happened
+/// before, and it may be changed in place.
+template <typename T>
+bool IsSoleOwner(const std::shared_ptr<T>& pointer) {
+  if (pointer.use_count() != 1) return false;
+  // Reading the count orders nothing. Letting go of a second handle does: it acquires what the others' release left.
+  std::shared_ptr<T> second = pointer;
+  second.reset();
+  return true;
+}
+
+}  // namespace soarbox::kernel
