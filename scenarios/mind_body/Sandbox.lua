@@ -26,7 +26,7 @@ function onKey.f8_key()
 end
 
 function Sandbox_Initialize(sandbox)
-    LevelWorld_Initialize(sandbox, Vector.new(34, 26, -22), Vector.new(-142, 42, -155));
+    LevelWorld_Initialize(sandbox, Vector.new(34, 26, -22), Vector.new(-142, 42, 155));
 end
 
 function Sandbox_Update(sandbox)

@@ -27,7 +27,7 @@ local function FreePlace(sandbox, taken)
 end
 
 function Sandbox_Initialize(sandbox)
-    LevelWorld_Initialize(sandbox, Vector.new(-30, 18, -17), Vector.new(-146, -40, -157), 250);
+    LevelWorld_Initialize(sandbox, Vector.new(-26, 52, -22), Vector.new(-113, -25, -135), 250);
     local taken = {};
     for _ = 1, kSoldiers do
         LevelWorld_PutAgent(Sandbox.CreateAgent(sandbox, "TacticalSoldier.lua"), FreePlace(sandbox, taken));

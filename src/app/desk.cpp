@@ -22,6 +22,11 @@ std::uint64_t LastOf(const record::Reader& recording, record::TickRange range) {
   return std::clamp(range.last, FirstOf(recording, range), recording.last_tick());
 }
 
+std::filesystem::path FileOf(const sim::Scenario& scenario) {
+  if (!scenario.rules.empty()) return scenario.Original(scenario.rules);
+  return scenario.Original(scenario.definition.empty() ? scenario.script : scenario.definition);
+}
+
 /// What a kernel in another process does is told in words; others come with a diagnostic.
 Diagnostic DiagnosticOf(const sim::Event& event) {
   Diagnostic diagnostic = event.diagnostic;
@@ -39,7 +44,8 @@ Desk::Desk(RunSession& session, const record::Header& header, const sim::Scenari
            const sim::SimulationSettings& settings)
     : session_(&session),
       past_(header, scenario, settings),
-      lesson_(std::make_unique<LessonDesk>(scenario, session.lesson())) {
+      lesson_(std::make_unique<LessonDesk>(scenario, session.lesson())),
+      world_(FileOf(scenario)) {
   session.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
   session.SetOnEdit([this](const Diagnostic& told) {
     if (told.severity != Severity::kNote) NoteProblem(told, {});
@@ -50,7 +56,8 @@ Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::Tick
     : recording_(&recording),
       next_tick_(recording.first_tick()),
       recorded_(recording.header().level),
-      past_(recording, data, FirstOf(recording, range), LastOf(recording, range)) {}
+      past_(recording, data, FirstOf(recording, range), LastOf(recording, range)),
+      world_(std::filesystem::path(recording.header().folder) / recording.header().scenario) {}
 
 Desk::~Desk() {
   KeepDrafts(true);
@@ -93,6 +100,24 @@ void Desk::KeepDrafts(bool at_once) {
       NoteProblem(kept.error(), {});
     }
   }
+  for (auto& [agent, line] : unsent_lines_) {
+    if (!std::exchange(line.has_draft, false)) continue;
+    if (line.text.find_first_not_of(" \t") == std::string::npos) {
+      drafts_.Drop(PlaceOfLine(agent));
+    } else if (const Result<void> kept = drafts_.Keep(PlaceOfLine(agent), line.text); !kept) {
+      NoteProblem(kept.error(), {});
+    }
+  }
+}
+
+std::filesystem::path Desk::PlaceOfLine(const std::string& agent) const {
+  return std::filesystem::path(world_).concat(" console of " + agent);
+}
+
+const std::string& Desk::BegunLine(const std::string& agent) {
+  const auto [line, is_new] = unsent_lines_.try_emplace(agent);
+  if (is_new && !agent.empty()) line->second.text = drafts_.Find(PlaceOfLine(agent)).value_or("");
+  return line->second.text;
 }
 
 void Desk::Prepare() {

@@ -87,6 +87,12 @@ class Desk {
     std::optional<std::string> draft = {};  ///< To be shown once the file itself was, so that it can be undone.
   };
 
+  /// A line of the console that was typed and not sent.
+  struct UnsentLine {
+    std::string text;
+    bool has_draft = false;  ///< The draft on the disk is another one.
+  };
+
   using OpenFiles = std::map<std::string, OpenFile>;
 
   void OnTick(const record::TickRecord& tick);
@@ -119,6 +125,10 @@ class Desk {
   /// Keeps what was typed and not saved on the disk, now and then, or `at_once`.
   void KeepDrafts(bool at_once);
   void ShowDraft();
+  /// The line of the console that was begun for this agent, here or in an earlier window.
+  const std::string& BegunLine(const std::string& agent);
+  /// What the drafts call the agent's line: a file that is not there.
+  std::filesystem::path PlaceOfLine(const std::string& agent) const;
   OpenFile* Edited() {
     const auto found = open_files_.find(edited_file_);
     return found == open_files_.end() ? nullptr : &found->second;
@@ -166,6 +176,8 @@ class Desk {
   std::string news_;                    ///< To be told in the picture; empty: nothing.
   std::map<std::string, debugger::Console> consoles_;
   std::uint64_t console_lines_ = 0;
+  std::map<std::string, UnsentLine> unsent_lines_;  ///< By agent, of those that were looked at.
+  std::filesystem::path world_;                     ///< The file that the run was made from, for their drafts.
   std::map<std::string, debugger::Coverage> coverage_;
   debugger::MemoryChanges changes_;  ///< Of the selected agent in the tick that is shown.
 

@@ -148,6 +148,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.console = contents.has_mind ? &ConsoleOf(agent_) : nullptr;
   contents.console_lines = console_lines_;
   contents.completion = completion_;
+  contents.begun_line = BegunLine(agent_);
   contents.completed_line = completed_line_;
   if (visible(PanelId::kEdit) && Live() != nullptr) {
     contents.files = debugger::FilesOf(*Live(), agent_);

@@ -26,6 +26,9 @@ struct Desk::Visitor {
       if (const auto mind = world->Inspect(request.agent)) desk.completion_ = debugger::Complete(*mind, request.line);
     }
   }
+  void operator()(const viewer::KeepLineRequest& request) const {
+    desk.unsent_lines_[request.agent] = {.text = request.line, .has_draft = true};
+  }
   void operator()(const viewer::ClearConsoleRequest&) const { desk.ConsoleOf(desk.agent_).Clear(); }
   void operator()(const viewer::ClearProblemsRequest&) const { desk.problems_.clear(); }
   void operator()(const viewer::SeekRequest& request) const {

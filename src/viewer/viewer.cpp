@@ -264,11 +264,13 @@ std::vector<world::Vec3> Viewer::Impl::Places() const {
 void Viewer::Impl::KeepInView(float seconds) {
   if (!camera.keeps()) return;
   std::vector<FramedBody> living, all;
+  // The camera goes by the user's clock, agents by that of the world.
+  constexpr double kFastest = 8;
+  const auto pace = static_cast<float>(status.paused ? 0 : std::min(status.speed, kFastest));
   for (const auto& agent : scene.agents) {
     const bool wanted = kept.empty() || std::find(kept.begin(), kept.end(), agent.id) != kept.end();
     if (!wanted || !world::IsFinite(agent.position)) continue;
-    const FramedBody body{agent.position, status.paused ? world::Vec3{} : agent.velocity, agent.radius_m,
-                          agent.height_m};
+    const FramedBody body{agent.position, agent.velocity * pace, agent.radius_m, agent.height_m};
     all.push_back(body);
     if (agent.alive) living.push_back(body);
   }

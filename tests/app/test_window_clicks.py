@@ -92,6 +92,28 @@ STORY = (
         type "op:seek"
           expect "seek"
           expect-not "percept"
+          key Ctrl+A
+          key Delete
+          key Escape
+        """),
+    ("Show one rule's firings in the trace", """
+        click "Trace"
+        click "Search; rule:NAME op:NAME ^attribute"
+        type "rule:walker*apply*seek"
+          expect "fire walker*apply*seek"
+          expect-not "seek ^waypoint north"
+          key Ctrl+A
+          key Delete
+          key Escape
+        """),
+    ("Show one command's lines in the trace", """
+        click "Trace"
+        click "Search; rule:NAME op:NAME ^attribute"
+        type "command:seek"
+          expect "seek ^waypoint north"
+          expect-not "fire walker*"
+          key Ctrl+A
+          key Delete
           key Escape
         """),
     ("Find a text anywhere", """

@@ -13,9 +13,9 @@ from window_user import WALKER, WindowUser
 
 @unittest.skipUnless(can_draw(), "no virtual display at hand")
 class Crash(WindowUser):
-    def die(self, recording, how):
-        """Types into Edit and ends the window's process with that signal."""
-        script = "until 2.2" + TYPE_INTO_EDIT + "until 60\n"
+    def die(self, recording, how, typing=TYPE_INTO_EDIT):
+        """Types something, into Edit if nothing else is said, and ends the window's process with that signal."""
+        script = "until 2.2" + typing + "until 60\n"
         window = subprocess.Popen(
             self.window(script, "run", str(self.folder), f"--record={recording}", "--port", "0"),
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.folder,
@@ -72,6 +72,50 @@ class Crash(WindowUser):
                 seconds = {line.split(",")[0] for line in exported.stdout.splitlines()[1:]}
                 self.assertGreaterEqual(len(seconds), 30, "all but the last second is there")
                 self.finds_again()
+
+    def test_a_line_of_the_console_that_was_not_sent_is_there_again(self):
+        self.die(self.folder / "line.soarrec", signal.SIGKILL, """
+            key P
+            click-agent walker
+            click "Console"
+            click "a Soar command; Tab completes"
+            type "matches walker*prefer*n"
+            """)
+        self.play("""
+            until 0.3
+            key P
+            click-agent idler
+            click "Console"
+            expect "a Soar command; Tab completes"
+            click-agent walker
+            expect "matches walker*prefer*n"
+            key Ctrl+Q
+            expect "was typed and not sent"
+            click "Close without saving"
+            wait 60
+            """)
+        self.play("""
+            until 0.3
+            key P
+            click-agent walker
+            click "Console"
+            click "matches walker*prefer*n"
+            key End
+            type "orth"
+            key Return
+            expect "> matches walker*prefer*north"
+            expect "a Soar command; Tab completes"
+            key Ctrl+Q
+            wait 60
+            """)
+        self.play("""
+            until 0.3
+            key P
+            click-agent walker
+            click "Console"
+            expect "a Soar command; Tab completes"
+            key Ctrl+Q
+            """)
 
 
 if __name__ == "__main__":

@@ -31,10 +31,11 @@ class ConsolePanel final : public Panel {
     const PanelContents& contents = frame.contents;
     if (contents.agent != agent_) {
       // What was begun for one agent waits there until it is looked at again.
-      std::string next = std::exchange(lines_[contents.agent], {});
-      lines_.erase(contents.agent);
+      const auto begun = lines_.find(contents.agent);
+      std::string next = begun != lines_.end() ? begun->second : contents.begun_line;
+      if (begun != lines_.end()) lines_.erase(begun);
       if (!line_.empty()) lines_[agent_] = line_;
-      line_ = replacement_ = std::move(next);
+      line_ = replacement_ = kept_ = std::move(next);
       replaces_ = is_active_;  // The field that has the keyboard keeps a copy of its own.
       agent_ = contents.agent;
       offered_.clear();
@@ -127,7 +128,13 @@ class ConsolePanel final : public Panel {
     if (is_active_ && !line_.empty()) KeepKeyboard();
     ImGui::PopFont();
     if (asked_) frame.Ask(CompleteRequest{frame.contents.agent, line_});
-    if (!entered) return;
+    if (entered) Send(frame);
+    if (line_ == kept_) return;
+    kept_ = line_;
+    frame.Ask(KeepLineRequest{frame.contents.agent, line_});
+  }
+
+  void Send(PanelFrame& frame) {
     wants_focus_ = true;
     if (line_.find_first_not_of(" \t") == std::string::npos) return;
     frame.Ask(ConsoleRequest{frame.contents.agent, line_});
@@ -190,6 +197,7 @@ class ConsolePanel final : public Panel {
   std::string agent_;
   std::map<std::string, std::string> lines_;  ///< Begun and not sent, by agent; of the others than agent_.
   std::string line_, offered_, waiting_for_, replacement_;
+  std::string kept_;  ///< What the application knows of line_.
   bool asked_ = false, replaces_ = false, wants_focus_ = false, is_active_ = false;
   std::vector<std::string> history_;
   std::size_t at_ = 0;

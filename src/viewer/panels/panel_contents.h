@@ -178,6 +178,7 @@ struct PanelContents {
   std::uint64_t console_lines = 0;  ///< Grows with each new line.
   debugger::Completion completion;  ///< Of the line last asked for.
   std::string completed_line;       ///< That line.
+  std::string begun_line;           ///< That the user typed for this agent and did not send, perhaps in another window.
 
   debugger::StackView stack;
   debugger::OperatorsView operators;

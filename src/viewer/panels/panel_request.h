@@ -25,6 +25,10 @@ struct ConsoleRequest {
 struct CompleteRequest {
   std::string agent, line;
 };
+/// Keep what was typed and not sent, so that it is there again in the next window; an empty line: nothing.
+struct KeepLineRequest {
+  std::string agent, line;
+};
 struct ClearConsoleRequest {};
 struct ClearProblemsRequest {};
 
@@ -143,11 +147,11 @@ struct LessonRequest {
 };
 
 using PanelRequest =
-    std::variant<OpenFileRequest, ConsoleRequest, CompleteRequest, ClearConsoleRequest, ClearProblemsRequest,
-                 SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest, TellRequest, StateRequest,
-                 ObjectRequest, ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, SearchKnownRequest,
-                 EpisodeRequest, WhyRequest, PlotRequest, EditRequest, EditTextRequest, SaveAllRequest, OpenRunRequest,
-                 WatchRequest, BesideRequest, SearchRequest, OfferRequest, BreakRequest, ChangeBreakRequest,
-                 LessonRequest>;
+    std::variant<OpenFileRequest, ConsoleRequest, CompleteRequest, KeepLineRequest, ClearConsoleRequest,
+                 ClearProblemsRequest, SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest,
+                 TellRequest, StateRequest, ObjectRequest, ElementRequest, SearchMemoryRequest, RuleRequest,
+                 CoverageRequest, SearchKnownRequest, EpisodeRequest, WhyRequest, PlotRequest, EditRequest,
+                 EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest, SearchRequest,
+                 OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
 
 }  // namespace soarbox::viewer
