@@ -5,17 +5,17 @@ namespace soarbox::sim {
 namespace {
 
 constexpr SenseRow kSenses[] = {
-    {"distance", "The thesis' one number"},
+    {"distance", "The single number that the thesis' agents perceive"},
     {"time", "The clock"},
-    {"self", "The own body"},
-    {"agents", "Others: by sight (field of view, line of sight), by hearing, from memory"},
+    {"self", "The agent's own body"},
+    {"agents", "Other agents: by sight (field of view, line of sight), by hearing, from memory"},
     {"objects", "Things in view"},
-    {"path", "How moving goes"},
+    {"path", "How its movement is going"},
     {"waypoints", "The scenario's waypoints"},
     {"regions", "The scenario's regions"},
-    {"messages", "What others say"},
-    {"events", "Hits, collisions, shots that are heard"},
-    {"orders", "What a leader wants"},
+    {"messages", "What other agents say to it"},
+    {"events", "Hits, collisions and shots that it hears"},
+    {"orders", "What a leader wants it to do"},
 };
 
 }  // namespace

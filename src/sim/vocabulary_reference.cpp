@@ -45,15 +45,14 @@ void AddParameter(std::string& text, const ParameterRow& row) {
 std::string PerceptReference() {
   std::string text =
       "# Percepts\n\n"
-      "What a Soar agent perceives: attributes below `^io.input-link`. This page is made from the table in\n"
-      "`src/sim/vocabulary_percepts.h`, which is also what writes the input link. Numbers are rounded to the step that "
-      "the\n"
-      "table gives. Only changes are written: what stays the same costs nothing.\n\n"
-      "You choose an agent's senses where you create it: `senses = { only = [\"self\", \"agents\"], sight = 40 }`; "
-      "see\n"
-      "[scenarios](scenarios.md). A Lua body can add percepts of its own with `Agent_Sense(agent)`: the table that it "
+      "This page lists what a Soar agent perceives: attributes below `^io.input-link`. It is made from the table in\n"
+      "`src/sim/vocabulary_percepts.h`, which also drives the input link. Numbers are rounded to the step that the\n"
+      "table gives. Only changes are written, so what stays the same costs nothing.\n\n"
+      "You choose an agent's senses where you create the agent: `senses = { only = [\"self\", \"agents\"], sight = "
+      "40 }`; see\n"
+      "[scenarios](scenarios.md). A Lua body can add its own percepts with `Agent_Sense(agent)`: the table that it "
       "returns\n"
-      "appears on the input link, nested tables as identifiers.\n\n"
+      "appears on the input link, with nested tables as identifiers.\n\n"
       "## Senses\n\n| sense | what it is about |\n| --- | --- |\n";
   for (const SenseRow& sense : Senses()) text += Row({Code(sense.name), sense.meaning});
   for (const SenseRow& sense : Senses()) {
