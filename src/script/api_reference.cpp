@@ -12,32 +12,32 @@ namespace {
 constexpr const char* kIntroduction =
     R"(# The Lua API
 
-Scripts of a scenario see these tables of functions. A sandbox's script defines any of `Sandbox_Initialize(sandbox)`,
-`Sandbox_Update(sandbox, milliseconds)`, `Sandbox_HandleEvent(sandbox, event)` and `Sandbox_Cleanup(sandbox)`; an agent's
-script `Agent_Initialize(agent)`, `Agent_Update(agent, milliseconds)`, `Agent_HandleEvent(agent, event)` and
-`Agent_Cleanup(agent)`. Lengths are in metres, angles in degrees, masses in kilograms, forces in newtons; y is up, and an
-agent that is not turned looks along z.
+This page lists the functions that scripts of a scenario can call. A sandbox's script defines any of
+`Sandbox_Initialize(sandbox)`, `Sandbox_Update(sandbox, milliseconds)`, `Sandbox_HandleEvent(sandbox, event)` and
+`Sandbox_Cleanup(sandbox)`. An agent's script defines any of `Agent_Initialize(agent)`, `Agent_Update(agent, milliseconds)`,
+`Agent_HandleEvent(agent, event)` and `Agent_Cleanup(agent)`. Lengths are in metres, angles in degrees, masses in kilograms and
+forces in newtons. y is up, and an agent that is not turned faces along z.
 
-A wrong argument is an error that names the first one that is wrong. Three things only make a call do nothing, with a
-warning: a wrong number of arguments to some functions, a first argument that is not the sandbox, and an object or scene
-node of a kind that the function is not for. A name that is nearly one of a table's functions is an error that says which.
+A wrong argument is an error; the message names the first wrong one. In three cases a call only does nothing and gives a
+warning: some functions got a wrong number of arguments, the first argument is not the sandbox, or the function does not
+apply to this kind of object or scene node. If a name is almost that of a function, the error says which function.
 
-The language is Lua 5.1 with `table`, `string`, `math`, `bit` and `coroutine`; `io`, `debug` and bytecode are missing, `require`
-finds scripts of the scenario and of the library. Of `os` there are `clock`, `time`, `date` and `difftime`, by the clock of the
-simulation, which begins at midnight of 1 January 2000, and `exit([code])`, which ends all scripts: a headless run ends with that
-exit code, a window stays open. Random numbers come from the run's seed.
+The language is Lua 5.1 with `table`, `string`, `math`, `bit` and `coroutine`, but without `io`, `debug` and bytecode. `require`
+finds scripts of the scenario and of the library. `os` has `clock`, `time`, `date` and `difftime`, which use the clock of the
+simulation; it starts at midnight on 1 January 2000. `os.exit([code])` ends all scripts: a headless run ends with that
+exit code, and a window stays open. Random numbers come from the run's seed.
 
-[The Lua library](library.md) is made of these functions and saves much of the work.
+[The Lua library](library.md) is made of these functions and saves you much of the work.
 
-In the examples `sandbox` is the sandbox, `agent` and `other` are agents that stand, `object` is a box of 1 m, `node`,
-`light` and `effect` are a node, a lamp and a particle effect, `ui` and `panel` are a panel on the screen and one in the
-world, `mesh` is a soldier and `animation` one of its animations. What a line prints stands behind `-->`.
+In the examples, `sandbox` is the sandbox, `agent` and `other` are agents that do not move, and `object` is a box of 1 m. `node`,
+`light` and `effect` are a node, a lamp and a particle effect. `ui` and `panel` are a panel on the screen and one in the
+world. `mesh` is a soldier and `animation` one of its animations. What a line prints follows `-->`.
 
-Types: `Thing` is an agent, an object, a scene node or the sandbox; `Scene` the same but agents; `Placed` an object or a
-scene node; `Node` a scene node; `value` is anything. Arguments with a default may be left out at the end.
+Types: a `Thing` is an agent, an object, a scene node or the sandbox; a `Scene` is any of these except an agent; `Placed` is an
+object or a scene node; a `Node` is a scene node; a `value` is anything. You can leave out arguments with a default at the end.
 
-A number beyond its range, or a vector with a component beyond it, counts as the nearest that is within; a warning says so,
-once for each place in a script. Numbers that are not finite (0 / 0) change nothing, with a warning.
+A number outside its range, or a vector with a component outside it, counts as the nearest value in the range. You get a warning,
+once for each place in a script. Numbers that are not finite (0 / 0) change nothing and give a warning.
 )";
 
 std::string FileOf(std::string_view group) {

@@ -79,25 +79,22 @@ std::span<const ApiGroup> ApiGroups() {
   static const std::vector<ApiFunction> kSandbox = Joined(SandboxApi(), SandboxPlacesApi());
   static const ApiGroup kGroups[] = {
       {"Agent",
-       "Agents: what they are and have, and the forces that steer them. Each function is a method too: "
+       "Agents: their properties, and the forces that steer them. Each function is also a method: "
        "`agent:GetPosition()` is `Agent.GetPosition(agent)`.",
        kAgent},
-      {"Animation", "Meshes that move: their animations and bones. Scripts step animations themselves.",
+      {"Animation", "Animated meshes: their animations and bones. Scripts advance animations themselves.",
        AnimationApi()},
       {"Core",
-       "The scene (what is to be seen), the bodies of objects, and lines that are drawn for one step. Colours are "
-       "vectors "
-       "of red, green and blue, 0 to 1.",
+       "The scene (everything visible), the bodies of objects, and lines that are drawn for one step. Colours are "
+       "vectors of red, green and blue, 0 to 1.",
        CoreApi()},
       {"Sandbox", "The world: objects, agents, events, camera, time, panels, navigation meshes and the influence map.",
        kSandbox},
       {"UI", "Panels of text on the screen or in the world. Only the sandbox's own scripts have this table.", UiApi()},
       {"Vector",
-       "Points, directions, colours and rotations. Vectors add, subtract, multiply and divide by components, with a "
-       "vector "
-       "or a number on the right; `v.x`, `v.y` and `v.z` are read and set. A variable refers to a vector: a function "
-       "that "
-       "changes one changes it for its caller too.",
+       "Points, directions, colours and rotations. You can add, subtract, multiply and divide vectors by components, "
+       "with a vector or a number on the right, and read and set `v.x`, `v.y` and `v.z`. A variable refers to a "
+       "vector: if a function changes the vector, its caller sees the change.",
        VectorApi()},
   };
   return kGroups;

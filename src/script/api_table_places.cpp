@@ -10,34 +10,30 @@ constexpr ApiFunction kFunctions[] = {
     {"Sandbox.ClearInfluenceMap", "sandbox: Sandbox, layer: number", "", "Sets all cells of a layer to 0.",
      R"(Sandbox.ClearInfluenceMap(sandbox, 0))"},
     {"Sandbox.CreateInfluenceMap", "sandbox: Sandbox, mesh: string, settings: table = none", "",
-     "Lays a grid with ten layers, 0 to 9, over a navigation mesh, in the place of the grid before. Settings: "
-     "CellWidth and "
-     "CellHeight (m; both are needed), BoundaryMinOffset and BoundaryMaxOffset (vectors, m, added to the corners of "
-     "the box "
-     "around the mesh).",
+     "Lays a grid with ten layers, 0 to 9, over a navigation mesh, and replaces the previous grid. Settings: CellWidth "
+     "and CellHeight (m; both are required), BoundaryMinOffset and BoundaryMaxOffset (vectors, m, added to the corners "
+     "of the mesh's bounding box).",
      R"(Sandbox.CreateInfluenceMap(sandbox, "default", {CellWidth = 2, CellHeight = 1}))"},
     {"Sandbox.CreateNavigationMesh", "sandbox: Sandbox, name: string, settings: table = none", "",
      "Finds where agents can walk on the fixed objects (mass 0) of now, planes left out; a mesh of the same name is "
      "replaced. The work goes on while the script does; the first use waits for it. Settings: WalkableHeight (m; 1.6), "
      "WalkableRadius (m; 0.375), WalkableClimbHeight (m; 0.15), WalkableSlopeAngle (degrees; 45), MinimumRegionArea "
-     "and "
-     "MergeRegionArea (sides of squares in cells; 50 and 100), CellSize (m; 0.1), KeepsPoints (true makes "
-     "FindClosestPoint "
-     "answer with its argument, as the first sandbox does). Nothing further than 100 m from the origin counts.",
+     "and MergeRegionArea (sides of squares in cells; 50 and 100), CellSize (m; 0.1), KeepsPoints (true makes "
+     "FindClosestPoint answer with its argument, as the first sandbox does). Nothing further than 100 m from the "
+     "origin counts.",
      R"(Sandbox.CreateNavigationMesh(sandbox, "default", {WalkableRadius = 0.4, MinimumRegionArea = 10}))"},
     {"Sandbox.DrawInfluenceMap", "sandbox: Sandbox, layer: number, positive: table, neutral: table, negative: table",
      "",
-     "Colours the cells by their values of now, until it is called again; the colours are of 1, 0 and -1: {red, green, "
-     "blue, alpha}.",
+     "Colours the cells by their present values, until the next call. The colours are those of 1, 0 and -1: {red, "
+     "green, blue, alpha}.",
      R"(Sandbox.DrawInfluenceMap(sandbox, 0, {1, 0, 0, 0.9}, {0, 0, 0, 0.75}, {0, 0, 1, 0.9}))"},
     {"Sandbox.FindClosestPoint", "sandbox: Sandbox, mesh: string, point: Vector [m]", "Vector [m]",
-     "The nearest point of the mesh within 0.5 m to the sides and 2 m up and down; the point itself if there is none.",
+     "The nearest point on the mesh within 0.5 m sideways and 2 m up or down; the point itself if there is none.",
      R"(local floor = Sandbox.FindClosestPoint(sandbox, "default", agent:GetPosition())
 print(floor.y < 0.2)  --> true)"},
     {"Sandbox.FindPath", "sandbox: Sandbox, mesh: string, from: Vector [m], to: Vector [m]", "table of Vector [m]",
-     "The shortest way on the mesh, with a point wherever it crosses from one polygon to the next; {} if there is no "
-     "way, "
-     "or if an end is further than 2 m to the sides or 5 m up and down from the mesh.",
+     "The shortest path on the mesh, with a point wherever it crosses from one polygon to the next. {} if there is no "
+     "path, or if an end is more than 2 m sideways or 5 m up or down from the mesh.",
      R"(local path = Sandbox.FindPath(sandbox, "default", Vector.new(-5, 0, 0), Vector.new(-5, 0, 9))
 agent:SetPath(path)
 print(#path > 1)  --> true)"},
@@ -49,25 +45,25 @@ print(#path > 1)  --> true)"},
 print(Sandbox.GetInfluence(sandbox, 0, agent:GetPosition()))  --> 0.5)",
      true},
     {"Sandbox.RandomPoint", "sandbox: Sandbox, mesh: string", "Vector [m]",
-     "A point of the mesh; all places are equally likely, also those that no path leads to.",
+     "A random point on the mesh. All places are equally likely, even those that no path leads to.",
      R"(agent:SetTarget(Sandbox.RandomPoint(sandbox, "default")))"},
-    {"Sandbox.SetDebugNavigationMesh", "sandbox: Sandbox, name: string, show: boolean", "",
-     "Shows a mesh, or hides it again.", R"(Sandbox.SetDebugNavigationMesh(sandbox, "default", true))"},
-    {"Sandbox.SetDrawInfluenceMap", "sandbox: Sandbox, show: boolean", "",
-     "Shows what DrawInfluenceMap drew, or hides it.", R"(Sandbox.SetDrawInfluenceMap(sandbox, false))"},
+    {"Sandbox.SetDebugNavigationMesh", "sandbox: Sandbox, name: string, show: boolean", "", "Shows or hides a mesh.",
+     R"(Sandbox.SetDebugNavigationMesh(sandbox, "default", true))"},
+    {"Sandbox.SetDrawInfluenceMap", "sandbox: Sandbox, show: boolean", "", "Shows or hides what DrawInfluenceMap drew.",
+     R"(Sandbox.SetDrawInfluenceMap(sandbox, false))"},
     {"Sandbox.SetFalloff", "sandbox: Sandbox, layer: number, falloff: number 0..1", "",
-     "The share of an influence that is lost from cell to cell, 0 to 1; 0 at first.",
+     "The share of an influence that is lost from cell to cell, 0 to 1; initially 0.",
      R"(Sandbox.SetFalloff(sandbox, 0, 0.2))"},
     {"Sandbox.SetInertia", "sandbox: Sandbox, layer: number, inertia: number 0..1", "",
-     "How much of its value a cell keeps while influences spread, 0 to 1; 0 at first.",
+     "How much of its value a cell keeps while influences spread, 0 to 1; initially 0.",
      R"(Sandbox.SetInertia(sandbox, 0, 0.5))"},
     {"Sandbox.SetInfluence", "sandbox: Sandbox, layer: number, position: Vector [m], value: number -1..1", "",
-     "Sets the cell at a place to a value from -1 to 1. Places off the mesh are ignored: FindClosestPoint finds one on "
-     "it.",
+     "Sets the cell at a place to a value from -1 to 1. Places off the mesh are ignored; FindClosestPoint finds one on "
+     "the mesh.",
      R"(local place = Sandbox.FindClosestPoint(sandbox, "default", agent:GetPosition())
 Sandbox.SetInfluence(sandbox, 0, place, 1))"},
     {"Sandbox.SpreadInfluenceMap", "sandbox: Sandbox, layer: number", "",
-     "Lets the influences of a layer flow to the cells around, weaker with each.",
+     "Spreads the influences of a layer to the surrounding cells, weaker with each cell.",
      R"(Sandbox.SetFalloff(sandbox, 0, 0.2)
 Sandbox.SetInfluence(sandbox, 0, Vector.new(-5, 0.5, 5), 1)
 Sandbox.SpreadInfluenceMap(sandbox, 0)

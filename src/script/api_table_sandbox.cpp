@@ -14,25 +14,23 @@ constexpr ApiFunction kFunctions[] = {
   Sandbox.RemoveObject(sandbox, collision.objectA)
 end))"},
     {"Sandbox.AddEvent", "sandbox: Sandbox, type: string, event: value", "",
-     "Sends an event to all who listen, at the beginning of the next step. The fields of the table may be numbers, "
+     "Sends an event to all listeners at the beginning of the next step. The fields of the table may be numbers, "
      "strings, booleans, vectors, agents, objects and the sandbox; others are left out.",
      R"(Sandbox.AddEvent(sandbox, "Noise", {position = agent:GetPosition(), loudness = 3}))"},
     {"Sandbox.AddEventCallback", "sandbox: Sandbox, listener: value, callback: function", "",
-     "Lets an agent, an object or the sandbox listen: callback(sandbox, listener, type, event) hears all events. A "
-     "second "
-     "callback of the same listener takes the place of the first.",
+     "Lets an agent, an object or the sandbox listen: callback(sandbox, listener, type, event) is called for all "
+     "events. A second callback of the same listener replaces the first.",
      R"(Sandbox.AddEventCallback(sandbox, agent, function(sandbox, agent, type, event)
   if type == "Noise" then agent:SetTarget(event.position) end
 end))"},
     {"Sandbox.CreateAgent", "sandbox: Sandbox, script: string", "Agent",
-     "Makes an agent at the origin that this script drives, and calls its Agent_Initialize.",
+     "Creates an agent at the origin that this script controls, and calls its Agent_Initialize.",
      R"(local walker = Sandbox.CreateAgent(sandbox, "Quiet.lua")
 walker:SetPosition(Vector.new(2, 0.8, 0)))"},
     {"Sandbox.CreateBox",
      "sandbox: Sandbox, width: number 0.001..100000 [m], height: number 0.001..100000 [m], length: number "
-     "0.001..100000 "
-     "[m], u_tiles: number = 1, v_tiles: number = 1",
-     "Object", "A box with a body of 1 kg at the origin; the texture repeats as often as told on each side.",
+     "0.001..100000 [m], u_tiles: number = 1, v_tiles: number = 1",
+     "Object", "A box with a body of 1 kg at the origin. The arguments say how often the texture repeats on each side.",
      R"(local floor = Sandbox.CreateBox(sandbox, 20, 1, 20, 10, 10)
 Core.SetMass(floor, 0)
 Core.SetPosition(floor, Vector.new(0, -0.5, 0)))"},
@@ -44,75 +42,77 @@ Core.SetPosition(floor, Vector.new(0, -0.5, 0)))"},
      R"(local block = Sandbox.CreateObject(sandbox, "models/nobiax_modular/modular_block.mesh"))"},
     {"Sandbox.CreatePhysicsCapsule",
      "sandbox: Sandbox, height: number 0.001..100000 [m], radius: number 0.001..100000 [m]", "Object",
-     "The body of a capsule, of 1 kg, that nobody sees.",
+     "An invisible capsule with a body of 1 kg.",
      R"(local bullet = Sandbox.CreatePhysicsCapsule(sandbox, 0.3, 0.01)
 Core.SetMass(bullet, 0.1))"},
     {"Sandbox.CreatePhysicsSphere", "sandbox: Sandbox, radius: number 0.001..100000 [m]", "Object",
-     "The body of a ball, of 1 kg, that nobody sees.", R"(local ball = Sandbox.CreatePhysicsSphere(sandbox, 0.2))"},
+     "An invisible ball with a body of 1 kg.", R"(local ball = Sandbox.CreatePhysicsSphere(sandbox, 0.2))"},
     {"Sandbox.CreatePlane", "sandbox: Sandbox, length: number 0..1e6 [m], width: number 0..1e6 [m]", "Object",
-     "A visible plane at y = 0 on an endless fixed floor. It is not part of navigation meshes.",
+     "A visible plane at y = 0 on an endless fixed floor. Navigation meshes ignore it.",
      R"(local ground = Sandbox.CreatePlane(sandbox, 200, 200)
 Core.SetMaterial(ground, "Ground2"))"},
     {"Sandbox.CreateSkyBox", "sandbox: Sandbox, material: string, rotation: Vector [deg] = none", "",
-     "Puts a sky around the world in the place of the one before.",
+     "Puts a sky around the world and replaces the previous one.",
      R"(Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0)))"},
     {"Sandbox.CreateSoarAgent", "sandbox: Sandbox, script: value, rules: string = none, options: table = none", "Agent",
-     "Makes an agent whose body is a script and whose mind is a file of Soar rules; Agent_Update(agent, milliseconds, "
-     "command, parameters) runs once for each command of its mind. With a table of options in place of the script "
-     "({rules = \"scout.soar\", body = \"soldier\", team = \"blue\", position = Vector.new(0, 0, 3)}) the agent needs "
-     "none: "
-     "its body knows the commands of docs/commands.md.",
+     "Creates an agent whose body is a script and whose mind is a file of Soar rules. Agent_Update(agent, "
+     "milliseconds, command, parameters) runs once for each command of its mind. If you pass a table of options "
+     "instead of the script ({rules = \"scout.soar\", body = \"soldier\", team = \"blue\", position = Vector.new(0, 0, "
+     "3)}), the agent needs no script: its body knows the commands of docs/commands.md.",
      R"(local thinker = Sandbox.CreateSoarAgent(sandbox, "Quiet.lua", "walk.soar"))", true},
     {"Sandbox.CreateSoarFollowerAgent",
      "sandbox: Sandbox, script: string, rules: string = followeragent.soar, options: table = none", "Agent",
-     "Makes an agent whose mind sees how far its leader is (Agent.SetLeader) and says \"follow\" or \"stop\".",
+     "Creates an agent whose mind perceives the distance to its leader (Agent.SetLeader) and commands \"follow\" or "
+     "\"stop\".",
      R"(local follower = Sandbox.CreateSoarFollowerAgent(sandbox, "Quiet.lua")
 follower:SetLeader(agent))",
      true},
     {"Sandbox.CreateSoarSeekingAgent",
      "sandbox: Sandbox, script: string, rules: string = seekingagent.soar, options: table = none", "Agent",
-     "Makes an agent whose mind sees how far its target is and says \"newtarget\" or \"sametarget\".",
+     "Creates an agent whose mind perceives the distance to its target and commands \"newtarget\" or \"sametarget\".",
      R"(local seeker = Sandbox.CreateSoarSeekingAgent(sandbox, "Quiet.lua"))", true},
     {"Sandbox.CreateSoarWaypointAgent",
      "sandbox: Sandbox, script: string, rules: string = waypointagent.soar, options: table = none", "Agent",
-     "Makes an agent whose mind sees how far its target is and says \"nextwaypoint\" or \"samewaypoint\".",
+     "Creates an agent whose mind perceives the distance to its target and commands \"nextwaypoint\" or "
+     "\"samewaypoint\".",
      R"(local guard = Sandbox.CreateSoarWaypointAgent(sandbox, "Quiet.lua"))", true},
     {"Sandbox.CreateUIComponent", "sandbox: Sandbox, layer: number", "UI",
-     "A panel of 100 by 100 pixels at the top left of the window; layers go from 0 to 15, the last on top.",
+     "A panel of 100 by 100 pixels at the top left of the window. Layers go from 0 to 15, with 15 on top.",
      R"(local panel = Sandbox.CreateUIComponent(sandbox, 1)
 UI.SetText(panel, "hello"))"},
     {"Sandbox.CreateUIComponent3d", "sandbox: Sandbox, position: Vector [m]", "UI",
-     "A panel in the world; a pixel is 0.005 m.",
+     "A panel in the world, with 0.005 m per pixel.",
      R"(local sign = Sandbox.CreateUIComponent3d(sandbox, Vector.new(0, 2, 0))
 UI.SetText(sign, "exit"))"},
     {"Sandbox.GetAgents", "sandbox: Sandbox", "table of Agent",
-     "All agents in the order in which they were made, dead ones too.", R"(print(#Sandbox.GetAgents(sandbox))  --> 2)"},
-    {"Sandbox.GetCameraForward", "sandbox: Sandbox", "Vector", "Where the camera looks; of length 1.",
+     "All agents in the order of their creation, including dead ones.", R"(print(#Sandbox.GetAgents(sandbox))  --> 2)"},
+    {"Sandbox.GetCameraForward", "sandbox: Sandbox", "Vector", "The direction that the camera looks in, with length 1.",
      R"(print(Sandbox.GetCameraForward(sandbox).z < 0)  --> true)"},
-    {"Sandbox.GetCameraLeft", "sandbox: Sandbox", "Vector", "The direction to the camera's left; of length 1.",
+    {"Sandbox.GetCameraLeft", "sandbox: Sandbox", "Vector", "The direction to the camera's left, with length 1.",
      R"(print(Sandbox.GetCameraLeft(sandbox).x < 0)  --> true)"},
     {"Sandbox.GetCameraOrientation", "sandbox: Sandbox", "Vector [deg]", "The camera's rotation.",
      R"(Sandbox.SetCameraOrientation(sandbox, Sandbox.GetCameraOrientation(sandbox)))"},
-    {"Sandbox.GetCameraPosition", "sandbox: Sandbox", "Vector [m]", "Where the camera is.",
+    {"Sandbox.GetCameraPosition", "sandbox: Sandbox", "Vector [m]", "The camera's position.",
      R"(Sandbox.SetCameraPosition(sandbox, Vector.new(0, 5, -10))
 print(Sandbox.GetCameraPosition(sandbox).y)  --> 5)"},
-    {"Sandbox.GetCameraUp", "sandbox: Sandbox", "Vector", "The direction above the camera; of length 1.",
+    {"Sandbox.GetCameraUp", "sandbox: Sandbox", "Vector", "The camera's up direction, with length 1.",
      R"(print(Sandbox.GetCameraUp(sandbox).y > 0)  --> true)"},
     {"Sandbox.GetDrawPhysicsWorld", "sandbox: Sandbox", "boolean", "Whether the bodies are drawn as wires.",
      R"(print(Sandbox.GetDrawPhysicsWorld(sandbox))  --> false)"},
     {"Sandbox.GetMarkupColor", "sandbox: Sandbox, index: number", "number, table",
-     "The index, and the colour that %0 to %9 stand for in markup texts: {red, green, blue, alpha} by name.",
+     "The index and the colour of %0 to %9 in markup texts: {red, green, blue, alpha} by name.",
      R"(local _, color = Sandbox.GetMarkupColor(sandbox, 0)
 print(color.red)  --> 1)"},
-    {"Sandbox.GetObjects", "sandbox: Sandbox", "table of Object", "All objects by ascending number; agents are none.",
+    {"Sandbox.GetObjects", "sandbox: Sandbox", "table of Object",
+     "All objects in ascending order of their numbers, without agents.",
      R"(for _, object in ipairs(Sandbox.GetObjects(sandbox)) do Core.GetMass(object) end)"},
     {"Sandbox.GetRenderTime", "sandbox: Sandbox", "number [us]", "The time between the last two pictures.",
      R"(print(Sandbox.GetRenderTime(sandbox) > 0)  --> true)"},
-    {"Sandbox.GetScreenHeight", "sandbox: Sandbox", "number [px]", "The height of the window; 800 without one.",
+    {"Sandbox.GetScreenHeight", "sandbox: Sandbox", "number [px]", "The height of the window; 800 without a window.",
      R"(print(Sandbox.GetScreenHeight(sandbox))  --> 800)"},
-    {"Sandbox.GetScreenWidth", "sandbox: Sandbox", "number [px]", "The width of the window; 1280 without one.",
+    {"Sandbox.GetScreenWidth", "sandbox: Sandbox", "number [px]", "The width of the window; 1280 without a window.",
      R"(print(Sandbox.GetScreenWidth(sandbox))  --> 1280)"},
-    {"Sandbox.GetSimulationTime", "sandbox: Sandbox", "number [us]", "How long the last step took.",
+    {"Sandbox.GetSimulationTime", "sandbox: Sandbox", "number [us]", "The time that the last step took.",
      R"(print(Sandbox.GetSimulationTime(sandbox) >= 0)  --> true)"},
     {"Sandbox.GetTimeInMillis", "sandbox: Sandbox", "number [ms]", "The scripts' clock: 33 for each step.",
      R"(local now = Sandbox.GetTimeInMillis(sandbox)
@@ -122,28 +122,29 @@ print(now)  --> 0)"},
     {"Sandbox.GetTotalSimulationTime", "sandbox: Sandbox", "number [us]", "The time between the last two steps.",
      R"(print(Sandbox.GetTotalSimulationTime(sandbox) > 0)  --> true)"},
     {"Sandbox.RayCastToObject", "sandbox: Sandbox, from: Vector [m], to: Vector [m]", "table",
-     "Looks for the first body on a line: {result, hitPoint, object}, the last two only if result is true. A ray that "
-     "starts inside a body does not meet that body.",
+     "Finds the first body on a line: {result, hitPoint, object}, the last two only if result is true. A ray that "
+     "starts inside a body does not hit that body.",
      R"(local hit = Sandbox.RayCastToObject(sandbox, Vector.new(5, 10, 5), Vector.new(5, -1, 5))
 print(hit.result, hit.hitPoint.y)  --> true	1)"},
     {"Sandbox.RemoveObject", "sandbox: Sandbox, object: value", "",
-     "Takes an object out of the world at the beginning of the next step. Asking again is harmless.",
+     "Removes an object from the world at the beginning of the next step. Calling it again is harmless.",
      R"(Sandbox.RemoveObject(sandbox, object))"},
     {"Sandbox.SetAmbientLight", "sandbox: Sandbox, color: Vector", "",
-     "The light that comes from everywhere; none at first.", R"(Sandbox.SetAmbientLight(sandbox, Vector.new(0.3)))"},
+     "Sets the light that comes from everywhere; initially none.",
+     R"(Sandbox.SetAmbientLight(sandbox, Vector.new(0.3)))"},
     {"Sandbox.SetCameraForward", "sandbox: Sandbox, direction: Vector", "",
-     "Turns the camera's back to this direction: it looks the opposite way, as in the first sandbox.",
+     "Turns the camera's back to this direction, so that it looks the opposite way, as in the first sandbox.",
      R"(Sandbox.SetCameraForward(sandbox, Vector.new(0, 0, -1))
 print(Sandbox.GetCameraForward(sandbox).z)  --> 1)"},
     {"Sandbox.SetCameraOrientation", "sandbox: Sandbox, rotation: Vector [deg]", "", "Turns the camera.",
      R"(Sandbox.SetCameraOrientation(sandbox, Vector.new(-160, 0, -180)))"},
     {"Sandbox.SetCameraPosition", "sandbox: Sandbox, position: Vector [m]", "", "Moves the camera.",
      R"(Sandbox.SetCameraPosition(sandbox, Vector.new(7, 5, -18)))"},
-    {"Sandbox.SetDrawPhysicsWorld", "sandbox: Sandbox, draw: boolean", "", "Draws all bodies as wires, or no longer.",
+    {"Sandbox.SetDrawPhysicsWorld", "sandbox: Sandbox, draw: boolean", "", "Shows or hides all bodies as wires.",
      R"(Sandbox.SetDrawPhysicsWorld(sandbox, true))"},
     {"Sandbox.SetMarkupColor",
      "sandbox: Sandbox, index: number, red: number 0..1, green: number 0..1, blue: number 0..1, alpha: number 0..1 = 1",
-     "", "Changes what %0 to %9 stand for in markup texts; 0 to 1 per channel.",
+     "", "Changes the colour of %0 to %9 in markup texts; 0 to 1 per channel.",
      R"(Sandbox.SetMarkupColor(sandbox, 1, 1, 0, 0))"},
 };
 

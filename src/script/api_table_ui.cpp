@@ -5,7 +5,7 @@ namespace soarbox::script {
 namespace {
 
 constexpr ApiFunction kFunctions[] = {
-    {"UI.CreateChild", "ui: UI", "UI", "A panel of the same layer whose place is told from the parent's.",
+    {"UI.CreateChild", "ui: UI", "UI", "A panel in the same layer, with a position relative to its parent.",
      R"(local child = UI.CreateChild(ui)
 UI.SetPosition(child, 10, 10))"},
     {"UI.GetDimensions", "ui: UI", "table [px]", "The size: {x, y} by name.",
@@ -14,11 +14,12 @@ UI.SetPosition(child, 10, 10))"},
     {"UI.GetMarkupText", "ui: UI", "string", "The text with markup.",
      R"(UI.SetMarkupText(ui, "%1red")
 print(UI.GetMarkupText(ui))  --> %1red)"},
-    {"UI.GetOffsetPosition", "ui: UI", "table [px]", "Where the parent is on the screen; {0, 0} without one.",
+    {"UI.GetOffsetPosition", "ui: UI", "table [px]",
+     "The position of the parent on the screen; {0, 0} without a parent.",
      R"(print(UI.GetOffsetPosition(ui).x)  --> 0)"},
-    {"UI.GetPosition", "ui: UI", "table [px]", "The place in the parent, or on the screen: {x, y} by name.",
+    {"UI.GetPosition", "ui: UI", "table [px]", "The position in the parent or on the screen: {x, y} by name.",
      R"(print(UI.GetPosition(ui).x)  --> 0)"},
-    {"UI.GetScreenPosition", "ui: UI", "table [px]", "The place on the screen: {x, y} by name.",
+    {"UI.GetScreenPosition", "ui: UI", "table [px]", "The position on the screen: {x, y} by name.",
      R"(UI.SetPosition(ui, 30, 40)
 local child = UI.CreateChild(ui)
 UI.SetPosition(child, 5, 5)
@@ -27,7 +28,7 @@ print(UI.GetScreenPosition(child).y)  --> 45)"},
     {"UI.GetTextMargin", "ui: UI", "table [px]", "The margin: {x = left, y = top}.",
      R"(UI.SetTextMargin(ui, 5, 10)
 print(UI.GetTextMargin(ui).x)  --> 10)"},
-    {"UI.IsVisible", "ui: UI", "boolean", "Whether the panel is shown; its parent does not count.",
+    {"UI.IsVisible", "ui: UI", "boolean", "Whether the panel itself is shown, regardless of its parent.",
      R"(print(UI.IsVisible(ui))  --> true)"},
     {"UI.SetBackgroundColor", "ui: UI, red: number 0..1, green: number 0..1, blue: number 0..1, alpha: number 0..1 = 1",
      "", "Colours the background; 0 to 1 per channel.", R"(UI.SetBackgroundColor(ui, 0, 0, 0.5, 0.8))"},
@@ -37,31 +38,30 @@ print(UI.GetTextMargin(ui).x)  --> 10)"},
      "The font of the plain text: small, small_mono, medium, medium_mono, large or large_mono.",
      R"(UI.SetFont(ui, "medium_mono"))"},
     {"UI.SetFontColor", "ui: UI, red: number 0..1, green: number 0..1, blue: number 0..1, alpha: number 0..1 = 1", "",
-     "Colours the plain text; white at first.", R"(UI.SetFontColor(ui, 1, 1, 0))"},
+     "Colours the plain text; initially white.", R"(UI.SetFontColor(ui, 1, 1, 0))"},
     {"UI.SetGradientColor",
      "ui: UI, direction: string, red1: number 0..1, green1: number 0..1, blue1: number 0..1, alpha1: number 0..1, "
-     "red2: "
-     "number 0..1, green2: number 0..1, blue2: number 0..1, alpha2: number 0..1",
+     "red2: number 0..1, green2: number 0..1, blue2: number 0..1, alpha2: number 0..1",
      "", "Colours the background from one colour to another: north_south, west_east or diagonal.",
      R"(UI.SetGradientColor(ui, "north_south", 0, 0, 0, 0.75, 0, 0, 0, 0.35))"},
     {"UI.SetMarkupText", "ui: UI, text: string", "",
-     "Shows a text with markup: %0 to %9 change the colour, %@9%, %@14%, %@24% the font (91, 141 and 241 are of fixed "
-     "width), %M toggles fixed width, %% is a percent sign.",
+     "Shows text with markup: %0 to %9 change the colour; %@9%, %@14% and %@24% change the font (91, 141 and 241 have "
+     "a fixed width); %M toggles fixed width; %% is a percent sign.",
      R"(UI.SetMarkupText(ui, "%@141%speed %1" .. 7 .. "%0 m/s"))"},
     {"UI.SetPosition", "ui: UI, x: number [px], y: number [px]", "",
-     "Moves the panel, from its parent's or the screen's top left.",
+     "Moves the panel, relative to the top left of its parent or of the screen.",
      R"(UI.SetPosition(ui, 20, Sandbox.GetScreenHeight(sandbox) - 120))"},
-    {"UI.SetText", "ui: UI, text: string", "", "Shows a plain text.", R"(UI.SetText(ui, "round 1"))"},
+    {"UI.SetText", "ui: UI, text: string", "", "Shows plain text.", R"(UI.SetText(ui, "round 1"))"},
     {"UI.SetTextMargin", "ui: UI, top: number [px], left: number [px]", "",
-     "Keeps the text off the edges; the top comes first.", R"(UI.SetTextMargin(ui, 10, 10))"},
-    {"UI.SetVisible", "ui: UI, visible: boolean", "", "Shows or hides the panel, not its children.",
+     "Sets the margins between text and edges; the top comes first.", R"(UI.SetTextMargin(ui, 10, 10))"},
+    {"UI.SetVisible", "ui: UI, visible: boolean", "", "Shows or hides the panel, but not its children.",
      R"(UI.SetVisible(ui, not UI.IsVisible(ui))
 print(UI.IsVisible(ui))  --> false)"},
     {"UI.SetWorldPosition", "ui: UI, position: Vector [m]", "",
-     "Moves a panel of CreateUIComponent3d; a panel on the screen stays, with a warning.",
+     "Moves a panel made by CreateUIComponent3d. A panel on the screen does not move; you get a warning.",
      R"(UI.SetWorldPosition(panel, Vector.new(0, 3, 0)))"},
     {"UI.SetWorldRotation", "ui: UI, rotation: Vector [deg]", "",
-     "Turns a panel of CreateUIComponent3d; a panel on the screen stays, with a warning.",
+     "Turns a panel made by CreateUIComponent3d. A panel on the screen does not turn; you get a warning.",
      R"(UI.SetWorldRotation(panel, Sandbox.GetCameraOrientation(sandbox)))"},
 };
 

@@ -6,8 +6,8 @@ namespace {
 
 constexpr ApiFunction kFunctions[] = {
     {"Vector.new", "x: value = 0, y: value = x, z: value = x", "Vector",
-     "Makes a vector of three numbers, of one number for all three, or a copy of another vector. Anything else gives "
-     "nil.",
+     "Makes a vector from three numbers, from one number for all three, or as a copy of another vector. Anything else "
+     "gives nil.",
      R"(local v = Vector.new(1, 2, 3)
 print(v.y)  --> 2
 print(Vector.new(v) == v)  --> true)"},
@@ -15,20 +15,20 @@ print(Vector.new(v) == v)  --> true)"},
      "The vector that is perpendicular to both, by the right-hand rule.",
      R"(local up = Vector.CrossProduct(Vector.new(0, 0, 1), Vector.new(1, 0, 0))
 print(up.x, up.y, up.z)  --> 0	1	0)"},
-    {"Vector.Distance", "a: Vector [m], b: Vector [m]", "number [m]", "How far two points are apart.",
+    {"Vector.Distance", "a: Vector [m], b: Vector [m]", "number [m]", "The distance between two points.",
      R"(print(Vector.Distance(Vector.new(), Vector.new(3, 4, 0)))  --> 5)"},
     {"Vector.DistanceSquared", "a: Vector [m], b: Vector [m]", "number [m^2]",
-     "The square of the distance: faster where distances are only compared.",
+     "The square of the distance; faster if you only compare distances.",
      R"(print(Vector.DistanceSquared(Vector.new(), Vector.new(3, 4, 0)))  --> 25)"},
     {"Vector.DotProduct", "a: Vector, b: Vector", "number",
-     "The product of the lengths and the cosine of the angle between; 0 for perpendicular vectors.",
+     "The product of the lengths and the cosine of the angle between the vectors; 0 if they are perpendicular.",
      R"(print(Vector.DotProduct(Vector.new(1, 2, 3), Vector.new(1)))  --> 6)"},
     {"Vector.Length", "vector: value", "number", "The length of a vector; nothing for other values.",
      R"(print(Vector.Length(Vector.new(0, 3, 4)))  --> 5)"},
     {"Vector.LengthSquared", "vector: value", "number", "The square of the length; nothing for other values.",
      R"(print(Vector.LengthSquared(Vector.new(0, 3, 4)))  --> 25)"},
     {"Vector.Normalize", "vector: Vector", "Vector",
-     "A new vector of the same direction and length 1; the zero vector stays zero.",
+     "A new vector with the same direction and length 1; the zero vector stays zero.",
      R"(print(Vector.Normalize(Vector.new(0, 0, 7)).z)  --> 1)"},
     {"Vector.Rotate", "vector: Vector, rotation: Vector [deg]", "Vector",
      "Turns a vector by a rotation vector: about z first, then y, then x.",

@@ -13,8 +13,8 @@ from window_user import WALKER, WindowUser
 
 @unittest.skipUnless(can_draw(), "no virtual display at hand")
 class Crash(WindowUser):
-    def die(self, recording, how, typing=TYPE_INTO_EDIT):
-        """Types something, into Edit if nothing else is said, and ends the window's process with that signal."""
+    def die(self, recording, how, typing=TYPE_INTO_EDIT, text="# mine"):
+        """Types the text, into Edit if nothing else is said, and ends the window's process with that signal."""
         script = "until 2.2" + typing + "until 60\n"
         window = subprocess.Popen(
             self.window(script, "run", str(self.folder), f"--record={recording}", "--port", "0"),
@@ -25,7 +25,9 @@ class Crash(WindowUser):
         self.addCleanup(window.kill)
         drafts = self.home / "state" / "soarbox" / "drafts"
         end = time.monotonic() + 120
-        while not list(drafts.glob("*.draft")) and window.poll() is None and time.monotonic() < end:
+        while not any(text in draft.read_text(encoding="utf-8") for draft in drafts.glob("*.draft")):
+            if window.poll() is not None or time.monotonic() > end:
+                break
             time.sleep(0.05)
         self.assertIsNone(window.poll(), window.stderr.read() if window.poll() is not None else "")
         self.assertEqual(len(list(drafts.glob("*.draft"))), 1, "it is on the disk while the window is open")
@@ -80,7 +82,7 @@ class Crash(WindowUser):
             click "Console"
             click "a Soar command; Tab completes"
             type "matches walker*prefer*n"
-            """)
+            """, "matches walker*prefer*n")
         self.play("""
             until 0.3
             key P
