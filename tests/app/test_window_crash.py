@@ -93,8 +93,9 @@ class Crash(WindowUser):
             expect "matches walker*prefer*n"
             key Ctrl+Q
             expect "was typed and not sent"
-            click "Close without saving"
-            wait 60
+            expect "is kept and comes back"
+            click "Stay"
+            expect-not "Close the window?"
             """)
         self.play("""
             until 0.3
