@@ -15,8 +15,8 @@ local kHelp = {
     "F5: performance   F6: camera",
     "F7: physics debug",
 };
-local kCameraPosition = Vector.new(-16, 34, 32);
-local kCameraRotation = Vector.new(-53, -43, -42);
+local kCameraPosition = Vector.new(-30, 5, 7);
+local kCameraRotation = Vector.new(-131, -68, -133);
 local kBlock = "models/nobiax_modular/modular_block.mesh";
 
 local helpPanel;
