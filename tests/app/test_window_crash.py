@@ -24,7 +24,7 @@ class Crash(WindowUser):
         self.addCleanup(window.wait)
         self.addCleanup(window.kill)
         drafts = self.home / "state" / "soarbox" / "drafts"
-        end = time.monotonic() + 120
+        end = time.monotonic() + 240
         while not any(text in draft.read_text(encoding="utf-8") for draft in drafts.glob("*.draft")):
             if window.poll() is not None or time.monotonic() > end:
                 break
@@ -106,7 +106,7 @@ class Crash(WindowUser):
             key End
             type "orth"
             key Return
-            expect "> matches walker*prefer*north"
+            expect "1 complete matches."
             expect "a Soar command; Tab completes"
             key Ctrl+Q
             wait 60
