@@ -59,7 +59,7 @@ void Closing::Draw(PanelFrame& frame, float width, float height) {
   WrappedText(theme::kQuiet, has_files
                                  ? "If you close without saving, your text is kept as a draft and comes back when "
                                    "you open the file in Edit again."
-                                 : "What is not sent is kept and comes back when you open the scenario again.");
+                                 : "It is kept and comes back with this scenario.");
   ImGui::Spacing();
   if (has_files) {
     if (ImGui::Button("Save all and close")) {
