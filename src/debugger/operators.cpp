@@ -4,16 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "debugger/facts_text.h"
 #include "debugger/recorded_mind.h"
 #include "tell/decision_text.h"
+#include "tell/sentences.h"
 
 namespace soarbox::debugger {
 namespace {
 
 using sim::PreferenceFact;
+using tell::Say;
+using tell::Situation;
 
 std::string Who(const OperatorRow& row) {
   return NameAndId(row.name, row.id);
@@ -57,16 +62,18 @@ class Account {
   std::string Sentence() const {
     const auto selected = std::ranges::find_if(view_.rows, [](const OperatorRow& row) { return row.selected; });
     if (selected != view_.rows.end()) return OfSelected(*selected);
-    if (!view_.selected.empty()) return view_.selected + " is selected, and no preference speaks of it any more.";
+    if (!view_.selected.empty()) return Say(Situation::kSelectedUnspoken, {{"op", view_.selected}});
     if (std::ranges::none_of(view_.rows, &OperatorRow::proposed)) {
-      return "no operator is proposed in " + view_.state + (view_.rows.empty() ? "." : " any more.");
+      return Say(view_.rows.empty() ? Situation::kNoneProposed : Situation::kNoneProposedNow,
+                 {{"state", view_.state}}) +
+             ".";
     }
     if (decision_.impasse == mind::Impasse::kNone && !decision_.left.empty()) return OfNext();
     std::string text = tell::WhyNothing(decision_) + ".";
     if (decision_.impasse == mind::Impasse::kTie) {
-      text +=
-          " If it does not matter which, add = where they are proposed: (<s> ^operator <o> + =); if one is better, a "
-          "rule (<s> ^operator <better> > <other>).";
+      std::string advice = Say(Situation::kTieAdvice);
+      advice[0] = 'I';
+      text += " " + advice + ".";
     }
     return text;
   }
@@ -75,14 +82,13 @@ class Account {
     const std::uint32_t op = decision_.Find(row.id);
     if (!decision_.is_forced && (decision_.impasse != mind::Impasse::kNone || !IsLeft(op))) {
       std::string why = tell::WhyDropped(decision_, op);
-      if (why.empty()) why = row.proposed ? tell::WhyNothing(Undecided()) : "it is proposed no more";
-      return Who(row) + " is selected, but by now " + why + ": it goes at the next decision.";
+      if (why.empty()) why = row.proposed ? tell::WhyNothing(Undecided()) : Say(Situation::kNoLongerProposed);
+      return Say(Situation::kGoesNext, {{"op", Who(row)}, {"why", why}});
     }
     if (decision_.has_changed && !decision_.is_forced) {
-      return Who(row) + " is selected, and preferences have changed since. By those that stand now: " +
-             tell::WhySelected(decision_) + ".";
+      return Say(Situation::kHasChanged, {{"op", Who(row)}, {"why", tell::WhySelected(decision_)}});
     }
-    return Who(row) + " was selected: " + tell::WhySelected(decision_) + ".";
+    return Say(Situation::kWasSelected, {{"op", Who(row)}, {"why", tell::WhySelected(decision_)}});
   }
 
   mind::Decision Undecided() const {
@@ -93,12 +99,11 @@ class Account {
 
   std::string OfNext() const {
     if (decision_.left.size() > 1)
-      return fmt::format("one of {} indifferent operators would be selected at the next decision.",
-                         decision_.left.size());
+      return Say(Situation::kOneOfNext, {{"count", std::to_string(decision_.left.size())}});
     mind::Decision decided = decision_;
     decided.selected = decision_.left.front().op;
-    return tell::OperatorText(decided, decided.selected) +
-           " would be selected at the next decision: " + tell::WhySelected(decided) + ".";
+    return Say(Situation::kNext,
+               {{"op", tell::OperatorText(decided, decided.selected)}, {"why", tell::WhySelected(decided)}});
   }
 
   const mind::Decision& decision_;
@@ -109,13 +114,13 @@ class Account {
 void TellWithout(OperatorsView& view) {
   for (OperatorRow& row : view.rows) {
     row.verdict = row.selected ? "selected" : row.proposed ? "proposed" : "";
-    if (row.selected) view.sentence = Who(row) + " is selected.";
+    if (row.selected) view.sentence = Say(Situation::kIsSelected, {{"op", Who(row)}});
   }
   if (!view.sentence.empty()) return;
   if (!view.selected.empty()) {
-    view.sentence = view.selected + " is selected.";
+    view.sentence = Say(Situation::kIsSelected, {{"op", view.selected}});
   } else if (view.rows.empty()) {
-    view.sentence = "no operator is proposed in " + view.state + ".";
+    view.sentence = Say(Situation::kNoneProposed, {{"state", view.state}}) + ".";
   }
 }
 
@@ -132,17 +137,18 @@ OperatorRow& RowOf(OperatorsView& view, const std::string& id, const std::string
 }  // namespace
 
 std::string Describe(const PreferenceFact& preference) {
-  const std::string by = preference.maker.rule.empty() ? "" : "rule " + preference.maker.rule + " ";
-  const std::string other = NameAndId(preference.other_name, preference.referent);
-  if (preference.type == "acceptable") return by + "proposes it";
-  if (preference.type == "require") return by + "requires it";
-  if (preference.type == "reject") return by + "rejects it";
-  if (preference.type == "prohibit") return by + "prohibits it";
-  if (preference.type == "better") return by + "makes it better than " + other;
-  if (preference.type == "worse") return by + "makes it worse than " + other;
-  if (preference.type == "equal") return by + "makes it indifferent to " + other;
-  if (preference.type == "numeric") return by + "gives it the value " + preference.referent;
-  return by + "makes it " + preference.type;
+  constexpr std::pair<std::string_view, Situation> kKinds[] = {
+      {"acceptable", Situation::kProposes}, {"require", Situation::kRequires}, {"reject", Situation::kRejects},
+      {"prohibit", Situation::kProhibits},  {"best", Situation::kMakesBest},   {"worst", Situation::kMakesWorst},
+      {"better", Situation::kMakesBetter},  {"worse", Situation::kMakesWorse}, {"equal", Situation::kMakesEqual},
+      {"numeric", Situation::kGivesValue}};
+  const auto kind = std::ranges::find(kKinds, preference.type, &std::pair<std::string_view, Situation>::first);
+  std::string text = Say(kind == std::end(kKinds) ? Situation::kMakesIndifferent : kind->second,
+                         {{"maker", preference.maker.rule.empty() ? "" : "rule " + preference.maker.rule},
+                          {"op", "it"},
+                          {"other", NameAndId(preference.other_name, preference.referent)},
+                          {"value", preference.referent}});
+  return text.substr(text.find_first_not_of(' '));  // Who made it may not be told.
 }
 
 OperatorsView View(const sim::OperatorFacts& facts) {

@@ -6,6 +6,7 @@
 
 #include "debugger/facts_text.h"
 #include "debugger/memory.h"
+#include "tell/sentences.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -104,16 +105,26 @@ void ReadDetail(RecordedMind& mind, const std::string& detail) {
   ++mind.firings[detail.substr(blank + kFire.size())];
 }
 
-/// "^waypoint gate ^text |two words|" as attributes with values.
+/// Where the next " ^" is that does not stand between bars; the end if there is none.
+std::size_t EndOfParameter(std::string_view text) {
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '|' && (i == 0 || text[i - 1] != '\\')) is_quoted = !is_quoted;
+    if (!is_quoted && text.substr(i).starts_with(" ^")) return i;
+  }
+  return text.size();
+}
+
+/// "^waypoint gate ^text |go ^fast|" as attributes with values.
 std::vector<std::pair<std::string, std::string>> Parameters(std::string_view text) {
   std::vector<std::pair<std::string, std::string>> list;
   while (text.starts_with('^')) {
-    const std::size_t next = text.find(" ^");
-    const std::string_view one = text.substr(1, next == std::string_view::npos ? next : next - 1);
+    const std::size_t end = EndOfParameter(text);
+    const std::string_view one = text.substr(1, end - 1);
     const std::size_t blank = one.find(' ');
     list.emplace_back(one.substr(0, blank),
                       blank == std::string_view::npos ? std::string_view{} : one.substr(blank + 1));
-    text = next == std::string_view::npos ? std::string_view{} : text.substr(next + 1);
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
   return list;
 }
@@ -342,13 +353,14 @@ void TellRecorded(const sim::Inspector& mind, OperatorsView& view) {
   for (OperatorRow& row : view.rows) {
     row.verdict = row.selected ? "selected" : "proposed";
     if (!row.selected) continue;
-    view.sentence = NameAndId(row.name, row.id) + " was selected";
+    const std::string op = NameAndId(row.name, row.id);
+    view.sentence = tell::Say(tell::Situation::kIsSelected, {{"op", op}});
     for (const sim::StateFact& state : recorded->mind().stack) {
       if (state.id != view.state) continue;
       const auto reason = recorded->mind().reasons.find(state.level);
-      if (reason != recorded->mind().reasons.end() && !reason->second.empty()) view.sentence += ": " + reason->second;
+      if (reason != recorded->mind().reasons.end() && !reason->second.empty())
+        view.sentence = tell::Say(tell::Situation::kWasSelected, {{"op", op}, {"why", reason->second}});
     }
-    view.sentence += ".";
   }
 }
 
@@ -364,7 +376,8 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
     text += ": " + (command.status.empty() ? std::string("under way") : command.status);
     if (!command.reason.empty()) text += " " + command.reason;
     below = &root.below.emplace_back(WhyNode{std::move(text), "command", "", {}});
-    if (!command.rule.empty()) below->below.push_back({"said by rule " + command.rule, "rule", command.rule, {}});
+    if (!command.rule.empty())
+      below->below.push_back({tell::Say(tell::Situation::kSaidBy, {{"rule", command.rule}}), "rule", command.rule, {}});
   }
   bool has_operator = false;
   for (const sim::StateFact& state : mind.stack) {

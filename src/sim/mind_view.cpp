@@ -173,6 +173,15 @@ bool MindView::HasFired(const std::string& rule) {
   return !(in >> count) || count > 0;
 }
 
+bool MindView::IsPending(const std::string& rule) {
+  for (const std::string& line : Lines(Ask("matches --assertions"))) {
+    std::istringstream in(line);
+    for (std::string word; in >> word;)
+      if (word == rule) return true;
+  }
+  return false;
+}
+
 std::vector<Preference> MindView::Preferences(const std::string& state, bool with_elements) {
   std::vector<Preference> found;
   std::string section;

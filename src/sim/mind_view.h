@@ -52,6 +52,8 @@ class MindView {
   RuleMatch Match(const std::string& rule);
   /// Whether it has fired since its agent was made; true where a kernel does not tell.
   bool HasFired(const std::string& rule);
+  /// Whether a match of it is yet to fire: the elaboration limit, or a break, came before.
+  bool IsPending(const std::string& rule);
   std::vector<Preference> Preferences(const std::string& state, bool with_elements = false);
   /// Values of an attribute anywhere in working memory.
   std::vector<std::string> ValuesOf(const std::string& attribute);

@@ -39,6 +39,23 @@ std::string NearMiss(const std::string& wanted, const std::vector<std::filesyste
   return std::string(Suggest(wanted, candidates));
 }
 
+/// "rule NAME: ..." apart.
+FailedRule Failed(const Diagnostic& problem) {
+  FailedRule failed;
+  failed.place = std::filesystem::path(problem.file).filename().string() + ":" + std::to_string(problem.line);
+  failed.problem = problem.message;
+  constexpr std::string_view kRule = "rule ";
+  if (!problem.message.starts_with(kRule)) return failed;
+  const std::size_t end = problem.message.find_first_of(" :", kRule.size());
+  if (end == std::string::npos) return failed;
+  failed.rule = problem.message.substr(kRule.size(), end - kRule.size());
+  failed.problem =
+      problem.message.substr(std::min(problem.message.find_first_not_of(" :", end), problem.message.size()));
+  constexpr std::string_view kNotClosed = "is not closed: ";
+  if (failed.problem.starts_with(kNotClosed)) failed.problem.erase(0, kNotClosed.size());
+  return failed;
+}
+
 void NoteRow(const script::TableField& field, std::set<std::string>& names) {
   names.insert(field.name);
   if (const auto* table = std::get_if<script::Table>(&field.value))
@@ -217,8 +234,7 @@ Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesy
     // Several errors may be one rule's: "rule NAME: ...".
     if (problem.severity == Severity::kError && is_first &&
         failed_rules.insert(problem.message.substr(0, problem.message.find(':'))).second)
-      failed_[rules].push_back(std::filesystem::path(problem.file).filename().string() + ":" +
-                               std::to_string(problem.line));
+      failed_[rules].push_back(Failed(problem));
     if (!reported_.insert(Format(problem)).second) continue;
     Event event;
     event.kind = EventKind::kDiagnostic;
@@ -501,9 +517,9 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
   report_(std::move(event));
 }
 
-std::vector<std::string> Minds::FailedIn(const std::filesystem::path& rules) const {
+std::vector<FailedRule> Minds::FailedIn(const std::filesystem::path& rules) const {
   const auto failed = failed_.find(rules);
-  return failed == failed_.end() ? std::vector<std::string>() : failed->second;
+  return failed == failed_.end() ? std::vector<FailedRule>() : failed->second;
 }
 
 std::set<std::string> Minds::KnownAttributes() {
@@ -539,7 +555,7 @@ Result<std::vector<std::string>> Minds::WhyTopic(std::string_view agent, const s
     return problem;
   }
   if (mind->gone) return std::vector<std::string>{"was halted: the minds of this world needed too much memory"};
-  return MindReasons(mind->soar.agent()).WhyTopic(topic, KnownAttributes());
+  return MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
 }
 
 std::vector<std::string> Minds::Why(std::string_view agent) {

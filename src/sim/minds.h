@@ -15,6 +15,7 @@
 #include "sim/agent_options.h"
 #include "sim/arena.h"
 #include "sim/event.h"
+#include "sim/failed_rule.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "sim/soar_mind.h"
@@ -151,7 +152,7 @@ class Minds final : public script::MindFactory {
   void TellWritten(Mind& mind, const world::Agent& body);
   /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.
   std::set<std::string> KnownAttributes();
-  std::vector<std::string> FailedIn(const std::filesystem::path& rules) const;
+  std::vector<FailedRule> FailedIn(const std::filesystem::path& rules) const;
   void Tell(EventKind kind, const world::Agent& body, std::string text);
   std::vector<Diagnostic> FindSlips(Mind& mind, const std::set<std::string>& rules);
 
@@ -185,8 +186,8 @@ class Minds final : public script::MindFactory {
   std::set<std::string> reported_;               ///< Problems told already: many agents share one file.
   bool has_new_rules_ = false;                   ///< Minds were made whose rules may still have slips to report.
   std::set<std::filesystem::path> looked_over_;  ///< Files of rules whose slips were reported.
-  /// Files of rules of which some did not load, and where those stand: "hero.soar:12".
-  std::map<std::filesystem::path, std::vector<std::string>> failed_;
+  /// Files of rules of which some did not load, and why.
+  std::map<std::filesystem::path, std::vector<FailedRule>> failed_;
 };
 
 /// A script's table as percepts, and parameters as a script's table.

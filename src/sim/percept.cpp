@@ -34,7 +34,10 @@ std::string Describe(const PerceptList& list) {
   std::string text;
   for (const Percept& percept : list) {
     if (!text.empty()) text += ' ';
-    text += "^" + percept.attribute + " " + DescribeValue(percept);
+    std::string value = DescribeValue(percept);
+    // What would look like another attribute stands between bars.
+    if (percept.Text() != nullptr && value.find(" ^") != std::string::npos) value = "|" + value + "|";
+    text += "^" + percept.attribute + " " + value;
   }
   return text;
 }

@@ -8,9 +8,13 @@
 #include <optional>
 
 #include "diagnostics/diagnostic.h"
+#include "sim/inspector.h"
+#include "sim/rule_makers.h"
 #include "sim/rule_slips.h"
 #include "sim/rule_text.h"
 #include "sim/vocabulary.h"
+#include "tell/decision_text.h"
+#include "tell/sentences.h"
 
 namespace soarbox::sim {
 namespace {
@@ -18,6 +22,11 @@ namespace {
 constexpr std::size_t kMostRulesAsked = 60;
 constexpr std::size_t kMostRulesTold = 3;
 constexpr std::size_t kMostValuesShown = 4;
+constexpr std::size_t kLongestCircle = 6;
+
+using tell::Listed;
+using tell::Say;
+using tell::Situation;
 
 /// Kernels print six decimals.
 std::string WithoutZeros(std::string number) {
@@ -34,50 +43,6 @@ std::string List(const std::vector<std::string>& words) {
     text += (i == 0 ? "" : ", ") + WithoutZeros(words[i]);
   if (words.size() > kMostValuesShown) text += " and " + std::to_string(words.size() - kMostValuesShown) + " more";
   return text;
-}
-
-/// The same place, said from the top state on.
-std::vector<std::string> FromTop(const std::vector<std::string>& path) {
-  const auto begin =
-      std::find_if(path.begin(), path.end(), [](const std::string& step) { return step != "superstate"; });
-  return {begin, path.end()};
-}
-
-std::optional<double> NumberIn(const std::string& word) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (word.empty() || error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return number;
-}
-
-/// Whether a value of an action may pass a test: what is no constant may.
-bool MayPass(const std::string& made, const std::string& test) {
-  if (made.empty() || made.find_first_of("<({") != std::string::npos || test.empty()) return true;
-  const std::size_t blank = test.find(' ');
-  const std::string relation = blank == std::string::npos ? "" : test.substr(0, blank);
-  const std::string with = blank == std::string::npos ? test : test.substr(blank + 1);
-  if (with.find_first_of(" <>{}^") != std::string::npos) return true;
-  if (relation == "<>") return made != with;
-  if (relation.empty()) return made == with;
-  const std::optional<double> a = NumberIn(made), b = NumberIn(with);
-  if (!a || !b) return false;
-  return relation == "<"    ? *a < *b
-         : relation == "<=" ? *a <= *b
-         : relation == ">"  ? *a > *b
-         : relation == ">=" ? *a >= *b
-                            : true;
-}
-
-/// Whether a rule itself waits for what lies at this path: it cannot be what makes it.
-bool Needs(const RuleText& rule, const std::vector<std::string>& path, const std::string& value) {
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
-  return std::any_of(rule.conditions.begin(), rule.conditions.end(), [&](const RuleAttribute& condition) {
-    const auto at = paths.find(condition.id);
-    if (at == paths.end() || condition.negated || condition.attribute != path.back()) return false;
-    std::vector<std::string> tested = at->second;
-    tested.push_back(condition.attribute);
-    return FromTop(tested) == path && (condition.value == value || IsVariable(FirstWord(condition.value)));
-  });
 }
 
 /// The row of a percept that lies at this path from the state on; null if none does.
@@ -100,49 +65,91 @@ std::string SuggestAttribute(std::string_view attribute, const std::set<std::str
   return near.empty() ? std::string() : "did you mean ^" + std::string(near) + "?";
 }
 
-bool IsForSubstate(const RuleText& rule) {
-  return std::any_of(rule.conditions.begin(), rule.conditions.end(), [](const RuleAttribute& condition) {
-    return condition.attribute == "superstate" && !condition.negated && condition.value != "nil";
-  });
-}
-
-const RuleText* MindReasons::MakerOf(const RuleText& rule, const ConditionText& condition) {
-  const std::vector<std::string> wanted = FromTop(condition.path);
+MindReasons::Makers MindReasons::MakersOf(const RuleText& rule, const ConditionText& condition) {
+  Makers makers;
+  makers.is_known = StillFailed().empty();
   for (const RuleText& maker : rules()) {
-    if (maker.name == rule.name || Needs(maker, wanted, condition.value)) continue;
-    const std::map<std::string, std::vector<std::string>> paths = VariablePaths(maker);
-    for (const RuleAttribute& action : maker.actions) {
-      if (action.attribute != condition.path.back() || action.value.ends_with("-")) continue;
-      if (!MayPass(FirstWord(action.value), condition.value)) continue;
-      if (const auto at = paths.find(action.id); at != paths.end()) {
-        std::vector<std::string> made = at->second;
-        made.push_back(action.attribute);
-        if (FromTop(made) != wanted) continue;
-      } else if (wanted.size() < 2) {
-        continue;  // Below something new: not directly on a state.
-      }
-      return &maker;
+    const Makes makes = WhetherMakes(maker, rule, condition);
+    makers.is_known &= !MakesAnyAttribute(maker);
+    if (makes != Makes::kNo) makers.all.push_back(&maker);
+    if (makers.other == nullptr) {
+      makers.other_value = OtherValueBy(maker, rule, condition);
+      if (!makers.other_value.empty()) makers.other = &maker;
     }
+    // One that waits for the same cannot be what makes it first.
+    if (maker.name == rule.name || WaitsForTheSame(maker, condition)) continue;
+    if (makes == Makes::kYes && makers.sure == nullptr) makers.sure = &maker;
+    if (makes == Makes::kMaybe && makers.maybe == nullptr) makers.maybe = &maker;
   }
-  return nullptr;
+  return makers;
 }
 
-std::string MindReasons::MadeBy(const RuleText& maker) {
-  std::string text = "; rule " + maker.name + " makes it";
-  bool is_first = true;
-  for (const std::string& name : maker.applies) {
-    if (name.empty()) continue;
-    text += (is_first ? " when it applies " : " or ") + name;
-    is_first = false;
+std::optional<ConditionText> MindReasons::WaitOf(const RuleText& rule) {
+  const RuleMatch match = view_.Match(rule.name);
+  if (match.failing.empty() || match.is_group) return std::nullopt;
+  const std::vector<ConditionText> waits = ReadCondition(rule, match.failing);
+  if (waits.empty() || waits.front().negated || waits.front().path.empty()) return std::nullopt;
+  const std::vector<std::string> path = FromTop(waits.front().path);
+  if (path.empty() || path.front() == "io" || IsArchitectureAttribute(path.front())) return std::nullopt;
+  return waits.front();
+}
+
+std::vector<MindReasons::Wait> MindReasons::CircleFrom(const RuleText& rule, const ConditionText& condition) {
+  std::vector<Wait> waits = {{&rule, condition}};
+  while (waits.size() < kLongestCircle) {
+    const Wait& last = waits.back();
+    const std::vector<std::string>& path = last.condition.path;
+    // Over states and architecture others lead, too.
+    if (path.front() == "superstate" || path.front() == "io" || IsArchitectureAttribute(path.front())) return {};
+    const Makers makers = MakersOf(*last.rule, last.condition);
+    if (!makers.is_known || makers.all.size() != 1 || !view_.ValuesAt(StateOf(*last.rule), path).empty()) return {};
+    const RuleText& maker = *makers.all.front();
+    const std::optional<ConditionText> next = WaitOf(maker);
+    if (!next) return {};
+    const auto again = std::ranges::find_if(waits, [&](const Wait& wait) {
+      return wait.condition.path == next->path && wait.condition.value == next->value;
+    });
+    const auto begin = again - waits.begin();
+    const bool is_closed = again != waits.end();
+    waits.push_back({&maker, *next});
+    // One that this wait only leads to is the next rule's to tell.
+    if (is_closed && next->path != condition.path) return {};
+    if (is_closed) return {waits.begin() + begin, waits.end()};
   }
+  return {};
+}
+
+std::string MindReasons::Applying(const RuleText& maker) {
+  std::string operators;
+  for (const std::string& name : maker.applies)
+    if (!name.empty()) operators += (operators.empty() ? "" : " or ") + name;
+  return operators.empty() ? "" : Say(Situation::kWhenItApplies, {{"operators", operators}});
+}
+
+std::vector<FailedRule> MindReasons::StillFailed() {
+  std::vector<FailedRule> failed = failed_;
+  // An edit may have brought a good version meanwhile.
+  std::erase_if(failed, [&](const FailedRule& one) { return view_.FindRule(one.rule) != nullptr; });
+  return failed;
+}
+
+std::string MindReasons::WhatFailed() {
+  const std::vector<FailedRule> failed = StillFailed();
+  std::string text;
+  for (std::size_t i = 0; i < failed.size() && i < kMostRulesTold; ++i) {
+    const FailedRule& one = failed[i];
+    text += (text.empty() ? "" : "; ") +
+            (one.rule.empty()
+                 ? Say(Situation::kErrorIn, {{"place", one.place}, {"problem", one.problem}})
+                 : Say(Situation::kNotParsed, {{"rule", one.rule}, {"place", one.place}, {"problem", one.problem}}));
+  }
+  if (failed.size() > kMostRulesTold)
+    text += "; " + Say(Situation::kMoreNotLoaded, {{"count", std::to_string(failed.size() - kMostRulesTold)}});
   return text;
 }
 
-std::string MindReasons::WhatFailed() const {
-  if (failed_.empty()) return {};
-  return (failed_.size() == 1 ? "a rule did not load: fix "
-                              : std::to_string(failed_.size()) + " rules did not load: fix ") +
-         List(failed_) + " first";
+mind::Decision MindReasons::DecisionOf(const std::string& state) {
+  return MakeInspector(agent_)->Operators(state).decision.value_or(mind::Decision());
 }
 
 std::string MindReasons::StateOf(const RuleText& rule) {
@@ -158,6 +165,7 @@ std::string MindReasons::StateOf(const RuleText& rule) {
 std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
   std::set<std::string> known = given;
   for (const RuleText& rule : rules()) {
+    if (MakesAnyAttribute(rule)) return {};  // Nobody knows what it makes before it does.
     for (const RuleAttribute& action : rule.actions) known.insert(action.attribute);
   }
   std::vector<std::string> found;
@@ -170,51 +178,123 @@ std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::st
       if (known.contains(attribute) || condition.negated || !told.insert(attribute).second) continue;
       if (!view_.ValuesOf(attribute).empty()) continue;
       const std::string hint = SuggestAttribute(attribute, known);
-      found.push_back("rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule makes" +
+      found.push_back(Say(Situation::kUnwritten, {{"rule", rule.name}, {"attribute", attribute}}) +
                       (hint.empty() ? "" : ": " + hint));
     }
   }
   return found;
 }
 
+std::string MindReasons::ExplainSelected(const RuleText& rule, const ConditionText& condition) {
+  const std::vector<std::string> path = FromTop(condition.path);
+  const std::vector<std::string> above(condition.path.begin(),
+                                       condition.path.end() - static_cast<std::ptrdiff_t>(path.size()));
+  const std::vector<std::string> states = view_.ValuesAt(StateOf(rule), above);
+  if (states.empty()) return {};
+  const StackEntry* selected = nullptr;
+  const std::vector<StackEntry> stack = view_.Stack();
+  for (std::size_t i = 0; i + 1 < stack.size(); ++i)
+    if (stack[i].is_state && stack[i].id == states.front() && !stack[i + 1].is_state) selected = &stack[i + 1];
+  const bool asks_for_name = path.size() == 2 && path.back() == "name";
+  const bool is_name =
+      asks_for_name && !condition.value.empty() && condition.value.find_first_of(" <>{}") == std::string::npos;
+  std::string who_proposes;
+  if (is_name && StillFailed().empty()) {
+    const auto proposes = [&](const RuleText& other) { return other.proposes.contains(condition.value); };
+    const auto proposer = std::ranges::find_if(rules(), proposes);
+    if (proposer != rules().end()) {
+      who_proposes = Say(Situation::kRuleProposes, {{"rule", proposer->name}, {"name", condition.value}});
+    } else if (std::ranges::none_of(rules(), [](const RuleText& other) { return other.proposes.contains(""); })) {
+      who_proposes = Say(Situation::kNoRuleProposes, {{"name", condition.value}});
+    }
+  }
+  if (selected == nullptr) return Say(Situation::kNoOperatorSelected, {{"state", states.front()}}) + who_proposes;
+  if (asks_for_name && selected->about != condition.value)
+    return Say(Situation::kOtherOperator,
+               {{"state", states.front()}, {"op", selected->about + " (" + selected->id + ")"}}) +
+           who_proposes;
+  return {};
+}
+
 std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionText& condition,
                                         const std::set<std::string>& known) {
   const std::string& attribute = condition.path.back();
-  std::string text = "there is none now";
-  const bool is_percept = !FromTop(condition.path).empty() && FromTop(condition.path).front() == "io";
-  if (const RuleText* maker = is_percept ? nullptr : MakerOf(rule, condition)) return text + MadeBy(*maker);
-  if (const PerceptRow* row = RowAt(condition.path)) return text + " (" + std::string(row->meaning) + ")";
-  if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return text;
+  const std::vector<std::string> path = FromTop(condition.path);
+  const bool is_percept = !path.empty() && path.front() == "io";
+  if (!is_percept) {
+    if (const std::vector<Wait> circle = CircleFrom(rule, condition); !circle.empty()) {
+      std::vector<std::string> attributes, makers;
+      for (std::size_t i = 0; i + 1 < circle.size(); ++i) {
+        const std::string& made = circle[i].condition.path.back();
+        attributes.push_back("^" + made);
+        makers.push_back(Say(Situation::kOnlyCreates, {{"rule", circle[i + 1].rule->name},
+                                                       {"attribute", made},
+                                                       {"tested", circle[i + 1].condition.path.back()}}));
+      }
+      std::string who;
+      for (const std::string& maker : makers) who += (who.empty() ? "" : "; ") + maker;
+      return attributes.size() == 1
+                 ? Say(Situation::kWaitForItself,
+                       {{"attribute", circle.front().condition.path.back()}, {"makers", who}})
+                 : Say(Situation::kWaitForEachOther, {{"attributes", Listed(attributes)}, {"makers", who}});
+    }
+    const Makers makers = MakersOf(rule, condition);
+    if (makers.sure != nullptr)
+      return Say(Situation::kNoneNowMadeBy, {{"maker", makers.sure->name}, {"applying", Applying(*makers.sure)}});
+    if (makers.maybe != nullptr)
+      return Say(Situation::kNoneNowMaybeBy, {{"maker", makers.maybe->name}, {"applying", Applying(*makers.maybe)}});
+    if (makers.all.empty() && makers.is_known && !IsArchitectureAttribute(path.front()) && known.contains(attribute)) {
+      std::string text = Say(Situation::kNoRuleMakes);
+      if (makers.other != nullptr)
+        text += Say(Situation::kMakesOther,
+                    {{"maker", makers.other->name}, {"attribute", attribute}, {"value", makers.other_value}});
+      return text;
+    }
+  }
+  if (const PerceptRow* row = RowAt(condition.path))
+    return Say(Situation::kNoneNowPercept, {{"meaning", row->meaning}});
+  if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return Say(Situation::kNoneNow);
   if (const std::string places = PlacesOfPercept(attribute); !places.empty())
-    return "no percept is there: it is " + places;
+    return Say(Situation::kWrongPlace, {{"places", places}});
+  // A rule that did not load may make it, or one whose attributes only a firing names.
+  if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute)) {
+    const std::string failed = WhatFailed();
+    return Say(Situation::kNoneNow) + (failed.empty() ? "" : "; " + failed);
+  }
   const std::string hint = SuggestAttribute(attribute, known);
-  return "no percept and no rule makes it" + (hint.empty() ? "" : ": " + hint);
+  return Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint);
 }
 
 std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::string>& known) {
   const RuleMatch match = view_.Match(rule.name);
   if (match.failing.empty()) return {};
-  std::string text = "rule " + rule.name + " requires ";
   const std::vector<ConditionText> conditions = ReadCondition(rule, match.failing);
-  if (conditions.empty()) return text + match.failing;
+  if (conditions.empty()) return Say(Situation::kRuleWaitsFor, {{"rule", rule.name}, {"condition", match.failing}});
   const ConditionText& first = conditions.front();
+  const auto waits = [&](const std::string& found) {
+    return Say(Situation::kRuleWaits, {{"rule", rule.name}, {"condition", first.Text()}, {"found", found}});
+  };
+  if (!match.is_group && AsksForSelected(rule, first)) {
+    if (const std::string selected = ExplainSelected(rule, first); !selected.empty()) return waits(selected);
+  }
   const std::vector<std::string> values = view_.ValuesAt(StateOf(rule), first.path);
   std::vector<std::string> shown;
   for (const std::string& value : values)
     if (!IsIdentifier(value)) shown.push_back(value);
 
   if (match.is_group || first.negated) {
-    text += "no ";
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
-      ConditionText each = conditions[i];
+    std::string excluded;
+    for (ConditionText each : conditions) {
       each.negated = false;
-      text += (i == 0 ? "" : " with ") + each.Text();
+      excluded += (excluded.empty() ? "" : " with ") + each.Text();
     }
-    if (shown.empty() || match.is_group) return text + ", but there is one";
-    return text + ", but ^" + first.path.back() + " " + List(shown) + (shown.size() == 1 ? " exists" : " exist");
+    const std::string found = shown.empty() || match.is_group
+                                  ? Say(Situation::kOneExists)
+                                  : Say(shown.size() == 1 ? Situation::kValueExists : Situation::kValuesExist,
+                                        {{"attribute", first.path.back()}, {"values", List(shown)}});
+    return Say(Situation::kRuleExcluded, {{"rule", rule.name}, {"condition", excluded}, {"found", found}});
   }
-  text += first.Text() + ", but ";
-  if (values.empty()) return text + ExplainAbsence(rule, first, known);
+  if (values.empty()) return waits(ExplainAbsence(rule, first, known));
   std::string bound;
   for (const std::vector<std::string>& path : first.compared) {
     std::vector<std::string> others;
@@ -227,20 +307,21 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
   }
   const std::size_t others = values.size() - shown.size();
   if (shown.empty())
-    return text +
-           (others == 1 ? "the one that is there" : "none of the " + std::to_string(others) + " that are there") +
-           (others == 1 ? " does not fit the conditions before it" : " fits the conditions before it");
+    return waits(others == 1 ? Say(Situation::kOneDoesNotFit)
+                             : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}));
   // It is there, but elsewhere: another waypoint than the one that the conditions before it are about.
-  if (std::find(shown.begin(), shown.end(), first.value) != shown.end())
-    return text + "the one that has it does not fit the rule's other conditions";
-  text += "it is " + List(shown) + bound;
+  if (std::find(shown.begin(), shown.end(), first.value) != shown.end()) return waits(Say(Situation::kElsewhere));
+  std::string found = Say(Situation::kOtherValue, {{"values", List(shown)}}) + bound;
   const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
-  if (words.empty() || RowAt(first.path) == nullptr || first.value.find_first_of(" <>{}") != std::string::npos)
-    return text;
-  if (std::find(words.begin(), words.end(), first.value) != words.end()) return text;
-  text += "; it is never " + first.value + ", only";
-  for (const std::string_view word : words) text += " " + std::string(word);
-  return text;
+  const bool is_word = !words.empty() && RowAt(first.path) != nullptr &&
+                       first.value.find_first_of(" <>{}") == std::string::npos &&
+                       std::find(words.begin(), words.end(), first.value) == words.end();
+  if (is_word) {
+    std::string all;
+    for (const std::string_view word : words) all.append(all.empty() ? "" : " ").append(word);
+    found += Say(Situation::kOnlyWords, {{"value", first.value}, {"words", all}});
+  }
+  return waits(found);
 }
 
 std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const std::set<std::string>& known) {
@@ -270,42 +351,82 @@ std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const 
   for (std::size_t i = 0; i < found.size() && i < kMostRulesTold; ++i) {
     tell(*found[i].rule);
     // What it waits for may be another rule's to make: then that one is why.
-    const RuleMatch match = view_.Match(found[i].rule->name);
-    const std::vector<ConditionText> waits = ReadCondition(*found[i].rule, match.failing);
-    if (waits.empty() || waits.front().negated || match.is_group || waits.front().path.front() == "io") continue;
-    const RuleText* maker = MakerOf(*found[i].rule, waits.front());
+    const std::optional<ConditionText> wait = WaitOf(*found[i].rule);
+    if (!wait || wait->path.front() == "operator" || !CircleFrom(*found[i].rule, *wait).empty()) continue;
+    const Makers makers = MakersOf(*found[i].rule, *wait);
     // One that applies an operator waits for just that: no operator is what all this is about.
-    if (maker != nullptr && waits.front().path.back() != "operator" && maker->applies.empty()) tell(*maker);
+    if (makers.sure != nullptr && makers.sure->applies.empty()) tell(*makers.sure);
   }
   return texts;
 }
 
-std::vector<std::string> MindReasons::ExplainTie(const std::string& state) {
-  std::vector<std::string> names, lines;
-  std::set<std::string> operators;
-  for (const Preference& preference : view_.Preferences(state)) {
-    if (preference.section != "acceptable" || !operators.insert(preference.operator_id).second) continue;
-    if (std::find(names.begin(), names.end(), preference.name) == names.end()) names.push_back(preference.name);
-    if (lines.size() < kMostValuesShown)
-      lines.push_back(view_.DescribeOperator(preference.operator_id) + " is proposed by rule " + preference.rule);
+std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const std::string& below) {
+  // The candidates that are left are the items of the impasse; others may be proposed, and dropped.
+  const std::vector<std::string> items = view_.ValuesAt(below, {"item"});
+  std::vector<Preference> proposals;
+  for (Preference& preference : view_.Preferences(state)) {
+    const std::string& op = preference.operator_id;
+    if (preference.section != "acceptable") continue;
+    if (!items.empty() && std::ranges::find(items, op) == items.end()) continue;
+    if (std::ranges::find(proposals, op, &Preference::operator_id) == proposals.end())
+      proposals.push_back(std::move(preference));
   }
-  const bool same = names.size() == 1;
+  // "O2" before "O10".
+  std::ranges::sort(proposals, {}, [](const Preference& proposal) {
+    return std::pair(proposal.operator_id.size(), proposal.operator_id);
+  });
+  std::vector<std::string> names, lines;
+  for (const Preference& proposal : proposals) {
+    if (std::ranges::find(names, proposal.name) == names.end()) names.push_back(proposal.name);
+    if (lines.size() < kMostValuesShown && !proposal.rule.empty())
+      lines.push_back(Say(Situation::kIsProposedBy,
+                          {{"op", view_.DescribeOperator(proposal.operator_id)}, {"rule", proposal.rule}}));
+  }
+  const std::string among =
+      names.size() == 1
+          ? Say(Situation::kTieAlike, {{"count", std::to_string(proposals.size())}, {"name", names.front()}})
+          : Listed(names);
   lines.insert(lines.begin(),
-               "operator tie in " + state + ": no preference decides between " +
-                   (same ? std::to_string(operators.size()) + " " + names.front() + " operators" : List(names)));
-  lines.emplace_back(
-      "if it does not matter which, add = where they are proposed: (<s> ^operator <o> + =); if one is better, a rule "
-      "that says so: (<s> ^operator <better> > <other>)");
+               Say(Situation::kTieIn, {{"state", state}, {"why", Say(Situation::kTie, {{"operators", among}})}}));
+  lines.push_back(Say(Situation::kTieAdvice));
   return lines;
 }
 
-std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, const std::string& about) {
-  std::vector<std::string> lines = {about + " in " + state + ": preferences contradict each other"};
+std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, const StackEntry& below) {
+  const bool is_conflict = below.about == "operator conflict";
+  const Situation situation = is_conflict ? Situation::kConflictIn : Situation::kConstraintFailureIn;
+  mind::Decision decision = DecisionOf(state);
+  decision.selected = mind::Decision::kNoOperator;
+  if (const std::string why = tell::WhyNothing(decision); !why.empty() && decision.impasse != mind::Impasse::kNone)
+    return {Say(situation, {{"state", state}, {"why", why}})};
+  // Of another kernel the preferences of that kind among the candidates.
+  const std::vector<std::string> items = view_.ValuesAt(below.id, {"item"});
+  std::string said;
   for (const Preference& preference : view_.Preferences(state)) {
-    if (preference.section == "acceptable" || lines.size() > kMostValuesShown) continue;
-    lines.push_back("rule " + preference.rule + " says " + preference.text);
+    const std::string& kind = preference.section;
+    const bool may_be_why = is_conflict ? kind == "better" || kind == "worse" : kind == "require" || kind == "prohibit";
+    if (!may_be_why || std::ranges::find(items, preference.operator_id) == items.end()) continue;
+    said += (said.empty() ? "" : "; ") + ("rule " + preference.rule + " says " + preference.text);
   }
-  return lines;
+  return {Say(situation, {{"state", state}, {"why", said}})};
+}
+
+std::string MindReasons::WhyAllDropped(const std::string& state) {
+  if (state.empty()) return {};
+  const mind::Decision decision = DecisionOf(state);
+  if (!decision.empty()) return tell::WhyNothing(decision);
+  // Another kernel does not say who dropped whom: its preferences against operators, if there are proposals.
+  std::string against;
+  bool is_proposed = false;
+  for (const Preference& preference : view_.Preferences(state)) {
+    is_proposed |= preference.section == "acceptable";
+    if (preference.section != "reject" && preference.section != "prohibit") continue;
+    against +=
+        (against.empty() ? "" : "; ") +
+        Say(preference.section == "reject" ? Situation::kRejects : Situation::kProhibits,
+            {{"maker", "rule " + preference.rule}, {"op", preference.name + " (" + preference.operator_id + ")"}});
+  }
+  return is_proposed && !against.empty() ? Say(Situation::kAllDropped, {{"why", against}}) : std::string();
 }
 
 std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
@@ -313,42 +434,53 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
   const std::string& name = selected.about;
   RuleList candidates, below;
   const RuleText* applied_by = nullptr;
+  const RuleText* pending = nullptr;
   bool says = false;
   for (const RuleText& rule : rules()) {
     if (IsForSubstate(rule) && !rule.proposes.empty()) below.push_back(&rule);
-    if (!rule.applies.contains(name)) continue;
-    candidates.push_back(&rule);
-    if (!view_.Match(rule.name).failing.empty() || !view_.HasFired(rule.name)) continue;
+    // A rule that only describes the operator does not apply it; one that names none applies any.
+    if (!(rule.applies.contains(name) || rule.applies.contains("")) || !Changes(rule)) continue;
+    if (rule.applies.contains(name)) candidates.push_back(&rule);
+    if (!view_.Match(rule.name).failing.empty()) continue;
+    if (view_.IsPending(rule.name)) {
+      pending = &rule;
+      continue;
+    }
+    if (!view_.HasFired(rule.name)) continue;
     says |= !rule.says.empty();
     if (applied_by == nullptr) applied_by = &rule;
   }
   std::vector<std::string> reasons;
-  if (applied_by != nullptr) {
+  const std::initializer_list<tell::Slot> op = {{"op", name}, {"state", state}};
+  if (pending != nullptr) {
+    reasons.push_back(Say(Situation::kNotFiredYet, {{"op", name}, {"state", state}, {"rule", pending->name}}));
+  } else if (applied_by != nullptr) {
     reasons.push_back(
-        "operator " + name + " has been applied (rule " + applied_by->name +
-        (says ? ")" : "), which said no command,") +
-        " and stays selected: its proposal still lasts, and an operator is applied once; let the proposal test "
-        "that something is left to do");
-  } else if (std::any_of(candidates.begin(), candidates.end(),
-                         [&](const RuleText* rule) { return view_.Match(rule->name).failing.empty(); })) {
-    reasons.push_back("operator " + name + " is selected in " + state +
-                      ", and the rule that applies it has not fired yet");
+        Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", name}, {"rule", applied_by->name}}));
   } else if (!candidates.empty()) {
-    reasons.push_back("operator " + name + " is selected in " + state + " and no rule that applies it matches");
+    reasons.push_back(Say(Situation::kNoApplierMatches, op));
     for (std::string& near : Nearest(candidates, known)) reasons.push_back(std::move(near));
+    if (std::string failed = WhatFailed(); !failed.empty()) reasons.push_back(std::move(failed));
   } else if (is_below && !below.empty()) {
-    reasons.push_back("operator " + name + " is selected in " + state +
-                      ", and in the state below it no operator is proposed");
+    const std::vector<StackEntry> stack = view_.Stack();
+    const auto at = std::ranges::find(stack, selected.id, &StackEntry::id);
+    const std::string substate = at == stack.end() || at + 1 == stack.end() ? "" : (at + 1)->id;
+    if (const std::string why = WhyAllDropped(substate); !why.empty())
+      return {Say(Situation::kDroppedIn, {{"state", substate}, {"why", why}})};
+    reasons.push_back(Say(Situation::kNothingBelow, op));
     for (std::string& near : Nearest(below, known)) reasons.push_back(std::move(near));
   } else {
-    reasons.push_back("operator " + name + " is selected in " + state +
-                      " and no rule applies it: " + (failed_.empty() ? HowToApply(rules(), name) : WhatFailed()));
+    std::string failed = WhatFailed();
+    reasons.push_back(
+        Say(Situation::kNoApplier,
+            {{"op", name}, {"state", state}, {"advice", failed.empty() ? HowToApply(rules(), name) : failed}}));
   }
   return reasons;
 }
 
 std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known) {
-  if (rules().empty()) return {"it has no rules" + (failed_.empty() ? "" : ": " + WhatFailed())};
+  const std::string failed = WhatFailed();
+  if (rules().empty()) return {Say(Situation::kNoRules) + (failed.empty() ? "" : ": " + failed)};
   std::vector<std::string> reasons;
   const std::vector<StackEntry> stack = view_.Stack();
   const StackEntry* selected = nullptr;
@@ -362,18 +494,21 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
       continue;
     }
     if (entry.about == "operator tie") {
-      reasons = ExplainTie(state);
+      reasons = ExplainTie(state, entry.id);
     } else if (entry.about == "operator conflict" || entry.about == "operator constraint-failure") {
-      reasons = ExplainConflict(state, entry.about);
+      reasons = ExplainConflict(state, entry);
     }
-    is_below = entry.about == "operator no-change";
-    if (!is_below) selected = nullptr;
+    // A state below one in which nothing happens says nothing new.
+    if (entry.about != "state no-change" || selected == nullptr) {
+      is_below = entry.about == "operator no-change";
+      if (!is_below) selected = nullptr;
+    }
     state = entry.id;
   }
   if (!reasons.empty() && selected == nullptr) return reasons;
 
   // What rules that did not load would make is not known.
-  if (failed_.empty()) reasons = UnwrittenAttributes(known);
+  if (failed.empty()) reasons = UnwrittenAttributes(known);
   if (reasons.size() > kMostRulesTold) reasons.resize(kMostRulesTold);
   const auto add = [&reasons](std::vector<std::string> more) {
     for (std::string& reason : more) {
@@ -394,21 +529,36 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
   for (const RuleText& rule : rules())
     if (!rule.proposes.empty() && (in_substate || !IsForSubstate(rule))) candidates.push_back(&rule);
   if (candidates.empty()) {
-    reasons.push_back("no rule proposes an operator: " +
-                      (failed_.empty() ? "write one with (<s> ^operator <o> +)" : WhatFailed()));
+    reasons.push_back(
+        Say(Situation::kNoProposer, {{"advice", failed.empty() ? Say(Situation::kWriteProposer) : failed}}));
     return reasons;
   }
-  reasons.push_back("no operator is proposed in " + state);
+  // States below that say nothing new: the first of them is where something is missing.
+  std::vector<std::string> alike;
+  for (const StackEntry& entry : stack) {
+    if (entry.about != "state no-change") alike.clear();
+    if (entry.is_state) alike.push_back(entry.id);
+  }
+  if (std::string why = WhyAllDropped(alike.empty() ? state : alike.front()); !why.empty()) {
+    reasons.push_back(Say(Situation::kDroppedIn, {{"state", alike.empty() ? state : alike.front()}, {"why", why}}));
+    return reasons;
+  }
+  const bool grows = alike.size() > 2;
+  reasons.push_back(
+      grows ? Say(Situation::kStackGrows, {{"state", alike.front()}, {"first", alike[1]}, {"last", alike.back()}})
+            : Say(Situation::kNoneProposed, {{"state", state}}));
   add(Nearest(candidates, known));
+  if (!failed.empty()) reasons.push_back(failed);
   return reasons;
 }
 
 std::string MindReasons::WhyHalted() {
   std::vector<std::string> callers;
   for (const RuleText& rule : rules())
-    if (rule.calls.contains("halt")) callers.push_back(rule.name);
+    if (rule.calls.contains("halt") && view_.HasFired(rule.name)) callers.push_back(rule.name);
   if (callers.empty()) return {};
-  return (callers.size() == 1 ? "rule " : "one of the rules ") + List(callers) + " calls (halt)";
+  return callers.size() == 1 ? Say(Situation::kHaltedBy, {{"rule", callers.front()}})
+                             : Say(Situation::kHaltedByOneOf, {{"rules", List(callers)}});
 }
 
 }  // namespace soarbox::sim

@@ -6,6 +6,8 @@
 
 #include "diagnostics/diagnostic.h"
 #include "sim/reasons.h"
+#include "sim/rule_makers.h"
+#include "tell/sentences.h"
 
 namespace soarbox::sim {
 namespace {
@@ -31,14 +33,13 @@ void MindReasons::TellRule(const RuleText& rule, int depth, Tree& tree) {
   const std::string why = ExplainRule(rule, tree.known);
   if (why.empty()) return tree.Add(depth, "rule " + rule.name + ": all its conditions hold now");
   tree.Add(depth, why);
-  const RuleMatch match = view_.Match(rule.name);
-  const std::vector<ConditionText> waits = ReadCondition(rule, match.failing);
-  if (waits.empty() || waits.front().negated || match.is_group || waits.front().path.front() == "io") return;
-  if (waits.front().path.front() == "operator") {
+  const std::vector<ConditionText> waits = ReadCondition(rule, view_.Match(rule.name).failing);
+  if (!waits.empty() && AsksForSelected(rule, waits.front())) {
     for (const std::string& name : rule.applies)
       if (!name.empty()) TellOperator(name, depth + 1, tree);
-  } else if (const RuleText* maker = MakerOf(rule, waits.front())) {
-    TellRule(*maker, depth + 1, tree);
+  } else if (const std::optional<ConditionText> wait = WaitOf(rule); wait && CircleFrom(rule, *wait).empty()) {
+    const Makers makers = MakersOf(rule, *wait);
+    if (const RuleText* maker = makers.sure != nullptr ? makers.sure : makers.maybe) TellRule(*maker, depth + 1, tree);
   }
 }
 
@@ -79,7 +80,10 @@ void MindReasons::TellOperator(const std::string& name, int depth, Tree& tree) {
   RuleList proposers;
   for (const RuleText& rule : rules())
     if (rule.proposes.contains(name) || rule.proposes.contains("")) proposers.push_back(&rule);
-  if (proposers.empty()) tree.Add(depth + 1, "no rule proposes it");
+  const std::string failed = WhatFailed();
+  if (proposers.empty())
+    tree.Add(depth + 1, failed.empty() ? "no rule proposes it" : "no rule that loaded proposes it");
+  if (!failed.empty()) tree.Add(depth + 1, failed);
   for (std::size_t i = 0; i < proposers.size() && i < 5; ++i) TellRule(*proposers[i], depth + 1, tree);
 }
 
@@ -110,9 +114,13 @@ Result<std::vector<std::string>> MindReasons::WhyTopic(const std::string& topic,
   if (is_command) TellCommand(topic, tree);
   if (is_operator) TellOperator(topic, 1, tree);
   if (const RuleText* rule = view_.FindRule(topic)) TellRule(*rule, 1, tree);
+  const std::vector<FailedRule> failed = StillFailed();
+  if (std::ranges::find(failed, topic, &FailedRule::rule) != failed.end()) tree.Add(1, WhatFailed());
   if (!tree.lines.empty()) return std::move(tree.lines);
   Diagnostic problem;
-  problem.message = "no rule says or proposes '" + topic + "', and none is called so";
+  problem.message =
+      failed.empty() ? "no rule says or proposes '" + topic + "', and none is called so"
+                     : "no rule that loaded says or proposes '" + topic + "', and none is called so; " + WhatFailed();
   const std::string_view near = Suggest(topic, names);
   problem.hint = near.empty() ? "name a command, an operator or a rule" : "did you mean " + std::string(near) + "?";
   return problem;
@@ -120,8 +128,12 @@ Result<std::vector<std::string>> MindReasons::WhyTopic(const std::string& topic,
 
 std::vector<std::string> MindReasons::OperatorTree(const std::string& command) {
   std::vector<std::string> lines;
+  std::vector<std::string> speakers;
   for (const RuleText& rule : rules())
-    if (!command.empty() && rule.says.contains(command)) lines.push_back("  said by rule " + rule.name);
+    if (!command.empty() && rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
+  if (speakers.size() == 1) lines.push_back("  " + tell::Say(tell::Situation::kSaidBy, {{"rule", speakers.front()}}));
+  if (speakers.size() > 1)
+    lines.push_back("  " + tell::Say(tell::Situation::kSaidByOneOf, {{"rules", tell::Listed(speakers)}}));
   const std::vector<StackEntry> stack = view_.Stack();
   const auto selected =
       std::find_if(stack.begin(), stack.end(), [](const StackEntry& entry) { return !entry.is_state; });

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "tell/sentences.h"
+
 namespace soarbox::tell {
 namespace {
 
@@ -21,14 +23,6 @@ using mind::PreferenceKind;
 using mind::Stage;
 
 constexpr std::size_t kMostReasons = 4;  ///< That one sentence names.
-
-/// "a", "a and b", "a, b and c".
-std::string Listed(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return text;
-}
 
 std::string Maker(const Decision::Preference& preference) {
   return preference.rule.empty() ? "the architecture" : "rule " + preference.rule;
@@ -51,32 +45,34 @@ class Teller {
   /// "rule R makes it better than turn (O3)".
   std::string Clause(const Decision::Preference& p) const {
     const std::string by = Maker(p), who = Who(p.op);
+    const auto say = [&](Situation situation) { return Say(situation, {{"maker", by}, {"op", who}}); };
     switch (p.kind) {
       case PreferenceKind::kAcceptable:
-        return by + " proposes " + who;
+        return say(Situation::kProposes);
       case PreferenceKind::kRequire:
-        return by + " requires " + who;
+        return say(Situation::kRequires);
       case PreferenceKind::kReject:
-        return by + " rejects " + who;
+        return say(Situation::kRejects);
       case PreferenceKind::kProhibit:
-        return by + " prohibits " + who;
+        return say(Situation::kProhibits);
       case PreferenceKind::kBest:
-        return by + " makes " + who + " best";
+        return say(Situation::kMakesBest);
       case PreferenceKind::kWorst:
-        return by + " makes " + who + " worst";
+        return say(Situation::kMakesWorst);
       case PreferenceKind::kBetter:
       case PreferenceKind::kWorse: {
         // From the view of the one that the sentence is about.
         const bool from_below = Lower(p) == subject_ || (p.kind == PreferenceKind::kWorse && Upper(p) != subject_);
         const std::uint32_t first = from_below ? Lower(p) : Upper(p), second = from_below ? Upper(p) : Lower(p);
-        return by + " makes " + Who(first) + (from_below ? " worse than " : " better than ") + Who(second);
+        return Say(from_below ? Situation::kMakesWorse : Situation::kMakesBetter,
+                   {{"maker", by}, {"op", Who(first)}, {"other", Who(second)}});
       }
       case PreferenceKind::kIndifferent:
-        return by + " makes " + who + " indifferent";
+        return say(Situation::kMakesIndifferent);
       case PreferenceKind::kNumeric:
-        return fmt::format("{} gives {} the value {:g}", by, who, p.number);
+        return Say(Situation::kGivesValue, {{"maker", by}, {"op", who}, {"value", fmt::format("{:g}", p.number)}});
       case PreferenceKind::kEqual:
-        return by + " makes " + who + " indifferent to " + Who(p.referent);
+        return Say(Situation::kMakesEqual, {{"maker", by}, {"op", who}, {"other", Who(p.referent)}});
     }
     return {};
   }
@@ -123,8 +119,9 @@ class Teller {
                                                             : (below->rule.empty() || above->rule.empty()
                                                                    ? Maker(*below) + " and " + Maker(*above)
                                                                    : "rules " + below->rule + " and " + above->rule);
-      return OperatorText(decision_, drop.op) + " and " + OperatorText(decision_, second.op) +
-             " are each better than the other (" + makers + "), so both were dropped";
+      return Say(Situation::kMutual, {{"op", OperatorText(decision_, drop.op)},
+                                      {"other", OperatorText(decision_, second.op)},
+                                      {"makers", makers}});
     }
     return {};
   }
@@ -143,7 +140,7 @@ class Teller {
         if (p == nullptr) continue;
         reason = Clause(*p);
         if (drop.decisive == Decisive::kNo)
-          reason += " (without that " + OperatorText(decision_, drop.op) + " would still lose)";
+          reason += " " + Say(Situation::kWouldStillLose, {{"op", OperatorText(decision_, drop.op)}});
       } else {
         told.insert(other);
       }
@@ -154,24 +151,26 @@ class Teller {
         ++more;
       }
     }
-    if (more > 0) reasons.push_back(fmt::format("{} more {} dropped", more, more == 1 ? "was" : "were"));
+    if (more == 1) reasons.push_back(Say(Situation::kOneMoreDropped));
+    if (more > 1) reasons.push_back(Say(Situation::kMoreDropped, {{"count", std::to_string(more)}}));
     return reasons;
   }
 
   /// How one of several that are left was chosen; empty if it was the only one.
   std::string Choice() const {
     if (decision_.left.size() < 2) return {};
-    const std::size_t count = decision_.left.size();
-    if (decision_.policy == Policy::kFirst) return fmt::format("the newest of {} indifferent operators", count);
-    if (decision_.policy == Policy::kLast) return fmt::format("the oldest of {} indifferent operators", count);
+    const std::string count = std::to_string(decision_.left.size());
+    if (decision_.policy == Policy::kFirst) return Say(Situation::kNewest, {{"count", count}});
+    if (decision_.policy == Policy::kLast) return Say(Situation::kOldest, {{"count", count}});
     const auto chosen = std::ranges::find(decision_.left, decision_.selected, &Decision::Chance::op);
     if (chosen == decision_.left.end()) return {};
     const bool has_value = std::ranges::any_of(decision_.preferences, [&](const Decision::Preference& p) {
       return p.kind == PreferenceKind::kNumeric && p.op == decision_.selected;
     });
-    return fmt::format("chosen by chance, with a probability of {:.3g} %{}, among {} indifferent operators",
-                       chosen->probability * 100, has_value ? fmt::format(" (its value is {:g})", chosen->value) : "",
-                       count);
+    const std::string chance = fmt::format("{:.3g}", chosen->probability * 100);
+    return has_value ? Say(Situation::kByChanceOfValue,
+                           {{"chance", chance}, {"value", fmt::format("{:g}", chosen->value)}, {"count", count}})
+                     : Say(Situation::kByChance, {{"chance", chance}, {"count", count}});
   }
 
  private:
@@ -221,7 +220,7 @@ std::string OperatorText(const mind::Decision& decision, std::uint32_t op) {
 
 std::string WhySelected(const mind::Decision& decision) {
   if (decision.selected == Decision::kNoOperator) return {};
-  if (decision.is_forced) return "the command decide select had settled it";
+  if (decision.is_forced) return Say(Situation::kForced);
   const Teller teller(decision, decision.selected);
   if (const Decision::Preference* require = FirstOf(decision, PreferenceKind::kRequire, decision.selected))
     return teller.Clause(*require);
@@ -230,13 +229,13 @@ std::string WhySelected(const mind::Decision& decision) {
   for (std::string& reason : teller.Reasons()) parts.push_back(std::move(reason));
   if (!parts.empty()) return Joined(parts);
   const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
-  return "the only operator proposed" + (proposal == nullptr ? std::string() : ", by " + Maker(*proposal));
+  return proposal == nullptr ? Say(Situation::kOnlyOne) : Say(Situation::kOnlyOneBy, {{"maker", Maker(*proposal)}});
 }
 
 std::string WhyDropped(const mind::Decision& decision, std::uint32_t op) {
   const Decision::Drop* drop = decision.DropOf(op);
   if (drop == nullptr) return {};
-  if (drop->stage == Stage::kForced) return "the command decide select had settled another one";
+  if (drop->stage == Stage::kForced) return Say(Situation::kAnotherForced);
   const Teller teller(decision, op);
   std::vector<std::string> parts;
   for (const std::uint32_t place : teller.By(*drop)) {
@@ -246,7 +245,7 @@ std::string WhyDropped(const mind::Decision& decision, std::uint32_t op) {
   }
   std::string text = Listed(parts);
   if (drop->decisive == Decisive::kNo)
-    text += parts.size() > 1 ? "; without these it would still lose" : "; without that it would still lose";
+    text += "; " + Say(parts.size() > 1 ? Situation::kLosesWithoutThese : Situation::kLosesWithoutThat);
   return text;
 }
 
@@ -258,12 +257,12 @@ std::string WhyNothing(const mind::Decision& decision) {
     left.push_back(OperatorText(decision, at->op));
   switch (decision.impasse) {
     case Impasse::kTie: {
-      std::vector<std::string> parts = {"no preference decides among " + Listed(left)};
+      std::vector<std::string> parts = {Say(Situation::kTie, {{"operators", Listed(left)}})};
       for (std::string& reason : teller.Reasons()) parts.push_back(std::move(reason));
       return Joined(parts);
     }
     case Impasse::kConflict: {
-      std::vector<std::string> parts = {"each of " + Listed(left) + " is worse than another one"};
+      std::vector<std::string> parts = {Say(Situation::kConflict, {{"operators", Listed(left)}})};
       for (const Decision::Drop& drop : decision.drops) {
         if (drop.stage != Stage::kDominated || parts.size() > kMostReasons) continue;
         std::string clause = teller.Clause(*teller.Telling(drop));
@@ -284,17 +283,16 @@ std::string WhyNothing(const mind::Decision& decision) {
       break;
   }
   if (!decision.left.empty() || decision.drops.empty()) return {};
-  return (decision.drops.size() == 1 ? "the only operator proposed was dropped: "
-                                     : "every operator proposed was dropped: ") +
-         Joined(teller.Reasons());
+  return Say(decision.drops.size() == 1 ? Situation::kOneDropped : Situation::kAllDropped,
+             {{"why", Joined(teller.Reasons())}});
 }
 
 std::string WhyDecided(const mind::Decision& decision) {
   if (decision.selected == Decision::kNoOperator) return WhyNothing(decision);
   std::string text = WhySelected(decision);
   const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
-  if (proposal != nullptr && !text.starts_with("the only operator proposed"))
-    text += "; proposed by " + Maker(*proposal);
+  const bool is_told = proposal != nullptr && text == Say(Situation::kOnlyOneBy, {{"maker", Maker(*proposal)}});
+  if (proposal != nullptr && !is_told) text += "; " + Say(Situation::kProposedBy, {{"maker", Maker(*proposal)}});
   return text;
 }
 

@@ -123,7 +123,7 @@ class Choices(LessonCase):
         run = run_json(self.changed(self.LESSON, "runner.soar", ("^operator <o> + =)", "^operator <o> +)")))
         self.assertEqual(written(run, "runner"), ["to gold"])
         reasons = run.of("gap")[0]["reasons"]
-        self.assertEqual(reasons[0], "operator tie in S1: no preference decides between 2 go operators")
+        self.assertEqual(reasons[0], "operator tie in S1: no preference decides among 2 go operators")
         self.assertEqual(sorted(reasons[1:3]), ["go ^where bronze is proposed by rule runner*propose*go",
                                                 "go ^where silver is proposed by rule runner*propose*go"])
 

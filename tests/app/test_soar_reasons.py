@@ -34,7 +34,7 @@ sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^s
         reasons = self.gap("""
 sp {hero*one (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name one)}
 sp {hero*two (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name two)}""")[0]["reasons"]
-        self.assertEqual(reasons[0], "operator tie in S1: no preference decides between one, two")
+        self.assertEqual(reasons[0], "operator tie in S1: no preference decides among one and two")
         self.assertEqual(reasons[1:3], ["one is proposed by rule hero*one", "two is proposed by rule hero*two"])
         self.assertIn("(<s> ^operator <o> + =)", reasons[3])
 
@@ -49,8 +49,9 @@ sp {hero*one (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator 
 sp {hero*two (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name two)}
 sp {hero*a (state <s> ^operator <a> + ^operator <b> +) (<a> ^name one) (<b> ^name two) --> (<s> ^operator <a> > <b>)}
 sp {hero*b (state <s> ^operator <a> + ^operator <b> +) (<a> ^name one) (<b> ^name two) --> (<s> ^operator <b> > <a>)}""")[0]["reasons"]
-        self.assertIn("operator conflict in S1", reasons[0])
-        self.assertTrue(reasons[1].startswith("rule hero*a says ") and reasons[2].startswith("rule hero*b says "), reasons)
+        self.assertRegex(reasons[0], r"^operator conflict in S1: each of .* is worse than another one; ")
+        self.assertIn("rule hero*a makes one (O1) better than two (O2)", reasons[0])
+        self.assertIn("rule hero*b makes two (O2) better than one (O1)", reasons[0])
 
     GO = "\nsp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^stop <c>)}"
 
@@ -103,7 +104,9 @@ sp {hero*go (state <s> ^superstate nil ^x yes) --> (<s> ^operator <o> +) (<o> ^n
         reasons = self.gap(rules)[0]["reasons"]
         self.assertEqual(len(reasons), len(set(reasons)), reasons)
         why = Run("why", self.folder, "go", "--agent", "hero").out
-        self.assertEqual([why.count(f"rule {name} requires") for name in ("hero*go", "hero*a", "hero*b")], [1, 1, 1], why)
+        self.assertIn("rule hero*go requires ^x yes, but ^x and ^y wait for each other: only rule hero*a creates ^x, and it "
+                      "tests ^y; only rule hero*b creates ^y, and it tests ^x", why)
+        self.assertNotIn("makes it", why)
 
     def test_say_that_the_last_command_failed_and_that_its_operator_stays(self):
         gaps = self.gap("""
@@ -141,6 +144,44 @@ sp {far*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^go
         self.assertEqual(gap["text"], "it gave no command within its decision budget")
         self.assertIn("rule far*propose requires ^io.input-link.distance > 1000, but it is 25", gap["reasons"])
         self.assertTrue(any(reason.startswith("it perceives ^distance 25") for reason in gap["reasons"]), gap)
+
+    def test_name_a_rule_that_failed_to_parse_and_why_until_it_is_mended(self):
+        broken = """
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self (<s> ^operator <o> +) (<o> ^name go)}"""
+        reasons = self.gap(broken + self.GO)[0]["reasons"]
+        self.assertRegex(reasons[0], r"^no rule proposes an operator: rule hero\*propose in hero.soar:\d+ failed to parse: .")
+        self.assertNotIn("write one", reasons[0])
+        why = Run("why", self.folder, "hero*propose", "--agent", "hero", "--at", 1)
+        self.assertEqual(why.code, 0, why.err)
+        self.assertRegex(why.out, r"rule hero\*propose in hero.soar:\d+ failed to parse: .")
+        unknown = Run("why", self.folder, "dance", "--agent", "hero", "--at", 1)
+        self.assertIn("no rule that loaded says or proposes 'dance'", unknown.err)
+
+    def test_do_not_say_that_an_operator_is_not_proposed_if_it_was_prohibited(self):
+        reasons = self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*never (state <s> ^operator <o> +) (<o> ^name go) --> (<s> ^operator <o> ~)}""" + self.GO)[0]["reasons"]
+        self.assertRegex(reasons[0], r"^no operator is selected in S1: the only operator proposed was dropped: "
+                                     r"rule hero\*never prohibits go \(O\d+\)$")
+
+    def test_are_the_same_live_and_simulated_again_from_a_recording(self):
+        self.write("hero.soar", """
+sp {hero*go (state <s> ^superstate nil ^x yes) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*a (state <s> ^superstate nil ^y yes) --> (<s> ^x yes)}
+sp {hero*b (state <s> ^superstate nil ^x yes) --> (<s> ^y yes)}
+sp {hero*calm (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^danger no)}
+sp {hero*run (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name run)}""" + self.GO)
+        self.write("scenario.toml", WORLD)
+        recording = self.folder / "run.soarbox"
+        run = Run("run", self.folder, "--headless", "--seconds", 2, "--record", recording)
+        self.assertEqual(run.code, 0, run.err)
+        for topic in ("go", "hero*run", "hero*calm"):
+            view = ("--agent", "hero", "--at", 1, "--view", f"why {topic}")
+            live, again = Run("inspect", self.folder, *view), Run("inspect", recording, *view)
+            self.assertEqual((live.code, again.code), (0, 0), live.err + again.err)
+            self.assertEqual(live.out, again.out)
+        self.assertIn("no rule makes it; rule hero*calm makes ^danger no",
+                      Run("inspect", recording, "--agent", "hero", "--at", 1, "--view", "why hero*run").out)
 
     def test_name_an_operator_that_nothing_applies(self):
         reasons = self.gap("""
