@@ -148,7 +148,9 @@ sp {far*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^go
     def test_name_a_rule_that_failed_to_parse_and_why_until_it_is_mended(self):
         broken = """
 sp {hero*propose (state <s> ^superstate nil ^io.input-link.self (<s> ^operator <o> +) (<o> ^name go)}"""
-        reasons = self.gap(broken + self.GO)[0]["reasons"]
+        self.write("hero.soar", broken + self.GO)
+        self.write("scenario.toml", WORLD)
+        reasons = run_json(self.folder, "--seconds", 3).of("gap", agent="hero")[0]["reasons"]
         self.assertRegex(reasons[0], r"^no rule proposes an operator: rule hero\*propose in hero.soar:\d+ failed to parse: .")
         self.assertNotIn("write one", reasons[0])
         why = Run("why", self.folder, "hero*propose", "--agent", "hero", "--at", 1)
@@ -169,7 +171,7 @@ sp {hero*never (state <s> ^operator <o> +) (<o> ^name go) --> (<s> ^operator <o>
 sp {hero*go (state <s> ^superstate nil ^x yes) --> (<s> ^operator <o> +) (<o> ^name go)}
 sp {hero*a (state <s> ^superstate nil ^y yes) --> (<s> ^x yes)}
 sp {hero*b (state <s> ^superstate nil ^x yes) --> (<s> ^y yes)}
-sp {hero*calm (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^danger no)}
+sp {hero*calm (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<s> ^danger no)}
 sp {hero*run (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name run)}""" + self.GO)
         self.write("scenario.toml", WORLD)
         recording = self.folder / "run.soarbox"
