@@ -121,6 +121,23 @@ TEST(RecordedMinds, DecisionsBuildTheStackAndTakeItDown) {
   EXPECT_EQ(minds.Inspect("hero")->Mind().decisions, 3u);
 }
 
+TEST(RecordedMinds, AValueBetweenBarsIsOneValueWhateverStandsInIt) {
+  record::TickRecord tick;
+  record::MindRecord& mind = tick.minds.emplace_back();
+  mind.agent = "hero";
+  mind.commands = {"say ^text |go ^fast| ^loud yes"};
+  RecordedMinds minds;
+  minds.Add(tick);
+  const std::unique_ptr<sim::Inspector> recorded = minds.Inspect("hero");
+  const std::vector<sim::ElementFact> commands = recorded->ElementsOf("output-link");
+  ASSERT_EQ(commands.size(), 1u);
+  const std::vector<sim::ElementFact> parameters = recorded->ElementsOf(commands.front().value);
+  ASSERT_EQ(parameters.size(), 2u);
+  EXPECT_EQ(parameters[0].attribute, "text");
+  EXPECT_EQ(parameters[0].value, "|go ^fast|");
+  EXPECT_EQ(parameters[1].attribute, "loud");
+}
+
 TEST(RecordedMinds, ARecordingThatBeginsInTheMiddleOfARunSaysSo) {
   record::TickRecord tick;
   tick.tick = 300;
