@@ -69,8 +69,15 @@ Desk::~Desk() {
 
 Desk::Belongings Desk::TakeBelongings() {
   KeepDrafts(true);
-  return {std::exchange(open_files_, {}), edited_file_,   edit_version_, breakpoints_.list(),
-          std::move(consoles_),           console_lines_, watches_,      beside_};
+  return {std::exchange(open_files_, {}),
+          edited_file_,
+          edit_version_,
+          breakpoints_.list(),
+          std::move(consoles_),
+          console_lines_,
+          watches_,
+          beside_,
+          std::move(lesson_)};
 }
 
 void Desk::Bring(Belongings belongings) {
@@ -86,6 +93,7 @@ void Desk::Bring(Belongings belongings) {
   console_lines_ = belongings.console_lines + 1;
   watches_ = std::move(belongings.watches);
   beside_ = std::move(belongings.beside);
+  lesson_ = std::move(belongings.lesson);
 }
 
 void Desk::KeepDrafts(bool at_once) {

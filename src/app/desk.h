@@ -13,6 +13,7 @@
 
 #include "app/drafts.h"
 #include "app/lesson_desk.h"
+#include "app/next_run.h"
 #include "app/pace.h"
 #include "app/run_session.h"
 #include "app/time_machine.h"
@@ -70,8 +71,8 @@ class Desk {
   void AwaitNothing() { awaited_ = {}; }
   /// What changed in that mind in the last tick, a sentence, once; or that nothing has for long.
   std::string TakeChange();
-  /// The scenario or recording that the user wants to see instead; empty: none. Once.
-  std::string TakeWantedRun() { return std::exchange(wants_run_, {}); }
+  /// The scenario or recording that the user wants to see instead, if any. Once.
+  std::optional<NextRun> TakeWantedRun() { return std::exchange(wants_run_, std::nullopt); }
   /// The lesson that the world belongs to; null for a recording.
   const LessonDesk* lesson() const { return lesson_.get(); }
   /// Takes notes of this agent from now on, as if it were selected.
@@ -201,9 +202,9 @@ class Desk {
   void LookForChange(const record::TickRecord& tick);
   Awaited awaited_;  ///< No agent: none is.
   bool wants_coverage_ = false;
-  std::string wants_run_;  ///< What is to be opened instead of this run; empty: nothing.
-  std::string searched_;   ///< Everywhere; empty: nothing.
-  bool offers_ = false;    ///< Somebody is about to choose what to open.
+  std::optional<NextRun> wants_run_;  ///< What is to be opened instead of this run.
+  std::string searched_;              ///< Everywhere; empty: nothing.
+  bool offers_ = false;               ///< Somebody is about to choose what to open.
   viewer::WhyRequest why_;
   /// Files that were opened to be edited; what was typed into one stays while another is looked at.
   OpenFiles open_files_;
@@ -234,6 +235,7 @@ struct Desk::Belongings {
   std::map<std::string, debugger::Console> consoles;
   std::uint64_t console_lines = 0;
   std::vector<std::string> watches, beside;
+  std::unique_ptr<LessonDesk> lesson;  ///< What grading has told, or is about to.
 };
 
 }  // namespace soarbox::app

@@ -91,10 +91,12 @@ struct Desk::Visitor {
     if (!is_on && found != list.end()) list.erase(found);
     if (is_on && found == list.end() && list.size() < kMost) list.push_back(what);
   }
-  void operator()(const viewer::OpenRunRequest& request) const {
-    const Result<NextRun> next = FindNextRun(request.what);
+  void operator()(const viewer::OpenRunRequest& request) const { Open(request.what, {}); }
+  void Open(const std::string& what, const std::filesystem::path& lesson) const {
+    Result<NextRun> next = FindNextRun(what);
     if (next) {
-      desk.wants_run_ = request.what;
+      next->lesson = lesson;
+      desk.wants_run_ = std::move(*next);
     } else {
       desk.NoteProblem(next.error(), {});
       const std::string& message = next.error().message;
@@ -106,12 +108,15 @@ struct Desk::Visitor {
     if (desk.lesson_ == nullptr) return;
     if (request.what == What::kHint) return desk.lesson_->Hint();
     if (request.what == What::kGrade) {
+      const bool is_unsaved =
+          std::ranges::any_of(desk.open_files_, [](const auto& named) { return named.second.edit.is_unsaved(); });
+      if (is_unsaved) viewer.Tell("What is graded is what you saved: Save in Edit comes first");
       if (const Result<void> begun = desk.lesson_->Grade(); !begun) desk.NoteProblem(begun.error(), {});
       return;
     }
-    const Result<std::string> folder = desk.lesson_->Open(request.lesson);
-    if (!folder) return desk.NoteProblem(folder.error(), {});
-    operator()(viewer::OpenRunRequest{*folder});
+    const Result<LessonDesk::Opened> opened = desk.lesson_->Open(request.lesson);
+    if (!opened) return desk.NoteProblem(opened.error(), {});
+    Open(opened->folder, opened->lesson);
   }
   void operator()(const viewer::SearchRequest& request) const { desk.searched_ = request.text; }
   void operator()(const viewer::OfferRequest& request) const { desk.offers_ = request.is_on; }

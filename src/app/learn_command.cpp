@@ -9,7 +9,6 @@
 #include "app/exit_codes.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
-#include "app/run_options.h"
 #include "app/run_session.h"
 #include "diagnostics/read_text.h"
 #include "mission/sentences.h"
@@ -92,7 +91,7 @@ class Learner {
     if (!lesson.panel.empty()) std::cout << "Look:  the panel " << lesson.panel << "\n";
     if (options_.headless) return kOk;
     std::cout.flush();
-    RunOptions run;
+    RunOptions run = options_.window;
     run.scenario = folder.string();
     run.lesson = lesson.folder;
     run.watch = true;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/run_options.h"
+
 namespace soarbox::app {
 
 /// What `soarbox learn` was asked for.
@@ -14,6 +16,7 @@ struct LearnOptions {
   std::filesystem::path from;      ///< A folder with lessons of a teacher's own; empty: those of the program.
   bool json = false;
   bool headless = false;  ///< Do not open the window.
+  RunOptions window;      ///< Its size and what else is asked of it; which world it shows comes from the lesson.
 };
 
 int Learn(const LearnOptions& options);

@@ -159,12 +159,12 @@ Result<void> LessonDesk::Grade() {
       {"soarbox", "learn", "check", now->name, "--folder", parts_->home.string(), "--from", parts_->from.string()});
 }
 
-Result<std::string> LessonDesk::Open(const std::string& lesson) {
+Result<LessonDesk::Opened> LessonDesk::Open(const std::string& lesson) {
   for (const Lesson& each : parts_->lessons) {
     if (each.name != lesson) continue;
     const fs::path folder = parts_->home / each.name;
     if (const Result<void> prepared = PrepareLesson(each, folder); !prepared) return prepared.error();
-    return folder.string();
+    return Opened{folder.string(), each.folder};
   }
   Diagnostic problem;
   problem.message = "there is no lesson '" + lesson + "'";

@@ -28,8 +28,12 @@ class LessonDesk {
   void Hint();
   /// Begins to grade what lies in the learner's folder.
   Result<void> Grade();
-  /// Puts another lesson's files into the learner's folder; the world to open.
-  Result<std::string> Open(const std::string& lesson);
+  struct Opened {
+    std::string folder;            ///< The learner's, with the world to open.
+    std::filesystem::path lesson;  ///< The lesson's own.
+  };
+  /// Puts another lesson's files into the learner's folder.
+  Result<Opened> Open(const std::string& lesson);
   /// Takes over what grading has told; true if something changed.
   bool Poll();
   void Fill(viewer::PanelContents& contents) const;

@@ -169,12 +169,10 @@ int LiveWindow::Run() {
       return kCannotStart;
     }
     desk_->Serve(viewer_, pace_);
-    if (const std::string wanted = desk_->TakeWantedRun(); !wanted.empty()) {
-      if (Result<NextRun> next = FindNextRun(wanted)) {
-        next->script_line = viewer_.ui_script_at();
-        KeepNextRun(*next);
-        break;
-      }
+    if (std::optional<NextRun> wanted = desk_->TakeWantedRun()) {
+      wanted->script_line = viewer_.ui_script_at();
+      KeepNextRun(std::move(*wanted));
+      break;
     }
     if (desk_->is_live()) {
       if (!was_live_) previous_ = newest_ = session_.simulation().Snapshot();

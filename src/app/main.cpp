@@ -216,6 +216,17 @@ void AddLearn(CLI::App& program, soarbox::app::LearnOptions& options) {
       ->check(CLI::ExistingDirectory);
   learn->add_flag("--json", options.json, "The list as lines of JSON");
   learn->add_flag("--headless", options.headless, "Do not open the window");
+  RunOptions& window = options.window;
+  learn->add_option("--detail", window.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
+  learn->add_option("--width", window.width_px, "As for `soarbox run`")
+      ->capture_default_str()
+      ->check(NumberIn(160, 7680));
+  learn->add_option("--height", window.height_px, "As for `soarbox run`")
+      ->capture_default_str()
+      ->check(NumberIn(120, 4320));
+  learn->add_option("--port", window.port, "As for `soarbox run`")->check(NumberIn(0, 65535));
+  learn->add_flag("--no-record", window.no_record, "As for `soarbox run`");
+  learn->add_option("--ui-script", window.ui_script, "Play the user of the window from this file, then end");
 }
 
 void AddNew(CLI::App& program, soarbox::app::NewOptions& options) {
@@ -331,6 +342,7 @@ int FollowedByOthers(int code, const RunOptions& first) {
       // it.
       RunOptions run;
       run.scenario = next->what;
+      run.lesson = next->lesson;
       run.speed = first.speed;
       run.detail = first.detail;
       run.render_scale = first.render_scale;
@@ -415,7 +427,7 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("kernel")) return soarbox::app::ServeKernel(kernel);
   if (program.got_subcommand("sweep")) return soarbox::app::Sweep(sweep);
   if (program.got_subcommand("report")) return soarbox::app::Report(report);
-  if (program.got_subcommand("learn")) return soarbox::app::Learn(learn);
+  if (program.got_subcommand("learn")) return FollowedByOthers(soarbox::app::Learn(learn), learn.window);
   if (program.got_subcommand("test")) return soarbox::app::Test(test);
   if (program.got_subcommand("check")) return soarbox::app::Check(check);
   if (program.got_subcommand("why")) return soarbox::app::Why(why);

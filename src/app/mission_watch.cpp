@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/lesson.h"
-#include "mission/sentences.h"
+#include "mission/check_news.h"
 
 namespace soarbox::app {
 
@@ -78,18 +78,8 @@ void MissionWatch::See(sim::EventList& events) {
 }
 
 void MissionWatch::Tell(std::size_t check, sim::EventList& events) {
-  const mission::Check& asked = loaded_.mission.checks[check];
-  const mission::Verdict& verdict = evaluator_->verdicts()[check];
-  sim::Event event;
-  event.kind = sim::EventKind::kNews;
-  event.news = "check";
-  event.tick = simulation_->tick();
-  event.time_s = simulation_->time_s();
-  event.text = asked.name;
-  event.parameters = std::string(mission::NameOf(verdict.state));
-  event.reasons = {mission::Expectation(asked, {}, loaded_.mission), verdict.was, verdict.agent,
-                   asked.marker ? "marker" : ""};
-  events.push_back(std::move(event));
+  events.push_back(mission::CheckNews(loaded_.mission, check, evaluator_->verdicts()[check], simulation_->tick(),
+                                      simulation_->time_s()));
 }
 
 }  // namespace soarbox::app

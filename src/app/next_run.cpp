@@ -19,7 +19,7 @@ std::optional<NextRun>& Kept() {
 }  // namespace
 
 Result<NextRun> FindNextRun(const std::string& what) {
-  NextRun next{what, false, 0};
+  NextRun next{what, false, 0, {}};
   std::error_code error;
   if (what.ends_with(".soarrec") ||
       (std::filesystem::is_regular_file(what, error) && record::Reader::Open(what).ok())) {

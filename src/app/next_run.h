@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,8 @@ namespace soarbox::app {
 struct NextRun {
   std::string what;  ///< A scenario's name or path, or a recording.
   bool is_recording = false;
-  std::size_t script_line = 0;  ///< Where a script that plays the user goes on.
+  std::size_t script_line = 0;        ///< Where a script that plays the user goes on.
+  std::filesystem::path lesson = {};  ///< The folder of the lesson that the scenario belongs to; empty: as it is named.
 };
 
 /// Whether this can be opened, and what it is; else why not.

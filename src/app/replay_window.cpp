@@ -81,12 +81,10 @@ class ReplayWindow {
       for (const viewer::InputEvent& event : viewer_.TakeEvents()) Obey(event);
       Move(pace_.TicksDue(step_s_));
       desk_.Serve(viewer_, pace_);
-      if (const std::string wanted = desk_.TakeWantedRun(); !wanted.empty()) {
-        if (Result<NextRun> next = FindNextRun(wanted)) {
-          next->script_line = viewer_.ui_script_at();
-          KeepNextRun(*next);
-          break;
-        }
+      if (std::optional<NextRun> wanted = desk_.TakeWantedRun()) {
+        wanted->script_line = viewer_.ui_script_at();
+        KeepNextRun(std::move(*wanted));
+        break;
       }
       if (has_script_ && viewer_.ui_script_over()) break;
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "app/data_folders.h"
@@ -153,9 +154,13 @@ class Tester {
           return !each.outcome.Passed(each.loaded.mission);
         }));
     if (!options_.json) {
-      std::cout << tested.size() << (tested.size() == 1 ? " mission, " : " missions, ")
-                << (bad == 0 ? std::string("all passed") : std::to_string(bad) + " failed") << ", " << runs
-                << (runs == 1 ? " run, " : " runs, ") << mission::SecondsText(wall_s) << '\n';
+      const std::size_t unusable = files.size() - tested.size();
+      const std::string came = bad > 0          ? std::to_string(bad) + " failed"
+                               : tested.empty() ? std::string("none was run")
+                                                : std::string("all passed");
+      std::cout << tested.size() << (tested.size() == 1 ? " mission, " : " missions, ") << came << ", ";
+      if (unusable > 0 && !WasInterrupted()) std::cout << unusable << " cannot be used, ";
+      std::cout << runs << (runs == 1 ? " run, " : " runs, ") << mission::SecondsText(wall_s) << '\n';
     }
     if (!options_.junit.empty()) {
       if (const Result<void> written = WriteJunit(options_.junit, tested); !written) {
@@ -247,19 +252,90 @@ class Tester {
   bool is_terminal_;
 };
 
-/// When files of the missions were last written, to see that one was saved.
-std::map<fs::path, fs::file_time_type> FileTimes(const std::vector<fs::path>& missions) {
-  std::map<fs::path, fs::file_time_type> times;
+/// The missions that the command line means, in its order.
+Result<std::vector<fs::path>> FindAll(const TestOptions& options, const sim::DataFolders& data) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : options.paths.empty() ? std::vector<fs::path>{"."} : options.paths) {
+    std::vector<fs::path> found = mission::FindMissionFiles(path, data);
+    std::error_code error;
+    if (found.empty()) {
+      Diagnostic problem;
+      problem.message = fs::exists(path, error) || !path.is_relative() || fs::exists(data.scenarios / path, error)
+                            ? "there is no mission in " + (path == "." ? std::string("this folder") : path.string())
+                            : "there is no file, folder or scenario '" + path.string() + "'";
+      problem.hint = "a mission is a scenario.toml with [[check]] tables, or a mission.toml: docs/missions.md";
+      return problem;
+    }
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+/// The folders whose files make these missions: those that were named, the missions' own and their scenarios'.
+std::set<fs::path> WatchedFolders(const TestOptions& options, const std::vector<fs::path>& missions,
+                                  const sim::DataFolders& data) {
+  std::set<fs::path> folders;
   std::error_code error;
-  for (const fs::path& mission : missions) {
-    const fs::path folder = mission.has_parent_path() ? mission.parent_path() : fs::path(".");
-    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+  const auto add = [&](const fs::path& file) { folders.insert(file.has_parent_path() ? file.parent_path() : "."); };
+  if (options.paths.empty()) folders.insert(".");
+  for (const fs::path& path : options.paths) {
+    if (fs::is_directory(path, error)) folders.insert(path);
+    if (path.extension() == ".toml") add(path);
+  }
+  for (const fs::path& file : missions) {
+    add(file);
+    std::vector<Diagnostic> problems;  // The round tells them.
+    const mission::LoadedMission loaded = mission::LoadMission(file, data, problems);
+    if (!loaded.scenario.definition.empty()) add(loaded.scenario.definition);
+    for (const fs::path& folder : loaded.scenario.rule_folders) folders.insert(folder);
+  }
+  return folders;
+}
+
+using FileTimes = std::map<fs::path, fs::file_time_type>;
+
+/// When files in these folders were last written, to see that one was saved.
+FileTimes TimesOf(const std::set<fs::path>& folders) {
+  FileTimes times;
+  constexpr auto kOptions = fs::directory_options::skip_permission_denied;
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (fs::recursive_directory_iterator it(folder, kOptions, error), end; !error && it != end; it.increment(error)) {
+      std::error_code gone;  // An editor may have moved it away meanwhile.
+      const std::string name = it->path().filename().string();
+      if (it->is_directory(gone) && (name.starts_with('.') || name == "build" || name.ends_with(".sweep")))
+        it.disable_recursion_pending();
       const fs::path extension = it->path().extension();
-      if (extension == ".soar" || extension == ".lua" || extension == ".toml")
-        times[it->path()] = fs::last_write_time(it->path(), error);
+      if (extension != ".soar" && extension != ".lua" && extension != ".toml") continue;
+      const fs::file_time_type written = fs::last_write_time(it->path(), gone);
+      if (!gone) times[it->path()] = written;
     }
   }
   return times;
+}
+
+/// Tests again whenever a file is saved, until it is interrupted; the code of the last round that came to its end.
+int Watch(const TestOptions& options, const sim::DataFolders& data, Tester& tester, std::vector<fs::path> files) {
+  int code = kOk;
+  while (true) {
+    const std::set<fs::path> folders = WatchedFolders(options, files, data);
+    // What is saved while missions run is not missed.
+    const FileTimes before = TimesOf(folders);
+    const int came = tester.Round(files);
+    if (WasInterrupted()) return came;
+    code = came;
+    std::cout << "waiting for a file to be saved; Ctrl-C ends it\n" << std::flush;
+    while (!WasInterrupted() && TimesOf(folders) == before) std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    if (WasInterrupted()) return code;
+    // There may be missions that were not there.
+    Result<std::vector<fs::path>> found = FindAll(options, data);
+    if (found) {
+      files = std::move(*found);
+    } else {
+      std::cerr << Format(found.error());
+      files.clear();
+    }
+  }
 }
 
 }  // namespace
@@ -274,31 +350,14 @@ int Test(const TestOptions& options) {
     std::cerr << "soarbox: error: --seeds takes 1..20 or 1,4,7\n";
     return kUsage;
   }
-  std::vector<fs::path> files;
-  for (const fs::path& path : options.paths.empty() ? std::vector<fs::path>{"."} : options.paths) {
-    std::vector<fs::path> found = mission::FindMissionFiles(path, *data);
-    std::error_code error;
-    if (found.empty()) {
-      Diagnostic problem;
-      problem.message = fs::exists(path, error) || !path.is_relative() || fs::exists(data->scenarios / path, error)
-                            ? "there is no mission in " + (path == "." ? std::string("this folder") : path.string())
-                            : "there is no file, folder or scenario '" + path.string() + "'";
-      problem.hint = "a mission is a scenario.toml with [[check]] tables, or a mission.toml: docs/missions.md";
-      std::cerr << Format(problem);
-      return kTestNone;
-    }
-    files.insert(files.end(), found.begin(), found.end());
+  const Result<std::vector<fs::path>> files = FindAll(options, *data);
+  if (!files) {
+    std::cerr << Format(files.error());
+    return kTestNone;
   }
   CatchInterrupts();
   Tester tester(options, *data);
-  int code = tester.Round(files);
-  while (options.watch && !WasInterrupted()) {
-    std::cout << "waiting for a file to be saved; Ctrl-C ends it\n" << std::flush;
-    const auto before = FileTimes(files);
-    while (!WasInterrupted() && FileTimes(files) == before) std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    if (!WasInterrupted()) code = tester.Round(files);
-  }
-  return code;
+  return options.watch ? Watch(options, *data, tester, *files) : tester.Round(*files);
 }
 
 }  // namespace soarbox::app

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "mission/check_news.h"
 #include "mission/gather_facts.h"
 #include "mission/sentences.h"
 #include "record/header.h"
@@ -135,7 +136,19 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   std::string error;
   Keeper keeper(spec, settings, simulation, error);
   if (!keeper.IsOpen()) result.error = "the recording was not kept: " + error;
-  keeper.Take(simulation, simulation.TakeEvents());
+  // The recording holds the checks, too, as that of a run in a window does.
+  const auto keep = [&] {
+    sim::EventList events = simulation.TakeEvents();
+    const std::uint64_t tick = simulation.tick();
+    for (std::size_t i = 0; i < spec.mission->checks.size() && i < result.checks.size(); ++i) {
+      const Verdict& verdict = result.checks[i].verdict;
+      const bool is_decided = verdict.state != State::kOpen && verdict.tick == tick;
+      if (tick == 0) events.push_back(CheckNews(*spec.mission, i, {}, tick, simulation.time_s()));
+      if (is_decided) events.push_back(CheckNews(*spec.mission, i, verdict, tick, simulation.time_s()));
+    }
+    keeper.Take(simulation, std::move(events));
+  };
+  keep();
   std::size_t asked = 0;
   const auto ask = [&] {
     for (std::size_t i = 0; i < spec.mission->checks.size() && i < result.checks.size(); ++i) {
@@ -151,7 +164,7 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   };
   while (simulation.tick() < result.ticks) {
     simulation.Tick();
-    keeper.Take(simulation, simulation.TakeEvents());
+    keep();
     ask();
   }
   if (simulation.StateHash() != result.state_hash)

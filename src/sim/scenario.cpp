@@ -124,6 +124,20 @@ std::string DescribeScenario(const std::string& name, const DataFolders& data) {
 
 namespace {
 
+/// Whether a .toml file is about a scenario that it names, as missions and sweeps do, and so is none itself.
+bool NamesScenario(const fs::path& file) {
+  std::ifstream text(file);
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin == std::string::npos) continue;
+    if (line[begin] == '[') return false;  // Keys on top come before the first table.
+    const std::size_t end = std::min(line.find_first_of(" \t=", begin), line.size());
+    const std::string_view key = std::string_view(line).substr(begin, end - begin);
+    if (key == "scenario" || key == "mission") return true;
+  }
+  return false;
+}
+
 /// The file that an argument means; empty if none.
 fs::path FindMain(const fs::path& given, const DataFolders& data) {
   for (const fs::path& place : {given, data.scenarios / given}) {
@@ -134,7 +148,9 @@ fs::path FindMain(const fs::path& given, const DataFolders& data) {
     }
     // A name may come without its ending: "scout" for scout.soar.
     for (const char* ending : {".toml", ".soar"}) {
-      if (fs::path file = place; IsFile(file += ending)) return file;
+      fs::path file = place;
+      file += ending;
+      if (IsFile(file) && (file.extension() != ".toml" || !NamesScenario(file))) return file;
     }
     // A folder of one's own hides a scenario of that name only if it is one.
     if (IsFolder(given) && given.has_parent_path()) break;

@@ -2,15 +2,19 @@
 """The panel Mission: checks that tick off in a run and in its recording, and lessons beside their scenes.
 
 SOARBOX_PICTURES=FOLDER keeps pictures of it to look at."""
+import json
 import os
 import pathlib
+import shutil
 import subprocess
+import time
 import unittest
 
 from soarbox_command import Run
 from virtual_display import can_draw
 from window_user import WindowUser
 
+LESSONS = pathlib.Path(__file__).resolve().parents[2] / "lessons"
 PICTURES = os.environ.get("SOARBOX_PICTURES")
 CHECKS = """
 [[check]]
@@ -70,9 +74,41 @@ class Missions(WindowUser):
             key Alt+K
             expect "it goes north"
             key End
+            expect "of 4 checks, 1 failed"
             expect "the idler rests"
             {picture("mission-replay")}
             """, size=(1920, 1080))
+
+    def test_a_recording_counts_its_checks_and_a_click_on_one_goes_to_its_moment(self):
+        with open(self.folder / "scenario.toml", "a", encoding="utf-8") as file:
+            file.write(CHECKS)
+        recording = self.folder / "run.soarrec"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "10", "--record", recording).code, 0)
+        kept = self.folder / "kept"
+        failed = Run("test", self.folder, "--keep", kept)
+        self.assertEqual(failed.code, 1, failed.out + failed.err)
+        # The recordings that `soarbox test` keeps are those that one is told to look at.
+        for file in (recording, next(kept.glob("*.soarrec"))):
+            told = [event for event in Run("replay", file, "--headless", "--json").events
+                    if event.get("news") == "check" and event["text"].startswith("it goes north")]
+            north = next(event for event in told if event["parameters"] == "true")
+            tick, clock = north["tick"], f"0:{north['time']:05.2f}"
+            self.show(file, f"""
+                key P
+                key Alt+K
+                key End
+                expect "2 of 4 checks, "
+                expect "it was tie"
+                click "{clock}"
+                expect "tick {tick}"
+                expect "2 of 4 checks, 1 failed"
+                click "0:00.03"
+                expect "tick 1"
+                expect "1 of 4 checks, 1 failed"
+                expect "walker should be at north by 30 s"
+                audit "panel Mission of a recording"
+                {picture("mission-" + file.stem)}
+                """, size=(1280, 720))
 
     def show(self, recording, script, size):
         done = subprocess.run(self.window(script, "replay", str(recording), size=size), capture_output=True, text=True,
@@ -105,6 +141,80 @@ class Lessons(WindowUser):
             click "Hint 2 of 3"
             expect "2. The rule needs an element"
             """, str(lesson))
+
+    def learn(self, script, *words, while_open=lambda window: None):
+        """Begins a lesson as a learner does, in a window that a user plays."""
+        window = subprocess.Popen(self.window(script, "learn", *map(str, words), "--no-record", "--port", "0"), text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=self.folder,
+                                  env=self.surroundings((1280, 720)))
+        try:
+            while_open(window)
+            out, _ = window.communicate(timeout=280)
+        finally:
+            window.kill()
+        self.assertEqual(window.returncode, 0, out)
+
+    def test_a_lesson_fails_is_mended_graded_again_and_leads_to_the_next(self):
+        rules = self.folder / "soarbox-lessons" / "01-a-rule" / "porter.soar"
+        failed = self.folder / "failed.png"
+
+        def mend(window):
+            while window.poll() is None and not failed.exists():
+                time.sleep(0.01)
+            self.assertIn("Somebody is there", rules.read_text(encoding="utf-8"), "the starter")
+            shutil.copy(LESSONS / "01-a-rule" / "solution" / "porter.soar", rules)
+
+        self.learn(f"""
+            expect "1. A rule fires once for each match"
+            expect-not "This lesson is done."
+            click "Check my rules"
+            expect "0 of 10 seeds passed" 200
+            expect "anna is greeted"
+            expect "it never did"
+            audit "a lesson that failed"
+            picture {failed}
+            wait 400
+            click "Reset"
+            expect "0 of 10 seeds passed"
+            expect "1 of 4 checks" 60
+            click "Check my rules"
+            expect-not "0 of 10 seeds passed"
+            expect "Passed with all of 10 seeds." 200
+            expect "This lesson is done."
+            audit "a lesson that is done"
+            {picture("lesson-done")}
+            click "Next lesson"
+            expect "2. Operators: propose, select, apply" 30
+            expect "Let the mowing robot mow"
+            expect "Check my rules"
+            expect "of 3 checks"
+            expect-not "This lesson is done."
+            {picture("lesson-next")}
+            """, 1, while_open=mend)
+        progress = json.loads((self.home / "state" / "soarbox" / "learn" / "progress.json").read_text(encoding="utf-8"))
+        self.assertEqual(progress["01-a-rule"], {"attempts": 2, "passed": 1})
+        self.assertTrue((self.folder / "soarbox-lessons" / "02-operators" / "mower.soar").exists())
+        self.assertIn("^visible yes", rules.read_text(encoding="utf-8"), "what the learner wrote stays")
+        # It is known the next time, and the next lesson is the one that comes.
+        self.learn("""
+            expect "2. Operators: propose, select, apply"
+            """, "next")
+        self.learn("""
+            expect "1. A rule fires once for each match"
+            expect "This lesson is done."
+            """, 1)
+
+    def test_the_next_lesson_of_a_teacher_is_the_teachers(self):
+        course = self.folder / "course"
+        for name, lesson in (("a-porter", "01-a-rule"), ("b-mower", "02-operators")):
+            shutil.copytree(LESSONS / lesson, course / name)
+        self.learn("""
+            expect "1. A rule fires once for each match"
+            click "Next lesson"
+            expect "2. Operators: propose, select, apply" 30
+            expect "of 3 checks"
+            """, 1, "--from", course)
+        self.assertTrue((self.folder / "soarbox-lessons" / "b-mower" / "mower.soar").exists())
 
     def play(self, script, scenario, size=(1280, 720)):
         done = subprocess.run(self.window(script, "run", scenario, "--no-record", "--port", "0", size=size),

@@ -179,6 +179,84 @@ class Missions(MissionCase):
         self.assertEqual(run.code, 0, run.out + run.err)
 
 
+class Watch(MissionCase):
+    def begin(self, *words):
+        """Starts `soarbox test --watch`; what it prints goes into a file that can be read at any time."""
+        self.log = open(self.folder / "watch.log", "w+", encoding="utf-8")
+        self.addCleanup(self.log.close)
+        watch = subprocess.Popen([COMMAND, "test", *map(str, words), "--watch", "--no-keep"], stdout=self.log,
+                                 stderr=subprocess.STDOUT)
+        self.addCleanup(watch.kill)
+        return watch
+
+    def told(self):
+        return (self.folder / "watch.log").read_text(encoding="utf-8")
+
+    def wait_for(self, text, times=1, limit_s=60):
+        end = time.monotonic() + limit_s
+        while self.told().count(text) < times and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertGreaterEqual(self.told().count(text), times, self.told())
+
+    def end(self, watch):
+        watch.send_signal(signal.SIGINT)
+        return watch.wait(10)
+
+    def test_a_saved_file_is_tested_again_until_it_is_interrupted(self):
+        checks = '[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n'
+        self.mission(checks)
+        watch = self.begin(self.folder)
+        waiting = "waiting for a file to be saved"
+        self.wait_for(waiting)
+        self.assertIn("1 mission, all passed", self.told())
+        # A rule that goes elsewhere fails ...
+        self.write("scout.soar", RULES.replace("(<command> ^waypoint gate)", "(<command> ^waypoint mill)"))
+        self.wait_for(waiting, 2)
+        self.assertIn("it came within", self.told())
+        # ... a scenario that cannot be read is told and does not end it ...
+        self.write("scenario.toml", "[[check")
+        self.wait_for("none was run, 1 cannot be used")
+        # ... and what was mended passes again.
+        self.write("scout.soar", RULES)
+        self.write("scenario.toml", WORLD + checks)
+        self.wait_for("all passed", 2)
+        self.wait_for(waiting, 4)
+        # A mission that was not there before is tested, too.
+        self.write("second.toml", 'scenario = "scenario.toml"\n' + checks)
+        self.wait_for("2 missions, all passed")
+        time.sleep(1)
+        rounds = self.told().count(waiting)
+        time.sleep(1.5)
+        self.assertEqual(self.told().count(waiting), rounds, "nothing was saved: nothing is tested")
+        self.assertEqual(self.end(watch), 0, self.told())
+        self.assertNotIn("crashed", self.told())
+
+    def test_what_is_saved_while_missions_run_is_not_missed(self):
+        self.mission('[mission]\nseeds = "1..60"\nseconds = 60\n[[check]]\nname = "far"\nagent = "scout"\n'
+                     'distance = { min = 5000 }\n')
+        watch = self.begin(self.folder, "--jobs", "1")
+        time.sleep(0.3)
+        self.assertNotIn("waiting", self.told(), "the first round is under way")
+        self.write("scout.soar", RULES + "# saved meanwhile\n")
+        self.wait_for("1 mission, 1 failed", 2, 200)
+        self.assertEqual(self.end(watch), 1, self.told())
+
+    def test_rules_in_the_folder_of_a_mission_elsewhere_are_watched(self):
+        self.mission("")
+        (self.folder / "missions").mkdir()
+        mission = self.folder / "missions" / "go.toml"
+        mission.write_text('scenario = ".."\n[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n',
+                           encoding="utf-8")
+        watch = self.begin(mission)
+        self.wait_for("all passed")
+        self.wait_for("waiting")
+        self.write("scout.soar", RULES.replace("(<command> ^waypoint gate)", "(<command> ^waypoint mill)"))
+        self.wait_for("1 failed")
+        # Interrupted while it waits, it ends with what the last round came to.
+        self.wait_for("waiting", 2)
+        self.assertEqual(self.end(watch), 1, self.told())
+
+
 SWEEP = """
 scenario = "scenario.toml"
 seeds = "1..6"
@@ -241,6 +319,24 @@ class Sweeps(MissionCase):
         self.assertEqual(Run("sweep", spec, "--folder", self.folder / "whole").code, 0)
         drop = lambda rows: [{key: value for key, value in row.items() if key != "tries"} for row in rows]
         self.assertEqual(drop(self.rows()), drop(self.rows("whole")))
+
+    def test_a_sweep_may_be_named_like_its_scenario(self):
+        spec = self.write("thesis.toml", 'scenario = "thesis"\nseeds = "1..2"\nseconds = 2\n')
+        run = Run("sweep", spec.name, cwd=self.folder)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        rows = self.rows("thesis.sweep")
+        self.assertEqual([(row["seed"], row["outcome"]) for row in rows], [("1", "ok"), ("2", "ok")])
+        self.assertGreater(float(rows[0]["decisions"]), 0)
+        self.assertTrue((self.folder / "thesis.sweep" / "variants" / "default" / "Sandbox.lua").exists())
+        # So may a mission; and the scenario of the program is found beside both.
+        self.write("soar_hallway.toml", 'scenario = "soar_hallway"\n[[check]]\nname = "off"\nagent = "anna"\ncommand = "move-to"\nby = 5\n')
+        test = Run("test", "soar_hallway.toml", "--no-keep", cwd=self.folder)
+        self.assertEqual(test.code, 0, test.out + test.err)
+        self.assertEqual(Run("run", "thesis", "--headless", "--seconds", "1", cwd=self.folder).code, 0)
+        # A scenario of one's own of this name still comes first.
+        self.write("thesis.toml", WORLD)
+        self.write("scout.soar", RULES)
+        self.assertIn("scout", Run("run", "thesis", "--headless", "--seconds", "1", cwd=self.folder).out)
 
     def test_what_is_wrong_with_a_sweep_is_told(self):
         self.mission("")
@@ -309,6 +405,79 @@ class Reports(MissionCase):
         self.assertEqual(data["spans"][0][3], "go")
         fired = {rule["name"]: rule["firings"] for rule in data["agents"][0]["rules"]}
         self.assertEqual(fired["scout*apply*go"], 1)
+
+    def test_an_hour_of_ten_busy_agents_is_at_most_10_mb(self):
+        self.write("Walker.lua", """
+local ticks = 0
+function Agent_Initialize(agent) end
+function Agent_Update(agent, deltaTimeInMillis, command)
+    ticks = ticks + 1
+    agent:SetTarget(Vector.new(60 * math.sin(ticks / 140), 0, 60 * math.cos(ticks / 177)))
+    agent:ApplyForce(agent:ForceToPosition(agent:GetTarget()) * 50)
+    if ticks % 10 == 0 then
+        print("I have walked for " .. ticks .. " ticks, and there is nothing to be seen of the <gate> yet")
+    end
+end
+""")
+        self.write("teller.soar", """
+sp {teller*propose*tell
+   (state <s> ^superstate nil ^io.input-link.time <t>)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name tell ^time <t>)
+}
+sp {teller*apply*tell
+   (state <s> ^operator <o>)
+   (<o> ^name tell ^time <t>)
+-->
+   (<s> ^told <t>)
+   (write |second | <t> (crlf))
+}
+""")
+        self.write("Sandbox.lua", """
+require "SandboxUtilities"
+function Sandbox_Initialize(sandbox)
+    Sandbox.CreatePlane(sandbox, 4000, 4000)
+    for i = 1, 9 do
+        local agent = Sandbox.CreateAgent(sandbox, "Walker.lua")
+        agent:SetPosition(Vector.new(4 * i, 0, 0))
+    end
+    Sandbox.CreateSoarAgent(sandbox, { name = "teller", rules = "teller.soar", position = Vector.new(0, 0, 10) })
+end
+function Sandbox_Update(sandbox, deltaTimeInMillis) end
+""")
+        recording, page = self.folder / "hour.soarrec", self.folder / "hour.html"
+        made = subprocess.run([COMMAND, "run", self.folder, "--headless", "--seconds", "3600", "--record", recording, "--record-level",
+                               "world"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, timeout=280, check=False)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        run = Run("report", recording, "-o", page)
+        self.assertEqual(run.code, 0, run.err)
+        self.assertLessEqual(page.stat().st_size, 10_000_000)
+        text = page.read_text(encoding="utf-8")
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', text, re.S)[1])[0]
+        self.assertTrue(data["same"])
+        self.assertEqual(len(data["agents"]), 10)
+        # What is left out could not be seen, is told, and is spread over the hour.
+        told = next(line for line in data["thinned"] if "events, commands and prints" in line)
+        said = int(re.search(r"Of (\d+) events", told)[1])
+        self.assertGreater(said, 9 * 3600 * 3)
+        self.assertGreater(said * 110, 10_000_000, "all of them would be too much")
+        prints = [event for event in data["events"] if event["k"] == "print"]
+        self.assertGreater(len(prints), 5000)
+        for begin in range(0, 3600, 300):
+            self.assertGreater(sum(begin <= event["t"] < begin + 300 for event in prints), len(prints) / 24)
+        # Ways are as exact as before, to the end.
+        csv_file = self.folder / "end.csv"
+        self.assertEqual(Run("export", recording, "--csv", "--from", "3599.99", "-o", csv_file).code, 0)
+        with open(csv_file, newline="", encoding="utf-8") as file:
+            ends = {row["agent"]: row for row in csv.DictReader(file)}
+        self.assertEqual(len(data["times"]), 18001)
+        for agent in data["agents"]:
+            self.assertEqual(len(agent["x"]), len(data["times"]) - agent["from"])
+            if agent["name"] in ends:
+                self.assertGreater(agent["distance"], 100)
+                self.assertAlmostEqual(sum(agent["x"]) / 100, float(ends[agent["name"]]["x_m"]), delta=0.006)
+        self.assertEqual(data["agents"][9]["name"], "teller")
 
     def test_a_sweep_becomes_a_page(self):
         self.mission("")
