@@ -80,8 +80,19 @@
     return String(+v.toFixed(Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(step))))));
   }
 
+  /// Series come as differences, in cm and tenths of m/s.
+  function unpack(run) {
+    const series = { x: 100, z: 100, hp: 1, v: 10 };
+    run.agents.forEach((agent) => Object.keys(series).forEach((key) => {
+      let sum = 0;
+      if (agent[key]) agent[key] = agent[key].map((difference) => (sum += difference) / series[key]);
+    }));
+    run.unpacked = true;
+  }
+
   // A run.
   function runPage(run) {
+    if (!run.unpacked) unpack(run);
     const moved = [];
     let now = 0;
     const end = Math.max(run.seconds, 0.1);
@@ -218,8 +229,13 @@
     });
     const place = {};
     run.agents.forEach((agent, i) => { place[agent.name] = i; });
-    run.events.slice(0, 5000).forEach((event) => {
+    const drawn = new Set();
+    run.events.forEach((event) => {
       if (!(event.a in place) || event.k === 'command' || event.k === 'print') return;
+      // Of equal triangles one over the other one is enough.
+      const spot = event.a + '/' + event.k + '/' + Math.round(X(event.t));
+      if (drawn.has(spot)) return;
+      drawn.add(spot);
       const fill = event.k === 'problem' || event.k === 'gap' || event.k === 'impasse' ? 'var(--bad)' : event.k === 'message' ? 'var(--mark)' : 'var(--text)';
       const x = X(event.t), y = place[event.a] * row + 26;
       svg.appendChild(s('path', { d: 'M' + (x - 3) + ' ' + y + 'L' + (x + 3) + ' ' + y + 'L' + x + ' ' + (y - 5) + 'Z', fill: fill }, s('title', {}, seconds(event.t) + ' ' + event.k + ': ' + event.text)));
@@ -233,9 +249,10 @@
     moved.push((t) => { line.setAttribute('x1', X(t)); line.setAttribute('x2', X(t)); });
     const rows = run.spans.map((span) => [run.agents[span[0]].name, span[3], span[1], span[2]]);
     const events = run.events.map((event) => [event.t, event.a, event.k, event.text]);
-    return [h('figure', {}, [h('figcaption', {}, 'Bars are selected operators; triangles are impasses, messages and other events. A click moves the slider.'), svg]),
+    const thinned = run.thinned.map((text) => h('p', { class: 'quiet' }, text));
+    return [h('figure', {}, [h('figcaption', {}, 'Bars are selected operators; triangles are impasses, messages and other events. A click moves the slider.'), svg])].concat(thinned, [
       h('details', {}, [h('summary', {}, 'Operators as table'), table(['agent', 'operator', 'from', 'to'], rows, 'Operators')]),
-      h('details', {}, [h('summary', {}, 'Events as table'), table(['time', 'agent', 'kind', 'what'], events, 'Events')])];
+      h('details', {}, [h('summary', {}, 'Events as table'), table(['time', 'agent', 'kind', 'what'], events, 'Events')])]);
   }
 
   function plot(run, key, title, moved) {

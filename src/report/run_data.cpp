@@ -11,6 +11,7 @@
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "report/page.h"
+#include "report/thin.h"
 #include "sim/simulation.h"
 #include "world/world.h"
 
@@ -22,10 +23,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kWay_Hz = 5;
 constexpr std::size_t kMostMoments = 12;
-constexpr std::size_t kMostEvents = 20'000;
-constexpr std::size_t kMostSpans = 60'000;
 constexpr std::size_t kMostSamples = 18'000;  ///< An hour at 5 Hz.
-constexpr std::size_t kLargestFile = 200'000;
+/// What is kept while the run goes by; half as much goes on when there is more.
+constexpr std::size_t kMostKept = 400'000;
+constexpr std::size_t kMostGaps = 1'000;  ///< As moments to choose from.
+constexpr std::size_t kLargestText = 240, kLargestName = 80, kMostReasonLines = 60;
+
+/// What a page takes of one run. An hour of ten agents takes half of it; a run that would take more is thinned.
+constexpr std::size_t kMostBytes = 9'000'000;
+struct Budget {
+  std::size_t samples = 180'000;  ///< Of all agents together.
+  std::size_t event_bytes = 2'500'000;
+  std::size_t spans = 20'000;    ///< If there are more, those too narrow to be seen are drawn together.
+  std::size_t columns = 30'000;  ///< Of the timelines of all agents together.
+  std::size_t rules = 12'000;
+  std::size_t file_bytes = 1'500'000;
+
+  Budget Half() const { return {samples / 2, event_bytes / 2, spans / 2, columns / 2, rules / 2, file_bytes / 2}; }
+};
 
 double Rounded(double value, double to) {
   return std::round(value / to) * to;
@@ -63,16 +78,38 @@ class RunStory {
     Ask(facts);
   }
 
-  Json Finish(bool has_mission) {
+  void Finish() {
     const bool was_decided = evaluator_.IsDecided();
     if (!was_decided) evaluator_.Finish();
     const mission::TickFacts& facts = gatherer_.facts();
     if (!was_decided) Ask(facts);
-    Json data;
+    for (std::size_t i = 0; i < facts.agents.size(); ++i) {
+      Close(i, facts.time_s);
+      rules_.push_back(Rules(facts.agents[i].name));
+    }
+    std::stable_sort(moments_.begin(), moments_.end(),
+                     [](const Json& a, const Json& b) { return a["rank"] < b["rank"]; });
+    if (moments_.size() > kMostMoments) moments_.resize(kMostMoments);
+    std::stable_sort(moments_.begin(), moments_.end(),
+                     [](const Json& a, const Json& b) { return a["time"] < b["time"]; });
+  }
+
+  /// What the page shows, within a budget; what that leaves out is told in `thinned`.
+  Json Compose(bool has_mission, const Budget& budget) const {
+    const mission::TickFacts& facts = gatherer_.facts();
+    Json data, thinned = Json::array();
+    const std::size_t count = std::max<std::size_t>(1, facts.agents.size());
+    const std::size_t most = std::max<std::size_t>(2, budget.samples / count);
+    const std::vector<std::size_t> kept = KeptMoments(times_.size(), (times_.size() + most - 1) / most);
+    const double step_s = static_cast<double>(simulation_.world().settings().step_s);
+    if (kept.size() < times_.size() || every_ * step_s > 1.01 / kWay_Hz)
+      thinned.push_back("Ways, speed and health are drawn from " + std::to_string(kept.size()) + " moments.");
+    Json times = Json::array();
+    for (const std::size_t at : kept) times.push_back(Short(times_[at]));
     Json agents = Json::array();
+    std::size_t rules_left = 0;
     for (std::size_t i = 0; i < facts.agents.size(); ++i) {
       const mission::AgentFacts& agent = facts.agents[i];
-      Close(i, facts.time_s);
       Json& made = agents.emplace_back(Json{{"name", agent.name},
                                             {"team", agent.team},
                                             {"distance", Short(agent.distance)},
@@ -80,19 +117,26 @@ class RunStory {
                                             {"alive", agent.alive},
                                             {"rounds", Short(agent.rounds)},
                                             {"damage", Short(agent.damage)}});
-      if (i < ways_.size()) made.update(ways_[i]);
-      made["rules"] = Rules(agent.name);
+      if (i < ways_.size()) {
+        StoryWay way = ThinWay(ways_[i], kept);
+        made["from"] = way.from;
+        made["x"] = Differences(std::move(way.x_cm));
+        made["z"] = Differences(std::move(way.z_cm));
+        made["hp"] = Differences(std::move(way.health));
+        made["v"] = Differences(std::move(way.speed_dmps));
+      }
+      const std::size_t shown = std::min(rules_[i].size(), budget.rules / count);
+      rules_left += rules_[i].size() - shown;
+      Json& rules = made["rules"] = Json::array();
+      for (std::size_t rule = 0; rule < shown; ++rule) rules.push_back(rules_[i][rule]);
     }
-    data["times"] = times_;
+    if (rules_left > 0) thinned.push_back(std::to_string(rules_left) + " rules are left out.");
+    data["times"] = std::move(times);
     data["agents"] = std::move(agents);
-    data["spans"] = spans_;
-    data["events"] = events_;
+    data["spans"] = Spans(budget, facts.time_s, count, thinned);
+    data["events"] = Events(budget, thinned);
+    data["thinned"] = std::move(thinned);
     data["checks"] = Checks();
-    std::stable_sort(moments_.begin(), moments_.end(),
-                     [](const Json& a, const Json& b) { return a["rank"] < b["rank"]; });
-    if (moments_.size() > kMostMoments) moments_.resize(kMostMoments);
-    std::stable_sort(moments_.begin(), moments_.end(),
-                     [](const Json& a, const Json& b) { return a["time"] < b["time"]; });
     data["moments"] = moments_;
     std::size_t failed = 0, all = 0;
     for (std::size_t i = 0; i < mission_.checks.size(); ++i) {
@@ -110,6 +154,33 @@ class RunStory {
   }
 
  private:
+  Json Spans(const Budget& budget, double seconds, std::size_t agents, Json& thinned) const {
+    std::vector<StorySpan> spans = spans_;
+    if (spans.size() > budget.spans) {
+      const std::size_t columns = std::clamp<std::size_t>(budget.columns / agents, 10, 2400);
+      spans = MergeSpans(spans, seconds, columns);
+      thinned.push_back("Operators of less than " + mission::SecondsText(seconds / static_cast<double>(columns)) +
+                        " that follow each other are drawn as one: " + std::to_string(spans.size()) + " bars for " +
+                        std::to_string(spans_.size() + spans_lost_) + " operators.");
+    }
+    Json list = Json::array();
+    for (const StorySpan& span : spans)
+      list.push_back(Json::array({span.agent, Short(span.from_s), Short(span.to_s), span.name}));
+    return list;
+  }
+
+  Json Events(const Budget& budget, Json& thinned) const {
+    std::vector<StoryEvent> events = events_;
+    ThinEvents(events, budget.event_bytes);
+    if (const std::size_t all = events_.size() + events_lost_; events.size() < all)
+      thinned.push_back("Of " + std::to_string(all) + " events, commands and prints " + std::to_string(events.size()) +
+                        " are here, spread over the run; those of rare kinds are all there.");
+    Json list = Json::array();
+    for (const StoryEvent& event : events)
+      list.push_back(Json{{"t", Short(event.time_s)}, {"a", event.agent}, {"k", event.kind}, {"text", event.text}});
+    return list;
+  }
+
   static Json Places(const std::vector<mission::PlaceFacts>& places) {
     Json list = Json::array();
     for (const mission::PlaceFacts& place : places)
@@ -123,35 +194,44 @@ class RunStory {
   }
 
   void Sample(const mission::TickFacts& facts) {
-    times_.push_back(Short(facts.time_s));
+    times_.push_back(facts.time_s);
     for (std::size_t i = 0; i < facts.agents.size(); ++i) {
-      if (ways_.size() <= i)
-        ways_.push_back(Json{{"from", times_.size() - 1},
-                             {"x", Json::array()},
-                             {"z", Json::array()},
-                             {"hp", Json::array()},
-                             {"v", Json::array()}});
+      if (ways_.size() <= i) ways_.emplace_back().from = times_.size() - 1;
       const mission::AgentFacts& agent = facts.agents[i];
-      ways_[i]["x"].push_back(Short(static_cast<double>(agent.position.x)));
-      ways_[i]["z"].push_back(Short(static_cast<double>(agent.position.z)));
-      ways_[i]["hp"].push_back(static_cast<std::int64_t>(std::lround(agent.health)));
-      ways_[i]["v"].push_back(std::round(agent.speed * 10) / 10);
+      const auto whole = [](double value) {
+        return static_cast<std::int32_t>(std::lround(std::clamp(value, -2e9, 2e9)));
+      };
+      ways_[i].x_cm.push_back(whole(100 * static_cast<double>(agent.position.x)));
+      ways_[i].z_cm.push_back(whole(100 * static_cast<double>(agent.position.z)));
+      ways_[i].health.push_back(whole(agent.health));
+      ways_[i].speed_dmps.push_back(whole(10 * agent.speed));
     }
   }
 
   void Add(double time_s, const std::string& agent, const char* kind, std::string text) {
-    if (events_.size() < kMostEvents)
-      events_.push_back(Json{{"t", Short(time_s)}, {"a", agent}, {"k", kind}, {"text", std::move(text)}});
+    if (events_.size() >= kMostKept) {
+      std::size_t bytes = 0;
+      for (const StoryEvent& event : events_) bytes += event.text.size();
+      ThinEvents(events_, bytes / 2);
+      events_lost_ += kMostKept - events_.size();
+    }
+    events_.push_back({time_s, agent, kind, CutText(std::move(text), kLargestText)});
   }
 
   void Moment(double time_s, int rank, const std::string& agent, std::string text,
-              const std::vector<std::string>& reasons = {}) {
+              std::vector<std::string> reasons = {}) {
+    Shorten(reasons);
     moments_.push_back(Json{{"time", Short(time_s)},
                             {"time_text", TimeText(time_s)},
                             {"rank", rank},
                             {"agent", agent},
-                            {"text", std::move(text)},
+                            {"text", CutText(std::move(text), 2 * kLargestText)},
                             {"reasons", reasons}});
+  }
+
+  static void Shorten(std::vector<std::string>& reasons) {
+    if (reasons.size() > kMostReasonLines) reasons.resize(kMostReasonLines);
+    for (std::string& reason : reasons) reason = CutText(std::move(reason), 2 * kLargestText);
   }
 
   void Tell(const sim::Event& event) {
@@ -180,7 +260,7 @@ class RunStory {
         break;
       case sim::EventKind::kGap:
         Add(event.time_s, event.agent, "gap", event.text);
-        Moment(event.time_s, 3, event.agent, event.agent + ": " + event.text, event.reasons);
+        if (++gaps_ <= kMostGaps) Moment(event.time_s, 3, event.agent, event.agent + ": " + event.text, event.reasons);
         break;
       case sim::EventKind::kDiagnostic:
       case sim::EventKind::kAgentFailed:
@@ -212,8 +292,13 @@ class RunStory {
 
   void Close(std::size_t index, double time_s) {
     if (index >= open_.size() || open_[index].first.empty()) return;
-    if (spans_.size() < kMostSpans)
-      spans_.push_back(Json::array({index, Short(open_[index].second), Short(time_s), open_[index].first}));
+    if (spans_.size() >= kMostKept) {
+      const std::size_t before = spans_.size();
+      spans_ = MergeSpans(spans_, time_s, kMostKept / 4);
+      if (spans_.size() > kMostKept / 2) spans_.resize(kMostKept / 2);
+      spans_lost_ += before - spans_.size();
+    }
+    spans_.push_back({index, open_[index].second, time_s, CutText(open_[index].first, kLargestName)});
     open_[index].first.clear();
   }
 
@@ -228,6 +313,7 @@ class RunStory {
       std::string agent = verdict.agent;
       if (agent.empty() && mission_.checks[i].agents.size() == 1) agent = mission_.checks[i].agents.front();
       reasons_[i] = mission::ReasonsFor(mission_.checks[i], agent, simulation_);
+      Shorten(reasons_[i]);
       Moment(verdict.time_s, 0, agent, mission::Expectation(mission_.checks[i], agent, mission_) + "; " + verdict.was,
              reasons_[i]);
     }
@@ -254,8 +340,8 @@ class RunStory {
     return list;
   }
 
-  Json Rules(const std::string& agent) {
-    Json list = Json::array();
+  std::vector<Json> Rules(const std::string& agent) {
+    std::vector<Json> list;
     const std::unique_ptr<sim::Inspector> inspector = simulation_.Inspect(agent);
     if (inspector == nullptr) return list;
     for (const sim::RuleFact& rule : inspector->Rules()) {
@@ -264,8 +350,10 @@ class RunStory {
       if (rule.firings > 0) continue;
       const std::optional<sim::MatchFacts> match = inspector->Match(rule.name);
       if (match && match->failing && *match->failing < match->conditions.size())
-        made["stops"] = "condition " + std::to_string(*match->failing + 1) + " of " +
-                        std::to_string(match->conditions.size()) + ": " + match->conditions[*match->failing].text;
+        made["stops"] =
+            CutText("condition " + std::to_string(*match->failing + 1) + " of " +
+                        std::to_string(match->conditions.size()) + ": " + match->conditions[*match->failing].text,
+                    kLargestText);
     }
     return list;
   }
@@ -281,8 +369,12 @@ class RunStory {
   mission::FactGatherer gatherer_;
   mission::Evaluator evaluator_;
   std::uint64_t every_ = 0;
-  Json times_ = Json::array(), spans_ = Json::array(), events_ = Json::array();
-  std::vector<Json> ways_;
+  std::vector<double> times_;
+  std::vector<StorySpan> spans_;
+  std::vector<StoryEvent> events_;
+  std::size_t spans_lost_ = 0, events_lost_ = 0, gaps_ = 0;  ///< That were thinned while the run went by.
+  std::vector<StoryWay> ways_;
+  std::vector<std::vector<Json>> rules_;  ///< Of each agent.
   std::vector<Json> moments_;
   std::vector<std::pair<std::string, double>> open_;
   std::vector<std::vector<std::string>> reasons_;
@@ -366,21 +458,38 @@ Result<std::string> RunData(const fs::path& recording, const sim::DataFolders& d
   made["build"] = header.build;
   made["seconds"] = Short(simulation.time_s());
   made["command"] = "soarbox replay " + recording.string();
-  made.update(story.Finish(!mission.checks.empty()));
   made["things"] = std::move(things);
   Json warnings = Json::array();
   for (const Diagnostic& warning : rerun->warnings) warnings.push_back(warning.message);
   made["warnings"] = std::move(warnings);
-  Json files = Json::array();
+  std::vector<std::pair<std::string, std::string>> texts;
   std::set<std::string> seen;
   for (const sim::WatchedFile& file : simulation.Files()) {
     if (!seen.insert(file.file.string()).second) continue;
-    const std::string text = ReadText(file.file).value_or("");
-    if (!text.empty() && text.size() < kLargestFile)
-      files.push_back(Json{{"name", file.file.filename().string()}, {"text", text}});
+    std::string text = ReadText(file.file).value_or("");
+    if (!text.empty()) texts.emplace_back(file.file.filename().string(), std::move(text));
   }
-  made["files"] = std::move(files);
-  return made.dump(-1, ' ', false, Json::error_handler_t::replace);
+  story.Finish();
+  // Whatever the run held, the page stays small enough to be sent.
+  Budget budget;
+  while (true) {
+    Json whole = made;
+    whole.update(story.Compose(!mission.checks.empty(), budget));
+    Json files = Json::array();
+    std::size_t room = budget.file_bytes;
+    for (const auto& [file, text] : texts) {
+      if (text.size() > room) {
+        whole["thinned"].push_back("The text of " + file + " is left out.");
+        continue;
+      }
+      room -= text.size();
+      files.push_back(Json{{"name", file}, {"text", text}});
+    }
+    whole["files"] = std::move(files);
+    std::string json = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (ForScriptElement(json).size() <= kMostBytes || budget.samples < 1000) return json;
+    budget = budget.Half();
+  }
 }
 
 }  // namespace soarbox::report
