@@ -214,7 +214,7 @@ class Watch(MissionCase):
         self.wait_for(waiting, 2)
         self.assertIn("it came within", self.told())
         # ... a scenario that cannot be read is told and does not end it ...
-        self.write("scenario.toml", "[[check")
+        self.write("scenario.toml", WORLD + checks.replace("at = ", "att = "))
         self.wait_for("none was run, 1 cannot be used")
         # ... and what was mended passes again.
         self.write("scout.soar", RULES)
@@ -232,7 +232,7 @@ class Watch(MissionCase):
         self.assertNotIn("crashed", self.told())
 
     def test_what_is_saved_while_missions_run_is_not_missed(self):
-        self.mission('[mission]\nseeds = "1..60"\nseconds = 60\n[[check]]\nname = "far"\nagent = "scout"\n'
+        self.mission('[mission]\nseeds = "1..20"\nseconds = 60\n[[check]]\nname = "far"\nagent = "scout"\n'
                      'distance = { min = 5000 }\n')
         watch = self.begin(self.folder, "--jobs", "1")
         time.sleep(0.3)
