@@ -40,7 +40,10 @@ std::span<const BodyKind> BodyKinds() {
 
 std::string_view MaterialOfLooks(std::string_view looks) {
   constexpr std::pair<std::string_view, std::string_view> kMaterials[] = {
-      {"sheep", "Soarbox/Sheep"}, {"bear", "Soarbox/Bear"}, {"hare", "Soarbox/Hare"}, {"cook", "Soarbox/Cook"}};
+      {"sheep", "Soarbox/Sheep"}, {"bear", "Soarbox/Bear"}, {"hare", "Soarbox/Hare"},
+      {"cook", "Soarbox/Cook"},   {"wolf", "Soarbox/Wolf"}, {"villager", "Soarbox/Villager"},
+      {"robot", "Soarbox/Robot"}, {"cart", "Soarbox/Cart"}, {"bee", "Soarbox/Bee"},
+      {"bell", "Soarbox/Bell"}};
   for (const auto& [name, material] : kMaterials)
     if (name == looks) return material;
   return {};
@@ -53,7 +56,15 @@ std::string_view MaterialOfThing(std::string_view name, std::string_view gives, 
   if (has("rock") || has("stone") || has("boulder")) return "Soarbox/Rock";
   if (has("crate") || has("box") || has("chest")) return "Soarbox/Crate";
   if (has("sack") || has("bag") || has("flour")) return "Soarbox/Sack";
+  if (is_item && has("gold")) return "Soarbox/Gold";
+  if (is_item && has("silver")) return "Soarbox/Silver";
+  if (is_item && has("bronze")) return "Soarbox/Bronze";
+  if (is_item && has("flower"))
+    return has("red") ? "Soarbox/RedFlower" : has("blue") ? "Soarbox/BlueFlower" : "Soarbox/WhiteFlower";
   if (is_item) return "Soarbox/Sack";
+  if (has("hedge") || has("bush")) return "Soarbox/Hedge";
+  if (has("table") || has("barn") || has("bridge") || has("shelf")) return "Soarbox/Crate";
+  if (has("well") || has("mill")) return "Soarbox/Rock";
   if (has("shed") || has("house") || has("hut") || has("wall")) return "Soarbox/Brick";
   return "Soarbox/Concrete";
 }

@@ -44,7 +44,8 @@ struct BodyKind {
 };
 
 /// What an agent can look like.
-inline constexpr std::string_view kLooks[] = {"person", "capsule", "sheep", "bear", "hare", "cook"};
+inline constexpr std::string_view kLooks[] = {"person", "capsule",  "sheep", "bear", "hare", "cook",
+                                              "wolf",   "villager", "robot", "cart", "bee",  "bell"};
 /// The material that stands for a creature; empty: it looks like a person or a plain capsule.
 std::string_view MaterialOfLooks(std::string_view looks);
 /// The material of a thing or an item whose author names none: by the words of its name, and by what it gives.

@@ -123,6 +123,143 @@ MeshData Hare() {
   return Animal({0.48f, 0.36f, 0.12f, 0.13f, {0.075f, 0.085f, 0.10f}, 0.09f, 0.0f, 0.14f, 0.055f, 0.1f, false, false});
 }
 
+MeshData Wolf() {
+  return Animal({1.30f, 0.82f, 0.40f, 0.22f, {0.12f, 0.13f, 0.22f}, 0.12f, 0.08f, 0.11f, 0.10f, 0.15f, false, false});
+}
+
+/// Somebody in a tunic, with a hat against the sun.
+MeshData Villager() {
+  MeshData mesh;
+  for (const float x : {-0.10f, 0.10f}) Paste(mesh, CylinderMesh(0.085f, 0.80f), {x, 0.40f, 0}, {0, 0.35f, 0});
+  Paste(mesh, Ball({0.23f, 0.42f, 0.16f}), {0, 1.00f, 0}, {});
+  for (const float x : {-0.26f, 0.26f}) {
+    Paste(mesh, CapsuleMesh(0.065f, 0.52f), {x, 1.08f, 0.04f}, {1, 0.85f, 0});
+    Paste(mesh, Ball({0.065f, 0.065f, 0.065f}), {x, 0.80f, 0.05f}, {0, 1, 0.05f});
+  }
+  Paste(mesh, Ball({0.105f, 0.135f, 0.12f}), {0, 1.47f, 0}, {0, 1, 0.05f});
+  for (const float x : {-0.04f, 0.04f})
+    Paste(mesh, Ball({0.015f, 0.018f, 0.012f}), {x, 1.49f, 0.115f}, {0, 0.1f, 0.6f});
+  Paste(mesh, CylinderMesh(0.22f, 0.02f), {0, 1.56f, 0}, {0, 1.15f, 0});
+  Paste(mesh, Ball({0.13f, 0.11f, 0.13f}), {0, 1.59f, 0}, {0, 1.15f, 0});
+  return mesh;
+}
+
+/// A low machine on wheels, with a lamp that shows where it goes.
+MeshData Robot() {
+  MeshData mesh = BoxAt({0, 0.34f, -0.05f}, {0.72f, 0.34f, 1.05f}, 0.08f);
+  Paste(mesh, BoxAt({0, 0.56f, -0.12f}, {0.50f, 0.14f, 0.62f}, 0.06f), {}, {1, 0.75f, 0.2f});
+  for (const float x : {-0.42f, 0.42f}) {
+    Paste(mesh, Ball({0.07f, 0.26f, 0.26f}), {x, 0.26f, -0.30f}, {0, 0.8f, 0.1f});
+    Paste(mesh, Ball({0.06f, 0.16f, 0.16f}), {x, 0.16f, 0.36f}, {0, 0.8f, 0.1f});
+  }
+  Paste(mesh, CylinderMesh(0.02f, 0.35f), {0, 0.78f, -0.30f}, {0, 1, 0.3f});
+  Paste(mesh, Ball({0.06f, 0.06f, 0.06f}), {0, 0.97f, -0.30f}, {1, 1.3f, 0.6f});
+  Paste(mesh, BoxAt({0, 0.40f, 0.50f}, {0.40f, 0.10f, 0.06f}), {}, {0, 2.5f, 0.6f});
+  return mesh;
+}
+
+/// A wooden cart, loaded, with its shafts ahead.
+MeshData Cart() {
+  MeshData mesh = BoxAt({0, 0.52f, -0.15f}, {0.80f, 0.08f, 1.40f});
+  for (const float x : {-0.40f, 0.40f}) {
+    Paste(mesh, BoxAt({x, 0.72f, -0.15f}, {0.05f, 0.34f, 1.40f}), {}, {1, 0.85f, 0});
+    Paste(mesh, Ball({0.06f, 0.36f, 0.36f}), {1.2f * x, 0.36f, -0.15f}, {0, 0.7f, 0});
+    Paste(mesh, BoxAt({0.7f * x, 0.52f, 0.95f}, {0.06f, 0.06f, 0.90f}), {}, {1, 0.8f, 0});
+  }
+  for (const float z : {-0.85f, 0.55f}) Paste(mesh, BoxAt({0, 0.72f, z}, {0.80f, 0.34f, 0.05f}), {}, {1, 0.85f, 0});
+  Paste(mesh, Ball({0.36f, 0.30f, 0.62f}, 0.35f, 4), {0, 0.80f, -0.15f}, {0, 1.9f, 0});
+  return mesh;
+}
+
+/// A bee as large as a dog, a metre above the ground.
+MeshData Bee() {
+  constexpr float kUp = 1.15f;
+  MeshData mesh;
+  Paste(mesh, Ball({0.24f, 0.23f, 0.36f}), {0, kUp, -0.12f}, {});
+  for (const float z : {-0.32f, -0.14f, 0.04f}) {
+    const float wide = std::sqrt(1 - (z + 0.12f) * (z + 0.12f) / (0.36f * 0.36f));
+    Paste(mesh, Ball({0.255f * wide, 0.245f * wide, 0.055f}), {0, kUp, z}, {0, 0.9f, 0});
+  }
+  Paste(mesh, Ball({0.16f, 0.16f, 0.15f}), {0, kUp + 0.04f, 0.32f}, {0, 1.4f, 0.05f});
+  for (const float side : {-1.0f, 1.0f}) {
+    Paste(mesh, Ball({0.05f, 0.07f, 0.04f}), {side * 0.09f, kUp + 0.10f, 0.43f}, {0, 5, 0.5f});
+    Paste(mesh, Ball({0.34f, 0.015f, 0.16f}), {side * 0.40f, kUp + 0.24f, -0.02f}, {0, 11, 0.2f});
+    Paste(mesh, CapsuleMesh(0.012f, 0.18f), {side * 0.05f, kUp + 0.26f, 0.38f}, {0, 1, 0});
+  }
+  return mesh;
+}
+
+/// A bell that hangs between two posts.
+MeshData Bell() {
+  MeshData mesh;
+  for (const float x : {-0.62f, 0.62f}) Paste(mesh, BoxAt({x, 0.85f, 0}, {0.14f, 1.70f, 0.14f}), {}, {0, 1, 0});
+  Paste(mesh, BoxAt({0, 1.70f, 0}, {1.50f, 0.14f, 0.18f}), {}, {0, 0.85f, 0});
+  Paste(mesh, CylinderMesh(0.05f, 0.20f), {0, 1.55f, 0}, {1, 0.7f, 0.3f});
+  Paste(mesh, Ball({0.30f, 0.42f, 0.30f}), {0, 1.12f, 0}, {1, 1, 0.45f});
+  Paste(mesh, CylinderMesh(0.37f, 0.12f), {0, 0.86f, 0}, {1, 0.9f, 0.45f});
+  Paste(mesh, Ball({0.09f, 0.09f, 0.09f}), {0, 0.76f, 0}, {1, 0.6f, 0.3f});
+  return mesh;
+}
+
+/// Bars of metal in a pile, larger than the thing itself so that one sees them from afar.
+MeshData Bars(Vec3 size) {
+  MeshData mesh;
+  const float unit = size.x, ground = -0.5f * size.y;
+  for (int row = 0; row < 3; ++row) {
+    const int bars = 3 - row;
+    for (int i = 0; i < bars; ++i) {
+      const float x = (static_cast<float>(i) - 0.5f * static_cast<float>(bars - 1)) * 0.95f * unit;
+      const float y = ground + (0.25f + 0.5f * static_cast<float>(row)) * unit;
+      Paste(mesh, BoxAt({x, y, 0}, {0.86f * unit, 0.48f * unit, 1.9f * unit}, 0.12f * unit), {},
+            {1, 0.85f + 0.08f * static_cast<float>((i + row) % 3), 0.6f});
+    }
+  }
+  return mesh;
+}
+
+/// A flower as tall as somebody's knee, with six petals.
+MeshData Flower(Vec3 size) {
+  MeshData mesh;
+  const float unit = size.x, ground = -0.5f * size.y, top = ground + 1.7f * unit;
+  Paste(mesh, CylinderMesh(0.10f * unit, 1.7f * unit), {0, 0.5f * (ground + top), 0}, {0, 0.6f, 0});
+  for (const float side : {-1.0f, 1.0f})
+    Paste(mesh, Ball({0.50f * unit, 0.06f * unit, 0.20f * unit}), {side * 0.5f * unit, ground + 0.5f * unit, 0},
+          {0, 0.7f, 0});
+  for (int i = 0; i < 6; ++i) {
+    const float angle = kPi * static_cast<float>(i) / 3;
+    Paste(mesh, Ball({0.48f * unit, 0.12f * unit, 0.48f * unit}),
+          {0.72f * unit * std::cos(angle), top, 0.72f * unit * std::sin(angle)}, {});
+  }
+  Paste(mesh, Ball({0.42f * unit, 0.22f * unit, 0.42f * unit}), {0, top + 0.06f * unit, 0}, {0, 1.5f, 0});
+  return mesh;
+}
+
+/// Leaves that fill the box.
+MeshData Hedge(Vec3 size) {
+  MeshData mesh = BoxAt({}, size * 0.94f, 0.1f * std::min({size.x, size.y, size.z}));
+  for (MeshVertex& vertex : mesh.vertices) vertex.light *= 0.72f;
+  const float ball = std::clamp(1.3f * std::min({size.x, size.y, size.z}), 0.25f, 1.2f);
+  const auto steps = [&](float side) { return std::clamp(static_cast<int>(std::lround(1.6f * side / ball)), 1, 24); };
+  const int across = steps(size.x), up = steps(size.y), along = steps(size.z);
+  std::uint32_t seed = 3;
+  for (int i = 0; i < across; ++i) {
+    for (int j = 0; j < up; ++j) {
+      for (int k = 0; k < along; ++k, ++seed) {
+        const bool is_inside = i > 0 && i + 1 < across && j > 0 && j + 1 < up && k > 0 && k + 1 < along;
+        if (is_inside) continue;
+        const auto at = [](int n, int count, float side) {
+          return side * ((static_cast<float>(n) + 0.5f) / static_cast<float>(count) - 0.5f);
+        };
+        const float light = 0.80f + 0.35f * LatticeValue(i, j, k, 11);
+        const float half = 0.5f * ball;
+        Paste(mesh, Ball({half, half, half}, 0.5f, seed),
+              {at(i, across, size.x), at(j, up, size.y), at(k, along, size.z)}, {1, light, 0});
+      }
+    }
+  }
+  return mesh;
+}
+
 /// Somebody in white with an apron and a tall hat.
 MeshData Cook() {
   MeshData mesh;
@@ -257,6 +394,19 @@ constexpr Figure kFigures[] = {
     {"Soarbox/Bear", [](Vec3 size) { return Standing(Bear(), size); }},
     {"Soarbox/Hare", [](Vec3 size) { return Standing(Hare(), size); }},
     {"Soarbox/Cook", [](Vec3 size) { return Standing(Cook(), size); }},
+    {"Soarbox/Wolf", [](Vec3 size) { return Standing(Wolf(), size); }},
+    {"Soarbox/Villager", [](Vec3 size) { return Standing(Villager(), size); }},
+    {"Soarbox/Robot", [](Vec3 size) { return Standing(Robot(), size); }},
+    {"Soarbox/Cart", [](Vec3 size) { return Standing(Cart(), size); }},
+    {"Soarbox/Bee", [](Vec3 size) { return Standing(Bee(), size); }},
+    {"Soarbox/Bell", [](Vec3 size) { return Standing(Bell(), size); }},
+    {"Soarbox/Gold", Bars},
+    {"Soarbox/Silver", Bars},
+    {"Soarbox/Bronze", Bars},
+    {"Soarbox/RedFlower", Flower},
+    {"Soarbox/BlueFlower", Flower},
+    {"Soarbox/WhiteFlower", Flower},
+    {"Soarbox/Hedge", Hedge},
 };
 
 }  // namespace

@@ -20,7 +20,9 @@ constexpr const char* kMaterials[] = {
     // Surfaces, things and creatures of scenario files.
     "Soarbox/Brick", "Soarbox/Concrete", "Soarbox/Crate", "Soarbox/Metal", "Soarbox/Stone", "Soarbox/Rock",
     "Soarbox/Medkit", "Soarbox/Ammunition", "Soarbox/Sack", "Soarbox/Sheep", "Soarbox/Bear", "Soarbox/Hare",
-    "Soarbox/Cook"};
+    "Soarbox/Wolf", "Soarbox/Villager", "Soarbox/Robot", "Soarbox/Cart", "Soarbox/Bee", "Soarbox/Bell", "Soarbox/Gold",
+    "Soarbox/Silver", "Soarbox/Bronze", "Soarbox/RedFlower", "Soarbox/BlueFlower", "Soarbox/WhiteFlower",
+    "Soarbox/Hedge", "Soarbox/Cook"};
 constexpr const char* kSkies[] = {"ThickCloudsWaterSkyBox"};
 constexpr const char* kParticles[] = {"Bullet", "BulletImpact"};
 
