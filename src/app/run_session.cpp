@@ -119,6 +119,7 @@ Result<void> RunSession::BeginAgain(bool with_next_seed) {
   recorder_.reset();
   unrecorded_.clear();
   set_up_.clear();
+  if (mission_ != nullptr) mission_->Leave();  // It looks at the old simulation.
   // The old one goes first: it holds the port that debuggers know.
   simulation_.reset();
   Result<std::unique_ptr<sim::Simulation>> made = make_(seed_);

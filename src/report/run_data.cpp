@@ -32,7 +32,7 @@ constexpr std::size_t kLargestText = 240, kLargestName = 80, kMostReasonLines = 
 /// What a page takes of one run. An hour of ten agents takes half of it; a run that would take more is thinned.
 constexpr std::size_t kMostBytes = 9'000'000;
 struct Budget {
-  std::size_t samples = 180'000;  ///< Of all agents together.
+  std::size_t samples = 181'000;  ///< Of all agents together: an hour of ten, with its ends.
   std::size_t event_bytes = 2'500'000;
   std::size_t spans = 20'000;    ///< If there are more, those too narrow to be seen are drawn together.
   std::size_t columns = 30'000;  ///< Of the timelines of all agents together.
