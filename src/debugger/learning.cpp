@@ -4,35 +4,144 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "debugger/lesson.h"
+#include "debugger/recorded_mind.h"
 
 namespace soarbox::debugger {
 
-LearningView LookAtLearning(sim::Inspector& mind, std::string_view text) {
-  LearningView view;
-  const auto wanted = [&](const std::string& name) { return name.find(text) != std::string::npos; };
-  for (const sim::RuleFact& rule : mind.Rules()) {
-    if (rule.type == "chunk" && wanted(rule.name)) view.rules.push_back({rule.name, rule.firings});
+namespace {
+
+bool Wanted(const LearnedRuleRow& row, std::string_view text) {
+  return row.name.find(text) != std::string::npos || row.purpose.find(text) != std::string::npos;
+}
+
+/// What the log tells of a rule that was learned.
+void TellWhen(const LearningLog* log, std::uint64_t until, LearnedRuleRow& row) {
+  const LearnedRule* const learned = log == nullptr ? nullptr : log->Find(row.name);
+  if (learned == nullptr || learned->tick > until) return;
+  row.tick = learned->tick;
+  if (row.source.empty()) row.source = learned->reason;
+}
+
+/// All that is known of a mind that is not simulated again.
+void LookAtLog(const LearningLog& log, std::uint64_t until, std::string_view text, LearningView& view) {
+  for (auto learned = log.rules().rbegin(); learned != log.rules().rend(); ++learned) {
+    if (learned->tick > until) continue;
+    LearnedRuleRow row;
+    row.name = learned->name;
+    row.tick = learned->tick;
+    row.source = learned->reason;
+    row.firings = static_cast<std::uint64_t>(
+        std::ranges::count_if(learned->fired, [&](std::uint64_t tick) { return tick <= until; }));
+    if (Wanted(row, text)) view.rules.push_back(std::move(row));
   }
-  std::ranges::reverse(view.rules);
+  for (const auto& [rule, points] : log.values()) {
+    sim::NumberFact number;
+    number.rule = rule;
+    for (const auto& [tick, value] : points) {
+      if (tick > until) break;
+      number.value = value;
+      ++number.updates;
+    }
+    if (number.updates == 0) continue;
+    ++view.learners;
+    if (rule.find(text) != std::string::npos) view.numbers.push_back(std::move(number));
+  }
+  view.by_reward = view.learners > 0;
+  double before = 0;
+  for (const auto& [tick, total] : log.rewards()) {
+    if (tick > until) break;
+    view.last_reward = total - before;
+    view.total_reward = before = total;
+  }
+}
+
+}  // namespace
+
+LearningView LookAtLearning(sim::Inspector& mind, std::string_view text, const LearningLog* log, std::uint64_t until) {
+  LearningView view;
   auto* const source = dynamic_cast<sim::LearningSource*>(&mind);
   if (source == nullptr) {
-    view.note = "this kernel does not report numbers learned by reward";
+    if (log != nullptr && !log->empty()) {
+      LookAtLog(*log, until, text, view);
+      view.note = "As recorded. What rules are good for comes once this moment is simulated again.";
+    } else {
+      view.note = "what it has learned: " + std::string(Absence(mind));
+    }
+    std::ranges::stable_sort(view.numbers, std::ranges::greater(), &sim::NumberFact::value);
     return view;
   }
+  std::map<std::string, const sim::LessonFact*, std::less<>> lessons;
+  const std::vector<sim::LessonFact> told = source->Lessons();
+  for (const sim::LessonFact& lesson : told) lessons[lesson.rule] = &lesson;
+  const auto add = [&](LearnedRuleRow row) {
+    if (const auto lesson = lessons.find(row.name); lesson != lessons.end()) {
+      row.source = lesson->second->state + ": " + ImpasseOf(*lesson->second);
+      row.purpose = PurposeOf(*lesson->second);
+      lessons.erase(lesson);
+    }
+    TellWhen(log, until, row);
+    if (Wanted(row, text)) view.rules.push_back(std::move(row));
+  };
+  for (const sim::RuleFact& rule : mind.Rules()) {
+    if (rule.type != "chunk") continue;
+    LearnedRuleRow row;
+    row.name = rule.name;
+    row.firings = rule.firings;
+    add(std::move(row));
+  }
+  for (const sim::LessonFact& lesson : told) {
+    if (!lessons.contains(lesson.rule)) continue;
+    LearnedRuleRow row;
+    row.name = lesson.rule;
+    row.is_gone = true;
+    add(std::move(row));
+  }
+  std::ranges::reverse(view.rules);
   sim::LearningFacts facts = source->Learning();
   view.by_reward = facts.by_reward;
   view.last_reward = facts.last_reward;
   view.total_reward = facts.total_reward;
   view.learners = facts.numbers.size();
   for (sim::NumberFact& number : facts.numbers) {
-    if (wanted(number.rule)) view.numbers.push_back(std::move(number));
+    if (number.rule.find(text) != std::string::npos) view.numbers.push_back(std::move(number));
   }
   std::ranges::stable_sort(view.numbers, std::ranges::greater(), &sim::NumberFact::value);
   if (!view.by_reward && view.learners > 0) {
     view.note = "reinforcement learning is off: rl --set learning on";
   } else if (view.by_reward && view.learners == 0) {
     view.note = "no rule can learn by reward: its only action must be a numeric preference for an operator";
+  }
+  return view;
+}
+
+LearnedRuleView LookAtLearnedRule(sim::Inspector& mind, const std::string& rule, const LearningLog* log,
+                                  std::uint64_t until) {
+  LearnedRuleView view;
+  if (rule.empty()) return view;
+  const LearnedRule* const learned = log == nullptr ? nullptr : log->Find(rule);
+  if (std::optional<WhyNode> why = WhyLearned(mind, rule)) {
+    view.why = *std::move(why);
+  } else if (learned != nullptr && learned->tick <= until) {
+    view.why = {rule + ": learned " + learned->reason, "learned", rule, {}};
+    view.why.below.push_back({"why its conditions are there: " + std::string(Absence(mind)), "reason", "", {}});
+  } else {
+    return view;
+  }
+  view.name = rule;
+  if (learned != nullptr) {
+    for (const std::uint64_t tick : learned->fired) {
+      if (tick <= until) view.fired.push_back(tick);
+    }
+  }
+  if (view.fired.empty()) {
+    view.fired_note =
+        "no firing is noted: firings are noted while the agent is selected, and in recordings of the level all";
   }
   return view;
 }
@@ -48,7 +157,12 @@ std::string ToText(const LearningView& view) {
     text += fmt::format("{:>12.6f} {:>8}  {}\n", number.value, number.updates, number.rule);
   }
   if (!view.rules.empty()) text += fmt::format("{:>12} {:>8}  {}\n", "", "firings", "learned rule");
-  for (const LearnedRuleRow& rule : view.rules) text += fmt::format("{:>12} {:>8}  {}\n", "", rule.firings, rule.name);
+  for (const LearnedRuleRow& rule : view.rules) {
+    text += fmt::format("{:>12} {:>8}  {}{}\n", rule.tick ? "tick " + std::to_string(*rule.tick) : "", rule.firings,
+                        rule.name, rule.is_gone ? " (excised)" : "");
+    if (!rule.purpose.empty()) text += fmt::format("{:>21}    it {}\n", "", rule.purpose);
+    if (!rule.source.empty()) text += fmt::format("{:>21}    {}\n", "", rule.source);
+  }
   if (text.empty()) text = "nothing has been learned\n";
   return text;
 }
@@ -73,9 +187,49 @@ Json ToJson(const LearningView& view) {
     Json one;
     one["rule"] = rule.name;
     one["firings"] = rule.firings;
+    if (rule.tick) one["tick"] = *rule.tick;
+    if (!rule.source.empty()) one["source"] = rule.source;
+    if (!rule.purpose.empty()) one["purpose"] = rule.purpose;
+    if (rule.is_gone) one["excised"] = true;
     json["rules"].push_back(std::move(one));
   }
   if (!view.note.empty()) json["note"] = view.note;
+  return json;
+}
+
+std::string ToText(const LearnedRuleView& view) {
+  if (view.name.empty()) return {};
+  std::string text = ToText(view.why);
+  if (!view.fired_note.empty()) return text + "fired since: " + view.fired_note + "\n";
+  text += "fired since, by ticks:";
+  for (const std::uint64_t tick : view.fired) text += " " + std::to_string(tick);
+  return text + "\n";
+}
+
+Json ToJson(const LearnedRuleView& view) {
+  Json json;
+  json["rule"] = view.name;
+  json["why"] = ToJson(view.why);
+  json["fired"] = view.fired;
+  if (!view.fired_note.empty()) json["note"] = view.fired_note;
+  return json;
+}
+
+std::string ToText(const std::deque<RewardEpisode>& episodes) {
+  std::string text;
+  for (std::size_t n = 0; n < episodes.size(); ++n) {
+    text += fmt::format("episode {}: reward {:g}, ticks {} to {}\n", n + 1, episodes[n].reward, episodes[n].first_tick,
+                        episodes[n].last_tick);
+  }
+  return text;
+}
+
+Json ToJson(const std::deque<RewardEpisode>& episodes) {
+  Json json = Json::array();
+  for (const RewardEpisode& episode : episodes) {
+    json.push_back(
+        Json{{"first_tick", episode.first_tick}, {"last_tick", episode.last_tick}, {"reward", episode.reward}});
+  }
   return json;
 }
 

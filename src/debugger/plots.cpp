@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "debugger/learning_log.h"
 #include "debugger/percept_help.h"
 #include "sim/learning_facts.h"
 #include "sim/rule_text.h"
@@ -100,7 +101,10 @@ std::optional<double> ValueIn(const record::TickRecord& tick, std::string_view a
                               bool& has_firings) {
   const record::MindRecord* mind = record::FindMind(tick, agent);
   if (what == "health" || what == "speed") return OfBody(tick, agent, what);
-  if (what == "decisions") return mind == nullptr ? 0.0 : static_cast<double>(mind->decisions.size());
+  if (what == "decisions")
+    return mind == nullptr ? 0.0
+                           : static_cast<double>(std::ranges::count_if(
+                                 mind->decisions, [](const std::string& line) { return !TellsOfReward(line); }));
   if (what == "fired") {
     has_firings |= mind != nullptr && !mind->details.empty();
     if (!has_firings) return std::nullopt;

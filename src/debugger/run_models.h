@@ -6,6 +6,7 @@
 #include <string>
 
 #include "debugger/agents.h"
+#include "debugger/learning_log.h"
 #include "debugger/messages.h"
 #include "debugger/plots.h"
 #include "debugger/recall.h"
@@ -23,8 +24,9 @@ struct RunModels {
   MessageLog messages;
   Trace trace;
   Plots plots;
-  std::map<std::string, Coverage, std::less<>> coverage;  ///< By agent.
-  std::map<std::string, RecallLog, std::less<>> recalls;  ///< By agent.
+  std::map<std::string, Coverage, std::less<>> coverage;     ///< By agent.
+  std::map<std::string, RecallLog, std::less<>> recalls;     ///< By agent.
+  std::map<std::string, LearningLog, std::less<>> learning;  ///< By agent.
 
   void Add(const record::TickRecord& tick);
 };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "debugger/learning_log.h"
+
 namespace soarbox::debugger {
 namespace {
 
@@ -60,7 +62,7 @@ void Bound(List& list, std::size_t most) {
 }  // namespace
 
 std::string_view NameOf(MarkKind kind) {
-  constexpr std::string_view kNames[] = {"command", "outcome", "message", "event", "error", "edit"};
+  constexpr std::string_view kNames[] = {"command", "outcome", "message", "event", "error", "edit", "learned"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -128,8 +130,11 @@ void Timeline::ReadDecision(TimelineTrack& track, std::string_view line, std::ui
   } else if (line.starts_with("O: ")) {
     Split(line.substr(3), span.id, span.text);
     Close(track, span.level, tick, false);
+  } else if (constexpr std::string_view kLearn = "learn "; line.starts_with(kLearn)) {
+    track.marks.push_back({tick, MarkKind::kLearned, "learned " + std::string(line.substr(kLearn.size()))});
+    return;
   } else {
-    track.marks.push_back({tick, MarkKind::kEvent, std::string(line)});
+    if (!TellsOfReward(line)) track.marks.push_back({tick, MarkKind::kEvent, std::string(line)});
     return;
   }
   span.line = 2 * (span.level - 1) + (span.is_state ? 0 : 1);

@@ -26,7 +26,7 @@ struct TimelineSpan {
   int line = 0;  ///< On which it is drawn: two for each level, the state's and the operator's.
 };
 
-enum class MarkKind : std::uint8_t { kCommand, kOutcome, kMessage, kEvent, kError, kEdit };
+enum class MarkKind : std::uint8_t { kCommand, kOutcome, kMessage, kEvent, kError, kEdit, kLearned };
 std::string_view NameOf(MarkKind kind);
 
 /// Something at one tick.

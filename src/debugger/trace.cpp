@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "debugger/facts_text.h"
+#include "debugger/learning_log.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -91,7 +92,9 @@ struct Writer {
   void WriteDecision(const record::MindRecord& mind, std::size_t index) {
     const std::string& line = mind.decisions[index];
     const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-    Write(TraceKind::kDecision, mind.agent, line.substr(indent), 1 + static_cast<int>(indent / 3));
+    // Numbers that move are no decisions.
+    const TraceKind kind = TellsOfReward(line) ? TraceKind::kRule : TraceKind::kDecision;
+    Write(kind, mind.agent, line.substr(indent), 1 + static_cast<int>(indent / 3));
   }
 };
 

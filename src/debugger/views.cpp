@@ -29,7 +29,8 @@ constexpr ViewInfo kViews[] = {
     {"coverage", "", "which rules fired, and where the others stop", true},
     {"why", "[NAME]", "why the agent does what it does; or an operator, command or element: why, or why not", true},
     {"io", "", "input link, output link and commands", true},
-    {"learning", "[TEXT]", "numbers that reward has taught, and rules that were learned", true},
+    {"learning", "[TEXT | #RULE]", "numbers that reward has taught, and learned rules; or one rule: why it is so",
+     true},
     {"longterm", "[TEXT | #EPISODE]", "what it knows, its episodes, what it recalled and why; or one episode", true},
     {"timeline", "", "operators, impasses, commands and events over ticks", false},
     {"messages", "[TEXT]", "what agents said to each other", false},
@@ -123,6 +124,25 @@ Result<ViewText> ShowLongTerm(sim::Inspector& mind, const RecallLog* log, const 
   return text;
 }
 
+Result<ViewText> ShowLearning(sim::Inspector& mind, const LearningLog* log, const std::string& of) {
+  if (of.starts_with('#')) {
+    const LearnedRuleView rule = LookAtLearnedRule(mind, of.substr(1), log);
+    if (!rule.name.empty()) return Both(rule);
+    std::vector<std::string> names;
+    for (const LearnedRuleRow& row : LookAtLearning(mind).rules) names.push_back(row.name);
+    return NoSuch("learned rule", of.substr(1), names);
+  }
+  const LearningView view = LookAtLearning(mind, of, log);
+  ViewText text{ToText(view), {}};
+  Json json = ToJson(view);
+  if (log != nullptr && !log->episodes().empty()) {
+    text.text += ToText(log->episodes());
+    json["episodes"] = ToJson(log->episodes());
+  }
+  text.json = Print(json);
+  return text;
+}
+
 Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, sim::Inspector& mind,
                           const std::string& agent) {
   const std::string& of = request.of;
@@ -134,7 +154,10 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
     const auto log = source.models->recalls.find(agent);
     return ShowLongTerm(mind, log == source.models->recalls.end() ? nullptr : &log->second, of);
   }
-  if (request.view == "learning") return Both(LookAtLearning(mind, of));
+  if (request.view == "learning") {
+    const auto log = source.models->learning.find(agent);
+    return ShowLearning(mind, log == source.models->learning.end() ? nullptr : &log->second, of);
+  }
   if (request.view == "rules") return Both(ListRules(mind, of));
   if (request.view == "operators") {
     const OperatorsView view = LookAtOperators(mind, of);

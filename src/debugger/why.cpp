@@ -8,6 +8,7 @@
 
 #include "debugger/facts_text.h"
 #include "debugger/io.h"
+#include "debugger/lesson.h"
 #include "debugger/operators.h"
 #include "debugger/recorded_mind.h"
 
@@ -55,12 +56,15 @@ class Tracer {
   WhyNode Rule(const sim::MakerFact& maker, int depth) {
     WhyNode node{Describe(maker), "rule", maker.rule, {}};
     if (maker.elements.empty() && maker.o_supported) node.text += ": it matched then, and what it made stays";
+    if (std::optional<WhyNode> origin = OriginOf(mind_, maker.rule)) node.below.push_back(*std::move(origin));
     for (const sim::ElementFact& element : Telling(maker.elements)) node.below.push_back(Element(element, depth - 1));
     return node;
   }
 
   WhyNode Preference(const sim::PreferenceFact& preference) {
     WhyNode node{Describe(preference), "preference", preference.maker.rule, {}};
+    if (std::optional<WhyNode> origin = OriginOf(mind_, preference.maker.rule))
+      node.below.push_back(*std::move(origin));
     for (const sim::ElementFact& element : Telling(preference.maker.elements))
       node.below.push_back(Element(element, 2));
     return node;
@@ -170,6 +174,7 @@ Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std
   if (const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent)) {
     if (std::optional<WhyNode> command = WhyCommand(*mind, name)) return *std::move(command);
     if (std::optional<WhyNode> op = WhyOperator(*mind, name)) return *std::move(op);
+    if (std::optional<WhyNode> learned = WhyLearned(*mind, name)) return *std::move(learned);
   }
   const Result<std::vector<std::string>> lines = simulation.WhyTopic(agent, std::string(name));
   if (!lines) return lines.error();

@@ -369,6 +369,12 @@ void Agent::RecordExplanations(bool of_all_rules, bool of_justifications) {
   engine_->chunker.explanations().all = of_all_rules;
   engine_->chunker.explanations().justifications = of_justifications;
 }
+void Agent::NoteExplanations(bool on) {
+  engine_->chunker.explanations().noting = on;
+}
+const std::deque<ExplainedRule>& Agent::NotedExplanations() const {
+  return engine_->chunker.explanations().noted();
+}
 const std::vector<std::string>& Agent::WatchedForExplanations() const {
   return engine_->chunker.explanations().watched;
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -221,6 +222,10 @@ class Agent {
   const std::vector<ExplainedRule>& Explained() const;
   /// What is recorded from now on.
   void RecordExplanations(bool of_all_rules, bool of_justifications);
+  /// Notes explanations of all learned rules for those who watch the agent, beside what is recorded; or no longer.
+  void NoteExplanations(bool on);
+  /// The last 1,000 of them, in the order of learning.
+  const std::deque<ExplainedRule>& NotedExplanations() const;
   /// Rules whose chunks are recorded, by name.
   const std::vector<std::string>& WatchedForExplanations() const;
   /// Rules that were learned from those, and are watched, too.

@@ -25,6 +25,9 @@ PreferenceFact Fact(InspectedPreference from);
 CandidateFact Fact(InspectedCandidate from);
 RuleFact Fact(InspectedRule from);
 ConditionFact Fact(InspectedCondition from);
+TripleFact Fact(InspectedTriple from);
+FiringFact Fact(InspectedFiring from);
+LessonFact Fact(InspectedLesson from);
 
 ElementFact Fact(InspectedElement from) {
   return {from.timetag,          std::move(from.id), std::move(from.attribute),
@@ -84,6 +87,41 @@ RuleFact Fact(InspectedRule from) {
 
 ConditionFact Fact(InspectedCondition from) {
   return {std::move(from.text), from.negated, from.partial_matches};
+}
+
+TripleFact Fact(InspectedTriple from) {
+  return {std::move(from.id),   std::move(from.attribute), std::move(from.value), std::move(from.referent),
+          std::move(from.sign), std::move(from.met),       from.negated,          from.above,
+          from.creator,         std::move(from.path)};
+}
+
+FiringFact Fact(InspectedFiring from) {
+  return {from.serial,
+          std::move(from.rule),
+          from.level,
+          from.made_result,
+          Facts<TripleFact>(std::move(from.conditions)),
+          Facts<TripleFact>(std::move(from.actions))};
+}
+
+LessonFact Fact(InspectedLesson from) {
+  LessonFact to;
+  to.rule = std::move(from.rule);
+  to.decision = from.decision;
+  to.level = from.level;
+  to.state = std::move(from.state);
+  to.superstate = std::move(from.superstate);
+  to.impasse = std::move(from.impasse);
+  to.attribute = std::move(from.attribute);
+  to.operator_name = std::move(from.operator_name);
+  to.base = from.base;
+  to.conditions = Facts<TripleFact>(std::move(from.conditions));
+  to.actions = Facts<TripleFact>(std::move(from.actions));
+  to.firings = Facts<FiringFact>(std::move(from.firings));
+  to.local_negation = from.local_negation;
+  to.long_term_memory = from.long_term_memory;
+  to.repaired = from.repaired;
+  return to;
 }
 
 class OwnInspector final : public Inspector, public LearningSource, public LongTermSource {
@@ -155,6 +193,13 @@ class OwnInspector final : public Inspector, public LearningSource, public LongT
       facts.numbers.push_back({std::move(number.rule), number.value, number.current, number.future, number.updates});
     }
     return facts;
+  }
+
+  std::vector<LessonFact> Lessons() override { return Facts<LessonFact>(mind_->Lessons(false, {})); }
+  std::optional<LessonFact> Lesson(std::string_view rule) override {
+    std::vector<InspectedLesson> found = mind_->Lessons(true, rule);
+    if (rule.empty() || found.empty()) return std::nullopt;
+    return Fact(std::move(found.back()));
   }
 
   LongTermFacts LongTerm(std::size_t most, const std::string& text) override {

@@ -72,6 +72,13 @@ struct MindLog::Listener final : MindObserver {
     tick.notes.NoteRecall(level, is_episode, number, question, answer);
     tick.notes.NoteReason(reason);
   }
+  void OnLearned(int level, std::string_view rule, std::string_view reason) override {
+    tick.notes.NoteLearned(level, rule);
+    tick.notes.NoteReason(reason);
+  }
+  void OnValue(std::string_view rule, double value) override { tick.notes.NoteValue(rule, value); }
+  void OnReward(double reward) override { tick.notes.NoteReward(reward); }
+  void OnEpisodeEnd() override { tick.notes.NoteEpisodeEnd(); }
   void OnCommand(std::uint64_t timetag, std::string_view, std::string_view rule) override {
     if (!rule.empty()) tick.notes.NoteRuleOfCommand(timetag, rule);
   }

@@ -91,6 +91,18 @@ void MindNotes::NoteRecall(int level, bool is_episode, std::uint64_t number, std
       number == 0 ? (is_episode ? "no episode" : "no fact") : (is_episode ? "episode " : "@") + std::to_string(number);
   Add(Kind::kRecall, static_cast<std::uint64_t>(level), what, question, answer);
 }
+void MindNotes::NoteLearned(int level, std::string_view rule) {
+  Add(Kind::kLearned, static_cast<std::uint64_t>(level), rule);
+}
+void MindNotes::NoteValue(std::string_view rule, double value) {
+  Add(Kind::kValue, std::bit_cast<std::uint64_t>(value), rule);
+}
+void MindNotes::NoteReward(double reward) {
+  Add(Kind::kReward, std::bit_cast<std::uint64_t>(reward));
+}
+void MindNotes::NoteEpisodeEnd() {
+  Add(Kind::kEpisodeEnd, 0);
+}
 void MindNotes::NoteReason(std::string_view reason) {
   if (!reason.empty()) Add(Kind::kReason, 0, reason);
 }
@@ -151,6 +163,7 @@ MindWords MindNotes::Words(bool with_details) const {
     const auto percept = [&, path = first, attribute = second](const auto& value) {
       words.percepts.push_back(Joined(path, attribute, head.key) + " " + DescribeValue({{}, 0, value}));
     };
+    const auto real = [&] { return std::bit_cast<double>(head.number); };
     switch (head.kind) {
       case Kind::kInteger:
         percept(std::bit_cast<std::int64_t>(head.number));
@@ -205,6 +218,18 @@ MindWords MindNotes::Words(bool with_details) const {
         decided(std::move(line));
         break;
       }
+      case Kind::kLearned:
+        decided(Indent(head.number).append("learn ").append(first));
+        break;
+      case Kind::kValue:
+        decided(std::string("value ").append(first).append(" ") + DescribeValue({{}, 0, real()}));
+        break;
+      case Kind::kReward:
+        decided("reward " + DescribeValue({{}, 0, real()}));
+        break;
+      case Kind::kEpisodeEnd:
+        decided("episode ends");
+        break;
       case Kind::kHalt:
         decided("halt");
         break;

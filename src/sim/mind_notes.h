@@ -58,6 +58,12 @@ class MindNotes {
   /// What long-term memory answered: "recall @12 {^kind ammo ^site @3} for {^kind ammo}" among the decisions, "episode
   /// 7" for @12 if it is one, "no fact" or "no episode" where nothing came. NoteReason says why.
   void NoteRecall(int level, bool is_episode, std::uint64_t number, std::string_view question, std::string_view answer);
+  /// A rule was learned: "learn chunk*name" among the decisions. NoteReason says from what.
+  void NoteLearned(int level, std::string_view rule);
+  /// Learning by reward, also among them: "value rule 1.5", "reward -2", "episode ends".
+  void NoteValue(std::string_view rule, double value);
+  void NoteReward(double reward);
+  void NoteEpisodeEnd();
   /// Of the last decision, in words.
   void NoteReason(std::string_view reason);
   /// Of the last decision: what the decision procedure said, packed (mind/decision_codec.h).
@@ -86,6 +92,10 @@ class MindNotes {
     kReason,
     kDecided,  ///< Of the last decision: bytes.
     kRecall,   ///< What came ("@12"), the question, the answer; the number is the level.
+    kLearned,  ///< Rule; the number is the level.
+    kValue,    ///< Rule; the number is the value's bits.
+    kReward,   ///< The number is its bits.
+    kEpisodeEnd,
     kFire,
     kRetract,
     kAdded,  ///< Id, attribute, value; a key of one: acceptable.

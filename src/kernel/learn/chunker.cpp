@@ -183,7 +183,7 @@ InstantiationId Chunker::Learn(InstantiationId base) {
     goal_level = static_cast<GoalLevel>(explanation_.level - 1);
   }
   if (learning) {
-    const bool explain = log_.WantsChunkOf(base) || log_.justifications;
+    const bool explain = log_.WantsChunkOf(base) || log_.justifications || log_.noting;
     analysis_.Analyze(explanation_, explain);
     if (explanation_.quiescence) ++statistics_.tested_quiescence;
     bool failed = false;
@@ -334,6 +334,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     // What is learned from it in turn is of interest, too.
     if (!log_.all) log_.watched_learned.emplace_back(rule->name);
   }
+  if (log_.noting) log_.Note(explanation_, rule->name, rule, repaired);
   engine_.agent.NoteAdded(added.production, rule);
   ++statistics_.chunks;
   ++engine_.counters.chunks;

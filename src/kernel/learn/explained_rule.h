@@ -7,6 +7,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/learn/identity_analysis.h"
+#include "kernel/observer.h"
 #include "kernel/rules/production.h"
 
 namespace soarbox::kernel {
@@ -60,7 +61,11 @@ struct ExplainedRule {
   std::string name;
   bool justification = false;
   std::uint64_t decision = 0;
-  GoalLevel level = 0;     ///< Of the substate.
+  GoalLevel level = 0;                       ///< Of the substate.
+  std::string state, superstate;             ///< The substate, and the state above it: S2, S1.
+  ImpasseType impasse = ImpasseType::kNone;  ///< That made the substate.
+  bool on_operator = false;
+  std::string op;          ///< The name of the operator that was selected above; empty for none.
   std::uint32_t base = 0;  ///< The firing whose results it gives.
   ProductionPtr rule;      ///< As it was learned; none for justifications.
   std::vector<Condition> conditions;

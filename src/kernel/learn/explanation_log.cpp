@@ -376,11 +376,34 @@ ExplainedRule& ExplanationLog::Add(const Explanation& explanation, std::string_v
                                    bool repaired) {
   ExplainedRule& out = rules_.emplace_back();
   out.number = static_cast<std::uint32_t>(rules_.size());
+  Describe(out, explanation, name, rule, repaired);
+  return out;
+}
+
+void ExplanationLog::Note(const Explanation& explanation, std::string_view name, const ProductionPtr& rule,
+                          bool repaired) {
+  Describe(noted_.emplace_back(), explanation, name, rule, repaired);
+  if (noted_.size() > kMostNoted) noted_.pop_front();
+}
+
+void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation, std::string_view name,
+                              const ProductionPtr& rule, bool repaired) {
   out.name = name;
   out.rule = rule;
   out.justification = rule == nullptr;
   out.decision = engine_.counters.decision_phases;
   out.level = explanation.level;
+  if (explanation.level > 1) {
+    const Goal& goal = engine_.goals.at(explanation.level);
+    const Goal& above = engine_.goals.at(static_cast<GoalLevel>(explanation.level - 1));
+    out.state = Name(goal.id);
+    out.superstate = Name(above.id);
+    out.impasse = goal.impasse;
+    out.on_operator = goal.impasse_on_operator;
+    const Symbol selected = engine_.OperatorOf(above), attribute = engine_.symbols.FindString("name");
+    const Symbol name_of_it = selected && attribute ? engine_.memory.ValueOf(selected, attribute) : Symbol();
+    if (name_of_it) out.op = Name(name_of_it);
+  }
   out.base = engine_.instantiations[explanation.base].serial;
   out.local_negation = explanation.local_negation;
   out.quiescence = explanation.quiescence;
@@ -423,7 +446,6 @@ ExplainedRule& ExplanationLog::Add(const Explanation& explanation, std::string_v
     out.merged_disjunctions = builder_.merged_disjunctions();
     out.operational_constraints = builder_.operational_constraints();
   }
-  return out;
 }
 
 void ExplanationLog::CountDuplicate(std::string_view name) {

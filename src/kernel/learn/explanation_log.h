@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <string>
 #include <string_view>
@@ -27,14 +28,24 @@ class ExplanationLog {
   std::vector<std::string> watched;
   std::vector<std::string> watched_learned;  ///< Rules learned from those.
 
+  /// Somebody watches the agent: explanations of all learned rules are noted for them, whatever the settings say. The
+  /// settings and what `explain` prints know nothing of it.
+  bool noting = false;
+  static constexpr std::size_t kMostNoted = 1000;  ///< The oldest go.
+
   bool WantsChunkOf(InstantiationId base) const;
   /// Keeps what the stages found out about the rule that was just made.
   ExplainedRule& Add(const Explanation& explanation, std::string_view name, const ProductionPtr& rule, bool repaired);
+  /// The same for those who watch.
+  void Note(const Explanation& explanation, std::string_view name, const ProductionPtr& rule, bool repaired);
   void CountDuplicate(std::string_view name);
   const std::vector<ExplainedRule>& rules() const { return rules_; }
+  const std::deque<ExplainedRule>& noted() const { return noted_; }  ///< init-soar keeps them, as it keeps the rules.
   void Clear();
 
  private:
+  void Describe(ExplainedRule& out, const Explanation& explanation, std::string_view name, const ProductionPtr& rule,
+                bool repaired);
   ExplainedRule::Firing Describe(InstantiationId firing, const Explanation& explanation);
   ExplainedRule::Field DescribeTest(const Test* test, Symbol value, InstantiationId firing, std::size_t condition,
                                     Field field);
@@ -49,6 +60,7 @@ class ExplanationLog {
   IdentityAnalysis& analysis_;
   RuleBuilder& builder_;
   std::vector<ExplainedRule> rules_;
+  std::deque<ExplainedRule> noted_;
   std::map<std::uint32_t, std::uint32_t> number_of_variable_;  ///< Scratch.
 };
 

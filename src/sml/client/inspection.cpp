@@ -9,6 +9,7 @@
 #include "kernel/learn/reinforcement.h"
 #include "kernel/rules/print_production.h"
 #include "sml/client/agent_data.h"
+#include "sml/client/inspection_learning.h"
 #include "sml/client/inspection_match.h"
 #include "sml/client/inspection_memory.h"
 #include "sml/client/local_agent_link.h"
@@ -239,6 +240,10 @@ class LocalInspection final : public MindInspection {
       }
     }
     return learning;
+  }
+
+  std::vector<InspectedLesson> Lessons(bool whole, std::string_view rule) override {
+    return InspectLessons(agent_, whole, rule);
   }
 
   InspectedLongTerm LongTerm(std::size_t most, std::string_view text) override {

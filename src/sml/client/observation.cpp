@@ -4,8 +4,11 @@
 #include <utility>
 
 #include "cli/object_printer.h"
+#include "cli/rule_text.h"
 #include "cli/stack_printer.h"
 #include "kernel/agent.h"
+#include "kernel/learn/explained_rule.h"
+#include "kernel/learn/reinforcement.h"
 #include "kernel/observer.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/local_agent_link.h"
@@ -38,18 +41,26 @@ class LocalObservation final : public Observation, kernel::Observer {
  public:
   LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
       : agent_(agent), listener_(listener) {
-    kernel::EventMask events = Event::kDecision | Event::kReason | Event::kRun | Event::kOutput | Event::kRecall;
+    kernel::EventMask events = Event::kDecision | Event::kReason | Event::kRun | Event::kOutput | Event::kRecall |
+                               Event::kLearning | Event::kReinforcement;
     if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
     if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
+    tells_decisions_ = detail != MindDetail::kWritten;
+    if (tells_decisions_) agent_.NoteExplanations(true);
+    total_reward_ = agent_.reward().total_reward;
     agent_.AddObserver(*this, events);
   }
-  ~LocalObservation() override { agent_.RemoveObserver(*this); }
+  ~LocalObservation() override {
+    agent_.RemoveObserver(*this);
+    if (tells_decisions_) agent_.NoteExplanations(false);
+  }
 
  private:
   void OnDecided(const kernel::Agent& agent, const kernel::DecisionReport& report) override {
     listener_.OnDecided(decisions_.Read(agent, report));
   }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
+    if (agent.reinforcement().learning) NoteEpisode(agent, goal);
     const server::IdentifierText state(agent, goal.goal);
     if (goal.op) {
       const server::IdentifierText op(agent, goal.op);
@@ -82,7 +93,28 @@ class LocalObservation final : public Observation, kernel::Observer {
   void OnRuleInterrupt(const kernel::Agent& agent, kernel::ProductionId rule, std::uint32_t) override {
     listener_.OnWritten("interrupted by the rule " + std::string(agent.production(rule).name) + "\n");
   }
-  void OnHalt(const kernel::Agent&) override { listener_.OnHalt(); }
+  void OnHalt(const kernel::Agent& agent) override {
+    listener_.OnHalt();
+    NoteReward(agent);
+    if (std::exchange(is_in_episode_, false)) listener_.OnEpisodeEnd();
+  }
+  void OnLearned(const kernel::Agent& agent, const kernel::FiringInfo& info) override {
+    if (info.production == kernel::ProductionId::kNone ||
+        agent.production(info.production).type != kernel::ProductionType::kChunk)
+      return;
+    const std::deque<kernel::ExplainedRule>& noted = agent.NotedExplanations();
+    if (noted.empty() || noted.back().name != info.name) return;
+    const kernel::ExplainedRule& learned = noted.back();
+    const kernel::ExplainedRule::Firing* const base = learned.FindFiring(learned.base);
+    std::string reason = "from " + (base == nullptr ? std::string("a firing") : base->rule) + " in " + learned.state;
+    reason.append(" (").append(learned.on_operator ? "operator " : "state ");
+    reason.append(cli::ImpasseName(learned.impasse)).append(")");
+    listener_.OnLearned(learned.level, info.name, reason);
+  }
+  void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override {
+    NoteReward(agent);
+    listener_.OnValue(cli::RuleName(agent, agent.production(update.rule)), update.new_current + update.new_future);
+  }
   void OnOutput(const kernel::Agent& agent) override {
     const kernel::Symbol link = agent.output().identifier();
     for (const kernel::OutputChange& change : agent.output().changes()) {
@@ -105,8 +137,47 @@ class LocalObservation final : public Observation, kernel::Observer {
                         SymbolText(agent, wme.value), wme.acceptable);
   }
 
+  void NoteReward(const kernel::Agent& agent) {
+    const double total = agent.reward().total_reward;
+    if (total != total_reward_) listener_.OnReward(total - total_reward_);
+    total_reward_ = total;
+  }
+
+  /// Episodes are those of the top state.
+  void NoteEpisode(const kernel::Agent& agent, const kernel::GoalInfo& goal) {
+    if (goal.level != 1) return;
+    if (!goal.op) {
+      // After init-soar nothing of the reward before is left.
+      total_reward_ = agent.reward().total_reward;
+      if (std::exchange(is_in_episode_, false)) listener_.OnEpisodeEnd();
+      return;
+    }
+    NoteReward(agent);
+    if (IsLearnedAbout(agent, goal.op)) {
+      is_in_episode_ = true;
+    } else if (is_in_episode_ && !agent.reinforcement().temporal_extension) {
+      is_in_episode_ = false;
+      listener_.OnEpisodeEnd();
+    }
+  }
+
+  /// Whether a rule that learns speaks for this operator of the top state.
+  static bool IsLearnedAbout(const kernel::Agent& agent, kernel::Symbol op) {
+    const kernel::SlotId slot = agent.goals().at(1).operator_slot;
+    if (slot == kernel::SlotId::kNone) return false;
+    for (const kernel::PreferenceId id : agent.PreferencesOf(slot, kernel::PreferenceType::kNumericIndifferent)) {
+      const kernel::Preference& preference = agent.memory().preference(id);
+      if (preference.value != op) continue;
+      const kernel::ProductionId rule = agent.FindProduction(agent.ProductionName(preference.instantiation));
+      if (rule != kernel::ProductionId::kNone && agent.production(rule).is_rl) return true;
+    }
+    return false;
+  }
+
   kernel::Agent& agent_;
   MindObserver& listener_;
+  bool tells_decisions_ = false, is_in_episode_ = false;
+  double total_reward_ = 0;
   bool told_of_elaborations_ = false;
   server::PrintedNames names_;
   server::DecisionReader decisions_;

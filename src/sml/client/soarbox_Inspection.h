@@ -125,6 +125,40 @@ struct InspectedLearning {
   std::vector<InspectedNumber> numbers;  ///< Of each rule that can learn, in the order of loading.
 };
 
+/// A condition or an action of a learned rule or of a firing behind it.
+struct InspectedTriple {
+  std::string id, attribute, value;  ///< As the rule has them: <s>, operator, { <n> > 5 }.
+  std::string referent;              ///< Of actions: the other operator, or the number.
+  std::string sign;                  ///< Of preferences for operators: "+", ">", "="; of conditions "+" if acceptable.
+  std::string met;                   ///< What it was: "S1 ^operator O3"; empty for negated conditions.
+  bool negated = false;              ///< A condition: `id` is all of it.
+  bool above = false;                ///< A firing's condition: it tested something of a higher state.
+  std::uint32_t creator = 0;         ///< A firing's condition: the firing that made what it tested; 0: none of these.
+  std::vector<std::uint32_t> path;   ///< A learned condition: firings from the one that tested it to one with a result.
+};
+
+/// A rule that fired in the substate from which a rule was learned.
+struct InspectedFiring {
+  std::uint32_t serial = 0;
+  std::string rule;
+  int level = 0;
+  bool made_result = false;
+  std::vector<InspectedTriple> conditions, actions;
+};
+
+/// How a rule was learned.
+struct InspectedLesson {
+  std::string rule;
+  std::uint64_t decision = 0;
+  int level = 0;                                  ///< Of the substate.
+  std::string state, superstate;                  ///< The substate, and the state above it: "S2", "S1".
+  std::string impasse, attribute, operator_name;  ///< "no-change", "operator", and the name of what was selected above.
+  std::uint32_t base = 0;                         ///< The firing whose results it gives.
+  std::vector<InspectedTriple> conditions, actions;
+  std::vector<InspectedFiring> firings;
+  bool local_negation = false, long_term_memory = false, repaired = false;
+};
+
 /// An object of semantic memory.
 struct InspectedObject {
   std::uint64_t number = 0;
@@ -173,6 +207,9 @@ class EXPORT MindInspection {
   virtual std::string RuleSource(std::string_view rule) = 0;
   virtual std::optional<InspectedMatch> Match(std::string_view rule) = 0;
   virtual InspectedLearning Learning() = 0;
+  /// How rules were learned while somebody observed the mind (soarbox_Observation.h): the last 1,000, in their order,
+  /// or that of this rule alone. `whole`: with conditions, actions and firings.
+  virtual std::vector<InspectedLesson> Lessons(bool whole, std::string_view rule) = 0;
   /// Known objects with this text in their number or augmentations, no more than `most`.
   virtual InspectedLongTerm LongTerm(std::size_t most, std::string_view text) = 0;
   /// The contents of an episode, objects before what hangs on them; empty if there is no such episode.

@@ -50,6 +50,22 @@ class MindObserver {
     (void)answer;
     (void)reason;
   }
+  /// A rule was learned from what went on in a state of this level. `reason`: from which rule and impasse, in words.
+  virtual void OnLearned(int level, std::string_view rule, std::string_view reason) {
+    (void)level;
+    (void)rule;
+    (void)reason;
+  }
+  /// Reinforcement learning gives a rule another number.
+  virtual void OnValue(std::string_view rule, double value) {
+    (void)rule;
+    (void)value;
+  }
+  /// Reward was collected, before the numbers that it moves; other than 0.
+  virtual void OnReward(double reward) { (void)reward; }
+  /// What was learned by reward so far belongs together: the agent halted, began again, or selected an operator for
+  /// which no learning rule speaks while temporal-extension is off.
+  virtual void OnEpisodeEnd() {}
   /// Something new stands directly on the output link: the rule that made it.
   virtual void OnCommand(std::uint64_t timetag, std::string_view attribute, std::string_view rule) {
     (void)timetag;
@@ -79,7 +95,8 @@ class EXPORT Observation {
   virtual ~Observation() = default;
 };
 
-/// Null if the agent's kernel is in another process: then only the client API tells what there is.
+/// Null if the agent's kernel is in another process: then only the client API tells what there is. While decisions are
+/// told, the kernel notes how rules are learned (MindInspection::Lessons).
 std::unique_ptr<Observation> EXPORT ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail);
 
 /// Holds the kernel of an agent while it lives, so that the calls of the client API in between need not take it one by

@@ -31,6 +31,8 @@ ImVec4 ColorOf(MarkKind kind) {
       return theme::kBad;
     case MarkKind::kEdit:
       return theme::kWarn;
+    case MarkKind::kLearned:
+      return theme::kAccent;
   }
   return theme::kText;
 }
@@ -63,6 +65,10 @@ void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
       break;
     case MarkKind::kOutcome:
       out.AddCircle(at, r * 0.8f, color, 8, thick * 0.8f);
+      break;
+    case MarkKind::kLearned:
+      // A diamond, larger than others: it comes seldom.
+      out.AddQuadFilled({x - r * 1.3f, y}, {x, y - r * 1.3f}, {x + r * 1.3f, y}, {x, y + r * 1.3f}, color);
       break;
     case MarkKind::kEvent:
       out.AddCircleFilled(at, r * 0.8f, color, 8);
@@ -219,7 +225,8 @@ class TimelinePanel final : public Panel {
                                         {MarkKind::kMessage, "a message to others"},
                                         {MarkKind::kEvent, "another event"},
                                         {MarkKind::kError, "an error or a warning"},
-                                        {MarkKind::kEdit, "a command of yours, or an edit"}}) {
+                                        {MarkKind::kEdit, "a command of yours, or an edit"},
+                                        {MarkKind::kLearned, "a rule was learned"}}) {
       row(meaning, [&](ImDrawList& out, ImVec2 at) { DrawSign(out, kind, at, frame.Px(3.4f), frame.Px(2)); });
     }
     ImGui::EndTooltip();
@@ -354,6 +361,8 @@ class TimelinePanel final : public Panel {
   static int Weight(MarkKind kind) {
     switch (kind) {
       case MarkKind::kError:
+        return 6;
+      case MarkKind::kLearned:
         return 5;
       case MarkKind::kEdit:
         return 4;

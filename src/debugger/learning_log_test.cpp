@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/learning_log.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "debugger/learning.h"
+#include "debugger/lesson.h"
+#include "debugger/mind_fixture.h"
+#include "debugger/recorded_mind.h"
+#include "debugger/run_models.h"
+#include "debugger/views.h"
+
+namespace soarbox::debugger {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+using Lessons = MindFixture;
+
+/// Looks the price of a pear up in a substate; the rule that it learns knows that of a fig at once.
+constexpr const char* kShopper = R"(
+chunk always
+sp {hero*init (state <s> ^superstate nil) --> (<s> ^tag <t1> ^tag <t2>)
+   (<t1> ^fruit pear ^cents 40) (<t2> ^fruit fig ^cents 75)}
+sp {hero*propose*pear (state <s> ^superstate nil ^tag -^cost) --> (<s> ^operator <o> +) (<o> ^name price ^fruit pear)}
+sp {hero*propose*fig (state <s> ^superstate nil ^cost 40 -^cost 75)
+   --> (<s> ^operator <o> +) (<o> ^name price ^fruit fig)}
+sp {hero*propose*rest (state <s> ^superstate nil ^cost 75) --> (<s> ^operator <o> +) (<o> ^name rest)}
+sp {hero*price*copy (state <ss> ^superstate <s>) (<s> ^operator <o>) (<o> ^name price ^fruit <f>) --> (<ss> ^wanted <f>)}
+sp {hero*price*look (state <ss> ^superstate <s> ^wanted <f>) (<s> ^operator.name price ^tag <t>)
+   (<t> ^fruit <f> ^cents <c>) --> (<s> ^cost <c>)}
+)";
+
+/// Gets 1 for each turn, and 5 turns make an episode.
+constexpr const char* kEarner = R"(
+rl --set learning on
+rl --set temporal-extension off
+decide indifferent-selection --first
+sp {hero*init (state <s> ^superstate nil) --> (<s> ^turn 0)}
+sp {hero*propose*go (state <s> ^superstate nil ^turn { <n> < 3 }) --> (<s> ^operator <o> +) (<o> ^name go ^turn <n>)}
+sp {hero*apply*go (state <s> ^operator <o> ^turn <n>) (<o> ^name go ^turn <n>) --> (<s> ^turn <n> - (+ <n> 1))}
+sp {hero*propose*home (state <s> ^superstate nil ^turn 3) --> (<s> ^operator <o> +) (<o> ^name home)}
+sp {hero*apply*home (state <s> ^operator.name home) --> (<s> ^turn 3 - 0)}
+sp {hero*value (state <s> ^operator <o> +) (<o> ^name go) --> (<s> ^operator <o> = 0.0)}
+sp {hero*reward (state <s> ^superstate nil ^reward-link <r> ^turn > 0) --> (<r> ^reward.value 1)}
+)";
+
+record::MindRecord Decided(std::vector<std::string> decisions, std::vector<std::string> details = {}) {
+  record::MindRecord mind;
+  mind.reasons.resize(decisions.size());
+  mind.decisions = std::move(decisions);
+  mind.details = std::move(details);
+  return mind;
+}
+
+TEST(LearningLog, ReadsWhatIsToldAmongDecisionsAndForgetsWhatDidNotHappen) {
+  LearningLog log;
+  record::MindRecord first =
+      Decided({"==>S: S1", "   learn chunk*a", "value rl*one -1.5"}, {"1 fire chunk*a", "2 fire b"});
+  first.reasons[1] = "from a in S2 (operator tie)";
+  log.Add(3, first);
+  log.Add(5, Decided({"reward 2", "value rl*one 0.25", "O: O1 (go)"}, {"0 fire chunk*a", "0 retract chunk*a"}));
+  log.Add(7, Decided({"reward -0.5", "episode ends"}));
+  log.Add(9, Decided({"reward 4"}));
+  ASSERT_EQ(log.rules().size(), 1u);
+  EXPECT_EQ(log.rules()[0].name, "chunk*a");
+  EXPECT_EQ(log.rules()[0].reason, "from a in S2 (operator tie)");
+  EXPECT_THAT(log.Find("chunk*a")->fired, ElementsAre(3u, 5u));
+  EXPECT_EQ(log.Find("b"), nullptr);
+  EXPECT_EQ(log.values().at("rl*one").back(), std::pair(std::uint64_t{5}, 0.25));
+  EXPECT_EQ(log.rewards().back().second, 5.5);
+  ASSERT_EQ(log.episodes().size(), 1u);
+  EXPECT_EQ(log.episodes()[0].reward, 1.5);
+  EXPECT_EQ(log.episodes()[0].first_tick, 5u);
+  log.CutFrom(9);
+  log.Add(9, Decided({"reward 1", "episode ends"}));
+  ASSERT_EQ(log.episodes().size(), 2u);
+  EXPECT_EQ(log.episodes()[1].reward, 1);
+  log.CutFrom(5);
+  EXPECT_THAT(log.Find("chunk*a")->fired, ElementsAre(3u));
+  EXPECT_EQ(log.values().at("rl*one").back().second, -1.5);
+  EXPECT_THAT(log.episodes(), IsEmpty());
+  log.CutFrom(3);
+  EXPECT_TRUE(log.empty());
+  EXPECT_EQ(log.Find("chunk*a"), nullptr);
+}
+
+TEST(LearningLog, KeepsTheNewestOfManyRulesAndThinsLongCurvesOut) {
+  LearningLog log;
+  for (std::uint64_t tick = 1; tick <= 21'000; ++tick) {
+    log.Add(tick, Decided({"learn c" + std::to_string(tick), "value v " + std::to_string(tick)}));
+  }
+  EXPECT_EQ(log.rules().size(), 20'000u);
+  EXPECT_EQ(log.Find("c1000"), nullptr);
+  EXPECT_EQ(log.Find("c1001")->tick, 1001u);
+  const LearningLog::Points& points = log.values().at("v");
+  EXPECT_LE(points.size(), 1000u);
+  EXPECT_EQ(points.front().first, 1u);
+  EXPECT_EQ(points.back().second, 21'000);
+}
+
+TEST_F(Lessons, TellWhenARuleWasLearnedFromWhatAndWhatItIsGoodFor) {
+  Start(kShopper);
+  RunModels models;
+  for (int tick = 0; tick < 6; ++tick) models.Add(Tick());
+  const LearningLog& log = models.learning["hero"];
+  ASSERT_EQ(log.rules().size(), 1u);
+  const LearnedRule& learned = log.rules()[0];
+  EXPECT_THAT(learned.name, HasSubstr("chunk*hero*price*look"));
+  EXPECT_THAT(learned.reason, HasSubstr("from hero*price*look in S2 (operator no-change)"));
+  EXPECT_FALSE(learned.fired.empty()) << "it knew the price of the fig";
+  const auto mind = Mind();
+  const LearningView view = LookAtLearning(*mind, {}, &log);
+  ASSERT_EQ(view.rules.size(), 1u);
+  EXPECT_EQ(view.rules[0].tick, learned.tick);
+  EXPECT_EQ(view.rules[0].purpose, "makes ^cost");
+  EXPECT_EQ(view.rules[0].source, "S2: operator no-change in S1, where price was selected");
+  EXPECT_GT(view.rules[0].firings, 0u);
+  EXPECT_THAT(ToText(view), AllOf(HasSubstr("it makes ^cost"), HasSubstr("operator no-change in S1")));
+  EXPECT_EQ(ToJson(view)["rules"][0]["purpose"], "makes ^cost");
+  EXPECT_FALSE(LookAtLearning(*mind, "^cost", &log).rules.empty()) << "found by what it does";
+  EXPECT_TRUE(LookAtLearning(*mind, "mortar", &log).rules.empty());
+  EXPECT_FALSE(LookAtLearning(*mind, {}, &log, 0).rules[0].tick) << "it was not learned by then";
+  bool has_mark = false;
+  for (const TimelineMark& mark : models.timeline.Find("hero")->marks)
+    has_mark |= mark.kind == MarkKind::kLearned && mark.text == "learned " + learned.name;
+  EXPECT_TRUE(has_mark);
+}
+
+TEST_F(Lessons, TellWhyEachConditionIsThere) {
+  Start(kShopper);
+  RunModels models;
+  for (int tick = 0; tick < 6; ++tick) models.Add(Tick());
+  const auto mind = Mind();
+  const std::string rule = models.learning["hero"].rules()[0].name;
+  const LearnedRuleView view = LookAtLearnedRule(*mind, rule, &models.learning["hero"]);
+  EXPECT_EQ(view.name, rule);
+  EXPECT_FALSE(view.fired.empty());
+  const std::string text = ToText(view);
+  for (const char* part :
+       {"in the substate S2 (operator no-change in S1, where price was selected)",
+        "what it is good for: it makes ^cost", "^fruit pear)", "tested by hero*price*copy (firing",
+        "which led to hero*price*look", "which gave the result", "of the substate, made by", "fired since, by ticks:"})
+    EXPECT_THAT(text, HasSubstr(part));
+  EXPECT_EQ(ToJson(view)["why"]["kind"], "learned");
+  EXPECT_TRUE(LookAtLearnedRule(*mind, "hero*price*look", nullptr).name.empty()) << "written, not learned";
+}
+
+TEST_F(Lessons, FollowWhatALearnedRuleMadeBackToTheSubstate) {
+  Start(kShopper);
+  RunModels models;
+  for (int tick = 0; tick < 6; ++tick) models.Add(Tick());
+  const std::string rule = models.learning["hero"].rules()[0].name;
+  const Result<WhyNode> why = WhyName(*simulation_, "hero", rule);
+  ASSERT_TRUE(why.ok());
+  EXPECT_EQ(why->kind, "learned");
+  const auto mind = Mind();
+  std::uint64_t timetag = 0;
+  for (const sim::ElementFact& element : mind->ElementsOf("S1")) {
+    if (element.attribute == "cost" && element.value == "75") timetag = element.timetag;
+  }
+  const std::string origin = ToText(WhyElement(*mind, timetag));
+  EXPECT_THAT(origin, HasSubstr("in the substate S2 (operator no-change in S1, where price was selected)"));
+  EXPECT_THAT(origin, HasSubstr("from hero*price*look (firing"));
+  EXPECT_THAT(origin, HasSubstr("which rested on hero*price*copy (firing"));
+  ViewSource source{simulation_.get(), &models, &record_};
+  EXPECT_THAT(ShowView(source, {"learning", "hero", "#" + rule})->text, HasSubstr("why each condition is there"));
+  EXPECT_FALSE(ShowView(source, {"learning", "hero", "#chunk*nothing"}).ok());
+}
+
+TEST_F(Lessons, OfARecordingAreToldBeforeItIsSimulatedAgain) {
+  Start(kShopper);
+  RunModels models;
+  RecordedMinds minds(record::Level::kDecisions);
+  for (int tick = 0; tick < 6; ++tick) {
+    models.Add(Tick());
+    minds.Add(record_);
+  }
+  const std::unique_ptr<sim::Inspector> mind = minds.Inspect("hero");
+  const LearningLog& log = models.learning["hero"];
+  const LearningView view = LookAtLearning(*mind, {}, &log);
+  ASSERT_EQ(view.rules.size(), 1u);
+  EXPECT_THAT(view.rules[0].source, HasSubstr("from hero*price*look"));
+  EXPECT_THAT(view.note, HasSubstr("As recorded."));
+  EXPECT_TRUE(LookAtLearning(*mind, {}, &log, 0).rules.empty());
+  EXPECT_THAT(ToText(LookAtLearnedRule(*mind, view.rules[0].name, &log)), HasSubstr("not recorded"));
+}
+
+TEST_F(Lessons, ByRewardAreNotedWithEachEpisode) {
+  Start(kEarner);
+  RunModels models;
+  for (int tick = 0; tick < 12; ++tick) models.Add(Tick());
+  const LearningLog& log = models.learning["hero"];
+  ASSERT_TRUE(log.values().contains("hero*value"));
+  const LearningView view = LookAtLearning(*Mind(), {}, &log);
+  EXPECT_NEAR(log.values().at("hero*value").back().second, view.numbers[0].value, 1e-4);
+  EXPECT_NEAR(log.rewards().back().second, view.total_reward, 1e-4);
+  ASSERT_GE(log.episodes().size(), 1u);
+  EXPECT_EQ(log.episodes()[0].reward, 3) << "after each of three turns";
+  EXPECT_THAT(ToText(log.episodes()), HasSubstr("episode 1: reward 3, "));
+  for (const TimelineMark& mark : models.timeline.Find("hero")->marks) {
+    EXPECT_THAT(mark.text, Not(HasSubstr("value "))) << "numbers are no events";
+  }
+}
+
+TEST(PurposeOf, PutsActionsIntoWords) {
+  sim::LessonFact lesson;
+  const auto action = [](const char* id, const char* attribute, const char* value, const char* sign,
+                         const char* other) {
+    sim::TripleFact fact;
+    fact.id = id;
+    fact.attribute = attribute;
+    fact.value = value;
+    fact.sign = sign;
+    fact.referent = other;
+    return fact;
+  };
+  lesson.actions = {action("<s>", "operator", "<o>", "+", ""), action("<o>", "name", "go", "+", ""),
+                    action("<o>", "to", "<g>", "+", "")};
+  EXPECT_EQ(PurposeOf(lesson), "proposes go");
+  lesson.conditions = {action("<p>", "name", "stay", "", "")};
+  lesson.actions = {action("<s>", "operator", "<o>", ">", "<p>")};
+  EXPECT_EQ(PurposeOf(lesson), "prefers the operator <o> to stay");
+  lesson.actions = {action("<s>", "operator", "<p>", "=", "1.5"), action("<s>", "done", "yes", "+", "")};
+  EXPECT_EQ(PurposeOf(lesson), "gives stay the value 1.5, makes ^done yes");
+  lesson.actions = {action("<s>", "operator", "<p>", "-", "")};
+  EXPECT_EQ(PurposeOf(lesson), "rejects stay");
+}
+
+}  // namespace
+}  // namespace soarbox::debugger

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "debugger/lesson.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace soarbox::debugger {
+namespace {
+
+using sim::FiringFact;
+using sim::LessonFact;
+using sim::TripleFact;
+
+constexpr std::size_t kMostFirings = 200;  ///< That are told of one rule.
+
+const FiringFact* FindFiring(const LessonFact& lesson, std::uint32_t serial) {
+  const auto found = std::ranges::find(lesson.firings, serial, &FiringFact::serial);
+  return found == lesson.firings.end() ? nullptr : &*found;
+}
+
+std::string TripleText(const TripleFact& triple) {
+  if (triple.negated) return triple.id;
+  std::string text = "(" + triple.id + " ^" + triple.attribute + " " + triple.value;
+  if (!triple.sign.empty() && (triple.sign != "+" || triple.attribute == "operator")) text += " " + triple.sign;
+  if (!triple.referent.empty()) text += " " + triple.referent;
+  return text + ")";
+}
+
+std::string FiringName(const FiringFact& firing) {
+  return firing.rule + " (firing " + std::to_string(firing.serial) + ")";
+}
+
+/// What an operator is called: by an action or a condition that names it, else by its variable.
+std::string OperatorCalled(const LessonFact& lesson, const std::string& id) {
+  for (const std::vector<TripleFact>* triples : {&lesson.actions, &lesson.conditions}) {
+    for (const TripleFact& triple : *triples) {
+      if (!triple.negated && triple.id == id && triple.attribute == "name") return triple.value;
+    }
+  }
+  return "the operator " + id;
+}
+
+std::string PreferenceWords(const LessonFact& lesson, const TripleFact& action) {
+  const std::string name = OperatorCalled(lesson, action.value);
+  const bool is_number = !action.referent.empty() && action.referent.front() != '<';
+  const std::string other =
+      action.referent.empty() || is_number ? action.referent : OperatorCalled(lesson, action.referent);
+  if (action.sign == "+") return "proposes " + name;
+  if (action.sign == "!") return "requires " + name;
+  if (action.sign == "-") return "rejects " + name;
+  if (action.sign == "~") return "prohibits " + name;
+  if (action.sign == ">") return other.empty() ? "says that " + name + " is best" : "prefers " + name + " to " + other;
+  if (action.sign == "<") return other.empty() ? "says that " + name + " is worst" : "prefers " + other + " to " + name;
+  if (other.empty()) return "says that " + name + " is as good as others";
+  return is_number ? "gives " + name + " the value " + other : "says that " + name + " is as good as " + other;
+}
+
+/// The conditions of a firing, those of higher states as what they are, others with the firing that made them below.
+class FiringTeller {
+ public:
+  explicit FiringTeller(const LessonFact& lesson) : lesson_(lesson) {}
+
+  WhyNode Tell(const FiringFact& firing) {
+    WhyNode node{FiringName(firing), "rule", firing.rule, {}};
+    if (!told_.insert(firing.serial).second) {
+      node.text += ", see above";
+      return node;
+    }
+    for (const TripleFact& condition : firing.conditions) {
+      if (condition.negated) {
+        node.below.push_back({"required that there is no " + condition.id, "reason", "", {}});
+        continue;
+      }
+      const std::string met = condition.met.empty() ? TripleText(condition) : "(" + condition.met + ")";
+      if (condition.above) {
+        node.below.push_back({met + " of a higher state", "percept", "", {}});
+        continue;
+      }
+      const FiringFact* const creator = FindFiring(lesson_, condition.creator);
+      WhyNode& local = node.below.emplace_back(WhyNode{met + " of the substate", "element", "", {}});
+      if (creator != nullptr && told_.size() < kMostFirings) {
+        local.text += ", made by";
+        local.below.push_back(Tell(*creator));
+      } else if (condition.creator == 0) {
+        local.text += ", made by the architecture";
+      }
+    }
+    return node;
+  }
+
+ private:
+  const LessonFact& lesson_;
+  std::set<std::uint32_t> told_;
+};
+
+WhyNode ConditionNode(const LessonFact& lesson, const TripleFact& condition) {
+  WhyNode node{TripleText(condition), "condition", "", {}};
+  if (condition.negated) {
+    node.below.push_back({"a rule of the substate required that this is absent", "reason", "", {}});
+    return node;
+  }
+  if (!condition.met.empty()) node.below.push_back({"it was (" + condition.met + ")", "element", "", {}});
+  for (std::size_t n = 0; n < condition.path.size(); ++n) {
+    const FiringFact* const firing = FindFiring(lesson, condition.path[n]);
+    if (firing == nullptr) continue;
+    std::string text = (n == 0 ? "tested by " : "which led to ") + FiringName(*firing);
+    if (firing->made_result) text += ", which gave the result";
+    node.below.push_back({std::move(text), "rule", firing->rule, {}});
+  }
+  if (condition.path.empty()) node.below.push_back({"leads to what other conditions test", "reason", "", {}});
+  return node;
+}
+
+std::string DecisionText(const LessonFact& lesson) {
+  return "learned in decision " + std::to_string(lesson.decision) + " in the substate " + lesson.state + " (" +
+         ImpasseOf(lesson) + ")";
+}
+
+std::string Misgivings(const LessonFact& lesson) {
+  std::string text;
+  const auto add = [&](bool is_so, const char* what) {
+    if (is_so) text += (text.empty() ? "" : "; ") + std::string(what);
+  };
+  add(lesson.local_negation, "it rests on what was absent in the substate, so it may be too general");
+  add(lesson.long_term_memory, "it rests on what long-term memory recalled");
+  add(lesson.repaired, "conditions were added so that a state leads to all that it tests");
+  return text;
+}
+
+sim::LearningSource* SourceOf(sim::Inspector& mind) {
+  return dynamic_cast<sim::LearningSource*>(&mind);
+}
+
+}  // namespace
+
+std::string PurposeOf(const LessonFact& lesson) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::string part) {
+    if (std::ranges::find(parts, part) == parts.end()) parts.push_back(std::move(part));
+  };
+  std::set<std::string> operators;
+  for (const TripleFact& action : lesson.actions) {
+    if (action.attribute != "operator") continue;
+    add(PreferenceWords(lesson, action));
+    operators.insert(action.value);
+  }
+  // What an operator that it proposes is like belongs to that.
+  for (const TripleFact& action : lesson.actions) {
+    if (action.attribute == "operator" || operators.contains(action.id)) continue;
+    const bool is_variable = action.value.starts_with('<');
+    add((action.sign == "-" ? "removes ^" : "makes ^") + action.attribute + (is_variable ? "" : " " + action.value));
+  }
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+std::string ImpasseOf(const LessonFact& lesson) {
+  std::string text = lesson.attribute + " " + lesson.impasse + " in " + lesson.superstate;
+  if (!lesson.operator_name.empty()) text += ", where " + lesson.operator_name + " was selected";
+  return text;
+}
+
+WhyNode TellOrigin(const LessonFact& lesson) {
+  WhyNode node{DecisionText(lesson), "learned", lesson.rule, {}};
+  if (const FiringFact* const base = FindFiring(lesson, lesson.base)) {
+    node.below.push_back({"from " + FiringName(*base) + ", which gave the result", "rule", base->rule, {}});
+  }
+  constexpr std::size_t kMostOthers = 8;
+  std::size_t others = 0;
+  for (auto firing = lesson.firings.rbegin(); firing != lesson.firings.rend(); ++firing) {
+    if (firing->serial == lesson.base) continue;
+    if (++others <= kMostOthers)
+      node.below.push_back({"which rested on " + FiringName(*firing), "rule", firing->rule, {}});
+  }
+  if (others > kMostOthers)
+    node.below.push_back({"and on " + std::to_string(others - kMostOthers) + " more firings", "reason", "", {}});
+  return node;
+}
+
+WhyNode TellLesson(const LessonFact& lesson) {
+  WhyNode root{lesson.rule + ": " + DecisionText(lesson), "learned", lesson.rule, {}};
+  root.below.push_back({"what it is good for: it " + PurposeOf(lesson), "reason", "", {}});
+  if (const std::string misgivings = Misgivings(lesson); !misgivings.empty())
+    root.below.push_back({"note: " + misgivings, "reason", "", {}});
+  WhyNode& conditions = root.below.emplace_back(WhyNode{"why each condition is there", "reason", "", {}});
+  for (const TripleFact& condition : lesson.conditions) conditions.below.push_back(ConditionNode(lesson, condition));
+  WhyNode& actions = root.below.emplace_back(WhyNode{"what it makes", "reason", "", {}});
+  for (const TripleFact& action : lesson.actions) {
+    WhyNode& made = actions.below.emplace_back(WhyNode{TripleText(action), "condition", "", {}});
+    made.below.push_back({"it was (" + action.met + ")", "element", "", {}});
+  }
+  WhyNode& firings = root.below.emplace_back(
+      WhyNode{"how the substate came to the result, from its last firing back", "reason", "", {}});
+  FiringTeller teller(lesson);
+  if (const FiringFact* const base = FindFiring(lesson, lesson.base)) firings.below.push_back(teller.Tell(*base));
+  return root;
+}
+
+std::optional<WhyNode> WhyLearned(sim::Inspector& mind, std::string_view rule) {
+  if (sim::LearningSource* const source = SourceOf(mind)) {
+    if (const std::optional<LessonFact> lesson = source->Lesson(rule)) return TellLesson(*lesson);
+  }
+  for (const sim::RuleFact& known : mind.Rules()) {
+    if (known.name != rule || known.type != "chunk") continue;
+    WhyNode root{known.name + ": a learned rule", "learned", known.name, {}};
+    root.below.push_back({mind.TellsAll() ? "how it was learned is not known: it was loaded, or learned before anybody "
+                                            "watched, or more than 1,000 rules ago"
+                                          : "how it was learned: not told by this kernel",
+                          "reason",
+                          "",
+                          {}});
+    return root;
+  }
+  return std::nullopt;
+}
+
+std::optional<WhyNode> OriginOf(sim::Inspector& mind, std::string_view rule) {
+  sim::LearningSource* const source = SourceOf(mind);
+  if (source == nullptr || rule.empty()) return std::nullopt;
+  if (const std::optional<LessonFact> lesson = source->Lesson(rule)) return TellOrigin(*lesson);
+  return std::nullopt;
+}
+
+}  // namespace soarbox::debugger

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/client/inspection_learning.h"
+
+#include "cli/stack_printer.h"
+#include "kernel/learn/explained_rule.h"
+#include "kernel/rules/print_production.h"
+
+namespace soarbox {
+namespace {
+
+using kernel::ExplainedRule;
+
+InspectedTriple ReadCondition(const ExplainedRule::Condition& from) {
+  InspectedTriple to;
+  to.negated = from.negated;
+  to.id = from.id.text;
+  if (from.negated) return to;
+  to.attribute = from.attribute.text;
+  to.value = from.value.text;
+  if (from.acceptable) to.sign = "+";
+  if (!from.id.value.empty()) to.met = from.id.value + " ^" + from.attribute.value + " " + from.value.value;
+  to.above = from.operational;
+  to.creator = from.creator;
+  to.path = from.path;
+  return to;
+}
+
+InspectedTriple ReadAction(const ExplainedRule::Action& from) {
+  InspectedTriple to;
+  to.id = from.id.text;
+  to.attribute = from.attribute.text;
+  to.value = from.value.text;
+  to.referent = from.referent.text;
+  to.sign = kernel::PreferenceSign(from.type);
+  to.met = from.id.value + " ^" + from.attribute.value + " " + from.value.value;
+  return to;
+}
+
+void ReadTriples(const std::vector<ExplainedRule::Condition>& conditions,
+                 const std::vector<ExplainedRule::Action>& actions, std::vector<InspectedTriple>& to_conditions,
+                 std::vector<InspectedTriple>& to_actions) {
+  for (const ExplainedRule::Condition& condition : conditions) to_conditions.push_back(ReadCondition(condition));
+  for (const ExplainedRule::Action& action : actions) to_actions.push_back(ReadAction(action));
+}
+
+}  // namespace
+
+std::vector<InspectedLesson> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
+  std::vector<InspectedLesson> lessons;
+  for (const ExplainedRule& from : agent.NotedExplanations()) {
+    if (!rule.empty() && from.name != rule) continue;
+    InspectedLesson& to = lessons.emplace_back();
+    to.rule = from.name;
+    to.decision = from.decision;
+    to.level = from.level;
+    to.state = from.state;
+    to.superstate = from.superstate;
+    to.impasse = cli::ImpasseName(from.impasse);
+    to.attribute = from.on_operator ? "operator" : "state";
+    to.operator_name = from.op;
+    to.base = from.base;
+    to.local_negation = from.local_negation;
+    to.long_term_memory = from.long_term_memory;
+    to.repaired = from.repaired;
+    if (!whole) {
+      // What it is good for: its actions, and the conditions that name operators.
+      for (const ExplainedRule::Action& action : from.actions) to.actions.push_back(ReadAction(action));
+      for (const ExplainedRule::Condition& condition : from.conditions) {
+        if (condition.attribute.text == "name") to.conditions.push_back(ReadCondition(condition));
+      }
+      continue;
+    }
+    ReadTriples(from.conditions, from.actions, to.conditions, to.actions);
+    for (const ExplainedRule::Firing& firing : from.firings) {
+      InspectedFiring& read = to.firings.emplace_back();
+      read.serial = firing.serial;
+      read.rule = firing.rule;
+      read.level = firing.level;
+      read.made_result = firing.made_result;
+      ReadTriples(firing.conditions, firing.actions, read.conditions, read.actions);
+    }
+  }
+  return lessons;
+}
+
+}  // namespace soarbox
