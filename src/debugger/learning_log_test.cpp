@@ -29,7 +29,7 @@ constexpr const char* kShopper = R"(
 chunk always
 sp {hero*init (state <s> ^superstate nil) --> (<s> ^tag <t1> ^tag <t2>)
    (<t1> ^fruit pear ^cents 40) (<t2> ^fruit fig ^cents 75)}
-sp {hero*propose*pear (state <s> ^superstate nil ^tag -^cost) --> (<s> ^operator <o> +) (<o> ^name price ^fruit pear)}
+sp {hero*propose*pear (state <s> ^superstate nil ^tag.fruit pear -^cost) --> (<s> ^operator <o> +) (<o> ^name price ^fruit pear)}
 sp {hero*propose*fig (state <s> ^superstate nil ^cost 40 -^cost 75)
    --> (<s> ^operator <o> +) (<o> ^name price ^fruit fig)}
 sp {hero*propose*rest (state <s> ^superstate nil ^cost 75) --> (<s> ^operator <o> +) (<o> ^name rest)}
