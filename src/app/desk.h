@@ -153,6 +153,7 @@ class Desk {
   /// Gives where everybody was in the old future.
   std::vector<viewer::Ghost> FillFutures(viewer::PanelContents& contents);
   void FillLongTerm(viewer::PanelContents& contents, sim::Inspector* mind);
+  void FillLearning(viewer::PanelContents& contents, sim::Inspector* mind);
   /// Adds what the selected agent remembers of the episode that is looked at.
   void AddRemembered(const viewer::PanelContents& contents, const world::SceneSnapshot& scene,
                      std::vector<viewer::Ghost>& ghosts) const;
@@ -190,7 +191,8 @@ class Desk {
   std::map<std::pair<std::string, std::string>, viewer::WatchRow::Cell> watched_;  ///< By what and agent: shown last.
   std::set<std::string> open_objects_;
   std::string known_search_;
-  std::size_t episode_ = 0;  ///< Of the selected agent, as ghosts; 0: none.
+  std::string learned_rule_;  ///< Whose explanation is looked at; empty: none.
+  std::size_t episode_ = 0;   ///< Of the selected agent, as ghosts; 0: none.
   std::uint64_t timetag_ = 0;
   /// The mind that is awaited to change, as it was.
   struct Awaited {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/desk.h"
+#include "debugger/learning.h"
 #include "debugger/recall.h"
 #include "debugger/why.h"
 #include "viewer/palette.h"
@@ -65,6 +66,7 @@ void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
     rule_.clear();
     open_objects_.clear();
     known_search_.clear();
+    learned_rule_.clear();
     episode_ = 0;
     timetag_ = 0;
     why_ = {};
@@ -124,6 +126,8 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.plots = &models_.plots.series();
   const auto recalls = models_.recalls.find(agent_);
   contents.recalls = recalls == models_.recalls.end() ? nullptr : &recalls->second;
+  const auto learning = models_.learning.find(agent_);
+  contents.learning_log = learning == models_.learning.end() ? nullptr : &learning->second;
   contents.problems = problems_;
   contents.checks = checks_;
   if (lesson_ != nullptr) lesson_->Fill(contents);
@@ -187,6 +191,9 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.known_search = known_search_;
   contents.episode = {};
   if (visible(PanelId::kLongTerm)) FillLongTerm(contents, mind.get());
+  contents.learning = {};
+  contents.learned_rule = {};
+  if (visible(PanelId::kLearning)) FillLearning(contents, mind.get());
   std::vector<viewer::Ghost> ghosts = FillFutures(contents);
   if (shown != nullptr) AddRemembered(contents, shown->scene, ghosts);
   viewer.SetGhosts(std::move(ghosts));
@@ -280,6 +287,12 @@ void Desk::FillLongTerm(viewer::PanelContents& contents, sim::Inspector* mind) {
   if (mind == nullptr) return;
   contents.long_term = debugger::LookAtLongTerm(*mind, known_search_);
   contents.episode = debugger::LookAtEpisode(*mind, episode_);
+}
+
+void Desk::FillLearning(viewer::PanelContents& contents, sim::Inspector* mind) {
+  if (mind == nullptr) return;
+  contents.learning = debugger::LookAtLearning(*mind, {}, contents.learning_log, past_.shown_tick());
+  contents.learned_rule = debugger::LookAtLearnedRule(*mind, learned_rule_, contents.learning_log, past_.shown_tick());
 }
 
 std::vector<viewer::Ghost> Desk::FillFutures(viewer::PanelContents& contents) {

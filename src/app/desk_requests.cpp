@@ -62,6 +62,7 @@ struct Desk::Visitor {
   void operator()(const viewer::RuleRequest& request) const { desk.rule_ = request.rule; }
   void operator()(const viewer::SearchKnownRequest& request) const { desk.known_search_ = request.text; }
   void operator()(const viewer::EpisodeRequest& request) const { desk.episode_ = request.number; }
+  void operator()(const viewer::LearnedRuleRequest& request) const { desk.learned_rule_ = request.rule; }
   void operator()(const viewer::CoverageRequest&) const { desk.wants_coverage_ = true; }
   void operator()(const viewer::WhyRequest& request) const { desk.why_ = request; }
   void operator()(const viewer::PlotRequest& request) const {

@@ -4,16 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/data_folders.h"
 #include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
 #include "app/run_session.h"
+#include "debugger/json.h"
+#include "debugger/lesson.h"
 #include "debugger/why.h"
 #include "mission/cast.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "sim/check.h"
+#include "sim/learning_facts.h"
 #include "sim/scenario_file.h"
 #include "sim/simulation.h"
 
@@ -45,6 +51,7 @@ Result<std::unique_ptr<sim::Simulation>> RunScenario(const WhyOptions& options, 
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data, options.extra_folders);
   if (!scenario) return scenario.error();
   sim::SimulationSettings settings;
+  settings.mind_detail = sim::MindDetail::kDecisions;  // How rules are learned is noted from the beginning.
   if (options.seed) {
     settings.seed = *options.seed;
   } else if (!scenario.value().definition.empty()) {
@@ -66,6 +73,19 @@ Result<std::unique_ptr<sim::Simulation>> RunRecording(const WhyOptions& options,
   if (!rerun) return rerun.error();
   for (const Diagnostic& warning : rerun->warnings) std::cerr << Format(warning);
   return std::move(rerun->simulation);
+}
+
+/// Of the learned rules that the lines name, where they come from.
+void PrintOrigins(const sim::Simulation& world, const std::string& agent, const std::vector<std::string>& lines) {
+  const std::unique_ptr<sim::Inspector> mind = world.Inspect(agent);
+  auto* const source = dynamic_cast<sim::LearningSource*>(mind.get());
+  if (source == nullptr) return;
+  for (const sim::LessonFact& lesson : source->Lessons()) {
+    const auto names = [&](const std::string& line) { return line.find(lesson.rule) != std::string::npos; };
+    if (std::ranges::none_of(lines, names)) continue;
+    const std::optional<debugger::WhyNode> origin = debugger::OriginOf(*mind, lesson.rule);
+    if (origin) std::cout << "  " << lesson.rule << " was\n" << debugger::ToText(*origin, 2);
+  }
 }
 
 }  // namespace
@@ -107,11 +127,20 @@ int Why(const WhyOptions& options) {
     return refuse(problem);
   }
   if (options.topic.empty()) {
+    if (options.json) {
+      std::cout << debugger::Print(debugger::ToJson(debugger::WhyAgent(world, agent)));
+      return kOk;
+    }
     for (const std::string& line : lines) std::cout << line << '\n';
+    PrintOrigins(world, agent, lines);
     return kOk;
   }
   const Result<debugger::WhyNode> why = debugger::WhyName(world, agent, options.topic);
   if (!why) return refuse(why.error());
+  if (options.json) {
+    std::cout << debugger::Print(debugger::ToJson(*why));
+    return kOk;
+  }
   std::cout << lines.front() << ", " << options.topic << '\n';
   if (why->kind == "topic") {
     for (const debugger::WhyNode& reason : why->below) std::cout << debugger::ToText(reason, 1);

@@ -136,6 +136,7 @@ void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app
   reasons->add_option("scenario", why.scenario, "As for `soarbox run`, or a recording")->required();
   reasons->add_option("topic", why.topic,
                       "A command, an operator or a rule of the agent: explain why it happens, or does not");
+  reasons->add_flag("--json", why.json, "The answer as JSON, with what stands below what");
   reasons->add_option("--agent", why.agent, "The agent's name (default: the first one with a mind)");
   reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
   reasons->add_option("--seed", why.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());

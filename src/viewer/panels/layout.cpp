@@ -73,11 +73,12 @@ Layout DefaultLayout() {
                              {PanelId::kMind, PanelId::kWhy, PanelId::kMemory, PanelId::kRules, PanelId::kLinks,
                               PanelId::kEdit, PanelId::kBreakpoints, PanelId::kFutures},
                              0};
-  layout.at(Area::kBottom) = {true,
-                              190,
-                              {PanelId::kTimeline, PanelId::kTrace, PanelId::kConsole, PanelId::kPlots,
-                               PanelId::kMessages, PanelId::kWatch, PanelId::kMinds, PanelId::kLongTerm},
-                              0};
+  layout.at(Area::kBottom) = {
+      true,
+      190,
+      {PanelId::kTimeline, PanelId::kTrace, PanelId::kConsole, PanelId::kPlots, PanelId::kMessages, PanelId::kWatch,
+       PanelId::kMinds, PanelId::kLongTerm, PanelId::kLearning},
+      0};
   return layout;
 }
 
@@ -173,18 +174,21 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
     layout.at(Area::kRight) = {
         true, 420, {P::kMind, P::kMemory, P::kWhy, P::kLinks, P::kWatch, P::kEdit, P::kFutures}, 0};
     layout.at(Area::kBottom) = {
-        true, 280, {P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm}, 0};
+        true,
+        280,
+        {P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm, P::kLearning},
+        0};
     return layout;
   }
   if (name == "Write rules") {
     layout.at(Area::kLeft) = {true, 250, {P::kAgents, P::kRules}, 0};
     layout.at(Area::kRight) = {
         true, 560, {P::kEdit, P::kMind, P::kWhy, P::kMemory, P::kLinks, P::kWatch, P::kBreakpoints, P::kFutures}, 0};
-    layout.at(Area::kBottom) = {
-        true,
-        200,
-        {P::kProblems, P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm},
-        0};
+    layout.at(Area::kBottom) = {true,
+                                200,
+                                {P::kProblems, P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds,
+                                 P::kLongTerm, P::kLearning},
+                                0};
     return layout;
   }
   if (name != "Compare") return std::nullopt;
@@ -194,7 +198,10 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
       {P::kWatch, P::kMind, P::kWhy, P::kMemory, P::kRules, P::kLinks, P::kEdit, P::kBreakpoints, P::kFutures},
       0};
   layout.at(Area::kBottom) = {
-      true, 300, {P::kMinds, P::kMessages, P::kPlots, P::kTimeline, P::kTrace, P::kConsole, P::kLongTerm}, 0};
+      true,
+      300,
+      {P::kMinds, P::kMessages, P::kPlots, P::kTimeline, P::kTrace, P::kConsole, P::kLongTerm, P::kLearning},
+      0};
   return layout;
 }
 

@@ -74,5 +74,6 @@ std::unique_ptr<Panel> MakeWatchPanel();
 std::unique_ptr<Panel> MakeMindsPanel();
 std::unique_ptr<Panel> MakeMissionPanel();
 std::unique_ptr<Panel> MakeLongTermPanel();
+std::unique_ptr<Panel> MakeLearningPanel();
 
 }  // namespace soarbox::viewer

@@ -12,6 +12,7 @@
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
 #include "debugger/io.h"
+#include "debugger/learning.h"
 #include "debugger/memory.h"
 #include "debugger/messages.h"
 #include "debugger/operators.h"
@@ -194,6 +195,8 @@ struct PanelContents {
   debugger::LongTermView long_term;
   std::string known_search;       ///< The text that all objects in `long_term` have.
   debugger::EpisodeView episode;  ///< That is looked at; its number is 0 if none is.
+  debugger::LearningView learning;
+  debugger::LearnedRuleView learned_rule;  ///< The one whose explanation is looked at; no name: none.
   WhyContents why;
   debugger::IoView io;
   std::vector<sim::WatchedFile> files;  ///< That the selected agent was made from.
@@ -216,7 +219,8 @@ struct PanelContents {
   const debugger::Timeline* timeline = nullptr;
   const debugger::Trace* trace = nullptr;
   const debugger::MessageLog* messages = nullptr;
-  const debugger::RecallLog* recalls = nullptr;  ///< Of the selected agent.
+  const debugger::RecallLog* recalls = nullptr;         ///< Of the selected agent.
+  const debugger::LearningLog* learning_log = nullptr;  ///< Likewise.
   const std::vector<debugger::PlotSeries>* plots = nullptr;
 };
 

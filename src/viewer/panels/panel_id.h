@@ -29,6 +29,7 @@ enum class PanelId : std::uint8_t {
   kMinds,
   kMission,
   kLongTerm,
+  kLearning,
 };
 
 /// What is said about a panel wherever it is offered.
@@ -69,6 +70,8 @@ inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
      'K'},
     {PanelId::kLongTerm, "longterm", "Long-term memory",
      "What the agent knows and remembers, what it recalled and why; an episode as ghosts in the scene.", 'Y'},
+    {PanelId::kLearning, "learning", "Learning",
+     "Rules that the agent learned, from what and why; what reward has taught, as numbers and curves.", 'N'},
 });
 inline constexpr std::size_t kPanelCount = kPanelInfos.size();
 

@@ -79,6 +79,10 @@ struct SearchKnownRequest {
 struct EpisodeRequest {
   std::size_t number = 0;
 };
+/// Show how a rule was learned, and where it fired; empty: of none any more.
+struct LearnedRuleRequest {
+  std::string rule;
+};
 /// Note how far the rules match now, and tell which took part so far.
 struct CoverageRequest {};
 
@@ -150,8 +154,8 @@ using PanelRequest =
     std::variant<OpenFileRequest, ConsoleRequest, CompleteRequest, KeepLineRequest, ClearConsoleRequest,
                  ClearProblemsRequest, SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest,
                  TellRequest, StateRequest, ObjectRequest, ElementRequest, SearchMemoryRequest, RuleRequest,
-                 CoverageRequest, SearchKnownRequest, EpisodeRequest, WhyRequest, PlotRequest, EditRequest,
-                 EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest, SearchRequest,
-                 OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
+                 CoverageRequest, SearchKnownRequest, EpisodeRequest, LearnedRuleRequest, WhyRequest, PlotRequest,
+                 EditRequest, EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest,
+                 SearchRequest, OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
 
 }  // namespace soarbox::viewer

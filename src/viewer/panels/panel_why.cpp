@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <algorithm>
-#include <cctype>
-
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/why_tree.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
 namespace {
-
-using debugger::WhyNode;
-
-ImVec4 ColorOfKind(const std::string& kind) {
-  if (kind == "agent") return theme::kText;
-  if (kind == "command") return theme::kNumber;
-  if (kind == "operator") return theme::kGood;
-  if (kind == "preference") return theme::kWarn;
-  if (kind == "rule") return theme::kAccent;
-  if (kind == "element") return theme::kVariable;
-  if (kind == "percept") return theme::kGood;
-  return theme::kQuiet;
-}
 
 /// Why the agent does what it does, as a tree of reasons.
 class WhyPanel final : public Panel {
@@ -48,7 +33,7 @@ class WhyPanel final : public Panel {
       return;
     }
     ImGui::BeginChild("tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    DrawNode(frame, *contents.why.answer, 0, 0);
+    DrawWhyTree(frame, *contents.why.answer);
     ImGui::EndChild();
   }
 
@@ -62,55 +47,6 @@ class WhyPanel final : public Panel {
     SearchField("##not", "Why not ...", not_);
     const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
     if (entered && !not_.empty()) frame.Ask(WhyRequest{WhyRequest::About::kNot, not_});
-  }
-
-  static void DrawNode(PanelFrame& frame, const WhyNode& node, int number, int depth) {
-    constexpr int kOpenTo = 4, kDeepest = 40;
-    if (depth > kDeepest) return;
-    ImGui::PushID(number);
-    const bool leaf = node.below.empty();
-    const ImGuiTreeNodeFlags flags = (leaf ? ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_Bullet : 0) |
-                                     (depth < kOpenTo ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-    const float label = ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() - ImGui::GetFontSize() * 0.3f;
-    const bool open = ImGui::TreeNodeEx("node", flags, "%s", "");
-    ImGui::SameLine(0, 0);
-    ImGui::SetCursorPosX(label);
-    ImGui::BeginGroup();
-    WrappedText(ColorOfKind(node.kind), node.text);
-    ImGui::EndGroup();
-    if (ImGui::BeginPopupContextItem("menu")) {
-      if (ImGui::MenuItem("Copy with what stands below")) ImGui::SetClipboardText(debugger::ToText(node, 0).c_str());
-      ImGui::EndPopup();
-    }
-    if (!node.link.empty()) {
-      if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      if (ImGui::IsItemClicked()) Follow(frame, node);
-      Tooltip(node.kind == "rule" ? "Click to see this rule" : "Click to ask further");
-    }
-    if (open) {
-      int below = 0;
-      for (const WhyNode& reason : node.below) DrawNode(frame, reason, ++below, depth + 1);
-      ImGui::TreePop();
-    }
-    ImGui::PopID();
-  }
-
-  static void Follow(PanelFrame& frame, const WhyNode& node) {
-    using About = WhyRequest::About;
-    if (node.kind == "rule") {
-      frame.Ask(RuleRequest{node.link});
-      frame.layout.Show(PanelId::kRules);
-    } else if (node.kind == "operator") {
-      frame.Ask(WhyRequest{About::kOperator, node.link});
-    } else if (node.kind == "command") {
-      frame.Ask(WhyRequest{About::kCommand, node.link});
-    } else if (node.kind == "agent") {
-      for (const world::AgentSnapshot& agent : frame.scene.agents) {
-        if (agent.name == node.link) frame.selected = agent.id;
-      }
-    } else if (std::all_of(node.link.begin(), node.link.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
-      frame.Ask(WhyRequest{About::kElement, node.link});
-    }
   }
 
   std::string not_;

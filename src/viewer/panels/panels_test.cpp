@@ -196,6 +196,7 @@ class PanelStage {
     contents.why.answer = debugger::WhyAgent(*simulation, agent);
     contents.io = debugger::LookAtIo(*mind);
     contents.long_term = debugger::LookAtLongTerm(*mind);
+    contents.learning = debugger::LookAtLearning(*mind);
     contents.files = debugger::FilesOf(*simulation, agent);
     contents.edit.file = (folder_ / "walker.soar").string();
     contents.edit.text = kWalker;
@@ -484,6 +485,7 @@ TEST_F(Panels, CanBeCopied) {
       {PanelId::kProblems, "did you mean"},
       {PanelId::kMission, "it stood idle for 0 s"},
       {PanelId::kLongTerm, "no long-term memory is switched on"},
+      {PanelId::kLearning, "nothing has been learned"},
   };
   for (const auto& [panel, text] : wanted) {
     ImGui::SetClipboardText("");
@@ -569,6 +571,7 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
         "Next lesson", "1 of 3 checks, 1 failed", "it goes north", "0:00.20", "it stood idle for 0 s",
         "a moment that others refer to", "walker should be at east by 60 s", "once per visit"}},
       {PanelId::kLongTerm, {"Known 0", "Recalled 0", "Episodes 0", "no long-term memory is switched on"}},
+      {PanelId::kLearning, {"Rules 0", "Episodes 0", "No rule has been learned yet."}},
   };
   ASSERT_EQ(wanted.size(), kPanelCount);
   for (const auto& [panel, texts] : wanted) {
@@ -617,6 +620,60 @@ TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
   EXPECT_THAT(stage->shown, HasSubstr("Nothing is known yet."));
 }
 
+TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
+  stage->Fill("walker");
+  debugger::LearningLog log;
+  record::MindRecord mind;
+  mind.decisions = {"learn chunk*walker*turn*t4-1", "value rl*walker*1 0.5", "reward 2", "episode ends"};
+  mind.reasons.resize(4);
+  log.Add(5, mind);
+  mind.decisions = {"value rl*walker*1 1.5", "reward -1", "episode ends"};
+  mind.reasons.resize(3);
+  mind.details = {"0 fire chunk*walker*turn*t4-1"};
+  log.Add(20, mind);
+  PanelContents& contents = stage->contents;
+  contents.learning_log = &log;
+  debugger::LearningView& view = contents.learning;
+  view = {};
+  view.learners = 1;
+  view.numbers = {{"rl*walker*1", 1.5, 0, 1.5, 2}};
+  debugger::LearnedRuleRow row;
+  row.name = "chunk*walker*turn*t4-1";
+  row.tick = 5;
+  row.firings = 1;
+  row.purpose = "proposes turn";
+  row.source = "S2: operator tie in S1";
+  view.rules.push_back(row);
+  for (int n = 0; n < 20'000; ++n) {
+    row.name = "chunk*many*" + std::to_string(n);
+    view.rules.push_back(row);
+  }
+  for (const auto& [width, height] : {std::pair{1280, 800}, std::pair{1920, 1080}}) {
+    stage->SetSize(width, height, 100);
+    stage->Draw(PanelId::kLearning);
+    for (const char* text : {"Rules 20001", "Values 1", "Episodes 2", "chunk*walker*turn*t4-1", "proposes turn",
+                             "S2: operator tie in S1", "0:00.16"})
+      EXPECT_THAT(stage->shown, HasSubstr(text)) << width;
+    EXPECT_THAT(stage->shown, testing::Not(HasSubstr("chunk*many*100"))) << "only rows that can be seen are drawn";
+    EXPECT_THAT(stage->complaints, IsEmpty()) << width;
+  }
+  debugger::LearnedRuleView& chosen = contents.learned_rule;
+  chosen.name = "chunk*walker*turn*t4-1";
+  chosen.why = {"learned in the substate S2", "learned", chosen.name, {}};
+  chosen.why.below.push_back({"why each condition is there", "reason", "", {}});
+  chosen.why.below[0].below.push_back({"(<s> ^operator <o>)", "condition", "", {}});
+  chosen.fired = {20};
+  stage->Draw(PanelId::kLearning);
+  for (const char* text : {"Fired since:", "0:00.66", "learned in the substate S2", "(<s> ^operator <o>)", "Close"})
+    EXPECT_THAT(stage->shown, HasSubstr(text));
+  EXPECT_THAT(stage->complaints, IsEmpty());
+  view.rules.clear();
+  view.note = "reinforcement learning is off: rl --set learning on";
+  chosen = {};
+  stage->Draw(PanelId::kLearning);
+  EXPECT_THAT(stage->shown, HasSubstr("No rule has been learned yet."));
+}
+
 TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   stage->SetSize(1280, 720, 100);
   stage->Fill("walker");
@@ -642,6 +699,7 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   contents.objects = {{"S1", debugger::LookAtObject(*mind, "S1")}};
   contents.rules = debugger::ListRules(*mind);
   contents.long_term = debugger::LookAtLongTerm(*mind);
+  contents.learning = debugger::LookAtLearning(*mind);
   contents.rule.reset();
   contents.story.reset();
   const std::vector<std::pair<PanelId, std::vector<const char*>>> wanted = {
@@ -651,6 +709,7 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
       {PanelId::kBreakpoints, {"Nothing stops a recording."}},
       {PanelId::kFutures, {"A recording has one future."}},
       {PanelId::kLongTerm, {"what it knows and remembers: not recorded"}},
+      {PanelId::kLearning, {"what it has learned: not recorded"}},
   };
   for (const auto& [panel, texts] : wanted) {
     stage->Draw(panel);

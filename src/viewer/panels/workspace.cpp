@@ -47,6 +47,7 @@ Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
   put(PanelId::kProblems, MakeProblemsPanel());
   put(PanelId::kWatch, MakeWatchPanel());
   put(PanelId::kLongTerm, MakeLongTermPanel());
+  put(PanelId::kLearning, MakeLearningPanel());
   put(PanelId::kMinds, MakeMindsPanel());
   put(PanelId::kMission, MakeMissionPanel());
 }

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viewer/panels/graph.h"
+#include "viewer/panels/mind_note.h"
+#include "viewer/panels/panel.h"
+#include "viewer/panels/why_tree.h"
+#include "viewer/panels/widgets.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using debugger::LearnedRuleRow;
+using debugger::LearningLog;
+
+constexpr ImGuiTableFlags kLearningTable =
+    ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+constexpr std::size_t kMostCurves = 6;  ///< As many as colours.
+
+double SecondsOf(const PanelFrame& frame, std::uint64_t tick) {
+  return static_cast<double>(tick) * frame.contents.moment.step_s;
+}
+
+/// A time that a click leads to.
+void TimeLink(PanelFrame& frame, std::uint64_t tick) {
+  if (Link("when", TimeText(SecondsOf(frame, tick)))) frame.Ask(SeekRequest{tick});
+  Tooltip("Go there");
+}
+
+/// What the selected agent learns: rules, each with its reasons, numbers by reward, and reward per episode.
+class LearningPanel final : public Panel {
+ public:
+  void Draw(PanelFrame& frame) override {
+    if (!HasMind(frame)) return;
+    const debugger::LearningView& view = frame.contents.learning;
+    DrawLearningBar(frame, view);
+    ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    if (page_ == kRules) {
+      DrawRules(frame, view);
+    } else if (page_ == kValues) {
+      DrawValues(frame, view);
+    } else {
+      DrawEpisodes(frame);
+    }
+    ImGui::EndChild();
+  }
+
+  std::string Text(const PanelFrame& frame) const override {
+    if (!frame.contents.has_mind) return {};
+    std::string text = debugger::ToText(frame.contents.learning);
+    if (const LearningLog* const log = frame.contents.learning_log) text += debugger::ToText(log->episodes());
+    if (!frame.contents.learned_rule.name.empty()) text += "\n" + debugger::ToText(frame.contents.learned_rule);
+    return text;
+  }
+
+ private:
+  enum Page : int { kRules, kValues, kEpisodes };
+
+  /// So many of the episodes are over at the moment that is shown.
+  static std::size_t EpisodesSoFar(const PanelFrame& frame) {
+    const LearningLog* const log = frame.contents.learning_log;
+    if (log == nullptr) return 0;
+    const std::uint64_t now = frame.contents.moment.shown_tick;
+    return static_cast<std::size_t>(std::ranges::count_if(
+        log->episodes(), [&](const debugger::RewardEpisode& episode) { return episode.last_tick <= now; }));
+  }
+
+  void DrawLearningBar(PanelFrame& frame, const debugger::LearningView& view) {
+    const std::pair<std::string, const char*> pages[] = {
+        {"Rules " + std::to_string(view.rules.size()), "Rules that were learned in substates, the newest first"},
+        {"Values " + std::to_string(view.learners), "Numbers that reward moves, the highest first"},
+        {"Episodes " + std::to_string(EpisodesSoFar(frame)), "The reward of each episode"}};
+    for (int page = 0; page < 3; ++page) {
+      if (page > 0) ImGui::SameLine();
+      const bool is_on = page_ == page;
+      if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+      const std::string label = pages[page].first + "###page" + std::to_string(page);
+      if (ImGui::Button(label.c_str())) page_ = page;
+      if (is_on) ImGui::PopStyleColor();
+      Tooltip(pages[page].second);
+    }
+    if (page_ == kEpisodes) return;
+    FlowLine(frame.Px(90));
+    SearchField("##filter", "Filter by text", filter_);
+  }
+
+  // Rules -------------------------------------------------------------------------------------------------------------
+
+  void DrawRules(PanelFrame& frame, const debugger::LearningView& view) {
+    const bool is_chosen = !frame.contents.learned_rule.name.empty();
+    const bool is_wide = ImGui::GetContentRegionAvail().x > frame.Px(640);
+    if (is_chosen && !is_wide) {
+      DrawRule(frame);
+      return;
+    }
+    std::vector<const LearnedRuleRow*> rows;
+    for (const LearnedRuleRow& row : view.rules) {
+      if (HasPart(row.name + " " + row.purpose + " " + row.source, filter_)) rows.push_back(&row);
+    }
+    if (rows.empty()) {
+      const bool is_untold = view.rules.empty() && view.learners == 0 && !view.note.empty();
+      if (is_untold) WrappedText(theme::kQuiet, view.note);
+      if (is_untold && !frame.contents.not_recorded.empty()) return;
+      if (!view.rules.empty()) {
+        EmptyNote("No learned rule has this text.");
+      } else {
+        EmptyNote("No rule has been learned yet.",
+                  "chunk always lets the agent learn from what it works out in substates.");
+      }
+      return;
+    }
+    const float width = is_chosen ? ImGui::GetContentRegionAvail().x * 0.5f : 0;
+    ImGui::BeginChild("list", {width, 0}, false, ImGuiWindowFlags_NoNav);
+    DrawRuleTable(frame, rows);
+    ImGui::EndChild();
+    if (!is_chosen) return;
+    ImGui::SameLine();
+    ImGui::BeginChild("rule", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    DrawRule(frame);
+    ImGui::EndChild();
+  }
+
+  static void DrawRuleTable(PanelFrame& frame, const std::vector<const LearnedRuleRow*>& rows) {
+    const bool has_sources = ImGui::GetContentRegionAvail().x > frame.Px(620);
+    if (!ImGui::BeginTable("learned", has_sources ? 5 : 4, kLearningTable)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Learned", 0, 1.3f);
+    ImGui::TableSetupColumn("Fired", 0, 0.8f);
+    ImGui::TableSetupColumn("Rule", 0, 4);
+    ImGui::TableSetupColumn("What it does", 0, 3.5f);
+    if (has_sources) ImGui::TableSetupColumn("Learned in", 0, 4.5f);
+    ImGui::TableHeadersRow();
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        DrawRuleRow(frame, *rows[static_cast<std::size_t>(i)], i, has_sources);
+    }
+    ImGui::EndTable();
+  }
+
+  static void DrawRuleRow(PanelFrame& frame, const LearnedRuleRow& row, int number, bool has_sources) {
+    ImGui::PushID(number);
+    ImGui::TableNextRow();
+    if (row.name == frame.contents.learned_rule.name)
+      ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, theme::Packed(theme::kAccent, 0.2f));
+    ImGui::TableNextColumn();
+    if (row.tick) {
+      TimeLink(frame, *row.tick);
+    } else {
+      ColoredText(theme::kQuiet, "-");
+      Tooltip("It was learned before anybody watched, or loaded");
+    }
+    ImGui::TableNextColumn();
+    ColoredText(row.firings > 0 ? theme::kGood : theme::kQuiet, std::to_string(row.firings));
+    ImGui::TableNextColumn();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    CutText(row.name, row.is_gone ? theme::kQuiet : theme::kAccent);
+    const ImVec2 end{at.x + width, at.y + ImGui::GetTextLineHeight()};
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end)) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) frame.Ask(LearnedRuleRequest{row.name});
+    }
+    Tooltip(row.name + (row.is_gone ? "\nExcised since. " : "\n") + "Click to see why it is as it is");
+    ImGui::TableNextColumn();
+    CutText(row.purpose.empty() ? "not known" : row.purpose, row.purpose.empty() ? theme::kQuiet : theme::kText);
+    Tooltip(row.purpose);
+    if (has_sources) {
+      ImGui::TableNextColumn();
+      CutText(row.source, theme::kQuiet);
+      Tooltip(row.source);
+    }
+    ImGui::PopID();
+  }
+
+  /// Why the chosen rule is as it is, and where it fired since.
+  static void DrawRule(PanelFrame& frame) {
+    const debugger::LearnedRuleView& rule = frame.contents.learned_rule;
+    if (ImGui::SmallButton("Close")) frame.Ask(LearnedRuleRequest{});
+    Tooltip("Back to all learned rules");
+    ImGui::SameLine();
+    RuleLink(frame, rule.name);
+    if (!rule.fired_note.empty()) {
+      WrappedText(theme::kQuiet, "Fired since: " + rule.fired_note + ".");
+    } else {
+      ColoredText(theme::kQuiet, "Fired since:");
+      constexpr std::size_t kMostTimes = 12;
+      for (std::size_t n = 0; n < std::min(rule.fired.size(), kMostTimes); ++n) {
+        const std::uint64_t tick = rule.fired[rule.fired.size() - 1 - n];
+        const std::string text = TimeText(SecondsOf(frame, tick));
+        FlowLine(ImGui::CalcTextSize(text.c_str()).x);
+        ImGui::PushID(static_cast<int>(n));
+        TimeLink(frame, tick);
+        ImGui::PopID();
+      }
+      if (rule.fired.size() > kMostTimes) {
+        const std::string more = "and " + std::to_string(rule.fired.size() - kMostTimes) + " times before";
+        FlowLine(ImGui::CalcTextSize(more.c_str()).x);
+        ColoredText(theme::kQuiet, more);
+      }
+    }
+    ImGui::Separator();
+    ImGui::BeginChild("tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    DrawWhyTree(frame, rule.why, 2);
+    ImGui::EndChild();
+  }
+
+  // Values ------------------------------------------------------------------------------------------------------------
+
+  void DrawValues(PanelFrame& frame, const debugger::LearningView& view) {
+    if (!view.note.empty()) WrappedText(theme::kQuiet, view.note);
+    if (view.learners == 0) {
+      if (view.note.empty())
+        EmptyNote("No rule learns by reward.",
+                  "rl --set learning on, and a rule whose only action is a numeric preference.");
+      return;
+    }
+    std::vector<const sim::NumberFact*> rows;
+    for (const sim::NumberFact& number : view.numbers) {
+      if (HasPart(number.rule, filter_)) rows.push_back(&number);
+    }
+    if (rows.empty()) {
+      EmptyNote("No rule with a number has this text.");
+      return;
+    }
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool is_wide = room.x > frame.Px(640);
+    const ImVec2 size = is_wide ? ImVec2{room.x * 0.5f, 0} : ImVec2{0, room.y * 0.55f};
+    const std::vector<std::string> curves = Curves(rows);
+    ImGui::BeginChild("numbers", size, false, ImGuiWindowFlags_NoNav);
+    DrawValueTable(frame, rows, curves);
+    ImGui::EndChild();
+    if (is_wide) ImGui::SameLine();
+    ImGui::BeginChild("curves", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    DrawCurves(frame, curves);
+    ImGui::EndChild();
+  }
+
+  /// Those that the user chose, or the ones that moved most often.
+  std::vector<std::string> Curves(const std::vector<const sim::NumberFact*>& rows) const {
+    if (!curves_.empty()) return curves_;
+    std::vector<const sim::NumberFact*> most;
+    for (const sim::NumberFact* number : rows) {
+      if (number->updates > 0) most.push_back(number);
+    }
+    const auto moved_more = [](const sim::NumberFact* a, const sim::NumberFact* b) { return a->updates > b->updates; };
+    std::stable_sort(most.begin(), most.end(), moved_more);
+    std::vector<std::string> names;
+    for (std::size_t n = 0; n < std::min(most.size(), kMostCurves); ++n) names.push_back(most[n]->rule);
+    return names;
+  }
+
+  void DrawValueTable(PanelFrame& frame, const std::vector<const sim::NumberFact*>& rows,
+                      const std::vector<std::string>& curves) {
+    if (!ImGui::BeginTable("values", 3, kLearningTable)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Value", 0, 2);
+    ImGui::TableSetupColumn("Updates", 0, 1);
+    ImGui::TableSetupColumn("Rule", 0, 5);
+    ImGui::TableHeadersRow();
+    double most = 1e-9;
+    for (const sim::NumberFact* number : rows) most = std::max(most, std::abs(number->value));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        DrawValueRow(frame, *rows[static_cast<std::size_t>(i)], i, most, curves);
+    }
+    ImGui::EndTable();
+  }
+
+  void DrawValueRow(PanelFrame& frame, const sim::NumberFact& number, int row, double most,
+                    const std::vector<std::string>& curves) {
+    ImGui::PushID(row);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+    const float length = width * static_cast<float>(std::abs(number.value) / most);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + frame.Px(2)}, {at.x + length, at.y + height - frame.Px(2)},
+                                              theme::Packed(number.value < 0 ? theme::kWarn : theme::kGood, 0.35f));
+    ColoredText(theme::kText, Formatted("%.3f", number.value));
+    ImGui::TableNextColumn();
+    ColoredText(number.updates > 0 ? theme::kText : theme::kQuiet, std::to_string(number.updates));
+    ImGui::TableNextColumn();
+    const auto curve = std::ranges::find(curves, number.rule);
+    const bool is_drawn = curve != curves.end();
+    const ImVec4 color = is_drawn ? theme::Series(static_cast<std::size_t>(curve - curves.begin())) : theme::kText;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    CutText(number.rule, color);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, {from.x + room, from.y + height})) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) Toggle(number.rule, curves);
+    }
+    Tooltip(number.rule + (is_drawn ? "\nClick to take its curve away" : "\nClick to draw its curve"));
+    ImGui::PopID();
+  }
+
+  void Toggle(const std::string& rule, const std::vector<std::string>& curves) {
+    curves_ = curves;
+    if (std::erase(curves_, rule) > 0) return;
+    if (curves_.size() >= kMostCurves) curves_.erase(curves_.begin());
+    curves_.push_back(rule);
+  }
+
+  static void DrawCurves(PanelFrame& frame, const std::vector<std::string>& names) {
+    const LearningLog* const log = frame.contents.learning_log;
+    const Moment& moment = frame.contents.moment;
+    std::vector<GraphCurve> curves;
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      if (log == nullptr) break;
+      const auto points = log->values().find(names[n]);
+      if (points == log->values().end()) continue;
+      GraphCurve& curve = curves.emplace_back(GraphCurve{names[n], theme::Series(n), {}});
+      for (const auto& [tick, value] : points->second) curve.points.emplace_back(static_cast<double>(tick), value);
+      // It holds on to the end.
+      if (!curve.points.empty() && curve.points.back().first < static_cast<double>(moment.last_tick))
+        curve.points.emplace_back(static_cast<double>(moment.last_tick), curve.points.back().second);
+    }
+    if (curves.empty()) {
+      EmptyNote("No number has moved yet.", "Each change is noted from then on.");
+      return;
+    }
+    DrawOverTime(frame, curves, "values");
+  }
+
+  static void DrawOverTime(PanelFrame& frame, const std::vector<GraphCurve>& curves, const char* id) {
+    const Moment& moment = frame.contents.moment;
+    const float height =
+        std::max(frame.Px(44), ImGui::GetContentRegionAvail().y - TimeAxisHeight() - ImGui::GetStyle().ItemSpacing.y);
+    const auto first = static_cast<double>(moment.first_tick), last = static_cast<double>(moment.last_tick);
+    if (const auto tick = DrawGraph(frame, id, curves, height, first, last, true)) frame.Ask(SeekRequest{*tick});
+    DrawTimeAxis(frame, first, last);
+  }
+
+  // Episodes ----------------------------------------------------------------------------------------------------------
+
+  static void DrawEpisodes(PanelFrame& frame) {
+    const std::size_t count = EpisodesSoFar(frame);
+    if (count == 0) {
+      EmptyNote("No episode has ended yet.",
+                "An episode ends when the agent halts, or selects an operator for which no learning rule speaks while "
+                "temporal-extension is off.");
+      return;
+    }
+    const auto& episodes = frame.contents.learning_log->episodes();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool is_wide = room.x > frame.Px(640);
+    ImGui::BeginChild("episodes", is_wide ? ImVec2{room.x * 0.4f, 0} : ImVec2{0, room.y * 0.55f}, false,
+                      ImGuiWindowFlags_NoNav);
+    if (ImGui::BeginTable("rewards", 4, kLearningTable)) {
+      ImGui::TableSetupScrollFreeze(0, 1);
+      ImGui::TableSetupColumn("Episode", 0, 1);
+      ImGui::TableSetupColumn("Ended", 0, 1.2f);
+      ImGui::TableSetupColumn("Took", 0, 1);
+      ImGui::TableSetupColumn("Reward", 0, 1.2f);
+      ImGui::TableHeadersRow();
+      ImGuiListClipper clipper;
+      clipper.Begin(static_cast<int>(count));
+      while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+          const std::size_t number = count - 1 - static_cast<std::size_t>(i);
+          const debugger::RewardEpisode& episode = episodes[number];
+          ImGui::PushID(i);
+          ImGui::TableNextRow();
+          ImGui::TableNextColumn();
+          ColoredText(theme::kQuiet, std::to_string(number + 1));
+          ImGui::TableNextColumn();
+          TimeLink(frame, episode.last_tick);
+          ImGui::TableNextColumn();
+          ColoredText(theme::kText, Formatted("%.1f s", SecondsOf(frame, episode.last_tick - episode.first_tick)));
+          ImGui::TableNextColumn();
+          ColoredText(episode.reward < 0 ? theme::kWarn : theme::kGood, Formatted("%.4g", episode.reward));
+          ImGui::PopID();
+        }
+      }
+      ImGui::EndTable();
+    }
+    ImGui::EndChild();
+    if (is_wide) ImGui::SameLine();
+    ImGui::BeginChild("curve", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    std::vector<GraphCurve> curves(1);
+    curves[0].name = "reward of an episode";
+    curves[0].color = theme::Series(0);
+    for (const debugger::RewardEpisode& episode : episodes)
+      curves[0].points.emplace_back(static_cast<double>(episode.last_tick), episode.reward);
+    DrawOverTime(frame, curves, "rewards");
+    ImGui::EndChild();
+  }
+
+  int page_ = kRules;
+  std::string filter_;
+  std::vector<std::string> curves_;  ///< That the user chose; none: those that moved most often.
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> MakeLearningPanel() {
+  return std::make_unique<LearningPanel>();
+}
+
+}  // namespace soarbox::viewer
