@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/exit_codes.h"
+#include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/diagnostic.h"
 #include "sml_Client.h"
@@ -20,14 +21,6 @@ namespace {
 /// How often it is asked whether to end. Clients do not wait for that: a thread of the kernel's own serves them at
 /// once.
 constexpr auto kLookAtSignals = std::chrono::milliseconds(20);
-
-int CannotStart(std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 /// The file's stem, with a number behind it if another agent has that name.
 std::string NameFor(const std::filesystem::path& file, std::set<std::string>& taken) {
@@ -40,13 +33,13 @@ std::string NameFor(const std::filesystem::path& file, std::set<std::string>& ta
 /// Makes one agent and loads its rules; problems are told and counted. False if there is no such file.
 bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<std::string>& names) {
   if (!std::ifstream(file)) {
-    CannotStart(file.string() + " cannot be read", "name files of Soar rules");
+    Refuse(file.string() + " cannot be read", "name files of Soar rules");
     return false;
   }
   const std::string name = NameFor(file, names);
   sml::Agent* agent = kernel.CreateAgent(name.c_str());
   if (agent == nullptr) {
-    CannotStart("the kernel refuses an agent named " + name);
+    Refuse("the kernel refuses an agent named " + name);
     return false;
   }
   std::cout << "agent " << name << ": " << file.string() << std::endl;
@@ -65,9 +58,9 @@ int ServeKernel(const KernelServerOptions& options) {
   const std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInNewThread(port));
   if (kernel->HadError()) {
     const char* why = kernel->GetLastErrorDescription();
-    return CannotStart("port " + std::to_string(options.port) + " cannot be opened" +
-                           (why == nullptr ? "" : std::string(" (") + why + ")"),
-                       "another program holds it; choose another with --port N, or any free one with --port 0");
+    return Refuse("port " + std::to_string(options.port) + " cannot be opened" +
+                      (why == nullptr ? "" : std::string(" (") + why + ")"),
+                  "another program holds it; choose another with --port N, or any free one with --port 0");
   }
   std::set<std::string> names;
   for (const std::filesystem::path& file : options.agents) {

@@ -9,6 +9,7 @@
 #include "app/exit_codes.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
+#include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/read_text.h"
 #include "mission/sentences.h"
@@ -17,15 +18,6 @@ namespace soarbox::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-int Refuse(std::string message, std::string hint = {}, std::string file = {}) {
-  Diagnostic problem;
-  problem.file = std::move(file);
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 /// A wrong answer may be right by luck; with so many seeds it is not.
 constexpr std::size_t kWrongSeeds = 4;
@@ -115,7 +107,7 @@ class Learner {
       return Refuse("this lesson has not begun", "soarbox learn " + lesson.name + " puts its files there",
                     folder.string());
     const Result<Grade> graded = GradeRules(lesson, folder, 0);
-    if (!graded) return Refuse(graded.error().message, graded.error().hint);
+    if (!graded) return Refuse(graded.error());
     if (!graded->problems.empty()) {
       for (const Diagnostic& problem : graded->problems) std::cout << Format(problem);
       std::cout << "Fix this first. It does not count as an attempt.\n";
@@ -230,7 +222,7 @@ class Learner {
 
 int Learn(const LearnOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return Refuse(data.error().message, data.error().hint);
+  if (!data) return Refuse(data.error());
   const fs::path from = options.from.empty() ? data->scenarios.parent_path() / "lessons" : options.from;
   std::vector<Diagnostic> problems;
   std::vector<Lesson> lessons = ReadLessons(from, *data, problems);

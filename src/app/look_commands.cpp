@@ -11,6 +11,7 @@
 #include "app/data_folders.h"
 #include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
+#include "app/refuse.h"
 #include "app/run_session.h"
 #include "debugger/json.h"
 #include "debugger/lesson.h"
@@ -91,16 +92,12 @@ void PrintOrigins(const sim::Simulation& world, const std::string& agent, const 
 }  // namespace
 
 int Why(const WhyOptions& options) {
-  const auto refuse = [](const Diagnostic& problem) {
-    std::cerr << Format(problem);
-    return kCannotStart;
-  };
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return refuse(data.error());
+  if (!data) return Refuse(data.error());
   CatchInterrupts();
   const Result<std::unique_ptr<sim::Simulation>> simulation =
       record::IsRecording(options.scenario) ? RunRecording(options, *data) : RunScenario(options, *data);
-  if (!simulation) return refuse(simulation.error());
+  if (!simulation) return Refuse(simulation.error());
   sim::Simulation& world = **simulation;
 
   std::string agent = options.agent;
@@ -115,7 +112,7 @@ int Why(const WhyOptions& options) {
         agent.empty() ? "no agent of this scenario has a Soar mind" : "there is no agent '" + agent + "' with a mind";
     if (agent.empty()) {
       problem.hint = "scripts alone move these agents: soarbox run shows what they print";
-      return refuse(problem);
+      return Refuse(problem);
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     if (const std::string_view near = Suggest(agent, candidates); !near.empty()) {
@@ -124,7 +121,7 @@ int Why(const WhyOptions& options) {
       problem.hint = "there are:";
       for (const std::string& name : names) problem.hint += " " + name;
     }
-    return refuse(problem);
+    return Refuse(problem);
   }
   if (options.topic.empty()) {
     if (options.json) {
@@ -136,7 +133,7 @@ int Why(const WhyOptions& options) {
     return kOk;
   }
   const Result<debugger::WhyNode> why = debugger::WhyName(world, agent, options.topic);
-  if (!why) return refuse(why.error());
+  if (!why) return Refuse(why.error());
   if (options.json) {
     std::cout << debugger::Print(debugger::ToJson(*why));
     return kOk;

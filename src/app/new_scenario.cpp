@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "app/exit_codes.h"
+#include "app/refuse.h"
 #include "app/starter_files.h"
 #include "diagnostics/diagnostic.h"
 
@@ -18,15 +19,6 @@ namespace soarbox::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-int Refuse(std::string file, std::string message, std::string hint) {
-  Diagnostic problem;
-  problem.file = std::move(file);
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 bool IsGoodName(const std::string& name) {
   return !name.empty() && name.size() <= 60 && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
@@ -61,12 +53,11 @@ int NewScenario(const NewOptions& options) {
   const fs::path folder(options.name);
   const std::string name = folder.filename().string();
   if (!IsGoodName(name))
-    return Refuse({}, "'" + name + "' is no name for a scenario",
-                  "use letters, digits, - and _, and begin with a letter");
+    return Refuse("'" + name + "' is no name for a scenario", "use letters, digits, - and _, and begin with a letter");
   std::error_code error;
-  if (fs::exists(folder, error)) return Refuse(folder.string(), "this is there already", "choose another name");
+  if (fs::exists(folder, error)) return Refuse("this is there already", "choose another name", folder.string());
   fs::create_directories(folder, error);
-  if (error) return Refuse(folder.string(), "this folder cannot be made: " + error.message(), "check the path");
+  if (error) return Refuse("this folder cannot be made: " + error.message(), "check the path", folder.string());
 
   std::vector<StarterFile> files;
   if (options.lua) {
@@ -80,7 +71,7 @@ int NewScenario(const NewOptions& options) {
     const fs::path path = folder / WithName(file.name, name);
     std::ofstream out(path, std::ios::binary);
     out << WithName(file.text, name);
-    if (!out) return Refuse(path.string(), "this file cannot be written", "check that the folder may be written to");
+    if (!out) return Refuse("this file cannot be written", "check that the folder may be written to", path.string());
     std::cout << path.string() << ": " << file.meaning << '\n';
   }
   TellNextSteps(folder);

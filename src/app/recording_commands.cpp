@@ -13,6 +13,7 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/refuse.h"
 #include "app/replay_window.h"
 #include "app/run_session.h"
 #include "diagnostics/read_text.h"
@@ -24,11 +25,6 @@
 
 namespace soarbox::app {
 namespace {
-
-int CannotStart(const Diagnostic& problem) {
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 /// Opens a recording; what a kill left behind is told as a note.
 Result<std::unique_ptr<record::Reader>> Open(const std::filesystem::path& file) {
@@ -80,29 +76,29 @@ std::string Of(const record::Difference& difference) {
 
 int Replay(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
-  if (!reader) return CannotStart(reader.error());
+  if (!reader) return Refuse(reader.error());
   CatchInterrupts();
   if (!options.headless && !options.json && CanShowReplay()) {
     const Result<sim::DataFolders> data = FindDataFolders();
-    if (!data) return CannotStart(data.error());
+    if (!data) return Refuse(data.error());
     return ShowReplay(**reader, RangeOf(**reader, options), *data, options);
   }
   const record::TickRange range = RangeOf(**reader, options);
   const Result<void> printed =
       options.json ? record::ExportJson(**reader, range, std::cout) : record::PrintTicks(**reader, range, std::cout);
-  return printed ? static_cast<int>(kOk) : CannotStart(printed.error());
+  return printed ? static_cast<int>(kOk) : Refuse(printed.error());
 }
 
 int Verify(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
-  if (!reader) return CannotStart(reader.error());
+  if (!reader) return Refuse(reader.error());
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return CannotStart(data.error());
+  if (!data) return Refuse(data.error());
   CatchInterrupts();
   const Result<record::Verdict> verdict =
       record::Verify(**reader, *data, ShownProgress((*reader)->last_tick()), options.threads,
                      options.as_recorded ? record::FilesFrom::kRecording : record::FilesFrom::kDisk);
-  if (!verdict) return CannotStart(verdict.error());
+  if (!verdict) return Refuse(verdict.error());
   Tell(verdict->warnings);
   if (verdict->interrupted) {
     std::cout << fmt::format("interrupted; equal up to tick {}\n", verdict->last_tick);
@@ -122,11 +118,11 @@ int Verify(const RecordingOptions& options) {
 
 int Export(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
-  if (!reader) return CannotStart(reader.error());
+  if (!reader) return Refuse(reader.error());
   const record::TickRange range = RangeOf(**reader, options);
   if (options.as_recording) {
     const Result<void> written = record::ExportRecording(**reader, range, options.output);
-    return written ? static_cast<int>(kOk) : CannotStart(written.error());
+    return written ? static_cast<int>(kOk) : Refuse(written.error());
   }
   std::ofstream file;
   if (!options.output.empty()) {
@@ -136,28 +132,28 @@ int Export(const RecordingOptions& options) {
       problem.file = options.output.string();
       problem.message = "this file cannot be written";
       problem.hint = "check the folder and its permissions";
-      return CannotStart(problem);
+      return Refuse(problem);
     }
   }
   std::ostream& out = options.output.empty() ? std::cout : file;
   const Result<void> written =
       options.json ? record::ExportJson(**reader, range, out) : record::ExportCsv(**reader, range, out);
-  if (!written) return CannotStart(written.error());
+  if (!written) return Refuse(written.error());
   out.flush();
   if (out) return kOk;
   Diagnostic problem;
   problem.file = options.output.string();
   problem.message = "writing failed; is the disk full?";
-  return CannotStart(problem);
+  return Refuse(problem);
 }
 
 int Compare(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> a = Open(options.file);
-  if (!a) return CannotStart(a.error());
+  if (!a) return Refuse(a.error());
   Result<std::unique_ptr<record::Reader>> b = Open(options.other);
-  if (!b) return CannotStart(b.error());
+  if (!b) return Refuse(b.error());
   const Result<record::Comparison> comparison = record::Compare(**a, **b);
-  if (!comparison) return CannotStart(comparison.error());
+  if (!comparison) return Refuse(comparison.error());
   const double step_s = (*a)->header().step_s;
   if (!comparison->difference) {
     std::cout << fmt::format("equal: ticks {} to {}\n", comparison->first_tick, comparison->last_tick);
@@ -189,9 +185,9 @@ int Compare(const RecordingOptions& options) {
 
 int Resume(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
-  if (!reader) return CannotStart(reader.error());
+  if (!reader) return Refuse(reader.error());
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return CannotStart(data.error());
+  if (!data) return Refuse(data.error());
   std::string rules;
   for (const std::filesystem::path& file : options.rules) {
     const std::optional<std::string> text = ReadText(file);
@@ -200,14 +196,14 @@ int Resume(const RecordingOptions& options) {
       problem.file = file.string();
       problem.message = "these rules cannot be read";
       problem.hint = "check the name";
-      return CannotStart(problem);
+      return Refuse(problem);
     }
     rules.append(*text).append("\n");
   }
   CatchInterrupts();
   const std::uint64_t at = TickAt(**reader, options.at_s);
   Result<record::Rerun> rerun = record::GoTo(**reader, at, *data, ShownProgress(at), options.threads);
-  if (!rerun) return CannotStart(rerun.error());
+  if (!rerun) return Refuse(rerun.error());
   Tell(rerun->warnings);
   sim::Simulation& simulation = *rerun->simulation;
   std::cout << fmt::format("tick {} reached, its state is the recorded one: {:016x}\n", at, simulation.StateHash());
@@ -215,7 +211,7 @@ int Resume(const RecordingOptions& options) {
     if (simulation.HasMind(agent)) continue;
     Diagnostic problem;
     problem.message = "there is no agent '" + agent + "' with a Soar mind at that time";
-    return CannotStart(problem);
+    return Refuse(problem);
   }
   if (!rules.empty()) {
     for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
@@ -241,18 +237,18 @@ int Resume(const RecordingOptions& options) {
     header.branched_from = std::filesystem::absolute(options.file, error).string();
     header.branch_tick = at;
     Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(options.output, header);
-    if (!writer) return CannotStart(writer.error());
+    if (!writer) return Refuse(writer.error());
     if ((*reader)->first_tick() > 0) {
       Result<std::vector<record::TickInputs>> inputs = (*reader)->Inputs();
-      if (!inputs) return CannotStart(inputs.error());
+      if (!inputs) return Refuse(inputs.error());
       std::erase_if(*inputs, [&](const record::TickInputs& entry) { return entry.tick >= (*reader)->first_tick(); });
-      if (const Result<void> added = (*writer)->AddEarlierInputs(*inputs); !added) return CannotStart(added.error());
+      if (const Result<void> added = (*writer)->AddEarlierInputs(*inputs); !added) return Refuse(added.error());
     }
     recorder = std::make_unique<record::Recorder>(std::move(*writer), header.level);
     for (std::uint64_t tick = (*reader)->first_tick(); tick <= at; ++tick) {
       const Result<const record::TickRecord*> record = (*reader)->At(tick);
-      if (!record) return CannotStart(record.error());
-      if (const Result<void> added = recorder->Take(**record); !added) return CannotStart(added.error());
+      if (!record) return Refuse(record.error());
+      if (const Result<void> added = recorder->Take(**record); !added) return Refuse(added.error());
     }
   }
   std::unique_ptr<EventPrinter> printer =

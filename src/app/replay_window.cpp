@@ -14,17 +14,13 @@
 #include "app/next_run.h"
 #include "app/pace.h"
 #include "app/recent.h"
+#include "app/refuse.h"
 #include "app/run_session.h"
 #include "app/window_layout.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::app {
 namespace {
-
-int Fail(const Diagnostic& problem) {
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 viewer::ViewerOptions OptionsOf(const record::Reader& recording, const sim::DataFolders& data,
                                 const RecordingOptions& options) {
@@ -155,19 +151,19 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
   const bool is_own = options.panels.empty() && options.ui_script.empty();
   if (!options.panels.empty()) {
     Result<viewer::Layout> layout = LayoutNamed(options.panels, options.text_percent);
-    if (!layout) return Fail(layout.error());
+    if (!layout) return Refuse(layout.error());
     window.layout = *layout;
   } else {
     window.layout = is_own ? viewer::LoadLayout(viewer::LayoutFile()) : viewer::DefaultLayout();
   }
   Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
-  if (!opened) return Fail(opened.error());
+  if (!opened) return Refuse(opened.error());
   viewer::Viewer& viewer = **opened;
   ReplayWindow replay(recording, range, data, viewer, !options.ui_script.empty());
   if (!replay.Select(options.select)) {
     Diagnostic problem;
     problem.message = "there is no agent '" + options.select + "' to select at the beginning";
-    return Fail(problem);
+    return Refuse(problem);
   }
   NoteRecentRun(recording.file().string());
   const int code = replay.Run();
@@ -175,7 +171,7 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
     if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)
       std::cerr << Format(saved.error());
   }
-  if (viewer.ui_script_failure()) return Fail(*viewer.ui_script_failure());
+  if (viewer.ui_script_failure()) return Refuse(*viewer.ui_script_failure());
   return code;
 }
 

@@ -6,19 +6,16 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/refuse.h"
 #include "report/page.h"
 
 namespace soarbox::app {
 
 int Report(const ReportOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
-  const auto refuse = [](const Diagnostic& problem) {
-    std::cerr << Format(problem);
-    return static_cast<int>(kCannotStart);
-  };
-  if (!data) return refuse(data.error());
+  if (!data) return Refuse(data.error());
   const Result<std::string> page = report::MakePage(options.source, *data);
-  if (!page) return refuse(page.error());
+  if (!page) return Refuse(page.error());
   // A page that is there stays until the new one is whole.
   std::filesystem::path making = options.output;
   making += ".part";
@@ -31,7 +28,7 @@ int Report(const ReportOptions& options) {
     problem.message = "this page cannot be written";
     problem.hint = "is the disk full, or the folder not yours?";
     std::filesystem::remove(making, error);
-    return refuse(problem);
+    return Refuse(problem);
   }
   std::cout << options.output.string() << ": " << (page->size() + 1023) / 1024 << " KB\n";
   return kOk;

@@ -11,6 +11,7 @@
 #include "app/kernel_address.h"
 #include "app/mission_watch.h"
 #include "app/record_run.h"
+#include "app/refuse.h"
 #include "app/run_headless.h"
 #include "app/run_options.h"
 #include "app/run_session.h"
@@ -26,11 +27,6 @@ namespace soarbox::app {
 namespace {
 
 constexpr double kHeadlessSeconds = 60;
-
-int NotStarted(const Diagnostic& problem) {
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 /// Reads the file of inputs; false if it cannot be read or any line is wrong, after telling which.
 bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
@@ -62,16 +58,16 @@ bool HasDisplay() {
 int Run(const RunOptions& given) {
   RunOptions options = given;
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return NotStarted(data.error());
+  if (!data) return Refuse(data.error());
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
-  if (!scenario) return NotStarted(scenario.error());
+  if (!scenario) return Refuse(scenario.error());
 
   // What the command line leaves open the scenario's file may say.
   if (!scenario.value().definition.empty()) {
     std::vector<Diagnostic> further;
     Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario.value().definition, &further);
     if (!file) {
-      const int code = NotStarted(file.error());
+      const int code = Refuse(file.error());
       for (const Diagnostic& problem : further) std::cerr << Format(problem);
       return code;
     }
@@ -98,7 +94,7 @@ int Run(const RunOptions& given) {
         kHasWindow ? "on a machine without a screen, xvfb-run gives a virtual one" : "build with -DSOARBOX_VIEWER=ON";
     if (wants_screenshot) {
       note.message += ", so no picture can be taken";
-      return NotStarted(note);
+      return Refuse(note);
     }
     note.severity = Severity::kWarning;
     note.message += ": the world runs headless";
@@ -154,7 +150,7 @@ int Run(const RunOptions& given) {
       simulation = std::move(again);
     }
   }
-  if (!simulation) return NotStarted(simulation.error());
+  if (!simulation) return Refuse(simulation.error());
 
   if (!SubmitInputs(options.input, **simulation)) return kCannotStart;
   options.watch |= !options.headless && !wants_screenshot;

@@ -10,6 +10,7 @@
 #include "app/exit_codes.h"
 #include "app/live_window.h"
 #include "app/recent.h"
+#include "app/refuse.h"
 #include "app/window_layout.h"
 #include "viewer/viewer.h"
 #include "world/world.h"
@@ -19,11 +20,6 @@ namespace soarbox::app {
 const bool kHasWindow = true;
 
 namespace {
-
-int Fail(const Diagnostic& problem) {
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 /// Turns on what the command line asks for; a word that means nothing is told with those that do.
 Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, const RunOptions& options) {
@@ -101,7 +97,7 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
     }
     if (!viewer.RenderFrame()) return session.Finish();
   }
-  if (const Result<void> saved = viewer.SaveScreenshot(options.screenshot); !saved) return Fail(saved.error());
+  if (const Result<void> saved = viewer.SaveScreenshot(options.screenshot); !saved) return Refuse(saved.error());
   return session.Finish();
 }
 
@@ -127,7 +123,7 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   const bool is_own = options.panels.empty() && !window.hidden && options.ui_script.empty();
   if (!options.panels.empty()) {
     Result<viewer::Layout> layout = LayoutNamed(options.panels, options.text_percent);
-    if (!layout) return Fail(layout.error());
+    if (!layout) return Refuse(layout.error());
     window.layout = *layout;
   } else if (is_own) {
     window.layout = viewer::LoadLayout(viewer::LayoutFile());
@@ -135,10 +131,10 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
     window.layout = viewer::DefaultLayout();
   }
   Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
-  if (!opened) return Fail(opened.error());
+  if (!opened) return Refuse(opened.error());
   viewer::Viewer& viewer = **opened;
   if (const Result<void> prepared = Prepare(viewer, session.simulation(), options); !prepared)
-    return Fail(prepared.error());
+    return Refuse(prepared.error());
   if (window.hidden) return TakePicture(session, viewer, run, options);
   NoteRecentRun(options.scenario);
   const int code = LiveWindow(session, viewer, run, options).Run();
@@ -146,7 +142,7 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
     if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)
       std::cerr << Format(saved.error());
   }
-  if (viewer.ui_script_failure()) return Fail(*viewer.ui_script_failure());
+  if (viewer.ui_script_failure()) return Refuse(*viewer.ui_script_failure());
   return code;
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/read_text.h"
 #include "mission/sentences.h"
@@ -23,11 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostRounds = 5;
-
-int Refuse(const Diagnostic& problem) {
-  std::cerr << Format(problem);
-  return kCannotStart;
-}
 
 Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
   Diagnostic problem;

@@ -15,6 +15,7 @@
 #include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
 #include "app/junit.h"
+#include "app/refuse.h"
 #include "app/run_session.h"
 #include "mission/read_mission.h"
 #include "mission/sentences.h"
@@ -342,10 +343,7 @@ int Watch(const TestOptions& options, const sim::DataFolders& data, Tester& test
 
 int Test(const TestOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) {
-    std::cerr << Format(data.error());
-    return kCannotStart;
-  }
+  if (!data) return Refuse(data.error());
   if (!options.seeds.empty() && !mission::ParseSeeds(options.seeds)) {
     std::cerr << "soarbox: error: --seeds takes 1..20 or 1,4,7\n";
     return kUsage;
