@@ -198,7 +198,8 @@ class Checker {
     for (const fs::path& one : WithSourcedFiles(file, folders_))
       if (one != file) files.push_back({one, BlankComments(ReadText(one).value_or(""))});
     for (Diagnostic& twice : FindDuplicates(files)) problems.push_back(std::move(twice));
-    const KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()), complete};
+    const KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
+                           around.has_database, complete};
     for (const auto& slips :
          {FindSlipsOfForm(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfWorld(rules, known.places)}) {
       for (const Slip& slip : slips) {

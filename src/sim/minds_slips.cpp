@@ -48,6 +48,7 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
     Surroundings around = LookAround(folder, {&folder, 1});
     known.scripts.merge(around.lua_words);
     known.attributes.merge(around.made_by_rules);
+    known.has_database |= around.has_database;
   }
   std::vector<RuleFile> files = FilesOf(mind.rules, scenario_);
   std::vector<Diagnostic> warnings;

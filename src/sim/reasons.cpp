@@ -165,7 +165,8 @@ std::string MindReasons::StateOf(const RuleText& rule) {
 std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
   std::set<std::string> known = given;
   for (const RuleText& rule : rules()) {
-    if (MakesAnyAttribute(rule)) return {};  // Nobody knows what it makes before it does.
+    // Nobody knows what it makes, or what comes from a memory, before it does.
+    if (MakesAnyAttribute(rule) || TestsWhatWasRecalled(rule)) return {};
     for (const RuleAttribute& action : rule.actions) known.insert(action.attribute);
   }
   std::vector<std::string> found;
@@ -256,8 +257,9 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
   if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return Say(Situation::kNoneNow);
   if (const std::string places = PlacesOfPercept(attribute); !places.empty())
     return Say(Situation::kWrongPlace, {{"places", places}});
-  // A rule that did not load may make it, or one whose attributes only a firing names.
-  if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute)) {
+  // A rule that did not load may make it, or one whose attributes only a firing names, or it may be recalled.
+  if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute) ||
+      std::ranges::any_of(rules(), TestsWhatWasRecalled)) {
     const std::string failed = WhatFailed();
     return Say(Situation::kNoneNow) + (failed.empty() ? "" : "; " + failed);
   }

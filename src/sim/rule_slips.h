@@ -28,10 +28,11 @@ struct KnownPlaces {
 
 /// What rules may test and say besides the vocabulary.
 struct KnownWords {
-  std::set<std::string> attributes;  ///< That rules, scripts and messages make.
+  std::set<std::string> attributes;  ///< That rules, scripts, messages and facts make.
   std::set<std::string> scripts;     ///< All words of scripts beside the rules: percepts and commands of their own.
   KnownPlaces places = {};
-  bool complete = true;  ///< All rules loaded; else what is missing may be in those that did not.
+  bool has_database = false;  ///< What is recalled may have any attribute.
+  bool complete = true;       ///< All rules loaded; else what is missing may be in those that did not.
 };
 
 /// Slips of form, which need no knowledge of the world: no state, variables that nothing links, words that look like

@@ -25,6 +25,7 @@ class MeaningChecker {
     made_ = known.attributes;
     for (const RuleText& rule : rules)
       for (const RuleAttribute& action : rule.actions) made_.insert(action.attribute);
+    recalls_anything_ = known.has_database && std::ranges::any_of(rules, TestsWhatWasRecalled);
   }
 
   std::vector<Slip> slips;
@@ -42,7 +43,7 @@ class MeaningChecker {
              "it is below ^io: ^io." + attribute);
         continue;
       }
-      if (!IsConstantAttribute(attribute) || IsMade(attribute)) continue;
+      if (!IsConstantAttribute(attribute) || IsMade(attribute) || recalls_anything_) continue;
       if (inputs.contains(condition.id) && IsPerceptAttribute(attribute)) CheckPlace(rule, attribute);
       if (IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
       if (IsArchitectureAttribute(attribute) || IsPerceptAttribute(attribute) || !known_.complete) continue;
@@ -216,6 +217,7 @@ class MeaningChecker {
   const KnownWords& known_;
   std::set<std::string> made_;
   std::set<std::string> told_;
+  bool recalls_anything_ = false;  ///< From a database, say: nobody knows which attributes its facts have.
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -26,15 +27,38 @@ void AddWords(const std::string& text, std::set<std::string>& words) {
   }
 }
 
-/// Every word that follows a ^ between --> and the next rule. Cruder than reading the rules, which may not load.
+/// Every attribute in a text, those in paths too: "^taste.sweet" holds two.
+void AddAttributes(std::string_view text, std::set<std::string>& made) {
+  for (std::size_t at = text.find('^'); at != std::string_view::npos; at = text.find('^', at + 1)) {
+    std::string_view path = text.substr(at + 1, text.find_first_of(" \t\n(){}", at) - at - 1);
+    while (!path.empty()) {
+      const std::size_t dot = std::min(path.find('.'), path.size());
+      made.emplace(path.substr(0, dot));
+      path.remove_prefix(std::min(dot + 1, path.size()));
+    }
+  }
+}
+
+/// The attributes of facts: of what stands in the braces behind "smem --add".
+void AddRemembered(std::string_view text, Surroundings& around) {
+  constexpr std::string_view kCommand = "smem ";
+  for (std::size_t at = text.find(kCommand); at != std::string_view::npos; at = text.find(kCommand, at + 1)) {
+    std::string_view line = text.substr(at + kCommand.size());
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (line.starts_with("--add") || line.starts_with("-a ") || line.starts_with("-a\t")) {
+      AddAttributes(line.substr(0, line.find('}')), around.made_by_rules);
+    } else {
+      const std::string_view words = line.substr(0, line.find('\n'));
+      around.has_database |= words.find(" path ") != std::string_view::npos;
+    }
+  }
+}
+
+/// Every attribute between --> and the next rule. Cruder than reading the rules, which may not load.
 void AddMade(const std::string& text, std::set<std::string>& made) {
   for (std::size_t arrow = text.find("-->"); arrow != std::string::npos; arrow = text.find("-->", arrow + 3)) {
     const std::size_t end = std::min(text.find("\nsp", arrow), text.size());
-    const std::string side = text.substr(arrow, end - arrow);
-    for (std::size_t at = side.find('^'); at != std::string::npos; at = side.find('^', at + 1)) {
-      const std::size_t stop = std::min(side.find_first_of(" \t\n()", at), side.size());
-      made.insert(side.substr(at + 1, stop - at - 1));
-    }
+    AddAttributes(std::string_view(text).substr(arrow, end - arrow), made);
   }
 }
 
@@ -52,7 +76,9 @@ Surroundings LookAround(const fs::path& folder, std::span<const fs::path> readab
     if (file.extension() == ".lua") {
       AddWords(ReadText(file).value_or(""), around.lua_words);
     } else if (file.extension() == ".soar") {
-      AddMade(BlankComments(ReadText(file).value_or("")), around.made_by_rules);
+      const std::string text = BlankComments(ReadText(file).value_or(""));
+      AddMade(text, around.made_by_rules);
+      AddRemembered(text, around);
     }
   }
   return around;

@@ -11,7 +11,8 @@ namespace soarbox::sim {
 /// What the other files of a folder add to what its rules may test and say.
 struct Surroundings {
   std::set<std::string> lua_words;      ///< Scripts may make percepts and take commands of their own.
-  std::set<std::string> made_by_rules;  ///< Attributes in actions of any rule: messages carry them.
+  std::set<std::string> made_by_rules;  ///< Attributes in actions of any rule, and those of facts (smem --add).
+  bool has_database = false;            ///< Files name a database or a file of facts, which may hold any attribute.
 };
 
 /// Reads the scripts and rules directly in a folder; an empty path is the current one. Pipes, devices and links that

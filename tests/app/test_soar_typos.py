@@ -75,6 +75,26 @@ SLIPS = {
     "Nil": ("^superstate nil", "^superstate Nil", 2, "never matches", "write ^superstate nil"),
 }
 
+REMEMBERS = """smem --set learning on
+smem --add {
+   (<a> ^kind apple ^color red ^taste <t>)
+   (<t> ^sweet yes)
+}
+sp {ask
+   (state <s> ^superstate nil ^smem.command <c> -^asked yes)
+-->
+   (<c> ^query.kind apple)
+   (<s> ^asked yes)
+}
+sp {told
+   (state <s> ^superstate nil ^smem.result <r> ^epmem.result.match-score > 0.5)
+   (<r> ^success <q> -^failure <f> ^retrieved <apple>)
+   (<apple> ^color <color> ^taste.sweet yes)
+-->
+   (<s> ^tasty <color>)
+}
+"""
+
 
 class Typos(ScenarioCase):
     def test_are_told_where_they_are_with_what_was_meant_and_nothing_besides(self):
@@ -96,6 +116,19 @@ class Typos(ScenarioCase):
 
     def test_a_good_file_has_none(self):
         run = Run("check", self.write("good.soar", GOOD), "--json")
+        self.assertEqual((run.code, run.out), (0, ""))
+
+    def test_what_a_memory_answers_and_facts_hold_is_none(self):
+        run = Run("check", self.write("remembers.soar", REMEMBERS), "--json")
+        self.assertEqual((run.code, run.out), (0, ""))
+        run = Run("check", self.write("remembers.soar", REMEMBERS.replace("^color <", "^colour <")), "--json")
+        (problem,) = [json.loads(line) for line in run.out.splitlines()]
+        self.assertIn("rule told tests ^colour, which no percept and no rule makes", problem["message"])
+        self.assertIn("did you mean ^color?", problem["hint"])
+
+    def test_what_a_database_may_hold_is_none(self):
+        rules = "smem --set path known.db\n" + REMEMBERS.replace("^color <", "^colour <")
+        run = Run("check", self.write("remembers.soar", rules), "--json")
         self.assertEqual((run.code, run.out), (0, ""))
 
     def test_are_told_with_the_same_words_when_the_rules_run(self):
