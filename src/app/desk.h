@@ -83,9 +83,10 @@ class Desk {
   struct OpenFile {
     debugger::Edit edit;
     viewer::EditContents contents;
-    bool has_draft = false;                 ///< The draft on the disk is not what was typed.
-    std::string failure = {};               ///< Why it could not be saved.
-    std::optional<std::string> draft = {};  ///< To be shown once the file itself was, so that it can be undone.
+    bool has_draft = false;                      ///< The draft on the disk is not what was typed.
+    std::string failure = {};                    ///< Why it could not be saved.
+    std::optional<std::uint64_t> apply_at = {};  ///< To be applied to the minds of this tick, once they are rebuilt.
+    std::optional<std::string> draft = {};       ///< To be shown once the file itself was, so that it can be undone.
   };
 
   /// A line of the console that was typed and not sent.
@@ -120,6 +121,9 @@ class Desk {
   void Resume(Pace& pace);
   void OpenEdit(const viewer::EditRequest& request);
   void ChangeText(const viewer::EditTextRequest& request);
+  /// Reloads the file's rules into the world that the panels look into, as soon as that is there.
+  void Apply(OpenFile& file);
+  void ApplyAwaited();
   bool SaveEdit(OpenFile& file);
   /// Takes over what another program has written to the file that is edited.
   void LookAtDisk();

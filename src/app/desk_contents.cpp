@@ -47,6 +47,7 @@ void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
   ShowDraft();
   for (const viewer::PanelRequest& request : viewer.TakePanelRequests()) Obey(request, viewer, pace);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
+  ApplyAwaited();
   if (resume_at_ && (past_.is_live() || past_.shown_tick() != *resume_at_)) resume_at_.reset();
   if (resume_at_ && past_.past() != nullptr) Resume(pace);
   for (Diagnostic& warning : past_.TakeWarnings()) NoteProblem(std::move(warning), {});

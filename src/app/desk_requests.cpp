@@ -6,6 +6,7 @@
 #include "app/desk.h"
 #include "app/next_run.h"
 #include "app/open_editor.h"
+#include "sim/vet_rules.h"
 
 namespace soarbox::app {
 
@@ -206,6 +207,32 @@ void Desk::OpenEdit(const viewer::EditRequest& request) {
   ++edited.contents.go_to_count;
 }
 
+void Desk::Apply(OpenFile& file) {
+  file.apply_at.reset();
+  if (sim::Simulation* world = Looked()) {
+    file.contents.problems = file.edit.Apply(*world);
+    file.contents.notice = sim::HasError(file.contents.problems)
+                               ? "Nothing was changed: the previous version keeps running."
+                               : "Reloaded: it takes effect in the next tick.";
+  } else {
+    if (past_.CanBeRebuilt()) file.apply_at = past_.shown_tick();
+    file.contents.notice = past_.PastNote();
+  }
+}
+
+void Desk::ApplyAwaited() {
+  for (auto& [name, file] : open_files_) {
+    if (!file.apply_at) continue;
+    if (!past_.is_live() && past_.shown_tick() == *file.apply_at) {
+      Apply(file);
+    } else {
+      file.apply_at.reset();
+      file.contents.notice = "Not applied: you went to another moment.";
+    }
+    is_stale_ |= !file.apply_at;
+  }
+}
+
 void Desk::ChangeText(const viewer::EditTextRequest& request) {
   OpenFile* const file = Edited();
   if (file == nullptr) return;
@@ -215,27 +242,19 @@ void Desk::ChangeText(const viewer::EditTextRequest& request) {
   edit.text() = request.text;
   shown.text = request.text;
   file->has_draft = true;
+  if (file->apply_at) shown.notice.clear();
+  file->apply_at.reset();
   if (request.what == What::kType) return;
   shown.notice.clear();
-  const auto errors = [&] {
-    return std::count_if(shown.problems.begin(), shown.problems.end(),
-                         [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
-  };
   switch (request.what) {
     case What::kType:
       break;
     case What::kCheck:
       shown.problems = edit.Check();
-      if (errors() == 0) shown.notice = "No errors.";
+      if (!sim::HasError(shown.problems)) shown.notice = "No errors.";
       break;
     case What::kApply:
-      if (sim::Simulation* world = Looked()) {
-        shown.problems = edit.Apply(*world);
-        shown.notice = errors() == 0 ? "Reloaded: it takes effect in the next tick."
-                                     : "Nothing was changed: the previous version keeps running.";
-      } else {
-        shown.notice = "Not yet: " + past_.PastNote();
-      }
+      Apply(*file);
       break;
     case What::kSave:
       SaveEdit(*file);

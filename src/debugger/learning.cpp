@@ -140,8 +140,7 @@ LearnedRuleView LookAtLearnedRule(sim::Inspector& mind, const std::string& rule,
     }
   }
   if (view.fired.empty()) {
-    view.fired_note =
-        "no firing is noted: firings are noted while the agent is selected, and in recordings of the level all";
+    view.fired_note = "no firing noted (they are noted while the agent is selected, and at the recording level all)";
   }
   return view;
 }

@@ -51,10 +51,10 @@ std::string PreferenceWords(const LessonFact& lesson, const TripleFact& action) 
   if (action.sign == "!") return "requires " + name;
   if (action.sign == "-") return "rejects " + name;
   if (action.sign == "~") return "prohibits " + name;
-  if (action.sign == ">") return other.empty() ? "says that " + name + " is best" : "prefers " + name + " to " + other;
-  if (action.sign == "<") return other.empty() ? "says that " + name + " is worst" : "prefers " + other + " to " + name;
-  if (other.empty()) return "says that " + name + " is as good as others";
-  return is_number ? "gives " + name + " the value " + other : "says that " + name + " is as good as " + other;
+  if (action.sign == ">") return other.empty() ? "makes " + name + " best" : "prefers " + name + " to " + other;
+  if (action.sign == "<") return other.empty() ? "makes " + name + " worst" : "prefers " + other + " to " + name;
+  if (other.empty()) return "makes " + name + " indifferent";
+  return is_number ? "gives " + name + " the value " + other : "makes " + name + " indifferent to " + other;
 }
 
 /// The conditions of a firing, those of higher states as what they are, others with the firing that made them below.
@@ -182,12 +182,11 @@ WhyNode TellOrigin(const LessonFact& lesson) {
 
 WhyNode TellLesson(const LessonFact& lesson) {
   WhyNode root{lesson.rule + ": " + DecisionText(lesson), "learned", lesson.rule, {}};
-  root.below.push_back({"what it is good for: it " + PurposeOf(lesson), "reason", "", {}});
   if (const std::string misgivings = Misgivings(lesson); !misgivings.empty())
     root.below.push_back({"note: " + misgivings, "reason", "", {}});
   WhyNode& conditions = root.below.emplace_back(WhyNode{"why each condition is there", "reason", "", {}});
   for (const TripleFact& condition : lesson.conditions) conditions.below.push_back(ConditionNode(lesson, condition));
-  WhyNode& actions = root.below.emplace_back(WhyNode{"what it makes", "reason", "", {}});
+  WhyNode& actions = root.below.emplace_back(WhyNode{"what it is good for: it " + PurposeOf(lesson), "reason", "", {}});
   for (const TripleFact& action : lesson.actions) {
     WhyNode& made = actions.below.emplace_back(WhyNode{TripleText(action), "condition", "", {}});
     made.below.push_back({"it was (" + action.met + ")", "element", "", {}});

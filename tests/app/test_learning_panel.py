@@ -58,7 +58,7 @@ class WhatIsLearned(unittest.TestCase):
         self.assertTrue(any("firing" in node["text"] for node in every(why)))
 
     def test_numbers_and_episodes_of_the_courier_are_told(self):
-        text, told = views("soar_reward", "learning", 240)
+        text, told = views("soar_reward", "learning", 420)
         self.assertTrue(told["by_reward"])
         self.assertGreaterEqual(len(told["episodes"]), 2, text)
         self.assertIn("episode 1: reward ", text)
@@ -124,14 +124,14 @@ class LearningInTheWindow(WindowUser):
     def test_what_the_scenarios_learn_is_drawn_from_their_recordings(self):
         for scenario, seconds, script in (
                 ("soar_town", 60, """
-                    expect "makes ^"
+                    expect "makes go best"
                     audit "rules of the town"
                     picture town.png
                     click "chunk"
                     expect "why each condition is there"
                     audit "a rule of the town"
                     """),
-                ("soar_reward", 120, """
+                ("soar_reward", 420, """
                     click "Values "
                     expect "rl*courier*value*"
                     audit "values of the courier"

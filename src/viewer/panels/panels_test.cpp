@@ -652,7 +652,7 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
     stage->SetSize(width, height, 100);
     stage->Draw(PanelId::kLearning);
     for (const char* text : {"Rules 20001", "Values 1", "Episodes 2", "chunk*walker*turn*t4-1", "proposes turn",
-                             "S2: operator tie in S1", "0:00.16"})
+                             "S2: operator tie in S1", "0:00.17"})
       EXPECT_THAT(stage->shown, HasSubstr(text)) << width;
     EXPECT_THAT(stage->shown, testing::Not(HasSubstr("chunk*many*100"))) << "only rows that can be seen are drawn";
     EXPECT_THAT(stage->complaints, IsEmpty()) << width;
@@ -664,7 +664,7 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   chosen.why.below[0].below.push_back({"(<s> ^operator <o>)", "condition", "", {}});
   chosen.fired = {20};
   stage->Draw(PanelId::kLearning);
-  for (const char* text : {"Fired since:", "0:00.66", "learned in the substate S2", "(<s> ^operator <o>)", "Close"})
+  for (const char* text : {"Fired since:", "0:00.67", "learned in the substate S2", "(<s> ^operator <o>)", "Close"})
     EXPECT_THAT(stage->shown, HasSubstr(text));
   EXPECT_THAT(stage->complaints, IsEmpty());
   view.rules.clear();
