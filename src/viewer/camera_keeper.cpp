@@ -20,6 +20,8 @@ constexpr float kInside = 0.93f, kSoon_s = 0.8f;
 constexpr float kRoom_s = 1.6f;
 /// The picture is too wide when the camera could come this much nearer; after a while it does.
 constexpr float kTooWide = 0.6f, kWideFor_s = 2.5f;
+/// How long ground where agents have been is remembered, and in which steps.
+constexpr float kRecent_s = 3, kRecentStep_s = 0.25f;
 /// Up to here the camera goes back for places; for agents up to kFurthest_m, those in the middle first.
 constexpr float kPlacesWithin_m = 46, kFurthest_m = 260;
 constexpr float kPlaceRadius_m = 0.6f, kPlaceHeight_m = 0.6f;
@@ -28,12 +30,19 @@ float Tangent(float fov_deg) {
   return std::tan(fov_deg * std::numbers::pi_v<float> / 360);
 }
 
+Vec3 Lowest(Vec3 a, Vec3 b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+
+Vec3 Highest(Vec3 a, Vec3 b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
 Vec3 Middle(std::span<const FramedBody> bodies) {
   Vec3 low = bodies.front().position, high = low;
   for (const FramedBody& body : bodies) {
-    const Vec3 p = body.position;
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    low = Lowest(low, body.position);
+    high = Highest(high, body.position);
   }
   return (low + high) * 0.5f;
 }
@@ -125,6 +134,29 @@ CameraSnapshot FramingPose(std::span<const FramedBody> bodies, Quat orientation,
   pose.orientation = orientation;
   pose.vertical_fov_deg = vertical_fov_deg;
   return pose;
+}
+
+void RecentGround::Note(std::span<const FramedBody> agents, float seconds) {
+  for (Span& span : spans_) span.age_s += seconds;
+  while (!spans_.empty() && spans_.front().age_s > kRecent_s) spans_.pop_front();
+  if (agents.empty()) return;
+  if (spans_.empty() || spans_.back().age_s > kRecentStep_s)
+    spans_.push_back({agents.front().position, agents.front().position});
+  for (const FramedBody& agent : agents) {
+    spans_.back().low = Lowest(spans_.back().low, agent.position);
+    spans_.back().high = Highest(spans_.back().high, agent.position);
+  }
+}
+
+void RecentGround::AddTo(std::vector<FramedBody>& bodies) const {
+  if (spans_.empty()) return;
+  Vec3 low = spans_.front().low, high = spans_.front().high;
+  for (const Span& span : spans_) {
+    low = Lowest(low, span.low);
+    high = Highest(high, span.high);
+  }
+  for (const float x : {low.x, high.x})
+    for (const float z : {low.z, high.z}) bodies.push_back({.position = {x, low.y, z}, .velocity = {}});
 }
 
 std::vector<FramedBody> WithPlaces(std::span<const FramedBody> agents, std::span<const Vec3> places, Quat orientation,

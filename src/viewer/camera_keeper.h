@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,6 +37,23 @@ class CameraKeeper {
 
  private:
   float wide_s_ = 0;
+};
+
+/// Where agents have been in the last seconds of the user's clock. In a world that runs fast, this says better than
+/// their velocity where they will be: they turn round many times while the camera moves once.
+class RecentGround {
+ public:
+  void Note(std::span<const FramedBody> agents, float seconds);
+  void Forget() { spans_.clear(); }
+  /// Adds its corners to what is to be in the picture.
+  void AddTo(std::vector<FramedBody>& bodies) const;
+
+ private:
+  struct Span {
+    world::Vec3 low, high;
+    float age_s = 0;
+  };
+  std::deque<Span> spans_;  ///< The newest last.
 };
 
 /// Those of the places that can be shown with the agents without making them too small.

@@ -170,6 +170,34 @@ TEST(CameraKeeper, GoesAlongWithARunnerAndComesNearAgainOnceAllAreTogether) {
   EXPECT_LT(world::Distance(watcher.camera().pose().position, scene.agents[0].position), 1.3f * near_m);
 }
 
+TEST(CameraKeeper, StandsStillOverTheGroundOnWhichAFastWorldRunsAbout) {
+  CameraRig camera;
+  world::CameraSnapshot begin;
+  begin.position = {0, 12, 20};
+  camera.MoveTo(begin);
+  camera.BeginKeeping();
+  RecentGround ground;
+  Vec3 settled;
+  for (int frame = 0; frame < 300; ++frame) {
+    // Once round in six frames: 5 m/s, sixty times as fast as real time.
+    const auto angle = static_cast<float>(frame);
+    world::SceneSnapshot scene;
+    scene.agents = {AgentAt(1, {10 * std::cos(angle), 0.9f, 10 * std::sin(angle)})};
+    std::vector<FramedBody> bodies{BodyAt(scene.agents[0].position)};
+    ground.Note(bodies, kFrame_s);
+    ground.AddTo(bodies);
+    camera.Keep(bodies, {}, 16.0f / 9, kFrame_s);
+    camera.Update({}, kFrame_s, nullptr, 720);
+    if (frame == 150) settled = camera.pose().position;
+    if (frame <= 150) continue;
+    EXPECT_LT(world::Distance(camera.pose().position, settled), 0.5f) << "after " << frame << " frames";
+    const auto feet = Projection(camera.pose(), 1280, 720).Project(scene.agents[0].position);
+    ASSERT_TRUE(feet.has_value());
+    EXPECT_TRUE(feet->x > 0 && feet->x < 1280 && feet->y > 0 && feet->y < 720) << "after " << frame << " frames";
+  }
+  EXPECT_LT(world::Length(settled), 60) << "the picture is no wider than the ground";
+}
+
 TEST(CameraKeeper, IsTheUsersOnceItIsSteeredAndComesBackWhenAsked) {
   Watcher watcher(1280, 720);
   world::SceneSnapshot scene;

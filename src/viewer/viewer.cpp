@@ -115,6 +115,7 @@ struct Viewer::Impl {
   ParticleLines particles;
   std::optional<std::uint32_t> camera_moves;
   std::vector<std::uint32_t> kept;  ///< Whom the camera keeps in view; empty: all, and the places.
+  RecentGround recent_ground;       ///< Of those, while the world runs fast.
   world::SceneSnapshot scene;       ///< Without its drawables; agents stand where they are drawn.
   RunStatus status;
   std::vector<InputEvent> events;
@@ -264,9 +265,10 @@ std::vector<world::Vec3> Viewer::Impl::Places() const {
 void Viewer::Impl::KeepInView(float seconds) {
   if (!camera.keeps()) return;
   std::vector<FramedBody> living, all;
-  // The camera goes by the user's clock, agents by that of the world.
-  constexpr double kFastest = 8;
-  const auto pace = static_cast<float>(status.paused ? 0 : std::min(status.speed, kFastest));
+  // The camera goes by the user's clock, agents by that of the world: faster than this, their velocity says little.
+  constexpr double kFast = 4;
+  const bool is_fast = !status.paused && status.speed > kFast;
+  const auto pace = static_cast<float>(status.paused || is_fast ? 0 : status.speed);
   for (const auto& agent : scene.agents) {
     const bool wanted = kept.empty() || std::find(kept.begin(), kept.end(), agent.id) != kept.end();
     if (!wanted || !world::IsFinite(agent.position)) continue;
@@ -275,7 +277,14 @@ void Viewer::Impl::KeepInView(float seconds) {
     if (agent.alive) living.push_back(body);
   }
   const float aspect = static_cast<float>(engine->width()) / static_cast<float>(engine->height());
-  camera.Keep(living.empty() ? all : living, kept.empty() ? Places() : std::vector<world::Vec3>{}, aspect, seconds);
+  std::vector<FramedBody>& framed = living.empty() ? all : living;
+  if (is_fast) {
+    recent_ground.Note(framed, seconds);
+    recent_ground.AddTo(framed);
+  } else {
+    recent_ground.Forget();
+  }
+  camera.Keep(framed, kept.empty() ? Places() : std::vector<world::Vec3>{}, aspect, seconds);
 }
 
 void Viewer::Impl::SetCamera(CameraMode mode) {
