@@ -190,18 +190,23 @@ class LearningPanel final : public Panel {
       WrappedText(theme::kQuiet, "Fired since: " + rule.fired_note + ".");
     } else {
       ColoredText(theme::kQuiet, "Fired since:");
-      constexpr std::size_t kMostTimes = 12;
-      for (std::size_t n = 0; n < std::min(rule.fired.size(), kMostTimes); ++n) {
-        const std::uint64_t tick = rule.fired[rule.fired.size() - 1 - n];
-        const std::string text = TimeText(SecondsOf(frame, tick));
-        FlowLine(ImGui::CalcTextSize(text.c_str()).x);
-        ImGui::PushID(static_cast<int>(n));
+      // As many of the last times as one line holds: the reasons below need the room.
+      const float space = ImGui::GetStyle().ItemSpacing.x, end = ImGui::GetContentRegionAvail().x;
+      const float rest = ImGui::CalcTextSize("and 100000 times before").x;
+      float used = ImGui::CalcTextSize("Fired since:").x + space;
+      std::size_t shown = 0;
+      for (; shown < rule.fired.size(); ++shown) {
+        const std::uint64_t tick = rule.fired[rule.fired.size() - 1 - shown];
+        used += ImGui::CalcTextSize(TimeText(SecondsOf(frame, tick)).c_str()).x + space;
+        if (shown > 0 && used + (shown + 1 < rule.fired.size() ? rest : 0) > end) break;
+        ImGui::SameLine();
+        ImGui::PushID(static_cast<int>(shown));
         TimeLink(frame, tick);
         ImGui::PopID();
       }
-      if (rule.fired.size() > kMostTimes) {
-        const std::string more = "and " + std::to_string(rule.fired.size() - kMostTimes) + " times before";
-        FlowLine(ImGui::CalcTextSize(more.c_str()).x);
+      if (shown < rule.fired.size()) {
+        const std::string more = "and " + std::to_string(rule.fired.size() - shown) + " times before";
+        ImGui::SameLine();
         ColoredText(theme::kQuiet, more);
       }
     }
