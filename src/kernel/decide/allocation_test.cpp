@@ -59,6 +59,18 @@ TEST(Allocation, DecidingAndCountingAllocatesNothingInTheSteadyState) {
   EXPECT_EQ(agent.symbols().IntegerValue(steps), 9998);
 }
 
+TEST(Allocation, AnAgentThatNeverComesToRestTakesNoMoreMemory) {
+  Agent agent("restless");
+  Load(agent, {"make (state <s> ^superstate nil -^n) --> (<s> ^n 0 ^room <r>) (<r> ^name hall)",
+               "propose (state <s> ^superstate nil ^n <n>) --> (<s> ^operator <o> +) (<o> ^name step ^at <n>)"});
+  agent.Run(RunUnit::kDecision, 100);
+  const std::size_t elements = agent.memory().wmes().size(), identifiers = agent.memory().identifier_limit();
+  agent.Run(RunUnit::kDecision, 400);
+  EXPECT_EQ(agent.counters().decision_cycles, 499u);
+  EXPECT_EQ(agent.memory().wmes().size(), elements);
+  EXPECT_LE(agent.memory().identifier_limit(), identifiers + 256);
+}
+
 TEST(Allocation, PerceivingDecidingAndActingAllocatesNothingInTheSteadyState) {
 #ifdef SOARBOX_CHECK_INVARIANTS
   GTEST_SKIP() << "checking the invariants allocates";

@@ -263,6 +263,8 @@ void Elaboration::ApplyWorkingMemoryChanges() {
 }
 
 void Elaboration::ApplyBufferedChanges() {
+  // Agents that never come to rest retract something in each wave: what died before this one goes now.
+  if (engine_.changes.HasDead()) BuryDead();
   if (!engine_.preferences.changed_acceptables().empty()) engine_.slot_decision.UpdateAcceptables();
   while (engine_.links.HasWork()) {
     garbage_.clear();
@@ -275,7 +277,10 @@ void Elaboration::ApplyBufferedChanges() {
     for (const ProductionId production : engine_.excisions) engine_.rete.ExciseProduction(production);
     engine_.excisions.clear();
   }
-  if (!engine_.changes.HasDead()) return;
+  if (engine_.changes.HasDead()) BuryDead();
+}
+
+void Elaboration::BuryDead() {
   // Elements of matches that wait for their retraction may still be shown.
   const MatchSet& matches = engine_.rete.matches();
   for (GoalLevel level = 0; level <= engine_.goals.depth(); ++level) {

@@ -35,6 +35,8 @@ class Elaboration {
   void ApplyWorkingMemoryChanges();
   /// The same without deciding slots: those that changed outside an elaboration wait for the next one.
   void ApplyBufferedChanges();
+  /// Frees elements that were removed, unless some match still waits for its retraction.
+  void BuryDead();
   std::uint32_t count() const { return count_; }
   FiringType firing_type() const { return firing_; }
   GoalLevel active_level() const { return active_; }

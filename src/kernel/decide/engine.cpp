@@ -94,9 +94,6 @@ void Engine::Warn(WarningKind kind, std::string_view text) {
 
 void Engine::Sweep() {
   if (!changes.empty() || links.HasWork()) return;
-  for (GoalLevel level = 0; level <= goals.depth(); ++level) {
-    if (rete.matches().HasRetractions(level)) return;  // Their elements are readable until they are released.
-  }
   identifier_marks.assign(memory.identifier_limit(), 0);
   symbols.BeginMark();
   std::uint8_t* const marks = identifier_marks.data();
@@ -114,6 +111,12 @@ void Engine::Sweep() {
     mark(wme.id);
     mark(wme.attribute);
     mark(wme.value);
+  }
+  // Those of matches that wait for their retraction.
+  for (const WmeId dead : changes.dead()) {
+    mark(memory.wme(dead).id);
+    mark(memory.wme(dead).attribute);
+    mark(memory.wme(dead).value);
   }
   memory.ForEachPreference([&](const Preference& preference) {
     mark(preference.id);

@@ -36,6 +36,8 @@ class WmeChanges {
   bool empty() const { return added_.empty() && removed_.empty(); }
   /// True if Bury would give indices back.
   bool HasDead() const { return !dead_.empty(); }
+  /// Removed from memory, and still to be read.
+  std::span<const WmeId> dead() const { return dead_; }
 
   void AddReference(WmeId wme);
   /// Frees an element that has left the match when nothing refers to it any more.
