@@ -8,6 +8,7 @@
 
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
+#include "kernel/learn/draft_tests.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -266,19 +267,37 @@ ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
   rule.name = Name(index);
   rule.type = ProductionType::kJustification;
   std::vector<Symbol> states;
-  for (const WmeId ground : record.grounds) {
-    const Wme& wme = memory.wme(ground);
+  // What its conditions ask beside holds for its elements, so only the text shows it.
+  const auto add_tests = [&](std::size_t number, Field field, TestDraft& out) {
+    TestDraft both = MakeTest(TestKind::kConjunction);
+    for (const IdentityPlan::KeptTest& kept : record.tests) {
+      if (kept.condition != number || kept.field != field) continue;
+      TestDraft* const test = arena.New(MakeTest(kept.kind, kept.referent));
+      if (kept.kind == TestKind::kDisjunction) {
+        test->disjuncts = kept.disjuncts.data();
+        test->disjunct_count = static_cast<std::uint32_t>(kept.disjuncts.size());
+      }
+      both.parts.Add(test);
+    }
+    if (both.parts.empty()) return;
+    both.parts.Add(arena.New(out));
+    out = both;
+  };
+  for (std::size_t n = 0; n < record.grounds.size(); ++n) {
+    const Wme& wme = memory.wme(record.grounds[n]);
     ConditionDraft* const condition = arena.New<ConditionDraft>();
     condition->id = MakeTest(TestKind::kEqual, wme.id);
-    if (shown && memory.identifier(wme.id).is_goal && std::ranges::find(states, wme.id) == states.end()) {
-      states.push_back(wme.id);
-      TestDraft both = MakeTest(TestKind::kConjunction);
-      both.parts.Add(arena.New(MakeTest(TestKind::kState)));
-      both.parts.Add(arena.New(condition->id));
-      condition->id = both;
-    }
     condition->attribute = MakeTest(TestKind::kEqual, wme.attribute);
     condition->value = MakeTest(TestKind::kEqual, wme.value);
+    if (shown) {
+      add_tests(n, Field::kId, condition->id);
+      add_tests(n, Field::kAttribute, condition->attribute);
+      add_tests(n, Field::kValue, condition->value);
+    }
+    if (shown && memory.identifier(wme.id).is_goal && std::ranges::find(states, wme.id) == states.end()) {
+      states.push_back(wme.id);
+      PrependPart(condition->id, arena.New(MakeTest(TestKind::kState)), arena);
+    }
     condition->tests_acceptable = wme.acceptable;
     rule.conditions.Add(condition);
   }

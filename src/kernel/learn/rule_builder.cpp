@@ -122,53 +122,68 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
   }
 }
 
+/// Calls visit(CarriedTest) for what a condition of a firing asks of a field beside equality: of its rule, or, if it is
+/// a justification, of the reasoning that it stands for.
+template <typename Visit>
+void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit) {
+  const Instantiation& instantiation = engine_.instantiations[firing];
+  if (!instantiation.has_identities) return;
+  CarriedTest test;
+  test.firing = firing;
+  test.condition = condition;
+  test.field = field;
+  if (const Production* const rule = reader_.Rule(firing); rule != nullptr) {
+    const Condition& tested = PositiveCondition(*rule, condition);
+    const IdentityPlan& plan = reader_.Plan(firing);
+    const auto visit_part = [&](const Test& part) {
+      if (!IsCarried(part.kind)) return;
+      test.kind = part.kind;
+      test.referent = part.referent();
+      test.referent_node = IdentityGraph::kNone;
+      test.disjuncts.assign(part.disjuncts().begin(), part.disjuncts().end());
+      if (test.referent.IsVariable()) {
+        const std::uint16_t referent = plan.ClassOf(test.referent);
+        if (referent == IdentityPlan::kLiteral) return;
+        test.referent = ValueOfClass(engine_, plan, firing, referent);
+        test.referent_node = analysis_.OfClass(firing, referent);
+      }
+      visit(test);
+    };
+    ForEachTest(field == Field::kId          ? tested.id
+                : field == Field::kAttribute ? tested.attribute
+                                             : tested.value,
+                visit_part);
+    return;
+  }
+  if (instantiation.justification == Instantiation::kNoJustification) return;
+  for (const IdentityPlan::KeptTest& kept : engine_.justifier.record(instantiation.justification).tests) {
+    if (kept.condition != condition || kept.field != field) continue;
+    test.kind = kept.kind;
+    test.referent = kept.referent;
+    test.referent_node = analysis_.OfClass(firing, kept.referent_class);
+    test.disjuncts = kept.disjuncts;
+    visit(test);
+  }
+}
+
+/// False if the test compares with an object of the firing's own state, which the rule above cannot know.
+bool RuleBuilder::MayCarryUp(const CarriedTest& test) const {
+  return !test.referent.IsIdentifier() ||
+         engine_.memory.level(test.referent) < engine_.instantiations[test.firing].level;
+}
+
 /// What else the rule that fired asked of the element, unless it has become a constant.
 void RuleBuilder::AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out) {
   if (ground.firing == InstantiationId::kNone) return;
-  const Production* const rule = reader_.Rule(ground.firing);
-  if (rule == nullptr) {
-    AddKeptTests(ground, field, out);
-    return;
-  }
-  const Condition& condition = PositiveCondition(*rule, ground.condition);
-  const IdentityPlan& plan = reader_.Plan(ground.firing);
-  ForEachTest(
-      field == Field::kId          ? condition.id
-      : field == Field::kAttribute ? condition.attribute
-                                   : condition.value,
-      [&](const Test& part) {
-        if (!IsCarried(part.kind)) return;
-        TestDraft* const copy = arena_.New(ToDraft(part, arena_));
-        if (part.referent().IsVariable()) {
-          const std::uint16_t referent = plan.ClassOf(part.referent());
-          if (referent == IdentityPlan::kLiteral) return;
-          const Symbol value = ValueOfClass(engine_, plan, ground.firing, referent);
-          if (value.IsIdentifier() && engine_.memory.level(value) >= engine_.instantiations[ground.firing].level) {
-            return;
-          }
-          const IdentityGraph::Node node = analysis_.OfClass(ground.firing, referent);
-          copy->referent = PlaceOf(node) != nullptr ? Meaning(node, value) : value;
-        }
-        AppendPart(out, copy, arena_);
-      });
-}
-
-/// The same for a justification that the substate's reasoning went through.
-void RuleBuilder::AddKeptTests(const Explanation::Ground& ground, Field field, TestDraft& out) {
-  const std::uint32_t justification = engine_.instantiations[ground.firing].justification;
-  if (justification == Instantiation::kNoJustification) return;
-  for (const IdentityPlan::KeptTest& kept : engine_.justifier.record(justification).tests) {
-    if (kept.condition != ground.condition || kept.field != field) continue;
+  ForEachCarried(ground.firing, ground.condition, field, [&](const CarriedTest& carried) {
+    if (!MayCarryUp(carried)) return;
     TestDraft* const test = arena_.New<TestDraft>();
-    test->kind = kept.kind;
-    test->referent = kept.referent;
-    if (kept.referent_class != IdentityPlan::kLiteral) {
-      const IdentityGraph::Node node = analysis_.OfClass(ground.firing, kept.referent_class);
-      if (PlaceOf(node) != nullptr) test->referent = Meaning(node, kept.referent);
-    }
-    SetDisjuncts(*test, kept.disjuncts);
+    test->kind = carried.kind;
+    test->referent =
+        PlaceOf(carried.referent_node) != nullptr ? Meaning(carried.referent_node, carried.referent) : carried.referent;
+    SetDisjuncts(*test, carried.disjuncts);
     AppendPart(out, test, arena_);
-  }
+  });
 }
 
 void RuleBuilder::SetDisjuncts(TestDraft& test, std::span<const Symbol> disjuncts) {
@@ -183,7 +198,7 @@ std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Expl
   std::vector<IdentityPlan::KeptTest> kept;
   const auto keep = [&](std::size_t number, Field field, TestKind kind, Symbol referent, IdentityGraph::Node node,
                         std::span<const Symbol> disjuncts) {
-    IdentityPlan::KeptTest& test = kept.emplace_back();
+    IdentityPlan::KeptTest test;
     test.condition = static_cast<std::uint16_t>(number);
     test.field = field;
     test.kind = kind;
@@ -192,28 +207,17 @@ std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Expl
       const auto found = class_of_.find(analysis_.graph().Root(node));
       if (found != class_of_.end()) test.referent_class = found->second;
     }
+    // An object that no condition names may go before the justification does.
+    if (referent.IsIdentifier() && test.referent_class == IdentityPlan::kLiteral) return;
     test.disjuncts.assign(disjuncts.begin(), disjuncts.end());
+    kept.push_back(std::move(test));
   };
   for (std::size_t n = 0; n < explanation.grounds.size(); ++n) {
     const Explanation::Ground& ground = explanation.grounds[n];
-    const Production* const rule = ground.firing == InstantiationId::kNone ? nullptr : reader_.Rule(ground.firing);
-    if (rule == nullptr) continue;
-    const Condition& condition = PositiveCondition(*rule, ground.condition);
-    const IdentityPlan& plan = reader_.Plan(ground.firing);
-    const std::pair<Field, const Test*> fields[] = {
-        {Field::kId, &condition.id}, {Field::kAttribute, &condition.attribute}, {Field::kValue, &condition.value}};
-    for (const auto& [field, test] : fields) {
-      ForEachTest(*test, [&, field = field](const Test& part) {
-        if (!IsCarried(part.kind)) return;
-        if (!part.referent().IsVariable()) {
-          keep(n, field, part.kind, part.referent(), IdentityGraph::kNone, part.disjuncts());
-          return;
-        }
-        const std::uint16_t bound = plan.ClassOf(part.referent());
-        if (bound == IdentityPlan::kLiteral) return;
-        const Symbol value = ValueOfClass(engine_, plan, ground.firing, bound);
-        if (value.IsIdentifier()) return;
-        keep(n, field, part.kind, value, analysis_.OfClass(ground.firing, bound), {});
+    if (ground.firing == InstantiationId::kNone) continue;
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      ForEachCarried(ground.firing, ground.condition, field, [&](const CarriedTest& test) {
+        if (MayCarryUp(test)) keep(n, field, test.kind, test.referent, test.referent_node, test.disjuncts);
       });
     }
   }
@@ -266,35 +270,13 @@ void RuleBuilder::CollectConstraints(const Explanation& explanation) {
     locals.push_back({test.firing, test.condition, PreferenceId::kNone});
   }
   for (const Explanation::Link& link : locals) {
-    const Production* const rule = reader_.Rule(link.firing);
-    if (rule == nullptr || !engine_.instantiations[link.firing].has_identities) continue;
-    const Condition& condition = PositiveCondition(*rule, link.condition);
-    const IdentityPlan& plan = reader_.Plan(link.firing);
     const Wme& wme = engine_.memory.wme(engine_.instantiations.Trace(link.firing)[link.condition].wme);
     for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-      const Symbol value = kernel::FieldOf(wme, field);
-      ForEachTest(field == Field::kId          ? condition.id
-                  : field == Field::kAttribute ? condition.attribute
-                                               : condition.value,
-                  [&](const Test& part) {
-                    if (!IsCarried(part.kind)) return;
-                    CarriedTest test;
-                    test.firing = link.firing;
-                    test.condition = link.condition;
-                    test.field = field;
-                    test.kind = part.kind;
-                    test.tested = analysis_.OfField(link.firing, link.condition, field);
-                    test.value = value;
-                    test.disjuncts.assign(part.disjuncts().begin(), part.disjuncts().end());
-                    test.referent = part.referent();
-                    if (test.referent.IsVariable()) {
-                      const std::uint16_t referent = plan.ClassOf(test.referent);
-                      if (referent == IdentityPlan::kLiteral) return;
-                      test.referent = ValueOfClass(engine_, plan, link.firing, referent);
-                      test.referent_node = analysis_.OfClass(link.firing, referent);
-                    }
-                    constraints_.push_back(std::move(test));
-                  });
+      ForEachCarried(link.firing, link.condition, field, [&](const CarriedTest& carried) {
+        CarriedTest& test = constraints_.emplace_back(carried);
+        test.tested = analysis_.OfField(link.firing, link.condition, field);
+        test.value = kernel::FieldOf(wme, field);
+      });
     }
   }
 }

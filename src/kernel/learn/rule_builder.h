@@ -81,7 +81,9 @@ class RuleBuilder {
   bool PlaceConstraint(const CarriedTest& constraint);
   /// The first field of the conditions that has this identity, or null.
   TestDraft* PlaceOf(IdentityGraph::Node node);
-  void AddKeptTests(const Explanation::Ground& ground, Field field, TestDraft& out);
+  template <typename Visit>
+  void ForEachCarried(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit);
+  bool MayCarryUp(const CarriedTest& test) const;
   void SetDisjuncts(TestDraft& test, std::span<const Symbol> disjuncts);
   void MakeNegations(const Explanation& explanation);
   void VariablizeNegated(ConditionDraft& draft, InstantiationId firing);
