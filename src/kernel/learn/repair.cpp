@@ -139,6 +139,7 @@ bool RuleBuilder::Repair(GoalLevel results_level) {
     if (found != identifier_of_variable_.end()) targets.emplace_back(variable, found->second);
   };
   for (const Symbol variable : hanging_) add(variable);
+  const std::size_t hanging = targets.size();
   if (!ActionsAreGrounded()) {
     for (const ActionDraft* action : actions_) {
       const Symbol variable = action->id.symbol;
@@ -150,14 +151,19 @@ bool RuleBuilder::Repair(GoalLevel results_level) {
       if (!tested) add(variable);
     }
   }
+  // What only the result itself makes hangs on what the others lead to.
   if (targets.empty()) return false;
-  for (const auto& [variable, identifier] : targets) {
+  for (std::size_t n = 0; n < targets.size(); ++n) {
+    const auto& [variable, identifier] = targets[n];
     const GoalLevel level = memory.level(identifier);
     if (level == 0 || level > results_level || level > engine_.goals.depth()) return false;
     std::vector<WmeId> links;
     const Symbol goal = engine_.goals.at(level).id;
     std::vector<WmeId> path;
-    if (!FindPath(goal, identifier, path)) return false;
+    if (!FindPath(goal, identifier, path)) {
+      if (n < hanging) return false;
+      continue;
+    }
     for (GoalLevel below = results_level; below > level; --below) {
       for (WmeId wme = memory.identifier(engine_.goals.at(below).id).architecture_wmes; wme != WmeId::kNone;
            wme = memory.record(wme).next) {

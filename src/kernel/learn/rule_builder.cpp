@@ -311,7 +311,33 @@ bool RuleBuilder::PlaceConstraint(const CarriedTest& constraint) {
 
 // Negated conditions --------------------------------------------------------------------------------------------------
 
+bool RuleBuilder::ComparesWithUnreached(const TestDraft& test, InstantiationId firing) const {
+  if (!IsCarried(test.kind)) return false;
+  Symbol other = test.referent;
+  if (other.IsVariable()) {
+    const IdentityPlan& plan = reader_.Plan(firing);
+    const std::uint16_t bound = plan.ClassOf(other);
+    if (bound == IdentityPlan::kLiteral) return false;
+    other = ValueOfClass(engine_, plan, firing, bound);
+  }
+  return other.IsIdentifier() && !Contains(reached_, other);
+}
+
 void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
+  // A comparison with an object of the substate says nothing above.
+  if (ComparesWithUnreached(draft, firing)) {
+    draft = MakeTest(TestKind::kBlank);
+    return;
+  }
+  if (draft.kind == TestKind::kConjunction) {
+    DraftList<TestDraft> kept;
+    for (TestDraft* part = draft.parts.first; part != nullptr;) {
+      TestDraft* const next = part->next;
+      if (!ComparesWithUnreached(*part, firing)) kept.Add(part);
+      part = next;
+    }
+    draft.parts = kept;
+  }
   if (draft.referent.IsVariable()) {
     const IdentityPlan& plan = reader_.Plan(firing);
     const std::uint16_t bound = plan.ClassOf(draft.referent);
@@ -338,35 +364,32 @@ void RuleBuilder::VariablizeNegated(ConditionDraft& draft, InstantiationId firin
   for (ConditionDraft& inner : draft.conditions) VariablizeNegated(inner, firing);
 }
 
-bool RuleBuilder::AllReached(const TestDraft& test, const std::vector<Symbol>& reached) const {
-  if (test.referent.IsIdentifier() && std::ranges::find(reached, test.referent) == reached.end()) return false;
-  for (const TestDraft& part : test.parts) {
-    if (!AllReached(part, reached)) return false;
-  }
-  return true;
+bool RuleBuilder::AllReached(const TestDraft& test) const {
+  const Symbol equal = EqualitySymbol(test);
+  return !equal.IsIdentifier() || Contains(reached_, equal);
 }
 
-bool RuleBuilder::AllReached(const ConditionDraft& draft, const std::vector<Symbol>& reached) const {
+bool RuleBuilder::AllReached(const ConditionDraft& draft) const {
   if (draft.kind == ConditionKind::kConjunctiveNegation) {
     for (const ConditionDraft& inner : draft.conditions) {
-      if (!AllReached(inner, reached)) return false;
+      if (!AllReached(inner)) return false;
     }
     return true;
   }
-  return AllReached(draft.id, reached) && AllReached(draft.attribute, reached) && AllReached(draft.value, reached);
+  return AllReached(draft.id) && AllReached(draft.attribute) && AllReached(draft.value);
 }
 
 void RuleBuilder::MakeNegations(const Explanation& explanation) {
   if (explanation.negations.empty()) return;
-  std::vector<Symbol> reached;
+  reached_.clear();
   for (const Explanation::Ground& ground : explanation.grounds) {
     const Wme& wme = engine_.memory.wme(ground.wme);
     for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) {
-      if (symbol.IsIdentifier()) reached.push_back(symbol);
+      if (symbol.IsIdentifier()) reached_.push_back(symbol);
     }
   }
   for (const Explanation::Negation& negation : explanation.negations) {
-    if (!AllReached(negation.literal, reached)) {
+    if (!AllReached(negation.literal)) {
       local_negation_ = true;
       continue;
     }

@@ -88,8 +88,9 @@ class RuleBuilder {
   void MakeNegations(const Explanation& explanation);
   void VariablizeNegated(ConditionDraft& draft, InstantiationId firing);
   void VariablizeNegated(TestDraft& draft, InstantiationId firing);
-  bool AllReached(const ConditionDraft& draft, const std::vector<Symbol>& reached) const;
-  bool AllReached(const TestDraft& test, const std::vector<Symbol>& reached) const;
+  bool ComparesWithUnreached(const TestDraft& test, InstantiationId firing) const;
+  bool AllReached(const ConditionDraft& draft) const;
+  bool AllReached(const TestDraft& test) const;
   void MergeConditions();
   void AddStateTest();
   void MakeActions(const Explanation& explanation);
@@ -119,6 +120,7 @@ class RuleBuilder {
   std::unordered_map<std::uint32_t, Symbol> variable_of_symbol_;     ///< Of identifiers without an identity.
   std::unordered_map<std::uint32_t, Symbol> identifier_of_variable_;
   std::unordered_map<std::uint32_t, Symbol> own_variables_;  ///< Of the negation at hand.
+  std::vector<Symbol> reached_;                              ///< Objects that the grounds lead to.
   std::vector<Symbol> hanging_;                              ///< Variables that the last attempt found in the air.
   std::vector<std::uint32_t> visited_;
   std::vector<ActionDraft*> actions_;
