@@ -190,7 +190,7 @@ void ListSingletons(CommandCall& call) {
   text +=
       "\n\nTo add a new pattern:    chunk singleton    <type> attribute <type>\n"
       "To remove a pattern:     chunk singleton -r <type> attribute <type>\n\n"
-      "   Valid types:          [ any | constant | identifier | operator | state ]\n";
+      "   Valid types:          [ any | constant | identifier | operator | state ]  \n";
   call.Out(text);
 }
 
@@ -217,28 +217,33 @@ bool Singleton(CommandCall& call) {
   }
   if (!value) return call.Fail(fmt::format("Invalid pattern type for value element of singleton.  {}", kMust));
   kernel::Singletons& singletons = call.agent().mutable_singletons();
+  if (call.agent().learning().automatic_singletons) singletons.NoteAll();
   const kernel::Symbol attribute = call.agent().mutable_symbols().String(words[1]);
   const std::string pattern = PatternText(*id, words[1], *value);
-  if (kernel::Singletons::IsArchitecture(attribute)) {
-    call.Out(fmt::format("Soar cannot {} the architectural singleton for {}.  Ignoring.\n",
-                         remove ? "remove" : "override", words[1]));
+  // What a file sets is not told of.
+  const auto tell = [&](const std::string& text) {
+    if (call.interpreter.source_run() == nullptr) call.Out(text);
+  };
+  if (kernel::Singletons::IsArchitecture(attribute) && (remove || *id == SingletonType::kState)) {
+    tell(fmt::format("Soar cannot {} the architectural singleton for {}.  Ignoring.\n", remove ? "remove" : "override",
+                     remove ? words[1] : pattern));
     return true;
   }
   if (remove) {
     if (singletons.Remove(attribute)) {
-      call.Out(
+      tell(
           "Removed. Will no longer unify conditions in super-states that match a WME\n"
           "         that fits the pattern:  " +
           pattern + "\n");
     } else {
-      call.Out("Could not find pattern " + pattern + ".  Did not remove.\n");
+      tell("Could not find pattern " + pattern + ".  Did not remove.\n");
     }
     return true;
   }
   if (singletons.Set({attribute, *id, *value})) {
-    call.Out(fmt::format("Clearing previous singleton for {}.\n", words[1]));
+    tell(fmt::format("Clearing previous singleton for {}.\n", words[1]));
   }
-  call.Out("Will unify conditions in super-states that match a WME that fits the pattern:  " + pattern + "\n");
+  tell("Will unify conditions in super-states that match a WME that fits the pattern:  " + pattern + "\n");
   return true;
 }
 

@@ -170,7 +170,9 @@ WmeId GoalChanges::ProposalOfItem(WmeId item) const {
   const Wme& wme = memory.wme(item);
   if (wme.attribute != words::kItem && wme.attribute != words::kNonNumeric) return WmeId::kNone;
   const GoalLevel level = memory.goal_levels()[wme.id.index()];
-  if (level < 2 || memory.record(item).kind != WmeKind::kArchitecture) return WmeId::kNone;
+  // An item that has left because its operator is out of the running rests on the proposal all the same.
+  const WmeKind kind = memory.record(item).kind;
+  if (level < 2 || (kind != WmeKind::kArchitecture && kind != WmeKind::kFree)) return WmeId::kNone;
   const SlotId slot = engine_.goals.at(static_cast<GoalLevel>(level - 1)).operator_slot;
   for (WmeId p = memory.slot(slot).acceptable_wmes; p != WmeId::kNone; p = memory.record(p).next) {
     if (memory.wme(p).value == wme.value) return p;

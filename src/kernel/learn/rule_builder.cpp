@@ -216,6 +216,8 @@ std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Expl
     const Explanation::Ground& ground = explanation.grounds[n];
     if (ground.firing == InstantiationId::kNone) continue;
     for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      const IdentityGraph::Node tested = analysis_.OfGround(ground, field);
+      if (tested == IdentityGraph::kNone || analysis_.graph().literal(tested)) continue;
       ForEachCarried(ground.firing, ground.condition, field, [&](const CarriedTest& test) {
         if (MayCarryUp(test)) keep(n, field, test.kind, test.referent, test.referent_node, test.disjuncts);
       });

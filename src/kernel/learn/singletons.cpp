@@ -17,8 +17,7 @@ void Singletons::NoteAll() {
 
 bool Singletons::IsArchitecture(Symbol attribute) {
   return attribute == words::kSuperstate || attribute == words::kOperator || attribute == words::kType ||
-         attribute == words::kImpasse || attribute == words::kAttribute || attribute == words::kSmem ||
-         attribute == words::kEpmem;
+         attribute == words::kImpasse || attribute == words::kSmem || attribute == words::kEpmem;
 }
 
 bool Singletons::HasType(Symbol symbol, SingletonType type) const {
@@ -47,7 +46,10 @@ bool Singletons::HasType(Symbol symbol, SingletonType type) const {
 
 bool Singletons::Fits(WmeId id) const {
   const Wme& wme = engine_.memory.wme(id);
-  if (!wme.acceptable && IsArchitecture(wme.attribute) && engine_.memory.identifier(wme.id).is_goal) return true;
+  if (!wme.acceptable && (IsArchitecture(wme.attribute) || wme.attribute == words::kAttribute) &&
+      engine_.memory.identifier(wme.id).is_goal) {
+    return true;
+  }
   if (!wme.attribute.IsString() || wme.attribute.index() >= codes_.size()) return false;
   const std::uint8_t code = codes_[wme.attribute.index()];
   if (code == 0) return false;

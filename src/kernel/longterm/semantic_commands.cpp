@@ -250,12 +250,15 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
       };
       const auto* const found =
           std::ranges::find(kTests, bound.attribute, [](const auto& entry) { return entry.first; });
-      if (found == std::end(kTests)) return false;
+      if (found == std::end(kTests)) continue;
       CueElement made{attribute, StoreTerm()};
       made.math = found->second;
       if (made.math != MathTest::kMax && made.math != MathTest::kMin) {
-        if (!bound.value.IsNumber()) return false;
-        made.bound = engine_.symbols.NumberValue(bound.value);
+        if (bound.value.IsNumber()) {
+          made.bound = engine_.symbols.NumberValue(bound.value);
+        } else {
+          cue.impossible = true;  // Nothing is less than a word.
+        }
       }
       cue.impossible = cue.impossible || !attribute;
       cue.elements.push_back(made);
@@ -286,7 +289,10 @@ bool SemanticMemory::MakeCue(const Command& command, Cue& cue) {
       cue.elements.push_back({attribute, value, negative});
     }
   }
-  return !command.math || AddMath(command.math, cue);
+  if (!command.math) return true;
+  // Bounds alone find nothing.
+  cue.impossible = cue.impossible || cue.elements.empty();
+  return AddMath(command.math, cue);
 }
 
 Symbol SemanticMemory::Retrieve(std::uint32_t root, Retrieval& retrieval, std::int64_t depth) {
