@@ -212,7 +212,10 @@ class LearningPanel final : public Panel {
     }
     ImGui::Separator();
     ImGui::BeginChild("tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    DrawWhyTree(frame, rule.why, 2);
+    // Its name is above already.
+    debugger::WhyNode why = rule.why;
+    if (const std::string name = rule.name + ": "; why.text.starts_with(name)) why.text.erase(0, name.size());
+    DrawWhyTree(frame, why, 2);
     ImGui::EndChild();
   }
 
@@ -235,7 +238,7 @@ class LearningPanel final : public Panel {
       return;
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool is_wide = room.x > frame.Px(640);
+    const bool is_wide = room.x > frame.Px(480) && room.x > 1.6f * room.y;
     const ImVec2 size = is_wide ? ImVec2{room.x * 0.5f, 0} : ImVec2{0, room.y * 0.55f};
     const std::vector<std::string> curves = Curves(rows);
     ImGui::BeginChild("numbers", size, false, ImGuiWindowFlags_NoNav);
@@ -266,7 +269,7 @@ class LearningPanel final : public Panel {
     if (!ImGui::BeginTable("values", 3, kLearningTable)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Value", 0, 2);
-    ImGui::TableSetupColumn("Updates", 0, 1);
+    ImGui::TableSetupColumn("Updates", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("Updates").x);
     ImGui::TableSetupColumn("Rule", 0, 5);
     ImGui::TableHeadersRow();
     double most = 1e-9;
@@ -357,7 +360,7 @@ class LearningPanel final : public Panel {
     }
     const auto& episodes = frame.contents.learning_log->episodes();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool is_wide = room.x > frame.Px(640);
+    const bool is_wide = room.x > frame.Px(480) && room.x > 1.6f * room.y;
     ImGui::BeginChild("episodes", is_wide ? ImVec2{room.x * 0.4f, 0} : ImVec2{0, room.y * 0.55f}, false,
                       ImGuiWindowFlags_NoNav);
     if (ImGui::BeginTable("rewards", 4, kLearningTable)) {
