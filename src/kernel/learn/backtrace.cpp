@@ -75,8 +75,9 @@ void Backtracer::VisitFiring(InstantiationId firing) {
   Instantiation& instantiation = engine_.instantiations[firing];
   if (std::exchange(instantiation.backtrace, out_->trace_number) == out_->trace_number) return;
   out_->firings.push_back(firing);
-  if (instantiation.production == ProductionId::kNone &&
-      instantiation.justification == Instantiation::kNoJustification) {
+  if (instantiation.justification != Instantiation::kNoJustification) {
+    out_->quiescence |= engine_.justifier.record(instantiation.justification).quiescence;
+  } else if (instantiation.production == ProductionId::kNone) {
     out_->long_term_memory = true;
   }
   if (instantiation.selection != SelectionKnowledge::kNone) {

@@ -197,15 +197,21 @@ InstantiationId Chunker::Learn(InstantiationId base) {
     analysis_.LiteralizeResults(explanation_);
     making.plan = std::make_unique<IdentityPlan>(builder_.PlanOfJustification(explanation_));
     making.tests = builder_.TestsOfJustification(explanation_);
-    if (explanation_.local_negation) ++statistics_.justifications_with_local_negation;
-    if (explanation_.long_term_memory) ++statistics_.justifications_with_long_term_memory;
-    ++statistics_.justifications;
+    CountJustification();
     if (log_.justifications && (log_.all || log_.WantsChunkOf(base))) {
       log_.Add(explanation_, making.name, nullptr, false);
     }
     return engine_.justifier.Build(explanation_, goal_level, std::move(making));
   }
+  if (explanation_.quiescence) ++statistics_.tested_quiescence;
+  CountJustification();
   return engine_.justifier.Build(explanation_, goal_level, {});
+}
+
+void Chunker::CountJustification() {
+  if (explanation_.local_negation) ++statistics_.justifications_with_local_negation;
+  if (explanation_.long_term_memory) ++statistics_.justifications_with_long_term_memory;
+  ++statistics_.justifications;
 }
 
 // Names ---------------------------------------------------------------------------------------------------------------
@@ -278,6 +284,7 @@ void Chunker::Interrupt(const std::string& reason) {
 InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed) {
   const std::string name = NewName(base, true, true);
   Tell(name);
+  statistics_.identities_joined += analysis_.graph().joins();
   const RuleBuilder::Outcome outcome = builder_.Build(explanation_, name, goal_level);
   if (outcome == RuleBuilder::Outcome::kFailed) {
     failed = true;

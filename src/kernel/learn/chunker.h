@@ -76,6 +76,7 @@ class Chunker {
 
  private:
   InstantiationId Learn(InstantiationId base);
+  void CountJustification();
   /// True if a rule may be learned from the explanation.
   bool MayLearn() const;
   InstantiationId BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed);

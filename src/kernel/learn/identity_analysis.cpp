@@ -62,7 +62,6 @@ void IdentityAnalysis::Join(InstantiationId firing, IdentityGraph::Node a, Ident
   if (a == IdentityGraph::kNone || b == IdentityGraph::kNone || graph_.Root(a) == graph_.Root(b)) return;
   if (log_) events_.push_back({reason, firing, graph_.Root(a), graph_.Root(b)});
   graph_.Join(a, b);
-  ++engine_.chunker.mutable_statistics().identities_joined;
 }
 
 void IdentityAnalysis::Literalize(InstantiationId firing, IdentityGraph::Node node, JoinReason reason) {

@@ -127,6 +127,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   record.depth = making.origin.depth + 1;
   record.plan = std::move(making.plan);
   record.tests = std::move(making.tests);
+  record.quiescence = explanation.quiescence;
   record.instantiation = id;
   record.grounds.clear();
   for (const Explanation::Ground& ground : explanation.grounds) {

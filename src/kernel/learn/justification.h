@@ -60,6 +60,7 @@ class Justifier {
 
   struct Record {
     bool live = false;
+    bool quiescence = false;   ///< It rests on a test that nothing is left to do: so does what follows from it.
     bool excised = false;      ///< By name: its results go, or live on by o-support.
     std::uint32_t number = 0;  ///< justify<number>, unless it has a name.
     std::string name;
