@@ -50,7 +50,8 @@ bool IsVariable(std::string_view word);
 /// All variables in a text, in order, each as often as it is there.
 std::vector<std::string> VariablesIn(std::string_view text);
 bool IsConstantAttribute(std::string_view attribute);
-/// Attributes that the architecture, its memories and the world themselves make: "superstate", "retrieved", "status", ...
+/// Attributes that the architecture, its memories and the world themselves make: "superstate", "retrieved", "status",
+/// ...
 bool IsArchitectureAttribute(std::string_view attribute);
 /// True if a rule tests what was recalled: memories may hold attributes that no rule and no percept makes.
 bool TestsWhatWasRecalled(const RuleText& rule);
