@@ -123,6 +123,19 @@ struct Node : NodeShape {
   std::uint32_t partner() const { return counterpart; }
   /// Of a conjunctive node: is its conjunction a shared one?
   bool IsShared() const { return kind == NodeKind::kConjunctive && key != KeyKind::kNone; }
+  /// A join whose memory is indexed by the element's identifier alone: the common case, in one comparison.
+  bool IsJoinById() const {
+    constexpr auto of_both = [](std::uint8_t of_kind, std::uint8_t of_key) {
+      NodeShape shape;
+      shape.kind = static_cast<NodeKind>(of_kind);
+      shape.key = static_cast<KeyKind>(of_key);
+      return std::bit_cast<std::uint64_t>(shape);
+    };
+    constexpr std::uint64_t kBoth = of_both(0xFF, 0xFF);
+    constexpr std::uint64_t kJoinById =
+        of_both(static_cast<std::uint8_t>(NodeKind::kJoin), static_cast<std::uint8_t>(KeyKind::kId));
+    return (Bits() & kBoth) == kJoinById;
+  }
   /// kProduction, kGuard: its number.
   std::uint32_t rule() const { return counterpart; }
 

@@ -35,12 +35,20 @@ void Rete::ExciseProduction(ProductionId production) {
   }
 }
 
-const ProductionPtr& Rete::production(ProductionId id) const {
+namespace {
+[[gnu::noinline]] const ProductionPtr& RetiredRule(const ReteState& state, ProductionId id) {
   static const ProductionPtr kNone;
-  if (Index(id) < state_->network->rule_limit() && state_->network->rule(Index(id))) {
-    return state_->network->rule(Index(id))->rule;
+  return Index(id) < state.retired.size() ? state.retired[Index(id)] : kNone;
+}
+}  // namespace
+
+const ProductionPtr& Rete::production(ProductionId id) const {
+  const Network& network = *state_->network;
+  const RuleInfo* const info = Index(id) < network.rule_limit() ? network.rule(Index(id)).get() : nullptr;
+  if (info == nullptr) [[unlikely]] {
+    return RetiredRule(*state_, id);
   }
-  return Index(id) < state_->retired.size() ? state_->retired[Index(id)] : kNone;
+  return info->rule;
 }
 
 void Rete::MixedSupportIsO(bool is_o) {
@@ -97,6 +105,10 @@ bool Rete::at_limit() const {
 
 void Rete::ParkAfter(std::uint32_t matches) {
   state_->ParkAfter(matches);
+}
+
+void Rete::BusyFrom(std::uint32_t nodes) {
+  state_->busy_from = nodes;
 }
 
 void Rete::ShareConjunctions(bool share) {

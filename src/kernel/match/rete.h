@@ -107,6 +107,9 @@ class Rete {
   /// How many more partial matches must have come to a memory in vain than not before it keeps those apart that join
   /// with nothing (256). Changes speed only; for tests.
   void ParkAfter(std::uint32_t matches);
+  /// How many nodes must wait for an alpha memory's elements before it knows who waits for which identifier (32).
+  /// Changes speed only; for tests.
+  void BusyFrom(std::uint32_t nodes);
   /// Whether conjunctive negations of rules that are added from now on may be shared (rete_shared.cpp): they are,
   /// unless a test compares the two ways.
   void ShareConjunctions(bool share);

@@ -120,6 +120,9 @@ void ReteState::NodeAdded(std::uint32_t index) {
     marks.emplace_back();
     nodes.emplace_back();
   }
+  if (!only_id.empty() && only_id.size() < nodes.size()) {
+    only_id.resize(std::max(nodes.size(), only_id.size() * 2));
+  }
   ChildAdded(index);
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kNegative) {
@@ -140,6 +143,7 @@ void ReteState::NodeAdded(std::uint32_t index) {
     }
     if (has_tokens) {
       LinkRight(index);
+      NoteNodes(node.alpha);
     }
   }
 }

@@ -62,6 +62,10 @@ class Checker {
       Expect(s_.marks[node].Is(NodeMarks::kRightLinked) && network_.node(node).alpha == alpha,
              "wrong node in alpha memory's list", node);
       Expect(s_.nodes[node].previous_right == previous, "broken list of nodes", alpha);
+      // Nobody keeps it up to date while the alpha memory is empty; its first element does.
+      if ((memory.sparse & AlphaState::kBusy) != 0 && memory.count != 0 && s_.only_id[node] != 0) {
+        CheckOnlyId(node);
+      }
       for (std::uint32_t later = s_.nodes[node].next_right; later != kNil; later = s_.nodes[later].next_right) {
         for (std::uint32_t up = network_.node(later).ancestor; up != kNil; up = network_.node(up).ancestor) {
           Expect(up != node, "an ancestor stands before its descendant", later);
@@ -70,6 +74,17 @@ class Checker {
       previous = node;
     }
     Expect(memory.last_node == previous, "wrong end of a list of nodes", alpha);
+  }
+
+  void CheckOnlyId(std::uint32_t join) {
+    const Node& memory = network_.node(network_.node(join).parent);
+    Expect(memory.kind == NodeKind::kMemory && memory.key != KeyKind::kNone, "node that waits for no identifier", join);
+    Expect(!s_.marks[network_.node(join).parent].Is(NodeMarks::kSparse), "one identifier of a sparse memory", join);
+    s_.ForEachToken(network_.node(join).parent, [&](std::uint32_t token) {
+      const Wme& element = s_.wmes[ElementAt(s_.tokens.records(), token, memory.key_id_levels)];
+      Expect(s_.FieldOf(element, memory.key_id_field) == s_.only_id[join], "node that waits for another identifier",
+             join);
+    });
   }
 
   std::uint32_t CountTable(std::uint32_t table, std::uint32_t bits, std::uint32_t AlphaItem::*next) const {

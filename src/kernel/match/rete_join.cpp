@@ -465,6 +465,9 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
     }
     return;
   }
+  if (!only_id.empty()) [[unlikely]] {
+    only_id[join] = 0;
+  }
   const Node& joined = network->node(join);
   const bool with_value = node.key == KeyKind::kIdValue;
   const bool id_moves = node.key != KeyKind::kNone && node.key_id_levels == 0;
@@ -533,7 +536,12 @@ void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) 
     return;
   }
   const std::uint32_t next = nodes[join].next_left;
-  if (memory.count != 1 || marks[join].Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
+  if (memory.count != 1) {
+    if (memory.count == 2 && !only_id.empty()) [[unlikely]] {
+      SecondToken(join);
+    }
+    JoinOne(join, token, key);
+  } else if (marks[join].Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
     JoinOne(join, token, key);
   }
   if (next != kNil) {
@@ -677,7 +685,7 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
 
 /// The first element has come into an alpha memory. The joins of its list, from `first` on, were not linked on the left
 /// (but for those that come onto it meanwhile).
-void ReteState::RightFirst(std::uint32_t first, std::uint32_t wme) {
+[[gnu::always_inline]] inline void ReteState::RightFirst(std::uint32_t first, std::uint32_t wme) {
   for (std::uint32_t index = first; index != kNil;) {
     const std::uint32_t next = nodes[index].next_right;
     const Node& node = network->node(index);
@@ -687,6 +695,9 @@ void ReteState::RightFirst(std::uint32_t first, std::uint32_t wme) {
       const bool waited = !marks[index].Is(NodeMarks::kLeftLinked);
       if (waited) {
         LinkLeft(index);
+        if (!only_id.empty()) [[unlikely]] {
+          FindOnlyId(index);  // Nobody told of tokens that came meanwhile.
+        }
       }
       if (waited && nodes[node.parent].count == 0) {
         UnlinkRight(index);
@@ -703,18 +714,69 @@ void ReteState::RightFirst(std::uint32_t first, std::uint32_t wme) {
   const std::uint32_t value = element.value.bits();
   const std::uint32_t place = ValueFilter::Place(value);
   const std::uint32_t known = ValueFilter::Knows(value) ? ~std::uint32_t{0} : 0;
+  const std::uint32_t id = element.id.bits();
   const Node* const topology = network->nodes();
   for (std::uint32_t index = first; index != kNil;) {
     const std::uint32_t next = nodes[index].next_right;
     const Node& node = topology[index];
     if (((place - node.filter.lowest) & known) <= node.filter.range) {
-      if (node.kind == NodeKind::kJoin) {
+      if (node.IsJoinById() && marks[node.parent].HasList()) [[likely]] {
+        const Records<const Token> all = std::as_const(tokens).records();
+        std::uint32_t token = nodes[node.parent].head;
+        while (token != kNil && all[token].key != id) {
+          token = all[token].next_in_bucket;
+        }
+        if (token != kNil) {
+          RightMatch(index, wme, token, id);
+        }
+      } else if (node.kind == NodeKind::kJoin) {
         RightJoin(index, node, wme, element);
       } else {
         RightNegative(index, node, wme);
       }
     }
     index = next;
+  }
+}
+
+/// The same for a busy alpha memory: most joins wait for another identifier.
+void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
+  const Wme& element = wmes[wme];
+  const std::uint32_t id = element.id.bits();
+  const std::uint32_t value = element.value.bits();
+  const std::uint32_t place = ValueFilter::Place(value);
+  const std::uint32_t known = ValueFilter::Knows(value) ? ~std::uint32_t{0} : 0;
+  const std::uint32_t* const ids = only_id.data();
+  const NodeState* const states = nodes.data();
+  for (std::uint32_t next = first; next != kNil;) {
+    const std::uint32_t index = next;
+    next = states[index].next_right;
+    const std::uint32_t wanted = ids[index];
+    if (wanted != id && wanted != 0) {
+      continue;
+    }
+    const Node& node = network->node(index);
+    if (((place - node.filter.lowest) & known) > node.filter.range) {
+      continue;
+    }
+    if (node.kind == NodeKind::kJoin) {
+      if (wanted == 0 && nodes[node.parent].count == 1) {
+        FindOnlyId(index);  // It had more tokens.
+        if (ids[index] != 0 && ids[index] != id) {
+          continue;
+        }
+      }
+      RightJoin(index, node, wme, element);
+    } else {
+      RightNegative(index, node, wme);
+    }
+  }
+}
+
+/// A memory has its second token: elements with more than one identifier may join with it.
+void ReteState::SecondToken(std::uint32_t first_join) {
+  for (std::uint32_t join = first_join; join != kNil; join = nodes[join].next_left) {
+    only_id[join] = 0;
   }
 }
 
@@ -752,6 +814,8 @@ void ReteState::AddWme(std::uint32_t wme) {
     }
     if (alphas[alpha].count == 1) {
       RightFirst(node, wme);
+    } else if ((alphas[alpha].sparse & AlphaState::kBusy) != 0) [[unlikely]] {
+      RightBusy(node, wme);
     } else {
       RightAll(node, wme, element);
     }

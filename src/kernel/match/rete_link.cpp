@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "kernel/match/rete_state.h"
+#include <utility>
+
+#include "kernel/match/rete_inline.h"
 
 namespace soarbox::kernel {
 
@@ -42,6 +44,43 @@ void ReteState::LinkRight(std::uint32_t node) {
   (ancestor == kNil ? alpha.last_node : nodes[ancestor].previous_right) = node;
   (state.previous_right == kNil ? alpha.first_node : nodes[state.previous_right].next_right) = node;
   marks[node].Set(NodeMarks::kRightLinked);
+  if ((alpha.sparse & AlphaState::kBusy) != 0) [[unlikely]] {
+    FindOnlyId(node);
+  }
+}
+
+void ReteState::FindOnlyId(std::uint32_t index) {
+  const Node& node = network->node(index);
+  std::uint32_t& id = only_id[index];
+  id = 0;
+  if (node.kind != NodeKind::kJoin || node.key == KeyKind::kNone || nodes[node.parent].count != 1 ||
+      network->node(node.parent).kind != NodeKind::kMemory || marks[node.parent].Is(NodeMarks::kSparse) ||
+      marks[node.parent].bits() != 0) {
+    return;  // A table is not searched for the one token in it.
+  }
+  const Node& memory = network->node(node.parent);
+  const std::uint32_t token = nodes[node.parent].head;
+  id = FieldOf(wmes[ElementAt(std::as_const(tokens).records(), token, memory.key_id_levels)], memory.key_id_field);
+}
+
+/// One more node uses an alpha memory. It becomes busy when many of them are linked: counting them at times is enough.
+void ReteState::NoteNodes(std::uint32_t alpha) {
+  AlphaState& memory = alphas[alpha];
+  if (network->alpha(alpha).uses % busy_from != 0 || (memory.sparse & AlphaState::kBusy) != 0) {
+    return;
+  }
+  std::uint32_t linked = 0;
+  for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
+    ++linked;
+  }
+  if (linked < busy_from) {
+    return;
+  }
+  memory.sparse |= AlphaState::kBusy;
+  only_id.resize(nodes.size());
+  for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
+    FindOnlyId(node);
+  }
 }
 
 void ReteState::UnlinkRight(std::uint32_t node) {

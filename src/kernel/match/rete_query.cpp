@@ -34,6 +34,20 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
       if (nodes[node.parent].count == 0) {
         break;
       }
+      if (nodes[node.parent].count == 1 && alphas[node.alpha].id_bits != 0 && node.IsJoinById() &&
+          marks[node.parent].HasList()) {
+        // With one token the elements are found from the left.
+        const std::uint32_t token = nodes[node.parent].head;
+        const std::uint32_t id = tokens[token].key;
+        const AlphaState& alpha = alphas[node.alpha];
+        for (std::uint32_t item = tables[alpha.id_table + Hash(id, alpha.id_bits)]; item != kNil;
+             item = items[item].next_in_bucket) {
+          if (items[item].id == id && Passes(node, token, wmes[items[item].wme])) {
+            emissions.emplace_back(token, items[item].wme);
+          }
+        }
+        break;
+      }
       for (std::uint32_t item = alphas[node.alpha].first; item != kNil; item = items[item].next) {
         const std::uint32_t wme = items[item].wme;
         const std::uint32_t key = KeyOfElement(node, wmes[wme]);

@@ -21,6 +21,7 @@ class RandomCase {
 
   void Run(int steps) {
     fixture_.rete.ParkAfter(1 + seed_ % 4);
+    fixture_.rete.BusyFrom(1 + seed_ % 3);
     for (int n = 0; n < 3; ++n) {
       AddRule();
     }

@@ -13,7 +13,7 @@ namespace soarbox::kernel {
   if ((memory.sparse & AlphaState::kInPaths) != 0) {
     path_element = true;
   }
-  if ((memory.sparse & ~AlphaState::kInPaths) != 0) {
+  if ((memory.sparse & ~AlphaState::kFlags) != 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
       if (marks[node].Is(NodeMarks::kFeedsSparse)) {
         ForgetPairs(node, item.wme);

@@ -20,6 +20,7 @@ class TwoWays {
     alone_.rete.ShareConjunctions(false);
     for (MatchFixture* fixture : {&shared_, &alone_}) {
       fixture->rete.ParkAfter(1 + seed % 5);
+      fixture->rete.BusyFrom(1 + seed % 3);
       fixture->SetGoal("S1", 1);
     }
   }

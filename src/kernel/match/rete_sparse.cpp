@@ -286,6 +286,9 @@ void ReteState::MakeSparse(std::uint32_t index) {
   sparse[place]->tries = static_cast<std::uint8_t>(state.score & kTryMask);
   state.place = place;
   marks[index].Set(NodeMarks::kSparse);
+  if (!only_id.empty()) {
+    SecondToken(state.first_linked);
+  }
   const std::uint32_t join = network->node(index).parent;
   marks[join].Set(NodeMarks::kFeedsSparse);
   ++alphas[network->node(join).alpha].sparse;

@@ -86,9 +86,11 @@ struct AlphaState {
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
   std::uint8_t id_bits = 0, pair_bits = 0;  ///< 0: no table; the items are searched one by one.
-  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories; kInPaths.
+  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories; kInPaths, kBusy.
 
   static constexpr std::uint32_t kInPaths = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
+  static constexpr std::uint32_t kBusy = 0x40000000u;     ///< It has many right-linked nodes: see ReteState::only_id.
+  static constexpr std::uint32_t kFlags = kInPaths | kBusy;
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
@@ -143,6 +145,8 @@ class NodeMarks {
 
   /// Of the node's table of tokens; 0: it has none.
   std::uint32_t bits() const { return word_ & 0xFFu; }
+  /// Of a memory: its tokens are all tokens there are, in one list.
+  bool HasList() const { return (word_ & (0xFFu | kSparse)) == 0; }
   void SetBits(std::uint32_t bits) { word_ = static_cast<std::uint16_t>((word_ & 0xFF00u) | bits); }
 
  private:
@@ -220,6 +224,10 @@ struct [[gnu::visibility("hidden")]] ReteState {
   PlainVector<AlphaState> alphas;
   PlainVector<NodeState> nodes;
   PlainVector<NodeMarks> marks;  ///< Of each node.
+  /// Of right-linked nodes of busy alpha memories: the identifier that an element must have to join, because the node's
+  /// memory has one token; 0: that is not known. Empty while no alpha memory is busy.
+  std::vector<std::uint32_t> only_id;
+  std::uint32_t busy_from = 32;  ///< See Rete::BusyFrom.
   std::vector<WmeLinks> links;
   std::uint32_t newest_wme = kNil;
   std::uint32_t wme_count = 0;
@@ -330,6 +338,12 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key);
   void JoinAll(const NodeState& memory, std::uint32_t token, const KeyParts& key);
   std::uint32_t MakeAnchor(std::uint32_t anchors, std::uint32_t id);
+  [[gnu::noinline]] void RightBusy(std::uint32_t first, std::uint32_t wme);
+  [[gnu::noinline]] void SecondToken(std::uint32_t first_join);
+
+  // rete_link.cpp, but for the inline ones
+  [[gnu::noinline]] void FindOnlyId(std::uint32_t node);
+  void NoteNodes(std::uint32_t alpha);
 
   // rete_sparse.cpp
   void MakeRoomToPark(SparseState & memory);
