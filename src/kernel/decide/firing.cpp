@@ -102,18 +102,20 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   match_level_ = match.level;
   o_support_ = match.o_support;
   RunActions(rule, id);
-  if (engine_.observers.Wants(Event::kFiring)) {
-    std::vector<PreferenceId> made;
-    for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
-         p = engine_.memory.preference(p).next_of_instantiation) {
-      made.push_back(p);
-    }
-    const FiringInfo info = engine_.DescribeInstantiation(id);
-    engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFired(engine_.agent, info, made); });
-  }
+  if (engine_.observers.Wants(Event::kFiring)) TellFired(id);
   engine_.preferences.LinkToGoal(id);
   made_.push_back(id);
   if (match.level > 1) engine_.chunker.Consider(id);
+}
+
+void Firing::TellFired(InstantiationId id) {
+  std::vector<PreferenceId> made;
+  for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
+       p = engine_.memory.preference(p).next_of_instantiation) {
+    made.push_back(p);
+  }
+  const FiringInfo info = engine_.DescribeInstantiation(id);
+  engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFired(engine_.agent, info, made); });
 }
 
 void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {

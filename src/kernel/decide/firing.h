@@ -28,6 +28,8 @@ class Firing {
 
   /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave when the elaboration
   /// ends.
+  ///
+  /// All that is called goes into it, but for what is marked: what few firings need must not take its registers.
   [[gnu::flatten]] void Fire(const PendingMatch& match, const Production& rule);
   /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number); none
   /// if there is none.
@@ -43,8 +45,9 @@ class Firing {
 
  private:
   void RunActions(const Production& rule, InstantiationId id);
+  [[gnu::noinline]] void TellFired(InstantiationId id);
   /// Makes a rule with the matched constants (learn/rl_template.h).
-  void RunTemplate(const Production& rule, InstantiationId id);
+  [[gnu::noinline]] void RunTemplate(const Production& rule, InstantiationId id);
   void RunAction(const Action& action, std::uint16_t number, InstantiationId id);
   /// The value of a right-hand-side term; none if a function failed or gives nothing.
   Symbol Evaluate(const RhsValue& value) {

@@ -64,7 +64,7 @@ class Reinforcement {
   void RuleAdded(ProductionId rule, const Production& production);
   void RuleExcised(ProductionId rule);
   /// A match of a rule that fired holds no more. Only while apoptosis is on.
-  void MatchEnded(ProductionId rule);
+  [[gnu::noinline]] void MatchEnded(ProductionId rule);
   /// The output phase: learned rules that nobody uses go. Only while apoptosis is on.
   void CycleEnds();
   /// init-soar: goals are forgotten, values stay.

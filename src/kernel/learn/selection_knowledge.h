@@ -30,7 +30,7 @@ class SelectionKnowledge {
   std::span<const PreferenceId> preferences(std::uint32_t selection) const { return sets_[selection].preferences; }
   void AddReference(std::uint32_t selection) { ++sets_[selection].references; }
   /// `later`: what nothing refers to any more goes with the next preference that is freed.
-  void DropReference(std::uint32_t selection, bool later);
+  [[gnu::noinline]] void DropReference(std::uint32_t selection, bool later);
   /// All that is held, once for each set that holds it.
   template <typename Visit>
   void ForEachPreference(Visit&& visit) const {

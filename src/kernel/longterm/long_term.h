@@ -39,7 +39,7 @@ class LongTerm {
   bool empty() const { return !any_; }
 
   // Called by the cycle; each only if Wants(its hook), those after StateRemoved always.
-  void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
+  [[gnu::noinline]] void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
   void AfterElaboration();
   void AfterDecision();
   void Output(bool output_changed);

@@ -67,6 +67,14 @@ void WmeChanges::Remove(WmeId wme) {
   removed_.push_back(wme);
 }
 
+void WmeChanges::WarnOfLost() {
+  const Wme& wme = engine_.memory.wme(flushing_added_.back());
+  const auto text = [&](Symbol symbol) { return ToString(engine_.symbols, symbol); };
+  engine_.Warn(WarningKind::kAddedAndRemoved, "(" + std::to_string(wme.timetag) + ": " + text(wme.id) + " ^" +
+                                                  text(wme.attribute) + " " + text(wme.value) +
+                                                  (wme.acceptable ? " +)" : ")"));
+}
+
 void WmeChanges::Flush() {
   engine_.StopIfBroken();
   flushing_added_.swap(added_);
@@ -75,13 +83,7 @@ void WmeChanges::Flush() {
   const GoalView goals = engine_.goal_view();
   engine_.counters.wme_additions += flushing_added_.size();
   engine_.counters.wme_removals += flushing_removed_.size();
-  if (tell && !flushing_added_.empty() && !engine_.memory.wme(flushing_added_.back()).live) {
-    const Wme& wme = engine_.memory.wme(flushing_added_.back());
-    const auto text = [&](Symbol symbol) { return ToString(engine_.symbols, symbol); };
-    engine_.Warn(WarningKind::kAddedAndRemoved, "(" + std::to_string(wme.timetag) + ": " + text(wme.id) + " ^" +
-                                                    text(wme.attribute) + " " + text(wme.value) +
-                                                    (wme.acceptable ? " +)" : ")"));
-  }
+  if (tell && !flushing_added_.empty() && !engine_.memory.wme(flushing_added_.back()).live) WarnOfLost();
   for (std::size_t n = flushing_added_.size(); n-- > 0;) {
     const WmeId wme = flushing_added_[n];
     // An element that came and went within the phase never enters the match.

@@ -47,6 +47,9 @@ class WmeChanges {
   void Clear();
 
  private:
+  /// An element that came and went within the phase was the first to be added.
+  [[gnu::noinline]] void WarnOfLost();
+
   void Record(WmeId wme, WmeKind kind, Symbol id, Symbol value);
 
   Engine& engine_;
