@@ -48,6 +48,7 @@ SemanticMemory::Command SemanticMemory::Read(GoalLevel level) {
   const WorkingMemory& memory = engine_.memory;
   const Goal& goal = engine_.goals.at(level);
   Command command;
+  command.wmes.reserve(16);
   watch_.Watch(goal.smem.command);
   const auto count = [&](WmeId wme, bool is_store) {
     State::Seen& seen = is_store ? command.store : command.other;
@@ -314,9 +315,11 @@ Symbol SemanticMemory::Retrieve(std::uint32_t root, Retrieval& retrieval, std::i
       if (object != root) retrieval.deeper.push_back(parent);
       // By attribute, the oldest first; values with the youngest first, as their elements are made in turn.
       std::vector<Edge> edges(knowledge_->EdgesAt(object).begin(), knowledge_->EdgesAt(object).end());
-      std::ranges::stable_sort(edges, {}, [&](const Edge& edge) {
+      const auto number = [&](const Edge& edge) {
         return edge.value.IsObject() ? knowledge_->NumberAt(edge.value.index()) : 0;
-      });
+      };
+      if (!std::ranges::is_sorted(edges, {}, number)) std::ranges::stable_sort(edges, {}, number);
+      retrieval.contents.reserve(retrieval.contents.size() + edges.size());
       while (!edges.empty()) {
         const StoreTerm attribute = edges.front().attribute;
         const std::size_t first = retrieval.contents.size();

@@ -34,6 +34,7 @@ inline SlotId WorkingMemory::FindSlot(const IdentifierRecord& owner, Symbol id, 
 
 std::vector<WmeId> WorkingMemory::WmesOf(Symbol id) const {
   std::vector<WmeId> found;
+  found.reserve(8);  // Most objects have fewer.
   const auto append = [&](WmeId first) {
     for (WmeId wme = first; wme != WmeId::kNone; wme = record(wme).next) found.push_back(wme);
   };
