@@ -71,6 +71,7 @@ void Chunker::NoteFiring(InstantiationId id) {
   Instantiation& instantiation = engine_.instantiations[id];
   instantiation.has_identities = true;
   instantiation.first_identity = next_identity_;
+  reader_.BeginAnalysis();
   const IdentityPlan& plan = reader_.Plan(id);
   std::uint32_t created = 0, from_superstate = 0;
   for (const std::uint16_t place : plan.first) {
@@ -134,6 +135,7 @@ void Chunker::Consider(InstantiationId id) {
     explanation_.level = engine_.instantiations[current].level;
     explanation_.base = current;
     ++explanation_.trace_number;
+    reader_.BeginAnalysis();
     if (!results_.Collect(current, explanation_)) return;
     if (engine_.justifier.HasTooManyDuplicates(current, settings_.max_duplicates)) {
       ++statistics_.over_max_duplicates;

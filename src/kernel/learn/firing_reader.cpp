@@ -3,27 +3,74 @@
 
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
+#include "kernel/learn/draft_tests.h"
 
 namespace soarbox::kernel {
 
-const Production* FiringReader::Rule(InstantiationId firing) const {
-  const ProductionId rule = engine_.instantiations[firing].production;
-  return rule == ProductionId::kNone ? nullptr : engine_.rete.production(rule).get();
+const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
+  const std::uint32_t index = Index(production);
+  const ProductionPtr& rule = engine_.rete.production(production);
+  if (rules_.size() <= index) rules_.resize(index + 1u);
+  Known& known = rules_[index];
+  known.analysis = analysis_;
+  if (known.rule == rule) return known;
+  known.rule = rule;
+  known.positives.clear();
+  known.terms.clear();
+  known.plan = rule == nullptr ? nullptr : std::make_unique<IdentityPlan>(IdentityPlan::Of(*rule));
+  if (rule == nullptr) return known;
+  for (const Condition& condition : rule->conditions) {
+    if (condition.kind != ConditionKind::kPositive) continue;
+    Tested& tested = known.positives.emplace_back();
+    tested.condition = &condition;
+    std::uint8_t field = 1;
+    for (const Test* test : {&condition.id, &condition.attribute, &condition.value}) {
+      ForEachTest(*test, [&](const Test& part) {
+        if (IsCarried(part.kind)) tested.carried |= field;
+      });
+      field = static_cast<std::uint8_t>(field << 1);
+    }
+  }
+  for (const Action& action : rule->actions) {
+    for (const RhsValue* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
+      known.terms.push_back(TermOf(*value, *known.plan));
+    }
+  }
+  return known;
+}
+
+FiringReader::Term FiringReader::TermOf(const RhsValue& value, const IdentityPlan& plan) {
+  Term term;
+  switch (value.kind) {
+    case RhsValueKind::kConstant:
+      break;
+    case RhsValueKind::kBound:
+    case RhsValueKind::kNew:
+      if (const std::uint16_t bound = ClassOf(value, plan); bound != IdentityPlan::kLiteral) {
+        term.kind = Term::Kind::kClass;
+        term.identity_class = bound;
+      }
+      break;
+    case RhsValueKind::kFunction:
+      term.kind = Term::Kind::kFunction;
+      term.function = &value;
+      break;
+  }
+  return term;
+}
+
+const Production* FiringReader::Rule(InstantiationId firing) {
+  const ProductionId production = engine_.instantiations[firing].production;
+  return production == ProductionId::kNone ? nullptr : KnownOf(production).rule.get();
+}
+
+const FiringReader::Tested& FiringReader::TestedBy(InstantiationId firing, std::size_t condition) {
+  return KnownOf(engine_.instantiations[firing].production).positives[condition];
 }
 
 const IdentityPlan& FiringReader::Plan(InstantiationId firing) {
   const Instantiation& instantiation = engine_.instantiations[firing];
-  if (instantiation.production != ProductionId::kNone) {
-    const std::uint32_t index = Index(instantiation.production);
-    const ProductionPtr& rule = engine_.rete.production(instantiation.production);
-    if (plans_.size() <= index) plans_.resize(index + 1u);
-    Known& known = plans_[index];
-    if (known.rule != rule) {
-      known.rule = rule;
-      known.plan = std::make_unique<IdentityPlan>(IdentityPlan::Of(*rule));
-    }
-    return *known.plan;
-  }
+  if (instantiation.production != ProductionId::kNone) return *KnownOf(instantiation.production).plan;
   if (instantiation.justification != Instantiation::kNoJustification) {
     return *engine_.justifier.record(instantiation.justification).plan;
   }
@@ -55,57 +102,47 @@ IdentityPlan FiringReader::PlanOfArchitecture(InstantiationId firing) const {
   return plan;
 }
 
-std::uint16_t FiringReader::ClassOf(const RhsValue& value, InstantiationId firing) {
-  const IdentityPlan& plan = Plan(firing);
+std::uint16_t FiringReader::ClassOf(const RhsValue& value, const IdentityPlan& plan) {
   if (value.kind == RhsValueKind::kNew) return static_cast<std::uint16_t>(plan.bound() + value.new_index());
   return plan.ClassOf(value.site().positive_condition, value.site().field);
 }
 
 FiringReader::Term FiringReader::TermOf(PreferenceId preference_id, Part part) {
   const Preference& preference = engine_.memory.preference(preference_id);
+  const Instantiation& instantiation = engine_.instantiations[preference.instantiation];
+  const std::size_t place = 4u * preference.action + static_cast<std::size_t>(part);
+  if (instantiation.has_identities && instantiation.production != ProductionId::kNone) [[likely]] {
+    const Known& known = KnownOf(instantiation.production);
+    if (place < known.terms.size()) return known.terms[place];
+  }
+  return UncommonTermOf(preference, place, part);
+}
+
+FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, std::size_t place, Part part) {
   const InstantiationId firing = preference.instantiation;
   const Instantiation& instantiation = engine_.instantiations[firing];
   Term term;
-  const auto by_class = [&](std::uint16_t identity_class) {
-    if (identity_class == IdentityPlan::kLiteral) return;
-    term.kind = Term::Kind::kClass;
-    term.identity_class = identity_class;
-  };
   if (!instantiation.has_identities) {
     term.kind = Term::Kind::kUnknown;
     return term;
   }
   const Symbol symbols[] = {preference.id, preference.attribute, preference.value, preference.referent};
   const Symbol symbol = symbols[static_cast<std::size_t>(part)];
-  const Production* const rule = Rule(firing);
-  if (rule == nullptr && instantiation.justification != Instantiation::kNoJustification) {
-    by_class(Plan(firing).of_action[4u * preference.action + static_cast<std::size_t>(part)]);
-    return term;
+  const bool is_rule = Rule(firing) != nullptr;
+  const bool is_justification = !is_rule && instantiation.justification != Instantiation::kNoJustification;
+  if (!is_justification && !symbol.IsIdentifier()) return term;
+  if (!is_rule) {
+    term.identity_class = is_justification ? Plan(firing).of_action[place] : Plan(firing).ClassOf(symbol);
+    if (term.identity_class != IdentityPlan::kLiteral) {
+      term.kind = Term::Kind::kClass;
+      return term;
+    }
+    term.identity_class = 0;
+    if (is_justification) return term;
   }
-  if (rule == nullptr || preference.action >= rule->actions.size()) {
-    // Of the architecture, or made by a function.
-    if (!symbol.IsIdentifier()) return term;
-    if (rule == nullptr) by_class(Plan(firing).ClassOf(symbol));
-    if (term.kind == Term::Kind::kClass) return term;
-    term.kind = Term::Kind::kSymbol;
-    term.symbol = symbol;
-    return term;
-  }
-  const Action& action = rule->actions[preference.action];
-  const RhsValue* const values[] = {&action.id, &action.attribute, &action.value, &action.referent};
-  const RhsValue& value = *values[static_cast<std::size_t>(part)];
-  switch (value.kind) {
-    case RhsValueKind::kConstant:
-      break;
-    case RhsValueKind::kBound:
-    case RhsValueKind::kNew:
-      by_class(ClassOf(value, firing));
-      break;
-    case RhsValueKind::kFunction:
-      term.kind = Term::Kind::kFunction;
-      term.function = &value;
-      break;
-  }
+  // Of the architecture, or made by a function.
+  term.kind = Term::Kind::kSymbol;
+  term.symbol = symbol;
   return term;
 }
 

@@ -23,8 +23,16 @@ class FiringReader {
   explicit FiringReader(Engine& engine) : engine_(engine) {}
 
   /// The rule that fired, or null for justifications and the architecture. Readable also after it was excised.
-  const Production* Rule(InstantiationId firing) const;
+  const Production* Rule(InstantiationId firing);
   const IdentityPlan& Plan(InstantiationId firing);
+  /// A positive condition of the rule that fired.
+  struct Tested {
+    const Condition* condition = nullptr;
+    std::uint8_t carried = 0;  ///< Bit n: field n asks for more than which value it is.
+
+    bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
+  };
+  const Tested& TestedBy(InstantiationId firing, std::size_t condition);
 
   /// What the action that made a preference says in one of its fields.
   struct Term {
@@ -43,7 +51,7 @@ class FiringReader {
   enum class Part : std::uint8_t { kId, kAttribute, kValue, kReferent };
   Term TermOf(PreferenceId preference, Part part);
   /// The class of a bound or new term of a rule.
-  std::uint16_t ClassOf(const RhsValue& value, InstantiationId firing);
+  std::uint16_t ClassOf(const RhsValue& value, InstantiationId firing) { return ClassOf(value, Plan(firing)); }
 
   /// The identity of a class of a firing: that of the preference that made the first element which has it, if the
   /// element is of the substate, or else one of its own. Leaves the firing where it was found in `firing`.
@@ -61,8 +69,14 @@ class FiringReader {
   enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem, kArchitecture };
   Source SourceOf(InstantiationId firing, std::uint16_t place);
 
+  /// Until the next call, what is known of a rule is not compared with the rule again: as long as a firing of it is
+  /// looked at, no other rule takes its number.
+  void BeginAnalysis() { ++analysis_; }
   /// Plans of firings without a rule are kept until then.
-  void EndAnalysis() { without_rule_.clear(); }
+  void EndAnalysis() {
+    ++analysis_;
+    without_rule_.clear();
+  }
   void Clear();
 
  private:
@@ -73,8 +87,24 @@ class FiringReader {
   struct Known {
     ProductionPtr rule;
     std::unique_ptr<IdentityPlan> plan;
+    std::vector<Tested> positives;
+    std::vector<Term> terms;     ///< What its actions say, four for each.
+    std::uint32_t analysis = 0;  ///< The last one that looked at the rule.
   };
-  std::vector<Known> plans_;  ///< By ProductionId; of rules that learning has looked at.
+  const Known& KnownOf(ProductionId production) {
+    const std::uint32_t index = Index(production);
+    if (index < rules_.size() && rules_[index].analysis == analysis_) [[likely]]
+      return rules_[index];
+    return LookAt(production);
+  }
+  [[gnu::noinline]] const Known& LookAt(ProductionId production);
+  static std::uint16_t ClassOf(const RhsValue& value, const IdentityPlan& plan);
+  static Term TermOf(const RhsValue& value, const IdentityPlan& plan);
+  /// Of what no action of a rule made.
+  [[gnu::noinline]] Term UncommonTermOf(const Preference& preference, std::size_t place, Part part);
+
+  std::vector<Known> rules_;  ///< By ProductionId; of rules that learning has looked at.
+  std::uint32_t analysis_ = 1;
   std::vector<std::pair<InstantiationId, std::unique_ptr<IdentityPlan>>> without_rule_;
 };
 

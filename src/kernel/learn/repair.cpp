@@ -7,6 +7,7 @@
 #include "kernel/decide/engine.h"
 #include "kernel/learn/draft_tests.h"
 #include "kernel/learn/rule_builder.h"
+#include "kernel/rules/variable_index.h"
 
 namespace soarbox::kernel {
 
@@ -22,30 +23,43 @@ bool HasStateTest(const TestDraft& test) {
 
 }  // namespace
 
-std::vector<Symbol> RuleBuilder::Unconnected() const {
-  std::vector<Symbol> connected, hanging, values;
-  for (const Made& made : made_) {
-    if (HasStateTest(made.draft->id)) connected.push_back(EqualitySymbol(made.draft->id));
-    values.push_back(EqualitySymbol(made.draft->attribute));
-    values.push_back(EqualitySymbol(made.draft->value));
+/// Of the conditions the first are those that were made, in their order; the others are negated.
+std::vector<Symbol> RuleBuilder::Unconnected(const DraftList<ConditionDraft>& conditions,
+                                             const VariableIndex& variables) const {
+  constexpr std::uint8_t kConnected = 1, kIsValue = 2, kHanging = 4;
+  struct Fields {
+    std::uint32_t id, attribute, value;
+  };
+  std::vector<std::uint8_t> what(variables.size(), 0);
+  std::vector<Fields> made;
+  made.reserve(made_.size());
+  const auto add = [&](std::uint32_t variable, std::uint8_t flag) {
+    if (variable == kNoVariable || (what[variable] & flag) != 0) return false;
+    what[variable] |= flag;
+    return true;
+  };
+  for (const ConditionDraft& condition : conditions) {
+    if (made.size() == made_.size()) break;
+    const Fields& fields = made.emplace_back(Fields{
+        EqualityVariable(condition.id), EqualityVariable(condition.attribute), EqualityVariable(condition.value)});
+    if (HasStateTest(condition.id)) add(fields.id, kConnected);
+    add(fields.attribute, kIsValue);
+    add(fields.value, kIsValue);
   }
   for (bool grew = true; grew;) {
     grew = false;
-    for (const Made& made : made_) {
-      if (!Contains(connected, EqualitySymbol(made.draft->id))) continue;
-      for (const TestDraft* test : {&made.draft->attribute, &made.draft->value}) {
-        const Symbol symbol = EqualitySymbol(*test);
-        if (!symbol.IsVariable() || Contains(connected, symbol)) continue;
-        connected.push_back(symbol);
-        grew = true;
-      }
+    for (const Fields& fields : made) {
+      if (fields.id == kNoVariable || (what[fields.id] & kConnected) == 0) continue;
+      grew |= add(fields.attribute, kConnected);
+      grew |= add(fields.value, kConnected);
     }
   }
+  std::vector<Symbol> hanging;
   for (const bool roots_only : {true, false}) {
-    for (const Made& made : made_) {
-      const Symbol symbol = EqualitySymbol(made.draft->id);
-      if (!symbol.IsVariable() || Contains(connected, symbol) || Contains(hanging, symbol)) continue;
-      if (!roots_only || !Contains(values, symbol)) hanging.push_back(symbol);
+    for (const Fields& fields : made) {
+      if (fields.id == kNoVariable || (what[fields.id] & kConnected) != 0) continue;
+      if (roots_only && (what[fields.id] & kIsValue) != 0) continue;
+      if (add(fields.id, kHanging)) hanging.push_back(variables.variable(fields.id));
     }
     if (!hanging.empty()) break;
   }
@@ -131,20 +145,25 @@ void RuleBuilder::AddLink(WmeId element, Symbol target, Symbol target_variable) 
   made_.push_back(made);
 }
 
+Symbol RuleBuilder::IdentifierOf(Symbol variable) const {
+  const auto found = std::ranges::find(identifier_of_variable_, variable, &std::pair<Symbol, Symbol>::first);
+  return found == identifier_of_variable_.end() ? Symbol() : found->second;
+}
+
 bool RuleBuilder::Repair(GoalLevel results_level) {
   const WorkingMemory& memory = engine_.memory;
   std::vector<std::pair<Symbol, Symbol>> targets;  // Variable, identifier.
   const auto add = [&](Symbol variable) {
-    const auto found = identifier_of_variable_.find(variable.bits());
-    if (found != identifier_of_variable_.end()) targets.emplace_back(variable, found->second);
+    const Symbol identifier = IdentifierOf(variable);
+    if (identifier) targets.emplace_back(variable, identifier);
   };
   for (const Symbol variable : hanging_) add(variable);
   const std::size_t hanging = targets.size();
   if (!ActionsAreGrounded()) {
     for (const ActionDraft* action : actions_) {
       const Symbol variable = action->id.symbol;
-      const auto found = identifier_of_variable_.find(variable.bits());
-      if (found == identifier_of_variable_.end() || memory.level(found->second) > results_level) continue;
+      const Symbol identifier = IdentifierOf(variable);
+      if (!identifier || memory.level(identifier) > results_level) continue;
       const bool tested = std::ranges::any_of(made_, [&](const Made& made) {
         return EqualitySymbol(made.draft->id) == variable || EqualitySymbol(made.draft->value) == variable;
       });

@@ -2,6 +2,9 @@
 #include "kernel/learn/rule_builder.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <new>
 #include <string>
 
 #include "kernel/base/words.h"
@@ -67,14 +70,19 @@ Symbol RuleBuilder::NewVariable(Symbol of) {
     }
   }
   const std::uint32_t number = ++letters_[static_cast<std::size_t>(letter - 'a')];
-  const Symbol variable = engine_.symbols.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
-  if (of.IsIdentifier()) identifier_of_variable_[variable.bits()] = of;
+  char name[16] = {'<', letter};
+  char* end = std::to_chars(name + 2, std::end(name) - 1, number).ptr;
+  *end++ = '>';
+  const Symbol variable = engine_.symbols.Variable({name, static_cast<std::size_t>(end - name)});
+  if (of.IsIdentifier()) identifier_of_variable_.emplace_back(variable, of);
   return variable;
 }
 
 Symbol RuleBuilder::Meaning(IdentityGraph::Node node, Symbol value) {
   if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return value;
-  Symbol& variable = variable_of_[analysis_.graph().Root(node)];
+  const IdentityGraph::Node root = analysis_.graph().Root(node);
+  if (root >= variable_of_.size()) variable_of_.resize(analysis_.graph().size());
+  Symbol& variable = variable_of_[root];
   if (!variable) variable = NewVariable(value);
   return variable;
 }
@@ -114,6 +122,9 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
   // The tests refer to variables of other fields, so they come when all variables are known.
   for (const Made& made : made_) {
     const Explanation::Ground& ground = explanation.grounds[made.ground];
+    if (ground.firing == InstantiationId::kNone) continue;
+    if (reader_.Rule(ground.firing) != nullptr && reader_.TestedBy(ground.firing, ground.condition).carried == 0)
+      continue;
     for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
       if (EqualitySymbol(FieldOf(*made.draft, field)).IsVariable()) {
         AddOwnTests(ground, field, FieldOf(*made.draft, field));
@@ -128,12 +139,14 @@ template <typename Visit>
 void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit) {
   const Instantiation& instantiation = engine_.instantiations[firing];
   if (!instantiation.has_identities) return;
+  const bool is_rule = reader_.Rule(firing) != nullptr;
+  if (is_rule && !reader_.TestedBy(firing, condition).Carries(field)) return;
   CarriedTest test;
   test.firing = firing;
   test.condition = condition;
   test.field = field;
-  if (const Production* const rule = reader_.Rule(firing); rule != nullptr) {
-    const Condition& tested = PositiveCondition(*rule, condition);
+  if (is_rule) {
+    const Condition& tested = *reader_.TestedBy(firing, condition).condition;
     const IdentityPlan& plan = reader_.Plan(firing);
     const auto visit_part = [&](const Test& part) {
       if (!IsCarried(part.kind)) return;
@@ -407,12 +420,20 @@ void RuleBuilder::MakeNegations(const Explanation& explanation) {
 
 void RuleBuilder::MergeConditions() {
   LearnStatistics& statistics = engine_.chunker.mutable_statistics();
+  // Most elements stand for one condition only.
+  std::array<std::uint8_t, 256> seen{};
+  const auto place = [](WmeId wme) { return Index(wme) % 256u; };
+  for (const Made& made : made_) {
+    std::uint8_t& times = seen[place(made.wme)];
+    times = std::min<std::uint8_t>(times, 1) + 1;
+  }
   for (std::size_t n = 0; n < made_.size(); ++n) {
+    if (seen[place(made_[n].wme)] == 1) continue;
     for (std::size_t m = made_.size(); m-- > n + 1;) {
+      if (made_[n].wme != made_[m].wme) continue;
       ConditionDraft& kept = *made_[n].draft;
       const ConditionDraft& other = *made_[m].draft;
-      if (kept.tests_acceptable != other.tests_acceptable || made_[n].wme != made_[m].wme ||
-          EqualitySymbol(kept.id) != EqualitySymbol(other.id) ||
+      if (kept.tests_acceptable != other.tests_acceptable || EqualitySymbol(kept.id) != EqualitySymbol(other.id) ||
           EqualitySymbol(kept.attribute) != EqualitySymbol(other.attribute) ||
           EqualitySymbol(kept.value) != EqualitySymbol(other.value)) {
         continue;
@@ -542,6 +563,10 @@ class Pinner {
     for (const ValueDraft& argument : value.arguments) Pin(argument);
   }
   void Pin(Symbol symbol) {
+    if (!symbol.IsConstant()) return;
+    Symbol& lately = lately_[symbol.bits() * 0x9E3779B1u >> (32 - kLatelyBits)];
+    if (lately == symbol) return;
+    lately = symbol;
     if (symbol.IsString()) {
       symbols_.String(std::string(symbols_.Text(symbol)));
     } else if (symbol.IsInteger()) {
@@ -551,7 +576,9 @@ class Pinner {
     }
   }
 
+  static constexpr unsigned kLatelyBits = 5;
   SymbolTable& symbols_;
+  std::array<Symbol, std::size_t{1} << kLatelyBits> lately_;  ///< Pinned: rules name few constants, again and again.
 };
 
 }  // namespace
@@ -562,11 +589,9 @@ bool RuleBuilder::Finish(std::string_view name) {
   rule.name = name;
   rule.type = ProductionType::kChunk;
   // Both lists are linked anew at each attempt, through copies of their items.
-  std::vector<std::pair<const ConditionDraft*, const Made*>> made_of;
-  for (const Made& made : made_) {
-    ConditionDraft* const copy = arena_.New(Copy(*made.draft, arena_));
-    rule.conditions.Add(copy);
-    made_of.emplace_back(copy, &made);
+  ConditionDraft* const copies_of_made = arena_.NewRoom<ConditionDraft>(made_.size());
+  for (std::size_t n = 0; n < made_.size(); ++n) {
+    rule.conditions.Add(new (copies_of_made + n) ConditionDraft(Copy(*made_[n].draft, arena_)));
   }
   for (const ConditionDraft* negated : negated_) rule.conditions.Add(arena_.New(Copy(*negated, arena_)));
   std::vector<const ActionDraft*> copies(actions_.size());
@@ -578,7 +603,7 @@ bool RuleBuilder::Finish(std::string_view name) {
   VariableIndex variables;
   variables.NumberAll(rule.conditions);
   variables.NumberAll(rule.actions);
-  hanging_ = Unconnected();
+  hanging_ = Unconnected(rule.conditions, variables);
   if (!hanging_.empty() && ActionsAreGrounded()) {
     std::string text = "Conditions on the LHS contain tests that are not connected \nto a goal: ";
     for (std::size_t n = 0; n < hanging_.size(); ++n) {
@@ -587,8 +612,9 @@ bool RuleBuilder::Finish(std::string_view name) {
     engine_.Warn(WarningKind::kLearnedRule, text + "\n\n");
     return false;
   }
-  Pinner(engine_.symbols).Pin(rule.conditions);
-  Pinner(engine_.symbols).Pin(rule.actions);
+  Pinner pinner(engine_.symbols);
+  pinner.Pin(rule.conditions);
+  pinner.Pin(rule.actions);
   ParseOutcome out;
   if (!FinishRule(rule, variables, SourcePlace{}, engine_.symbols, engine_.expected_values, arena_, out)) {
     for (const RuleMessage& message : out.late_messages) engine_.Warn(WarningKind::kLearnedRule, message.text);
@@ -597,12 +623,10 @@ bool RuleBuilder::Finish(std::string_view name) {
   elements_.clear();
   ground_of_condition_.clear();
   for (const ConditionDraft& condition : rule.conditions) {
-    if (condition.kind != ConditionKind::kPositive) continue;
-    for (const auto& [draft, made] : made_of) {
-      if (draft != &condition) continue;
-      elements_.push_back(made->wme);
-      ground_of_condition_.push_back(made->ground);
-    }
+    if (condition.kind != ConditionKind::kPositive) continue;  // All positive ones are those made here.
+    const Made& made = made_[static_cast<std::size_t>(&condition - copies_of_made)];
+    elements_.push_back(made.wme);
+    ground_of_condition_.push_back(made.ground);
   }
   action_of_result_.assign(actions_.size(), 0);
   std::uint16_t number = 0;
@@ -615,8 +639,9 @@ bool RuleBuilder::Finish(std::string_view name) {
 }
 
 std::string RuleBuilder::VariableNameOf(IdentityGraph::Node node) const {
-  const auto found = variable_of_.find(analysis_.graph().Root(node));
-  return found == variable_of_.end() ? std::string() : std::string(engine_.symbols.Text(found->second));
+  const IdentityGraph::Node root = analysis_.graph().Root(node);
+  const Symbol variable = root < variable_of_.size() ? variable_of_[root] : Symbol();
+  return variable ? std::string(engine_.symbols.Text(variable)) : std::string();
 }
 
 void RuleBuilder::CountConstraints() {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/arena.h"
@@ -19,6 +20,7 @@
 namespace soarbox::kernel {
 
 struct Engine;
+class VariableIndex;
 
 /// A test of a local condition that the learned rule must make, too: of one identity, against another one or a
 /// constant.
@@ -99,8 +101,10 @@ class RuleBuilder {
   /// Conditions that lead from the state of the results' level to what hangs in the air.
   bool Repair(GoalLevel results_level);
   /// Variables that stand for identifiers which no state leads to.
-  std::vector<Symbol> Unconnected() const;
+  std::vector<Symbol> Unconnected(const DraftList<ConditionDraft>& conditions, const VariableIndex& variables) const;
   bool ActionsAreGrounded() const;
+  /// What a variable was made for, or none.
+  Symbol IdentifierOf(Symbol variable) const;
   bool Finish(std::string_view name);
   Symbol NewVariable(Symbol of);
   Symbol VariableOfIdentifier(Symbol identifier);
@@ -116,12 +120,12 @@ class RuleBuilder {
   std::vector<ConditionDraft*> negated_;
   std::vector<CarriedTest> constraints_;
   std::unordered_map<IdentityGraph::Node, std::uint16_t> class_of_;  ///< Of a justification; by root.
-  std::unordered_map<IdentityGraph::Node, Symbol> variable_of_;      ///< By root.
+  std::vector<Symbol> variable_of_;                                  ///< By root; none: it has none yet.
   std::unordered_map<std::uint32_t, Symbol> variable_of_symbol_;     ///< Of identifiers without an identity.
-  std::unordered_map<std::uint32_t, Symbol> identifier_of_variable_;
-  std::unordered_map<std::uint32_t, Symbol> own_variables_;  ///< Of the negation at hand.
-  std::vector<Symbol> reached_;                              ///< Objects that the grounds lead to.
-  std::vector<Symbol> hanging_;                              ///< Variables that the last attempt found in the air.
+  std::vector<std::pair<Symbol, Symbol>> identifier_of_variable_;    ///< Variable, identifier.
+  std::unordered_map<std::uint32_t, Symbol> own_variables_;          ///< Of the negation at hand.
+  std::vector<Symbol> reached_;                                      ///< Objects that the grounds lead to.
+  std::vector<Symbol> hanging_;  ///< Variables that the last attempt found in the air.
   std::vector<std::uint32_t> visited_;
   std::vector<ActionDraft*> actions_;
   std::array<std::uint32_t, 26> letters_{};

@@ -2,8 +2,8 @@
 #include "kernel/rules/chunk_variables.h"
 
 #include <array>
-#include <string>
-#include <utility>
+#include <charconv>
+#include <iterator>
 #include <vector>
 
 #include "kernel/base/characters.h"
@@ -14,7 +14,7 @@ namespace {
 
 class Renamer {
  public:
-  explicit Renamer(SymbolTable& symbols) : symbols_(symbols) {}
+  Renamer(SymbolTable& symbols, const VariableIndex& variables) : symbols_(symbols), names_(variables.size()) {}
 
   void Rename(const DraftList<ConditionDraft>& conditions) {
     for (ConditionDraft& condition : conditions) {
@@ -48,9 +48,9 @@ class Renamer {
  private:
   void RenameField(TestDraft& test, char letter) {
     PutEqualityFirst(test);
-    const Symbol symbol = EqualitySymbol(test);
-    if (symbol.IsVariable()) {
-      NewName(symbol, letter);
+    const std::uint32_t variable = EqualityVariable(test);
+    if (variable != kNoVariable) {
+      NewName(variable, letter);
     }
     Replace(test);
   }
@@ -75,7 +75,7 @@ class Renamer {
 
   void Replace(TestDraft& test) {
     if (test.referent.IsVariable()) {
-      test.referent = NewName(test.referent, 'v');
+      test.referent = NewName(test.variable, 'v');
     }
     for (TestDraft& part : test.parts) {
       Replace(part);
@@ -84,7 +84,7 @@ class Renamer {
 
   void RenamePlain(ValueDraft& value, char letter) {
     if (value.kind != RhsValueKind::kFunction && value.symbol.IsVariable()) {
-      value.symbol = NewName(value.symbol, letter);
+      value.symbol = NewName(value.variable, letter);
     }
   }
 
@@ -95,16 +95,15 @@ class Renamer {
     }
   }
 
-  Symbol NewName(Symbol old, char letter) {
-    for (const auto& [from, to] : names_) {
-      if (from == old) {
-        return to;
-      }
+  Symbol NewName(std::uint32_t variable, char letter) {
+    Symbol& name = names_[variable];
+    if (!name) {
+      char text[16] = {'<', letter};
+      char* end = std::to_chars(text + 2, std::end(text) - 1, ++count_[static_cast<std::size_t>(letter - 'a')]).ptr;
+      *end++ = '>';
+      name = symbols_.Variable({text, static_cast<std::size_t>(end - text)});
     }
-    const int number = ++count_[static_cast<std::size_t>(letter - 'a')];
-    const Symbol fresh = symbols_.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
-    names_.emplace_back(old, fresh);
-    return fresh;
+    return name;
   }
 
   char LetterOf(Symbol attribute) const {
@@ -122,14 +121,14 @@ class Renamer {
   }
 
   SymbolTable& symbols_;
-  std::vector<std::pair<Symbol, Symbol>> names_;
+  std::vector<Symbol> names_;  ///< By the variable's number.
   std::array<int, 26> count_{};
 };
 
 }  // namespace
 
-void RenameVariables(RuleDraft& rule, SymbolTable& symbols) {
-  Renamer renamer(symbols);
+void RenameVariables(RuleDraft& rule, const VariableIndex& variables, SymbolTable& symbols) {
+  Renamer renamer(symbols, variables);
   renamer.Rename(rule.conditions);
   renamer.Rename(rule.actions);
 }

@@ -260,15 +260,8 @@ bool FinishRule(RuleDraft& rule, const VariableIndex& variables, const SourcePla
     out.late_messages.push_back(
         {"Now watching any chunks formed by rule '" + std::string(rule.name) + "'\n", false, false});
   }
-  if (rule.type == ProductionType::kChunk) {
-    RenameVariables(rule, symbols);
-    VariableIndex renamed;
-    renamed.NumberAll(rule.conditions);
-    renamed.NumberAll(rule.actions);
-    BindVariables(rule, renamed, arena);
-  } else {
-    BindVariables(rule, variables, arena);
-  }
+  if (rule.type == ProductionType::kChunk) RenameVariables(rule, variables, symbols);
+  BindVariables(rule, variables, arena);
   rule.is_rl = rule.type != ProductionType::kTemplate && rule.actions.first != nullptr &&
                rule.actions.first == rule.actions.last &&
                rule.actions.first->preference == PreferenceType::kNumericIndifferent;

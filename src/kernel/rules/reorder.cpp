@@ -154,6 +154,7 @@ class ListReorderer {
     while (count_ != 0) {
       std::size_t at = Choose();
       ConditionDraft* const chosen = waiting_[at]->condition;
+      waiting_[at]->placed = true;
       for (--count_; at < count_; ++at) {
         waiting_[at] = waiting_[at + 1];
       }
@@ -176,6 +177,7 @@ class ListReorderer {
         : condition(waiting), needs(variables, arena) {}
     ConditionDraft* condition;
     bool positive = false;
+    bool placed = false;
     std::uint32_t fields[3] = {};  ///< The variables of the fields' equality tests.
     std::int64_t expected = 1;     ///< Of positive ones: values under the attribute, if that is known.
     std::int64_t cost = 0;         ///< As long as no more of `needs` is bound.
@@ -370,8 +372,63 @@ class ListReorderer {
     return (IsKnown(waiting.fields[1]) ? values : kUnboundCost) * (IsKnown(waiting.fields[2]) ? 1 : kUnboundCost);
   }
 
-  /// The cheapest cost among the others once `taken` has been chosen.
-  std::int64_t LookAhead(std::size_t taken) {
+  /// Notes which conditions each variable makes cheaper.
+  void FindUsers() {
+    const std::uint32_t variables = variables_.size();
+    users_end_ = arena_.NewArray<std::uint32_t>(variables + 1u);
+    const auto for_each = [&](const auto& visit) {
+      for (std::size_t n = 0; n < count_; ++n) {
+        waiting_[n]->needs.ForEach([&](std::uint32_t variable) { visit(variable, waiting_[n]); });
+      }
+    };
+    for_each([&](std::uint32_t variable, Waiting*) { ++users_end_[variable + 1]; });
+    for (std::uint32_t n = 0; n < variables; ++n) {
+      users_end_[n + 1] += users_end_[n];
+    }
+    users_ = arena_.NewRoom<Waiting*>(users_end_[variables]);
+    for_each([&](std::uint32_t variable, Waiting* waiting) { users_[users_end_[variable]++] = waiting; });
+  }
+
+  /// The cheapest cost among the others once `taken` has been chosen. `tied` conditions, it among them, cost `cheapest`
+  /// and none costs less.
+  std::int64_t LookAhead(std::size_t taken, std::int64_t cheapest, std::size_t tied) {
+    if (users_end_ == nullptr) {
+      if (count_ < kManyConditions) {
+        return LookAtAll(taken);
+      }
+      FindUsers();
+    }
+    // Only conditions that use what it binds get cheaper. Unless all that are tied with it do, one of them keeps its
+    // cost.
+    const Waiting* const chosen = waiting_[taken];
+    std::uint32_t added[3];
+    std::size_t added_count = 0;
+    for (const std::uint32_t field : chosen->fields) {
+      if (!bound_.Has(field)) {
+        bound_.Add(field);
+        added[added_count++] = field;
+      }
+    }
+    std::int64_t least = cheapest;
+    std::size_t others_tied = tied - 1;
+    for (std::size_t n = 0; n < added_count; ++n) {
+      const std::uint32_t variable = added[n];
+      for (std::uint32_t at = variable == 0 ? 0 : users_end_[variable - 1]; at < users_end_[variable]; ++at) {
+        const Waiting* const user = users_[at];
+        if (user->placed || user == chosen) {
+          continue;
+        }
+        least = std::min(least, Cost(*user));
+        others_tied -= user->cost == cheapest && others_tied != 0 ? 1 : 0;
+      }
+    }
+    while (added_count > 0) {
+      bound_.Remove(added[--added_count]);
+    }
+    return others_tied != 0 ? least : LookAtAll(taken);
+  }
+
+  std::int64_t LookAtAll(std::size_t taken) {
     std::uint32_t added[3];
     std::size_t added_count = 0;
     ahead_.Clear();
@@ -440,7 +497,7 @@ class ListReorderer {
     std::int64_t best = 0;
     const bool look_ahead = cheapest > 1 && tied > 1;
     if (look_ahead) {
-      best = LookAhead(incumbent);
+      best = LookAhead(incumbent, cheapest, tied);
     }
     for (std::size_t i = 1; i < tied; ++i) {
       const ConditionDraft& held = *waiting_[incumbent]->condition;
@@ -449,7 +506,7 @@ class ListReorderer {
       const bool positive = waiting_[tied_[i]]->positive;
       bool replace = false;
       if (look_ahead) {
-        const std::int64_t ahead = LookAhead(tied_[i]);
+        const std::int64_t ahead = LookAhead(tied_[i], cheapest, tied);
         replace = ahead < best || (ahead == best && held_positive && positive && NewerConstants(held, candidate));
         best = replace ? ahead : best;
       } else {
@@ -601,11 +658,14 @@ class ListReorderer {
   Set bound_;
   ReorderOutcome& out_;
   Set roots_, positive_values_, positive_variables_;
-  bool roots_wait_ = false;          ///< Some root is not bound yet.
-  bool roots_came_ = false;          ///< The last root has been bound since the costs were computed.
-  Set fresh_;                        ///< Variables bound since the costs were computed.
-  Set ahead_;                        ///< Scratch of LookAhead: variables bound for a moment.
-  std::vector<Symbol> unconnected_;  ///< Roots of this list that are no goals.
+  bool roots_wait_ = false;  ///< Some root is not bound yet.
+  bool roots_came_ = false;  ///< The last root has been bound since the costs were computed.
+  Set fresh_;                ///< Variables bound since the costs were computed.
+  Set ahead_;                ///< Scratch of LookAtAll: variables bound for a moment.
+  static constexpr std::size_t kManyConditions = 12;
+  Waiting** users_ = nullptr;           ///< By variable: the conditions that need it.
+  std::uint32_t* users_end_ = nullptr;  ///< Where those of each variable end; null: not found out yet.
+  std::vector<Symbol> unconnected_;     ///< Roots of this list that are no goals.
   DraftList<SavedTest> saved_;
   std::size_t unplaced_ = 0;        ///< Saved tests not put back yet.
   std::vector<TestDraft*> placed_;  ///< Scratch of PutBack.

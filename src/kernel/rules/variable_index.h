@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -73,6 +74,12 @@ class FewVariables {
   void Clear() { bits_ = 0; }
   void KeepOnly(const FewVariables& other) { bits_ &= other.bits_; }
   void Assign(const FewVariables& other) { bits_ = other.bits_; }
+  template <typename Visit>
+  void ForEach(Visit&& visit) const {
+    for (std::uint64_t rest = bits_; rest != 0; rest &= rest - 1) {
+      visit(static_cast<std::uint32_t>(std::countr_zero(rest)));
+    }
+  }
 
  private:
   std::uint64_t bits_ = 0;
@@ -113,6 +120,14 @@ class ManyVariables {
     }
   }
   void Assign(const ManyVariables& other) { std::copy_n(other.words_, count_, words_); }
+  template <typename Visit>
+  void ForEach(Visit&& visit) const {
+    for (std::size_t n = 0; n < count_; ++n) {
+      for (std::uint64_t rest = words_[n]; rest != 0; rest &= rest - 1) {
+        visit(static_cast<std::uint32_t>(64 * n + static_cast<std::size_t>(std::countr_zero(rest))));
+      }
+    }
+  }
 
  private:
   std::uint32_t Bit(std::uint32_t variable) const { return std::min(variable, last_); }
