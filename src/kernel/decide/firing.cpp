@@ -91,14 +91,8 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
   record.CountFiring();
 
-  if (engine_.observers.Wants(Event::kAssertion)) {
-    const FiringInfo info = engine_.DescribeInstantiation(id);
-    engine_.observers.Notify(Event::kAssertion, [&](Observer& o) { o.OnInstantiationMade(engine_.agent, info); });
-  }
-  if (engine_.observers.Wants(Event::kFiring)) {
-    const FiringInfo info = engine_.DescribeInstantiation(id);
-    engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFiring(engine_.agent, info); });
-  }
+  if (engine_.observers.Wants(Event::kAssertion)) TellMade(id);
+  if (engine_.observers.Wants(Event::kFiring)) TellFiring(id);
   match_level_ = match.level;
   o_support_ = match.o_support;
   RunActions(rule, id);
@@ -106,6 +100,16 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   engine_.preferences.LinkToGoal(id);
   made_.push_back(id);
   if (match.level > 1) engine_.chunker.Consider(id);
+}
+
+void Firing::TellMade(InstantiationId id) {
+  const FiringInfo info = engine_.DescribeInstantiation(id);
+  engine_.observers.Notify(Event::kAssertion, [&](Observer& o) { o.OnInstantiationMade(engine_.agent, info); });
+}
+
+void Firing::TellFiring(InstantiationId id) {
+  const FiringInfo info = engine_.DescribeInstantiation(id);
+  engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFiring(engine_.agent, info); });
 }
 
 void Firing::TellFired(InstantiationId id) {

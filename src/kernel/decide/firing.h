@@ -45,6 +45,8 @@ class Firing {
 
  private:
   void RunActions(const Production& rule, InstantiationId id);
+  [[gnu::noinline]] void TellMade(InstantiationId id);
+  [[gnu::noinline]] void TellFiring(InstantiationId id);
   [[gnu::noinline]] void TellFired(InstantiationId id);
   /// Makes a rule with the matched constants (learn/rl_template.h).
   [[gnu::noinline]] void RunTemplate(const Production& rule, InstantiationId id);

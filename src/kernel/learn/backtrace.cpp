@@ -111,13 +111,14 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
   const WorkingMemory& memory = engine_.memory;
   const Wme& wme = memory.wme(trace.wme);
   // An object may have become part of a higher state since.
-  if (memory.level(wme.id) < out_->level) {
+  if (memory.known_identifier(wme.id).level < out_->level) {
     AddGround({firing, condition, trace.wme, WmeId::kNone}, wme);
     return;
   }
   if (trace.preference != PreferenceId::kNone) {
     if (every_condition_) out_->links.push_back({firing, condition, trace.preference});
-    queue_.push_back({memory.preference(trace.preference).instantiation, WmeId::kNone});
+    const InstantiationId maker = memory.preference(trace.preference).instantiation;
+    if (engine_.instantiations[maker].backtrace != out_->trace_number) queue_.push_back({maker, WmeId::kNone});
     return;
   }
   // Of the architecture: it came with the substate.
