@@ -10,6 +10,7 @@ namespace soarbox::kernel {
 
 struct Engine;
 struct ConditionTrace;
+struct Wme;
 
 /// The second stage of learning: follows what the results rest on, condition by condition, from the firings that made
 /// them to elements of higher states.
