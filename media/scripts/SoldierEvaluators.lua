@@ -1,62 +1,46 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Questions about a soldier that its logic asks: SoldierEvaluators_NAME(userData), with the agent and its blackboard.
+-- What the minds of soldiers ask before they act. SoldierEvaluators_NAME(userData) answers true or false; userData is that
+-- of SoldierActions. Most questions come in pairs of which exactly one is true.
 
--- Health of which a soldier says that it is critical, as a share of what it began with.
-local kCriticalShare = 0.2;
-local kShootRange = 3;
-local kArrived = 1.5;
+local kReach = { shot = 3, place = 1.5 };  -- In metres, from the middle of the body.
+local kWeak = 0.2;                         -- As a share of the health at the beginning.
 
-local ask = {};
-
-function ask.True()
-    return true;
+-- Adds a question, and under `otherwise` the one that is true when this one is not.
+local function Add(name, answer, otherwise)
+    _G["SoldierEvaluators_" .. name] = answer;
+    if (otherwise) then
+        _G["SoldierEvaluators_" .. otherwise] = function(userData) return not answer(userData); end;
+    end
 end
 
-function ask.Random()
-    return math.random() < 0.5;
+local function Number(userData, name)
+    return userData.blackboard:Get(name) or 0;
 end
 
-function ask.IsAlive(userData)
-    return userData.agent:GetHealth() > 0;
+local function Within(reach, userData, place)
+    local way = place - userData.agent:GetPosition();
+    return Vector.Length(way) <= reach;
 end
 
-function ask.HasCriticalHealth(userData)
-    local full = userData.blackboard:Get("maxHealth") or 0;
-    return userData.agent:GetHealth() < full * kCriticalShare;
+local function IsOnItsFeet(agent)
+    return agent:GetHealth() > 0;
 end
 
-function ask.HasEnemy(userData)
-    return userData.blackboard:Get("enemy") ~= nil;
-end
-
-function ask.HasAmmo(userData)
-    return (userData.blackboard:Get("ammo") or 0) > 0;
-end
-
-local function Gap(userData, place)
-    return Vector.Distance(userData.agent:GetPosition(), place);
-end
-
-function ask.CanShootAgent(userData)
-    local enemy = userData.blackboard:Get("enemy");
-    return enemy ~= nil and enemy:GetHealth() > 0 and Gap(userData, enemy:GetPosition()) < kShootRange;
-end
-
-function ask.IsAtMovePosition(userData)
-    return Gap(userData, userData.agent:GetTarget()) <= kArrived;
-end
-
--- Those that are another one's opposite.
-local kOpposites = {
-    IsNotAlive = "IsAlive", HasNoEnemy = "HasEnemy", HasNoAmmo = "HasAmmo", HasMovePosition = "IsAtMovePosition"
-};
-for name, other in pairs(kOpposites) do
-    local question = ask[other];
-    ask[name] = function(userData)
-        return not question(userData);
-    end;
-end
-
-for name, question in pairs(ask) do
-    _G["SoldierEvaluators_" .. name] = question;
-end
+Add("True", function() return true; end);
+Add("Random", function() return math.random() < 0.5; end);
+Add("IsAlive", function(userData) return IsOnItsFeet(userData.agent); end, "IsNotAlive");
+Add("HasAmmo", function(userData) return Number(userData, "ammo") >= 1; end, "HasNoAmmo");
+Add("HasEnemy", function(userData) return userData.blackboard:Get("enemy") ~= nil; end, "HasNoEnemy");
+Add("IsAtMovePosition", function(userData)
+    return Within(kReach.place, userData, userData.agent:GetTarget());
+end, "HasMovePosition");
+Add("HasCriticalHealth", function(userData)
+    return userData.agent:GetHealth() < kWeak * Number(userData, "maxHealth");
+end);
+Add("CanShootAgent", function(userData)
+    local aim = userData.blackboard:Get("enemy");
+    if (aim == nil or not IsOnItsFeet(aim)) then
+        return false;
+    end
+    return Within(kReach.shot, userData, aim:GetPosition());
+end);
