@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/interpreter.h"
 #include "cli/learning_text.h"
 #include "cli/session.h"
 #include "cli/setting_store.h"
