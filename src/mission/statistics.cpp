@@ -88,7 +88,12 @@ Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
   }
   std::sort(means.begin(), means.end());
   // Corrected for bias and acceleration: means of skewed samples lean to one side.
-  const auto below = static_cast<double>(std::lower_bound(means.begin(), means.end(), mean) - means.begin());
+  // Few different values make many means equal to the sample's: half of those count as below it.
+  const double slack = 1e-9 * std::max(1.0, std::abs(mean));
+  const auto place_of = [&](double value) {
+    return static_cast<double>(std::lower_bound(means.begin(), means.end(), value) - means.begin());
+  };
+  const double below = (place_of(mean - slack) + place_of(mean + slack)) / 2;
   const double bias = NormalQuantile(std::clamp(below / kResamples, 1e-4, 1 - 1e-4));
   const double sum = mean * static_cast<double>(values.size());
   double cubes = 0, squares = 0;
