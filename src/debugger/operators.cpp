@@ -53,10 +53,21 @@ class Account {
       }
     } else if (!IsLeft(op)) {
       row.verdict = row.proposed ? "" : "not proposed";
+    } else if (row.selected) {
+      row.verdict = "selected";
+    } else if (decision_.is_forced) {
+      row.verdict = Say(Situation::kAnotherForced);
+    } else if (row.probability == 0.0) {
+      row.verdict = Say(Situation::kNoChance);
     } else {
-      row.verdict = row.selected ? "selected" : "could win";
+      const bool is_tie = decision_.impasse == mind::Impasse::kTie;
+      const bool contradicts = decision_.impasse == mind::Impasse::kConstraintFailure;
+      row.verdict = Say(is_tie ? Situation::kIsTied : contradicts ? Situation::kIsContradicted : Situation::kCouldWin);
     }
-    if (row.selected && decision_.is_forced) row.verdict = "selected";
+    if (!decision_.is_forced) return;
+    // Chance had no part in it.
+    row.probability.reset();
+    if (row.selected) row.verdict = "selected";
   }
 
   std::string Sentence() const {
@@ -124,6 +135,14 @@ void TellWithout(OperatorsView& view) {
   }
 }
 
+/// Kernels print six decimals.
+std::string WithoutZeros(std::string number) {
+  if (number.find('.') == std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.ends_with('.')) number.pop_back();
+  return number;
+}
+
 OperatorRow& RowOf(OperatorsView& view, const std::string& id, const std::string& name) {
   const auto at = std::ranges::find_if(view.rows, [&](const OperatorRow& row) { return row.id == id; });
   if (at != view.rows.end()) return *at;
@@ -147,7 +166,7 @@ std::string Describe(const PreferenceFact& preference) {
                          {{"maker", preference.maker.rule.empty() ? "" : "rule " + preference.maker.rule},
                           {"op", "it"},
                           {"other", NameAndId(preference.other_name, preference.referent)},
-                          {"value", preference.referent}});
+                          {"value", WithoutZeros(preference.referent)}});
   return text.substr(text.find_first_not_of(' '));  // Who made it may not be told.
 }
 

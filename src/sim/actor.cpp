@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnostics/diagnostic.h"
 #include "sim/arena.h"
 #include "sim/conduct.h"
 #include "sim/directions.h"
+#include "tell/sentences.h"
 #include "world/state_hash.h"
 
 namespace soarbox::sim {
@@ -77,12 +79,36 @@ float Actor::Steadiness() const {
   return (stance_ == "standing" ? 1.0f : stance_ == "crouching" ? 0.6f : 0.4f) + 0.3f * body_->Speed();
 }
 
+std::string Actor::WhichPlaces(const Running& command, std::string_view reason) const {
+  const bool is_waypoint = reason == "no-such-waypoint";
+  if (!is_waypoint && reason != "no-such-region") return {};
+  const std::string kind = is_waypoint ? "waypoint" : "region";
+  std::vector<std::string> names;
+  for (const Waypoint& place : arena_.places().waypoints)
+    if (is_waypoint) names.push_back(place.name);
+  for (const Region& place : arena_.places().regions)
+    if (!is_waypoint) names.push_back(place.name);
+  const std::string given = command.Word(kind);
+  std::string text = "there is no " + kind + " '" + given + "'";
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  if (const std::string_view near = Suggest(given, candidates); !near.empty())
+    text += "; did you mean " + std::string(near) + "?";
+  constexpr std::size_t kMostNamed = 8;
+  const std::size_t more = names.size() > kMostNamed ? names.size() - kMostNamed : 0;
+  names.resize(names.size() - more);
+  if (more > 0) names.push_back(std::to_string(more) + " more");
+  if (names.empty()) return text + "; the scenario has no " + kind + "s";
+  if (!text.ends_with('?')) text += '.';
+  return text + (names.size() == 1 ? " The only " + kind + " is " : " The " + kind + "s are ") + tell::Listed(names);
+}
+
 void Actor::End(const Running& command, Outcome::Status status, std::string_view reason, std::string text) {
   Outcome outcome;
   outcome.status = status;
   outcome.tag = command.said.tag;
   outcome.command = command.said.name;
   outcome.reason = reason;
+  if (text.empty()) text = WhichPlaces(command, reason);
   if (const ReasonRow* row = FindReason(reason); row != nullptr && text.empty()) text = row->meaning;
   outcome.text = std::move(text);
   outcomes_.push_back(std::move(outcome));

@@ -181,6 +181,8 @@ class Actor {
 
  private:
   void End(const Running& command, Outcome::Status status, std::string_view reason, std::string text = {});
+  /// Of a command to a place that is not there: what was most likely meant, and which places there are.
+  std::string WhichPlaces(const Running& command, std::string_view reason) const;
   void Die();
   void MoveBody();
   void ShowBearing();

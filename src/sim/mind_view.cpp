@@ -173,6 +173,12 @@ bool MindView::HasFired(const std::string& rule) {
   return !(in >> count) || count > 0;
 }
 
+std::uint64_t MindView::Firings(const std::string& rule) {
+  std::istringstream in(Ask("production firing-counts " + rule));
+  std::uint64_t count = 0;
+  return in >> count ? count : 0;
+}
+
 bool MindView::IsPending(const std::string& rule) {
   for (const std::string& line : Lines(Ask("matches --assertions"))) {
     std::istringstream in(line);

@@ -9,6 +9,7 @@
 #include "sim/directions.h"
 #include "sim/reasons.h"
 #include "sim/senses.h"
+#include "tell/sentences.h"
 
 namespace soarbox::sim {
 namespace {
@@ -450,7 +451,7 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
 void Minds::TellHalt(Mind& mind, const world::Agent& body) {
   if (std::exchange(mind.told_halt, true)) return;
   const std::string why = MindReasons(mind.soar.agent()).WhyHalted();
-  Tell(EventKind::kGap, body, "its program has halted" + (why.empty() ? "" : ": " + why));
+  Tell(EventKind::kGap, body, tell::Say(tell::Situation::kHalted) + (why.empty() ? "" : ": " + why));
 }
 
 /// Tells why a script's mind has no command.
@@ -584,7 +585,10 @@ std::vector<std::string> Minds::Why(std::string_view agent) {
   }
   const std::string command = at->last_said.substr(0, at->last_said.find(' '));
   for (std::string& line : reasons.OperatorTree(command)) lines.push_back(std::move(line));
-  if (actor == nullptr || !actor->IsBusy()) {
+  if (at->soar.Halted()) {
+    const std::string why = reasons.WhyHalted();
+    lines.push_back(tell::Say(tell::Situation::kHalted) + (why.empty() ? "" : ": " + why));
+  } else if (actor == nullptr || !actor->IsBusy()) {
     lines.emplace_back("nothing is under way, because");
     for (std::string& reason : reasons.WhyIdle(KnownAttributes())) lines.push_back("  " + std::move(reason));
   }

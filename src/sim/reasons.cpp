@@ -455,7 +455,11 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
   std::vector<std::string> reasons;
   const std::initializer_list<tell::Slot> op = {{"op", name}, {"state", state}};
   if (pending != nullptr) {
-    reasons.push_back(Say(Situation::kNotFiredYet, {{"op", name}, {"state", state}, {"rule", pending->name}}));
+    const std::uint64_t firings = view_.Firings(pending->name);
+    reasons.push_back(
+        firings > 1 ? Say(Situation::kFiresAgain,
+                          {{"op", name}, {"state", state}, {"rule", pending->name}, {"count", std::to_string(firings)}})
+                    : Say(Situation::kNotFiredYet, {{"op", name}, {"state", state}, {"rule", pending->name}}));
   } else if (applied_by != nullptr) {
     reasons.push_back(
         Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", name}, {"rule", applied_by->name}}));

@@ -25,7 +25,9 @@ using mind::Stage;
 constexpr std::size_t kMostReasons = 4;  ///< That one sentence names.
 
 std::string Maker(const Decision::Preference& preference) {
-  return preference.rule.empty() ? "the architecture" : "rule " + preference.rule;
+  if (preference.rule.empty() || preference.rule == "[architecture]") return "the architecture";
+  if (preference.rule == "[excised]") return "a rule that has been excised";
+  return "rule " + preference.rule;
 }
 
 /// Who a better or worse preference puts above and below.
@@ -126,6 +128,13 @@ class Teller {
     return {};
   }
 
+  /// Without what a clause says of a drop its candidate would lose all the same: to another preference that suffices,
+  /// or at a later stage.
+  bool WouldStillLose(const Decision::Drop& drop, const std::string& clause) const {
+    return drop.decisive == Decisive::kNo ||
+           std::ranges::any_of(By(drop), [&](std::uint32_t place) { return Clause(At(place)) != clause; });
+  }
+
   /// Each reason once, the first few.
   std::vector<std::string> Reasons() const {
     std::vector<std::string> reasons;
@@ -139,7 +148,7 @@ class Teller {
         const Decision::Preference* p = Telling(drop);
         if (p == nullptr) continue;
         reason = Clause(*p);
-        if (drop.decisive == Decisive::kNo)
+        if (WouldStillLose(drop, reason))
           reason += " " + Say(Situation::kWouldStillLose, {{"op", OperatorText(decision_, drop.op)}});
       } else {
         told.insert(other);
@@ -184,9 +193,9 @@ const Decision::Preference* FirstOf(const Decision& decision, PreferenceKind kin
   return nullptr;
 }
 
-std::string Joined(const std::vector<std::string>& parts) {
+std::string Joined(const std::vector<std::string>& parts, std::string_view between = "; ") {
   std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  for (const std::string& part : parts) text.append(text.empty() ? "" : between).append(part);
   return text;
 }
 
@@ -222,13 +231,23 @@ std::string WhySelected(const mind::Decision& decision) {
   if (decision.selected == Decision::kNoOperator) return {};
   if (decision.is_forced) return Say(Situation::kForced);
   const Teller teller(decision, decision.selected);
-  if (const Decision::Preference* require = FirstOf(decision, PreferenceKind::kRequire, decision.selected))
-    return teller.Clause(*require);
+  const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
+  if (const Decision::Preference* require = FirstOf(decision, PreferenceKind::kRequire, decision.selected)) {
+    std::string clause = teller.Clause(*require);
+    // Without it the only one proposed would have been selected, too.
+    if (decision.drops.empty() && proposal != nullptr)
+      return Say(Situation::kOnlyOneBy, {{"maker", Maker(*proposal)}}) + "; " + clause;
+    std::vector<std::string> parts = {std::move(clause)};
+    for (const Decision::Drop& drop : decision.drops) {
+      if (drop.decisive == Decisive::kNo && parts.size() <= kMostReasons)
+        parts.push_back(Say(Situation::kWouldStillLose, {{"op", OperatorText(decision, drop.op)}}));
+    }
+    return Joined(parts, " ");
+  }
   std::vector<std::string> parts;
   if (std::string choice = teller.Choice(); !choice.empty()) parts.push_back(std::move(choice));
   for (std::string& reason : teller.Reasons()) parts.push_back(std::move(reason));
   if (!parts.empty()) return Joined(parts);
-  const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
   return proposal == nullptr ? Say(Situation::kOnlyOne) : Say(Situation::kOnlyOneBy, {{"maker", Maker(*proposal)}});
 }
 
@@ -291,7 +310,8 @@ std::string WhyDecided(const mind::Decision& decision) {
   if (decision.selected == Decision::kNoOperator) return WhyNothing(decision);
   std::string text = WhySelected(decision);
   const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
-  const bool is_told = proposal != nullptr && text == Say(Situation::kOnlyOneBy, {{"maker", Maker(*proposal)}});
+  const bool is_told =
+      proposal != nullptr && text.starts_with(Say(Situation::kOnlyOneBy, {{"maker", Maker(*proposal)}}));
   if (proposal != nullptr && !is_told) text += "; " + Say(Situation::kProposedBy, {{"maker", Maker(*proposal)}});
   return text;
 }

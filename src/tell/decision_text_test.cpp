@@ -121,7 +121,30 @@ TEST(DecisionText, SeveralThatEachSuffice) {
                           .Left(kA)
                           .Select(kA);
   EXPECT_EQ(WhyDropped(facts.decision, kB), "rule r2 rejects it, rule r3 rejects it and rule r4 prohibits it");
-  EXPECT_EQ(WhySelected(facts.decision), "rule r4 prohibits b (O2)");
+  EXPECT_EQ(WhySelected(facts.decision), "rule r4 prohibits b (O2) (without that b (O2) would still lose)");
+}
+
+TEST(DecisionText, AReasonWithoutWhichTheSameWouldBeSelectedSaysSo) {
+  EXPECT_EQ(WhySelected(Facts(1).Prefer(kRequire, kA).Left(kA).Select(kA).decision),
+            "the only operator proposed, by rule r0; rule r1 requires it");
+  EXPECT_EQ(WhySelected(Facts(2)
+                            .Prefer(kRequire, kA)
+                            .Prefer(kBetter, kA, kB)
+                            .Drop(kB, Stage::kRequire, {2}, Decisive::kNo)
+                            .Left(kA)
+                            .Select(kA)
+                            .decision),
+            "rule r2 requires it (without that b (O2) would still lose)");
+  EXPECT_EQ(WhyNothing(Facts(1).Prefer(kReject, kA).Prefer(kReject, kA).Drop(kA, Stage::kReject, {1, 2}).decision),
+            "the only operator proposed was dropped: rule r1 rejects a (O1) (without that a (O1) would still lose)");
+}
+
+TEST(DecisionText, RulesThatAreNoLongerThereAreNotNamed) {
+  Facts facts = Facts(2).Prefer(kReject, kB).Drop(kB, Stage::kReject, {2}).Left(kA).Select(kA);
+  facts.decision.preferences[2].rule = "[excised]";
+  EXPECT_EQ(WhySelected(facts.decision), "a rule that has been excised rejects b (O2)");
+  facts.decision.preferences[2].rule = "[architecture]";
+  EXPECT_EQ(WhySelected(facts.decision), "the architecture rejects b (O2)");
 }
 
 TEST(DecisionText, AChoiceByChance) {

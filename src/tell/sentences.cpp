@@ -151,12 +151,24 @@ constexpr std::array kSentences = {
     Sentence{kHaltedBy, "the program halted itself", "rule {rule} calls (halt)"},
     Sentence{kHaltedByOneOf, "the program halted itself, several rules have called it",
              "one of the rules {rules} calls (halt)"},
+    Sentence{kHalted, "the program has halted", "its program has halted"},
+
+    Sentence{
+        kFiresAgain, "elaboration loop",
+        "operator {op} is selected in {state}, and rule {rule}, which applies it, has fired {count} times and matches "
+        "again: each firing makes it match anew, until max-elaborations ends the phase"},
+    Sentence{kIsTied, "one of the operators of a tie", "tied with the others that are left"},
+    Sentence{kIsContradicted, "one of the operators of a constraint failure",
+             "its require and prohibit preferences contradict each other, or another operator is required, too"},
+    Sentence{kCouldWin, "one of several indifferent operators", "could win"},
+    Sentence{kNoChance, "one of several indifferent operators whose value gives it no chance",
+             "left, but its value gives it no chance"},
 };
 
 constexpr bool IsInOrder() {
   for (std::size_t i = 0; i < kSentences.size(); ++i)
     if (static_cast<std::size_t>(kSentences[i].situation) != i) return false;
-  return kSentences.size() == static_cast<std::size_t>(kHaltedByOneOf) + 1;
+  return kSentences.size() == static_cast<std::size_t>(kNoChance) + 1;
 }
 static_assert(IsInOrder());
 

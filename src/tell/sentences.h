@@ -113,6 +113,13 @@ enum class Situation : std::uint8_t {
   kSaidByOneOf,
   kHaltedBy,
   kHaltedByOneOf,
+  kHalted,
+  // More of operators.
+  kFiresAgain,
+  kIsTied,
+  kIsContradicted,
+  kCouldWin,
+  kNoChance,
 };
 
 /// A row of the table. {slots} stand for facts.

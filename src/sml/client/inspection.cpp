@@ -271,7 +271,10 @@ class LocalInspection final : public MindInspection {
   InspectedMaker MakerOf(const Preference& preference) {
     InspectedMaker maker;
     maker.rule = agent_.ProductionName(preference.instantiation);
-    if (maker.rule.empty()) maker.kind = InspectedMaker::Kind::kArchitecture;
+    if (maker.rule.empty() || maker.rule == "[architecture]") {
+      maker.kind = InspectedMaker::Kind::kArchitecture;
+      maker.rule.clear();
+    }
     maker.o_supported = preference.o_supported;
     maker.level = preference.level;
     for (const WmeId wme : agent_.MatchedWmes(preference.instantiation))
