@@ -184,9 +184,9 @@ void Desk::LookForChange(const record::TickRecord& tick) {
   } else if (now.impasse != awaited_.impasse) {
     change = now.impasse.empty() ? "out of the impasse " + awaited_.impasse : "impasse " + now.impasse;
   } else if (mind != nullptr && !mind->commands.empty()) {
-    change = "said " + mind->commands.back();
+    change = "gave " + mind->commands.back();
   } else if (now.operators != awaited_.operators) {
-    change = now.operators.empty() ? "no operator any more" : "now " + now.operators;
+    change = now.operators.empty() ? "no operator is left" : "now " + now.operators;
   } else if (tick.tick > awaited_.since_tick + kLongest_ticks) {
     change = "nothing has changed for two minutes";
   }

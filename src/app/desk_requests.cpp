@@ -112,7 +112,7 @@ struct Desk::Visitor {
     if (request.what == What::kGrade) {
       const bool is_unsaved =
           std::ranges::any_of(desk.open_files_, [](const auto& named) { return named.second.edit.is_unsaved(); });
-      if (is_unsaved) viewer.Tell("What is graded is what you saved: Save in Edit comes first");
+      if (is_unsaved) viewer.Tell("Only saved rules are graded: press Save in Edit first");
       if (const Result<void> begun = desk.lesson_->Grade(); !begun) desk.NoteProblem(begun.error(), {});
       return;
     }

@@ -45,7 +45,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "or a name that `soarbox list` shows")
       ->capture_default_str();
   run->add_flag("--headless", options.headless,
-                "Without a window; lasts as long as the scenario says, else 60 simulated seconds");
+                "Run without a window, for as long as the scenario says, else for 60 simulated seconds");
   run->add_option("--seconds", options.seconds, "End after this many simulated seconds")
       ->check(NumberIn(0, kLongest_s));
   run->add_option("--seed", options.seed,
@@ -60,11 +60,11 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->capture_default_str()
       ->check(NumberIn(0, kLongest_s));
   run->add_option("--detail", options.detail,
-                  "Of the picture: low, full, or auto, which is low without a graphics card")
+                  "Detail of the picture: low, full, or auto, which is low without a graphics card")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "low", "full"}));
   run->add_option("--render-scale", options.render_scale,
-                  "Draw the scene in this share of the picture's width and height, 0.5 to 1, and bring it up to it; "
+                  "Draw the scene with this share of the picture's width and height, 0.5 to 1, and enlarge it; "
                   "texts stay sharp (default: 1 with a graphics card, else what 30 pictures per second allow)")
       ->check(NumberIn(0.5, 1.0));
   run->add_option(
@@ -81,7 +81,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(75, 200));
   run->add_option("--ui-script", options.ui_script,
-                  "Play a user of the window from this file, then end (see docs/window.md)");
+                  "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
   run->add_option("--width", options.width_px, "Width of the window in pixels")
       ->capture_default_str()
       ->check(NumberIn(160, 7680));
@@ -90,31 +90,33 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(120, 4320));
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
-  run->add_option("--report", options.report_s, "Print where all agents are, every this many simulated seconds")
+  run->add_option("--report", options.report_s,
+                  "Print the positions of all agents each time so many simulated seconds have passed")
       ->check(NumberIn(0.001, kLongest_s));
   run->add_option("--threads", options.threads,
                   "Threads on which the Soar minds decide; 0: one per core. The run is the same with any number")
       ->capture_default_str()
       ->check(NumberIn(0, 64));
   run->add_option("--memory", options.memory_mb,
-                  "MB that the world may take, its scripts, minds and bodies together; the largest is stopped then")
+                  "MB that the world may use, scripts, minds and bodies together; above it, the largest mind is halted")
       ->capture_default_str()
       ->check(NumberIn(64, 1'000'000));
   run->add_option("--input", options.input,
                   "Read inputs (keys, pointer, commands) with their ticks from this text file (see docs/command.md)");
   run->add_flag("--watch", options.watch,
-                "Let edits of rules and scripts reach the running world (a window always does)");
+                "Reload edited rules and scripts into the running world (a window always does)");
   run->add_option("--port", options.port, "Let Soar debuggers on this machine attach at this TCP port; 0: none")
       ->check(NumberIn(0, 65535));
   CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
-  run->add_flag("--no-record", options.no_record, "No recording; without this a run in a window is recorded")
+  run->add_flag("--no-record", options.no_record, "Do not record; otherwise a run in a window is recorded")
       ->excludes(record);
-  run->add_option("--record-level", options.record_level, "How much: world, decisions or all")->capture_default_str();
+  run->add_option("--record-level", options.record_level, "How much to record: world, decisions or all")
+      ->capture_default_str();
   run->add_option("--record-limit", options.record_limit_mb,
-                  "Megabytes; at this size the older half of the recording is dropped")
+                  "Megabytes at which the older half of the recording is dropped")
       ->check(NumberIn(1.0, 1e6));
   run->add_option("--kernel", options.kernel,
-                  "HOST:PORT of a Soar kernel in another process to use instead of our own");
+                  "HOST:PORT of a Soar kernel in another process, to use instead of Soarbox's own");
   run->add_option("--kernel-limit", options.kernel_limit_s,
                   "Seconds without an answer after which this kernel counts as gone")
       ->capture_default_str()
@@ -136,7 +138,7 @@ void AddLooks(CLI::App& program, soarbox::app::CheckOptions& check, soarbox::app
   reasons->add_option("scenario", why.scenario, "As for `soarbox run`, or a recording")->required();
   reasons->add_option("topic", why.topic,
                       "A command, an operator or a rule of the agent: explain why it happens, or does not");
-  reasons->add_flag("--json", why.json, "The answer as JSON, with what stands below what");
+  reasons->add_flag("--json", why.json, "Print the answer as JSON, as a tree");
   reasons->add_option("--agent", why.agent, "The agent's name (default: the first one with a mind)");
   reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
   reasons->add_option("--seed", why.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
@@ -154,7 +156,8 @@ void AddInspect(CLI::App& program, soarbox::app::InspectOptions& options) {
       ->check(NumberIn(0.0, 36000.0));
   inspect->add_option("--until", options.until,
                       "Stop sooner: fire RULE, match RULE, element PATTERN, impasse KIND or command NAME");
-  inspect->add_option("--kernel", options.kernel, "As for `soarbox run`: what only our own kernel can say is left out");
+  inspect->add_option("--kernel", options.kernel,
+                      "As for `soarbox run`; facts that only Soarbox's own kernel reports are missing");
   inspect->add_flag("--json", options.json, "Print it as JSON");
   inspect->add_option("--seed", options.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
   inspect->add_option("--path", options.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
@@ -171,31 +174,32 @@ void AddTest(CLI::App& program, soarbox::app::TestOptions& options) {
   test->add_option("--junit", options.junit, "Write the results to this file for continuous integration");
   test->add_flag("--json", options.json, "One line of JSON per run, then one per mission");
   test->add_flag("--watch", options.watch, "Test again whenever a file is saved");
-  test->add_flag("--empty", options.empty, "With minds that have no rules: a mission that passes so tests nothing");
+  test->add_flag("--empty", options.empty,
+                 "Use minds that have no rules: a mission that passes like this tests nothing");
   CLI::Option* keep = test->add_option("--keep", options.keep, "Keep recordings of runs that fail in this folder");
-  test->add_flag("--no-keep", options.no_keep, "Keep none")->excludes(keep);
+  test->add_flag("--no-keep", options.no_keep, "Keep no recordings")->excludes(keep);
 }
 
 void AddSweep(CLI::App& program, soarbox::app::SweepOptions& options) {
-  CLI::App* sweep =
-      program.add_subcommand("sweep", "Run seeds times variants of a scenario into a table, on all cores or on Slurm");
+  CLI::App* sweep = program.add_subcommand(
+      "sweep", "Run each variant of a scenario with each seed and make a table, on all cores or on Slurm");
   sweep->add_option("spec", options.spec, "What to run (docs/sweeps.md)")->required();
   sweep->add_option("--folder", options.folder,
                     "Where rows, tables and variants go (default: the spec's name with .sweep)");
   sweep->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
       ->capture_default_str()
       ->check(NumberIn(0, 1000));
-  sweep->add_option("--on", options.on, "here, or slurm: as a job array")
+  sweep->add_option("--on", options.on, "Where to run: here, or slurm (as a job array)")
       ->capture_default_str()
       ->check(CLI::IsMember({"here", "slurm"}));
   sweep->add_option("--tasks", options.tasks, "Tasks of the job array")
       ->capture_default_str()
       ->check(NumberIn(1, 100000));
-  sweep->add_option("--task", options.task, "Make only this part of the runs, 0 to tasks - 1; without tables")
+  sweep->add_option("--task", options.task, "Make only this part of the runs, 0 to tasks - 1, and no tables")
       ->check(NumberIn(0, 100000));
-  sweep->add_option("--partition", options.partition, "As sbatch takes it");
-  sweep->add_option("--account", options.account, "As sbatch takes it");
-  sweep->add_option("--time", options.time, "As sbatch takes it");
+  sweep->add_option("--partition", options.partition, "Passed on to sbatch");
+  sweep->add_option("--account", options.account, "Passed on to sbatch");
+  sweep->add_option("--time", options.time, "Passed on to sbatch");
   sweep->add_flag("--cancel", options.cancel, "End the sweep's job on Slurm");
   sweep->add_flag("--mix", options.mix, "Continue with rows that another build of the program made");
 }
@@ -204,18 +208,19 @@ void AddReport(CLI::App& program, soarbox::app::ReportOptions& options) {
   CLI::App* report =
       program.add_subcommand("report", "Write one page about a recording or a sweep, to send to somebody");
   report->add_option("source", options.source, "A recording, a folder of recordings, a sweep")->required();
-  report->add_option("-o,--output", options.output, "The page")->capture_default_str();
+  report->add_option("-o,--output", options.output, "Write the page to this file")->capture_default_str();
 }
 
 void AddLearn(CLI::App& program, soarbox::app::LearnOptions& options) {
   CLI::App* learn = program.add_subcommand("learn", "Lessons that grade what you write");
   learn->add_option(
       "words", options.words,
-      "Nothing: the list; a lesson's number, or next: begin it; check N, hint N, reset N; test: try all lessons");
+      "Nothing to list the lessons; N or next to begin one; check N, hint N, reset N; test to try all lessons");
   learn->add_option("--folder", options.folder, "Where your files are (default: ~/soarbox-lessons)");
-  learn->add_option("--from", options.from, "Lessons of this folder instead of the program's")
+  learn
+      ->add_option("--from", options.from, "Use the lessons in this folder instead of those that come with the program")
       ->check(CLI::ExistingDirectory);
-  learn->add_flag("--json", options.json, "The list as lines of JSON");
+  learn->add_flag("--json", options.json, "Print the list as lines of JSON");
   learn->add_flag("--headless", options.headless, "Do not open the window");
   RunOptions& window = options.window;
   learn->add_option("--detail", window.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
@@ -227,7 +232,7 @@ void AddLearn(CLI::App& program, soarbox::app::LearnOptions& options) {
       ->check(NumberIn(120, 4320));
   learn->add_option("--port", window.port, "As for `soarbox run`")->check(NumberIn(0, 65535));
   learn->add_flag("--no-record", window.no_record, "As for `soarbox run`");
-  learn->add_option("--ui-script", window.ui_script, "Play the user of the window from this file, then end");
+  learn->add_option("--ui-script", window.ui_script, "Play the mouse and keyboard events in this file, then end");
 }
 
 void AddNew(CLI::App& program, soarbox::app::NewOptions& options) {
@@ -271,7 +276,7 @@ void AddRange(CLI::App& command, RecordingOptions& options) {
 }
 
 void AddThreads(CLI::App& command, RecordingOptions& options) {
-  command.add_option("--threads", options.threads, "How many threads the minds decide on; 0: one per core")
+  command.add_option("--threads", options.threads, "Threads on which the minds decide; 0: one per core")
       ->check(NumberIn(0, 256));
 }
 
@@ -291,7 +296,7 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   replay->add_option("--width", options.width_px, "As for `soarbox run` (default: as in the recorded window)")
       ->check(NumberIn(160, 7680));
   replay->add_option("--height", options.height_px, "As for --width")->check(NumberIn(120, 4320));
-  replay->add_option("--ui-script", options.ui_script, "Play the user of the window from this file, then end");
+  replay->add_option("--ui-script", options.ui_script, "Play the mouse and keyboard events in this file, then end");
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
   AddRecordingFile(*verify, options);
   AddThreads(*verify, options);
@@ -300,19 +305,23 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::App* export_data = program.add_subcommand("export", "Write a recording as a table or as JSON");
   AddRecordingFile(*export_data, options);
   AddRange(*export_data, options);
-  CLI::Option* csv = export_data->add_flag("--csv", options.csv, "A row for each agent and tick (the default)");
-  export_data->add_flag("--json", options.json, "Everything, a line per tick")->excludes(csv);
+  CLI::Option* csv = export_data->add_flag("--csv", options.csv, "Write a row for each agent and tick (the default)");
+  export_data->add_flag("--json", options.json, "Write everything, one line per tick")->excludes(csv);
   CLI::Option* output = export_data->add_option("-o,--output", options.output, "Write to this file");
-  export_data->add_flag("--recording", options.as_recording, "The part from --from to --to as a recording of its own")
+  export_data
+      ->add_flag("--recording", options.as_recording, "Write the part from --from to --to as a recording of its own")
       ->excludes(csv)
       ->needs(output);
   CLI::App* resume =
       program.add_subcommand("resume", "Go back to a moment of a recording and continue live from there");
   AddRecordingFile(*resume, options);
   AddThreads(*resume, options);
-  resume->add_option("--at", options.at_s, "The simulated second")->required()->check(NumberIn(0, kLongest_s));
-  resume->add_option("--rules", options.rules, "Rules that replace those of the same names (may be repeated)");
-  resume->add_option("--agent", options.agents, "Only this agent's rules (may be repeated)");
+  resume->add_option("--at", options.at_s, "Continue from this simulated second")
+      ->required()
+      ->check(NumberIn(0, kLongest_s));
+  resume->add_option("--rules", options.rules,
+                     "Replace rules by those of the same names in this file (may be repeated)");
+  resume->add_option("--agent", options.agents, "Replace only this agent's rules (may be repeated)");
   resume->add_option("--seconds", options.seconds, "Continue for this long (default: as long as the recording)")
       ->check(NumberIn(0, kLongest_s));
   resume->add_option("--record", options.output, "Record the new future, whole, to this file");
@@ -441,9 +450,9 @@ int Main(int argc, char** argv) {
 /// What a world that is out of memory ends with, on whatever thread it was. What is on disk of a recording stays.
 void TellNoMemory() {
   static const char kText[] =
-      "soarbox: error: there is no memory left for this\n"
-      "   note: the system gave less than the world may take (--memory, 2048 MB unless you say otherwise); a recording "
-      "holds what happened up to here\n";
+      "soarbox: error: out of memory\n"
+      "   note: the system has less memory than the world may use (--memory, by default 2048 MB); a recording "
+      "contains what happened up to here\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
 }
 

@@ -170,7 +170,7 @@ int Compare(const RecordingOptions& options) {
     if (comparison->percepts.empty()) {
       std::cout << "  it perceived the same in both: its rules or its memory differ\n";
     } else {
-      std::cout << "  it perceived otherwise (A, B):\n";
+      std::cout << "  it perceived something else (A, B):\n";
       for (const std::string& line : comparison->percepts) std::cout << "    " << line << '\n';
     }
   }

@@ -58,7 +58,7 @@ std::string StepDecision(RunSession& session, const std::string& agent) {
     told += "one decision, no operator";
   else
     told += now == before ? "one decision, still " + now : "decided " + now;
-  if (const std::string said = SaidIn(after, agent); !said.empty() && said != said_before) told += ", said " + said;
+  if (const std::string said = SaidIn(after, agent); !said.empty() && said != said_before) told += ", gave " + said;
   return told;
 }
 
@@ -83,7 +83,7 @@ void StepMind(RunControl& control, RunSession& session, viewer::Viewer& viewer, 
   std::string next;
   if (const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(name)) next = mind->Mind().phase;
   viewer.Tell(name + ": one phase" + (next.empty() ? "" : ", next is " + next) +
-              "; the world stands still and takes its commands in the next tick");
+              "; the world is paused and takes its commands in the next tick");
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ std::optional<RuleCrowd> FindCrowd(const Production& rule) {
 
 std::string AdviceFor(const Production& rule, const RuleCrowd& crowd, const SymbolTable& symbols) {
   const std::string attribute = ToString(symbols, crowd.attribute);
-  std::string text = "test what tells each ^" + attribute + " apart right behind it, in this order:";
+  std::string text = "test what distinguishes each ^" + attribute + " directly after it, in this order:";
   for (const std::size_t n : crowd.way) {
     text += ' ';
     kernel::AppendCondition(text, symbols, rule.conditions[n]);
@@ -155,7 +155,7 @@ std::vector<Diagnostic> FindRuleCrowds(std::span<const Production* const> rules,
     warning.line = rule->line;
     warning.column = rule->column;
     warning.message = std::string(rule->name) + " tests ^" + ToString(symbols, crowd->attribute) + " " +
-                      std::to_string(crowd->values) + " times before it tells the values apart: with " +
+                      std::to_string(crowd->values) + " times before it distinguishes the values: with " +
                       std::to_string(crowd->values) + " values it holds " +
                       std::to_string(std::llround(crowd->PartialMatches())) + " partial matches";
     warning.hint = AdviceFor(*rule, *crowd, symbols);

@@ -69,7 +69,7 @@ LearningView LookAtLearning(sim::Inspector& mind, std::string_view text, const L
   if (source == nullptr) {
     if (log != nullptr && !log->empty()) {
       LookAtLog(*log, until, text, view);
-      view.note = "As recorded. What rules are good for comes once this moment is simulated again.";
+      view.note = "As recorded. What the rules do appears once this moment is simulated again.";
     } else {
       view.note = "what it has learned: " + std::string(Absence(mind));
     }

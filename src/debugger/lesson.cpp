@@ -70,7 +70,7 @@ class FiringTeller {
     }
     for (const TripleFact& condition : firing.conditions) {
       if (condition.negated) {
-        node.below.push_back({"required that there is no " + condition.id, "reason", "", {}});
+        node.below.push_back({"required no " + condition.id, "reason", "", {}});
         continue;
       }
       const std::string met = condition.met.empty() ? TripleText(condition) : "(" + condition.met + ")";
@@ -207,7 +207,7 @@ std::optional<WhyNode> WhyLearned(sim::Inspector& mind, std::string_view rule) {
     WhyNode root{known.name + ": a learned rule", "learned", known.name, {}};
     root.below.push_back({mind.TellsAll() ? "how it was learned is not known: it was loaded, or learned before anybody "
                                             "watched, or more than 1,000 rules ago"
-                                          : "how it was learned: not told by this kernel",
+                                          : "how it was learned: this kernel does not report it",
                           "reason",
                           "",
                           {}});

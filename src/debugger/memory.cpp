@@ -158,7 +158,7 @@ std::optional<ElementStory> LookAtElement(sim::Inspector& mind, std::uint64_t ti
   story.element = *element;
   story.makers = mind.MakersOf(timetag);
   story.testers = mind.TestersOf(timetag);
-  if (!mind.TellsAll()) story.note = "who made it and who tests it: " + std::string(Absence(mind));
+  if (!mind.TellsAll()) story.note = "which rule made it and which rules test it: " + std::string(Absence(mind));
   return story;
 }
 

@@ -106,12 +106,12 @@ TEST(Operators, TheDropsOfADecisionStandWithTheirRules) {
 
   decision.has_changed = true;
   EXPECT_EQ(View(facts).sentence,
-            "O1 is selected, and preferences have changed since. By those that stand now: rule tired*stay rejects O2.");
+            "O1 is selected, and preferences have changed since then. By the present ones: rule tired*stay rejects O2.");
   decision.has_changed = false;
   facts.selected = "O2";
   decision.selected = 1;
   EXPECT_EQ(View(facts).sentence,
-            "O2 is selected, but by now rule tired*stay rejects it: it goes at the next decision.");
+            "O2 is selected, but now rule tired*stay rejects it, so the next decision will drop it.");
   facts.selected.clear();
   decision.selected = mind::Decision::kNoOperator;
   EXPECT_EQ(View(facts).sentence, "O1 would be selected at the next decision: rule tired*stay rejects O2.");

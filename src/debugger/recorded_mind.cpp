@@ -368,7 +368,7 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
   WhyNode root{std::string(agent) + ", as it was recorded", "agent", std::string(agent), {}};
   WhyNode* below = &root;
   if (mind.commands.empty()) {
-    root.below.push_back({"has said no command", "command", "", {}});
+    root.below.push_back({"has given no command", "command", "", {}});
   } else {
     const RecordedMind::Command& command = mind.commands.front();
     std::string text = "command " + command.name;

@@ -137,7 +137,7 @@ WhyNode WhyElement(sim::Inspector& mind, std::uint64_t timetag) {
   const std::optional<sim::ElementFact> element = mind.Element(timetag);
   if (!element) return {"there is no element " + std::to_string(timetag) + " now", "reason", "", {}};
   WhyNode node = Tracer(mind).Element(*element, kDepth);
-  if (!mind.TellsAll()) node.below.push_back({"who made it: " + std::string(Absence(mind)), "reason", "", {}});
+  if (!mind.TellsAll()) node.below.push_back({"which rule made it: " + std::string(Absence(mind)), "reason", "", {}});
   return node;
 }
 
@@ -163,7 +163,8 @@ std::optional<WhyNode> WhyCommand(sim::Inspector& mind, std::string_view command
     WhyNode node{CommandText(row), "command", row.name, {}};
     if (const std::optional<sim::ElementFact> element = mind.Element(row.timetag)) {
       node.below = Tracer(mind).Element(*element, kDepth).below;
-      if (!mind.TellsAll()) node.below.push_back({"who said it: " + std::string(Absence(mind)), "reason", "", {}});
+      if (!mind.TellsAll())
+        node.below.push_back({"which rule gave it: " + std::string(Absence(mind)), "reason", "", {}});
     }
     return node;
   }
@@ -203,7 +204,7 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
   const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent);
   for (WhyNode& node : told.below) {
     // The operators stand below the command that they led to; our own kernel tells more of them.
-    if (mind != nullptr && mind->TellsAll() && (node.kind == "command" || node.text == "has said no command")) {
+    if (mind != nullptr && mind->TellsAll() && (node.kind == "command" || node.text == "has given no command")) {
       node.below.clear();
       if (node.kind == "command") {
         const std::string rest = node.text.substr(std::string_view("command ").size());

@@ -230,7 +230,7 @@ TEST(Evaluator, AgreesWithAJudgeThatKeepsEveryTick) {
 TEST(ReadMission, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\nat = \"g\"\nopreator = \"go\"\n"), "5: a check has no 'opreator'");
   EXPECT_EQ(ProblemOf("[[check]]\nat = \"gate\"\n"), "2: this check does not name the agent, team or item it is about");
-  EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\n"), "2: this check says nothing of what must hold");
+  EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\n"), "2: this check does not say what must be true");
   EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\nhealth = 3\nby = 4\n"), "4: 'health' takes bounds");
   EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\nhealth = { min = 3 }\n"), "2: 'health' does not say when");
   EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\nat = \"g\"\nby = 4\nnever = true\n"), "5: 'never' has no 'by'");

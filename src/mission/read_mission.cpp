@@ -252,7 +252,7 @@ class MissionReader {
     const bool of_world = std::all_of(check.conditions.begin(), check.conditions.end(),
                                       [](const Condition& condition) { return condition.row->of_world; });
     if (check.conditions.empty()) {
-      Problem(table, "this check says nothing of what must hold",
+      Problem(table, "this check does not say what must be true",
               "at = \"gate\", operator = \"go\": docs/missions.md lists what there is");
     } else if (!of_world && check.agents.empty() && check.team.empty() && check.item.empty()) {
       Problem(table, "this check does not name the agent, team or item it is about",
@@ -385,7 +385,7 @@ class MissionReader {
     if (never && table.contains("by"))
       Problem(*table.get("by"), "'never' has no 'by'", "write to = SECONDS for how long it must not");
     if (check.for_s && check.mode != Mode::kComesTrue) Problem(*table.get("for"), "'for' is for what comes true");
-    if (whenever && !check.within_s) Problem(table, "'whenever' wants 'within'", "write within = SECONDS");
+    if (whenever && !check.within_s) Problem(table, "'whenever' requires 'within'", "write within = SECONDS");
     if (check.within_s && !whenever && !table.contains("after"))
       Problem(*table.get("within"), "'within' counts from 'after': write which check it follows");
     if (table.contains("until") && !always && !never)

@@ -122,11 +122,11 @@ std::string Infinitive(const Condition& condition) {
         return "get " + condition.status + (condition.reason.empty() ? "" : " " + condition.reason) + " for " + words +
                WithText(condition);
       }
-      return "say " + words + WithText(condition);
+      return "give " + words + WithText(condition);
     case Key::kAnswered:
       return "leave " + BoundsText(condition.bounds, "") + " answered commands on the output link";
     case Key::kRepeats:
-      return "say a command that is under way again " + BoundsText(condition.bounds, " times");
+      return "repeat a command that is still being carried out " + BoundsText(condition.bounds, " times");
     case Key::kDecisions:
       return "take " + BoundsText(condition.bounds, " decisions");
     case Key::kFirings:
@@ -150,7 +150,7 @@ std::string Infinitive(const Condition& condition) {
     case Key::kReward:
       return "collect a reward of " + BoundsText(condition.bounds, "");
     case Key::kUpdates:
-      return "learn its numbers anew " + BoundsText(condition.bounds, " times");
+      return "update its numbers " + BoundsText(condition.bounds, " times");
     case Key::kRetrieval:
       return "get " + (condition.status.empty() ? std::string("an answer") : "the answer " + condition.status) +
              " from " + (words == "any" ? std::string("a") : "its " + words) + " memory";

@@ -87,7 +87,7 @@ TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
     }
     ++forced;
     EXPECT_EQ(decided.decisions[0].find("O: " + id + " "), 0u) << decided.decisions[0];
-    EXPECT_EQ(decided.reasons[0], "the command decide select had settled it; proposed by rule scout*either");
+    EXPECT_EQ(decided.reasons[0], "the command decide select had selected it; proposed by rule scout*either");
   }
   EXPECT_EQ(forced, 1);
 }

@@ -60,7 +60,7 @@ Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const R
     }
     scenario = ScenarioFromKeptFiles(header, data);
     if (!scenario) return scenario.error();
-    warnings.push_back(Warning(recording, "the scenario of this recording is there no more",
+    warnings.push_back(Warning(recording, "the scenario of this recording is no longer there",
                                "the run is made from the files that the recording keeps"));
   }
   sim::SimulationSettings settings;

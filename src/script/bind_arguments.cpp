@@ -156,7 +156,7 @@ void ChargeForCreation(lua_State* state, Made made) {
 
 void CheckRoom(lua_State* state, std::size_t count, std::size_t most, const char* things) {
   if (count < most) return;
-  luaL_error(state, "this world has %d %s already: no more are made", static_cast<int>(count), things);
+  luaL_error(state, "this world already has %d %s: no more can be made", static_cast<int>(count), things);
 }
 
 void PushPoint(lua_State* state, float x, float y) {

@@ -17,7 +17,7 @@ int MakeNode(lua_State* state, Create create, Made made = Made::kNode) {
   if (parent == world::NodeId::kNone) return 0;
   ChargeForCreation(state, made);
   if (ContextOf(state).world.scene().Depth(parent) >= world::Scene::kDeepest)
-    return luaL_error(state, "scene nodes hang %d deep below each other: no more are hung below this one",
+    return luaL_error(state, "scene nodes are nested %d deep: no more can be attached below this one",
                       world::Scene::kDeepest);
   const world::NodeId node = create(ContextOf(state).world.scene(), parent);
   if (node == world::NodeId::kNone) {

@@ -12,7 +12,7 @@ namespace {
 
 /// Apart, so that no text is alive when the error is raised.
 int RaiseFull(lua_State* state) {
-  return luaL_error(state, "the waiting events of this world hold %d MB already: no more are taken",
+  return luaL_error(state, "the waiting events of this world already hold %d MB: no more are accepted",
                     static_cast<int>(ContextOf(state).budget.limits().event_bytes >> 20));
 }
 

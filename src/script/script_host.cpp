@@ -254,7 +254,7 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
     if (const auto source = path_.Load(request.script); !source.ok()) return source.error();
   }
   if (agents_.size() >= settings_.max_agents) {
-    refusal.message = "there are " + std::to_string(agents_.size()) + " agents already: no more are made";
+    refusal.message = "there are " + std::to_string(agents_.size()) + " agents: no more can be made";
     return refusal;
   }
   CountOthers();

@@ -201,7 +201,7 @@ std::vector<InputValue> ReadLine(LineReader& line, Place& pointer) {
     input.order = line.Text("an order");
     values.push_back(std::move(input));
   } else if (line.ok()) {
-    line.Fail("'" + kind + "' is nothing that comes in from outside", kForms);
+    line.Fail("'" + kind + "' is not a kind of input", kForms);
   }
   line.End();
   if (!line.ok()) values.clear();

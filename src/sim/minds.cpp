@@ -165,7 +165,7 @@ Result<void> Minds::MakeBody(world::Agent& body, const AgentOptions& options) {
     if (leader == world::kNoEntity) {
       Diagnostic problem;
       problem.message = "the leader of " + body.name() + ", '" + options.leader + "', is not there";
-      problem.hint = "make the leader before those who follow it";
+      problem.hint = "create the leader before the agents that follow it";
       return problem;
     }
     if (leader == body.id()) {
@@ -578,9 +578,9 @@ std::vector<std::string> Minds::Why(std::string_view agent) {
     return lines;
   }
   if (at->last_said.empty()) {
-    lines.emplace_back("has said no command");
+    lines.emplace_back("has given no command");
   } else {
-    std::snprintf(text, sizeof text, ", said at %.2f s: ", at->last_said_s);
+    std::snprintf(text, sizeof text, ", given at %.2f s: ", at->last_said_s);
     lines.push_back("command " + at->last_said + text + (at->last_answer.empty() ? "under way" : at->last_answer));
   }
   const std::string command = at->last_said.substr(0, at->last_said.find(' '));

@@ -104,7 +104,7 @@ TEST_F(Reasons, WhatWaitsForItselfIsCalledACircle) {
 }
 
 TEST_F(Reasons, AnOperatorHasBeenAppliedOnlyIfARuleFiredForIt) {
-  const std::string applied = "operator go has been applied (rule apply*go), which said no command, and stays";
+  const std::string applied = "operator go has been applied (rule apply*go), which gave no command, and stays";
   EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {apply*go (state <s> ^operator.name go) --> (<s> ^gone yes)}"),
               Contains(HasSubstr(applied)));
   // What describes an operator, or only writes, does not apply it.
@@ -133,7 +133,7 @@ TEST_F(Reasons, ARuleThatFailedToParseIsNamedInsteadOfAdvice) {
       Idle("sp {x (state <s> ^superstate nil) --> (<s> ^y 1)}"),
       ElementsAre("no rule proposes an operator: rule propose*go in hero.soar:7 failed to parse: expected -->"));
   EXPECT_THAT(Why("propose*go"), HasSubstr("rule propose*go in hero.soar:7 failed to parse: expected -->"));
-  EXPECT_THAT(Why("dance"), HasSubstr("no rule that loaded says or proposes 'dance'"));
+  EXPECT_THAT(Why("dance"), HasSubstr("no rule that loaded gives or proposes 'dance'"));
   // What it would make is not known: no answer says that nothing makes it.
   const std::vector<std::string> waits =
       Idle("sp {go (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name go)}");

@@ -90,7 +90,7 @@ void MindReasons::TellOperator(const std::string& name, int depth, Tree& tree) {
 void MindReasons::TellCommand(const std::string& command, Tree& tree) {
   for (const RuleText& rule : rules()) {
     if (!rule.says.contains(command)) continue;
-    tree.Add(1, "rule " + rule.name + " says it" + (rule.applies.empty() ? "" : " when it applies an operator"));
+    tree.Add(1, "rule " + rule.name + " gives it" + (rule.applies.empty() ? "" : " when it applies an operator"));
     for (const std::string& name : rule.applies)
       if (!name.empty()) TellOperator(name, 2, tree);
     // What it waits for of an operator is told above.
@@ -119,8 +119,8 @@ Result<std::vector<std::string>> MindReasons::WhyTopic(const std::string& topic,
   if (!tree.lines.empty()) return std::move(tree.lines);
   Diagnostic problem;
   problem.message =
-      failed.empty() ? "no rule says or proposes '" + topic + "', and none is called so"
-                     : "no rule that loaded says or proposes '" + topic + "', and none is called so; " + WhatFailed();
+      failed.empty() ? "no rule gives or proposes '" + topic + "', and no rule has that name"
+                     : "no rule that loaded gives or proposes '" + topic + "', and none has that name; " + WhatFailed();
   const std::string_view near = Suggest(topic, names);
   problem.hint = near.empty() ? "name a command, an operator or a rule" : "did you mean " + std::string(near) + "?";
   return problem;

@@ -64,7 +64,7 @@ class MeaningChecker {
         const std::string_view near = NearestCommand(action.attribute);
         if (near.empty() && !known_.scripts.empty()) continue;  // Scripts may take any command.
         Tell(rule, action.attribute, true,
-             "rule " + rule.name + " says ^" + action.attribute + ", a command that does not exist",
+             "rule " + rule.name + " gives ^" + action.attribute + ", a command that does not exist",
              near.empty() ? "docs/commands.md lists the commands" : "did you mean ^" + std::string(near) + "?");
       } else if (!IsVariable(FirstWord(action.value))) {
         SaidCommand said;
@@ -243,7 +243,7 @@ std::string HowToApply(const std::vector<RuleText>& rules, const std::string& na
   for (const RuleText& rule : rules)
     if (!near.empty() && rule.applies.contains(std::string(near)))
       return "rule " + rule.name + " applies " + std::string(near) + ": did you mean that?";
-  return "write a rule that tests ^operator.name " + name + " and says or changes something";
+  return "write a rule that tests ^operator.name " + name + " and gives a command or changes something";
 }
 
 std::string PlacesOfPercept(const std::string& attribute) {

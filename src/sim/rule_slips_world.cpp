@@ -70,7 +70,7 @@ void FindInputWriters(const RuleText& rule, std::vector<Slip>& slips) {
     if (path == paths.end() || path->second.empty() || path->second.back() != "input-link") continue;
     slips.push_back({rule.name, action.attribute, true,
                      "rule " + rule.name + " writes ^" + action.attribute +
-                         " on the input link, which holds what the world says: no command comes of it",
+                         " on the input link, which is for percepts: this gives no command",
                      "commands go on ^io.output-link, and what the agent remembers goes on its state: (<s> ^" +
                          action.attribute + " ...)"});
     return;

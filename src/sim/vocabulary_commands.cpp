@@ -266,7 +266,7 @@ constexpr ReasonRow kReasons[] = {
     {"out-of-reach", "It is more than 1.5 m away"},
     {"not-an-item", "This thing cannot be picked up"},
     {"not-carried", "The agent carries no thing of this name"},
-    {"no-room", "The world takes no more things"},
+    {"no-room", "The world has no room for more things"},
     {"dead", "The agent's health is used up"},
 };
 

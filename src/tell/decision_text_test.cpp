@@ -156,7 +156,7 @@ TEST(DecisionText, AChoiceByChance) {
   facts.decision.policy = mind::Policy::kLast;
   EXPECT_EQ(WhySelected(facts.decision), "the oldest of 2 indifferent operators");
   facts.decision.is_forced = true;
-  EXPECT_EQ(WhySelected(facts.decision), "the command decide select had settled it");
+  EXPECT_EQ(WhySelected(facts.decision), "the command decide select had selected it");
 }
 
 TEST(DecisionText, ManyReasonsAreCounted) {

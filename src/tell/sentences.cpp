@@ -24,11 +24,11 @@ constexpr std::array kSentences = {
     Sentence{kGivesValue, "numeric preference", "{maker} gives {op} the value {value}"},
     Sentence{kMakesEqual, "binary indifferent preference", "{maker} makes {op} indifferent to {other}"},
 
-    Sentence{kWasSelected, "an operator is selected by the preferences that stand now", "{op} was selected: {why}."},
+    Sentence{kWasSelected, "an operator is selected by the present preferences", "{op} was selected: {why}."},
     Sentence{kOnlyOneBy, "sole candidate", "the only operator proposed, by {maker}"},
     Sentence{kOnlyOne, "sole candidate, its proposal unknown", "the only operator proposed"},
-    Sentence{kProposedBy, "who proposed the operator, in a recording", "proposed by {maker}"},
-    Sentence{kForced, "`decide select` settled it", "the command decide select had settled it"},
+    Sentence{kProposedBy, "which rule proposed the operator, in a recording", "proposed by {maker}"},
+    Sentence{kForced, "`decide select` selected it", "the command decide select had selected it"},
     Sentence{kByChance, "choice among indifferent operators",
              "chosen by chance, with a probability of {chance} %, among {count} indifferent operators"},
     Sentence{kByChanceOfValue, "choice by numeric preferences",
@@ -48,20 +48,20 @@ constexpr std::array kSentences = {
              "without these it would still lose"},
     Sentence{kOneMoreDropped, "one candidate more than a sentence names", "1 more was dropped"},
     Sentence{kMoreDropped, "more candidates than a sentence names", "{count} more were dropped"},
-    Sentence{kAnotherForced, "`decide select` settled another one",
-             "the command decide select had settled another one"},
-    Sentence{kNoLongerProposed, "a selected operator has lost its proposal", "it is proposed no more"},
+    Sentence{kAnotherForced, "`decide select` selected another one",
+             "the command decide select had selected another one"},
+    Sentence{kNoLongerProposed, "a selected operator has lost its proposal", "it is no longer proposed"},
 
     Sentence{kSelectedUnspoken, "a selected operator without preferences",
-             "{op} is selected, and no preference speaks of it any more."},
+             "{op} is selected, but it has no preferences any more."},
     Sentence{kGoesNext, "a selected operator that would not be selected again",
-             "{op} is selected, but by now {why}: it goes at the next decision."},
+             "{op} is selected, but now {why}, so the next decision will drop it."},
     Sentence{kHasChanged, "preferences changed since the decision",
-             "{op} is selected, and preferences have changed since. By those that stand now: {why}."},
+             "{op} is selected, and preferences have changed since then. By the present ones: {why}."},
     Sentence{kOneOfNext, "no operator is selected yet, several could be",
              "one of {count} indifferent operators would be selected at the next decision."},
     Sentence{kNext, "no operator is selected yet, one would be", "{op} would be selected at the next decision: {why}."},
-    Sentence{kIsSelected, "a selected operator, the why not told", "{op} is selected."},
+    Sentence{kIsSelected, "a selected operator, for an unknown reason", "{op} is selected."},
 
     Sentence{kTie, "operator tie", "no preference decides among {operators}"},
     Sentence{kTieAdvice, "operator tie: what to do",
@@ -69,7 +69,7 @@ constexpr std::array kSentences = {
              "rule that says so: (<s> ^operator <better> > <other>)"},
     Sentence{kTieIn, "operator tie, in a report", "operator tie in {state}: {why}"},
     Sentence{kTieAlike, "operator tie among operators of one name", "{count} {name} operators"},
-    Sentence{kIsProposedBy, "who proposes an operator of a tie", "{op} is proposed by rule {rule}"},
+    Sentence{kIsProposedBy, "which rule proposes an operator of a tie", "{op} is proposed by rule {rule}"},
     Sentence{kConflict, "operator conflict", "each of {operators} is worse than another one"},
     Sentence{kConflictIn, "operator conflict, in a report", "operator conflict in {state}: {why}"},
     Sentence{kConstraintFailureIn, "constraint failure, in a report", "constraint failure in {state}: {why}"},
@@ -91,7 +91,7 @@ constexpr std::array kSentences = {
         "is applied once; let the proposal test that something is left to do"},
     Sentence{
         kAppliedSilently, "applied without a command, stays selected",
-        "operator {op} has been applied (rule {rule}), which said no command, and stays selected: its proposal still "
+        "operator {op} has been applied (rule {rule}), which gave no command, and stays selected: its proposal still "
         "lasts, and an operator is applied once; let the proposal test that something is left to do"},
     Sentence{kNotFiredYet, "a rule that applies it matches and has not fired",
              "operator {op} is selected in {state}, and rule {rule}, which applies it, matches but has not fired"},
@@ -135,7 +135,7 @@ constexpr std::array kSentences = {
     Sentence{kRuleProposes, "a rule proposes the operator that a rule waits for", "; rule {rule} proposes {name}"},
     Sentence{kWaitForEachOther, "circular wait", "{attributes} wait for each other: {makers}"},
     Sentence{kWaitForItself, "a rule waits for what only it makes", "^{attribute} waits for itself: {makers}"},
-    Sentence{kOnlyCreates, "who makes what, in a circular wait",
+    Sentence{kOnlyCreates, "which rule makes what, in a circular wait",
              "only rule {rule} creates ^{attribute}, and it tests ^{tested}"},
     Sentence{kUnwritten, "a rule tests what nothing writes",
              "rule {rule} tests ^{attribute}, which no percept and no rule makes"},
@@ -145,9 +145,9 @@ constexpr std::array kSentences = {
     Sentence{kMoreNotLoaded, "more errors than a sentence names", "{count} more did not load"},
     Sentence{kNoRules, "an agent without rules", "it has no rules"},
 
-    Sentence{kSaidBy, "who said a command", "said by rule {rule}"},
-    Sentence{kSaidByOneOf, "several rules that have fired could have said a command",
-             "said by one of the rules {rules}"},
+    Sentence{kSaidBy, "which rule gave a command", "given by rule {rule}"},
+    Sentence{kSaidByOneOf, "several rules that have fired could have given a command",
+             "given by one of the rules {rules}"},
     Sentence{kHaltedBy, "the program halted itself", "rule {rule} calls (halt)"},
     Sentence{kHaltedByOneOf, "the program halted itself, several rules have called it",
              "one of the rules {rules} calls (halt)"},
@@ -209,20 +209,20 @@ std::string Listed(std::span<const std::string> parts) {
 std::string AnswersPage() {
   std::string page =
       "# Answers\n\n"
-      "What Soarbox says of a mind: of each situation its sentence, or its part of one. All of them stand in one "
-      "table\n"
-      "(`src/tell/sentences.cpp`); `soarbox why`, `soarbox inspect`, the panels, reports of agents that do nothing, "
-      "and\n"
-      "recordings take their words from it. What stands between { and } is a fact. A test compares this page with the\n"
+      "What Soarbox says about a mind: for each situation a sentence, or a part of one. `soarbox why`, `soarbox "
+      "inspect`,\n"
+      "the panels, reports of agents that do nothing, and recordings all take their words from this table\n"
+      "(`src/tell/sentences.cpp`). A word between { and } is replaced by a fact. A test compares this page with the\n"
       "table.\n\n"
       "| situation | sentence |\n"
       "| --- | --- |\n";
   for (const Sentence& sentence : kSentences)
     page += "| " + std::string(sentence.when) + " | `" + std::string(sentence.text) + "` |\n";
   return page +
-         "\nWhat a mind cannot know is said to be absent: `not available there` of a kernel that does not tell it, "
-         "and\n"
-         "`not recorded` of a recording.\n";
+         "\nIf a kernel does not report a fact, the answer says `not available there`. If a recording does not hold "
+         "it, "
+         "the\n"
+         "answer says `not recorded`.\n";
 }
 
 }  // namespace soarbox::tell

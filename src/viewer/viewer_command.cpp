@@ -10,15 +10,15 @@ using C = ViewerCommand;
 using G = CommandGroup;
 
 constexpr CommandInfo kInfos[] = {
-    {C::kTogglePause, G::kRun, "", "Pause", "P", "Hold the world, or let it go on"},
+    {C::kTogglePause, G::kRun, "", "Pause", "P", "Pause the world, or let it continue"},
     {C::kSingleStep, G::kRun, "", "Step a tick", "N",
-     "Let the world go on by one tick: all sense, decide, act and move"},
+     "Let the world advance by one tick: all sense, decide, act and move"},
     {C::kStepDecision, G::kRun, "", "Step a decision", "Shift+N",
-     "The selected agent perceives what is new and makes one decision; the world goes on by a tick"},
+     "The selected agent perceives what is new and makes one decision; the world advances by one tick"},
     {C::kStepPhase, G::kRun, "", "Step a phase", "Ctrl+N",
-     "The selected agent alone does one phase of its decision cycle; the world stands still"},
+     "The selected agent alone does one phase of its decision cycle; the world stays paused"},
     {C::kStepChange, G::kRun, "", "Step until something changes", "Ctrl+Shift+N",
-     "The world goes on until the selected agent selects another operator, meets or leaves an impasse, or says a "
+     "The world continues until the selected agent selects another operator, meets or leaves an impasse, or gives a "
      "command"},
     {C::kFaster, G::kRun, "", "Faster", "+", "The next speed up to 16 times real time"},
     {C::kSlower, G::kRun, "", "Slower", "-", "The next speed down to a tenth of real time"},

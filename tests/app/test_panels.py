@@ -379,7 +379,7 @@ class Panels(WindowUser):
                 click "Memory"
                 expect "^superstate"
                 click "^superstate"
-                expect "who made it and who tests it:"
+                expect "which rule made it and which rules test it:"
                 click "Rules"
                 click "Filter by name"
                 type "prefer"

@@ -157,7 +157,7 @@ sp {hero*propose (state <s> ^superstate nil ^io.input-link.self (<s> ^operator <
         self.assertEqual(why.code, 0, why.err)
         self.assertRegex(why.out, r"rule hero\*propose in hero.soar:\d+ failed to parse: .")
         unknown = Run("why", self.folder, "dance", "--agent", "hero", "--at", 1)
-        self.assertIn("no rule that loaded says or proposes 'dance'", unknown.err)
+        self.assertIn("no rule that loaded gives or proposes 'dance'", unknown.err)
 
     def test_do_not_say_that_an_operator_is_not_proposed_if_it_was_prohibited(self):
         reasons = self.gap("""
@@ -209,7 +209,7 @@ class Why(ScenarioCase):
     def test_goes_from_the_command_to_operator_rule_elements_and_percepts(self):
         run = Run("why", self.write("scout.soar", SCOUT), "--agent", "scout", "--at", 2)
         self.assertEqual(run.code, 0, run.err)
-        for piece in ("scout at 2.0", "command move-to ^waypoint", "under way", "said by rule scout*apply*move-to",
+        for piece in ("scout at 2.0", "command move-to ^waypoint", "under way", "given by rule scout*apply*move-to",
                       "operator move-to", "by rule scout*propose*move-to", "^waypoint W", "^path (^status moving"):
             self.assertIn(piece, run.out)
 
@@ -221,7 +221,7 @@ sp {hero*propose*stroll (state <s> ^superstate nil ^io.input-link.self) --> (<s>
 sp {hero*apply*run (state <s> ^operator.name run ^io.output-link <out>) --> (<out> ^flee <c>)}
 sp {hero*apply*stroll (state <s> ^operator.name stroll ^io.output-link <out>) --> (<out> ^wander <c>)}""")
         for topic, tree in (
-            ("flee", ["  rule hero*apply*run says it when it applies an operator",
+            ("flee", ["  rule hero*apply*run gives it when it applies an operator",
                       "    operator run is not proposed now; stroll is selected",
                       "      rule hero*propose*run requires ^danger yes, but there is none now; rule hero*danger makes it",
                       "        rule hero*danger requires ^io.input-link.self.health < 50, but it is 100"]),

@@ -94,7 +94,7 @@ void EpisodicMemory::EnsureOpen() {
   if (opened_) return;
   const Result<void> result = TryOpen();
   opened_ = true;
-  if (!result) engine_.Print("Episodic memory goes on without a file: " + Format(result.error()));
+  if (!result) engine_.Print("Episodic memory continues without a file: " + Format(result.error()));
 }
 
 void EpisodicMemory::SetJournal(std::unique_ptr<Journal> journal) {

@@ -151,7 +151,7 @@ void SemanticMemory::EnsureOpen() {
   if (!opener_) return;
   const Opener opener = std::exchange(opener_, nullptr);
   const Result<void> result = opener(*this);
-  if (!result) engine_.Print("Semantic memory goes on without a file: " + Format(result.error()));
+  if (!result) engine_.Print("Semantic memory continues without a file: " + Format(result.error()));
 }
 
 void SemanticMemory::Save(RecordWriter& out) const {

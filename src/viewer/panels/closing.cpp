@@ -56,10 +56,9 @@ void Closing::Draw(PanelFrame& frame, float width, float height) {
     if (!file.failure.empty()) WrappedText(theme::kBad, file.failure);
   }
   for (const std::string& text : unsent_) WrappedText(theme::kWarn, text);
-  WrappedText(theme::kQuiet, has_files
-                                 ? "If you close without saving, your text is kept as a draft and comes back when "
-                                   "you open the file in Edit again."
-                                 : "It is kept and comes back with this scenario.");
+  WrappedText(theme::kQuiet, has_files ? "If you close without saving, your text is kept as a draft and reappears when "
+                                         "you open the file in Edit again."
+                                       : "It is kept and comes back with this scenario.");
   ImGui::Spacing();
   if (has_files) {
     if (ImGui::Button("Save all and close")) {

@@ -13,7 +13,7 @@ enum Step : std::size_t { kSelect, kOpenWhy, kAsk, kPause, kGoBack };
 
 constexpr std::array<std::string_view, FirstSteps::kSteps + 1> kTexts{
     "Click an agent, in the picture or in the list at the left: all panels are about that one then.",
-    "Open the tab Why at the right: it tells why the agent does what it does.",
+    "Open the tab Why at the right: it explains why the agent does what it does.",
     "Click a line of that answer to ask further. Or type what it does not do, \"flee\" say, and press Enter: why not?",
     "Press P to hold the world; N lets it go on by a tick, P again for good.",
     "Drag the bar at the bottom to any moment before this one. Live brings you back.",

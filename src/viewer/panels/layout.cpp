@@ -101,7 +101,7 @@ Layout LayoutOf(const std::vector<PanelId>& panels) {
 
 std::string ToText(const Layout& layout) {
   std::ostringstream out;
-  out << "# How the window of Soarbox is arranged. Written when it closes; delete it to begin anew.\n";
+  out << "# How the window of Soarbox is arranged. Written when it closes; delete it to start over.\n";
   out << "text " << layout.text_percent << '\n';
   out << "colors " << (layout.light ? "light" : "dark") << '\n';
   out << "first-steps " << (layout.first_steps ? "shown" : "hidden") << '\n';
@@ -156,7 +156,7 @@ Layout ReadLayout(std::string_view text, Layout layout) {
 
 std::span<const NamedLayout> ShippedLayouts() {
   static constexpr NamedLayout kShipped[] = {
-      {"Explore", "The window as it comes: agents, mind and timeline around the picture"},
+      {"Explore", "The default: agents, mind and timeline around the picture"},
       {"Debug", "Rules, memory, watch, console and trace; a small picture"},
       {"Write rules", "The editor in the middle of it all, with problems and console"},
       {"Compare", "Several minds side by side, with messages and plots"}};

@@ -10,8 +10,8 @@ using debugger::Breakpoint;
 
 constexpr BreakKind kKinds[] = {BreakKind::kFire, BreakKind::kMatch, BreakKind::kElement, BreakKind::kImpasse,
                                 BreakKind::kCommand};
-const char* const kTitles[] = {"a rule fires", "a rule matches", "an element comes", "an impasse comes",
-                               "a command is said"};
+const char* const kTitles[] = {"a rule fires", "a rule matches", "an element appears", "an impasse occurs",
+                               "a command is given"};
 const char* const kHints[] = {"the rule's name; * for anything", "the rule's name; * for anything",
                               "* ^attribute value", "tie, operator no-change; empty: any",
                               "the command's name; empty: any"};

@@ -164,7 +164,7 @@ class EditPanel final : public Panel {
     }
     if (find_ != found_ || text_.size() != found_in_) Find();
     if (!places_.empty() || find_.empty()) return;
-    ColoredText(theme::kWarn, "'" + find_ + "' does not stand in this file.");
+    ColoredText(theme::kWarn, "'" + find_ + "' is not in this file.");
   }
 
   void Find() {

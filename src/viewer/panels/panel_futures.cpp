@@ -12,15 +12,15 @@ class FuturesPanel final : public Panel {
   void Draw(PanelFrame& frame) override {
     if (frame.contents.moment.is_recording) {
       EmptyNote("A recording has one future.",
-                "soarbox resume FILE --at SECONDS goes on from a moment of it, soarbox compare tells where two "
-                "recordings part.");
+                "soarbox resume FILE --at SECONDS continues from a moment of it, soarbox compare shows where two "
+                "recordings differ first.");
       return;
     }
     if (!frame.contents.futures) {
-      EmptyNote(
-          "There is one future yet.",
-          "Drag the scrubber below to an earlier moment, change a rule in the panel Edit if you like, and press "
-          "Resume here. What happened before stays as ghosts in the scene, and this panel tells where the two part.");
+      EmptyNote("There is one future yet.",
+                "Drag the scrubber below to an earlier moment, change a rule in the panel Edit if you like, and press "
+                "Resume here. What happened before stays as ghosts in the scene, and this panel shows where the two "
+                "differ first.");
       return;
     }
     const FuturesContents& futures = *frame.contents.futures;

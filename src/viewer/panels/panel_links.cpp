@@ -24,7 +24,7 @@ class LinksPanel final : public Panel {
     Heading(frame, "Commands (output link)");
     TermTooltip("output link");
     if (io.commands.empty())
-      WrappedText(theme::kQuiet, "It has said nothing that still stands. Rules say commands on the output link.");
+      WrappedText(theme::kQuiet, "There is no command on the output link. Rules give commands there.");
     int number = 0;
     for (const CommandRow& command : io.commands) {
       ImGui::PushID(++number);
@@ -59,7 +59,7 @@ class LinksPanel final : public Panel {
       frame.Ask(WhyRequest{WhyRequest::About::kCommand, command.name});
       frame.layout.Show(PanelId::kWhy);
     }
-    Tooltip("Click to ask why it says this");
+    Tooltip("Click to ask why it gives this command");
     ImGui::SameLine();
     Tag(command.status.empty() ? "under way" : command.status, StatusColor(command.status));
     if (command.progress >= 0) {
@@ -127,13 +127,13 @@ class MessagesPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
     if (frame.contents.messages == nullptr || frame.contents.messages->rows().empty()) {
-      EmptyNote("Nobody has said anything to anybody yet.",
+      EmptyNote("No agent has sent a message yet.",
                 "Agents talk with the commands say and broadcast: see docs/commands.md.");
       return;
     }
     if (!frame.contents.agent.empty()) {
       ImGui::Checkbox("selected agent", &only_selected_);
-      Tooltip("Only what the selected agent says and hears");
+      Tooltip("Only messages that the selected agent sends or hears");
       ImGui::SameLine();
     }
     SearchField("##filter", "Search", filter_);

@@ -144,7 +144,7 @@ class LongTermPanel final : public Panel {
     const RecallLog* const log = frame.contents.recalls;
     if (log == nullptr || log->recalls().empty()) {
       EmptyNote("Nothing was asked yet.",
-                "Rules ask with ^smem.command.query or ^epmem.command.query. What came, and why, is told here.");
+                "Rules ask with ^smem.command.query or ^epmem.command.query. This panel shows what they got, and why.");
       return;
     }
     std::vector<const Recall*> rows;
@@ -235,7 +235,7 @@ class LongTermPanel final : public Panel {
     if (chosen == 0) return;
     ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_NoNav);
     if (episode.things.empty())
-      WrappedText(theme::kQuiet, "Nothing in this episode has a ^position, so that there are no ghosts of it.");
+      WrappedText(theme::kQuiet, "Nothing in this episode has a ^position, so it has no ghosts.");
     ImGui::PushFont(frame.fonts.mono);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(episode.lines.size()));

@@ -151,11 +151,11 @@ class MemoryPanel final : public Panel {
     }
     ImGui::EndGroup();
     if (ImGui::IsItemClicked()) frame.Ask(ElementRequest{element.timetag});
-    Tooltip("Click: who made it and which rules test it (time tag " + std::to_string(element.timetag) + ")");
+    Tooltip("Click: which rule made it and which rules test it (time tag " + std::to_string(element.timetag) + ")");
     if (ImGui::BeginPopupContextItem("menu")) {
       if (element.is_object && ImGui::MenuItem("Begin the tree here")) GoTo(frame, element.value);
       if (ImGui::MenuItem("Where does it come from?")) AskWhy(frame, element.timetag);
-      if (ImGui::MenuItem("Break when such an element comes")) {
+      if (ImGui::MenuItem("Break when such an element appears")) {
         frame.Ask(BreakRequest{debugger::BreakKind::kElement, frame.contents.agent,
                                "* ^" + element.attribute + " " + (element.is_object ? "*" : element.value)});
         frame.layout.Show(PanelId::kBreakpoints);

@@ -77,7 +77,7 @@ class MindPanel final : public Panel {
         // A command goes on when the operator that said it has gone.
         const auto doing = frame.contents.activities.find(frame.selected);
         const bool goes_on = level.level == 1 && doing != frame.contents.activities.end();
-        CutText(goes_on ? "no operator; the body goes on: " + doing->second : "no operator", theme::kQuiet);
+        CutText(goes_on ? "no operator; the body continues: " + doing->second : "no operator", theme::kQuiet);
       } else {
         CutText("\xe2\x96\xb8 " + (level.operator_name.empty() ? level.operator_id
                                                                : level.operator_name + " (" + level.operator_id + ")"),

@@ -37,7 +37,7 @@ class MindsPanel final : public Panel {
     DrawBeside(frame);
     const auto& minds = frame.contents.minds;
     if (minds.empty()) {
-      EmptyNote("No mind is looked at.", "Add agents above: their goal stacks and operators stand side by side.");
+      EmptyNote("No mind is looked at.", "Add agents above: their goal stacks and operators appear side by side.");
       return;
     }
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV |
@@ -92,7 +92,7 @@ class MindsPanel final : public Panel {
       CutText((row.selected ? "\xe2\x9c\x93 " : "  ") + name + ": " + row.verdict,
               row.selected ? theme::kGood : theme::kQuiet);
     }
-    if (!mind.command.empty()) WrappedText(theme::kNumber, "said " + mind.command);
+    if (!mind.command.empty()) WrappedText(theme::kNumber, "gave " + mind.command);
   }
 };
 

@@ -140,7 +140,7 @@ class MissionPanel final : public Panel {
     ImGui::BeginDisabled(lesson.is_graded);
     if (ImGui::Button("Check my rules")) frame.Ask(LessonRequest{What::kGrade});
     ImGui::EndDisabled();
-    Tooltip("Runs what you saved with ten seeds and tells whether the lesson is done");
+    Tooltip("Runs your saved rules with ten seeds and says whether the lesson is done");
     if (!lesson.next.empty()) {
       FlowLine(ButtonWidth("Next lesson"));
       if (ImGui::Button("Next lesson")) frame.Ask(LessonRequest{What::kOpen, lesson.next});

@@ -71,7 +71,7 @@ class PlotsPanel final : public Panel {
   /// Why a plot has no points, or where they begin.
   static std::string NoteOf(const debugger::PlotSeries& series, const Moment& moment) {
     if (series.points.empty()) {
-      if (series.what == "decide_us" && moment.is_recording) return "not recorded: it is measured while a run goes on";
+      if (series.what == "decide_us" && moment.is_recording) return "not recorded: it is only measured during a run";
       if (series.what == "fired") {
         return moment.is_recording ? "not recorded at this level: it takes --record-level all"
                                    : "noted while the agent is selected, from the next tick on";

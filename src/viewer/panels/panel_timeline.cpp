@@ -218,9 +218,9 @@ class TimelinePanel final : public Panel {
       };
     };
     row("an operator, for as long as it is selected; the same colour, the same operator", bar(theme::kAccent, 0.42f));
-    row("a state below the first: an impasse that is thought about", bar(theme::kWarn, 0.25f));
+    row("a substate: an impasse that is being worked on", bar(theme::kWarn, 0.25f));
     row("rules that fired in a tick, of the selected agent", bar(theme::kGood, 0.8f));
-    for (const auto& [kind, meaning] : {std::pair{MarkKind::kCommand, "a command that was said"},
+    for (const auto& [kind, meaning] : {std::pair{MarkKind::kCommand, "a command that was given"},
                                         {MarkKind::kOutcome, "how it went"},
                                         {MarkKind::kMessage, "a message to others"},
                                         {MarkKind::kEvent, "another event"},

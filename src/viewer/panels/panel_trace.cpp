@@ -73,7 +73,8 @@ class TracePanel final : public Panel {
     ImGui::SetNextItemWidth(frame.Px(110));
     int level = static_cast<int>(filter_.most);
     if (ImGui::Combo("##level", &level, kLevels, IM_ARRAYSIZE(kLevels))) filter_.most = static_cast<TraceKind>(level);
-    Tooltip("How much is shown: this and what stands above it. Rules and elements are noted for the selected agent.");
+    Tooltip(
+        "How much to show: each level includes those above it. Rules and elements are noted for the selected agent.");
     FlowLine(frame.Px(110), frame.Px(4));
     ImGui::SetNextItemWidth(frame.Px(110));
     if (ImGui::BeginCombo("##about", "Only ...")) {
@@ -87,7 +88,7 @@ class TracePanel final : public Panel {
     FlowLine(frame.Px(150), frame.Px(6));
     SearchField("##search", "Search; rule:NAME op:NAME ^attribute", filter_.text);
     Tooltip(
-        "Each word must stand in the line. rule:NAME, op:NAME, command:NAME and ^attribute show lines about these "
+        "The line must contain each word. rule:NAME, op:NAME, command:NAME and ^attribute show lines about these "
         "alone.");
   }
 

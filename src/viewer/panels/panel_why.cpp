@@ -13,7 +13,7 @@ class WhyPanel final : public Panel {
   void Draw(PanelFrame& frame) override {
     const PanelContents& contents = frame.contents;
     if (contents.agent.empty()) {
-      EmptyNote("No agent is selected.", "Click one: this panel then tells why it does what it does.");
+      EmptyNote("No agent is selected.", "Click one: this panel then explains why it does what it does.");
       return;
     }
     if (ImGui::Button("Why this?")) frame.Ask(WhyRequest{});

@@ -120,7 +120,7 @@ Result<UiScript> UiScript::Load(const std::filesystem::path& file) {
     for (std::string argument; words >> std::quoted(argument);) step.arguments.push_back(argument);
     if (step.arguments.empty()) {
       problem.line = number;
-      problem.message = "'" + step.word + "' needs to be told what";
+      problem.message = "'" + step.word + "' requires a text";
       return problem;
     }
     script.steps_.push_back(std::move(step));
@@ -243,7 +243,7 @@ void UiScript::Fail(const Step& step, std::string message, const UiStage& stage)
   problem.file = file_;
   problem.line = step.line;
   problem.message = std::move(message);
-  problem.hint = "at " + std::to_string(stage.time_s) + " s there stands:";
+  problem.hint = "at " + std::to_string(stage.time_s) + " s the window shows:";
   for (const ShownText& run : stage.shown) problem.hint += "\n     " + run.text;
   failure_ = std::move(problem);
 }

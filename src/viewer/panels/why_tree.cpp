@@ -61,7 +61,7 @@ void DrawReason(PanelFrame& frame, const WhyNode& node, int number, int depth, i
   WrappedText(ColorOfReason(node.kind), node.text);
   ImGui::EndGroup();
   if (ImGui::BeginPopupContextItem("menu")) {
-    if (ImGui::MenuItem("Copy with what stands below")) ImGui::SetClipboardText(debugger::ToText(node, 0).c_str());
+    if (ImGui::MenuItem("Copy with everything below it")) ImGui::SetClipboardText(debugger::ToText(node, 0).c_str());
     ImGui::EndPopup();
   }
   if (!node.link.empty()) {

@@ -139,7 +139,7 @@ void Workspace::DrawMenus(PanelFrame& frame) {
       }
       ImGui::EndMenu();
     }
-    Tooltip("Learn Soar step by step: each lesson has a task, hints, and checks that tell whether it is done");
+    Tooltip("Learn Soar step by step: each lesson has a task, hints, and checks that show whether it is done");
     if (ImGui::MenuItem("Keys and mouse", "?")) show_help = true;
     ImGui::EndMenu();
   }
@@ -333,7 +333,7 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   ColoredText(at.is_live || at.is_recording ? theme::kText : theme::kWarn, now);
   ImGui::SameLine(0, frame.Px(8));
   if (offers_resume) {
-    const std::string about = at.can_resume ? "The run goes on from this moment; what came after it stays as ghosts, "
+    const std::string about = at.can_resume ? "The run continues from this moment; the old future stays as ghosts, "
                                               "for comparison"
                                             : at.resume_refusal;
     if (IconButton(Icon::kBranch, "resume", resume, about, at.can_resume, true)) frame.Ask(ResumeRequest{});
@@ -389,7 +389,7 @@ void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
   ImGui::NextColumn();
   group("Drawn over the scene", CommandGroup::kOverlay);
   if (begin("Panels", "panels")) {
-    row("Alt + letter", "Brings a panel to the front: the menu Panels tells which");
+    row("Alt + letter", "Brings a panel to the front: the menu Panels shows the letters");
     row("Ctrl+F", "Search in the panel under the mouse");
     row("Ctrl+Shift+P", "Find anything: commands, agents, rules, files, texts");
     row("Ctrl+O, Ctrl+Shift+O", "Open a scenario, a recording");
