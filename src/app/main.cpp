@@ -90,8 +90,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(120, 4320));
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
-  run->add_option("--report", options.report_s,
-                  "Print the positions of all agents each time so many simulated seconds have passed")
+  run->add_option("--report", options.report_s, "Print where all agents are, at this interval in simulated seconds")
       ->check(NumberIn(0.001, kLongest_s));
   run->add_option("--threads", options.threads,
                   "Threads on which the Soar minds decide; 0: one per core. The run is the same with any number")

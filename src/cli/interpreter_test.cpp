@@ -246,7 +246,7 @@ TEST_F(InterpreterTest, ARuleThatHoldsManyPartialMatchesForNoneIsToldOfWithTheOr
       Write("tower.soar", "sp {make (state <s> ^superstate nil) --> " + make + "}\n" + "sp {done (state <s> ^holds" +
                               holds + ")" + disks + names + " --> (<s> ^done yes)}\n");
   const std::string advice =
-      "test what tells each ^holds apart right behind it, in this order: (state <s> ^holds <h6>) (<h6> ^disk <d6>) "
+      "test what distinguishes each ^holds directly after it, in this order: (state <s> ^holds <h6>) (<h6> ^disk <d6>) "
       "(<d6> ^name none), then the next ^holds; or declare `multi-attributes holds 6` in front of the rule";
   Do("multi-attributes disk 6");  // And so ^disk is tested late.
   const CommandResult loaded = Do("source " + file);

@@ -50,7 +50,7 @@ TEST_F(RuleCrowdsTest, ValuesThatAreToldApartTooLateAreToldOf) {
   EXPECT_EQ(found[0].line, 12);
   EXPECT_EQ(
       found[0].message,
-      "done tests ^holds 7 times before it tells the values apart: with 7 values it holds 823543 partial matches");
+      "done tests ^holds 7 times before it distinguishes the values: with 7 values it holds 823543 partial matches");
   EXPECT_THAT(found[0].hint,
               HasSubstr("(state <s> ^holds <h7>) (<h7> ^disk <d7>) (<d7> ^name 7), then the next ^holds"));
   EXPECT_THAT(found[0].hint, HasSubstr("`multi-attributes holds 7`"));

@@ -139,7 +139,10 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
     problem.hint = "a rule starts with sp {";
     const std::size_t at = source.Line(problem.line).find_first_not_of(" \t");
     PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, std::max<std::size_t>(word.size(), 1));
+    return;
   }
+  const bool is_other_language = word == "if" || word == "when" || word == "then" || word == "rule";
+  if (problem.hint.empty() || is_other_language) problem.hint = "a rule starts with sp {, a comment with #";
 }
 
 /// sp NAME without its bracket; all that stands behind is outside of a rule then.
@@ -152,6 +155,90 @@ bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
   problem.hint = "write sp {" + rest;
   PointAt(problem, source, problem.line, line.find(rest), rest.size());
   return true;
+}
+
+/// The rule that begins here is closed, and more stands behind it: a bracket too many, or a rule in the same line.
+void ClarifyTail(Diagnostic& problem, const SourceFile& source) {
+  const std::string& first = source.Code(problem.line);
+  if (first.find('\r') != kNowhere) {
+    problem.message = "the lines of this file end with carriage returns alone";
+    problem.hint = "save it with the line endings of Unix or Windows";
+    return;
+  }
+  int depth = 0;
+  bool is_quoted = false;
+  for (int at = problem.line; at <= source.count(); ++at) {
+    const std::string& text = source.Code(at);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '|') is_quoted = !is_quoted;
+      if (is_quoted || (text[i] != '{' && text[i] != '}')) continue;
+      depth += text[i] == '{' ? 1 : -1;
+      if (depth > 0) continue;
+      const std::size_t next = text.find_first_not_of(" \t", i + 1);
+      if (next == kNowhere) return;
+      const std::string name = NameOfRule(source, problem.line);
+      problem.message = text[next] == '}'
+                            ? "rule " + name + " has one } too many"
+                            : "rule " + name + " is closed before this, and more follows in the same line";
+      problem.hint = text[next] == '}' ? "remove it" : "begin the next rule in a line of its own";
+      return PointAt(problem, source, at, next, 1);
+    }
+  }
+}
+
+bool BeginsComment(std::string_view found) {
+  return found.starts_with("//") || found.starts_with("/*") || found == ";" || found == "--";
+}
+
+/// Where an action should begin.
+std::string HintForAction(const std::string& found) {
+  if (BeginsComment(found)) return "comments start with #";
+  if (found == "-->") return "a rule has one --> only";
+  if (found == "else") return "there is no else: write another rule, with the opposite condition";
+  if (found == "halt" || found == "write" || found == "crlf")
+    return "write it between brackets: " +
+           (found == "write" ? std::string("(write |hello| (crlf))") : "(" + found + ")");
+  return {};
+}
+
+/// Where a value should be, in an action.
+std::string HintForValue(const std::string& found, const std::string& before) {
+  if (found == "{") return "braces join the tests of a condition; in an action, write the value alone";
+  if (found == "=") return "write the value directly after its ^attribute, without =";
+  if (found == ">" || found == "<" || found == ">=" || found == "<=" || found == "<>")
+    return "an action makes elements and compares nothing: write the value alone";
+  // "(<command ^waypoint": the variable has no end.
+  const std::size_t open = before.rfind('<');
+  if (found == "^" && open != kNowhere && before.find('>', open) == kNowhere) {
+    const std::string name = Trimmed(before.substr(open + 1));
+    if (!name.empty() && name.find(' ') == kNowhere) return "a variable ends with >: <" + name + ">";
+  }
+  return {};
+}
+
+/// Where a constant or a variable should be, in a condition.
+std::string HintForTest(const std::string& found, const std::string& before, const std::string& after) {
+  const char last = before.empty() ? ' ' : before.back();
+  if (found == ",") {
+    const bool is_decimal = std::isdigit(static_cast<unsigned char>(last)) != 0 && !after.empty() &&
+                            std::isdigit(static_cast<unsigned char>(after.front())) != 0;
+    return is_decimal ? "write a decimal point, not a comma" : "blanks separate what a rule tests, not commas";
+  }
+  if (found == "=" && last == '!') return "not equal is written <>";
+  if (found == "^" && last == '!') return "a negation is written with a minus: -^attribute value";
+  if (found == "^" && last == '^') return "write one ^ only";
+  if (found == "." && last == '^') return "the ^ comes first: ^io.input-link";
+  if (found == ".") {
+    const std::size_t begin = before.find_last_of(" \t(");
+    const std::string word = before.substr(begin == kNowhere ? 0 : begin + 1);
+    if (!word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0)
+      return "did you mean ^" + word + "?";
+  }
+  const std::string tests = Trimmed(before);
+  const std::size_t open = tests.rfind(" < ");
+  if (found == "^" && tests.ends_with(" >") && open != kNowhere)
+    return "a choice is written <<" + tests.substr(open + 2, tests.size() - open - 3) + ">>";
+  return {};
 }
 
 /// What the reader expected and what it found: forms of other languages and of haste.
@@ -175,6 +262,20 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
     problem.hint = "did you mean ^" + found + "?";
   if (found == ")" && problem.message.find("expected a value") != kNowhere)
     problem.hint = "write a value after each ^attribute";
+  const std::string head = line.substr(0, std::min(column, line.size()));
+  const std::string tail = line.substr(std::min(column + found.size(), line.size()));
+  std::string hint;
+  if (problem.message.find("expected ( to begin an action") != kNowhere) hint = HintForAction(found);
+  if (problem.message.find("expected a value") != kNowhere) hint = HintForValue(found, head);
+  if (problem.message.find("expected a constant") != kNowhere) hint = HintForTest(found, head, tail);
+  const bool is_comment = BeginsComment(found) || Trimmed(head).ends_with(';');  // The reader skips a semicolon.
+  if (problem.message.find("or --> before the actions") != kNowhere && is_comment &&
+      Trimmed(line).find_first_not_of("-> ") != kNowhere)
+    hint = "comments start with #";
+  if (!hint.empty()) {
+    problem.hint = std::move(hint);
+    return;
+  }
   if (found[0] == '"') problem.hint = "write text between bars: |I am going|";
   if (found == "<") problem.hint = "write a variable without blanks: <o>";
   if (found != "^") return;
@@ -280,6 +381,8 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
       ClarifyCommand(problem, source);
       outside = text.find("outside any rule") != kNowhere;
       if (outside && was_outside) continue;
+    } else if (text.starts_with("Syntax: sp {") && BeginsRule(source.Code(problem.line))) {
+      ClarifyTail(problem, source);
     } else if (ClarifyMissingBrace(problem, source)) {
       outside = true;
     } else if (text.find("uses a variable that no condition binds") != kNowhere) {

@@ -171,12 +171,12 @@ class Worlds(ScenarioCase):
     def test_two_thousand_boxes_per_tick(self):
         run = self.run_(update="function Sandbox_Update(s) for i = 1, 2000 do Sandbox.SetPosition = nil local b = Sandbox.CreateBox(s, 1, 1, 1) "
                                "Core.SetPosition(b, Vector.new(i * 2, 1000, Sandbox.GetTimeInMillis(s))) end end", seconds=0.4)
-        self.told(run, "this world has 5000 objects already")
+        self.told(run, "this world already has 5000 objects")
 
     def test_events_that_double(self):
         run = self.run_("Sandbox.AddEventCallback(sandbox, sandbox, function(s, _, kind) Sandbox.AddEvent(s, kind, {}) Sandbox.AddEvent(s, kind, {}) end) "
                         "Sandbox.AddEvent(sandbox, 'x', {})")
-        self.told(run, "this world has 10000 waiting events already")
+        self.told(run, "this world already has 10000 waiting events")
 
     def test_events_with_large_texts(self):
         run = self.run_(update="local text = ('x'):rep(1e6) function Sandbox_Update(s) for i = 1, 1000 do Sandbox.AddEvent(s, 'x', { text = text }) end end")
@@ -215,9 +215,9 @@ class Worlds(ScenarioCase):
                 Many(Sandbox.AddCollisionCallback, s, box, function() end)
             end""", seconds=0.3)
         said = " ".join(event["text"] for event in run.of("log"))
-        self.assertIn("this world has 2000 panels already", said)
-        self.assertIn("this world has 256 lights already", said)
-        self.told(run, "this world has 20000 callbacks already")
+        self.assertIn("this world already has 2000 panels", said)
+        self.assertIn("this world already has 256 lights", said)
+        self.told(run, "this world already has 20000 callbacks")
 
     def test_ways_and_influence_anew_in_each_step(self):
         run = self.run_("local floor = Sandbox.CreateBox(sandbox, 190, 1, 190) Core.SetMass(floor, 0) Core.SetPosition(floor, Vector.new(0, -0.5, 0))",
