@@ -205,7 +205,7 @@ std::string HintForAction(const std::string& found) {
 std::string HintForValue(const std::string& found, const std::string& before) {
   if (found == "{") return "braces join the tests of a condition; in an action, write the value alone";
   if (found == "=") return "write the value directly after its ^attribute, without =";
-  if (found == ">" || found == "<" || found == ">=" || found == "<=" || found == "<>")
+  if (found == ">" || found == ">=" || found == "<=" || found == "<>")
     return "an action makes elements and compares nothing: write the value alone";
   // "(<command ^waypoint": the variable has no end.
   const std::size_t open = before.rfind('<');
