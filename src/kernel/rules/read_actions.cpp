@@ -261,7 +261,7 @@ bool RuleReader::ReadOperatorPreferences(const ActionDraft& action, Actions& out
         const std::string referent = ToString(symbols_, one.referent.symbol);
         Report(Severity::kWarning, sign,
                "the preference " + std::string(sign.text) + " takes " + referent +
-                   " as its referent, so that what follows is again about " + DescribeAction(action) + "",
+                   " as its referent, so that what follows is again about " + DescribeAction(action),
                "put a comma before " + referent + " or repeat ^operator if " + referent + " is another proposal");
       }
     }
