@@ -156,7 +156,7 @@ constexpr std::array kSentences = {
     Sentence{
         kFiresAgain, "elaboration loop",
         "operator {op} is selected in {state}, and rule {rule}, which applies it, has fired {count} times and matches "
-        "again: each firing makes it match anew, until max-elaborations ends the phase"},
+        "again: each firing makes it match again, until max-elaborations ends the phase"},
     Sentence{kIsTied, "one of the operators of a tie", "tied with the others that are left"},
     Sentence{kIsContradicted, "one of the operators of a constraint failure",
              "its require and prohibit preferences contradict each other, or another operator is required, too"},
