@@ -22,7 +22,7 @@
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
 #include "kernel/match/rete.h"
-#include "kernel/memory/wme.h"
+#include "kernel/match/wme.h"
 #include "kernel/memory/working_memory.h"
 #include "kernel/observer.h"
 #include "kernel/rules/parser.h"

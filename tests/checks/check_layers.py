@@ -5,7 +5,8 @@
 usage: check_layers.py SOURCE_DIR
 
 Every module may include itself and the modules listed for it; libraries that belong to one module only
-(Ogre, ImGui, SDL: viewer; Bullet, Recast and Detour: world; Lua: script; SQLite: journal and sweep) may be included nowhere else. Exit status 1 names each offence.
+(Ogre, ImGui, SDL: viewer; Bullet, Recast and Detour: world; Lua: script; SQLite: journal and sweep) may be included nowhere else.
+Inside the kernel the folders have an order, too. Exit status 1 names each offence.
 """
 import pathlib
 import re
@@ -33,6 +34,13 @@ ALLOWED = {
     "app": {"diagnostics", "kernel", "cli", "sml", "world", "script", "sim", "record", "mission", "sweep", "report", "debugger",
             "viewer"},
 }
+# The folders of the kernel in their order: each may include those before it.
+KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm"]
+# What stands in src/kernel itself, and the folders that may include it: the events, and the face of the library.
+KERNEL_HEADERS = {"observer.h": {"decide", "learn", "longterm"}, "agent.h": {"decide"}}
+# Engine is what an agent consists of: it alone knows all parts.
+ASSEMBLY = re.compile(r"^kernel/decide/engine\.(h|cpp)$")
+TEST = re.compile(r"(_test|_fixture|/random_agents|/random_rules)\.(h|cpp)$")
 ONLY_IN = {
     re.compile(r"^(Ogre|OGRE/|imgui|SDL)"): {"viewer"},
     re.compile(r"^(bt[A-Z]|bullet/|Bullet|LinearMath/)"): {"world"},
@@ -42,6 +50,16 @@ ONLY_IN = {
     re.compile(r"^sqlite3"): {"journal", "sweep"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def goes_up(file, target):
+    """Whether an include inside the kernel goes against the order of its folders; paths below src."""
+    places, targets = file.split("/"), target.split("/")
+    if len(places) == 2 or ASSEMBLY.match(file) or TEST.search(file):
+        return False
+    if len(targets) == 2:
+        return places[1] not in KERNEL_HEADERS.get(targets[1], set())
+    return KERNEL_FOLDERS.index(targets[1]) > KERNEL_FOLDERS.index(places[1])
 
 
 def offences(root):
@@ -57,6 +75,8 @@ def offences(root):
             first = target.split("/")[0]
             if first in ALLOWED and "/" in target and first != module and first not in ALLOWED[module]:
                 yield f"{path}:{number}: {module} may not include {first} ({target})"
+            if module == "kernel" and first == "kernel" and goes_up(str(path.relative_to(root)), target):
+                yield f"{path}:{number}: {path.parent.relative_to(root)} may not include {target}"
             for pattern, owners in ONLY_IN.items():
                 if pattern.match(target) and module not in owners:
                     yield f"{path}:{number}: only {', '.join(sorted(owners))} may include {target}"

@@ -155,6 +155,15 @@ class SymbolTable {
 /// True if Soar's lexer reads `text`, written without bars, as this very string.
 bool ReadsAsPlainString(std::string_view text);
 
+/// The letter of an identifier that is named after a variable or an attribute: its capital, but I for names that begin
+/// with no letter of ASCII, and for S, which is for states.
+inline char LetterOfIdentifier(std::string_view name) {
+  if (!name.empty() && name.front() == '<') name.remove_prefix(1);
+  if (name.empty()) return 'I';
+  const char letter = static_cast<char>(name.front() & ~0x20);
+  return letter < 'A' || letter > 'Z' || letter == 'S' ? 'I' : letter;
+}
+
 /// How symbols look in print. `rereadable` puts bars where the lexer would read something else (as in `print`,
 /// rules and traces); without it the raw text is given (as in `write` and `concat`). Floats have six decimals.
 std::string ToString(const SymbolTable& symbols, Symbol symbol, bool rereadable = true);

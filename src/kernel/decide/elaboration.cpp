@@ -2,7 +2,6 @@
 #include "kernel/decide/elaboration.h"
 
 #include "kernel/decide/engine.h"
-#include "kernel/longterm/wm_activation.h"
 
 namespace soarbox::kernel {
 
@@ -115,7 +114,7 @@ void Elaboration::Run(bool apply) {
 }
 
 void Elaboration::PreferencePhase(bool apply) {
-  if (!engine_.long_term.empty()) WmActivation::RulesFire(engine_.long_term);
+  if (!engine_.long_term.empty()) engine_.long_term.RulesFire();
   GoalLevel change_level = active_;
   bool first_pass = true;
   if (active_ == 0) {

@@ -16,9 +16,10 @@ Engine::Engine(Agent& owner, std::string agent_name)
       memory(symbols),
       links(memory),
       rete(symbols, memory.wmes()),
-      input(*this),
-      output(*this),
-      changes(*this),
+      element_events(*this),
+      changes(memory, links, rete, output_marks, element_events),
+      input(symbols, memory, changes),
+      output(memory, output_marks),
       preferences(*this),
       context(*this),
       firing(*this),
@@ -141,7 +142,7 @@ void Engine::Sweep() {
     const Symbol id(Symbol::Tag::kIdentifier, index);
     if (marks[index] != 0 || !memory.identifier(id).live) continue;
     input.IdentifierGone(id);
-    output.IdentifierFreed(id);
+    output_marks.Unmark(id);
     if (!long_term.empty()) long_term.IdentifierFreed(id);
     memory.FreeIdentifier(id);
   }
@@ -186,7 +187,7 @@ void Engine::Initialize(bool announce) {
     observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(agent, top, 0); });
   }
   goal_changes.MakeIoLinks();
-  input.Reset();
+  input.Reset(goal_changes.input_link());
   elaboration.ApplyWorkingMemoryChanges();
   long_term.AfterInit();
 }

@@ -10,6 +10,7 @@
 #include "kernel/base/symbol_table.h"
 #include "kernel/decide/decision.h"
 #include "kernel/decide/elaboration.h"
+#include "kernel/decide/element_events.h"
 #include "kernel/decide/exploration.h"
 #include "kernel/decide/firing.h"
 #include "kernel/decide/goal_changes.h"
@@ -31,6 +32,7 @@
 #include "kernel/longterm/long_term.h"
 #include "kernel/match/rete.h"
 #include "kernel/memory/links.h"
+#include "kernel/memory/output_marks.h"
 #include "kernel/memory/wme_changes.h"
 #include "kernel/memory/working_memory.h"
 
@@ -48,6 +50,7 @@ struct Engine {
   SymbolTable symbols;
   WorkingMemory memory;
   LinkGraph links;
+  OutputMarks output_marks;
   InstantiationTable instantiations;
   GoalStack goals;
   Rete rete;
@@ -83,9 +86,10 @@ struct Engine {
   bool rules_changed = false;                        ///< Since they were last offered for sharing.
 
   // What happens, in the order of the cycle.
+  ElementEvents element_events;
+  WmeChanges changes;
   InputLink input;
   OutputLink output;
-  WmeChanges changes;
   PreferenceChanges preferences;
   RuleContext context;
   Firing firing;
@@ -122,7 +126,7 @@ struct Engine {
 
   /// The string that is a rule's name. It stays while the agent lives.
   Symbol NameOf(const Production& rule);
-  GoalView goal_view() const { return {memory.goal_levels(), memory.long_term_identifiers()}; }
+  GoalView goal_view() const { return memory.goal_view(); }
   [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
   [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;
   [[gnu::noinline]] FiringInfo DescribeInstantiation(InstantiationId id) const;

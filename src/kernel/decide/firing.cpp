@@ -45,13 +45,6 @@ std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Action& a
 
 }  // namespace
 
-char Firing::LetterFor(std::string_view name) {
-  if (!name.empty() && name.front() == '<') name.remove_prefix(1);
-  if (name.empty()) return 'I';
-  const char letter = static_cast<char>(name.front() & ~0x20);  // The capital of a letter of ASCII.
-  return letter < 'A' || letter > 'Z' || letter == 'S' ? 'I' : letter;
-}
-
 Symbol Firing::TouchedAbove(const PendingMatch& match, GoalLevel level) const {
   const Production& rule = *engine_.rete.production(match.production);
   if (rule.type == ProductionType::kTemplate) return {};
@@ -224,7 +217,7 @@ Symbol Firing::BoundValue(BindingSite site) const {
 Symbol Firing::EvaluateRare(const RhsValue& value) {
   if (value.kind == RhsValueKind::kNew) {
     Symbol& made = new_identifiers_[value.new_index()];
-    if (!made) made = engine_.memory.NewIdentifier(LetterFor(engine_.symbols.Text(value.symbol())), level_);
+    if (!made) made = engine_.memory.NewIdentifier(LetterOfIdentifier(engine_.symbols.Text(value.symbol())), level_);
     return made;
   }
   // Arguments stand on a stack, so that calls may nest without allocating.

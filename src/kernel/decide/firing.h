@@ -40,8 +40,6 @@ class Firing {
   void TraceConditions(InstantiationId id, std::span<const WmeId> wmes);
   /// The preference of the same result at a level, or kNone.
   PreferenceId CloneAtLevel(PreferenceId preference, GoalLevel level) const;
-  /// A new identifier's letter for a variable's or attribute's name: I unless it begins with a letter other than S.
-  static char LetterFor(std::string_view name);
 
  private:
   void RunActions(const Production& rule, InstantiationId id);

@@ -1,6 +1,7 @@
 list(APPEND SOARBOX_KERNEL_SOURCES
   decide/decision.cpp
   decide/elaboration.cpp
+  decide/element_events.cpp
   decide/engine.cpp
   decide/exploration.cpp
   decide/firing.cpp

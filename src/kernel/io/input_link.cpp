@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/io/input_link.h"
 
-#include "kernel/decide/engine.h"
 #include "kernel/io/input_tap.h"
 
 namespace soarbox::kernel {
@@ -56,7 +55,7 @@ InputObject InputLink::NewObject() {
 }
 
 InputObject InputLink::ObjectFor(Symbol identifier) {
-  if (!identifier.IsIdentifier() || !engine_.memory.identifier(identifier).live) return InputObject::kNone;
+  if (!identifier.IsIdentifier() || !memory_.identifier(identifier).live) return InputObject::kNone;
   if (identifier.index() < object_of_.size() && object_of_[identifier.index()] != kNoPlace) {
     const std::uint32_t place = object_of_[identifier.index()];
     return static_cast<InputObject>(place | objects_[place].generation << kPlaceBits);
@@ -94,7 +93,7 @@ InputElement InputLink::Add(InputObject parent, std::string_view attribute, cons
   element.tag = tag;
   element.wme = WmeId::kNone;
   element.parent = parent;
-  element.attribute = engine_.symbols.String(attribute);
+  element.attribute = symbols_.String(attribute);
   BufferAdd(place, value);
   return HandleOf(place);
 }
@@ -104,11 +103,11 @@ void InputLink::BufferAdd(std::uint32_t place, const InputValue& value) {
   change.change = Change::kAdd;
   change.element = place;
   if (const auto* number = std::get_if<double>(&value)) {
-    change.constant = engine_.symbols.Float(*number);
+    change.constant = symbols_.Float(*number);
   } else if (const auto* text = std::get_if<std::string_view>(&value)) {
-    change.constant = engine_.symbols.String(*text);
+    change.constant = symbols_.String(*text);
   } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-    change.constant = engine_.symbols.Integer(*integer);
+    change.constant = symbols_.Integer(*integer);
   } else {
     change.object = std::get<InputObject>(value);
   }
@@ -173,7 +172,7 @@ void InputLink::ApplyChange(const Pending& buffered) {
     MakeElement(change);
   } else if (const WmeId wme = elements_[change.element].wme; wme != WmeId::kNone) {
     // (The element may have gone already, with the structure that it hung on.)
-    engine_.changes.Lose(wme);
+    changes_.Lose(wme);
   }
   --elements_[change.element].buffered;
   ReleaseIfDone(change.element);
@@ -182,7 +181,7 @@ void InputLink::ApplyChange(const Pending& buffered) {
 void InputLink::ApplyTapped() {
   tap_->OnInputPhase(*this);
   const auto describe = [this](WmeId wme, InputChange& told) {
-    const kernel::Wme& content = engine_.memory.wme(wme);
+    const kernel::Wme& content = memory_.wme(wme);
     told.timetag = content.timetag;
     told.id = content.id;
     told.attribute = content.attribute;
@@ -222,16 +221,16 @@ void InputLink::MakeElement(const Pending& change) {
   Symbol value = change.constant;
   if (object != nullptr) {
     if (!object->identifier) {
-      const char letter = Firing::LetterFor(engine_.symbols.Text(element.attribute));
-      object->identifier = engine_.memory.NewIdentifier(letter, engine_.memory.level(parent->identifier));
+      const char letter = LetterOfIdentifier(symbols_.Text(element.attribute));
+      object->identifier = memory_.NewIdentifier(letter, memory_.level(parent->identifier));
       const std::uint32_t index = object->identifier.index();
       if (object_of_.size() <= index) object_of_.resize(index + 1u, kNoPlace);
       object_of_[index] = static_cast<std::uint32_t>(change.object) & kPlaceMask;
     }
     value = object->identifier;
   }
-  const WmeId wme = engine_.changes.Add(WmeKind::kInput, parent->identifier, element.attribute, value);
-  engine_.memory.mutable_record(wme).input_element = change.element;
+  const WmeId wme = changes_.Add(WmeKind::kInput, parent->identifier, element.attribute, value);
+  memory_.mutable_record(wme).input_element = change.element;
   element.wme = wme;
 }
 
@@ -252,7 +251,7 @@ void InputLink::IdentifierGone(Symbol identifier) {
   free_objects_.push_back(place);
 }
 
-void InputLink::Reset() {
+void InputLink::Reset(Symbol input_link) {
   if (tap_ != nullptr) tap_->OnInputReset();
   objects_.clear();
   free_objects_.clear();
@@ -261,7 +260,7 @@ void InputLink::Reset() {
   first_generation_ = (first_generation_ + 1) & kGenerationMask;
   pending_.clear();
   object_of_.clear();
-  MakeObject(engine_.goal_changes.input_link());
+  MakeObject(input_link);
 }
 
 }  // namespace soarbox::kernel

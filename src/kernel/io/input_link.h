@@ -9,6 +9,9 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/memory/wme_changes.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -22,7 +25,6 @@ enum class InputElement : std::uint32_t { kNone = 0xFFFFFFFFu };
 /// The value of an input element: text, an integer, a float, or an object.
 using InputValue = std::variant<std::string_view, std::int64_t, double, InputObject>;
 
-struct Engine;
 class InputTap;
 
 /// What clients put on the input link. Calls only buffer: the changes are made in the next input phase, in call order,
@@ -35,7 +37,8 @@ class InputTap;
 /// by working memory as usual; its handles are then void.
 class InputLink {
  public:
-  explicit InputLink(Engine& engine) : engine_(engine) {}
+  InputLink(SymbolTable& symbols, WorkingMemory& memory, WmeChanges& changes)
+      : symbols_(symbols), memory_(memory), changes_(changes) {}
 
   /// A new object; it exists in working memory once an element has it as its value.
   InputObject NewObject();
@@ -68,10 +71,11 @@ class InputLink {
   /// Forgets the buffered changes. Handles of elements that they would have made are void.
   void DropPending();
 
-  /// For the engine: makes the buffered changes (input phase); forgets everything (init-soar); learns that working
-  /// memory dropped an element or an identifier; calls `mark` for each symbol that is needed.
+  /// For the engine: makes the buffered changes (input phase); forgets everything (init-soar) and begins anew with the
+  /// identifier of the input link; learns that working memory dropped an element or an identifier; calls `mark` for
+  /// each symbol that is needed.
   void Apply();
-  void Reset();
+  void Reset(Symbol input_link);
   [[gnu::noinline]] void Forget(std::uint32_t element);
   void IdentifierGone(Symbol identifier);
   template <typename MarkSymbol>
@@ -130,7 +134,9 @@ class InputLink {
   void Void(Element& element);
   void ReleaseIfDone(std::uint32_t place);
 
-  Engine& engine_;
+  SymbolTable& symbols_;
+  WorkingMemory& memory_;
+  WmeChanges& changes_;
   InputTap* tap_ = nullptr;
   std::vector<Object> objects_;
   std::vector<std::uint32_t> free_objects_;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "kernel/decide/engine.h"
-
 namespace soarbox::kernel {
 
 namespace {
@@ -14,7 +12,7 @@ constexpr std::size_t kUsualElements = 8;
 
 }  // namespace
 
-OutputLink::OutputLink(Engine& engine) : engine_(engine) {
+OutputLink::OutputLink(const WorkingMemory& memory, OutputMarks& marks) : memory_(memory), marks_(marks) {
   members_.reserve(kUsualElements);
   for (std::vector<OutputChange>* list : {&current_, &next_, &changes_}) list->reserve(kUsualElements);
   new_commands_.reserve(kUsualElements);
@@ -22,39 +20,33 @@ OutputLink::OutputLink(Engine& engine) : engine_(engine) {
 
 void OutputLink::SetIdentifier(Symbol identifier) {
   identifier_ = identifier;
-  if (member_.size() <= identifier.index()) member_.resize(identifier.index() + 1u, 0);
-  member_[identifier.index()] = 1;
+  marks_.Mark(identifier);
   members_.assign(1, identifier);
 }
 
 void OutputLink::Traverse(Symbol id) {
-  if (member_.size() <= id.index()) member_.resize(id.index() + 1u, 0);
-  if (member_[id.index()] != 0) return;
-  member_[id.index()] = 1;
+  if (marks_.IsMarked(id)) return;
+  marks_.Mark(id);
   members_.push_back(id);
 }
 
 bool OutputLink::Collect() {
-  if (!dirty_) return false;
-  dirty_ = false;
-  const WorkingMemory& memory = engine_.memory;
-  for (const Symbol id : members_) {
-    if (id.index() < member_.size()) member_[id.index()] = 0;
-  }
+  if (!marks_.TakeChange()) return false;
+  for (const Symbol id : members_) marks_.Unmark(id);
   members_.clear();
   next_.clear();
   Traverse(identifier_);
   const auto visit = [&](WmeId first) {
-    for (WmeId wme = first; wme != WmeId::kNone; wme = memory.record(wme).next) {
-      const Wme& content = memory.wme(wme);
+    for (WmeId wme = first; wme != WmeId::kNone; wme = memory_.record(wme).next) {
+      const Wme& content = memory_.wme(wme);
       next_.push_back({true, content.timetag, content.id, content.attribute, content.value});
       if (content.value.IsIdentifier()) Traverse(content.value);
     }
   };
   for (std::size_t n = 0; n < members_.size(); ++n) {
-    const IdentifierRecord& record = memory.identifier(members_[n]);
-    for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory.slot(slot).next)
-      visit(memory.slot(slot).wmes);
+    const IdentifierRecord& record = memory_.identifier(members_[n]);
+    for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next)
+      visit(memory_.slot(slot).wmes);
     visit(record.architecture_wmes);
     visit(record.input_wmes);
   }
@@ -90,8 +82,7 @@ bool OutputLink::Collect() {
 
 void OutputLink::Reset() {
   identifier_ = Symbol();
-  dirty_ = false;
-  member_.clear();
+  marks_.Clear();
   members_.clear();
   current_.clear();
   next_.clear();

@@ -7,10 +7,10 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/memory/output_marks.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
-
-struct Engine;
 
 /// One change below the output link. Contents are copied, so that removed elements can be read.
 struct OutputChange {
@@ -32,7 +32,7 @@ struct OutputCommand {
 /// below the output link changes.
 class OutputLink {
  public:
-  explicit OutputLink(Engine& engine);
+  OutputLink(const WorkingMemory& memory, OutputMarks& marks);
 
   /// The output link's own identifier (I3), or none before the first state exists.
   Symbol identifier() const { return identifier_; }
@@ -48,12 +48,6 @@ class OutputLink {
 
   /// For the engine.
   void SetIdentifier(Symbol identifier);
-  void NoteChange(Symbol id) {
-    if (id.index() < member_.size() && member_[id.index()] != 0) dirty_ = true;
-  }
-  void IdentifierFreed(Symbol id) {
-    if (id.index() < member_.size()) member_[id.index()] = 0;
-  }
   /// The output phase: true if something changed.
   bool Collect();
   /// Calls `mark` for each symbol that the lists mention.
@@ -74,12 +68,11 @@ class OutputLink {
  private:
   void Traverse(Symbol id);
 
-  Engine& engine_;
+  const WorkingMemory& memory_;
+  OutputMarks& marks_;  ///< Below the output link at the last collection.
   Symbol identifier_;
-  bool dirty_ = false;
   std::uint64_t generation_ = 0;
-  std::vector<std::uint8_t> member_;  ///< By identifier index: below the output link at the last collection.
-  std::vector<Symbol> members_;
+  std::vector<Symbol> members_;  ///< Those that are marked.
   std::vector<OutputChange> current_, next_, changes_;
   std::vector<OutputCommand> new_commands_;
 };

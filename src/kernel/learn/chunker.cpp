@@ -25,6 +25,7 @@ void Chunker::ModeChanged() {
   // Until now nobody told of the elements that came.
   if (settings_.automatic_singletons || notes_elements_) singletons_.NoteAll();
   notes_elements_ = settings_.learning() && settings_.automatic_singletons;
+  engine_.changes.TellOfAttributes(notes_elements_);
 }
 
 void Chunker::SetLearning(Symbol state, bool learn) {

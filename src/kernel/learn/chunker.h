@@ -52,10 +52,8 @@ class Chunker {
   std::uint32_t NumberOfSpecial(IdentityGraph::Key key) const;
   /// A substate was made.
   void NoteSubstate(GoalLevel level);
-  /// An element came into working memory; for singletons.
-  void NoteElement(Symbol attribute) {
-    if (notes_elements_) singletons_.Note(attribute);
-  }
+  /// An element came into working memory; for singletons. (WmeChanges tells of elements while that is wanted.)
+  void NoteElement(Symbol attribute) { singletons_.Note(attribute); }
   std::uint32_t identities_created() const { return next_identity_ - 1; }
   ExplanationLog& explanations() { return log_; }
   const ExplanationLog& explanations() const { return log_; }

@@ -8,7 +8,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
-#include "kernel/memory/wme.h"
+#include "kernel/match/wme.h"
 
 namespace soarbox::kernel {
 

@@ -6,7 +6,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
-#include "kernel/longterm/memory_link.h"
+#include "kernel/decide/memory_link.h"
 
 namespace soarbox::kernel {
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "kernel/longterm/wm_activation.h"
+
 namespace soarbox::kernel {
 
 void LongTerm::Attach(ModuleKind kind, std::unique_ptr<MemoryModule> module) {
@@ -21,6 +23,10 @@ void LongTerm::ForEach(ModuleHook hook, Call call) {
   for (std::size_t n = 0; n < kModules; ++n) {
     if ((module_hooks_[n] & static_cast<ModuleHooks>(hook)) != 0) call(*modules_[n]);
   }
+}
+
+void LongTerm::RulesFire() {
+  WmActivation::RulesFire(*this);
 }
 
 void LongTerm::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {

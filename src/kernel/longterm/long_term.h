@@ -39,6 +39,8 @@ class LongTerm {
   bool empty() const { return !any_; }
 
   // Called by the cycle; each only if Wants(its hook), those after StateRemoved always.
+  /// Rules are about to fire; if the agent has long-term memory at all.
+  void RulesFire();
   [[gnu::noinline]] void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
   void AfterElaboration();
   void AfterDecision();

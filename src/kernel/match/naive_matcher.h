@@ -8,7 +8,7 @@
 
 #include "kernel/base/symbol_table.h"
 #include "kernel/match/rete.h"
-#include "kernel/memory/wme.h"
+#include "kernel/match/wme.h"
 #include "kernel/rules/production.h"
 
 namespace soarbox::kernel {

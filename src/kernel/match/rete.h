@@ -11,21 +11,15 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/match/goal_view.h"
 #include "kernel/match/match_set.h"
-#include "kernel/memory/wme.h"
+#include "kernel/match/wme.h"
 #include "kernel/rules/production.h"
 
 namespace soarbox::kernel {
 
 class SymbolTable;
 class Network;
-
-/// What the match needs to know of identifiers and goals; owned and kept up to date by working memory and the goal
-/// stack. Indexed by Symbol::index() of an identifier; entries beyond the end count as 0.
-struct GoalView {
-  std::span<const GoalLevel> level_of_goal;  ///< The level of an identifier that is a goal, else 0.
-  std::span<const std::uint64_t> lti_of;     ///< The long-term identifier that it is linked to, else 0.
-};
 
 /// One agent's matcher: Rete with left and right unlinking (Doorenbos, Production Matching for Large Learning Systems,
 /// 1995), hashed joins, negation and conjunctive negation.

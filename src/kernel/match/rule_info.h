@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
-#include "kernel/memory/wme.h"
+#include "kernel/match/wme.h"
 #include "kernel/rules/production.h"
 
 namespace soarbox::kernel {

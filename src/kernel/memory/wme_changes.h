@@ -2,21 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/element_listener.h"
+#include "kernel/memory/links.h"
+#include "kernel/memory/output_marks.h"
 #include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
-
-struct Engine;
 
 /// Changes of working memory on their way to the matcher. Elements get their time tags when they are added here; the
 /// match hears of them in Flush, newest first and all additions before all removals, as traces and firing orders show.
 class WmeChanges {
  public:
-  explicit WmeChanges(Engine& engine) : engine_(engine) {
+  WmeChanges(WorkingMemory& memory, LinkGraph& links, Rete& rete, OutputMarks& output, ElementListener& listener)
+      : memory_(memory), links_(links), rete_(rete), output_(output), listener_(listener) {
     for (std::vector<WmeId>* list : {&added_, &removed_, &dead_, &flushing_added_, &flushing_removed_})
       list->reserve(32);
   }
@@ -44,15 +48,19 @@ class WmeChanges {
   void DropReference(WmeId wme);
   /// Gives back the indices of removed elements. Only when no retraction is pending, whose elements may be shown.
   [[gnu::flatten]] void Bury();
+  /// Whether the listener hears of the attributes of new elements.
+  void TellOfAttributes(bool tell) { tells_of_attributes_ = tell; }
   void Clear();
 
  private:
-  /// An element that came and went within the phase was the first to be added.
-  [[gnu::noinline]] void WarnOfLost();
+  void Record(WmeId wme, WmeKind kind, Symbol id, Symbol attribute, Symbol value);
 
-  void Record(WmeId wme, WmeKind kind, Symbol id, Symbol value);
-
-  Engine& engine_;
+  WorkingMemory& memory_;
+  LinkGraph& links_;
+  Rete& rete_;
+  OutputMarks& output_;
+  ElementListener& listener_;
+  bool tells_of_attributes_ = false;
   std::uint64_t last_entered_ = 0;
   std::vector<WmeId> added_, removed_, dead_, flushing_added_, flushing_removed_;
 };

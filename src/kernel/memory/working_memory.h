@@ -10,10 +10,11 @@
 #include "kernel/base/record_arena.h"
 #include "kernel/base/symbol.h"
 #include "kernel/base/symbol_table.h"
+#include "kernel/match/goal_view.h"
+#include "kernel/match/wme.h"
 #include "kernel/memory/large_slots.h"
 #include "kernel/memory/preference.h"
 #include "kernel/memory/slot_index.h"
-#include "kernel/memory/wme.h"
 
 namespace soarbox::kernel {
 
@@ -136,8 +137,10 @@ class WorkingMemory {
     });
   }
   std::uint32_t identifier_count() const { return live_identifiers_; }
-  /// By identifier index: the level of an identifier that is a goal, else 0; and the long-term identifier that it is
-  /// linked to, else 0. What the matcher is told of identifiers.
+  /// What the matcher is told of identifiers. Valid until the next identifier is made.
+  GoalView goal_view() const { return {goal_levels_, long_term_}; }
+  /// By identifier index: the level of an identifier that is a goal, else 0; the long-term identifier that it is linked
+  /// to, else 0.
   std::span<const GoalLevel> goal_levels() const { return goal_levels_; }
   std::span<const std::uint64_t> long_term_identifiers() const { return long_term_; }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "kernel/base/ids.h"
+
+namespace soarbox::kernel {
+
+/// What the match needs to know of identifiers and goals; owned and kept up to date by working memory. Indexed by
+/// Symbol::index() of an identifier; entries beyond the end count as 0.
+struct GoalView {
+  std::span<const GoalLevel> level_of_goal;  ///< The level of an identifier that is a goal, else 0.
+  std::span<const std::uint64_t> lti_of;     ///< The long-term identifier that it is linked to, else 0.
+};
+
+}  // namespace soarbox::kernel

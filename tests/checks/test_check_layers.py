@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""The check of layers lets pass what follows the order, and finds what does not."""
+import pathlib
+import tempfile
+import unittest
+
+import check_layers
+
+
+class TheCheckOfLayers(unittest.TestCase):
+    def found(self, file, *includes):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / file
+            path.parent.mkdir(parents=True)
+            path.write_text("".join(f'#include "{include}"\n' for include in includes), encoding="utf-8")
+            return list(check_layers.offences(pathlib.Path(folder)))
+
+    def assert_passes(self, file, *includes):
+        self.assertEqual(self.found(file, *includes), [])
+
+    def assert_finds(self, file, include):
+        self.assertEqual(len(self.found(file, "kernel/base/ids.h", include)), 1)
+
+    def test_modules(self):
+        self.assert_passes("cli/words.cpp", "kernel/agent.h", "cli/words.h")
+        self.assert_finds("kernel/base/ids.cpp", "cli/words.h")
+
+    def test_folders_of_the_kernel(self):
+        self.assert_passes("kernel/memory/links.cpp", "kernel/base/ids.h", "kernel/match/rete.h", "kernel/memory/links.h")
+        self.assert_finds("kernel/memory/links.cpp", "kernel/decide/engine.h")
+        self.assert_finds("kernel/io/input_link.cpp", "kernel/decide/firing.h")
+        self.assert_finds("kernel/match/rete.h", "kernel/memory/working_memory.h")
+        self.assert_finds("kernel/decide/firing.cpp", "kernel/learn/chunker.h")
+
+    def test_the_face_is_above_the_folders(self):
+        self.assert_passes("kernel/agent.cpp", "kernel/longterm/long_term.h")
+        self.assert_finds("kernel/memory/links.cpp", "kernel/agent.h")
+        self.assert_passes("kernel/decide/observers.h", "kernel/observer.h")
+
+    def test_what_an_agent_consists_of_knows_all_parts(self):
+        self.assert_passes("kernel/decide/engine.h", "kernel/learn/chunker.h")
+
+    def test_tests_may_use_the_face(self):
+        self.assert_passes("kernel/match/rete_test.cpp", "kernel/agent.h")
+
+
+if __name__ == "__main__":
+    unittest.main()
