@@ -53,7 +53,8 @@ void ElementEvents::RuleInterrupts() {
 }
 
 void ElementEvents::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
-  if (engine_.long_term.Wants(ModuleHook::kFlush)) engine_.long_term.Flushed(added, removed);
+  // (Without states it is init-soar that takes working memory apart.)
+  if (engine_.long_term.Wants(ModuleHook::kFlush) && !engine_.goals.empty()) engine_.long_term.Flushed(added, removed);
 }
 
 }  // namespace soarbox::kernel

@@ -157,6 +157,7 @@ void Engine::Sweep() {
 
 void Engine::Initialize(bool announce) {
   long_term.BeforeInit();
+  if (!run.broken()) goal_changes.TakeAllApart();
   justifier.ExciseAll();
   rete.Clear();
   goals.Clear();

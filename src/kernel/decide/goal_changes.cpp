@@ -2,9 +2,11 @@
 #include "kernel/decide/goal_changes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
+#include "kernel/decide/observers.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -198,10 +200,38 @@ void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
 }
 
 void GoalChanges::RemoveBottom() {
-  WorkingMemory& memory = engine_.memory;
-  Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
+  const Goal& goal = engine_.goals.bottom();
   if (engine_.reinforcement.learning()) engine_.reinforcement.GoalEnds(goal.level);
   engine_.run.GoalRemoved(goal.id);
+  TakeBottomApart();
+}
+
+namespace {
+
+/// Nobody hears of anything while it lives.
+class Silence {
+ public:
+  explicit Silence(Observers& observers) : observers_(observers) { std::swap(observers_, kept_); }
+  ~Silence() { std::swap(observers_, kept_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  Observers& observers_;
+  Observers kept_;
+};
+
+}  // namespace
+
+void GoalChanges::TakeAllApart() {
+  const Silence silence(engine_.observers);
+  while (!engine_.goals.empty()) TakeBottomApart();
+  engine_.elaboration.ApplyBufferedChanges();
+}
+
+void GoalChanges::TakeBottomApart() {
+  WorkingMemory& memory = engine_.memory;
+  Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
   engine_.selections.GoalRemoved(goal.level);
   engine_.chunker.GoalRemoved(goal.id);
   engine_.gds.GoalRemoved(goal.level);  // First: the set holds elements of the goal itself, which go now.

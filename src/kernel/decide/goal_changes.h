@@ -32,6 +32,9 @@ class GoalChanges {
   WmeId ProposalOfItem(WmeId item) const;
   /// Removes the goal of this level and all below, the lowest first.
   [[gnu::noinline]] void RemoveFrom(GoalLevel level, GoalRemoval reason);
+  /// init-soar: takes all states apart as if they ended, the lowest first, so that their elements leave the match in
+  /// the order that Soar has: which rule fires first afterwards depends on it. Nobody is told, and nothing is learned.
+  void TakeAllApart();
   /// Removes what an identifier that no goal reaches owns.
   void CollectGarbage(Symbol id);
 
@@ -46,6 +49,7 @@ class GoalChanges {
   WmeId AddSlotWme(Symbol id, Symbol attribute, Symbol value);
   WmeId AddArchitecture(Symbol id, Symbol attribute, Symbol value);
   void RemoveBottom();
+  void TakeBottomApart();
   template <typename Visit>
   void ForEachItemInRemovalOrder(const Goal& goal, Visit visit) const;
 

@@ -73,7 +73,8 @@ void RunControl::DecidePhase() {
   BeginPhase();
   ++engine_.counters.decision_phases;
   engine_.decision.Decide();
-  engine_.elaboration.ApplyBufferedChanges();
+  // What states held that went at the end of the propose phase goes here, not in the next elaboration.
+  engine_.elaboration.ApplyWorkingMemoryChanges();
   if (engine_.observers.Wants(Event::kDecision)) {
     const GoalInfo info = engine_.Describe(engine_.goals.bottom());
     const std::uint64_t number = engine_.counters.decision_phases;
