@@ -65,7 +65,7 @@ std::string_view Engine::ProductionName(InstantiationId id) const {
   const Instantiation& instantiation = instantiations[id];
   if (instantiation.justification != Instantiation::kNoJustification)
     return justifier.Name(instantiation.justification);
-  if (instantiation.production == ProductionId::kNone) return "[architecture]";
+  if (instantiation.production == ProductionId::kNone) return "|Memory System Recall|";
   const ProductionPtr& rule = rete.production(instantiation.production);
   return rule == nullptr ? std::string_view("[excised]") : std::string_view(rule->name);
 }

@@ -166,16 +166,14 @@ bool EpisodicMemory::IsDue() {
 
 void EpisodicMemory::Respond() {
   EnsureOpen();
-  bool changed = false;
   if (IsDue()) {
     recorder_.Record(settings_.exclusions);
     decisions_.push_back(static_cast<std::uint32_t>(engine_.counters.decision_phases));
     Keep();
     ShowTime();
-    changed = true;
   }
-  changed = commands_.Process() || changed;
-  if (changed) engine_.elaboration.ApplyWorkingMemoryChanges();
+  // The new time alone waits for the next change of working memory.
+  if (commands_.Process()) engine_.elaboration.ApplyWorkingMemoryChanges();
 }
 
 /// Puts the number of the next episode on every state's link.

@@ -11,15 +11,23 @@ Symbol Installer::NewIdentifier(char letter, GoalLevel level, std::uint64_t long
   return id;
 }
 
+bool Installer::GivesOSupport() const {
+  const Elaboration& elaboration = engine_.elaboration;
+  // An apply phase in which nothing fires counts as one of o-supported rules.
+  const bool nothing_fired = engine_.run.phase() == Phase::kOutput && elaboration.count() == 0;
+  return nothing_fired || elaboration.firing_type() == FiringType::kPe;
+}
+
 void Installer::Install(GoalLevel level, std::span<const WmeId> command, std::span<const Triple> triples,
                         std::vector<PreferenceId>* made) {
   if (triples.empty()) return;
+  const bool o_support = GivesOSupport();
   const InstantiationId id = engine_.instantiations.Make();
   {
     Instantiation& instantiation = engine_.instantiations[id];
     instantiation.goal = engine_.goals.at(level).id;
     instantiation.level = level;
-    instantiation.o_support = true;
+    instantiation.o_support = o_support;
     instantiation.held = true;
   }
   if (level > 1) {
@@ -31,7 +39,7 @@ void Installer::Install(GoalLevel level, std::span<const WmeId> command, std::sp
   preferences.reserve(triples.size());
   for (const Triple& triple : triples) {
     preferences.push_back(engine_.preferences.Make(id, triple.id, triple.attribute, triple.value, Symbol(),
-                                                   PreferenceType::kAcceptable, true));
+                                                   PreferenceType::kAcceptable, o_support));
   }
   engine_.preferences.LinkToGoal(id);
   for (const PreferenceId preference : preferences) {

@@ -17,9 +17,10 @@ struct Triple {
   Symbol id, attribute, value;
 };
 
-/// Puts what long-term memory answers into working memory: preferences with o-support of an instantiation that no rule
-/// made ("Memory System Recall"). Its traces are the elements of the command, so that learning and goal dependency sets
-/// follow it as they follow any rule's.
+/// Puts what long-term memory answers into working memory: preferences of an instantiation that no rule made ("Memory
+/// System Recall"). Its traces are the elements of the command, so that learning and goal dependency sets follow it as
+/// they follow any rule's. Nothing but Retract takes them back, but as in Soar 9.6.3 they count as o-supported only if
+/// the rules that fired last were: only then the goal dependency set and the activation of working memory know them.
 ///
 /// A retrieval calls Install twice: first for what stands on ^result (the caller keeps these preferences and gives them
 /// to Retract when the command changes), then for the contents of the objects retrieved, which live as long as they are
@@ -40,6 +41,8 @@ class Installer {
   void Settle();
 
  private:
+  bool GivesOSupport() const;
+
   Engine& engine_;
 };
 

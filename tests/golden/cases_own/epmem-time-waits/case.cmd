@@ -1,0 +1,4 @@
+source agent.soar
+watch 5
+run 3
+print s1 -d 2
