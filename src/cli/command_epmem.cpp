@@ -26,20 +26,19 @@ namespace {
 using kernel::EpisodicMemory;
 using kernel::EpisodicSettings;
 using SetResult = SettingStore::SetResult;
-constexpr auto kRequired = OptionArgument::kRequired;
 constexpr auto kOptional = OptionArgument::kOptional;
 
 constexpr OptionSpec kEpmemTable[] = {
-    {'b', "backup", kRequired, "copy the database"},
+    {'b', "backup", kOptional, "copy the database"},
     {'c', "close", OptionArgument::kNone, "close the database"},
     {'e', "enable", OptionArgument::kNone, "switch on"},
     {'e', "on"},
     {'d', "disable", OptionArgument::kNone, "switch off"},
     {'d', "off"},
-    {'g', "get", kRequired, "show a setting"},
+    {'g', "get", kOptional, "show a setting"},
     {'i', "init", OptionArgument::kNone, "forget all episodes"},
     {'p', "print", kOptional, "show an episode"},
-    {'s', "set", kRequired, "change a setting"},
+    {'s', "set", kOptional, "change a setting"},
     {'S', "stats", kOptional, "figures"},
     {'t', "timers", kOptional, "times"},
     {'v', "viz", kOptional, "an episode as a graph"},
@@ -163,8 +162,8 @@ void Apply(CommandCall& call, std::string_view name) {
 bool Set(CommandCall& call, const ParsedWords& parsed) {
   const std::string name = *parsed.Argument('s');
   std::string value;
-  for (const Word& word : parsed.arguments) value += (value.empty() ? "" : " ") + word.text;
   if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
+  value = parsed.arguments.front().text;
   SettingStore& store = call.session.settings();
   if (name == "exclusions") {
     Memory(call).ToggleExclusion(value);
@@ -212,6 +211,7 @@ bool Statistics(CommandCall& call, std::string_view wanted) {
   const std::string bytes = std::to_string(memory.MemoryBytes());
   const std::tuple<std::string_view, std::string_view, std::string> rows[] = {
       {"time", "Time", std::to_string(memory.time())},
+      {"db-lib-version", "SQLite Version", std::string(journal::SqliteVersion())},
       {"mem-usage", "Memory Usage", bytes},
       {"mem-high", "Memory Highwater", bytes},
       {"retrievals", "Retrievals", std::to_string(counters.retrievals)},
@@ -362,8 +362,12 @@ bool CommandEpmem(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kEpmemTable, parsed)) return false;
   if (parsed.options.empty()) {
-    return parsed.arguments.empty() ? EpmemOverview(call) : call.Fail("Invalid syntax.");
+    return parsed.arguments.empty() ? EpmemOverview(call) : call.Fail("Too many arguments, check syntax.");
   }
+  const char letter = parsed.options.front().letter;
+  if (parsed.arguments.size() > (letter == 's' ? 1u : 0u)) return call.Fail("Too many arguments.");
+  const bool needs_word = letter == 'g' || letter == 's' || letter == 'b';
+  if (needs_word && !parsed.Argument(letter)) return call.Fail("Too few arguments.");
   if (const auto name = parsed.Argument('g')) return Get(call, *name);
   if (parsed.Has('s')) return Set(call, parsed);
   if (parsed.Has('e')) return Switch(call, true);

@@ -24,7 +24,6 @@ namespace soarbox::cli {
 namespace {
 
 using SetResult = SettingStore::SetResult;
-constexpr auto kRequired = OptionArgument::kRequired;
 constexpr auto kOptional = OptionArgument::kOptional;
 
 constexpr OptionSpec kSmemTable[] = {
@@ -35,13 +34,13 @@ constexpr OptionSpec kSmemTable[] = {
     {'e', "on"},
     {'d', "disable", OptionArgument::kNone, "switch off"},
     {'d', "off"},
-    {'g', "get", kRequired, "show a setting"},
+    {'g', "get", kOptional, "show a setting"},
     {'h', "history", kOptional, "when an object was used"},
     {'i', "init", OptionArgument::kNone, "open the database again"},
     {'P', "precalculate", OptionArgument::kNone, "prepare spreading"},
     {'q', "query", kOptional, "find objects"},
     {'r', "remove", kOptional, "remove objects or their elements"},
-    {'s', "set", kRequired, "change a setting"},
+    {'s', "set", kOptional, "change a setting"},
     {'S', "stats", kOptional, "figures"},
     {'t', "timers", kOptional, "times"},
     {'x', "export", kOptional, "write everything as commands"},
@@ -96,6 +95,7 @@ void Apply(CommandCall& call) {
                                                           : kernel::BaseUpdatePolicy::kStable;
   settings.base_incremental_threshes = Numbers(text("base-incremental-threshes"));
   settings.thresh = whole("thresh");
+  settings.base_unused_age_offset = real("base-unused-age-offset");
   settings.base_inhibition = store.IsOn("smem", "base-inhibition");
   settings.spreading = store.IsOn("smem", "spreading");
   settings.spreading_limit = whole("spreading-limit");
@@ -222,12 +222,17 @@ std::string Toggled(const std::string& list, const std::string& value) {
 bool Set(CommandCall& call, const ParsedWords& parsed) {
   const std::string name = *parsed.Argument('s');
   std::string value;
-  for (const Word& word : parsed.arguments) value += (value.empty() ? "" : " ") + word.text;
-  if (parsed.arguments.empty()) return call.Fail("Invalid arguments for set: a setting and its value are expected.");
+  if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
+  value = parsed.arguments.front().text;
   SettingStore& store = call.session.settings();
   SemanticMemory& memory = MemoryOf(call);
   if (name == "thresh" && memory.opened()) {
     return call.Fail("This parameter is protected while the semantic memory database is open.");
+  }
+  if (name == "spreading" && store.Get("smem", "activation-mode") != "base-level") {
+    return call.Fail(
+        "Spreading activation cannot be turned on until the 'activation-mode' is also set to base-level.\n"
+        "Run 'smem --set activation-mode base-level' first if you intend to use spreading.");
   }
   std::string kept = value;
   if (name == "base-incremental-threshes") {
@@ -252,7 +257,7 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   }
   Apply(call);
   call.Out(fmt::format("{} is now {}\n", name, value));
-  if ((name == "base-inhibition" || name == "spreading-edge-updating") && value == "on") {
+  if (name == "spreading-edge-updating" && value == "on") {
     call.Hint(name + " has no effect in this build", "the setting is kept, so that agents' files load");
   }
   if (is_place || name == "append" || name == "optimization") {
@@ -265,7 +270,7 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   if (name == "append" && value == "off") {
     call.Out(
         "Warning: Since append mode is off, starting/reinitializing,\n"
-        "         Soar will erase the semantic memory database.\n");
+        "         Soar will erase the semantic memory database.\n\n");
   }
   return true;
 }
@@ -291,9 +296,8 @@ bool Add(CommandCall& call, const std::string& text) {
 bool Query(CommandCall& call, const std::string& text, const ParsedWords& parsed) {
   std::size_t limit = 1;
   if (!parsed.arguments.empty()) {
-    const auto number = ParseInteger(parsed.arguments.front().text);
-    if (!number || *number < 1) return call.Fail("Number of answers expected.");
-    limit = static_cast<std::size_t>(*number);
+    const auto number = ParseLeadingInteger(parsed.arguments.front().text);
+    if (number) limit = static_cast<std::size_t>(std::max<std::int64_t>(*number, 0));
   }
   if (!Use(call)) return false;
   SemanticMemory& memory = MemoryOf(call);
@@ -309,11 +313,11 @@ bool Query(CommandCall& call, const std::string& text, const ParsedWords& parsed
 
 bool Remove(CommandCall& call, const std::string& text, const ParsedWords& parsed) {
   const bool force = !parsed.arguments.empty() && parsed.arguments.front().text == "force";
-  if (!parsed.arguments.empty() && !force) return call.Fail("Too many arguments: only 'force' may follow.");
   if (!Use(call)) return false;
-  const std::string errors = kernel::RemoveKnowledge(MemoryOf(call), text, force);
+  bool failed = false;
+  const std::string errors = kernel::RemoveKnowledge(MemoryOf(call), text, force, failed);
   MemoryOf(call).Keep();
-  if (!errors.empty() && !force) return call.Fail("Error while attempting removal.\n" + errors);
+  if (failed) return call.Fail("Error while attempting removal.\n" + errors);
   call.Out("\n" + errors + "\nSMem| Removal complete.\n");
   return true;
 }
@@ -334,7 +338,7 @@ bool Export(CommandCall& call, const std::string& file, const ParsedWords& parse
   if (!parsed.arguments.empty()) {
     const std::string& name = parsed.arguments.front().text;
     const kernel::Lti number = kernel::ObjectNamed(memory, name);
-    if (number == 0) return call.Fail("LTI " + name + " not found in semantic memory.");
+    if (number == 0) return call.Fail("LTI not found.");
     root = memory.knowledge().Find(number);
   }
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
@@ -360,8 +364,8 @@ bool History(CommandCall& call, const std::string& name) {
   if (!Use(call)) return false;
   const SemanticMemory& memory = MemoryOf(call);
   const kernel::Lti number = kernel::ObjectNamed(memory, name);
-  if (number == 0) return call.Fail("Could not find LTI " + name + " in semantic memory.");
-  call.Out(ObjectLine(memory, memory.knowledge().Find(number)));
+  if (number == 0) return call.Fail("LTI not found.");
+  call.Out(ObjectLine(memory, memory.knowledge().Find(number)) + "\n");
   return true;
 }
 
@@ -397,12 +401,15 @@ bool CommandSmem(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kSmemTable, parsed)) return false;
   if (parsed.options.empty()) {
-    if (!parsed.arguments.empty()) return call.Fail("Invalid syntax.");
+    if (!parsed.arguments.empty()) return call.Fail("Too many arguments.");
     call.Out(SmemSummary(call.session));
     return true;
   }
   std::string text;
   const char letter = parsed.options.front().letter;
+  // What an option takes beside its own argument.
+  const std::size_t most = letter == 's' || letter == 'q' || letter == 'r' || letter == 'x' ? 1 : 0;
+  if (parsed.arguments.size() > most) return call.Fail("Too many arguments.");
   switch (letter) {
     case 'g':
       return TextOf(call, parsed, letter, text) && Get(call, text);

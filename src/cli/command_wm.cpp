@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "cli/command.h"
@@ -185,10 +186,10 @@ bool SetActivation(CommandCall& call, const std::string& name, const std::string
   std::string kept = value;
   if (name == "decay-rate" || name == "decay-thresh") {
     // Both are kept with a minus, however they are written.
-    const auto number = ParseDouble(value);
-    const double size = number ? std::abs(*number) : -1;
-    if (size < 0 || (name == "decay-rate" && size > 1)) return call.Fail("Invalid value for activation setting.");
-    kept = size == 0 ? "0" : Shortest(-size);
+    const double size = std::abs(std::strtod(value.c_str(), nullptr));
+    const bool fits = name == "decay-rate" ? size <= 1 : size > 0;
+    if (!fits) return call.Fail("Invalid value for activation setting.");
+    kept = size == 0 ? "-0" : Shortest(-size);
   }
   if (store.Set("wma", name, kept) != SettingStore::SetResult::kOk) {
     return call.Fail("Invalid value for activation setting.");
@@ -226,6 +227,10 @@ bool Activation(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kWmSubcommands[2].options, parsed)) return false;
   const SettingStore& store = call.session.settings();
+  for (const char letter : {'g', 's', 'h'}) {
+    if (parsed.Has(letter) && !parsed.Argument(letter)) return call.Fail("Too few arguments.");
+  }
+  if (parsed.arguments.size() > (parsed.Has('s') ? 1u : 0u)) return call.Fail("Too many arguments.");
   if (parsed.Has('g')) {
     const std::string name = *parsed.Argument('g');
     if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
@@ -234,7 +239,6 @@ bool Activation(CommandCall& call) {
   }
   if (parsed.Has('s')) {
     if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
-    if (parsed.arguments.size() > 1) return call.Fail("Too many args.");
     return SetActivation(call, *parsed.Argument('s'), parsed.arguments.front().text);
   }
   if (const auto tag = parsed.Argument('h')) return ActivationHistory(call, *tag);
@@ -246,7 +250,6 @@ bool Activation(CommandCall& call) {
     call.Out(name ? std::to_string(forgotten) : fmt::format("Forgotten WMEs: {}\n", forgotten));
     return true;
   }
-  if (!parsed.Has('t') && !parsed.arguments.empty()) return call.Fail("Too many args.");
   if (parsed.Has('t')) return call.Fail("Activation of working memory takes no times.");
   const auto line = [&](std::string_view name) { call.Out(fmt::format("{}: {}\n", name, store.Get("wma", name))); };
   call.Out(fmt::format("\nWMA activation: {}\n\nActivation\n----------\n", store.Get("wma", "activation")));
@@ -282,9 +285,9 @@ bool Help(CommandCall& call) {
 }
 
 constexpr OptionSpec kActivationOptions[] = {
-    {'g', "get", OptionArgument::kRequired, "show a setting"},
-    {'s', "set", OptionArgument::kRequired, "change a setting"},
-    {'h', "history", OptionArgument::kRequired, "when an element was used"},
+    {'g', "get", OptionArgument::kOptional, "show a setting"},
+    {'s', "set", OptionArgument::kOptional, "change a setting"},
+    {'h', "history", OptionArgument::kOptional, "when an element was used"},
     {'S', "stats", OptionArgument::kOptional, "what was forgotten"},
 };
 constexpr OptionSpec kWatchOptions[] = {

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/setting_store.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
 #include "cli/lookup.h"
+#include "cli/summary.h"
 
 namespace soarbox::cli {
 namespace {
 
 using enum SettingKind;
+
+/// Zero is too little.
+constexpr double kAboveZero = 1e-300;
 
 constexpr SettingInfo kSettings[] = {
     {"soar", "max-memory-usage", kInteger, "100000000", {}, 1},
@@ -58,20 +66,22 @@ constexpr SettingInfo kSettings[] = {
     {"smem", "path", kText, ""},
     {"smem", "activation-mode", kChoice, "recency", "recency frequency base-level"},
     {"smem", "activate-on-query", kSwitch, "on"},
-    {"smem", "base-decay", kReal, "0.5", {}, 0},
+    {"smem", "activate-on-add", kSwitch, "off"},
+    {"smem", "base-decay", kReal, "0.5", {}, kAboveZero},
     {"smem", "base-update-policy", kChoice, "stable", "stable naive incremental"},
     {"smem", "base-incremental-threshes", kText, "10"},
     {"smem", "thresh", kInteger, "100", {}, 0},
     {"smem", "base-inhibition", kSwitch, "off"},
+    {"smem", "base-unused-age-offset", kInteger, "0", {}, 0},
     {"smem", "spreading", kSwitch, "off"},
-    {"smem", "spreading-limit", kInteger, "300", {}, 1},
-    {"smem", "spreading-depth-limit", kInteger, "10", {}, 1},
-    {"smem", "spreading-baseline", kReal, "0.0001", {}, 0, 1},
-    {"smem", "spreading-continue-probability", kReal, "0.9", {}, 0, 1},
+    {"smem", "spreading-limit", kInteger, "300", {}, 0},
+    {"smem", "spreading-depth-limit", kInteger, "10", {}, 0},
+    {"smem", "spreading-baseline", kReal, "0.0001", {}, kAboveZero},
+    {"smem", "spreading-continue-probability", kReal, "0.9", {}, kAboveZero},
     {"smem", "spreading-loop-avoidance", kSwitch, "off"},
     {"smem", "spreading-edge-updating", kSwitch, "off"},
     {"smem", "spreading-wma-source", kSwitch, "off"},
-    {"smem", "spreading-edge-update-factor", kReal, "0.99", {}, 0, 1},
+    {"smem", "spreading-edge-update-factor", kReal, "0.99", {}, kAboveZero},
     {"smem", "lazy-commit", kSwitch, "on"},
     {"smem", "optimization", kChoice, "performance", "safety performance"},
     {"smem", "cache-size", kInteger, "10000", {}, 1},
@@ -100,7 +110,7 @@ constexpr SettingInfo kSettings[] = {
     {"wma", "decay-rate", kReal, "-0.5", {}, -1, 0},
     {"wma", "petrov-approx", kSwitch, "off"},
     {"wma", "decay-thresh", kReal, "-2"},
-    {"wma", "forgetting", kChoice, "off", "off naive bsearch approx on"},
+    {"wma", "forgetting", kChoice, "off", "off naive bsearch on"},
     {"wma", "forget-wme", kChoice, "all", "all lti"},
     {"wma", "fake-forgetting", kSwitch, "off"},
     {"wma", "timers", kChoice, "off", "off one"},
@@ -130,6 +140,14 @@ bool IsChoice(std::string_view choices, std::string_view value) {
   if (value.empty() || value.find(' ') != std::string_view::npos) return false;
   const std::string padded = " " + std::string(choices) + " ";
   return padded.find(" " + std::string(value) + " ") != std::string::npos;
+}
+
+/// Long-term memories take of a number what stands at its beginning, as Soar 9.6.3 does: 8k is 8, and a word is 0.
+std::string AsNumber(const SettingInfo& info, const std::string& value) {
+  if (info.group != "smem" && info.group != "epmem" && info.group != "wma") return value;
+  if (info.kind == kInteger) return std::to_string(ParseLeadingInteger(value).value_or(0));
+  if (info.kind != kReal) return value;
+  return Shortest(std::clamp(std::strtod(value.c_str(), nullptr), -1e300, 1e300));
 }
 
 bool Fits(const SettingInfo& info, const std::string& value) {
@@ -179,8 +197,9 @@ std::string SettingStore::Get(std::string_view group, std::string_view name) con
 SettingStore::SetResult SettingStore::Set(std::string_view group, std::string_view name, const std::string& value) {
   const SettingInfo* info = Find(group, name);
   if (!info) return SetResult::kUnknown;
-  if (!Fits(*info, value)) return SetResult::kInvalid;
-  values_[Key(group, name)] = value;
+  const std::string kept = AsNumber(*info, value);
+  if (!Fits(*info, kept)) return SetResult::kInvalid;
+  values_[Key(group, name)] = kept;
   return SetResult::kOk;
 }
 

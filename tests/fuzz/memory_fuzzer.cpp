@@ -41,7 +41,8 @@ void TryText(SemanticMemory& memory, std::string_view text) {
   CheckKnowledge(memory);
   Cue cue;
   if (ReadQuery(memory, given, cue).empty()) static_cast<void>(memory.Search(cue, 3));
-  static_cast<void>(RemoveKnowledge(memory, given, true));
+  bool failed = false;
+  static_cast<void>(RemoveKnowledge(memory, given, true, failed));
   CheckKnowledge(memory);
 }
 

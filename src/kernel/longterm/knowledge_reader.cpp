@@ -42,15 +42,20 @@ class ClauseReader {
  public:
   explicit ClauseReader(std::string_view text) : text_(text), lexer_(text, arena_) { Advance(); }
 
-  bool AtEnd() const { return token_.kind == TokenKind::kEnd; }
+  /// Whether another clause begins. As in Soar 9.6.3, what follows the last one is not read.
+  bool HasMore() const { return token_.kind == TokenKind::kLeftParen; }
+  /// Of the clause that Read could not read: whether even its object was missing or none.
+  bool failed_at_object() const { return failed_at_object_; }
 
   /// `needs_values`: an attribute without one is an error.
   std::optional<WrittenClause> Read(bool needs_values) {
+    failed_at_object_ = true;
     if (token_.kind != TokenKind::kLeftParen) return {};
     Advance();
     WrittenClause clause;
     const std::optional<WrittenValue> object = ReadValue();
     if (!object || !object->IsObject()) return {};
+    failed_at_object_ = false;
     clause.object = *object;
     while (token_.kind != TokenKind::kRightParen) {
       WrittenAugmentation made;
@@ -126,6 +131,7 @@ class ClauseReader {
     return value;
   }
 
+  bool failed_at_object_ = false;
   std::string_view text_;
   Arena arena_;
   Lexer lexer_;
@@ -134,19 +140,6 @@ class ClauseReader {
 
 std::string InClause(std::size_t number) {
   return "Error parsing clause #" + std::to_string(number);
-}
-
-/// All clauses; the number of the first that cannot be read in `failed`.
-std::optional<std::vector<WrittenClause>> ReadClauses(std::string_view text, bool needs_values, std::size_t& failed) {
-  ClauseReader reader(text);
-  std::vector<WrittenClause> clauses;
-  do {
-    std::optional<WrittenClause> clause = reader.Read(needs_values);
-    failed = clauses.size();
-    if (!clause) return {};
-    clauses.push_back(std::move(*clause));
-  } while (!reader.AtEnd());
-  return clauses;
 }
 
 /// Carries clauses out.
@@ -216,16 +209,17 @@ struct Removal {
   StoreTerm attribute, value;
 };
 
-/// What one clause removes; errors are appended to `errors`. False at the first error unless `force`.
+/// What a clause removes. What it names and is not there is told in `errors`; false if the clause fails for it.
 bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force, std::vector<Removal>& plan,
           std::string& errors) {
   const Knowledge& knowledge = memory.knowledge();
-  const auto fail = [&](std::string_view message) {
-    errors += "Error: " + std::string(message) + "\n";
-    return force;
-  };
+  const auto note = [&](std::string_view message) { errors += "Error: " + std::string(message) + "\n"; };
   const std::uint32_t object = FindObject(memory, clause.object);
-  if (object == Knowledge::kNowhere) return fail("No LTI found for that id.");
+  if (object == Knowledge::kNowhere) {
+    note(clause.object.kind == WrittenValue::Kind::kVariable ? "The lti id must be an integer."
+                                                             : "No LTI found for that id.");
+    return false;
+  }
   const std::span<const Edge> edges = knowledge.EdgesAt(object);
   if (clause.augmentations.empty()) {
     for (const Edge& edge : edges) plan.push_back({object, edge.attribute, edge.value});
@@ -233,8 +227,10 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
   for (const WrittenAugmentation& augmentation : clause.augmentations) {
     const StoreTerm attribute = FindTerm(memory, augmentation.path.front());
     if (augmentation.path.size() > 1 || !attribute || !knowledge.Has(object, attribute)) {
-      if (!fail("Attribute was not found.")) return false;
-      continue;
+      note("Attribute was not found.");
+      // Force passes over an attribute alone that another one follows.
+      if (force && augmentation.values.empty() && &augmentation != &clause.augmentations.back()) continue;
+      return false;
     }
     if (augmentation.values.empty()) {
       for (const Edge& edge : edges) {
@@ -245,8 +241,8 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
       const StoreTerm value = FindTerm(memory, written);
       if (value && knowledge.Has(object, attribute, value)) {
         plan.push_back({object, attribute, value});
-      } else if (!fail("Attribute contained a value that could not be found.")) {
-        return false;
+      } else {
+        note("Value does not exist on attribute.");
       }
     }
   }
@@ -256,58 +252,72 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
 }  // namespace
 
 std::string AddKnowledge(SemanticMemory& memory, std::string_view text) {
-  std::size_t failed = 0;
-  const std::optional<std::vector<WrittenClause>> clauses = ReadClauses(text, true, failed);
-  if (!clauses) return InClause(failed);
-  for (const WrittenClause& clause : *clauses) {
-    for (const WrittenAugmentation& augmentation : clause.augmentations) {
-      if (augmentation.negative) return InClause(static_cast<std::size_t>(&clause - clauses->data()));
-    }
-  }
+  ClauseReader reader(text);
   Adder adder(memory);
-  for (const WrittenClause& clause : *clauses) adder.Add(clause);
+  std::size_t number = 0;
+  // What stands before a clause that cannot be read is added.
+  do {
+    const std::optional<WrittenClause> clause = reader.Read(true);
+    if (!clause || clause->augmentations.empty() ||
+        std::ranges::any_of(clause->augmentations, &WrittenAugmentation::negative)) {
+      return InClause(number);
+    }
+    adder.Add(*clause);
+    ++number;
+  } while (reader.HasMore());
   return {};
 }
 
 std::string ReadQuery(const SemanticMemory& memory, std::string_view text, Cue& cue) {
-  std::size_t failed = 0;
-  const std::optional<std::vector<WrittenClause>> clauses = ReadClauses(text, true, failed);
   const auto problem = [&](std::string_view what, std::size_t clause) {
     return "Error while parsing query\n" + std::string(what) + InClause(clause) + ".";
   };
-  if (!clauses) return problem("", failed);
-  for (std::size_t n = 0; n < clauses->size(); ++n) {
-    const WrittenClause& clause = (*clauses)[n];
-    const WrittenValue& first = clauses->front().object;
-    if (clause.object.kind != first.kind || clause.object.text != first.text || clause.object.number != first.number) {
-      return problem("Error: Additional clauses must share same variable.\n", n);
+  ClauseReader reader(text);
+  std::string variable;
+  std::size_t number = 0;
+  do {
+    const bool begins = reader.HasMore();
+    const std::optional<WrittenClause> clause = reader.Read(true);
+    const bool is_variable = clause ? clause->object.kind == WrittenValue::Kind::kVariable : !reader.failed_at_object();
+    if (number == 0 && !is_variable) return problem(begins ? "Error: The cue must be a variable.\n" : "", 0);
+    if (!is_variable || (clause && number > 0 && clause->object.text != variable)) {
+      return problem("Error: Additional clauses must share same variable.\n", number);
     }
-    for (const WrittenAugmentation& augmentation : clause.augmentations) {
-      if (augmentation.path.size() > 1) return problem("", n);
+    ++number;
+    if (!clause) return problem("", number);
+    variable = clause->object.text;
+    for (const WrittenAugmentation& augmentation : clause->augmentations) {
+      if (augmentation.path.size() > 1) return problem("", number);
+      if (augmentation.negative && cue.elements.empty() && !cue.impossible) return problem("", number);
       const StoreTerm attribute = FindTerm(memory, augmentation.path.front());
       for (const WrittenValue& written : augmentation.values) {
         const bool any =
             written.kind == WrittenValue::Kind::kVariable || written.kind == WrittenValue::Kind::kIdentifier;
         const StoreTerm value = any ? StoreTerm() : FindTerm(memory, written);
+        if (written.IsObject() && !any && !value) return problem("Error: LTI was not found.\n", number);
         const bool unknown = !attribute || (!any && !value);
         if (unknown && augmentation.negative) continue;
         cue.impossible = cue.impossible || unknown;
         cue.elements.push_back({attribute, value, augmentation.negative});
       }
     }
-  }
+  } while (reader.HasMore());
   return {};
 }
 
-std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool force) {
-  std::size_t failed = 0;
-  const std::optional<std::vector<WrittenClause>> clauses = ReadClauses(text, false, failed);
-  if (!clauses) return InClause(failed) + "\n";
+std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool force, bool& failed) {
+  // As in Soar 9.6.3, only the first clause counts.
+  ClauseReader reader(text);
+  const std::optional<WrittenClause> clause = reader.Read(false);
+  failed = true;
+  if (!clause && reader.failed_at_object()) {
+    return "Error: The lti id must be an integer.\n";
+  }
+  if (!clause) return "Error: Expected ')' or '^'.\n... Neither was found.\n";
   std::vector<Removal> plan;
   std::string errors;
-  for (const WrittenClause& clause : *clauses) {
-    if (!Plan(memory, clause, force, plan, errors)) return errors;
-  }
+  failed = !Plan(memory, *clause, force, plan, errors);
+  if (failed) return errors;
   for (const Removal& removal : plan) memory.RemoveEdge(removal.object, removal.attribute, removal.value);
   return errors;
 }

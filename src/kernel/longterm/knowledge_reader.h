@@ -15,8 +15,8 @@ class SemanticMemory;
 /// An object is a number (@12), a name that holds for the whole memory (@steel), or a variable, which stands for a new
 /// object within one text. Several values may follow an attribute; a path makes an object for each of its dots.
 
-/// Adds what the text says, all of it or, if something is wrong, nothing. Gives Soar's message of what is wrong, or an
-/// empty text.
+/// Adds what the text says, up to the first clause that is wrong. Gives Soar's message of what is wrong, or an empty
+/// text.
 std::string AddKnowledge(SemanticMemory& memory, std::string_view text);
 
 /// Reads a query: (<q> ^kind tank ^weight <any> ^has @13). Variables, and words that look like identifiers, stand for
@@ -24,10 +24,10 @@ std::string AddKnowledge(SemanticMemory& memory, std::string_view text);
 /// text.
 std::string ReadQuery(const SemanticMemory& memory, std::string_view text, Cue& cue);
 
-/// Removes values (@12 ^name tank), attributes (@12 ^name) and all augmentations of objects (@12). What is not there is
-/// an error; `force` goes on behind one. Gives the errors, one a line; nothing is removed if there are any and `force`
-/// is not set.
-std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool force);
+/// Removes values (@12 ^name tank), attributes (@12 ^name) or all augmentations of an object (@12). An attribute that
+/// is not there is a failure, unless `force` is set and another one follows; then nothing is removed. A value that is
+/// not there is told only. Gives what was wrong, one a line.
+std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool force, bool& failed);
 
 /// The number of an object as a user writes it: @12 or @name. 0 if it names none.
 Lti ObjectNamed(const SemanticMemory& memory, std::string_view text);
