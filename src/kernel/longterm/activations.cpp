@@ -16,6 +16,10 @@ Activations::Touched& Activations::RecordOf(std::uint32_t object) {
   return records_[at];
 }
 
+double Activations::UnusedStrength() const {
+  return std::pow(static_cast<double>(tick_ + 1) + settings_.base_unused_age_offset, -settings_.base_decay);
+}
+
 double Activations::BaseLevel(const Touched& record) const {
   const double d = settings_.base_decay;
   const auto power = [&](double age) {
@@ -40,7 +44,11 @@ double Activations::BaseLevel(const Touched& record) const {
       }
     }
   }
-  return std::log(sum / (1 + sum));
+  const double base = std::log(sum / (1 + sum));
+  if (!settings_.base_inhibition || record.count == 0) return base;
+  // What was used a moment ago is held back for a while.
+  const double odds = 1 / (1 + 10 / (now - static_cast<double>(record.ticks[0])));
+  return base + std::log(odds / (1 + odds));
 }
 
 bool Activations::Touch(std::uint32_t object, bool advance) {

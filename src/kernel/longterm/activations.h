@@ -42,6 +42,8 @@ class Activations {
     const std::uint32_t at = by_object_.Find(object + 1ull);
     return at == FlatMap::kNone ? nullptr : &records_[at];
   }
+  /// s of what was never used: as if once, when the clock began.
+  double UnusedStrength() const;
   /// A touch: the clock goes on by one; unless `advance` is false: storing leaves it, and the next touch
   /// has the same time. True if it is the object's first.
   bool Touch(std::uint32_t object, bool advance = true);

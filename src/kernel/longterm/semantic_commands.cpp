@@ -232,14 +232,9 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
     const Wme& wme = memory.wme(element);
     const StoreTerm attribute = FindTerm(wme.attribute);
     if (!wme.attribute.IsConstant()) return false;
-    if (!wme.value.IsIdentifier()) {  // A plain demand among the tests.
-      const StoreTerm value = FindTerm(wme.value);
-      cue.impossible = cue.impossible || !attribute || !value;
-      cue.elements.push_back({attribute, value});
-      continue;
-    }
-    bool any = false;
-    for (const WmeId test : memory.WmesOf(wme.value)) {
+    const std::vector<WmeId> tests = wme.value.IsIdentifier() ? memory.WmesOf(wme.value) : std::vector<WmeId>();
+    cue.impossible = cue.impossible || tests.empty();  // A demand that tests nothing is met by nobody.
+    for (const WmeId test : tests) {
       const Wme& bound = memory.wme(test);
       constexpr std::pair<Symbol, MathTest> kTests[] = {
           {words::kLess, MathTest::kLess},
@@ -254,20 +249,20 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
       if (found == std::end(kTests)) continue;
       CueElement made{attribute, StoreTerm()};
       made.math = found->second;
-      if (made.math != MathTest::kMax && made.math != MathTest::kMin) {
+      if (made.math == MathTest::kMax || made.math == MathTest::kMin) {
+        // Only one may be the largest, only one the smallest. Of an attribute that nobody has the last object is both.
+        cue.impossible =
+            cue.impossible || std::ranges::find(cue.elements, made.math, &CueElement::math) != cue.elements.end();
+        cue.takes_last = cue.takes_last || !attribute;
+      } else {
         if (bound.value.IsNumber()) {
           made.bound = engine_.symbols.NumberValue(bound.value);
         } else {
           cue.impossible = true;  // Nothing is less than a word.
         }
       }
-      cue.impossible = cue.impossible || !attribute;
-      cue.elements.push_back(made);
-      any = true;
-    }
-    if (!any) {
-      cue.impossible = cue.impossible || !attribute;
-      cue.elements.push_back({attribute, StoreTerm()});
+      // Bounds of an attribute that nobody has bound nothing.
+      if (attribute) cue.elements.push_back(made);
     }
   }
   return true;
@@ -414,9 +409,10 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
       }
       UpdateSources();
       ++counters_.queries;
+      const std::size_t limit = cue.takes_last ? std::max<std::size_t>(knowledge_->object_count(), 1) : 1;
       const std::vector<std::uint32_t> found =
-          search_.Find(*knowledge_, cue, prohibited, 1, settings_.spreading ? &spreading_ : nullptr);
-      if (!found.empty()) object = found.front();
+          search_.Find(*knowledge_, cue, prohibited, limit, settings_.spreading ? &spreading_ : nullptr);
+      if (!found.empty()) object = found.back();
       if (is_told) Tell(level, command, cue, prohibited, object);
       if (!found.empty()) {
         if (settings_.activate_on_query) Touch(object);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/longterm/semantic_memory.h"
 
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "kernel/decide/engine.h"
 #include "kernel/longterm/journal.h"
 #include "kernel/longterm/semantic_records.h"
 #include "kernel/longterm/shared_knowledge.h"
+#include "kernel/longterm/wm_activation.h"
 
 namespace soarbox::kernel {
 
@@ -267,17 +270,24 @@ void SemanticMemory::Respond(bool store_only) {
   if (changed) installer_.Settle();
 }
 
-/// The sources of spreading: objects an instance of which has elements, with how many these are.
+/// The sources of spreading: objects an instance of which has elements, with how active these are.
 void SemanticMemory::UpdateSources() {
   if (!settings_.spreading) return;
   std::map<std::uint32_t, double> sources;
   const WmeTable& wmes = engine_.memory.wmes();
   const std::span<const std::uint64_t> linked = engine_.memory.long_term_identifiers();
+  const WmActivation* const activation = settings_.spreading_wma_source ? WmActivation::Find(long_term_) : nullptr;
   for (const Wme& wme : wmes) {
     if (!wme.live || linked[wme.id.index()] == 0) continue;
     const std::uint32_t object = knowledge_->Find(linked[wme.id.index()]);
-    if (object != Knowledge::kNowhere) sources[object] += 1;
+    if (object == Knowledge::kNowhere) continue;
+    double& strength = sources[object];
+    const auto id = static_cast<WmeId>(&wme - &wmes[0]);
+    if (activation != nullptr && activation->HistoryOf(id) != nullptr) strength += std::exp(activation->Of(id));
   }
+  // A source that working memory does not weigh is as strong as an object that was never used.
+  const double unused = activations_.UnusedStrength();
+  for (auto& [object, strength] : sources) strength = strength > 0 ? strength : unused;
   spreading_.SetSources(*knowledge_, sources);
 }
 

@@ -2,6 +2,7 @@
 #include "kernel/longterm/semantic_query.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "kernel/longterm/spreading.h"
@@ -139,21 +140,29 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   const auto is_prohibited = [&](std::uint32_t object) {
     return std::ranges::find(prohibited, object) != prohibited.end();
   };
+  // The largest of one attribute and the smallest of another may be wanted together.
   const CueElement* extreme = nullptr;
+  const CueElement* second_extreme = nullptr;
   for (const CueElement& element : cue.elements) {
-    if (element.math == MathTest::kMax || element.math == MathTest::kMin) extreme = &element;
+    if (element.math != MathTest::kMax && element.math != MathTest::kMin) continue;
+    (extreme == nullptr ? extreme : second_extreme) = &element;
   }
 
   // By base level what was ever used is more active than what was not.
   const double cold_activation =
       settings_.activation_mode == ActivationMode::kBaseLevel ? -std::numeric_limits<double>::infinity() : 0;
+  const auto with_spread = [&](std::uint32_t object) {
+    const double base = activations_.Of(object), unused = activations_.UnusedStrength();
+    if (!spreading->Reaches(object)) return activations_.Find(object) == nullptr ? cold_activation : base;
+    return (base != 0 ? base : std::log(unused / (1 + unused))) + spreading->ShareOf(object);
+  };
   // Objects that were touched, or that activation spreads to.
   const auto candidate = [&](std::uint32_t object) {
     Candidate made;
     made.object = object;
     made.activation = activations_.Of(object);
     if (spreading == nullptr && activations_.Find(object) == nullptr) made.activation = cold_activation;
-    if (spreading != nullptr) made.activation += spreading->ShareOf(object);
+    if (spreading != nullptr) made.activation = with_spread(object);
     made.is_large = activations_.Find(object) != nullptr && knowledge.EdgesAt(object).size() >= settings_.thresh;
     made.row = RowIn(knowledge, object, *driver);
     return made;
@@ -161,7 +170,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   const auto is_cold = [&](std::uint32_t object) {
     return activations_.Find(object) == nullptr && (spreading == nullptr || !spreading->Reaches(object));
   };
-  if (extreme != nullptr && limit == 1 && list.size() > kFewCandidates) {
+  if (extreme != nullptr && second_extreme == nullptr && limit == 1 && list.size() > kFewCandidates) {
     // From the end that is wanted: the first numbers that anybody has who fits. Of equal numbers the best object wins.
     const std::vector<Number>& numbers = NumbersOf(knowledge, extreme->attribute);
     const std::size_t count = numbers.size();
@@ -188,7 +197,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     if (one_is_enough && !hot.empty()) {
       // Most are out of the question before they are looked at.
       double activation = activations_.Of(object);
-      if (spreading != nullptr) activation += spreading->ShareOf(object);
+      if (spreading != nullptr) activation = with_spread(object);
       if (activation < hot.front().activation) return;
     }
     if (is_prohibited(object) || !Fits(knowledge, cue, driver, object)) return;
@@ -215,16 +224,24 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   std::size_t next_cold = list.size();
   std::vector<std::uint32_t> seen;  // Of an attribute with any value an object may stand in the list more than once.
   bool has_best = false;
-  double best = 0;
+  double best = 0, second_best = 0;
+  const auto improves = [](const CueElement& element, double number, double least) {
+    return element.math == MathTest::kMax ? number > least : number < least;
+  };
   const auto take = [&](std::uint32_t object) {
     if (extreme == nullptr) {
       found.push_back(object);
       return found.size() >= limit;
     }
+    // Who is to replace the best so far must be better in all that is wanted.
     const double number = Extreme(knowledge, object, *extreme);
-    if (!has_best || (extreme->math == MathTest::kMax ? number > best : number < best)) {
+    const double second = second_extreme == nullptr ? 0 : Extreme(knowledge, object, *second_extreme);
+    const bool is_better = improves(*extreme, number, best) &&
+                           (second_extreme == nullptr || improves(*second_extreme, second, second_best));
+    if (!has_best || is_better) {
       found.assign(1, object);
       best = number;
+      second_best = second;
       has_best = true;
     }
     return false;

@@ -29,6 +29,7 @@ struct CueElement {
 struct Cue {
   std::vector<CueElement> elements;
   bool impossible = false;
+  bool takes_last = false;  ///< The last of those that fit answers, not the first.
 };
 
 /// Finds the objects that fit a cue, the most active first; of equally active ones an object with many augmentations

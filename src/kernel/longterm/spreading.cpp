@@ -11,40 +11,50 @@ const std::vector<Spreading::Share>& Spreading::ReachOf(const Knowledge& knowled
   const auto [place, added] = reaches_.try_emplace(source);
   if (!added) return place->second;
   // Best first: paths in the order of what is left of the activation; equal ones by number.
+  struct Step {
+    std::uint32_t object;
+    double weight;  ///< Of the augmentation that led here: a step is the same only if that is equal, too.
+    bool operator==(const Step&) const = default;
+  };
   struct Path {
     double share;
     std::uint32_t object;
     std::uint64_t depth;
-    std::vector<std::uint32_t> visited;
+    std::vector<Step> visited;
   };
   const auto later = [&](const Path& a, const Path& b) {
     if (a.share != b.share) return a.share < b.share;
     return knowledge.NumberAt(a.object) > knowledge.NumberAt(b.object);
   };
   std::priority_queue<Path, std::vector<Path>, decltype(later)> open(later);
-  open.push({1.0, source, 0, {source}});
+  open.push({1.0, source, 0, {{source, 1.0}}});
   std::map<std::uint32_t, double> sums;
   std::uint64_t paths = 0;
+  const double continues = settings_.spreading_continue_probability, least = settings_.spreading_baseline;
   while (!open.empty() && paths < settings_.spreading_limit) {
     const Path path = open.top();
     open.pop();
-    if (path.depth > 0) {
-      sums[path.object] += path.share;
-      ++paths;
-    }
-    if (path.depth >= settings_.spreading_depth_limit) continue;
     std::uint64_t fan = 0;
     for (const Edge& edge : knowledge.EdgesAt(path.object)) fan += edge.value.IsObject() ? 1 : 0;
+    const double passed_on = path.share * continues;
+    if (fan == 0 || passed_on <= least) continue;
+    const double weight = 1 / static_cast<double>(fan);
+    if (!settings_.spreading_loop_avoidance && weight < least) continue;
     for (const Edge& edge : knowledge.EdgesAt(path.object)) {
-      if (!edge.value.IsObject()) continue;
+      if (!edge.value.IsObject() || paths >= settings_.spreading_limit) continue;
       const std::uint32_t next = edge.value.index();
-      const double share = path.share * settings_.spreading_continue_probability / static_cast<double>(fan);
-      if (share < settings_.spreading_baseline) continue;
-      if (settings_.spreading_loop_avoidance && std::ranges::find(path.visited, next) != path.visited.end()) continue;
+      if (settings_.spreading_loop_avoidance &&
+          std::ranges::find(path.visited, Step{next, weight}) != path.visited.end()) {
+        continue;
+      }
+      const double share = passed_on * weight;
+      sums[next] += share;
+      ++paths;
+      if (path.depth + 1 >= settings_.spreading_depth_limit || continues * share <= least) continue;
       Path further{share, next, path.depth + 1, {}};
       if (settings_.spreading_loop_avoidance) {
         further.visited = path.visited;
-        further.visited.push_back(next);
+        further.visited.push_back({next, weight});
       }
       open.push(std::move(further));
     }
@@ -58,25 +68,23 @@ void Spreading::SetSources(const Knowledge& knowledge, const std::map<std::uint3
   known_ = sources;
   totals_.clear();
   recipients_.clear();
-  double weights = 0;
-  for (const auto& [source, weight] : sources) weights += settings_.spreading_wma_source ? weight : 1.0;
-  for (const auto& [source, weight] : sources) {
-    const double part = (settings_.spreading_wma_source ? weight : 1.0) / weights;
-    for (const Share& share : ReachOf(knowledge, source)) totals_[share.object] += share.share * part;
+  const double continues = settings_.spreading_continue_probability;
+  least_ = settings_.spreading_baseline /
+           (continues * std::pow(1 + continues, static_cast<double>(settings_.spreading_depth_limit)));
+  for (const auto& [source, strength] : sources) {
+    const std::vector<Share>& reach = ReachOf(knowledge, source);
+    double whole = 0;
+    for (const Share& share : reach) whole += share.share;
+    const double odds = strength / (1 + strength);
+    for (const Share& share : reach) totals_[share.object] += std::max(odds * share.share / whole, least_);
   }
   for (const auto& [object, total] : totals_) recipients_.push_back(object);
   std::ranges::sort(recipients_);
-  double sum = 0, power = 1;
-  for (std::uint64_t k = 0; k < settings_.spreading_depth_limit; ++k) {
-    power *= settings_.spreading_continue_probability;
-    sum += power;
-  }
-  offset_ = std::log(settings_.spreading_baseline / sum);
 }
 
 double Spreading::ShareOf(std::uint32_t object) const {
   const auto total = totals_.find(object);
-  return total == totals_.end() ? 0 : std::log(total->second) - offset_;
+  return total == totals_.end() ? 0 : std::log(total->second) - std::log(least_);
 }
 
 void Spreading::Clear() {

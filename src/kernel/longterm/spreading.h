@@ -16,13 +16,14 @@ namespace soarbox::kernel {
 /// of, and that identifier has elements, is a source. What it gives flows along augmentations, by fan, and grows less
 /// with each step.
 ///
-/// A source's reach depends on the graph alone and is kept until the graph changes. What an object gets of all sources,
-/// t, adds ln(t) - ln(baseline / (sum of p^k)) to its activation, so that the least that counts adds about nothing.
+/// A source's reach depends on the graph alone and is kept until the graph changes: an object's part of all that the
+/// source gives. A source of strength x gives x / (1 + x), and no object less than the least, which is
+/// baseline / (p (1 + p)^depth). What an object gets of all sources, t, adds ln(t) - ln(least) to its activation.
 class Spreading {
  public:
   explicit Spreading(const SmemSettings& settings) : settings_(settings) {}
 
-  /// The sources of now: number of elements (or weight) by object. Order does not matter.
+  /// The sources of now: how strong each is, by object. Order does not matter.
   void SetSources(const Knowledge& knowledge, const std::map<std::uint32_t, double>& sources);
   /// The graph changed.
   void Forget() {
@@ -48,7 +49,7 @@ class Spreading {
   std::map<std::uint32_t, double> known_;
   std::unordered_map<std::uint32_t, double> totals_;
   std::vector<std::uint32_t> recipients_;
-  double offset_ = 0;
+  double least_ = 0;
 };
 
 }  // namespace soarbox::kernel
