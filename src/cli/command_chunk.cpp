@@ -197,14 +197,21 @@ void ListSingletons(CommandCall& call) {
 
 bool Singleton(CommandCall& call) {
   std::vector<std::string> words;
-  bool remove = false;
+  bool remove = false, clear = false;
   for (std::size_t n = 2; n < call.words.size(); ++n) {
     const std::string& word = call.words[n].text;
     if (word == "-r" || word == "--remove") {
       remove = true;
+    } else if (word == "-c" || word == "--clear") {
+      clear = true;
     } else {
       words.push_back(word);
     }
+  }
+  if (clear && words.empty()) {
+    call.agent().mutable_singletons().Clear();
+    call.Out("User-defined singleton WME patterns cleared.\n");
+    return true;
   }
   if (words.empty()) {
     ListSingletons(call);

@@ -22,6 +22,14 @@ std::string ExplainAnswer(bool yes) {
   return yes ? "Yes" : "No";
 }
 
+/// The rule that `explain chunk` chose, or null.
+const ExplainedRule* ChosenRule(CommandCall& call) {
+  for (const ExplainedRule& rule : call.agent().Explained()) {
+    if (rule.number == call.session.explain().rule) return &rule;
+  }
+  return nullptr;
+}
+
 bool AnyExplained(CommandCall& call, bool justifications) {
   return std::ranges::any_of(call.agent().Explained(),
                              [&](const ExplainedRule& rule) { return rule.justification == justifications; });
@@ -46,8 +54,9 @@ void ExplainOverview(CommandCall& call) {
   Summary summary(55);
   if (call.session.stream().column() != 0) summary.Text("\n");
   summary.Rule('=').Text("                   Explainer Summary\n").Rule('=');
-  summary.Row("Watch all chunk formations", ExplainAnswer(store.IsOn("explain", "all")));
-  summary.Row("Explain justifications", ExplainAnswer(store.IsOn("explain", "justifications")));
+  summary.Text(fmt::format("{:<54}{}\n", "Watch all chunk formations", ExplainAnswer(store.IsOn("explain", "all"))));
+  summary.Text(
+      fmt::format("{:<54}{}\n", "Explain justifications", ExplainAnswer(store.IsOn("explain", "justifications"))));
   summary.Row("Number of specific rules watched", std::to_string(watched.size()));
   if (!watched.empty()) {
     std::string text = fmt::format("{:<54}", "Rules watched:");
@@ -57,9 +66,8 @@ void ExplainOverview(CommandCall& call) {
   } else {
     summary.Text(store.IsOn("explain", "all") ? "\n" : "Rules watched:\n");
   }
-  const std::uint32_t current = call.session.explain().rule;
-  if (current != 0 && current <= call.agent().Explained().size()) {
-    summary.Text(fmt::format("Currently explaining {} (c {}).\n", call.agent().Explained()[current - 1].name, current));
+  if (const ExplainedRule* const current = ChosenRule(call); current != nullptr) {
+    summary.Text(fmt::format("Currently explaining {} (c {}).\n", current->name, current->number));
   } else {
     summary.Text("No rule is currently being explained.\n");
   }
@@ -114,7 +122,16 @@ void ExplainHelp(CommandCall& call) {
 bool SetExplainSwitch(CommandCall& call, const std::string& name) {
   SettingStore& store = call.session.settings();
   if (call.words.size() == 2) {
-    call.Out(fmt::format("{} is {}\n", name, store.Get("explain", name)));
+    const std::string_view negation = store.IsOn("explain", name) ? " " : " not ";
+    if (name == "all") {
+      call.Out(fmt::format("The explainer is{}currently recording all rules formed.\n", negation));
+    } else if (name == "justifications") {
+      call.Out(fmt::format("The explainer is{}currently recording justifications created.\n", negation));
+    } else {
+      call.Out(fmt::format("The explainer is currently showing identity analysis {}.\n",
+                           store.IsOn("explain", name) ? "only for identities that appear in the chunk"
+                                                       : "for all identities involved in problem-solving"));
+    }
     return true;
   }
   if (call.words.size() > 3 || store.Set("explain", name, call.words[2].text) != SettingStore::SetResult::kOk) {
@@ -124,17 +141,23 @@ bool SetExplainSwitch(CommandCall& call, const std::string& name) {
   const bool on = store.IsOn("explain", name);
   call.agent().RecordExplanations(store.IsOn("explain", "all"), store.IsOn("explain", "justifications"));
   if (name == "all") {
-    call.Out(on ? "Will monitor all chunks created.\n" : "Will only monitor specific chunks or time intervals.\n");
+    call.Out(on ? "Will monitor all chunks created.\n" : "Will only monitor specific chunks.\n");
   } else if (name == "justifications") {
-    call.Out(on ? "Will record justifications created.\n" : "Will not record justifications.\n");
+    call.Out(on ? "Will record justifications created.\n" : "Will not record justifications created.\n");
   } else {
-    call.Out(on ? "Will only print identities found in chunks.\n"
+    call.Out(on ? "Will only print identities that appear in the chunk.\n"
                 : "Will print all identities involved in problem-solving.\n");
   }
   return true;
 }
 
 bool WatchRule(CommandCall& call) {
+  if (call.words.size() == 2) {
+    std::string text = "Rules watched:\n";
+    for (const std::string& watched : call.agent().WatchedForExplanations()) text += "   " + watched + "\n";
+    call.Out(text);
+    return true;
+  }
   if (call.words.size() != 3) return call.Fail("Please name the rule whose chunks are to be recorded.");
   const std::string& name = call.words[2].text;
   if (call.agent().FindProduction(name) == kernel::ProductionId::kNone) {
@@ -173,13 +196,18 @@ bool ExplainChunk(CommandCall& call) {
     return call.FailPrinted();
   }
   call.session.explain().rule = found->number;
-  call.session.explain().firing = found->base;
-  call.Out(fmt::format("Now explaining {}.\n{}", found->name, is_number ? "" : "\n") + ExplainedRuleText(*found));
+  call.session.explain().firing = 0;
+  call.Out(fmt::format("Now explaining {}.\n{}", found->name, is_number ? "" : "\n") +
+           ExplainedRuleText(*found, call.session.explain().elements));
   return true;
 }
 
 void ShowFiring(CommandCall& call, const ExplainedRule& rule) {
   const ExplainState& state = call.session.explain();
+  if (state.firing == 0) {
+    call.Out(ExplainedRuleText(rule, state.elements));
+    return;
+  }
   const ExplainedRule::Firing* const firing = rule.FindFiring(state.firing);
   if (firing == nullptr) return;
   call.Out(ExplainedFiringText(rule, *firing, state.elements) + (state.elements ? ExplainMenu(true) : ""));
@@ -250,11 +278,12 @@ bool CommandExplain(CommandCall& call) {
     return call.Fail("Invalid explain sub-command.  Use 'explain ?' to see a list of valid sub-commands and settings.");
   }
   ExplainState& state = call.session.explain();
-  if (state.rule == 0 || state.rule > call.agent().Explained().size()) {
+  const ExplainedRule* const chosen = ChosenRule(call);
+  if (chosen == nullptr) {
     return call.Fail(
         "Please first specify the chunk you want to discuss with the command 'explain chunk [chunk-name | chunk ID]'.");
   }
-  const ExplainedRule& rule = call.agent().Explained()[state.rule - 1];
+  const ExplainedRule& rule = *chosen;
   if (word == "instantiation") return ExplainFiring(call, rule);
   if (word == "formation") {
     call.Out(FormationText(rule, state.elements));

@@ -145,8 +145,8 @@ bool LearnedRule(CommandCall& call, bool identities) {
   if (rules.empty()) {
     return call.Fail("No learned rule has been recorded: say 'explain all on' before the agent learns.");
   }
-  const std::uint32_t chosen = call.session.explain().rule;
-  const kernel::ExplainedRule& rule = chosen != 0 && chosen <= rules.size() ? rules[chosen - 1] : rules.back();
+  const auto chosen = std::ranges::find(rules, call.session.explain().rule, &kernel::ExplainedRule::number);
+  const kernel::ExplainedRule& rule = chosen != rules.end() ? *chosen : rules.back();
   const std::string line_style = call.session.settings().Get("visualize", "line-style");
   return Write(call, identities ? IdentityGraphText(rule, line_style) : AnalysisGraphText(rule, line_style));
 }

@@ -15,6 +15,7 @@ namespace {
 using kernel::ExplainedRule;
 using kernel::JoinReason;
 using Field = ExplainedRule::Field;
+using Part = ExplainedRule::Condition::Part;
 
 std::string Padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size() + (text.size() < width ? 0 : 1)), ' ');
@@ -43,6 +44,30 @@ std::string ActionText(const ExplainedRule::Action& action, Column column, bool 
   return sign_inside ? text + rest + ")" : text + ")" + rest;
 }
 
+/// The rows of conditions, numbered; a conjunction that is negated stands in braces. `rest`: what a row says behind the
+/// condition, of a negated one with its part.
+template <typename Rest>
+std::string ConditionRows(const std::vector<ExplainedRule::Condition>& conditions, Column column, bool shows_state,
+                          Rest&& rest) {
+  std::string text;
+  int number = 0;
+  const auto row = [&](const std::string& condition) {
+    return fmt::format("{:<6}{}", fmt::format("{}:", ++number), condition);
+  };
+  for (const ExplainedRule::Condition& condition : conditions) {
+    if (!condition.negated) {
+      text += rest(row(ConditionText(condition, column, shows_state)), condition, nullptr) + "\n";
+      continue;
+    }
+    if (condition.conjunction) text += "     -{\n";
+    for (const ExplainedRule::Condition::Part& part : condition.parts) {
+      text += rest(row(column == Column::kValue ? part.value : part.text), condition, &part) + "\n";
+    }
+    if (condition.conjunction) text += "     }\n";
+  }
+  return text;
+}
+
 std::string PathText(const std::vector<std::uint32_t>& path) {
   std::string text;
   for (const std::uint32_t serial : path) text += fmt::format("{}i {}", text.empty() ? "" : " -> ", serial);
@@ -54,19 +79,18 @@ std::string_view ReasonText(JoinReason reason) {
     case JoinReason::kRule:
       return "Two identities propagated into the same variable";
     case JoinReason::kSingleton:
+    case JoinReason::kSingletonLiteral:
       return "Tested a super-state singleton WME previously tested by another rule";
     case JoinReason::kChild:
-      return "Variable names a part of a result that another rule made";
+      return "Identities joined to connected child result to parent result";
     case JoinReason::kConstantTested:
-      return "Variable in another rule was tested for a literal value";
+      return "Literal value in another rule compared against RHS variable";
     case JoinReason::kConstantMade:
-      return "Variable in another rule tested a literal value";
+      return "Variable in another rule compared against literal RHS value";
     case JoinReason::kFunctionResult:
       return "Variable in another rule tested result of RHS function";
     case JoinReason::kFunctionArgument:
       return "Variable was used as argument in a RHS function";
-    case JoinReason::kSingletonLiteral:
-      return "Another rule tested a literal value of the same super-state singleton WME";
   }
   return "";
 }
@@ -89,21 +113,35 @@ std::string TitleOf(const ExplainedRule& rule) {
 
 }  // namespace
 
-std::string ExplainedRuleText(const ExplainedRule& rule) {
+std::string ExplainedRuleText(const ExplainedRule& rule, bool elements) {
+  if (elements) {
+    std::string text = Padded(fmt::format("Working memory trace of instantiation # {}", rule.instance), 56) +
+                       fmt::format("(match of rule {} at level {})\n", rule.name, rule.instance_level) +
+                       Padded("", 56) + "Operational    Creator\n\n";
+    text += ConditionRows(rule.conditions, Column::kValue, false,
+                          [](const std::string& row, const ExplainedRule::Condition&, const Part* part) {
+                            return Padded(row, 60) + fmt::format("{:<11}{}",
+                                                                 part != nullptr && part->operational ? "Yes" : "No",
+                                                                 part != nullptr ? "N/A" : "Soar Architecture");
+                          });
+    text += "   -->\n";
+    int number = 0;
+    for (const ExplainedRule::Action& action : rule.actions) {
+      text += fmt::format("{:<6}{}\n", fmt::format("{}:", ++number), ActionText(action, Column::kValue, false));
+    }
+    return text;
+  }
   std::string text = Padded(Padded("", 59) + "Using variable identity IDs", 109) +
                      "Shortest Path to Result Instantiation\n\nsp {" + rule.name + "\n";
-  int number = 0;
-  for (const ExplainedRule::Condition& condition : rule.conditions) {
-    std::string row =
-        fmt::format("{:<6}{}", fmt::format("{}:", ++number), ConditionText(condition, Column::kText, true));
-    if (!condition.negated) {
-      row = Padded(row, 59) + ConditionText(condition, Column::kIdentity, true);
-      if (!condition.path.empty()) row = Padded(row, 109) + PathText(condition.path);
-    }
-    text += row + "\n";
-  }
+  text += ConditionRows(rule.conditions, Column::kText, true,
+                        [](const std::string& row, const ExplainedRule::Condition& condition, const Part* part) {
+                          std::string whole =
+                              Padded(row, 59) +
+                              (part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, true));
+                          return condition.path.empty() ? whole : Padded(whole, 109) + PathText(condition.path);
+                        });
   text += "   -->\n";
-  number = 0;
+  int number = 0;
   for (const ExplainedRule::Action& action : rule.actions) {
     text += Padded(fmt::format("{:<6}{}", fmt::format("{}:", ++number), ActionText(action, Column::kText, true)), 59) +
             ActionText(action, Column::kIdentity, true) + "\n";
@@ -120,19 +158,20 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
   } else {
     text += Padded("", 56) + "Operational    Creator\n\n";
   }
+  text += ConditionRows(
+      firing.conditions, elements ? Column::kValue : Column::kText, !elements,
+      [&](const std::string& row, const ExplainedRule::Condition& condition, const Part* part) {
+        std::string whole = Padded(row, elements ? 60 : 56);
+        if (!elements) {
+          whole = Padded(
+              whole + (part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, false)), 103);
+        }
+        const bool operational = part != nullptr ? part->operational : condition.operational;
+        return whole +
+               fmt::format("{:<11}{}", operational ? "Yes" : "No", part != nullptr ? "N/A" : CreatorText(condition));
+      });
   int number = 0;
-  for (const ExplainedRule::Condition& condition : firing.conditions) {
-    std::string row = fmt::format("{:<6}{}", fmt::format("{}:", ++number),
-                                  ConditionText(condition, elements ? Column::kValue : Column::kText, !elements));
-    if (!condition.negated) {
-      row = Padded(row, elements ? 60 : 56);
-      if (!elements) row = Padded(row + ConditionText(condition, Column::kIdentity, false), 103);
-      row += fmt::format("{:<11}{}", condition.operational ? "Yes" : "No", CreatorText(condition));
-    }
-    text += row + "\n";
-  }
   text += "   -->\n";
-  number = 0;
   for (const ExplainedRule::Action& action : firing.actions) {
     std::string row = fmt::format("{:<6}{}", fmt::format("{}:", ++number),
                                   ActionText(action, elements ? Column::kValue : Column::kText, !elements));
@@ -149,8 +188,10 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
         "\n";
   }
   std::string events;
-  for (const ExplainedRule::Event& event : rule.events) {
-    if (event.firing == firing.serial) events += EventText(event) + "\n";
+  for (const bool literal : {false, true}) {
+    for (const ExplainedRule::Event& event : rule.events) {
+      if (event.firing == firing.serial && (event.to == 0) == literal) events += EventText(event) + "\n";
+    }
   }
   return text + (events.empty() ? fmt::format("No identity set unifications for instantiation {}.\n", firing.serial)
                                 : "Identity operations:\n\n" + events);
@@ -161,11 +202,26 @@ std::string FormationText(const ExplainedRule& rule, bool elements) {
   const ExplainedRule::Firing* const base = rule.FindFiring(rule.base);
   std::string text =
       line + fmt::format("\nThe formation of chunk '{}' (c {}) \n", rule.name, rule.number) + line + "\n\n";
+  if (!rule.other_results.empty()) {
+    text += fmt::format("The following {} instantiations fired to produce results...\n\n------\n\n",
+                        rule.other_results.size() + 1);
+  }
   if (base != nullptr) {
     text += fmt::format("Initial base instantiation (i {}) that fired when {} matched at level {} at time {}:\n\n",
                         base->serial, base->rule, base->level, rule.decision);
-    text += ExplainedFiringText(rule, *base, elements) + "\n";
+    text += ExplainedFiringText(rule, *base, elements);
   }
+  if (!rule.other_results.empty()) {
+    text += fmt::format(
+        "\n{} instantiation(s) that created extra results indirectly because they were connected to the results of the "
+        "base instantiation:\n\n",
+        rule.other_results.size() - 1);
+    for (const std::uint32_t serial : rule.other_results) {
+      const ExplainedRule::Firing* const other = rule.FindFiring(serial);
+      if (other != nullptr) text += ExplainedFiringText(rule, *other, elements);
+    }
+  }
+  text += "\n";
   text += fmt::format("This chunk summarizes the problem-solving involved in the following {} rule firing{}:\n\n",
                       rule.firings.size(), rule.firings.size() == 1 ? "" : "s");
   for (const ExplainedRule::Firing& firing : rule.firings) {
@@ -179,16 +235,18 @@ std::string IdentityText(const ExplainedRule& rule) {
   text += fmt::format("Learned rule contained {} identities: ", rule.identities.size());
   for (const std::uint32_t identity : rule.identities) text += fmt::format("{} ", identity);
   text += "\n";
-  if (rule.events.empty()) return text + "No identity set unifications.\n";
+  if (rule.events.empty()) return text + "No identity unifications occurred during backtracing.\n";
   text += "Identity set unifications:\n\n";
-  for (const ExplainedRule::Event& event : rule.events) {
-    text += EventText(event) + fmt::format(" in instantiation {}\n", event.firing);
+  for (const bool literal : {false, true}) {
+    for (const ExplainedRule::Event& event : rule.events) {
+      if ((event.to == 0) == literal) text += EventText(event) + fmt::format(" in instantiation {}\n", event.firing);
+    }
   }
   return text;
 }
 
 std::string ConstraintsText(const ExplainedRule& rule) {
-  return fmt::format("\nConstraint analysis of problem-solving behind rule {}:\n", TitleOf(rule));
+  return fmt::format("\nConstraint analysis of problem-solving behind rule {}:\n\n", TitleOf(rule));
 }
 
 std::string ExplainedStatisticsText(const ExplainedRule& rule) {
@@ -203,7 +261,7 @@ std::string ExplainedStatisticsText(const ExplainedRule& rule) {
     text += "\n" + line + "\n" + std::string(name) + "\n" + line + "\n";
   };
   const auto placed = std::ranges::count_if(rule.constraints, [](const auto& test) { return test.placed; });
-  number("Number of conditions", rule.conditions.size());
+  number("Number of conditions", rule.CountConditions());
   number("- Operational constraints", rule.operational_constraints);
   number("- Non-operational constraints detected", rule.constraints.size());
   number("- Non-operational constraints enforced", static_cast<std::size_t>(placed));
@@ -211,6 +269,15 @@ std::string ExplainedStatisticsText(const ExplainedRule& rule) {
   number("Number of actions", rule.actions.size());
   const ExplainedRule::Firing* const base = rule.FindFiring(rule.base);
   row("Base instantiation", fmt::format("i {} ({})", rule.base, base != nullptr ? base->rule : std::string("?")));
+  if (!rule.other_results.empty()) {
+    number("Number of child result instantiations", rule.other_results.size());
+    std::string name = "Child result instantiations:";
+    for (const std::uint32_t serial : rule.other_results) {
+      const ExplainedRule::Firing* const other = rule.FindFiring(serial);
+      text += fmt::format("{:<71}i {} ({})\n", name, serial, other != nullptr ? other->rule : std::string("?"));
+      name.clear();
+    }
+  }
   title("                            Work Performed");
   number("Number of rule firings analyzed during backtracing", rule.firings.size());
   number("Duplicates chunks later created", rule.duplicates);

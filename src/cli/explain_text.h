@@ -9,7 +9,7 @@
 namespace soarbox::cli {
 
 /// The learned rule, with the identities behind its variables.
-std::string ExplainedRuleText(const kernel::ExplainedRule& rule);
+std::string ExplainedRuleText(const kernel::ExplainedRule& rule, bool elements);
 /// One of the firings behind it: its tests and identities, or (`elements`) the elements that it matched.
 std::string ExplainedFiringText(const kernel::ExplainedRule& rule, const kernel::ExplainedRule::Firing& firing,
                                 bool elements);

@@ -27,7 +27,7 @@ std::string LearningStatisticsText(const kernel::Agent& agent) {
   row("Justifications learned", s.justifications);
   title("Work Performed", 31);
   row("Sub-states analyzed", s.analyzed);
-  row("Number of rules fired in substates analyzed", agent.counters().firings + s.analyzed);
+  row("Number of rules fired in substates analyzed", agent.instantiation_count());
   row("Number of rule firings analyzed during backtracing", s.backtraced);
   text += "\n";
   row("Conditions merged", s.merged_conditions);

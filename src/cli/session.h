@@ -37,7 +37,7 @@ struct OutputSettings {
 /// What `explain` is talking about.
 struct ExplainState {
   std::uint32_t rule = 0;    ///< Number of the learned rule; 0 for none.
-  std::uint32_t firing = 0;  ///< Number of the firing that was explained last.
+  std::uint32_t firing = 0;  ///< Number of the firing that was explained last; 0 for the learned rule itself.
   bool elements = false;     ///< `explain wm-trace`: elements in place of tests.
 };
 

@@ -11,6 +11,7 @@
 #include "cli/session.h"
 #include "cli/stack_printer.h"
 #include "kernel/decide/exploration.h"
+#include "kernel/rules/print_production.h"
 
 namespace soarbox::cli {
 namespace {
@@ -92,6 +93,7 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kGds) || trace.On(TraceFlag::kGdsWmes), Event::kGds);
   want(trace.On(TraceFlag::kAssertions), Event::kAssertion);
   want(trace.learning() > 0, Event::kLearning);
+  want(trace.On(TraceFlag::kChunkWarnings), Event::kNotLearned);
   want(trace.On(TraceFlag::kIndifferent), Event::kExploration);
   want(trace.On(TraceFlag::kRl), Event::kReinforcement);
   session_.agent().AddObserver(*this, mask);
@@ -320,25 +322,6 @@ void TracePrinter::OnWarning(const Agent& agent, kernel::WarningKind kind, std::
       if (!session_.output().warnings) return;
       Print("\nWarning: reached max-elaborations; proceeding to output phase.");
       return;
-    case kernel::WarningKind::kUnconditional:
-      if (!session_.trace().On(TraceFlag::kChunkWarnings)) return;
-      Print(
-          fmt::format("\nWarning: Soar has created a chunk or justification with no conditions.  Ignoring.\n\n"
-                      "         Any results created will lose support when the sub-state disappears.\n"
-                      "         To avoid this issue, the problem-solving in the sub-state must\n"
-                      "         positively test at least one item in the super-state.\n\n"
-                      "Rule firing that led to invalid chunk: {}\n",
-                      text));
-      return;
-    case kernel::WarningKind::kMaxDuplicates:
-      if (!session_.trace().On(TraceFlag::kChunkWarnings)) return;
-      session_.stream().FreshLine();
-      Print(
-          fmt::format("Warning: Rule has produced maximum number of duplicate chunks this decision cycle.  Skipping "
-                      "opportunity to learn new rule.\n"
-                      "         Rule that has reached the max-dupes limit: {}\n",
-                      text));
-      return;
     case kernel::WarningKind::kAddedAndRemoved:
       if (session_.trace().On(TraceFlag::kWmes)) {
         Print(fmt::format("WARNING: WME added and removed in same phase : {}\n", text));
@@ -406,6 +389,63 @@ void TracePrinter::OnLearned(const Agent& agent, const FiringInfo& info) {
 
 void TracePrinter::OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
   Print(fmt::format("Ignoring {} because it is a duplicate of {}\n", name, original));
+}
+
+void TracePrinter::OnNotLearned(const Agent& agent, kernel::NotLearned why, const FiringInfo& info) {
+  const auto left_out = [&](std::string_view reason) {
+    Print(fmt::format("\nWill not attempt to learn a chunk for match of {} because state {} {}", info.name,
+                      SymbolText(agent, info.goal), reason));
+  };
+  switch (why) {
+    case kernel::NotLearned::kExcluded:
+      left_out("was flagged to prevent learning");
+      return;
+    case kernel::NotLearned::kNotForced:
+      left_out("was not flagged for learning");
+      return;
+    case kernel::NotLearned::kNotLowest:
+      left_out("is not the bottom state");
+      return;
+    case kernel::NotLearned::kTooMany:
+      session_.stream().FreshLine();
+      Print("Warning: Maximum number of chunks reached.  Skipping opportunity to learn new rule.\n");
+      return;
+    case kernel::NotLearned::kTooManyAlike:
+      session_.stream().FreshLine();
+      Print(
+          fmt::format("Warning: Rule has produced maximum number of duplicate chunks this decision cycle.  Skipping "
+                      "opportunity to learn new rule.\n"
+                      "         Rule that has reached the max-dupes limit: {}\n",
+                      info.name));
+      return;
+    case kernel::NotLearned::kUnconditional:
+      Print(
+          fmt::format("\nWarning: Soar has created a chunk or justification with no conditions.  Ignoring.\n\n"
+                      "         Any results created will lose support when the sub-state disappears.\n"
+                      "         To avoid this issue, the problem-solving in the sub-state must\n"
+                      "         positively test at least one item in the super-state.\n\n"
+                      "Rule firing that led to invalid chunk: {}\n",
+                      info.name));
+      return;
+  }
+}
+
+void TracePrinter::OnLocalNegation(const Agent& agent, const kernel::Production& negation) {
+  std::string text = "\n*** Rule learned that used negative reasoning about local sub-state.***\n";
+  const kernel::Condition& condition = negation.conditions.front();
+  if (condition.kind == kernel::ConditionKind::kConjunctiveNegation) {
+    std::string_view before = "  -{ ";
+    for (const kernel::Condition& inner : condition.conditions()) {
+      text += before;
+      kernel::AppendCondition(text, agent.symbols(), inner);
+      before = "\n   ";
+    }
+    text += "}";
+  } else {
+    text += "   ";
+    kernel::AppendCondition(text, agent.symbols(), condition);
+  }
+  Print(text + "\n");
 }
 
 void TracePrinter::OnCandidate(const Agent& agent, kernel::Symbol candidate, double value, double probability) {

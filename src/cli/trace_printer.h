@@ -59,6 +59,8 @@ class TracePrinter : public kernel::Observer {
   void OnLearning(const kernel::Agent& agent, std::string_view name) override;
   void OnLearned(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnDuplicateLearned(const kernel::Agent& agent, std::string_view name, std::string_view original) override;
+  void OnNotLearned(const kernel::Agent& agent, kernel::NotLearned why, const kernel::FiringInfo& info) override;
+  void OnLocalNegation(const kernel::Agent& agent, const kernel::Production& negation) override;
   void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override;
   void OnRewardGap(const kernel::Agent& agent, kernel::Symbol state, bool begins) override;
   void OnCandidate(const kernel::Agent& agent, kernel::Symbol candidate, double value, double probability) override;

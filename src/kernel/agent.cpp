@@ -353,6 +353,10 @@ void Agent::ChangeLearning(const std::function<void(LearnSettings&)>& change) {
   change(engine_->chunker.mutable_settings());
   engine_->chunker.ModeChanged();
 }
+std::uint32_t Agent::instantiation_count() const {
+  return engine_->instantiations.last_serial();
+}
+
 const LearnStatistics& Agent::learn_statistics() const {
   return engine_->chunker.statistics();
 }

@@ -216,6 +216,8 @@ class Agent {
   /// Changes the settings by `change`.
   void ChangeLearning(const std::function<void(LearnSettings&)>& change);
   const LearnStatistics& learn_statistics() const;
+  /// Rules that fired, in all states, and attempts to learn; since init-soar.
+  std::uint32_t instantiation_count() const;
   const Singletons& singletons() const;  ///< learn/singletons.h
   Singletons& mutable_singletons();
   /// How rules were learned, as far as it was recorded: by number, from 1 on. See learn/explained_rule.h.

@@ -40,6 +40,7 @@ enum class Event : std::uint32_t {
   kReinforcement = 1u << 14,  ///< Values that reinforcement learning moves; gaps in its episodes.
   kRecall = 1u << 15,         ///< What long-term memory answered to rules.
   kReason = 1u << 16,         ///< Why operators are selected and impasses arise.
+  kNotLearned = 1u << 17,     ///< Why results get no rule.
 };
 
 using EventMask = std::uint32_t;
@@ -103,11 +104,19 @@ enum class WarningKind : std::uint8_t {
   kMaxElaborationsApply,
   kGoalStackLimit,
   kMaxDecisionTime,
-  kUnconditional,
-  kMaxDuplicates,    ///< The text is a rule's name.
   kAddedAndRemoved,  ///< The newest new element went before the match saw it; the text shows it.
   kLearnedRule,      ///< Something is wrong with a rule that is being learned.
   kOther,
+};
+
+/// Why a firing in a substate is not learned from.
+enum class NotLearned : std::uint8_t {
+  kExcluded,       ///< `chunk except`, and the state was named by (dont-learn).
+  kNotForced,      ///< `chunk only`, and the state was not named by (force-learn).
+  kNotLowest,      ///< `chunk bottom-only`, and a lower state had results.
+  kTooMany,        ///< `chunk max-chunks`
+  kTooManyAlike,   ///< `chunk max-dupes`
+  kUnconditional,  ///< The results rest on nothing above the substate.
 };
 
 /// A rule whose number moves: its parts (learn/rl_values.h) before and after. Their sum is the rule's number.
@@ -252,6 +261,12 @@ class Observer {
   virtual void OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
     (void)name, (void)original;
   }
+
+  // kNotLearned
+  virtual void OnNotLearned(const Agent&, NotLearned why, const FiringInfo&) { (void)why; }
+  /// Reasoning in a substate rests on the absence of something in it, and `chunk allow-local-negations` is off: a rule
+  /// whose only condition is the negated one.
+  virtual void OnLocalNegation(const Agent&, const Production& negation) { (void)negation; }
 
   // kExploration
   /// One candidate with its value, when exploration chooses.

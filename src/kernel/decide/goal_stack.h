@@ -30,6 +30,7 @@ struct Goal {
   FiringType saved_firing = FiringType::kIe;  ///< Restored when elaboration comes down to it again.
   bool has_saved_firing = false;
   bool has_identities = false;  ///< It was made while learning was on.
+  bool learned_below = false;   ///< A substate of it had results.
 };
 
 /// The states of an agent, top state first: goals()[n] has level n + 1. A goal's record is used again by later goals of

@@ -40,6 +40,8 @@ struct Instantiation {
   std::uint32_t first_identity = 0;       ///< The number of its first identity of its own, if it has some.
   std::uint16_t trace_count = 0;
   bool in_gds = false;  ///< What it rests on has been taken into a goal's dependency set: once and for all.
+  /// Of a learned rule's or a justification's own instance: what the reasoning in the substate rested on.
+  bool local_negation : 1 = false, long_term_memory : 1 = false;
   InstantiationId next_free;
   PreferenceId preferences = PreferenceId::kNone;  ///< Newest first: the last action comes first.
 };

@@ -17,6 +17,9 @@ class InstantiationTable {
   InstantiationTable() { traces_.reserve(128); }
 
   InstantiationId Make();
+  /// Numbers that no instantiation gets: Soar counts those that were begun and given up, too.
+  void SkipSerials(std::uint32_t count) { next_serial_ += count; }
+  std::uint32_t last_serial() const { return next_serial_ - 1; }
   /// Gives the record and its trace back; the caller has dropped what the trace refers to.
   void Free(InstantiationId id);
   Instantiation& operator[](InstantiationId id) { return *id.record; }

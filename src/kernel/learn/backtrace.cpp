@@ -42,6 +42,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   // What was found last is tested first.
   std::ranges::reverse(out.grounds);
   std::ranges::reverse(out.negations);
+  if (!out.negations.empty()) SortNegations();
   engine_.chunker.mutable_statistics().backtraced += out.firings.size();
 }
 
@@ -80,6 +81,8 @@ void Backtracer::VisitFiring(InstantiationId firing) {
   } else if (instantiation.production == ProductionId::kNone) {
     out_->long_term_memory = true;
   }
+  out_->local_negation |= instantiation.local_negation;
+  out_->long_term_memory |= instantiation.long_term_memory;
   if (instantiation.selection != SelectionKnowledge::kNone) {
     VisitSelection(instantiation.selection);
   } else if (firing == selected_proposal_) {
@@ -184,15 +187,48 @@ ConditionDraft InstantiateNegation(const Engine& engine, const Condition& condit
   return copy;
 }
 
-bool Backtracer::RefersToHigherOnly(const ConditionDraft& condition) const {
-  if (condition.kind == ConditionKind::kConjunctiveNegation) {
-    for (const ConditionDraft& inner : condition.conditions) {
-      if (!RefersToHigherOnly(inner)) return false;
+bool Backtracer::IsReached(const ConditionDraft& condition) {
+  if (condition.kind != ConditionKind::kConjunctiveNegation) {
+    return std::ranges::find(reached_, EqualitySymbol(condition.id)) != reached_.end();
+  }
+  // Conditions of a conjunction may lead to each other's objects.
+  const std::size_t outside = reached_.size();
+  std::vector<const ConditionDraft*> open;
+  for (const ConditionDraft& inner : condition.conditions) open.push_back(&inner);
+  for (bool grew = true; grew;) {
+    grew = std::erase_if(open, [&](const ConditionDraft* inner) {
+             if (!IsReached(*inner)) return false;
+             if (inner->kind == ConditionKind::kPositive) {
+               Reach(EqualitySymbol(inner->id));
+               Reach(EqualitySymbol(inner->value));
+             }
+             return true;
+           }) > 0;
+  }
+  reached_.resize(outside);
+  return open.empty();
+}
+
+void Backtracer::SortNegations() {
+  reached_.clear();
+  for (const Explanation::Ground& ground : out_->grounds) {
+    const Wme& wme = engine_.memory.wme(ground.wme);
+    for (const Symbol symbol : {wme.id, wme.value}) {
+      if (symbol.IsIdentifier() && std::ranges::find(reached_, symbol) == reached_.end()) reached_.push_back(symbol);
+    }
+  }
+  std::erase_if(out_->negations, [&](const Explanation::Negation& negation) {
+    if (IsReached(negation.literal)) return false;
+    out_->local_negation = true;
+    if (!engine_.chunker.settings().allow_local_negations && engine_.observers.Wants(Event::kNotLearned)) {
+      ConditionDraft copy = negation.literal;
+      RuleDraft shown;
+      shown.conditions.Add(&copy);
+      const ProductionPtr rule = Production::Make(shown);
+      engine_.observers.Notify(Event::kNotLearned, [&](Observer& o) { o.OnLocalNegation(engine_.agent, *rule); });
     }
     return true;
-  }
-  const Symbol id = EqualitySymbol(condition.id);
-  return !id.IsIdentifier() || engine_.memory.level(id) < out_->level;
+  });
 }
 
 bool Backtracer::MayReferToHigherOnly(const Condition& condition, InstantiationId firing) const {
@@ -215,12 +251,7 @@ void Backtracer::CollectNegations(InstantiationId firing) {
     const ProductionPtr& known = engine_.justifier.record(instantiation.justification).negations;
     if (known == nullptr) return;
     for (const Condition& negation : known->conditions) {
-      const ConditionDraft copy = ToDraft(negation, out_->drafts);
-      if (RefersToHigherOnly(copy)) {
-        out_->negations.push_back({firing, nullptr, copy});
-      } else {
-        out_->local_negation = true;
-      }
+      AddNegation(firing, nullptr, ToDraft(negation, out_->drafts));
     }
     return;
   }
@@ -229,19 +260,19 @@ void Backtracer::CollectNegations(InstantiationId firing) {
   if (rule == nullptr) return;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind == ConditionKind::kPositive) continue;
-    if (!MayReferToHigherOnly(condition, firing)) {
+    // Most are about the substate, and nobody asks which.
+    if (engine_.chunker.settings().allow_local_negations && !MayReferToHigherOnly(condition, firing)) {
       out_->local_negation = true;
       continue;
     }
-    const ConditionDraft literal = InstantiateNegation(engine_, condition, firing, out_->drafts);
-    if (!RefersToHigherOnly(literal)) {
-      out_->local_negation = true;
-      continue;
-    }
-    if (std::ranges::none_of(out_->negations,
-                             [&](const Explanation::Negation& known) { return known.literal == literal; })) {
-      out_->negations.push_back({firing, &condition, literal});
-    }
+    AddNegation(firing, &condition, InstantiateNegation(engine_, condition, firing, out_->drafts));
+  }
+}
+
+void Backtracer::AddNegation(InstantiationId firing, const Condition* source, const ConditionDraft& literal) {
+  if (std::ranges::none_of(out_->negations,
+                           [&](const Explanation::Negation& known) { return known.literal == literal; })) {
+    out_->negations.push_back({firing, source, literal});
   }
 }
 

@@ -33,8 +33,14 @@ class Backtracer {
   InstantiationId SelectedProposal() const;
   void AddGround(const Explanation::Ground& ground, const Wme& wme);
   void CollectNegations(InstantiationId firing);
+  void AddNegation(InstantiationId firing, const Condition* source, const ConditionDraft& literal);
   bool MayReferToHigherOnly(const Condition& condition, InstantiationId firing) const;
-  bool RefersToHigherOnly(const ConditionDraft& condition) const;
+  /// Leaves the negated conditions whose objects the grounds name; the others are about the substate.
+  void SortNegations();
+  bool IsReached(const ConditionDraft& condition);
+  void Reach(Symbol symbol) {
+    if (symbol.IsIdentifier() || symbol.IsVariable()) reached_.push_back(symbol);
+  }
   bool Mark(WmeId wme);
 
   Engine& engine_;
@@ -48,6 +54,7 @@ class Backtracer {
   std::vector<Open> queue_;
   InstantiationId selected_proposal_ = InstantiationId::kNone;
   std::vector<std::uint32_t> seen_wmes_;
+  std::vector<Symbol> reached_;  ///< Objects that grounds name; variables of the conjunction at hand.
 };
 
 /// The literal condition that a negated condition of a rule was in a firing.

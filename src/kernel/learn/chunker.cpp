@@ -33,6 +33,11 @@ void Chunker::SetLearning(Symbol state, bool learn) {
   if (std::ranges::find(states, state) == states.end()) states.push_back(state);
 }
 
+void Chunker::RuleExcised(ProductionId rule) {
+  learned_.erase(rule);
+  engine_.justifier.ForgetDuplicates(rule);
+}
+
 void Chunker::GoalRemoved(Symbol state) {
   std::erase(dont_learn_, state);
   std::erase(force_learn_, state);
@@ -48,11 +53,14 @@ void Chunker::Clear() {
   explanation_.trace_number = 0;
   cycle_ = ~std::uint64_t{0};
   next_identity_ = 1;
+  next_number_ = 0;
+  statistics_ = {};
 }
 
 // Identities ----------------------------------------------------------------------------------------------------------
 
 void Chunker::NoteSubstate(GoalLevel level) {
+  engine_.goals.at(level).learned_below = false;
   if (!settings_.learning()) return;
   engine_.goals.at(level).has_identities = true;
   if (level == 2) next_identity_ = 1;
@@ -74,20 +82,10 @@ void Chunker::NoteFiring(InstantiationId id) {
   instantiation.first_identity = next_identity_;
   reader_.BeginAnalysis();
   const IdentityPlan& plan = reader_.Plan(id);
-  std::uint32_t created = 0, from_superstate = 0;
+  std::uint32_t created = 0;
   for (const std::uint16_t place : plan.first) {
-    switch (reader_.SourceOf(id, place)) {
-      case FiringReader::Source::kOwn:
-      case FiringReader::Source::kArchitecture:
-        ++created;
-        break;
-      case FiringReader::Source::kSuperstate:
-        if (place % 3u == static_cast<std::uint16_t>(Field::kValue)) ++from_superstate;
-        break;
-      case FiringReader::Source::kMaker:
-      case FiringReader::Source::kItem:
-        break;
-    }
+    const FiringReader::Source source = reader_.SourceOf(id, place);
+    created += source == FiringReader::Source::kOwn || source == FiringReader::Source::kArchitecture;
   }
   for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
     const std::uint16_t identity_class = plan.of_field[place];
@@ -99,7 +97,7 @@ void Chunker::NoteFiring(InstantiationId id) {
   const Production* const rule = reader_.Rule(id);
   if (rule != nullptr) created += static_cast<std::uint32_t>(rule->new_identifiers.size());
   statistics_.identities_created += created;
-  statistics_.identities_propagated += created + from_superstate;
+  statistics_.identities_propagated += created + reader_.SuperstateLinksOf(id);
   next_identity_ += created;
   reader_.EndAnalysis();
 }
@@ -126,11 +124,43 @@ void Chunker::BeginCycle() {
   rules_in_cycle_ = justifications_in_cycle_ = 0;
 }
 
+void Chunker::TellNotLearned(InstantiationId firing, NotLearned why) const {
+  if (!engine_.observers.Wants(Event::kNotLearned)) return;
+  const FiringInfo info = engine_.DescribeInstantiation(firing);
+  engine_.observers.Notify(Event::kNotLearned, [&](Observer& o) { o.OnNotLearned(engine_.agent, why, info); });
+}
+
+bool Chunker::IsLeftOut(InstantiationId firing) const {
+  const Instantiation& instantiation = engine_.instantiations[firing];
+  const auto named = [&](const std::vector<Symbol>& states) {
+    return std::ranges::find(states, instantiation.goal) != states.end();
+  };
+  switch (settings_.mode) {
+    case LearnMode::kNever:
+      return true;
+    case LearnMode::kAlways:
+      break;
+    case LearnMode::kOnly:
+      if (named(force_learn_)) break;
+      TellNotLearned(firing, NotLearned::kNotForced);
+      return true;
+    case LearnMode::kExcept:
+      if (!named(dont_learn_)) break;
+      TellNotLearned(firing, NotLearned::kExcluded);
+      return true;
+  }
+  if (!settings_.bottom_only || !engine_.goals.at(instantiation.level).learned_below) return false;
+  TellNotLearned(firing, NotLearned::kNotLowest);
+  return true;
+}
+
 void Chunker::Consider(InstantiationId id) {
   BeginCycle();
   for (InstantiationId current = id; engine_.instantiations[current].level > 1;) {
+    left_out_ = IsLeftOut(current);
     if (settings_.learning() && rules_in_cycle_ >= settings_.max_chunks) {
       ++statistics_.over_max_chunks;
+      TellNotLearned(current, NotLearned::kTooMany);
       return;
     }
     explanation_.level = engine_.instantiations[current].level;
@@ -140,8 +170,11 @@ void Chunker::Consider(InstantiationId id) {
     if (!results_.Collect(current, explanation_)) return;
     if (engine_.justifier.HasTooManyDuplicates(current, settings_.max_duplicates)) {
       ++statistics_.over_max_duplicates;
-      engine_.Warn(WarningKind::kMaxDuplicates, engine_.DescribeInstantiation(current).name);
+      TellNotLearned(current, NotLearned::kTooManyAlike);
       return;
+    }
+    for (auto above = static_cast<GoalLevel>(explanation_.level - 1); above > 0; --above) {
+      engine_.goals.at(above).learned_below = true;
     }
     current = Learn(current);
     reader_.EndAnalysis();
@@ -150,23 +183,7 @@ void Chunker::Consider(InstantiationId id) {
 }
 
 bool Chunker::MayLearn() const {
-  const Symbol state = engine_.instantiations[explanation_.base].goal;
-  const auto named = [&](const std::vector<Symbol>& states) {
-    return std::ranges::find(states, state) != states.end();
-  };
-  switch (settings_.mode) {
-    case LearnMode::kNever:
-      return false;
-    case LearnMode::kAlways:
-      break;
-    case LearnMode::kOnly:
-      if (!named(force_learn_)) return false;
-      break;
-    case LearnMode::kExcept:
-      if (named(dont_learn_)) return false;
-      break;
-  }
-  if (settings_.bottom_only && explanation_.level < engine_.goals.depth()) return false;
+  if (left_out_) return false;
   if (explanation_.local_negation && !settings_.allow_local_negations) return false;
   if (explanation_.long_term_memory && !settings_.allow_opaque) return false;
   return !explanation_.quiescence;
@@ -174,20 +191,28 @@ bool Chunker::MayLearn() const {
 
 InstantiationId Chunker::Learn(InstantiationId base) {
   const bool learning = settings_.learning();
+  const bool explained = log_.WantsChunkOf(base);
+  explanation_number_ = explained ? log_.TakeNumber() : 0;
   ++statistics_.analyzed;
   backtracer_.Trace(explanation_, learning);
   GoalLevel goal_level = explanation_.lowest_ground;
   if (goal_level == 0) {
     if (explanation_.grounds.empty()) {
       ++statistics_.without_grounds;
-      engine_.Warn(WarningKind::kUnconditional, engine_.DescribeInstantiation(base).name);
+      engine_.instantiations.SkipSerials(1);
+      TellNotLearned(base, NotLearned::kUnconditional);
+      if (settings_.warning_interrupt) Interrupt("Chunking issue detected:  Rule learned had no conditions.");
       return InstantiationId::kNone;
     }
     goal_level = static_cast<GoalLevel>(explanation_.level - 1);
   }
+  if (explanation_.local_negation && settings_.warning_interrupt && !settings_.allow_local_negations) {
+    Interrupt("Chunking issue detected:  Problem-solving contained negated reasoning about sub-state structures.");
+  }
   if (learning) {
-    const bool explain = log_.WantsChunkOf(base) || log_.justifications || log_.noting;
-    analysis_.Analyze(explanation_, explain);
+    analysis_.Analyze(explanation_, explained || log_.noting);
+    statistics_.identities_joined += analysis_.graph().joins();
+    if (explained) statistics_.identities_literalized += analysis_.CountLiteralized();
     if (explanation_.quiescence) ++statistics_.tested_quiescence;
     bool failed = false;
     if (MayLearn()) {
@@ -197,12 +222,12 @@ InstantiationId Chunker::Learn(InstantiationId base) {
     Justifier::Making making;
     making.name = NewName(base, false, !failed);
     making.origin = OriginOf(base);
-    analysis_.LiteralizeResults(explanation_);
     making.plan = std::make_unique<IdentityPlan>(builder_.PlanOfJustification(explanation_));
     making.tests = builder_.TestsOfJustification(explanation_);
+    making.functions = builder_.FunctionsOfJustification(explanation_, *making.plan);
     CountJustification();
-    if (log_.justifications && (log_.all || log_.WantsChunkOf(base))) {
-      log_.Add(explanation_, making.name, nullptr, false);
+    if (log_.justifications && explained) {
+      log_.Add(explanation_, explanation_number_, {making.name, nullptr, InstantiationId::kNone, goal_level, false});
     }
     return engine_.justifier.Build(explanation_, goal_level, std::move(making));
   }
@@ -235,9 +260,13 @@ std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
   std::uint32_t& count = is_chunk ? rules_in_cycle_ : justifications_in_cycle_;
   if (counts) ++count;
   if (settings_.numbered_names) {
-    for (;;) {
-      const std::string name = kind + std::to_string(engine_.justifier.TakeNumber());
-      if (engine_.agent.FindProduction(name) == ProductionId::kNone) return name;
+    if (!is_chunk) return kind + std::to_string(engine_.justifier.TakeNumber());
+    // They go up by two, as in Soar 9.6.3, and on by one past those that there are.
+    for (++next_number_;; ++next_number_) {
+      const std::string name = kind + std::to_string(next_number_);
+      if (engine_.agent.FindProduction(name) != ProductionId::kNone) continue;
+      ++next_number_;
+      return name;
     }
   }
   const Origin origin = OriginOf(base);
@@ -287,11 +316,9 @@ void Chunker::Interrupt(const std::string& reason) {
 InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed) {
   const std::string name = NewName(base, true, true);
   Tell(name);
-  statistics_.identities_joined += analysis_.graph().joins();
   const RuleBuilder::Outcome outcome = builder_.Build(explanation_, name, goal_level);
   if (outcome == RuleBuilder::Outcome::kFailed) {
     failed = true;
-    --rules_in_cycle_;
     ++statistics_.unrepairable;
     if (settings_.warning_interrupt) {
       Interrupt("Chunking issue detected. Soar could not repair a rule with ungrounded conditions or actions.");
@@ -338,17 +365,18 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     log_.CountDuplicate(original);
     return InstantiationId::kNone;
   }
-  const bool explained = log_.WantsChunkOf(base);
+  const bool explained = explanation_number_ != 0;
+  const ExplanationLog::Made made{rule->name, rule, id, goal_level, repaired};
   if (explained) {
-    log_.Add(explanation_, rule->name, rule, repaired);
+    log_.Add(explanation_, explanation_number_, made);
     // What is learned from it in turn is of interest, too.
     if (!log_.all) log_.watched_learned.emplace_back(rule->name);
   }
-  if (log_.noting) log_.Note(explanation_, rule->name, rule, repaired);
+  if (log_.noting) log_.Note(explanation_, made);
   engine_.agent.NoteAdded(added.production, rule);
   ++statistics_.chunks;
   ++engine_.counters.chunks;
-  if (explanation_.local_negation || builder_.has_local_negation()) ++statistics_.chunks_with_local_negation;
+  if (explanation_.local_negation) ++statistics_.chunks_with_local_negation;
   if (explanation_.long_term_memory) ++statistics_.chunks_with_long_term_memory;
   {
     Origin origin = OriginOf(base);
@@ -363,6 +391,8 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     instantiation.level = goal_level;
     instantiation.held = true;
     instantiation.has_identities = true;
+    instantiation.local_negation = explanation_.local_negation;
+    instantiation.long_term_memory = explanation_.long_term_memory;
   }
   engine_.rete.matches().HoldRule(added.production);
   if (added.refracted == MatchId::kNone) ++statistics_.did_not_match;

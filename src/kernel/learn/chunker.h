@@ -17,6 +17,7 @@
 #include "kernel/learn/results.h"
 #include "kernel/learn/rule_builder.h"
 #include "kernel/learn/singletons.h"
+#include "kernel/observer.h"
 
 namespace soarbox::kernel {
 
@@ -63,7 +64,7 @@ class Chunker {
   std::vector<Symbol> excluded_states() const { return dont_learn_; }
   void GoalRemoved(Symbol state);
   /// A learned rule leaves.
-  void RuleExcised(ProductionId rule) { learned_.erase(rule); }
+  void RuleExcised(ProductionId rule);
   /// What a learned rule was learned from: the name of the first rule, and how often rules were learned from rules.
   struct Origin {
     std::string base;
@@ -77,6 +78,10 @@ class Chunker {
   void CountJustification();
   /// True if a rule may be learned from the explanation.
   bool MayLearn() const;
+  /// Says why nothing is learned from a firing, to those who want to know.
+  void TellNotLearned(InstantiationId firing, NotLearned why) const;
+  /// Whether the settings leave the firing's state out; says so.
+  bool IsLeftOut(InstantiationId firing) const;
   InstantiationId BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed);
   InstantiationId Enter(InstantiationId base, bool repaired);
   /// `counts`: it is one more of its kind in this cycle.
@@ -98,7 +103,10 @@ class Chunker {
   Explanation explanation_;
   std::vector<Symbol> dont_learn_, force_learn_;
   bool notes_elements_ = false;
+  std::uint32_t explanation_number_ = 0;  ///< Of what is being learned, if it is to be kept.
+  bool left_out_ = false;                 ///< The state of the firing that is considered.
   std::uint32_t next_identity_ = 1;
+  std::uint32_t next_number_ = 0;  ///< Of numbered names.
   std::vector<std::uint32_t>
       substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
   std::uint64_t cycle_ = ~std::uint64_t{0};

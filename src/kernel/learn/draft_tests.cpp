@@ -44,32 +44,39 @@ void PrependPart(TestDraft& test, TestDraft* part, Arena& arena) {
   test.parts.first = part;
 }
 
+bool UniteDisjunctions(TestDraft& kept, const TestDraft& other, Arena& arena) {
+  if (other.kind != TestKind::kDisjunction) return false;
+  for (TestDraft& mine : kept.parts) {
+    if (mine.kind != TestKind::kDisjunction) continue;
+    Symbol* const common = arena.NewArray<Symbol>(mine.disjunct_count);
+    std::uint32_t count = 0;
+    for (std::uint32_t n = 0; n < mine.disjunct_count; ++n) {
+      if (std::find(other.disjuncts, other.disjuncts + other.disjunct_count, mine.disjuncts[n]) !=
+          other.disjuncts + other.disjunct_count) {
+        common[count++] = mine.disjuncts[n];
+      }
+    }
+    mine.disjuncts = common;
+    mine.disjunct_count = count;
+    return true;
+  }
+  return false;
+}
+
 std::uint32_t UniteTests(TestDraft& kept, TestDraft& other, Arena& arena) {
   std::uint32_t merged = 0;
   if (other.kind != TestKind::kConjunction) return merged;
   for (TestDraft* part = other.parts.first; part != nullptr;) {
     TestDraft* const next = part->next;
     bool known = part->kind == TestKind::kEqual;
-    for (TestDraft& mine : kept.parts) {
-      if (known) break;
-      if (mine == *part) {
-        known = true;
-      } else if (mine.kind == TestKind::kDisjunction && part->kind == TestKind::kDisjunction) {
-        Symbol* const common = arena.NewArray<Symbol>(mine.disjunct_count);
-        std::uint32_t count = 0;
-        for (std::uint32_t n = 0; n < mine.disjunct_count; ++n) {
-          if (std::find(part->disjuncts, part->disjuncts + part->disjunct_count, mine.disjuncts[n]) !=
-              part->disjuncts + part->disjunct_count) {
-            common[count++] = mine.disjuncts[n];
-          }
-        }
-        mine.disjuncts = common;
-        mine.disjunct_count = count;
-        known = true;
+    for (const TestDraft& mine : kept.parts) known = known || mine == *part;
+    if (!known) {
+      if (UniteDisjunctions(kept, *part, arena)) {
         ++merged;
+      } else {
+        PrependPart(kept, part, arena);
       }
     }
-    if (!known) AppendPart(kept, part, arena);
     part = next;
   }
   return merged;

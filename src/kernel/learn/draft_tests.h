@@ -55,6 +55,8 @@ Symbol ValueOfClass(const Engine& engine, const IdentityPlan& plan, Instantiatio
                     std::uint16_t identity_class);
 void AppendPart(TestDraft& test, TestDraft* part, Arena& arena);
 void PrependPart(TestDraft& test, TestDraft* part, Arena& arena);
+/// If both tests are lists of values, or `kept` has one, leaves in it what both allow.
+bool UniteDisjunctions(TestDraft& kept, const TestDraft& other, Arena& arena);
 /// Adds the tests of `other` to those of `kept`, which tests the same value; how many lists of values became one.
 std::uint32_t UniteTests(TestDraft& kept, TestDraft& other, Arena& arena);
 

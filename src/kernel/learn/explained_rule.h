@@ -25,11 +25,18 @@ struct ExplainedRule {
   struct Condition {
     Field id, attribute, value;
     bool tests_state = false, acceptable = false;
-    bool negated = false;       ///< Only `id.text` is set: the whole condition.
+    bool negated = false;       ///< Only `id.text` is set: the whole condition. `parts` has it in pieces.
+    bool conjunction = false;   ///< Negated as a whole: all of `parts` together.
     bool operational = false;   ///< It tested an element of a higher state.
     std::uint32_t creator = 0;  ///< The firing that made the element in the substate; 0: the architecture.
     std::string creator_rule;
     std::vector<std::uint32_t> path;  ///< Of the learned rule's: from the firing that tested it to a result.
+    /// Of a negated condition: as the rule has it, with identities, and what it was.
+    struct Part {
+      std::string text, identity, value;
+      bool operational = false;
+    };
+    std::vector<Part> parts;
   };
   struct Action {
     Field id, attribute, value, referent;
@@ -65,9 +72,12 @@ struct ExplainedRule {
   std::string state, superstate;             ///< The substate, and the state above it: S2, S1.
   ImpasseType impasse = ImpasseType::kNone;  ///< That made the substate.
   bool on_operator = false;
-  std::string op;          ///< The name of the operator that was selected above; empty for none.
-  std::uint32_t base = 0;  ///< The firing whose results it gives.
-  ProductionPtr rule;      ///< As it was learned; none for justifications.
+  std::string op;                            ///< The name of the operator that was selected above; empty for none.
+  std::uint32_t base = 0;                    ///< The firing whose results it gives.
+  std::vector<std::uint32_t> other_results;  ///< Firings that made what hangs on these results.
+  std::uint32_t instance = 0;                ///< The firing that the learned rule itself began with...
+  GoalLevel instance_level = 0;              ///< ... and the level of the state that it matched.
+  ProductionPtr rule;                        ///< As it was learned; none for justifications.
   std::vector<Condition> conditions;
   std::vector<Action> actions;
   std::vector<Firing> firings;  ///< By number.
@@ -78,6 +88,12 @@ struct ExplainedRule {
   std::uint32_t merged_conditions = 0, merged_disjunctions = 0, operational_constraints = 0, duplicates = 0;
   bool local_negation = false, quiescence = false, long_term_memory = false, repaired = false;
 
+  /// Negated conjunctions count each of their conditions.
+  std::size_t CountConditions() const {
+    std::size_t count = 0;
+    for (const Condition& condition : conditions) count += condition.negated ? condition.parts.size() : 1;
+    return count;
+  }
   const Firing* FindFiring(std::uint32_t serial) const {
     for (const Firing& firing : firings) {
       if (firing.serial == serial) return &firing;

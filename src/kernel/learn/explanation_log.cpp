@@ -94,6 +94,7 @@ class ShortestPaths {
 void ExplanationLog::Clear() {
   rules_.clear();
   watched_learned.clear();
+  last_number_ = 0;
 }
 
 bool ExplanationLog::WantsChunkOf(InstantiationId base) const {
@@ -202,9 +203,8 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
   out.rule = engine_.ProductionName(id);
   out.level = instantiation.level;
   const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(id);
-  for (std::size_t n = 0; n < traces.size(); ++n) {
+  const auto describe = [&](std::size_t n, const Condition* source) {
     const Wme& wme = engine_.memory.wme(traces[n].wme);
-    const Condition* const source = rule != nullptr ? &PositiveCondition(*rule, n) : nullptr;
     ExplainedRule::Condition condition;
     condition.acceptable = wme.acceptable;
     condition.operational = engine_.memory.level(wme.id) < explanation.level;
@@ -223,14 +223,19 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
       condition.creator_rule = engine_.ProductionName(maker);
     }
     out.conditions.push_back(std::move(condition));
-  }
-  if (rule != nullptr) {
+  };
+  if (rule == nullptr) {
+    for (std::size_t n = 0; n < traces.size(); ++n) describe(n, nullptr);
+  } else {
+    std::size_t positive = 0;
     for (const Condition& source : rule->conditions) {
-      if (source.kind == ConditionKind::kPositive) continue;
-      ExplainedRule::Condition condition;
-      condition.negated = true;
-      AppendCondition(condition.id.text, engine_.symbols, source);
-      out.conditions.push_back(std::move(condition));
+      if (source.kind == ConditionKind::kPositive) {
+        if (positive < traces.size()) describe(positive, &source);
+        ++positive;
+      } else {
+        const ProductionPtr literal = Instantiated(source, id);
+        out.conditions.push_back(DescribeNegated(source, source, literal->conditions.front(), id, explanation.level));
+      }
     }
   }
   for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
@@ -239,6 +244,72 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
     out.made_result |= std::ranges::find(explanation.results, p) != explanation.results.end();
   }
   std::ranges::reverse(out.actions);
+  return out;
+}
+
+ProductionPtr ExplanationLog::Instantiated(const Condition& negation, InstantiationId firing) {
+  Arena arena;
+  ConditionDraft literal = InstantiateNegation(engine_, negation, firing, arena);
+  RuleDraft rule;
+  rule.conditions.Add(&literal);
+  return Production::Make(rule);
+}
+
+std::string ExplanationLog::IdentityText(const Test& test, InstantiationId firing) {
+  std::vector<std::string> parts;
+  ForEachTest(test, [&](const Test& part) {
+    if (part.kind == TestKind::kState || part.kind == TestKind::kImpasse) return;
+    std::string text;
+    if (part.kind == TestKind::kDisjunction || part.kind == TestKind::kBlank) {
+      AppendTest(text, engine_.symbols, part);
+    } else {
+      text = SignOf(part.kind);
+      IdentityGraph::Node node = IdentityGraph::kNone;
+      if (part.referent().IsVariable() && reader_.Rule(firing) != nullptr) {
+        node = analysis_.OfClass(firing, reader_.Plan(firing).ClassOf(part.referent()));
+      }
+      text += node == IdentityGraph::kNone ? Name(part.referent()) : Number(node);
+    }
+    parts.push_back(std::move(text));
+  });
+  return parts.empty() ? std::string() : Joined(parts);
+}
+
+ExplainedRule::Condition ExplanationLog::DescribeNegated(const Condition& written, const Condition& source,
+                                                         const Condition& literal, InstantiationId firing,
+                                                         GoalLevel level) {
+  ExplainedRule::Condition out;
+  out.negated = true;
+  out.conjunction = written.kind == ConditionKind::kConjunctiveNegation;
+  AppendCondition(out.id.text, engine_.symbols, written);
+  const auto add = [&](auto&& self, const Condition& as_written, const Condition& as_source,
+                       const Condition& as_literal) -> void {
+    if (as_written.kind == ConditionKind::kConjunctiveNegation) {
+      const std::size_t count =
+          std::min({as_written.conditions().size(), as_source.conditions().size(), as_literal.conditions().size()});
+      for (std::size_t n = 0; n < count; ++n) {
+        self(self, as_written.conditions()[n], as_source.conditions()[n], as_literal.conditions()[n]);
+      }
+      return;
+    }
+    const std::string_view sign = out.conjunction ? " ^" : " -^";
+    const auto row = [&](const Condition& condition, auto&& text_of) {
+      return "(" + text_of(condition.id) + std::string(sign) + text_of(condition.attribute) + " " +
+             text_of(condition.value) + (condition.tests_acceptable ? " +" : "") + ")";
+    };
+    const auto plain = [&](const Test& test) {
+      std::string text;
+      AppendTest(text, engine_.symbols, test);
+      return text;
+    };
+    ExplainedRule::Condition::Part& part = out.parts.emplace_back();
+    part.text = row(as_written, plain);
+    part.identity = row(as_source, [&](const Test& test) { return IdentityText(test, firing); });
+    part.value = row(as_literal, plain);
+    const Symbol object = EqualitySymbol(as_literal.id);
+    part.operational = (object.IsIdentifier() ? engine_.memory.level(object) : 0) < level;
+  };
+  add(add, written, source, literal);
   return out;
 }
 
@@ -328,16 +399,28 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
         number_of_variable_.try_emplace(variable.bits(), analysis_.NumberOf(node));
       }
     }
-    std::size_t positive = 0;
+    std::size_t positive = 0, negated = 0;
     for (const Condition& learned : out.rule->conditions) {
       if (learned.kind == ConditionKind::kPositive) {
+        const Wme& wme = engine_.memory.wme(builder_.elements()[positive]);
         out.conditions.push_back(describe(builder_.ground_of_condition()[positive++], &learned));
+        ExplainedRule::Condition& described = out.conditions.back();
+        described.id.value = Name(wme.id);
+        described.attribute.value = Name(wme.attribute);
+        described.value.value = Name(wme.value);
+        described.acceptable = wme.acceptable;
         continue;
       }
-      ExplainedRule::Condition condition;
-      condition.negated = true;
-      AppendCondition(condition.id.text, engine_.symbols, learned);
-      out.conditions.push_back(std::move(condition));
+      const Explanation::Negation& negation = explanation.negations[builder_.negation_of_condition()[negated++]];
+      ConditionDraft copy = negation.literal;
+      RuleDraft literal;
+      literal.conditions.Add(&copy);
+      const ProductionPtr was = Production::Make(literal);
+      const Condition& source = negation.source != nullptr ? *negation.source : was->conditions.front();
+      out.conditions.push_back(
+          DescribeNegated(learned, source, was->conditions.front(), negation.firing, out.instance_level));
+      ExplainedRule::Condition& described = out.conditions.back();
+      described.path = described.conjunction ? std::vector<std::uint32_t>{out.instance} : paths.From(negation.firing);
     }
   } else {
     std::set<std::uint32_t> states;
@@ -372,25 +455,25 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
   out.identities.assign(identities.begin(), identities.end());
 }
 
-ExplainedRule& ExplanationLog::Add(const Explanation& explanation, std::string_view name, const ProductionPtr& rule,
-                                   bool repaired) {
+void ExplanationLog::Add(const Explanation& explanation, std::uint32_t number, const Made& made) {
   ExplainedRule& out = rules_.emplace_back();
-  out.number = static_cast<std::uint32_t>(rules_.size());
-  Describe(out, explanation, name, rule, repaired);
-  return out;
+  out.number = number;
+  Describe(out, explanation, made);
+  // What `chunk stats` says of it is said of recorded rules alone.
+  engine_.chunker.mutable_statistics().identities_in_rules += out.identities.size();
 }
 
-void ExplanationLog::Note(const Explanation& explanation, std::string_view name, const ProductionPtr& rule,
-                          bool repaired) {
-  Describe(noted_.emplace_back(), explanation, name, rule, repaired);
+void ExplanationLog::Note(const Explanation& explanation, const Made& made) {
+  Describe(noted_.emplace_back(), explanation, made);
   if (noted_.size() > kMostNoted) noted_.pop_front();
 }
 
-void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation, std::string_view name,
-                              const ProductionPtr& rule, bool repaired) {
-  out.name = name;
-  out.rule = rule;
-  out.justification = rule == nullptr;
+void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation, const Made& made) {
+  out.name = made.name;
+  out.rule = made.rule;
+  out.justification = made.rule == nullptr;
+  if (made.instance != InstantiationId::kNone) out.instance = engine_.instantiations[made.instance].serial;
+  out.instance_level = made.level;
   out.decision = engine_.counters.decision_phases;
   out.level = explanation.level;
   if (explanation.level > 1) {
@@ -408,9 +491,15 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
   out.local_negation = explanation.local_negation;
   out.quiescence = explanation.quiescence;
   out.long_term_memory = explanation.long_term_memory;
-  out.repaired = repaired;
+  out.repaired = made.repaired;
   out.identities_created = engine_.chunker.identities_created();
   DescribeLearned(out, explanation);
+  for (const PreferenceId result : explanation.results) {
+    const std::uint32_t serial = engine_.instantiations[engine_.memory.preference(result).instantiation].serial;
+    if (serial != out.base && std::ranges::find(out.other_results, serial) == out.other_results.end()) {
+      out.other_results.push_back(serial);
+    }
+  }
   const ShortestPaths paths(engine_, explanation);
   for (const InstantiationId firing : explanation.firings) {
     ExplainedRule::Firing described = Describe(firing, explanation);
@@ -428,13 +517,13 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
       described.to = analysis_.NumberOfOwn(event.to);
       described.variable = builder_.VariableNameOf(event.to);
       ++out.joined;
-    } else {
+    } else if (event.reason != JoinReason::kSingletonLiteral) {
       ++out.literalized;
     }
     out.events.push_back(std::move(described));
   }
   std::ranges::stable_sort(out.events, {}, &ExplainedRule::Event::firing);
-  if (rule != nullptr) {
+  if (made.rule != nullptr) {
     for (const CarriedTest& test : builder_.constraints()) {
       ExplainedRule::Constraint constraint;
       constraint.firing = engine_.instantiations[test.firing].serial;

@@ -34,23 +34,38 @@ class ExplanationLog {
   static constexpr std::size_t kMostNoted = 1000;  ///< The oldest go.
 
   bool WantsChunkOf(InstantiationId base) const;
+  /// The rule that was just made.
+  struct Made {
+    std::string_view name;
+    ProductionPtr rule;  ///< None for justifications.
+    InstantiationId instance = InstantiationId::kNone;
+    GoalLevel level = 0;  ///< Of the state that it matched.
+    bool repaired = false;
+  };
+  /// Each attempt to learn something that would be kept takes a number, whatever becomes of it.
+  std::uint32_t TakeNumber() { return ++last_number_; }
   /// Keeps what the stages found out about the rule that was just made.
-  ExplainedRule& Add(const Explanation& explanation, std::string_view name, const ProductionPtr& rule, bool repaired);
+  void Add(const Explanation& explanation, std::uint32_t number, const Made& made);
   /// The same for those who watch.
-  void Note(const Explanation& explanation, std::string_view name, const ProductionPtr& rule, bool repaired);
+  void Note(const Explanation& explanation, const Made& made);
   void CountDuplicate(std::string_view name);
   const std::vector<ExplainedRule>& rules() const { return rules_; }
   const std::deque<ExplainedRule>& noted() const { return noted_; }  ///< init-soar keeps them, as it keeps the rules.
   void Clear();
 
  private:
-  void Describe(ExplainedRule& out, const Explanation& explanation, std::string_view name, const ProductionPtr& rule,
-                bool repaired);
+  void Describe(ExplainedRule& out, const Explanation& explanation, const Made& made);
   ExplainedRule::Firing Describe(InstantiationId firing, const Explanation& explanation);
   ExplainedRule::Field DescribeTest(const Test* test, Symbol value, InstantiationId firing, std::size_t condition,
                                     Field field);
   ExplainedRule::Action DescribeAction(PreferenceId preference);
   void DescribeLearned(ExplainedRule& out, const Explanation& explanation);
+  /// A negated condition: as it is written, as the rule that fired has it, and what it was.
+  ExplainedRule::Condition DescribeNegated(const Condition& written, const Condition& source, const Condition& literal,
+                                           InstantiationId firing, GoalLevel level);
+  std::string IdentityText(const Test& test, InstantiationId firing);
+  /// What a negated condition of a rule was in a firing.
+  ProductionPtr Instantiated(const Condition& negation, InstantiationId firing);
   std::string Number(IdentityGraph::Node node);
   std::string Name(Symbol symbol) const;
   std::string NumberOfVariable(Symbol symbol) const;
@@ -61,6 +76,7 @@ class ExplanationLog {
   RuleBuilder& builder_;
   std::vector<ExplainedRule> rules_;
   std::deque<ExplainedRule> noted_;
+  std::uint32_t last_number_ = 0;
   std::map<std::uint32_t, std::uint32_t> number_of_variable_;  ///< Scratch.
 };
 

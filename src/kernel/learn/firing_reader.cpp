@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/learn/firing_reader.h"
 
+#include <algorithm>
+
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
 #include "kernel/learn/draft_tests.h"
@@ -16,11 +18,17 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
   if (known.rule == rule) return known;
   known.rule = rule;
   known.positives.clear();
+  known.carries_tests = false;
+  known.may_test_superstate.clear();
   known.terms.clear();
   known.plan = rule == nullptr ? nullptr : std::make_unique<IdentityPlan>(IdentityPlan::Of(*rule));
   if (rule == nullptr) return known;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind != ConditionKind::kPositive) continue;
+    const Symbol attribute = EqualitySymbol(condition.attribute);
+    if (!attribute.IsConstant() || attribute == words::kSuperstate) {
+      known.may_test_superstate.push_back(static_cast<std::uint16_t>(known.positives.size()));
+    }
     Tested& tested = known.positives.emplace_back();
     tested.condition = &condition;
     std::uint8_t field = 1;
@@ -30,6 +38,7 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
       });
       field = static_cast<std::uint8_t>(field << 1);
     }
+    known.carries_tests = known.carries_tests || tested.carried != 0;
   }
   for (const Action& action : rule->actions) {
     for (const RhsValue* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
@@ -66,6 +75,13 @@ const Production* FiringReader::Rule(InstantiationId firing) {
 
 const FiringReader::Tested& FiringReader::TestedBy(InstantiationId firing, std::size_t condition) {
   return KnownOf(engine_.instantiations[firing].production).positives[condition];
+}
+
+bool FiringReader::CarriesTests(InstantiationId firing) {
+  const Instantiation& instantiation = engine_.instantiations[firing];
+  if (instantiation.production != ProductionId::kNone) return KnownOf(instantiation.production).carries_tests;
+  return instantiation.justification != Instantiation::kNoJustification &&
+         !engine_.justifier.record(instantiation.justification).tests.empty();
 }
 
 const IdentityPlan& FiringReader::Plan(InstantiationId firing) {
@@ -138,7 +154,18 @@ FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, st
       return term;
     }
     term.identity_class = 0;
-    if (is_justification) return term;
+    if (is_justification) {
+      const ProductionPtr& functions = engine_.justifier.record(instantiation.justification).functions;
+      if (functions != nullptr && preference.action < functions->actions.size()) {
+        const Action& action = functions->actions[preference.action];
+        const RhsValue& value = part == Part::kAttribute ? action.attribute : action.value;
+        if ((part == Part::kAttribute || part == Part::kValue) && value.kind == RhsValueKind::kFunction) {
+          term.kind = Term::Kind::kFunction;
+          term.function = &value;
+        }
+      }
+      return term;
+    }
   }
   // Of the architecture, or made by a function.
   term.kind = Term::Kind::kSymbol;
@@ -146,10 +173,57 @@ FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, st
   return term;
 }
 
+std::uint32_t FiringReader::RankOfNew(InstantiationId firing, std::uint16_t new_index) {
+  const Production* const rule = Rule(firing);
+  std::vector<std::uint16_t> seen;
+  for (std::size_t n = rule == nullptr ? 0 : rule->actions.size(); n-- > 0;) {
+    const Action& action = rule->actions[n];
+    for (const RhsValue* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
+      if (value->kind != RhsValueKind::kNew) continue;
+      if (std::ranges::find(seen, value->new_index()) != seen.end()) continue;
+      if (value->new_index() == new_index) return static_cast<std::uint32_t>(seen.size());
+      seen.push_back(value->new_index());
+    }
+  }
+  return new_index;
+}
+
 bool FiringReader::IsSuperstateLink(WmeId id, GoalLevel level) const {
   const Wme& wme = engine_.memory.wme(id);
   return wme.attribute == words::kSuperstate && level <= engine_.goals.depth() &&
          wme.id == engine_.goals.at(level).id && engine_.memory.record(id).kind == WmeKind::kArchitecture;
+}
+
+bool FiringReader::IsOfSuperstateLink(InstantiationId firing, std::uint16_t identity_class, IdentityGraph::Key& key) {
+  const Instantiation& instantiation = engine_.instantiations[firing];
+  const GoalLevel level = instantiation.level;
+  if (level < 2 || level > engine_.goals.depth() || !engine_.goals.at(level).has_identities) return false;
+  const IdentityPlan& plan = Plan(firing);
+  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+  const auto is_it = [&](std::size_t condition) {
+    for (const Part part : {Part::kId, Part::kValue}) {
+      if (plan.ClassOf(condition, static_cast<Field>(part)) != identity_class) continue;
+      if (!IsSuperstateLink(traces[condition].wme, level)) return false;
+      key = SuperstateLink(level, part);
+      return true;
+    }
+    return false;
+  };
+  if (instantiation.production != ProductionId::kNone) {
+    return std::ranges::any_of(KnownOf(instantiation.production).may_test_superstate, is_it);
+  }
+  for (std::size_t n = 0; n < traces.size(); ++n) {
+    if (is_it(n)) return true;
+  }
+  return false;
+}
+
+std::uint32_t FiringReader::SuperstateLinksOf(InstantiationId firing) {
+  const GoalLevel level = engine_.instantiations[firing].level;
+  if (level < 2 || level > engine_.goals.depth() || !engine_.goals.at(level).has_identities) return 0;
+  return static_cast<std::uint32_t>(
+      std::ranges::count_if(engine_.instantiations.Trace(firing),
+                            [&](const ConditionTrace& trace) { return IsSuperstateLink(trace.wme, level); }));
 }
 
 FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_t place) {
@@ -181,6 +255,7 @@ IdentityGraph::Key FiringReader::Origin(InstantiationId& firing, std::uint16_t i
     const IdentityGraph::Key own{engine_.instantiations[firing].serial, identity_class};
     const IdentityPlan& plan = Plan(firing);
     if (identity_class >= plan.bound()) return own;
+    if (IdentityGraph::Key link; IsOfSuperstateLink(firing, identity_class, link)) return link;
     const std::uint16_t place = plan.first[identity_class];
     const ConditionTrace& trace = engine_.instantiations.Trace(firing)[place / 3u];
     const Part part = static_cast<Part>(place % 3u);

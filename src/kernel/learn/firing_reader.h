@@ -33,6 +33,8 @@ class FiringReader {
     bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
   };
   const Tested& TestedBy(InstantiationId firing, std::size_t condition);
+  /// False if no condition of the firing asks for more than which value something is.
+  bool CarriesTests(InstantiationId firing);
 
   /// What the action that made a preference says in one of its fields.
   struct Term {
@@ -50,6 +52,8 @@ class FiringReader {
   };
   enum class Part : std::uint8_t { kId, kAttribute, kValue, kReferent };
   Term TermOf(PreferenceId preference, Part part);
+  /// Soar numbers the identifiers that a firing makes from the last action to the first.
+  std::uint32_t RankOfNew(InstantiationId firing, std::uint16_t new_index);
   /// The class of a bound or new term of a rule.
   std::uint16_t ClassOf(const RhsValue& value, InstantiationId firing) { return ClassOf(value, Plan(firing)); }
 
@@ -64,6 +68,11 @@ class FiringReader {
   static IdentityGraph::Key Item(WmeId item) { return {kItemKey, Index(item)}; }
   static IdentityGraph::Key OfSymbol(Symbol symbol) { return {kSymbolKey, symbol.bits()}; }
   bool IsSuperstateLink(WmeId wme, GoalLevel level) const;
+  /// How many conditions of a firing test the superstate link of its state.
+  std::uint32_t SuperstateLinksOf(InstantiationId firing);
+  /// What they test there names the substate and its superstate, wherever else the class occurs: the key of these, if
+  /// the class is one of them.
+  bool IsOfSuperstateLink(InstantiationId firing, std::uint16_t identity_class, IdentityGraph::Key& key);
 
   /// How the first place of a class comes by its identity.
   enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem, kArchitecture };
@@ -88,8 +97,10 @@ class FiringReader {
     ProductionPtr rule;
     std::unique_ptr<IdentityPlan> plan;
     std::vector<Tested> positives;
-    std::vector<Term> terms;     ///< What its actions say, four for each.
-    std::uint32_t analysis = 0;  ///< The last one that looked at the rule.
+    bool carries_tests = false;                      ///< One of them does.
+    std::vector<std::uint16_t> may_test_superstate;  ///< Those that may match the superstate link.
+    std::vector<Term> terms;                         ///< What its actions say, four for each.
+    std::uint32_t analysis = 0;                      ///< The last one that looked at the rule.
   };
   const Known& KnownOf(ProductionId production) {
     const std::uint32_t index = Index(production);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/learn/identity_analysis.h"
 
+#include <algorithm>
+
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
 #include "kernel/rules/functions/builtin_functions.h"
@@ -66,7 +68,7 @@ void IdentityAnalysis::Join(InstantiationId firing, IdentityGraph::Node a, Ident
 
 void IdentityAnalysis::Literalize(InstantiationId firing, IdentityGraph::Node node, JoinReason reason) {
   if (node == IdentityGraph::kNone) return;
-  if (log_ && !graph_.literal(node)) events_.push_back({reason, firing, graph_.Root(node), IdentityGraph::kNone});
+  if (log_) events_.push_back({reason, firing, graph_.Root(node), IdentityGraph::kNone});
   graph_.Literalize(node);
 }
 
@@ -115,16 +117,6 @@ void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
   }
 }
 
-void IdentityAnalysis::LiteralizeResults(const Explanation& explanation) {
-  for (const PreferenceId result : explanation.results) {
-    const InstantiationId maker = engine_.memory.preference(result).instantiation;
-    for (const Part part : {Part::kAttribute, Part::kValue, Part::kReferent}) {
-      const Said made = reader_.TermOf(result, part);
-      if (made.kind == Said::Kind::kFunction) LiteralizeArguments(*made.function, maker, maker);
-    }
-  }
-}
-
 void IdentityAnalysis::JoinSingletons(const Explanation& explanation) {
   first_ground_.clear();
   for (auto ground = explanation.grounds.rbegin(); ground != explanation.grounds.rend(); ++ground) {
@@ -145,9 +137,13 @@ void IdentityAnalysis::JoinSingletons(const Explanation& explanation) {
     } else {
       Join(firing, b, a, JoinReason::kSingleton);
     }
-    // Of several conditions on one element a literal one decides for all.
-    if (is_literal(*ground)) known->second = &*ground;
   }
+}
+
+std::uint32_t IdentityAnalysis::CountLiteralized() const {
+  return static_cast<std::uint32_t>(std::ranges::count_if(events_, [](const JoinEvent& event) {
+    return event.to == IdentityGraph::kNone && event.reason != JoinReason::kSingletonLiteral;
+  }));
 }
 
 std::uint32_t IdentityAnalysis::NumberOfOwn(IdentityGraph::Node node) {
@@ -162,7 +158,9 @@ std::uint32_t IdentityAnalysis::NumberOfOwn(IdentityGraph::Node node) {
     const FiringReader::Source source = reader_.SourceOf(firing, plan.first[n]);
     if (source == FiringReader::Source::kOwn || source == FiringReader::Source::kArchitecture) ++number;
   }
-  return key.place < plan.bound() ? number : number + key.place - plan.bound();
+  return key.place < plan.bound()
+             ? number
+             : number + reader_.RankOfNew(firing, static_cast<std::uint16_t>(key.place - plan.bound()));
 }
 
 void IdentityAnalysis::Analyze(const Explanation& explanation, bool log) {

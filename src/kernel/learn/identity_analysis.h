@@ -42,11 +42,11 @@ class IdentityAnalysis {
   IdentityAnalysis(Engine& engine, FiringReader& reader) : engine_(engine), reader_(reader) {}
 
   void Analyze(const Explanation& explanation, bool log);
-  /// Results that are values of functions stay the values that they are: for justifications.
-  void LiteralizeResults(const Explanation& explanation);
 
   IdentityGraph& graph() { return graph_; }
   const std::vector<JoinEvent>& events() const { return events_; }
+  /// How often one of them found that something becomes a constant, but for singletons.
+  std::uint32_t CountLiteralized() const;
   /// The identity of a field of a condition; kNone if the condition tests a constant there, or nothing is known of it.
   IdentityGraph::Node OfField(InstantiationId firing, std::size_t condition, Field field);
   IdentityGraph::Node OfClass(InstantiationId firing, std::uint16_t identity_class);

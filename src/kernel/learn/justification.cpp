@@ -105,6 +105,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
     });
   }
   if (original != Instantiation::kNoJustification) {
+    engine_.instantiations.SkipSerials(1);
     CountDuplicate(explanation.base);
     // What nothing holds yet goes with the justification that is not made: these firings leave no preferences.
     for (const PreferenceId result : explanation.results) engine_.preferences.FreeIfUnused(result);
@@ -119,6 +120,8 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
     instantiation.held = true;
     instantiation.justification = index;
     instantiation.has_identities = making.plan != nullptr;
+    instantiation.local_negation = explanation.local_negation;
+    instantiation.long_term_memory = explanation.long_term_memory;
   }
   Record& record = records_[index];
   record.number = number;
@@ -127,6 +130,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   record.depth = making.origin.depth + 1;
   record.plan = std::move(making.plan);
   record.tests = std::move(making.tests);
+  record.functions = std::move(making.functions);
   record.quiescence = explanation.quiescence;
   record.instantiation = id;
   record.grounds.clear();
@@ -260,6 +264,30 @@ std::string_view Justifier::Name(std::uint32_t index) const {
   return names_[index];
 }
 
+namespace {
+
+/// A function of a justification with what its arguments were.
+ValueDraft LiteralFunction(const RhsValue& function, std::span<const WmeId> grounds, const WorkingMemory& memory,
+                           Arena& arena) {
+  ValueDraft out;
+  out.kind = RhsValueKind::kFunction;
+  out.index = function.function_index();
+  for (const RhsValue& argument : function.arguments()) {
+    ValueDraft copy;
+    if (argument.kind == RhsValueKind::kFunction) {
+      copy = LiteralFunction(argument, grounds, memory, arena);
+    } else if (argument.kind == RhsValueKind::kBound) {
+      copy.symbol = FieldOf(memory.wme(grounds[argument.site().positive_condition]), argument.site().field);
+    } else {
+      copy.symbol = argument.symbol();
+    }
+    out.arguments.Add(arena.New(copy));
+  }
+  return out;
+}
+
+}  // namespace
+
 ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
   const Record& record = records_[index];
   const WorkingMemory& memory = engine_.memory;
@@ -314,6 +342,16 @@ ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
     action->attribute = Constant(result->attribute);
     action->value = Constant(result->value);
     action->referent = Constant(result->referent);
+    if (shown && record.functions != nullptr) {
+      const auto number = static_cast<std::size_t>(record.results.rend() - result) - 1;
+      const Action& computed = record.functions->actions[number];
+      if (computed.attribute.kind == RhsValueKind::kFunction) {
+        action->attribute = LiteralFunction(computed.attribute, record.grounds, memory, arena);
+      }
+      if (computed.value.kind == RhsValueKind::kFunction) {
+        action->value = LiteralFunction(computed.value, record.grounds, memory, arena);
+      }
+    }
     rule.actions.Add(action);
   }
   return Production::Make(rule);
@@ -332,7 +370,6 @@ void Justifier::Clear() {
   next_number_ = 1;
   alike_.clear();
   alike_count_ = 0;
-  duplicates_.clear();
 }
 
 }  // namespace soarbox::kernel

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,7 @@ class Justifier {
     Chunker::Origin origin;
     std::unique_ptr<IdentityPlan> plan;
     std::vector<IdentityPlan::KeptTest> tests;
+    ProductionPtr functions;
   };
   /// Makes the justification of results that have been traced; kNone if a live one says the same.
   InstantiationId Build(const Explanation& explanation, GoalLevel goal_level, Making making);
@@ -51,6 +53,7 @@ class Justifier {
   /// True if `base`'s rule made so many duplicates in this decision that nothing more is learned from it in it.
   bool HasTooManyDuplicates(InstantiationId base, std::uint32_t most) const;
   void CountDuplicate(InstantiationId base);
+  void ForgetDuplicates(ProductionId rule) { duplicates_.erase(rule); }
   /// The next number for a name. They go up by two, as in Soar 9.6.3.
   std::uint32_t TakeNumber() { return std::exchange(next_number_, next_number_ + 2); }
   [[gnu::noinline]] void InstantiationFreed(InstantiationId id);
@@ -68,6 +71,7 @@ class Justifier {
     std::uint32_t depth = 0;                    ///< How often rules were learned from rules.
     std::unique_ptr<IdentityPlan> plan;         ///< If it was made while learning was on.
     std::vector<IdentityPlan::KeptTest> tests;  ///< The same.
+    ProductionPtr functions;                    ///< Results that are computed, as actions; none if none is.
     InstantiationId instantiation = InstantiationId::kNone;
     ProductionId production = ProductionId::kNone;  ///< If it stands in the network.
     std::vector<WmeId> grounds;                     ///< Held: they can be shown as long as the record lives.
@@ -101,6 +105,7 @@ class Justifier {
         mark(test.referent);
         for (const Symbol symbol : test.disjuncts) mark(symbol);
       }
+      if (record.functions != nullptr) ForEachSymbol(*record.functions, mark);
       if (record.negations == nullptr) continue;
       for (const Condition& negation : record.negations->conditions) ForEachSymbol(negation, mark);
     }
@@ -129,11 +134,11 @@ class Justifier {
   std::vector<std::uint32_t> alike_;  ///< Heads of buckets, by digest; a power of two, or none.
   std::uint32_t alike_count_ = 0;
   struct Duplicates {
-    ProductionId production = ProductionId::kNone;
+    std::uint64_t cycle = 0;
     std::uint32_t count = 0;
   };
-  std::vector<Duplicates> duplicates_;  ///< In the decision cycle at hand.
-  std::uint64_t duplicates_cycle_ = 0;
+  /// Of each rule, in the last decision cycle that had some. As in Soar 9.6.3 init-soar keeps them.
+  std::unordered_map<ProductionId, Duplicates> duplicates_;
 };
 
 }  // namespace soarbox::kernel

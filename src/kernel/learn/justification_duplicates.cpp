@@ -89,22 +89,17 @@ void Justifier::ForgetAlike(std::uint32_t index) {
 
 bool Justifier::HasTooManyDuplicates(InstantiationId base, std::uint32_t most) const {
   if (duplicates_.empty()) return false;
-  const ProductionId rule = engine_.instantiations[base].production;
-  if (rule == ProductionId::kNone || duplicates_cycle_ != engine_.counters.decision_cycles) return false;
-  return std::ranges::any_of(duplicates_, [&](const Duplicates& d) { return d.production == rule && d.count >= most; });
+  const auto found = duplicates_.find(engine_.instantiations[base].production);
+  return found != duplicates_.end() && found->second.cycle == engine_.counters.decision_cycles &&
+         found->second.count >= most;
 }
 
 void Justifier::CountDuplicate(InstantiationId base) {
   const ProductionId rule = engine_.instantiations[base].production;
   if (rule == ProductionId::kNone) return;
-  if (duplicates_cycle_ != engine_.counters.decision_cycles) duplicates_.clear();
-  duplicates_cycle_ = engine_.counters.decision_cycles;
-  for (Duplicates& known : duplicates_) {
-    if (known.production != rule) continue;
-    ++known.count;
-    return;
-  }
-  duplicates_.push_back({rule, 1});
+  Duplicates& known = duplicates_[rule];
+  if (known.cycle != engine_.counters.decision_cycles) known = {engine_.counters.decision_cycles, 0};
+  ++known.count;
 }
 
 }  // namespace soarbox::kernel

@@ -35,7 +35,7 @@ struct LearnSettings {
   bool learning() const { return mode != LearnMode::kNever; }
 };
 
-/// Counted since the agent was made (`chunk stats`).
+/// Counted since the agent was made or initialized (`chunk stats`).
 struct LearnStatistics {
   std::uint64_t chunks = 0, justifications = 0;
   std::uint64_t analyzed = 0;  ///< Firings with results, whatever became of them.

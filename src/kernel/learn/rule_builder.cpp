@@ -6,6 +6,7 @@
 #include <charconv>
 #include <new>
 #include <string>
+#include <tuple>
 
 #include "kernel/base/words.h"
 #include "kernel/decide/engine.h"
@@ -36,7 +37,6 @@ RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_vi
   identifier_of_variable_.clear();
   actions_.clear();
   letters_ = {};
-  local_negation_ = false;
   merged_conditions_ = merged_disjunctions_ = operational_constraints_ = 0;
   rule_ = nullptr;
   MakeConditions(explanation);
@@ -268,7 +268,7 @@ TestDraft* RuleBuilder::PlaceOf(IdentityGraph::Node node) {
   if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return nullptr;
   const IdentityGraph::Node root = analysis_.graph().Root(node);
   for (Made& made : made_) {
-    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+    for (const Field field : {Field::kValue, Field::kAttribute, Field::kId}) {
       const IdentityGraph::Node here = made.nodes[static_cast<std::size_t>(field)];
       if (here != IdentityGraph::kNone && analysis_.graph().Root(here) == root) return &FieldOf(*made.draft, field);
     }
@@ -278,20 +278,24 @@ TestDraft* RuleBuilder::PlaceOf(IdentityGraph::Node node) {
 
 // Tests of local conditions -------------------------------------------------------------------------------------------
 
+/// Of all conditions that tested elements of the substate, in the order in which they were visited.
 void RuleBuilder::CollectConstraints(const Explanation& explanation) {
   constraints_.clear();
-  std::vector<Explanation::Link> locals = explanation.links;
-  for (const Explanation::ItemTest& test : explanation.item_tests) {
-    locals.push_back({test.firing, test.condition, PreferenceId::kNone});
-  }
-  for (const Explanation::Link& link : locals) {
-    const Wme& wme = engine_.memory.wme(engine_.instantiations.Trace(link.firing)[link.condition].wme);
-    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-      ForEachCarried(link.firing, link.condition, field, [&](const CarriedTest& carried) {
-        CarriedTest& test = constraints_.emplace_back(carried);
-        test.tested = analysis_.OfField(link.firing, link.condition, field);
-        test.value = kernel::FieldOf(wme, field);
-      });
+  const WorkingMemory& memory = engine_.memory;
+  for (const InstantiationId firing : explanation.firings) {
+    if (!reader_.CarriesTests(firing)) continue;
+    const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+    for (std::size_t n = 0; n < traces.size(); ++n) {
+      const Wme& wme = memory.wme(traces[n].wme);
+      if (memory.known_identifier(wme.id).level < explanation.level) continue;
+      const auto condition = static_cast<std::uint16_t>(n);
+      for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+        ForEachCarried(firing, condition, field, [&](const CarriedTest& carried) {
+          CarriedTest& test = constraints_.emplace_back(carried);
+          test.tested = analysis_.OfField(firing, condition, field);
+          test.value = kernel::FieldOf(wme, field);
+        });
+      }
     }
   }
 }
@@ -315,7 +319,11 @@ bool RuleBuilder::PlaceConstraint(const CarriedTest& constraint) {
     test->kind = constraint.kind;
     test->referent = there != nullptr ? Meaning(constraint.referent_node, constraint.referent) : constraint.referent;
     SetDisjuncts(*test, constraint.disjuncts);
-    PrependPart(*here, test, arena_);
+    if (UniteDisjunctions(*here, *test, arena_)) {
+      ++merged_disjunctions_;
+    } else {
+      PrependPart(*here, test, arena_);
+    }
     return true;
   }
   test->kind = TurnedRound(constraint.kind);
@@ -379,21 +387,6 @@ void RuleBuilder::VariablizeNegated(ConditionDraft& draft, InstantiationId firin
   for (ConditionDraft& inner : draft.conditions) VariablizeNegated(inner, firing);
 }
 
-bool RuleBuilder::AllReached(const TestDraft& test) const {
-  const Symbol equal = EqualitySymbol(test);
-  return !equal.IsIdentifier() || Contains(reached_, equal);
-}
-
-bool RuleBuilder::AllReached(const ConditionDraft& draft) const {
-  if (draft.kind == ConditionKind::kConjunctiveNegation) {
-    for (const ConditionDraft& inner : draft.conditions) {
-      if (!AllReached(inner)) return false;
-    }
-    return true;
-  }
-  return AllReached(draft.id) && AllReached(draft.attribute) && AllReached(draft.value);
-}
-
 void RuleBuilder::MakeNegations(const Explanation& explanation) {
   if (explanation.negations.empty()) return;
   reached_.clear();
@@ -404,10 +397,6 @@ void RuleBuilder::MakeNegations(const Explanation& explanation) {
     }
   }
   for (const Explanation::Negation& negation : explanation.negations) {
-    if (!AllReached(negation.literal)) {
-      local_negation_ = true;
-      continue;
-    }
     own_variables_.clear();
     ConditionDraft* const draft =
         arena_.New(negation.source != nullptr ? ToDraft(*negation.source, arena_) : Copy(negation.literal, arena_));
@@ -429,20 +418,23 @@ void RuleBuilder::MergeConditions() {
   }
   for (std::size_t n = 0; n < made_.size(); ++n) {
     if (seen[place(made_[n].wme)] == 1) continue;
-    for (std::size_t m = made_.size(); m-- > n + 1;) {
-      if (made_[n].wme != made_[m].wme) continue;
+    for (std::size_t m = n + 1; m < made_.size();) {
+      const std::size_t candidate = m++;
+      if (made_[n].wme != made_[candidate].wme) continue;
       ConditionDraft& kept = *made_[n].draft;
-      const ConditionDraft& other = *made_[m].draft;
+      const ConditionDraft& other = *made_[candidate].draft;
       if (kept.tests_acceptable != other.tests_acceptable || EqualitySymbol(kept.id) != EqualitySymbol(other.id) ||
           EqualitySymbol(kept.attribute) != EqualitySymbol(other.attribute) ||
           EqualitySymbol(kept.value) != EqualitySymbol(other.value)) {
         continue;
       }
-      for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-        merged_disjunctions_ += UniteTests(FieldOf(kept, field), FieldOf(*made_[m].draft, field), arena_);
+      // (What else was asked of the object is not kept of the later one: so it is in Soar 9.6.3.)
+      for (const Field field : {Field::kAttribute, Field::kValue}) {
+        merged_disjunctions_ += UniteTests(FieldOf(kept, field), FieldOf(*made_[candidate].draft, field), arena_);
       }
       ++merged_conditions_;
-      made_.erase(made_.begin() + static_cast<std::ptrdiff_t>(m));
+      made_.erase(made_.begin() + static_cast<std::ptrdiff_t>(candidate));
+      m = candidate;
     }
   }
   statistics.merged_conditions += merged_conditions_;
@@ -593,7 +585,10 @@ bool RuleBuilder::Finish(std::string_view name) {
   for (std::size_t n = 0; n < made_.size(); ++n) {
     rule.conditions.Add(new (copies_of_made + n) ConditionDraft(Copy(*made_[n].draft, arena_)));
   }
-  for (const ConditionDraft* negated : negated_) rule.conditions.Add(arena_.New(Copy(*negated, arena_)));
+  ConditionDraft* const copies_of_negated = arena_.NewRoom<ConditionDraft>(negated_.size());
+  for (std::size_t n = 0; n < negated_.size(); ++n) {
+    rule.conditions.Add(new (copies_of_negated + n) ConditionDraft(Copy(*negated_[n], arena_)));
+  }
   std::vector<const ActionDraft*> copies(actions_.size());
   for (std::size_t n = actions_.size(); n-- > 0;) {
     ActionDraft* const copy = arena_.New<ActionDraft>(*actions_[n]);
@@ -622,8 +617,12 @@ bool RuleBuilder::Finish(std::string_view name) {
   }
   elements_.clear();
   ground_of_condition_.clear();
+  negation_of_condition_.clear();
   for (const ConditionDraft& condition : rule.conditions) {
-    if (condition.kind != ConditionKind::kPositive) continue;  // All positive ones are those made here.
+    if (condition.kind != ConditionKind::kPositive) {
+      negation_of_condition_.push_back(static_cast<std::uint32_t>(&condition - copies_of_negated));
+      continue;
+    }
     const Made& made = made_[static_cast<std::size_t>(&condition - copies_of_made)];
     elements_.push_back(made.wme);
     ground_of_condition_.push_back(made.ground);
@@ -647,11 +646,9 @@ std::string RuleBuilder::VariableNameOf(IdentityGraph::Node node) const {
 void RuleBuilder::CountConstraints() {
   for (const Condition& condition : rule_->conditions) {
     if (condition.kind != ConditionKind::kPositive) continue;
-    for (const Test* test : {&condition.id, &condition.value}) {
-      const Symbol equal = EqualitySymbol(*test);
-      if (equal && !equal.IsVariable()) ++operational_constraints_;
+    for (const Test* test : {&condition.id, &condition.attribute, &condition.value}) {
       ForEachTest(*test, [&](const Test& part) {
-        if (IsCarried(part.kind)) ++operational_constraints_;
+        if (part.kind != TestKind::kEqual && part.kind != TestKind::kBlank) ++operational_constraints_;
       });
     }
   }
@@ -694,6 +691,57 @@ IdentityPlan RuleBuilder::PlanOfJustification(const Explanation& explanation) {
     }
   }
   return plan;
+}
+
+ValueDraft RuleBuilder::MoveFunction(const RhsValue& function, InstantiationId firing, const IdentityPlan& plan) {
+  ValueDraft out;
+  out.kind = RhsValueKind::kFunction;
+  out.index = function.function_index();
+  for (const RhsValue& argument : function.arguments()) {
+    ValueDraft copy;
+    if (argument.kind == RhsValueKind::kFunction) {
+      copy = MoveFunction(argument, firing, plan);
+    } else if (argument.kind == RhsValueKind::kBound) {
+      const Wme& wme = engine_.memory.wme(engine_.instantiations.Trace(firing)[argument.site().positive_condition].wme);
+      copy.symbol = kernel::FieldOf(wme, argument.site().field);
+      const IdentityGraph::Node node = analysis_.OfClass(firing, reader_.ClassOf(argument, firing));
+      const auto known = node == IdentityGraph::kNone || analysis_.graph().literal(node)
+                             ? class_of_.end()
+                             : class_of_.find(analysis_.graph().Root(node));
+      if (known != class_of_.end() && known->second < plan.bound()) {
+        const std::uint16_t place = plan.first[known->second];
+        copy.kind = RhsValueKind::kBound;
+        copy.site = {static_cast<std::uint16_t>(place / 3u), static_cast<Field>(place % 3u)};
+      }
+    } else {
+      copy.symbol = argument.symbol();
+    }
+    out.arguments.Add(arena_.New(copy));
+  }
+  return out;
+}
+
+ProductionPtr RuleBuilder::FunctionsOfJustification(const Explanation& explanation, const IdentityPlan& plan) {
+  arena_.Clear();
+  RuleDraft rule;
+  bool any = false;
+  for (const PreferenceId result : explanation.results) {
+    const Preference& preference = engine_.memory.preference(result);
+    ActionDraft* const action = arena_.New<ActionDraft>();
+    action->preference = PreferenceType::kAcceptable;
+    action->id.symbol = preference.id;
+    action->attribute.symbol = preference.attribute;
+    action->value.symbol = preference.value;
+    for (const auto& [part, value, symbol] : {std::tuple{Part::kAttribute, &action->attribute, preference.attribute},
+                                              std::tuple{Part::kValue, &action->value, preference.value}}) {
+      const Said term = reader_.TermOf(result, part);
+      if (term.kind != Said::Kind::kFunction || symbol.IsIdentifier()) continue;
+      *value = MoveFunction(*term.function, preference.instantiation, plan);
+      any = true;
+    }
+    rule.actions.Add(action);
+  }
+  return any ? Production::Make(rule) : ProductionPtr();
 }
 
 }  // namespace soarbox::kernel

@@ -55,15 +55,18 @@ class RuleBuilder {
   const std::vector<std::uint16_t>& action_of_result() const { return action_of_result_; }
   /// Which ground each positive condition came from (its index in the explanation), or none if it was put in.
   const std::vector<std::uint32_t>& ground_of_condition() const { return ground_of_condition_; }
+  /// Which negation of the explanation each negated condition came from.
+  const std::vector<std::uint32_t>& negation_of_condition() const { return negation_of_condition_; }
   const std::vector<CarriedTest>& constraints() const { return constraints_; }
   std::uint32_t merged_conditions() const { return merged_conditions_; }
   std::uint32_t merged_disjunctions() const { return merged_disjunctions_; }
   std::uint32_t operational_constraints() const { return operational_constraints_; }
   /// How the variable of an identity was called before the rule was finished; empty if it has none.
   std::string VariableNameOf(IdentityGraph::Node node) const;
-  bool has_local_negation() const { return local_negation_; }
   /// The class of each field of the conditions, and of the actions, for a justification.
   IdentityPlan PlanOfJustification(const Explanation& explanation);
+  /// What its results are computed by, as actions of a rule; none if none is. After PlanOfJustification, with its plan.
+  ProductionPtr FunctionsOfJustification(const Explanation& explanation, const IdentityPlan& plan);
   /// What its conditions test beside. After PlanOfJustification.
   std::vector<IdentityPlan::KeptTest> TestsOfJustification(const Explanation& explanation);
 
@@ -91,13 +94,13 @@ class RuleBuilder {
   void VariablizeNegated(ConditionDraft& draft, InstantiationId firing);
   void VariablizeNegated(TestDraft& draft, InstantiationId firing);
   bool ComparesWithUnreached(const TestDraft& test, InstantiationId firing) const;
-  bool AllReached(const ConditionDraft& draft) const;
-  bool AllReached(const TestDraft& test) const;
   void MergeConditions();
   void AddStateTest();
   void MakeActions(const Explanation& explanation);
   ValueDraft MakeTerm(PreferenceId result, FiringReader::Part part, Symbol symbol);
   ValueDraft MakeFunction(const RhsValue& function, InstantiationId firing);
+  /// The same over the conditions of a justification.
+  ValueDraft MoveFunction(const RhsValue& function, InstantiationId firing, const IdentityPlan& plan);
   /// Conditions that lead from the state of the results' level to what hangs in the air.
   bool Repair(GoalLevel results_level);
   /// Variables that stand for identifiers which no state leads to.
@@ -129,13 +132,12 @@ class RuleBuilder {
   std::vector<std::uint32_t> visited_;
   std::vector<ActionDraft*> actions_;
   std::array<std::uint32_t, 26> letters_{};
-  bool local_negation_ = false;
   std::uint32_t merged_conditions_ = 0, merged_disjunctions_ = 0, operational_constraints_ = 0;
   // What was made.
   ProductionPtr rule_;
   std::vector<WmeId> elements_;
   std::vector<std::uint16_t> action_of_result_;
-  std::vector<std::uint32_t> ground_of_condition_;
+  std::vector<std::uint32_t> ground_of_condition_, negation_of_condition_;
 };
 
 }  // namespace soarbox::kernel

@@ -44,6 +44,8 @@ class Singletons {
   bool Set(const Pattern& pattern);
   /// Takes the pattern of an attribute away; false if it has none.
   bool Remove(Symbol attribute);
+  /// Takes all of them away.
+  void Clear() { codes_.assign(codes_.size(), 0); }
   /// True for attributes that the architecture gives to states.
   static bool IsArchitecture(Symbol attribute);
   /// All patterns, by age of the attribute's name.

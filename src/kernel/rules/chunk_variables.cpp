@@ -55,9 +55,11 @@ class Renamer {
     Replace(test);
   }
 
-  /// The equality test comes first, behind goal tests, when Soar makes a condition from its network.
+  /// The equality test comes first, behind goal tests, when Soar makes a condition from its network; but what compares
+  /// a field with itself comes before it.
   static void PutEqualityFirst(TestDraft& test) {
-    DraftList<TestDraft> goals, equality, others;
+    const std::uint32_t variable = EqualityVariable(test);
+    DraftList<TestDraft> goals, before, equality, others;
     for (TestDraft* part = test.parts.first; part != nullptr;) {
       TestDraft* const next = part->next;
       const bool goal = part->kind == TestKind::kState || part->kind == TestKind::kImpasse;
@@ -65,10 +67,15 @@ class Renamer {
         equality.Add(part);
       } else {
         (goal && others.empty() ? goals : others).Add(part);
+        if (!goal && variable != kNoVariable && part->variable == variable && part->referent.IsVariable()) {
+          before.Append(others);
+          others = {};
+        }
       }
       part = next;
     }
     test.parts = goals;
+    test.parts.Append(before);
     test.parts.Append(equality);
     test.parts.Append(others);
   }
