@@ -258,7 +258,10 @@ bool Singleton(CommandCall& call) {
 constexpr std::string_view kModes[] = {"always", "never", "only", "except", "flagged", "unflagged"};
 
 bool Chunk(CommandCall& call) {
-  if (call.words.size() > 1 && call.words[1].text == "singleton") return Singleton(call);
+  if (call.words.size() > 1 && call.words[1].text.size() > 1 &&
+      std::string_view("singleton").starts_with(call.words[1].text)) {
+    return Singleton(call);
+  }
   // Soar's chunk has no options and does not mind them.
   const auto plain = std::count_if(call.words.begin() + 1, call.words.end(),
                                    [](const Word& word) { return !word.text.starts_with('-'); });
