@@ -17,7 +17,7 @@ EpisodeTriple Constant(EpisodeNode parent, EpisodeTerm attribute, EpisodeTerm va
   return {parent, attribute, EpisodeValue::Constant(value)};
 }
 
-EpisodeTriple Link(EpisodeNode parent, EpisodeTerm attribute, EpisodeNode value) {
+EpisodeTriple LinkTriple(EpisodeNode parent, EpisodeTerm attribute, EpisodeNode value) {
   return {parent, attribute, EpisodeValue::Node(value)};
 }
 
@@ -129,7 +129,7 @@ TEST(EpisodeCue, AChainOfAHundredThousandObjectsIsRead) {
   constexpr std::uint32_t kLength = 100'000;
   for (std::uint32_t n = 0; n < kLength; ++n) {
     elements.push_back({n, kPart, true, n + 1, 1});
-    store.Hold(store.Intern(Link(n, kPart, n + 1)));
+    store.Hold(store.Intern(LinkTriple(n, kPart, n + 1)));
   }
   store.Commit();
   EpisodeQuery query;
@@ -158,7 +158,7 @@ class RandomWorld {
 
   EpisodeTriple DrawTriple() {
     const EpisodeNode parent = Draw(5);
-    if (Draw(2) == 0) return Link(parent, kPart + Draw(2), 1 + Draw(4));
+    if (Draw(2) == 0) return LinkTriple(parent, kPart + Draw(2), 1 + Draw(4));
     return Constant(parent, Draw(2), 10 + Draw(3));
   }
 
