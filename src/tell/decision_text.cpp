@@ -25,7 +25,7 @@ using mind::Stage;
 constexpr std::size_t kMostReasons = 4;  ///< That one sentence names.
 
 std::string Maker(const Decision::Preference& preference) {
-  if (preference.rule.empty() || preference.rule == "[architecture]") return "the architecture";
+  if (preference.rule.empty() || preference.rule == "|Memory System Recall|") return "the architecture";
   if (preference.rule == "[excised]") return "a rule that has been excised";
   return "rule " + preference.rule;
 }

@@ -143,7 +143,7 @@ TEST(DecisionText, RulesThatAreNoLongerThereAreNotNamed) {
   Facts facts = Facts(2).Prefer(kReject, kB).Drop(kB, Stage::kReject, {2}).Left(kA).Select(kA);
   facts.decision.preferences[2].rule = "[excised]";
   EXPECT_EQ(WhySelected(facts.decision), "a rule that has been excised rejects b (O2)");
-  facts.decision.preferences[2].rule = "[architecture]";
+  facts.decision.preferences[2].rule = "|Memory System Recall|";
   EXPECT_EQ(WhySelected(facts.decision), "the architecture rejects b (O2)");
 }
 

@@ -271,7 +271,7 @@ class LocalInspection final : public MindInspection {
   InspectedMaker MakerOf(const Preference& preference) {
     InspectedMaker maker;
     maker.rule = agent_.ProductionName(preference.instantiation);
-    if (maker.rule.empty() || maker.rule == "[architecture]") {
+    if (maker.rule.empty() || maker.rule == "|Memory System Recall|") {
       maker.kind = InspectedMaker::Kind::kArchitecture;
       maker.rule.clear();
     }
