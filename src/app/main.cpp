@@ -201,6 +201,7 @@ void AddSweep(CLI::App& program, soarbox::app::SweepOptions& options) {
   sweep->add_option("--time", options.time, "Passed on to sbatch");
   sweep->add_flag("--cancel", options.cancel, "End the sweep's job on Slurm");
   sweep->add_flag("--mix", options.mix, "Continue with rows that another build of the program made");
+  sweep->add_flag("--retry", options.retry, "Make runs again that crashed or hung three times");
 }
 
 void AddReport(CLI::App& program, soarbox::app::ReportOptions& options) {

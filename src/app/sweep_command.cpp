@@ -33,25 +33,6 @@ Diagnostic Problem(const fs::path& file, std::string message, std::string hint =
   return problem;
 }
 
-/// A folder belongs to one sweep: its files and its build.
-Result<void> Claim(const fs::path& folder, const sweep::Plan& plan, const SweepOptions& options) {
-  const fs::path file = folder / "sweep.id";
-  const std::string known = ReadText(file).value_or("");
-  const std::string build = record::BuildId(), id = plan.digest + "\n" + build + "\n";
-  if (known.empty()) {
-    if ((std::ofstream(file, std::ios::binary) << id).flush()) return {};
-    return Problem(file, "this file cannot be written", "is the disk full, or the folder not yours?");
-  }
-  if (known == id) return {};
-  if (!known.starts_with(plan.digest + "\n"))
-    return Problem(folder, "another sweep lives in this folder: its scenario, checks or variants differ",
-                   "name another with --folder, or remove this one");
-  if (options.mix) return {};
-  return Problem(folder,
-                 "the runs in this folder were made by another build of the program, which may behave differently",
-                 "--mix continues anyway; --folder names a new one");
-}
-
 void Show(const sweep::Progress& progress, bool is_terminal, std::chrono::steady_clock::time_point begin) {
   if (!is_terminal) return;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -90,9 +71,12 @@ int Sweep(const SweepOptions& options) {
   fs::create_directories(folder / "parts", error);
   if (error)
     return Refuse(Problem(folder, "this folder cannot be made: " + error.message(), "name another with --folder"));
-  const Result<sweep::Plan> plan = sweep::MakePlan(spec, folder, *data);
+  // A task of a job array finds the folder as the sweep that submitted it has made it.
+  const Result<sweep::Plan> plan =
+      sweep::MakePlan(spec, folder, *data, options.task >= 0 ? sweep::Sources::kTrust : sweep::Sources::kCompare);
   if (!plan) return Refuse(plan.error());
-  if (const Result<void> claimed = Claim(folder, *plan, options); !claimed) return Refuse(claimed.error());
+  if (const Result<void> claimed = sweep::ClaimFolder(spec, *plan, folder, options.mix); !claimed)
+    return Refuse(claimed.error());
   CatchInterrupts();
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
   const auto begin = std::chrono::steady_clock::now();
@@ -104,16 +88,33 @@ int Sweep(const SweepOptions& options) {
                              fs::absolute(options.spec, ignored).string(), "--folder",
                              fs::absolute(folder, ignored).string()};
     if (options.mix) settings.task_command.emplace_back("--mix");
+    if (options.retry) settings.task_command.emplace_back("--retry");
     settings.tasks = options.tasks;
     settings.partition = options.partition;
     settings.account = options.account;
     settings.time = options.time;
     // What a node that died leaves undone is given out again.
-    for (int round = 0; round < kMostRounds && !WasInterrupted(); ++round) {
+    const auto made = [&] {
       std::vector<Diagnostic> found;
-      if (sweep::RowsOf(spec, *plan, folder, found).size() == planned) break;
+      return sweep::RowsOf(spec, *plan, folder, found).size();
+    };
+    sweep::Progress progress;
+    progress.planned = planned;
+    progress.there_before = made();
+    auto next_look = begin;
+    for (int round = 0; round < kMostRounds && !WasInterrupted(); ++round) {
+      if (made() == planned && (round > 0 || !options.retry)) break;
       if (round > 0) std::cerr << "some runs are missing: given to Slurm again\n";
-      const Result<void> done = sweep::RunOnSlurm(folder, settings, [&] { return !WasInterrupted(); });
+      const Result<void> done = sweep::RunOnSlurm(folder, settings, [&] {
+        // Reading all rows takes its time when there are many.
+        if (const auto now = std::chrono::steady_clock::now(); is_terminal && now >= next_look) {
+          progress.done = made() - progress.there_before;
+          Show(progress, is_terminal, begin);
+          next_look = now + 20 * (std::chrono::steady_clock::now() - now);
+        }
+        return !WasInterrupted();
+      });
+      if (is_terminal) std::cerr << '\n';
       if (!done) return Refuse(done.error());
     }
     if (WasInterrupted()) {
@@ -123,6 +124,7 @@ int Sweep(const SweepOptions& options) {
   } else {
     sweep::SweepSettings settings;
     settings.jobs = options.jobs;
+    settings.retry = options.retry;
     if (options.task >= 0) {
       settings.task = static_cast<std::size_t>(options.task);
       settings.tasks = static_cast<std::size_t>(options.tasks);

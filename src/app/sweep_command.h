@@ -16,7 +16,8 @@ struct SweepOptions {
   int task = -1;            ///< Only this part of the runs: a task of many; -1: all, and tables at the end.
   std::string partition, account, time;
   bool cancel = false;
-  bool mix = false;  ///< Rows of other builds count too.
+  bool mix = false;    ///< Rows of other builds count too.
+  bool retry = false;  ///< Crashed and hung runs are made again.
 };
 
 int Sweep(const SweepOptions& options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <charconv>
+#include <unordered_set>
 
 #include "mission/read_mission.h"
 
@@ -21,6 +22,7 @@ std::optional<std::uint64_t> Whole(std::string_view text) {
 
 std::optional<std::vector<std::uint64_t>> ParseSeeds(std::string_view text) {
   std::vector<std::uint64_t> seeds;
+  std::unordered_set<std::uint64_t> seen;
   while (true) {
     const std::size_t comma = text.find(',');
     const std::string_view part = text.substr(0, comma);
@@ -28,7 +30,8 @@ std::optional<std::vector<std::uint64_t>> ParseSeeds(std::string_view text) {
     const auto first = Whole(part.substr(0, dots));
     const auto last = dots == std::string_view::npos ? first : Whole(part.substr(dots + 2));
     if (!first || !last || *last < *first || *last - *first >= kMostSeeds - seeds.size()) return std::nullopt;
-    for (std::uint64_t seed = *first; seed <= *last; ++seed) seeds.push_back(seed);
+    for (std::uint64_t seed = *first; seed <= *last; ++seed)
+      if (seen.insert(seed).second) seeds.push_back(seed);
     if (comma == std::string_view::npos) return seeds;
     text.remove_prefix(comma + 1);
   }

@@ -17,7 +17,7 @@ Result<std::string> MakePage(const std::filesystem::path& source, const sim::Dat
 /// The data of a recorded run, as JSON: the run is simulated again, so that every mind can be asked. `mission`: judged
 /// by these checks; empty: by those of its scenario, if it has any.
 Result<std::string> RunData(const std::filesystem::path& recording, const sim::DataFolders& data);
-/// The data of a sweep, from its rows. `spec` empty: the file that belongs to the folder by its name.
+/// The data of a sweep, from what its folder holds.
 Result<std::string> SweepData(const std::filesystem::path& folder, const sim::DataFolders& data);
 
 /// JSON that may stand inside an HTML script element: no character of it ends the element or begins another.

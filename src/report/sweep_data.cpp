@@ -37,21 +37,21 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   problem.file = folder.string();
   fs::path place = folder;
   if (place.filename().empty()) place = place.parent_path();
-  const fs::path file = fs::path(place).replace_extension(".toml");
+  // The folder holds all that its rows rest on, wherever it was taken to.
   std::vector<Diagnostic> problems;
-  const sweep::Spec spec = sweep::ReadSpec(file, problems);
+  const sweep::Spec spec = sweep::ReadSpec(sweep::KeptSpec(place), problems, true);
   if (!problems.empty()) return problems.front();
-  const Result<sweep::Plan> plan = sweep::MakePlan(spec, place, data);
+  const Result<sweep::Plan> plan = sweep::MakePlan(spec, place, data, sweep::Sources::kTrust);
   if (!plan) return plan.error();
   const std::vector<sweep::Row> rows = sweep::RowsOf(spec, *plan, place, problems);
   if (rows.empty()) {
     problem.message = "this sweep has no runs yet";
-    problem.hint = "soarbox sweep " + file.string() + " makes them";
+    problem.hint = "soarbox sweep makes them";
     return problem;
   }
   Json made{{"kind", "sweep"},
-            {"title", file.stem().string() + ": " + std::to_string(rows.size()) + " runs"},
-            {"command", "soarbox sweep " + file.string()}};
+            {"title", place.stem().string() + ": " + std::to_string(rows.size()) + " runs"},
+            {"command", "soarbox run " + plan->variants.front().argument}};
   made["build"] = rows.front().build;
   Json names = Json::array(), variants = Json::array(), summary = Json::array();
   const std::size_t count = plan->variants.size();

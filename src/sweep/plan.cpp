@@ -10,6 +10,7 @@
 
 #include "diagnostics/read_text.h"
 #include "mission/cast.h"
+#include "record/header.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::sweep {
@@ -142,7 +143,7 @@ bool BelongsToScenario(const fs::path& entry) {
          !fs::exists(entry / "sweep.id", error);
 }
 
-/// Copies the scenario's folder, once. What a link in it leads to is copied only if that lies in the folder, too; pipes
+/// Copies the scenario's folder. What a link in it leads to is copied only if that lies in the folder, too; pipes
 /// and devices are left out.
 Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   const fs::path file = scenario.definition.empty() ? scenario.script : scenario.definition;
@@ -175,11 +176,16 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   return folder / file.filename();
 }
 
-void AddFolder(const fs::path& folder, Digest& digest) {
+/// What a run of a scenario rests on: its own file, and the rules and scripts below its folder. Pages, pictures and
+/// other sweeps may come and go there.
+void AddFolder(const fs::path& folder, const fs::path& scenario, Digest& digest) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->is_regular_file(error)) files.push_back(it->path());
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const fs::path kind = it->path().extension();
+    if (it->is_regular_file(error) && (kind == ".soar" || kind == ".lua" || it->path() == folder / scenario))
+      files.push_back(it->path());
+  }
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
     digest.Add(fs::relative(file, folder, error).string());
@@ -187,34 +193,63 @@ void AddFolder(const fs::path& folder, Digest& digest) {
   }
 }
 
+std::string DigestOfFolder(const fs::path& folder, const fs::path& scenario) {
+  Digest digest;
+  AddFolder(folder, scenario, digest);
+  return digest.Text();
+}
+
+/// Where a variant's files lie. They are made in full beside their place, so that a sweep that is killed here begins
+/// again; what is there already must be the same.
+Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::path& folder, const sim::DataFolders& data,
+                         Sources sources) {
+  std::error_code error;
+  const fs::path place = folder / "variants" / variant.name;
+  if (sources == Sources::kTrust && fs::exists(place, error)) return place;
+  std::string argument = variant.scenario.empty() ? spec.scenario : variant.scenario;
+  if (fs::path beside = spec.file.parent_path() / argument; fs::exists(beside, error)) argument = beside.string();
+  const Result<sim::Scenario> original = sim::FindScenario(argument, data);
+  if (!original) return Problem(spec.file, original.error().message, original.error().hint);
+  if (!original->rules.empty())
+    return Problem(spec.file, "a sweep wants a scenario, not a file of rules", "soarbox new writes one");
+  const fs::path making = folder / "variants" / ("." + variant.name);
+  fs::remove_all(making, error);
+  const Result<fs::path> copied = CopyOf(*original, making);
+  if (!copied) return copied.error();
+  if (const Result<void> changed = Change(*copied, variant, spec); !changed) return changed.error();
+  if (!fs::exists(place, error)) {
+    fs::rename(making, place, error);
+    if (error) return Problem(place, "this folder cannot be made: " + error.message());
+    return place;
+  }
+  const fs::path scenario = copied->filename();
+  const bool is_same = DigestOfFolder(making, scenario) == DigestOfFolder(place, scenario);
+  fs::remove_all(making, error);
+  if (is_same) return place;
+  return Problem(place,
+                 "variant '" + variant.name + "' has changed since this sweep began: its scenario, rules or parameters",
+                 "give the changed variant another name, or name another folder with --folder");
+}
+
+/// The file that makes the copy a scenario.
+fs::path ScenarioFileIn(const fs::path& place, const Variant& variant, const Spec& spec) {
+  std::error_code error;
+  const fs::path named = fs::path(variant.scenario.empty() ? spec.scenario : variant.scenario).filename();
+  for (const fs::path& file : {named, fs::path("scenario.toml"), fs::path("Sandbox.lua")})
+    if (!file.empty() && fs::is_regular_file(place / file, error)) return place / file;
+  return place;
+}
+
 }  // namespace
 
-Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataFolders& data) {
+Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataFolders& data, Sources sources) {
   Plan plan;
-  Digest digest;
-  std::error_code error;
   for (const Variant& variant : spec.variants) {
-    std::string argument = variant.scenario.empty() ? spec.scenario : variant.scenario;
-    if (fs::path beside = spec.file.parent_path() / argument; fs::exists(beside, error)) argument = beside.string();
-    Result<sim::Scenario> original = sim::FindScenario(argument, data);
-    if (!original) return Problem(spec.file, original.error().message, original.error().hint);
-    // The copy is made in full beside its place, so that a sweep that is killed here begins again.
-    const fs::path place = folder / "variants" / variant.name;
-    fs::path file = original->definition.empty() ? original->script : original->definition;
-    const bool is_rules = !original->rules.empty();
-    if (is_rules) return Problem(spec.file, "a sweep wants a scenario, not a file of rules", "soarbox new writes one");
-    if (!fs::exists(place, error)) {
-      const fs::path making = folder / "variants" / ("." + variant.name);
-      fs::remove_all(making, error);
-      Result<fs::path> copied = CopyOf(*original, making);
-      if (!copied) return copied.error();
-      if (const Result<void> changed = Change(*copied, variant, spec); !changed) return changed.error();
-      fs::rename(making, place, error);
-      if (error) return Problem(place, "this folder cannot be made: " + error.message());
-    }
+    const Result<fs::path> place = PlaceOf(variant, spec, folder, data, sources);
+    if (!place) return place.error();
     ReadyVariant ready;
     ready.variant = variant;
-    ready.argument = (place / file.filename()).string();
+    ready.argument = ScenarioFileIn(*place, variant, spec).string();
     Result<sim::Scenario> scenario = sim::FindScenario(ready.argument, data);
     if (!scenario) return scenario.error();
     ready.loaded.scenario = std::move(*scenario);
@@ -226,19 +261,68 @@ Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataF
       if (!read) return read.error();
       if (!spec.mission.seconds) ready.loaded.seconds = read->seconds.value_or(60);
       std::vector<Diagnostic> problems;
-      mission::CheckNames(spec.mission, mission::CastOf(*read), problems);
+      const mission::Cast cast = mission::CastOf(*read);
+      mission::CheckNames(spec.mission, cast, problems);
+      mission::Mission asked;
+      for (const Metric& metric : spec.metrics) {
+        asked.checks.push_back(metric.asked);
+        asked.checks.back().file = spec.file.string();
+      }
+      mission::CheckNames(asked, cast, problems);
       if (!problems.empty()) return problems.front();
     }
-    digest.Add(variant.name);
+    Digest digest;
     digest.Add(variant.kernel);
     digest.Add(std::to_string(ready.loaded.seconds));
-    AddFolder(place, digest);
+    digest.Add(spec.judgement);
+    AddFolder(*place, fs::path(ready.argument).filename(), digest);
+    ready.digest = digest.Text();
     plan.variants.push_back(std::move(ready));
   }
-  for (const mission::Check& check : spec.mission.checks) digest.Add(check.name + std::to_string(check.line));
-  for (const Metric& metric : spec.metrics) digest.Add(metric.name);
-  plan.digest = digest.Text();
   return plan;
+}
+
+fs::path KeptSpec(const fs::path& folder) {
+  return folder / "sweep.toml";
+}
+
+Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& folder, bool mix) {
+  const fs::path file = folder / "sweep.id";
+  const std::string build = record::BuildId();
+  // The build, then a line for each variant: its digest and its name.
+  std::istringstream known(ReadText(file).value_or(""));
+  std::string known_build;
+  std::getline(known, known_build);
+  std::map<std::string, std::string> digests;
+  for (std::string line; std::getline(known, line);)
+    if (line.size() > 17) digests[line.substr(17)] = line.substr(0, 16);
+  if (!known_build.empty() && known_build != build && !mix) {
+    return Problem(folder,
+                   "the runs in this folder were made by another build of the program, which may behave differently",
+                   "--mix continues anyway; --folder names a new one");
+  }
+  std::size_t differing = 0;
+  for (const ReadyVariant& variant : plan.variants) {
+    const auto [at, is_new] = digests.try_emplace(variant.variant.name, variant.digest);
+    differing += !is_new && at->second != variant.digest ? 1 : 0;
+  }
+  if (differing > 0) {
+    return Problem(folder, "another sweep lives in this folder: its scenario, checks, metrics or seconds differ",
+                   "name another with --folder, or remove this one");
+  }
+  std::string text = (known_build.empty() ? build : known_build) + "\n";
+  for (const auto& [name, digest] : digests) text += digest + " " + name + "\n";
+  // Beside its place first: other processes of this sweep may read it.
+  std::error_code error;
+  for (const auto& [place, content] : {std::pair{file, text}, {KeptSpec(folder), spec.whole}}) {
+    if (ReadText(place).value_or("") == content) continue;
+    fs::path making = place;
+    making += ".part";
+    if (const Result<void> written = Write(making, content); !written) return written;
+    fs::rename(making, place, error);
+    if (error) return Problem(place, "this file cannot be written: " + error.message());
+  }
+  return {};
 }
 
 }  // namespace soarbox::sweep

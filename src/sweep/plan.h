@@ -41,24 +41,39 @@ struct Spec {
   std::vector<Variant> variants;
   std::vector<Metric> metrics;
   std::vector<std::string> parameters;  ///< Names of all parameters, for columns.
+  std::string whole;      ///< The spec as TOML that needs no other file: the checks of its mission are part of it.
+  std::string judgement;  ///< Of that what every row rests on: checks and metrics.
 };
 
-/// Reads it; everything that is wrong is added to the problems.
-Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems);
+/// Reads it; everything that is wrong is added to the problems. `is_copy`: the one that a sweep keeps in its folder,
+/// whose files of rules need not be there any more.
+Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems, bool is_copy = false);
 
 /// A variant that is ready to run: its files lie below the sweep's folder, as they were when it began.
 struct ReadyVariant {
   Variant variant;
   mission::LoadedMission loaded;
   std::string argument;  ///< What `soarbox run` takes to see it.
+  std::string digest;    ///< What its rows rest on: files, checks, metrics, seconds.
 };
 
-/// Writes the files of each variant below the folder, unless they are there, and finds their scenarios. The digest says
-/// which sweep it is: files, checks, seconds.
 struct Plan {
   std::vector<ReadyVariant> variants;
-  std::string digest;
 };
-Result<Plan> MakePlan(const Spec& spec, const std::filesystem::path& folder, const sim::DataFolders& data);
+
+/// Whether the files that variants are made from must still be as they were when the sweep began.
+enum class Sources : std::uint8_t {
+  kCompare,
+  kTrust,  ///< What lies in the folder counts: for tasks of a sweep that has begun, and for reports.
+};
+/// Writes the files of each variant below the folder, unless they are there, and finds their scenarios.
+Result<Plan> MakePlan(const Spec& spec, const std::filesystem::path& folder, const sim::DataFolders& data,
+                      Sources sources);
+
+/// A folder belongs to one sweep and one build: notes them there, or says how they differ from what it holds. Variants
+/// may be added. `mix`: rows of another build count, too.
+Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const std::filesystem::path& folder, bool mix);
+/// The spec as ClaimFolder keeps it.
+std::filesystem::path KeptSpec(const std::filesystem::path& folder);
 
 }  // namespace soarbox::sweep

@@ -63,7 +63,8 @@ std::string HostName() {
 }
 
 std::string KeyOf(const Plan& plan, std::size_t variant, std::uint64_t seed) {
-  return plan.digest + "/" + plan.variants[variant].variant.name + "/" + std::to_string(seed);
+  const ReadyVariant& ready = plan.variants[variant];
+  return ready.digest + "/" + ready.variant.name + "/" + std::to_string(seed);
 }
 
 Result<std::unique_ptr<RowWriter>> RowWriter::Create(const fs::path& folder) {
@@ -126,7 +127,7 @@ std::map<std::string, Row> ReadRows(const fs::path& folder, std::vector<Diagnost
       if (is_new) continue;
       Row& known = at->second;
       if (known.result.outcome != "ok") {
-        const int tries = known.tries + row->tries;
+        const int tries = std::max(known.tries, row->tries);
         known = std::move(*row);
         known.tries = tries;
       } else if (row->result.outcome == "ok" && row->build == known.build &&
@@ -137,6 +138,8 @@ std::map<std::string, Row> ReadRows(const fs::path& folder, std::vector<Diagnost
             "seed " + std::to_string(row->seed) + " came to different states on " + known.host + " and " + row->host;
         problem.hint =
             "the same build and seed give the same run: that is a fault of Soarbox or of one of these machines";
+      } else if (known.result.recording.empty() && row->result.outcome == "ok") {
+        known.result.recording = row->result.recording;
       }
     }
   }

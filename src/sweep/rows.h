@@ -17,7 +17,7 @@ namespace soarbox::sweep {
 
 /// What one run gives.
 struct Row {
-  std::string key;  ///< Names the run: the sweep's digest, variant and seed.
+  std::string key;  ///< Names the run: the variant with its digest, and the seed.
   std::string build, host;
   std::size_t variant = 0;
   std::uint64_t seed = 0;
@@ -46,7 +46,8 @@ class RowWriter {
   std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };
 
-/// All rows below the folder, one for each key: the first whole one, a good one before a crashed one. Two that differ
+/// All rows below the folder, one for each key: the first whole one, a good one before a crashed one, and one with a
+/// recording before one without. Two that differ
 /// in their state hash are a problem, which names both hosts.
 std::map<std::string, Row> ReadRows(const std::filesystem::path& folder, std::vector<Diagnostic>& problems);
 

@@ -99,6 +99,13 @@ std::string Work(const Spec& spec, const ReadyVariant& variant, std::uint64_t se
   return metrics.dump() + "\n" + mission::ToJsonLine(result);
 }
 
+/// Whether there is a recording of it, if the sweep asks for one.
+bool IsRecorded(const Spec& spec, const mission::RunResult& run, const fs::path& folder) {
+  if (spec.record == "none" || (spec.record == "failed" && run.passed)) return true;
+  std::error_code error;
+  return !run.recording.empty() && fs::exists(folder / "recordings" / fs::path(run.recording).filename(), error);
+}
+
 Row RowOf(const Plan& plan, const Job& job, mission::ChildEnd end, const mission::ChildLimits& limits) {
   Row row;
   row.key = KeyOf(plan, job.variant, job.seed);
@@ -132,12 +139,12 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
       const std::size_t number = progress.planned++;
       const auto known = there.find(KeyOf(plan, variant, seed));
       const bool is_done =
-          known != there.end() && (known->second.result.outcome == "ok" || known->second.result.outcome == "refused" ||
-                                   known->second.tries >= kMostTries);
+          known != there.end() &&
+          (known->second.result.outcome == "ok" ? IsRecorded(spec, known->second.result, folder) : !settings.retry);
       if (is_done) {
         ++progress.there_before;
       } else if (number % settings.tasks == settings.task) {
-        waiting.push_back({variant, seed, known == there.end() ? 0 : known->second.tries});
+        waiting.push_back({variant, seed, 0});
       }
     }
   }

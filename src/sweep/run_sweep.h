@@ -13,6 +13,7 @@ struct SweepSettings {
   int jobs = 0;  ///< Processes at a time; 0: one per processor.
   /// Of all runs that are missing, only those whose number leaves this rest: one task of many.
   std::size_t task = 0, tasks = 1;
+  bool retry = false;  ///< Runs that crashed or hung three times are made once more.
 };
 
 /// What there is to do and what is done.

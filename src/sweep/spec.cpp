@@ -16,7 +16,8 @@ constexpr std::size_t kMostVariants = 1000;
 
 class SpecReader {
  public:
-  SpecReader(Spec& spec, std::vector<Diagnostic>& problems) : spec_(spec), problems_(problems) {}
+  SpecReader(Spec& spec, std::vector<Diagnostic>& problems, bool is_copy)
+      : spec_(spec), problems_(problems), is_copy_(is_copy) {}
 
   void Read(const toml::table& root) {
     CheckKeys(root, "a sweep",
@@ -118,7 +119,7 @@ class SpecReader {
       for (const auto& [agent, file] : named != nullptr ? *named : toml::table{}) {
         const auto path = file.value_exact<std::string>();
         if (!path) Problem(file, "'" + std::string(agent.str()) + "' takes a file of rules in quotes");
-        if (path && !std::filesystem::is_regular_file(spec_.file.parent_path() / *path))
+        if (path && !is_copy_ && !std::filesystem::is_regular_file(spec_.file.parent_path() / *path))
           Problem(file, "there is no file '" + *path + "' beside this sweep");
         base.rules.emplace_back(std::string(agent.str()), (spec_.file.parent_path() / path.value_or("")).string());
       }
@@ -177,6 +178,7 @@ class SpecReader {
       for (const auto& [word, of] :
            {std::pair{"at_end", Metric::Of::kAtEnd}, {"max", Metric::Of::kMax}, {"mean", Metric::Of::kMean}}) {
         if (!table.contains(word)) continue;
+        if (!key.empty()) return Problem(table, "a metric is one of time_of, at_end, max and mean");
         metric.of = of;
         key = Text(table, word);
       }
@@ -196,11 +198,41 @@ class SpecReader {
 
   Spec& spec_;
   std::vector<Diagnostic>& problems_;
+  bool is_copy_;
 };
+
+/// Puts what a mission says into the table of the spec that names it, and notes both texts.
+void KeepWhole(toml::table root, Spec& spec) {
+  if (const auto named = root["mission"].value<std::string>()) {
+    const std::string text = ReadText(spec.file.parent_path() / *named).value_or("");
+    const toml::table mission = toml::parse(text);
+    const toml::node* frame = mission.get("mission");
+    const toml::table& says = frame != nullptr && frame->is_table() ? *frame->as_table() : mission;
+    for (const char* key : {"seeds", "seconds"}) {
+      if (const toml::node* value = says.get(key); value != nullptr && !root.contains(key))
+        value->visit([&](const auto& concrete) { root.insert_or_assign(key, concrete); });
+    }
+    if (const toml::node* checks = mission.get("check"); checks != nullptr && !root.contains("check"))
+      checks->visit([&](const auto& concrete) { root.insert_or_assign("check", concrete); });
+    root.erase("mission");
+    root.insert_or_assign("scenario", spec.scenario);
+  }
+  std::ostringstream whole;
+  whole << root << '\n';
+  spec.whole = whole.str();
+  toml::table judged;
+  for (const char* key : {"check", "metric"}) {
+    if (const toml::node* value = root.get(key))
+      value->visit([&](const auto& concrete) { judged.insert_or_assign(key, concrete); });
+  }
+  std::ostringstream judgement;
+  judgement << judged;
+  spec.judgement = judgement.str();
+}
 
 }  // namespace
 
-Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems) {
+Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems, bool is_copy) {
   Spec spec;
   spec.file = file;
   Diagnostic problem;
@@ -216,7 +248,8 @@ Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& proble
   spec.mission = mission::ParseLessonChecks(*text, file, problems);
   if (!problems.empty()) return spec;
   const toml::table root = toml::parse(*text, file.string());
-  SpecReader(spec, problems).Read(root);
+  SpecReader(spec, problems, is_copy).Read(root);
+  if (problems.empty()) KeepWhole(root, spec);
   return spec;
 }
 

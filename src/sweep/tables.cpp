@@ -15,12 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Cell = std::variant<std::monostate, double, std::string>;
+using Cell = std::variant<std::monostate, double, std::int64_t, std::string>;
 
 struct Column {
   std::string name;
-  bool is_text = false;
+  const char* type = " REAL";  ///< For SQL; empty: as each cell is.
 };
+constexpr const char *kText = " TEXT", *kWhole = " INTEGER";
 
 struct Table {
   std::vector<Column> columns;
@@ -48,12 +49,12 @@ Cell ParameterCell(const std::string& text) {
 
 Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
   Table table;
-  table.columns = {{"variant", true}, {"seed"}};
-  for (const std::string& parameter : spec.parameters) table.columns.push_back({parameter, true});
-  table.columns.push_back({"outcome", true});
-  table.columns.push_back({"passed"});
+  table.columns = {{"variant", kText}, {"seed", kWhole}};
+  for (const std::string& parameter : spec.parameters) table.columns.push_back({parameter, ""});
+  table.columns.push_back({"outcome", kText});
+  table.columns.push_back({"passed", kWhole});
   for (const mission::Check& check : spec.mission.checks) {
-    table.columns.push_back({"check: " + check.name, true});
+    table.columns.push_back({"check: " + check.name, kText});
     table.columns.push_back({"time: " + check.name});
   }
   for (const Metric& metric : spec.metrics) table.columns.push_back({metric.name});
@@ -63,15 +64,15 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
     for (const auto& [name, value] : row.result.numbers) numbers.insert(name);
   for (const std::string& number : numbers) table.columns.push_back({number});
   for (const char* name : {"cpu_s", "peak_mb"}) table.columns.push_back({name});
-  for (const char* name : {"state_hash", "host"}) table.columns.push_back({name, true});
-  table.columns.push_back({"tries"});
-  table.columns.push_back({"recording", true});
+  for (const char* name : {"state_hash", "host"}) table.columns.push_back({name, kText});
+  table.columns.push_back({"tries", kWhole});
+  table.columns.push_back({"recording", kText});
   for (const Row& row : rows) {
     const Variant& variant = plan.variants[row.variant].variant;
     const mission::RunResult& run = row.result;
     std::vector<Cell>& cells = table.rows.emplace_back();
     cells.emplace_back(variant.name);
-    cells.emplace_back(static_cast<double>(row.seed));
+    cells.emplace_back(static_cast<std::int64_t>(row.seed));
     for (const std::string& parameter : spec.parameters) {
       Cell cell;
       for (const auto& [name, value] : variant.parameters)
@@ -79,7 +80,7 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
       cells.push_back(std::move(cell));
     }
     cells.emplace_back(run.outcome);
-    cells.emplace_back(run.outcome == "ok" ? Cell(run.passed ? 1.0 : 0.0) : Cell());
+    cells.emplace_back(run.outcome == "ok" ? Cell(std::int64_t{run.passed ? 1 : 0}) : Cell());
     for (std::size_t i = 0; i < spec.mission.checks.size(); ++i) {
       const bool is_there = i < run.checks.size();
       cells.emplace_back(is_there ? Cell(std::string(mission::NameOf(run.checks[i].verdict.state))) : Cell());
@@ -98,7 +99,7 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
     std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(run.state_hash));
     cells.emplace_back(std::string(hash));
     cells.emplace_back(row.host);
-    cells.emplace_back(static_cast<double>(row.tries));
+    cells.emplace_back(std::int64_t{row.tries});
     cells.emplace_back(run.recording);
   }
   return table;
@@ -122,6 +123,8 @@ Result<void> WriteCsv(const fs::path& file, const Table& table) {
         char text[32];
         std::snprintf(text, sizeof text, "%.10g", *number);
         out << text;
+      } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&row[i])) {
+        out << *whole;
       } else if (const std::string* text = std::get_if<std::string>(&row[i])) {
         out << CsvField(*text);
       }
@@ -155,7 +158,7 @@ Result<void> WriteSqlite(const fs::path& file, const Table& table) {
   if (code != SQLITE_OK) return fail();
   std::string create = "CREATE TABLE runs (", insert = "INSERT INTO runs VALUES (";
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    create += (i > 0 ? ", " : "") + Identifier(table.columns[i].name) + (table.columns[i].is_text ? " TEXT" : " REAL");
+    create += (i > 0 ? ", " : "") + Identifier(table.columns[i].name) + table.columns[i].type;
     insert += i > 0 ? ", ?" : "?";
   }
   // The file is thrown away if this does not come to its end: no journal, one transaction.
@@ -170,6 +173,8 @@ Result<void> WriteSqlite(const fs::path& file, const Table& table) {
         const int place = static_cast<int>(i) + 1;
         if (const double* number = std::get_if<double>(&row[i])) {
           sqlite3_bind_double(prepared, place, *number);
+        } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&row[i])) {
+          sqlite3_bind_int64(prepared, place, *whole);
         } else if (const std::string* text = std::get_if<std::string>(&row[i])) {
           sqlite3_bind_text(prepared, place, text->c_str(), static_cast<int>(text->size()), nullptr);
         } else {

@@ -344,6 +344,8 @@ class Sweeps(MissionCase):
                                (SWEEP.replace("senses.noise", "senses.niose"), "niose"),
                                (SWEEP.replace('seeds = "1..6"', ""), "this sweep has no seeds"),
                                (SWEEP.replace('time_of = "there"', 'time_of = "here"'), "there is no check 'here'"),
+                               (SWEEP.replace('time_of = "there"', 'max = "distance"\nagent = "scuot"'), "there is no agent 'scuot'"),
+                               (SWEEP.replace('time_of = "there"', 'max = "distance"\nmean = "speed"'), "a metric is one of"),
                                (SWEEP.replace('at = "gate"', 'at = "gtae"'), "there is no waypoint 'gtae'")):
             run = Run("sweep", self.write("wrong.toml", wrong), "--folder", self.folder / "w")
             self.assertEqual(run.code, 3, run.out + run.err)
@@ -369,6 +371,59 @@ class Sweeps(MissionCase):
         self.assertEqual(again.code, 0, again.out + again.err)
         self.assertRegex(again.err, r"runs made, [1-9]\d* were there")
         self.assertEqual(len(self.rows()), 12)
+
+    def test_what_a_row_rests_on_cannot_change_under_it(self):
+        self.mission("")
+        bold = self.write("bold.soar", RULES)
+        spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..2") + '[[variant]]\nname = "bold"\nrules = { "scout" = "bold.soar" }\n')
+        self.assertEqual(Run("sweep", spec).code, 0)
+        kept = spec.read_text(encoding="utf-8")
+        # A check, a metric or the rules of a variant: the rows that are there were made with others.
+        for old, new in (('at = "gate"', 'at = "gate"\nby = 3'), ('time_of = "there"', 'max = "distance"'), ("seconds = 8", "seconds = 7")):
+            self.write("sweep.toml", kept.replace(old, new))
+            run = Run("sweep", spec)
+            self.assertEqual(run.code, 3, run.out + run.err)
+            self.assertIn("another sweep lives in this folder", run.err)
+        self.write("sweep.toml", "# A comment changes nothing.\n" + kept)
+        bold.write_text(RULES + "# changed\n", encoding="utf-8")
+        run = Run("sweep", spec)
+        self.assertEqual(run.code, 3, run.out + run.err)
+        self.assertRegex(run.err, r"variant '\w+' has changed since this sweep began")
+        bold.write_text(RULES, encoding="utf-8")
+        self.write("page.html", "a page beside it changes nothing")
+        self.assertIn("0 runs made, 6 were there", Run("sweep", spec).err)
+
+    def test_seeds_variants_and_recordings_may_be_added(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..2"))
+        self.assertEqual(Run("sweep", spec).code, 0)
+        more = SWEEP.replace("1..6", "1..3, 2, 12345678901") + '[[variant]]\nname = "still"\nparameters = { "agent.scout.speed" = 3 }\n'
+        run = Run("sweep", self.write("sweep.toml", more))
+        self.assertIn("8 runs made, 4 were there", run.err)
+        self.assertEqual(sorted({row["seed"] for row in self.rows()}), ["1", "12345678901", "2", "3"])
+        with sqlite3.connect(self.folder / "sweep.sweep" / "results.sqlite") as database:
+            told = database.execute('SELECT DISTINCT seed FROM runs WHERE "agent.scout.speed" > 2.5 ORDER BY seed').fetchall()
+        self.assertEqual(told, [(1,), (2,), (3,), (12345678901,)])
+        run = Run("sweep", self.write("sweep.toml", more.replace("seconds = 8", 'seconds = 8\nrecord = "all"')))
+        self.assertIn("12 runs made, 0 were there", run.err)
+        self.assertEqual({pathlib.Path(row["recording"]).exists() for row in self.rows()}, {True})
+        self.assertIn("0 runs made, 12 were there", Run("sweep", spec).err)
+
+    def test_a_folder_of_a_sweep_can_be_taken_elsewhere(self):
+        self.mission("")
+        rules = self.write("fast.soar", RULES)
+        mission = self.write("go.toml", 'scenario = "."\nseeds = "1..3"\nseconds = 8\n[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\n')
+        spec = self.write("sweep.toml", 'mission = "go.toml"\n[[variant]]\nname = "a"\n[[variant]]\nname = "b"\nrules = { "scout" = "fast.soar" }\n')
+        run = Run("sweep", spec, "--folder", self.folder / "made")
+        self.assertEqual(run.code, 0, run.out + run.err)
+        self.assertIn("b never differs from a", run.out)
+        (self.folder / "made").rename(self.folder / "taken")
+        for gone in (rules, mission, spec, self.folder / "scenario.toml"):
+            gone.unlink()
+        page = self.folder / "page.html"
+        run = Run("report", self.folder / "taken", "-o", page)
+        self.assertEqual(run.code, 0, run.err)
+        self.assertIn("taken: 6 runs", page.read_text(encoding="utf-8"))
 
     def test_a_folder_that_cannot_be_made_is_told(self):
         self.mission("")
