@@ -115,9 +115,6 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
   return ok;
 }
 
-/// Rules by the hundred thousand take less.
-constexpr std::uintmax_t kMostSourceBytes = 256u << 20;
-
 /// All of a file. Its size is known for most: then it is read in one piece, and no room is wasted on it.
 std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
   std::error_code error;
@@ -235,8 +232,6 @@ bool LoadFile(CommandCall& call) {
   if (!in || std::filesystem::is_directory(path, error)) {
     return call.Fail("Failed to open file for reading: " + file);
   }
-  if (const std::uintmax_t size = std::filesystem::file_size(path, error); !error && size > kMostSourceBytes)
-    return call.Fail(fmt::format("This file is too large to be one of rules, {} MB: {}", size >> 20, file));
   const bool is_image = path.extension() == ".soarx";
   const std::string content = is_image ? std::string() : TextOf(in, path);
   const std::string_view text = WithoutByteOrderMark(content);

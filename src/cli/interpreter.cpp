@@ -12,6 +12,8 @@ namespace {
 
 /// Commands within commands (sourced files, rules that run commands) end here rather than on the program's stack.
 constexpr int kMaxDepth = 50;
+/// Rules by the hundred thousand take less.
+constexpr std::uintmax_t kMostFileBytes = 256u << 20;
 
 void CloseFailure(CommandResult& result, CommandCall::Failure failure) {
   result.ok = false;
@@ -117,8 +119,13 @@ std::filesystem::path Interpreter::Resolve(const std::string& file) const {
 
 bool Interpreter::ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const {
   path = Resolve(file);
-  if (!fence_ || fence_->MayRead(path)) return true;
-  return call.Fail("The files of a scenario may read plain files in its folder only: " + file);
+  if (fence_ && !fence_->MayRead(path))
+    return call.Fail("The files of a scenario may read plain files in its folder only: " + file);
+  // A file that is hardly there may say that it is larger than any disk.
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return error || size <= kMostFileBytes ||
+         call.Fail("This file is too large, " + std::to_string(size >> 20) + " MB: " + file);
 }
 
 bool Interpreter::ResolveForWriting(CommandCall& call, const std::string& file, std::filesystem::path& path) const {

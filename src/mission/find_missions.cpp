@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t kLargestFile = 4u << 20;  ///< Of missions, as of scenarios.
+
 bool IsFile(const fs::path& file) {
   std::error_code error;
   return fs::is_regular_file(file, error);
@@ -21,6 +23,8 @@ bool IsFile(const fs::path& file) {
 
 /// A .toml file with checks of its own.
 bool HasChecks(const fs::path& file) {
+  std::error_code error;
+  if (fs::file_size(file, error) > kLargestFile || error) return false;
   const std::string text = ReadText(file).value_or("");
   if (IsMissionText(text)) return true;
   for (std::size_t at = text.find("[[check]]"); at != std::string::npos; at = text.find("[[check]]", at + 1))

@@ -100,7 +100,10 @@ Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
   Header header;
   ByteReader in(bytes);
   for (std::string* text : {&header.build, &header.scenario, &header.folder}) *text = in.Text();
-  header.extra_folders.resize(in.Count());
+  constexpr std::size_t kMostFolders = 1'000;  // Far more than anybody gives.
+  const std::size_t folders = in.Count();
+  if (folders > kMostFolders) in.Fail();
+  header.extra_folders.resize(in.failed() ? 0 : folders);
   for (std::string& folder : header.extra_folders) folder = in.Text();
   header.scenario_digest = in.Fixed64();
   header.seed = in.Number();

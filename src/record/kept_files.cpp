@@ -128,16 +128,20 @@ bool HaveChanged(const sim::Scenario& scenario, std::uint64_t digest_then, const
 ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
   ScenarioFiles all;
   world::StateHash hash;
-  std::size_t bytes = 0;
+  std::uintmax_t bytes = 0;
   std::vector<fs::path> all_folders = scenario.script_folders;
   for (const auto* more : {&scenario.rule_folders, &scenario.fallback_rule_folders})
     all_folders.insert(all_folders.end(), more->begin(), more->end());
   for (std::uint32_t folder = 0; folder < scenario.rule_folders.size(); ++folder) {
     const fs::path& root = scenario.rule_folders[folder];
     for (const fs::path& file : FilesBelow(root, all_folders)) {
-      KeptFile kept{folder, file.lexically_relative(root).generic_string(), ReadText(file).value_or("")};
+      KeptFile kept{folder, file.lexically_relative(root).generic_string(), {}};
+      std::error_code error;
+      const std::uintmax_t size = fs::file_size(file, error);
+      bytes += error ? 0 : size;
+      // What nobody keeps need not be read, however large it says that it is.
+      kept.content = bytes <= kMostKeptBytes ? ReadText(file).value_or("") : std::to_string(size);
       AddTo(hash, folder, kept.name, kept.content);
-      bytes += kept.content.size();
       if (bytes <= kMostKeptBytes) all.files.push_back(std::move(kept));
     }
   }
@@ -168,6 +172,17 @@ Result<std::shared_ptr<const PassingFolder>> RestoreAll(const std::vector<KeptFi
 }
 
 }  // namespace
+
+Result<RestoredFolders> RestoreExtraFolders(const Header& header) {
+  const Result<std::shared_ptr<const PassingFolder>> restored =
+      RestoreAll(header.files, header.extra_folders.size() + 1);
+  if (!restored) return restored.error();
+  RestoredFolders made;
+  made.keeps = *restored;
+  for (std::size_t i = 0; i < header.extra_folders.size(); ++i)
+    made.folders.emplace_back((*restored)->path() / std::to_string(i + 1), header.extra_folders[i]);
+  return made;
+}
 
 Result<sim::Scenario> ScenarioFromKeptFiles(const Header& header, const sim::DataFolders& data) {
   const Result<std::shared_ptr<const PassingFolder>> restored =
@@ -206,7 +221,7 @@ Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::ve
     for (auto* folders : {&kept.script_folders, &kept.rule_folders})
       std::replace(folders->begin(), folders->end(), from, to);
     for (fs::path* file : {&kept.script, &kept.definition, &kept.rules}) *file = Moved(*file, from, to);
-    kept.stand_ins.emplace_back(to, from);
+    kept.stand_ins.emplace_back(to, scenario.Original(from));
   }
   return kept;
 }

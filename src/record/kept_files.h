@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnostics/result.h"
@@ -37,6 +40,14 @@ bool HaveChanged(const sim::Scenario& scenario, std::uint64_t digest_then, const
 /// The scenario with its files as they were kept: written into a folder of their own, which goes when the last copy of
 /// the scenario does. Fails if nothing is kept, if a name would lead out of the folder, or if it cannot be written.
 Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::vector<KeptFile>& files);
+
+/// Copies of folders, each with the one that it stands in for, and what must live as long as they are used.
+struct RestoredFolders {
+  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> folders;
+  std::shared_ptr<const void> keeps;
+};
+/// The folders that were given besides the scenario's own, as far as their files are kept; likewise.
+Result<RestoredFolders> RestoreExtraFolders(const Header& header);
 
 /// The scenario of a recording that is there no more, from what the recording keeps of it; likewise.
 Result<sim::Scenario> ScenarioFromKeptFiles(const Header& header, const sim::DataFolders& data);

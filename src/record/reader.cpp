@@ -29,7 +29,6 @@ Diagnostic Reader::Damaged(std::uint64_t at, const std::string& what) const {
 }
 
 Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
-  std::unique_ptr<Reader> reader(new Reader(file));
   Diagnostic problem;
   problem.file = file.string();
   std::error_code error;
@@ -38,6 +37,7 @@ Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
     problem.hint = "name a recording, as `soarbox run --record FILE` makes them";
     return problem;
   }
+  std::unique_ptr<Reader> reader(new Reader(file));
   reader->bytes_ = fs::file_size(file, error);
   if (!reader->in_ || error) {
     problem.message = std::string("this file cannot be read: ") + std::strerror(errno);

@@ -28,6 +28,28 @@ std::string NameFromHere(const Header& header, const std::string& name) {
   return fs::exists(there, error) ? there.string() : name;
 }
 
+/// The scenario as it is on disk now. The folders that were given with --path are a recording's word only, which may
+/// be a stranger's: what it keeps of them is all that is read of them.
+Result<sim::Scenario> FromDisk(const Timeline& recording, const sim::DataFolders& data,
+                               std::vector<Diagnostic>& warnings) {
+  const Header& header = recording.header();
+  const std::string name = NameFromHere(header, header.scenario);
+  if (header.extra_folders.empty()) return sim::FindScenario(name, data);
+  const Result<RestoredFolders> restored = RestoreExtraFolders(header);
+  if (!restored) {
+    warnings.push_back(Warning(recording, "the folders given with --path are left out: " + restored.error().message,
+                               "the run may take another course than the recording does"));
+    return sim::FindScenario(name, data);
+  }
+  std::vector<fs::path> extra;
+  for (const auto& [copy, original] : restored->folders) extra.push_back(copy);
+  Result<sim::Scenario> scenario = sim::FindScenario(name, data, extra);
+  if (!scenario) return scenario;
+  scenario->stand_ins = restored->folders;
+  scenario->keeps = restored->keeps;
+  return scenario;
+}
+
 /// Runs on until the end of a tick; `see` is shown each record and says whether to go on.
 template <typename See>
 bool RunTo(sim::Simulation& simulation, std::uint64_t last_tick, Level level, const Progress& progress, See see) {
@@ -45,10 +67,8 @@ bool RunTo(sim::Simulation& simulation, std::uint64_t last_tick, Level level, co
 
 Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const RerunSettings& rerun) {
   const Header& header = recording.header();
-  std::vector<fs::path> extra;
-  for (const std::string& folder : header.extra_folders) extra.emplace_back(NameFromHere(header, folder));
-  Result<sim::Scenario> scenario = sim::FindScenario(NameFromHere(header, header.scenario), data, extra);
   std::vector<Diagnostic> warnings;
+  Result<sim::Scenario> scenario = FromDisk(recording, data, warnings);
   if (!scenario) {
     Diagnostic problem = scenario.error();
     problem.file = recording.name();

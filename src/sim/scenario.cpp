@@ -126,6 +126,8 @@ namespace {
 
 /// Whether a .toml file is about a scenario that it names, as missions and sweeps do, and so is none itself.
 bool NamesScenario(const fs::path& file) {
+  std::error_code error;
+  if (constexpr std::uintmax_t kMostBytes = 4u << 20; fs::file_size(file, error) > kMostBytes || error) return false;
   std::ifstream text(file);
   for (std::string line; std::getline(text, line);) {
     const std::size_t begin = line.find_first_not_of(" \t");
