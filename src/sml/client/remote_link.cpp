@@ -7,8 +7,10 @@
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "sml/client/agent_data.h"
@@ -165,7 +167,22 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
       error = failure->text;
       return nullptr;
     }
+    if (!fence_folders_.empty()) PutUpFence(name);
     return FindAgent(agent, name);
+  }
+  void FenceFiles(std::vector<std::string> folders, bool) override {
+    fence_folders_.clear();
+    for (const std::string& folder : folders) {
+      std::error_code error;
+      const std::filesystem::path absolute = std::filesystem::absolute(folder, error);
+      if (!error) fence_folders_ += absolute.string() + "\n";
+    }
+  }
+  /// Soar's own kernels know no fence; they carry out what the files say.
+  void PutUpFence(const std::string& name) {
+    Message call = MakeCall(soarbox::wire::kFenceCall);
+    Command(call).AddArg("agent", name).AddArg(soarbox::wire::kFenceFolders, fence_folders_);
+    Done(call);
   }
   void AnnounceAgent(const std::string&) override {}
   std::unique_ptr<AgentLink> FindAgent(Agent&, const std::string& name) override {
@@ -202,6 +219,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     command.AddArg("line", std::string(request.line))
         .AddArg("echo", request.echo ? "true" : "false")
         .AddArg("nofilter", request.no_filter ? "true" : "false");
+    if (request.fenced && !fence_folders_.empty()) command.AddArg(soarbox::wire::kFenced, "true");
     const std::optional<Message> response = Ask(call, work);
     LineAnswer answer;
     if (!response) {
@@ -456,6 +474,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   std::atomic<std::uint64_t> next_id_{0};
   std::atomic<bool> trace_{false};
   std::vector<std::string> waiting_;      ///< Calls whose answers are awaited, the outermost first.
+  std::string fence_folders_;             ///< For the files of agents made here, one a line; empty: no fence.
   std::map<std::string, Message> early_;  ///< Answers to outer calls that came inside inner ones.
   std::thread events_;
 };

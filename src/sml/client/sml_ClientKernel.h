@@ -77,8 +77,9 @@ class EXPORT Kernel : public ClientErrors {
   /// carried out. Not part of the interface of Soar 9.6.3.
   void OverhearCommands(std::function<void(char const* pAgentName, char const* pCommandLine)> listener);
   /// From now on the commands in files that LoadProductions loads, and those that rules carry out, may read below these
-  /// folders only, and write and start nothing; for a kernel in this process. `rules_only`: nothing is carried out but
-  /// rules and the loading of further files; other commands are passed over. Not part of the interface of Soar 9.6.3.
+  /// folders only, and write and start nothing. In another process this holds for agents that this object makes, and
+  /// only if the kernel is one of Soarbox. `rules_only`, for a kernel in this process: nothing is carried out but rules
+  /// and the loading of further files; other commands are passed over. Not part of the interface of Soar 9.6.3.
   void FenceFiles(std::vector<std::string> folders, bool rules_only = false);
   /// Like ExecuteCommandLine, for a line that comes from a recording: it may read below the folders of FenceFiles only,
   /// and write and start nothing. Not part of the interface of Soar 9.6.3.

@@ -5,6 +5,9 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <vector>
 
 #include "sml/server/answers.h"
 #include "sml/server/decision_facts.h"
@@ -139,6 +142,20 @@ void TellDecision(Request& request) {
   wire::AddDecision(request.response.root.Add("result"), DecisionNow(request.agent->agent(), *state));
 }
 
+/// The files that this client loads for the agent are a stranger's: where they may read, a folder a line.
+void FenceFiles(Request& request) {
+  const std::string* text = request.Arg(wire::kFenceFolders);
+  if (!text) return request.Invalid("Folders are missing");
+  std::vector<std::filesystem::path> folders;
+  for (std::size_t at = 0; at < text->size();) {
+    const std::size_t end = std::min(text->find('\n', at), text->size());
+    folders.emplace_back(text->substr(at, end - at));
+    at = end + 1;
+  }
+  request.agent->fence = std::make_unique<const cli::Fence>(std::move(folders));
+  request.Raw(true);
+}
+
 // Command lines and runs ----------------------------------------------------------------------------------------------
 
 void CommandLine(Request& request) {
@@ -146,8 +163,9 @@ void CommandLine(Request& request) {
   if (!line) return request.Invalid("Command line missing");
   const std::string* output = request.command.Attribute("output");
   const bool raw = output && *output == "raw";
-  const cli::CommandResult result = request.host.Execute(
-      request.agent, *line, {IsTrue(request.Arg("echo")), !IsTrue(request.Arg("nofilter")), &request.from});
+  const cli::CommandResult result = request.host.Execute(request.agent, *line,
+                                                         {IsTrue(request.Arg("echo")), !IsTrue(request.Arg("nofilter")),
+                                                          &request.from, IsTrue(request.Arg(wire::kFenced))});
   AddLineResult(request.response, result, !raw);
 }
 
@@ -296,6 +314,7 @@ constexpr std::array kEntries = {
     Entry{"convert_identifier", NeedsAgent::kYes, ConvertIdentifier},
     Entry{"create_agent", NeedsAgent::kNo, CreateAgent},
     Entry{"destroy_agent", NeedsAgent::kNo, DestroyAgent},
+    Entry{wire::kFenceCall, NeedsAgent::kYes, FenceFiles},
     Entry{"fire_event", NeedsAgent::kNo, FireEvent},
     Entry{"get_agent_list", NeedsAgent::kNo, GetAgentList},
     Entry{"get_all_input", NeedsAgent::kYes, GetAllInput},
@@ -331,9 +350,10 @@ bool GoesPastTheDoor(const Request& request) {
     const int event = name ? Events().ConvertToEvent(name->c_str()) : smlEVENT_INVALID_EVENT;
     return event == smlEVENT_RHS_USER_FUNCTION || event == smlEVENT_FILTER;
   }
-  constexpr std::array kCalls = {std::string_view("create_agent"), std::string_view("destroy_agent"),
-                                 std::string_view("input"),        std::string_view("shutdown"),
-                                 std::string_view("fire_event"),   std::string_view("suppress_event")};
+  constexpr std::array kCalls = {std::string_view("create_agent"),  std::string_view("destroy_agent"),
+                                 std::string_view("input"),         std::string_view("shutdown"),
+                                 std::string_view("fire_event"),    std::string_view("suppress_event"),
+                                 std::string_view(wire::kFenceCall)};
   return std::find(kCalls.begin(), kCalls.end(), request.name) != kCalls.end();
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/fence.h"
 #include "cli/session.h"
 #include "kernel/agent.h"
 #include "sml/server/agent_input.h"
@@ -103,6 +104,9 @@ class HostedAgent {
   ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;
   std::uint64_t last_run = 0;  ///< The number of the last run that it took part in; 0 for none since init-soar.
   bool doomed = false;         ///< Destroyed, but still in use (KernelHost::Stay).
+
+  /// What holds for the files that its client loads, and for what its rules carry out; null: what holds in the kernel.
+  std::unique_ptr<const cli::Fence> fence;
 
   /// The object that stands for this agent in the program that the kernel lives in.
   void* embedded_peer = nullptr;

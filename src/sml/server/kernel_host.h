@@ -185,7 +185,7 @@ class KernelHost : public cli::Host {
   std::function<void()> pump_;
   std::atomic<bool> pump_requested_{false};
   std::atomic<bool> held_{false};
-  const cli::Fence* FenceOf(const LineOptions& options) const;
+  const cli::Fence* FenceOf(const HostedAgent& hosted, const LineOptions& options) const;
   std::unique_ptr<const cli::Fence> fence_;  ///< Null: none.
   /// Lines of a recording have one always.
   std::unique_ptr<const cli::Fence> recorded_fence_ =

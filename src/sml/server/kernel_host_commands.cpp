@@ -55,8 +55,10 @@ void KernelHost::SetFence(std::vector<std::filesystem::path> folders, bool rules
   recorded_fence_ = std::make_unique<const cli::Fence>(fence_->For(Source::kRecording));
 }
 
-const cli::Fence* KernelHost::FenceOf(const LineOptions& options) const {
-  return options.recorded ? recorded_fence_.get() : options.fenced ? fence_.get() : nullptr;
+const cli::Fence* KernelHost::FenceOf(const HostedAgent& hosted, const LineOptions& options) const {
+  if (options.recorded) return recorded_fence_.get();
+  if (!options.fenced) return nullptr;
+  return hosted.fence ? hosted.fence.get() : fence_.get();
 }
 
 cli::CommandResult KernelHost::Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options) {
@@ -75,7 +77,7 @@ cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::strin
   const bool echoes = (options.echo || hosted.session().output().echo_commands) && hosted.Listens(smlEVENT_ECHO);
   if (echoes) hosted.FireEcho(options.from, std::string(line));
   // A user's own line ends the fence that a file around it may have put up, a stranger's puts it up.
-  const cli::Interpreter::Fenced fenced(interpreter_, FenceOf(options));
+  const cli::Interpreter::Fenced fenced(interpreter_, FenceOf(hosted, options));
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
   if (hosted.doomed) return result;
   // Memory may run out outside of a run too.

@@ -13,6 +13,12 @@ namespace soarbox::wire {
 /// The version that stands in every message and that `version` answers.
 inline constexpr std::string_view kSmlVersion = "9.6.3";
 
+/// A call that Soar 9.6.3 does not have: what files that are loaded for an agent may read. Its folders, one a line, and
+/// the mark on command lines for which that holds.
+inline constexpr const char* kFenceCall = "soarbox_fence";
+inline constexpr const char* kFenceFolders = "folders";
+inline constexpr const char* kFenced = "fenced";
+
 enum class DocType : std::uint8_t { kCall, kResponse, kNotify };
 
 /// A document: a call, the response to one, or a notice that nobody answers.
