@@ -90,12 +90,15 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
   std::error_code error;
   std::map<std::string, std::string> of_agents;
   for (const auto& [who, file] : variant.rules) {
-    const fs::path to = who.ends_with(".soar") ? folder / who : folder / fs::path(file).filename();
-    if (who.ends_with(".soar") && !fs::exists(to, error))
+    const bool is_rules = who.ends_with(".soar");
+    const fs::path to = is_rules ? sim::FindInFolders(who, {folder}) : folder / fs::path(file).filename();
+    if (to.empty())
       return refuse("the scenario has no rules '" + who + "'", "name an agent, or a file of rules in its folder");
+    const fs::path beside = spec.file.has_parent_path() ? spec.file.parent_path() : fs::path(".");
+    if (!IsPlainFileBelow(file, {&beside, 1})) return refuse("'" + file + "' is no file beside the sweep", {});
     fs::copy_file(file, to, fs::copy_options::overwrite_existing, error);
     if (error) return refuse("'" + file + "' cannot be copied: " + error.message(), {});
-    if (!who.ends_with(".soar")) of_agents[who] = to.filename().string();
+    if (!is_rules) of_agents[who] = to.filename().string();
   }
   if (!is_file) {
     if (of_agents.empty() && variant.parameters.empty() && variant.setup.empty()) return {};
@@ -122,7 +125,11 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
             entry.as_table() != nullptr ? (*entry.as_table())["rules"].value_or(std::string()) : std::string();
         if (rules.empty() || done[rules]) continue;
         done[rules] = true;
-        const fs::path file = folder / rules;
+        // What a scenario names may lie anywhere; what is written lies in its copy.
+        const fs::path file = sim::FindInFolders(rules, {folder});
+        if (file.empty())
+          return refuse("its rules '" + rules + "' are not in the scenario's folder",
+                        "'setup' takes rules that are in it");
         if (const Result<void> written = Write(file, lines + ReadText(file).value_or("")); !written) return written;
       }
     }
@@ -174,6 +181,20 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   }
   if (error) return Problem(from, "this folder cannot be read: " + error.message());
   return folder / file.filename();
+}
+
+/// A sweep's folder may have come from somebody else, together with its file. Nothing is written, removed or read
+/// through links, pipes and devices in it.
+Result<void> RefuseLinks(const fs::path& folder) {
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const fs::file_type type = it->symlink_status(error).type();
+    if (type == fs::file_type::regular || type == fs::file_type::directory) continue;
+    return Problem(it->path(), "a sweep's folder holds plain files only, and this is none",
+                   "remove it, or name another folder with --folder");
+  }
+  if (error && fs::exists(folder, error)) return Problem(folder, "this folder cannot be read");
+  return {};
 }
 
 /// What a run of a scenario rests on: its own file, and the rules and scripts below its folder. Pages, pictures and
@@ -243,6 +264,7 @@ fs::path ScenarioFileIn(const fs::path& place, const Variant& variant, const Spe
 }  // namespace
 
 Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataFolders& data, Sources sources) {
+  if (const Result<void> plain = RefuseLinks(folder); !plain) return plain.error();
   Plan plan;
   for (const Variant& variant : spec.variants) {
     const Result<fs::path> place = PlaceOf(variant, spec, folder, data, sources);

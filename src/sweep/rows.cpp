@@ -33,10 +33,7 @@ Diagnostic Failed(const fs::path& path) {
   return problem;
 }
 
-std::optional<Row> ReadRow(const std::string& line) {
-  if (line.size() < 18 || ChecksumOf(std::string_view(line).substr(17)) != line.substr(0, 17)) return std::nullopt;
-  const Json json = Json::parse(line.substr(17), nullptr, false);
-  if (!json.is_object()) return std::nullopt;
+Row RowFromJson(const Json& json) {
   Row row;
   row.key = json.value("key", "");
   row.build = json.value("build", "");
@@ -44,15 +41,30 @@ std::optional<Row> ReadRow(const std::string& line) {
   row.variant = json.value("variant", std::size_t{0});
   row.seed = json.value("seed", std::uint64_t{0});
   row.tries = json.value("tries", 1);
-  Result<mission::RunResult> result = mission::FromJsonLine(json.value("result", ""));
-  if (!result) return std::nullopt;
-  row.result = std::move(*result);
-  row.result.seed = row.seed;
   row.result.cpu_s = json.value("cpu_s", 0.0);
   row.result.peak_mb = json.value("peak_mb", 0.0);
   for (const Json& metric : json.value("metrics", Json::array()))
     row.metrics.push_back(metric.is_number() ? std::optional<double>(metric.get<double>()) : std::nullopt);
   return row;
+}
+
+/// None if the line was cut off, or says something else than rows do.
+std::optional<Row> ReadRow(const std::string& line) {
+  if (line.size() < 18 || ChecksumOf(std::string_view(line).substr(17)) != line.substr(0, 17)) return std::nullopt;
+  const Json json = Json::parse(line.substr(17), nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    Row row = RowFromJson(json);
+    Result<mission::RunResult> result = mission::FromJsonLine(json.value("result", ""));
+    if (!result) return std::nullopt;
+    result->seed = row.seed;
+    result->cpu_s = row.result.cpu_s;
+    result->peak_mb = row.result.peak_mb;
+    row.result = std::move(*result);
+    return row;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace

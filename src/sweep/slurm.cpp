@@ -52,11 +52,16 @@ Diagnostic Problem(std::string message, std::string hint = {}) {
   return problem;
 }
 
-/// The job that this folder's sweep was given to last; empty if none.
+bool IsJob(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// The job that this folder's sweep was given to last; empty if none. The file may be a stranger's: it names a job and
+/// nothing else, as Slurm's commands would take options, too.
 std::string JobOf(const fs::path& folder) {
   std::string job = ReadText(folder / "slurm" / "job").value_or("");
   while (!job.empty() && (job.back() == '\n' || job.back() == ' ')) job.pop_back();
-  return job;
+  return IsJob(job) ? job : std::string();
 }
 
 /// Whether Slurm still has tasks of it to run. An answer that is none (the controller is busy) counts as yes.
@@ -102,7 +107,7 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings, c
     words.push_back(script.string());
     const Answer submitted = Ask(words);
     job = submitted.text.substr(0, submitted.text.find_first_of(";\n"));
-    if (submitted.code != 0 || job.empty() || job.find_first_not_of("0123456789") != std::string::npos)
+    if (submitted.code != 0 || !IsJob(job))
       return Problem("Slurm did not take the job: " + submitted.text, "sinfo shows the partitions and their nodes");
     if (!(std::ofstream(folder / "slurm" / "job") << job << '\n').flush())
       return Problem("the job's number cannot be written below '" + folder.string() + "'");

@@ -81,9 +81,25 @@ class SpecReader {
     return tables;
   }
 
+  static bool IsOfThisMachine(std::string_view address) {
+    const std::size_t colon = address.rfind(':');
+    const std::string_view host = address.substr(0, colon);
+    if (colon == std::string_view::npos || (host != "127.0.0.1" && host != "localhost")) return false;
+    const std::string_view port = address.substr(colon + 1);
+    const bool is_number = !port.empty() && port.find_first_not_of("0123456789") == std::string_view::npos;
+    return is_number && port.size() <= 5 && std::stoi(std::string(port)) >= 1 && std::stoi(std::string(port)) <= 65535;
+  }
+
+  /// Whether this names a plain file in the sweep's folder, or below it, all links followed.
+  bool IsBeside(const std::string& name) const {
+    const std::filesystem::path own =
+        spec_.file.has_parent_path() ? spec_.file.parent_path() : std::filesystem::path(".");
+    return IsPlainFileBelow(own / name, {&own, 1});
+  }
+
   void ReadMission(const toml::node& at, const std::string& name) {
     const std::filesystem::path file = spec_.file.parent_path() / name;
-    const std::optional<std::string> text = ReadText(file);
+    const std::optional<std::string> text = IsBeside(name) ? ReadText(file) : std::nullopt;
     if (!text) return Problem(at, "there is no mission '" + name + "' beside this sweep");
     mission::Mission read = mission::ParseMission(
         *text, file, text->find("\nscenario") == std::string::npos && !text->starts_with("scenario"), problems_);
@@ -109,18 +125,21 @@ class SpecReader {
     base.line = static_cast<int>(table.source().begin.line);
     base.name = Text(table, "name");
     if (base.name.empty()) base.name = "variant-" + std::to_string(spec_.variants.size() + 1);
-    if (base.name.find('/') != std::string::npos || base.name.starts_with('.') || base.name.size() > 100)
+    const auto is_odd = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
+    if (std::ranges::any_of(base.name, is_odd) || base.name.starts_with('.') || base.name.size() > 100)
       Problem(table, "'" + base.name + "' is no name for a variant", "it names a folder: use letters, digits, - and _");
     base.scenario = Text(table, "scenario");
     base.kernel = Text(table, "kernel");
+    if (!base.kernel.empty() && !IsOfThisMachine(base.kernel))
+      Problem(*table.get("kernel"), "'" + base.kernel + "' is no kernel of this machine",
+              "write \"127.0.0.1:12121\"; a sweep, which may be somebody else's, reaches no other machines");
     if (const toml::node* rules = table.get("rules")) {
       const toml::table* named = rules->as_table();
       if (named == nullptr) Problem(*rules, "'rules' takes { AGENT = \"file.soar\" }");
       for (const auto& [agent, file] : named != nullptr ? *named : toml::table{}) {
         const auto path = file.value_exact<std::string>();
         if (!path) Problem(file, "'" + std::string(agent.str()) + "' takes a file of rules in quotes");
-        if (path && !is_copy_ && !std::filesystem::is_regular_file(spec_.file.parent_path() / *path))
-          Problem(file, "there is no file '" + *path + "' beside this sweep");
+        if (path && !is_copy_ && !IsBeside(*path)) Problem(file, "there is no file '" + *path + "' beside this sweep");
         base.rules.emplace_back(std::string(agent.str()), (spec_.file.parent_path() / path.value_or("")).string());
       }
     }
