@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -255,12 +257,25 @@ bool Tcl(CommandCall& call) {
   return Show(call, "tcl");
 }
 
+/// How far a stranger's files may raise what ends a decision: a world takes its steps whatever they say, and none of it
+/// goes by the clock.
+constexpr std::pair<std::string_view, std::int64_t> kMostOfStrangers[] = {{"max-elaborations", 10'000},
+                                                                          {"max-goal-depth", 1'000},
+                                                                          {"max-nil-output-cycles", 1'000},
+                                                                          {"max-gp", 100'000},
+                                                                          {"max-dc-time", 0}};
+
 /// A setting with a number: shows it, or gives the new value to `set`, which refuses what does not fit.
 bool Number(CommandCall& call, std::string_view name, std::int64_t minimum,
             const std::function<std::string(std::int64_t)>& set) {
   if (call.words.size() < 2) return Show(call, name);
   const std::int64_t value = LooseInteger(call.words[1].text);
   if (value < minimum || value > 2147483647) return call.Fail(kInvalidArgument);
+  if (call.interpreter.fence() != nullptr) {
+    for (const auto& [setting, most] : kMostOfStrangers)
+      if (setting == name && value > most)
+        return call.Fail(fmt::format("The files of a scenario may set {} to {} at most.", name, most));
+  }
   call.Out(set(value));
   return true;
 }

@@ -2,28 +2,17 @@
 """A stranger's folder: every door of the program times everything that a file can ask for. A cell passes if nothing is
 written, nothing outside is shown, nothing hangs, and the program ends in one of its own ways."""
 import os
-import pathlib
 import shutil
 import socket
-import subprocess
-import tempfile
 import threading
 import unittest
 
+import strangers_folder
 from soarbox_command import COMMAND
+from strangers_folder import SECRET, record, rules, run, write
 
-SECRET = "the-secret-of-somebody-else"
-LIMIT_S = 60
-MEMORY_BYTES = 3 << 30
-
-WORLD = '[[agent]]\nname = "hero"\nrules = "hero.soar"\nbody = "runner"\n'
 MISSION = '[mission]\nseeds = "1..2"\nseconds = 0.3\n[[check]]\nname = "it walks"\nagent = "hero"\ncommand = "wander"\n'
-GOOD = "sp {go (state <s> ^superstate nil ^io.output-link <out>) --> (<out> ^wander <w>)}\n"
 LUA = "function Sandbox_Initialize(sandbox) %s end\n"
-
-
-def rules(text):
-    return {"scenario.toml": WORLD, "hero.soar": text + "\n" + GOOD}
 
 
 def rule_that_runs(command):
@@ -97,65 +86,7 @@ def requests(outside):
     }
 
 
-def write(folder, files):
-    for name, text in files.items():
-        (folder / name).write_text(text, encoding="utf-8")
-
-
-def record(folder, file, *arguments, seconds="0.3"):
-    return [COMMAND, "run", folder, "--headless", "--seconds", seconds, "--record", file, *arguments]
-
-
-class Outcome:
-    def __init__(self, process):
-        self.code, self.out = process.returncode, process.stdout + process.stderr
-
-
-def run(command, cwd, stdin=""):
-    environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
-    limits = f"ulimit -v {MEMORY_BYTES >> 10}; exec \"$@\""
-    return Outcome(subprocess.run(["bash", "-c", limits, "-", *map(str, command)], input=stdin, capture_output=True, text=True,
-                                  timeout=LIMIT_S, cwd=cwd, env=environment, check=False, errors="replace"))
-
-
-class StrangersFolder(unittest.TestCase):
-    def setUp(self):
-        top = tempfile.TemporaryDirectory()
-        self.addCleanup(top.cleanup)
-        self.top = pathlib.Path(top.name)
-        self.outside, self.folder, self.mine = self.top / "outside", self.top / "folder", self.top / "mine"
-        for folder in (self.outside, self.mine):
-            folder.mkdir()
-        write(self.outside, {"secret.soar": f"{SECRET} in a line that is no rule\nsp {{{SECRET} (state <s>\n",
-                             "secret.lua": f'print("{SECRET}") error("{SECRET}")', "secret.toml": f'"{SECRET}'})
-
-    def lay(self, request):
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self.folder.mkdir()
-        if callable(request):
-            request(self.folder)
-        else:
-            write(self.folder, request)
-
-    def state(self):
-        """All that lies outside of the folder for one's own, by name, size and time."""
-        return sorted((str(path), path.lstat().st_size, path.lstat().st_mtime_ns) for root in (self.outside, self.folder)
-                      for path in root.rglob("*"))
-
-    def check(self, name, command, stdin="", may_show=False, codes=(0, 1, 2, 3)):
-        before = self.state()
-        try:
-            done = run(command, self.folder, stdin)
-        except subprocess.TimeoutExpired:
-            self.fail(f"{name}: hangs")
-        self.assertIn(done.code, codes, f"{name}: {done.out[-2000:]}")
-        self.assertNotIn("bad_alloc", done.out)
-        self.assertEqual(self.state(), before, f"{name}: something was written: {done.out[-2000:]}")
-        if not may_show:
-            self.assertNotIn(SECRET, done.out.replace(str(self.outside), ""), name)
-        self.assertLess(len(done.out), 300_000, name)
-        return done
-
+class Doors(strangers_folder.StrangersFolder):
     def test_doors_that_take_a_folder(self):
         doors = {
             "run": ["run", self.folder, "--headless", "--seconds", "0.3"],
@@ -251,6 +182,25 @@ class StrangersFolder(unittest.TestCase):
                                 "replay": ["--headless"]}.items():
             with self.subTest(door):
                 self.check(door, [COMMAND, door, recording, *arguments])
+
+    def test_rule_files_cannot_hold_up_the_world(self):
+        """What ends a decision, or a wait for output, is not theirs to put off; nor does anything go by the clock."""
+        endless = ("sp {begin (state <s> ^superstate nil) --> (<s> ^n 0)}\n"
+                   "sp {count (state <s> ^n <n>) --> (<s> ^n (+ <n> 1))}\n")
+        silent = ("sp {propose (state <s> ^superstate nil) --> (<s> ^operator <o> + =) (<o> ^name again ^at (rand-float))}\n"
+                  "sp {apply (state <s> ^operator <o>) (<o> ^name again) --> (<s> ^done <o>)}\n")
+        for line, more in (("soar max-elaborations 2000000000", endless), ("soar max-nil-output-cycles 2000000000", silent),
+                           ("max-elaborations 2000000000", endless), ("soar max-goal-depth 2000000000", ""), ("soar max-dc-time 1", ""),
+                           ("soar max-gp 2000000000\ngp {g (state <s> ^a [1 2 3 4 5 6 7 8 9 10] ^b [1 2 3 4 5 6 7 8 9 10] ^c [1 2 3 4 5 6 7 8 9 10]"
+                            " ^d [1 2 3 4 5 6 7 8 9 10] ^e [1 2 3 4 5 6 7 8 9 10] ^f [1 2 3 4 5 6 7 8 9 10]) --> (<s> ^x y)}", "")):
+            self.lay({"scenario.toml": strangers_folder.WORLD, "hero.soar": line + "\n" + more})
+            with self.subTest(line):
+                done = self.check(line, [COMMAND, "run", self.folder, "--headless", "--seconds", "0.1"], codes=(1,))
+                self.assertIn("at most", done.out)
+            self.lay({"scenario.toml": strangers_folder.WORLD,
+                      "hero.soar": "sp {set (state <s> ^superstate nil) --> (<s> ^answer (cmd %s))}\n" % line.split("\n", 1)[0] + more})
+            with self.subTest("by a rule", line=line):
+                self.check(line, [COMMAND, "run", self.folder, "--headless", "--seconds", "0.1"])
 
     def test_the_shell_reads_what_it_is_given_and_is_the_users_own_otherwise(self):
         self.lay(rules("source hero.soar\nsource hero.soar"))
