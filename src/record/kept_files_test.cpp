@@ -186,7 +186,7 @@ TEST_F(KeptFilesTest, ARunIsGoneOnWithWhenItsScenarioIsThereNoMore) {
     fs::rename(away, folder());
     ASSERT_TRUE(branch) << Format(branch.error());
     ASSERT_EQ((*branch)->warnings().size(), 1u);
-    EXPECT_NE((*branch)->warnings()[0].message.find("there no more"), std::string::npos);
+    EXPECT_NE((*branch)->warnings()[0].message.find("no longer there"), std::string::npos);
   }
 }
 
