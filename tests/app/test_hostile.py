@@ -180,7 +180,7 @@ class Worlds(ScenarioCase):
 
     def test_events_with_large_texts(self):
         run = self.run_(update="local text = ('x'):rep(1e6) function Sandbox_Update(s) for i = 1, 1000 do Sandbox.AddEvent(s, 'x', { text = text }) end end")
-        self.told(run, "waiting events of this world hold")
+        self.told(run, "waiting events of this world already hold")
 
     def test_a_flood_of_print(self):
         run = self.run_(update="function Sandbox_Update(s) for i = 1, 1e5 do print(('x'):rep(1000)) end end")
