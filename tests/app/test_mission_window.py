@@ -138,7 +138,7 @@ class Lessons(WindowUser):
         self.play("""
             until 0.5
             click "Hint 1 of 3"
-            expect "1. Run it, select the porter"
+            expect "1. Run the lesson, select the porter"
             click "Hint 2 of 3"
             expect "2. The rule needs an element"
             """, str(lesson))
@@ -186,7 +186,7 @@ class Lessons(WindowUser):
             {picture("lesson-done")}
             click "Next lesson"
             expect "2. Operators: propose, select, apply" 30
-            expect "Let the mowing robot mow"
+            expect "Make the mowing robot mow"
             expect "Check my rules"
             expect "of 4 checks"
             expect-not "This lesson is done."
