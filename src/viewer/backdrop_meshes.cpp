@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
+#include "viewer/half_turn.h"
 #include "viewer/noise.h"
 #include "viewer/shape_meshes.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kPi = std::numbers::pi_v<float>, kHalf_m = kPlainSide_m / 2;
+constexpr float kHalf_m = kPlainSide_m / 2;
 
 /// How far the edge of the square plain is from its middle in a direction.
 float EdgeAt(float angle) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "viewer/half_turn.h"
 #include "viewer/interpolate.h"
 
 namespace soarbox::viewer {
@@ -15,7 +15,6 @@ using world::CameraSnapshot;
 using world::Quat;
 using world::Vec3;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kRadiansPerPixel = 0.15f * kPi / 180;
 constexpr float kFastFactor = 20;
 constexpr float kSpeed_mps = 5;

@@ -2,7 +2,8 @@
 #include "viewer/demo_scene.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "viewer/half_turn.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -13,8 +14,6 @@ using world::Quat;
 using world::SceneSnapshot;
 using world::ShapeKind;
 using world::Vec3;
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 Quat Yaw(float angle) {
   return {std::cos(angle / 2), 0, std::sin(angle / 2), 0};

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "viewer/half_turn.h"
 #include "viewer/noise.h"
 #include "viewer/shape_meshes.h"
 #include "world/rotation.h"
@@ -16,19 +16,17 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 /// How a part is painted: 1 is the material's colour, 0 its second one.
-struct Paint {
+struct Coat {
   float tint = 1, light = 1, gloss = 0;
 };
 
-void Paste(MeshData& mesh, MeshData part, Vec3 at, Paint paint) {
+void Paste(MeshData& mesh, MeshData part, Vec3 at, Coat coat) {
   for (MeshVertex& vertex : part.vertices) {
     vertex.position += at;
-    vertex.tint = paint.tint;
-    vertex.light *= paint.light;
-    vertex.gloss = paint.gloss;
+    vertex.tint = coat.tint;
+    vertex.light *= coat.light;
+    vertex.gloss = coat.gloss;
   }
   mesh.Append(part);
 }
@@ -86,7 +84,7 @@ MeshData Animal(const Beast& b) {
   MeshData mesh;
   const float belly = b.leg, body_y = belly + b.girth;
   Paste(mesh, Ball({b.girth, b.girth, b.length / 2}, b.lumps, 7), {0, body_y, 0}, {});
-  const Paint legs{b.dark_legs ? 0.0f : 1.0f, 0.85f, 0}, head{b.dark_head ? 0.0f : 1.0f, 1, 0.05f};
+  const Coat legs{b.dark_legs ? 0.0f : 1.0f, 0.85f, 0}, head{b.dark_head ? 0.0f : 1.0f, 1, 0.05f};
   for (const float x : {-0.55f, 0.55f}) {
     for (const float z : {-0.32f, 0.32f}) {
       Paste(mesh, CylinderMesh(0.20f * b.girth, belly + 0.5f * b.girth),

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "viewer/half_turn.h"
 #include "world/animation/soldier_skeleton.h"
 
 namespace soarbox::viewer {
@@ -15,7 +15,6 @@ using world::Quat;
 using world::Vec3;
 using Size = world::SoldierSize;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr Vec3 kUp{0, 1, 0};
 
 /// A foot comes down below one height and leaves the ground above the other.

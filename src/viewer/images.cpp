@@ -24,7 +24,7 @@ namespace {
 
 /// Calls shade(u, v, x, y) for each pixel, u and v in 0..1.
 template <typename Shade>
-Image Paint(int size, Shade&& shade) {
+Image Painted(int size, Shade&& shade) {
   Image image(size, size);
   const float step = 1.0f / static_cast<float>(size);
   for (int y = 0; y < size; ++y) {
@@ -49,25 +49,25 @@ float InsideCell(float value, float width) {
 }  // namespace
 
 Image WhiteImage() {
-  return Paint(4, [](float, float) { return Grey(1); });
+  return Painted(4, [](float, float) { return Grey(1); });
 }
 
 Image CheckerImage() {
-  return Paint(64, [](float u, float v) {
+  return Painted(64, [](float u, float v) {
     const bool odd = (static_cast<int>(u * 8) + static_cast<int>(v * 8)) % 2 != 0;
     return odd ? std::array<float, 3>{1, 0, 1} : std::array<float, 3>{0.06f, 0.02f, 0.06f};
   });
 }
 
 Image GrainImage() {
-  return Paint(256, [](float u, float v) {
+  return Painted(256, [](float u, float v) {
     return std::array<float, 3>{Fractal2(u * 8, v * 8, 5, 11, 8), Fractal2(u * 8, v * 8, 5, 23, 8),
                                 Fractal2(u * 8, v * 8, 5, 37, 8)};
   });
 }
 
 Image ConcreteImage() {
-  return Paint(256, [](float u, float v) {
+  return Painted(256, [](float u, float v) {
     const float blotch = Fractal2(u * 4, v * 4, 6, 3, 4), pores = Noise2(u * 96, v * 96, 9, 96);
     const float seam = 0.92f + 0.08f * InsideCell(v * 2, 0.02f);
     return Grey((0.72f + 0.22f * blotch - (pores > 0.86f ? 0.10f : 0.0f)) * seam);
@@ -75,7 +75,7 @@ Image ConcreteImage() {
 }
 
 Image BrickImage() {
-  return Paint(256, [](float u, float v) {
+  return Painted(256, [](float u, float v) {
     const float row = std::floor(v * 8), shifted = u * 4 + (static_cast<int>(row) % 2 != 0 ? 0.5f : 0.0f);
     const float brick = std::min(InsideCell(v * 8, 0.09f), InsideCell(shifted, 0.045f));
     const int column = static_cast<int>(std::floor(shifted)) % 4;
@@ -90,7 +90,7 @@ Image BrickImage() {
 }
 
 Image CrateImage() {
-  return Paint(256, [](float u, float v) {
+  return Painted(256, [](float u, float v) {
     const float plank = InsideCell(v * 8, 0.05f), number = std::floor(v * 8);
     const float fibre = Fractal2(u * 6, v * 96, 4, 41 + static_cast<std::uint32_t>(number), 0);
     const float tone = 0.80f + 0.16f * LatticeValue(static_cast<int>(number), 0, 0, 19);
@@ -100,7 +100,7 @@ Image CrateImage() {
 }
 
 Image LeafImage() {
-  return Paint(256, [](float u, float v) {
+  return Painted(256, [](float u, float v) {
     const float leaf = Noise2(u * 40, v * 40, 83, 40), mass = Fractal2(u * 6, v * 6, 4, 89, 6);
     const float light = 0.45f + 0.45f * mass + 0.5f * (leaf - 0.5f);
     const float hue = Noise2(u * 20, v * 20, 97, 20);
@@ -109,7 +109,7 @@ Image LeafImage() {
 }
 
 Image StoneImage() {
-  return Paint(256, [](float u, float v) {
+  return Painted(256, [](float u, float v) {
     const float mass = Fractal2(u * 5, v * 5, 6, 103, 5), grain = Fractal2(u * 40, v * 40, 3, 105, 40);
     const float crack = std::abs(Fractal2(u * 4, v * 4, 5, 107, 4) - 0.5f);
     const float value = 0.50f + 0.26f * mass + 0.20f * (grain - 0.5f) - 0.09f * std::max(0.0f, 1 - crack / 0.012f);

@@ -19,7 +19,7 @@ MeshData Box(Vec3 min, Vec3 max) {
   return BoxMesh(min, max, {.chamfer_m = 0.02f, .metric_uv = true});
 }
 
-void Paint(MeshData& mesh, float tint, float light, float gloss) {
+void PaintPart(MeshData& mesh, float tint, float light, float gloss) {
   for (MeshVertex& vertex : mesh.vertices) {
     vertex.tint = tint;
     vertex.light = light;
@@ -47,7 +47,7 @@ MeshData WallWith(Vec3 min, Vec3 max, const std::vector<Opening>& openings, bool
     if (hole.bottom > 0) mesh.Append(Box(at(hole.left, 0, 0), at(hole.right, hole.bottom, 1)));
     if (glass) {
       MeshData pane = Box(at(hole.left, hole.bottom, 0.42f), at(hole.right, hole.top, 0.58f));
-      Paint(pane, 0, 1.0f, 1.0f);
+      PaintPart(pane, 0, 1.0f, 1.0f);
       mesh.Append(pane);
     }
     left = hole.right;

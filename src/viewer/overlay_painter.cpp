@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <numbers>
 
+#include "viewer/half_turn.h"
 #include "viewer/interpolate.h"
 #include "viewer/palette.h"
 
@@ -18,7 +18,6 @@ using world::AgentSnapshot;
 using world::Color;
 using world::Vec3;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kTrailStep_m = 0.3f;
 constexpr std::size_t kMostTrailPoints = 160;
 constexpr int kMostPushesShown = 12;  ///< Of one body; all of them count in the sum.

@@ -9,8 +9,8 @@
 namespace soarbox::viewer {
 namespace {
 
+using world::RifleSize;
 using world::Vec3;
-using Size = world::RifleSize;
 using Ring = SkinBuilder::Ring;
 
 class RifleBuilder {
@@ -91,10 +91,10 @@ class RifleBuilder {
     Use(Cloth::kMetal, world::kRifleBody);
     b_.Round({0.28f, 0.108f, 0}, {0.095f, 0.005f, 0.011f}, 0.25f, 8);
     Use(Cloth::kMetal, world::kRifleBarrel);
-    Rod({{0.30f, 0.0125f}, {0.56f, 0.0105f}}, Size::kBore, 10);
+    Rod({{0.30f, 0.0125f}, {0.56f, 0.0105f}}, RifleSize::kBore, 10);
     Use(Cloth::kRubber, world::kRifleBarrel);
-    Rod({{0.555f, 0.0120f}, {0.560f, 0.0185f}, {Size::kMuzzle - 0.004f, 0.0185f}, {Size::kMuzzle, 0.0140f}},
-        Size::kBore, 12);
+    Rod({{0.555f, 0.0120f}, {0.560f, 0.0185f}, {RifleSize::kMuzzle - 0.004f, 0.0185f}, {RifleSize::kMuzzle, 0.0140f}},
+        RifleSize::kBore, 12);
   }
 
   void Sights() {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "viewer/half_turn.h"
 #include "viewer/noise.h"
 #include "world/scenery_meshes.h"
 
@@ -12,8 +12,6 @@ namespace soarbox::viewer {
 namespace {
 
 using world::Vec3;
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 /// A number of the seed's own, 0..1.
 float Chance(std::uint32_t seed, int index) {

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "viewer/half_turn.h"
 
 namespace soarbox::viewer {
 namespace {
 
 using world::Vec3;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kSegments = 28;
 
 float Sane(float size) {

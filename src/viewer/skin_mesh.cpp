@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "viewer/cloth_image.h"
+#include "viewer/half_turn.h"
 
 namespace soarbox::viewer {
 namespace {
 
 using world::Vec3;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kFar = 0.31f;  ///< Below this fineness nobody looks closely.
 
 /// A power that keeps the sign.
