@@ -76,14 +76,18 @@ Result<std::unique_ptr<sim::Simulation>> RunRecording(const WhyOptions& options,
   return std::move(rerun->simulation);
 }
 
-/// Of the learned rules that the lines name, where they come from.
-void PrintOrigins(const sim::Simulation& world, const std::string& agent, const std::vector<std::string>& lines) {
+bool Names(const sim::WhyNode& account, const std::string& rule) {
+  return account.link == rule ||
+         std::ranges::any_of(account.below, [&](const sim::WhyNode& below) { return Names(below, rule); });
+}
+
+/// Of the learned rules that the account names, where they come from.
+void PrintOrigins(const sim::Simulation& world, const std::string& agent, const sim::WhyNode& account) {
   const std::unique_ptr<sim::Inspector> mind = world.Inspect(agent);
   auto* const source = dynamic_cast<sim::LearningSource*>(mind.get());
   if (source == nullptr) return;
   for (const sim::LessonFact& lesson : source->Lessons()) {
-    const auto names = [&](const std::string& line) { return line.find(lesson.rule) != std::string::npos; };
-    if (std::ranges::none_of(lines, names)) continue;
+    if (!Names(account, lesson.rule)) continue;
     const std::optional<debugger::WhyNode> origin = debugger::OriginOf(*mind, lesson.rule);
     if (origin) std::cout << "  " << lesson.rule << " was\n" << debugger::ToText(*origin, 2);
   }
@@ -104,9 +108,9 @@ int Why(const WhyOptions& options) {
   std::vector<std::string> names;
   for (const auto& seen : world.Snapshot().agents) names.push_back(seen.name);
   for (std::size_t i = 0; agent.empty() && i < names.size(); ++i)
-    if (!world.Why(names[i]).empty()) agent = names[i];
-  const std::vector<std::string> lines = world.Why(agent);
-  if (lines.empty()) {
+    if (world.Why(names[i])) agent = names[i];
+  const std::optional<sim::WhyNode> account = world.Why(agent);
+  if (!account) {
     Diagnostic problem;
     problem.message =
         agent.empty() ? "no agent of this scenario has a Soar mind" : "there is no agent '" + agent + "' with a mind";
@@ -128,8 +132,9 @@ int Why(const WhyOptions& options) {
       std::cout << debugger::Print(debugger::ToJson(debugger::WhyAgent(world, agent)));
       return kOk;
     }
-    for (const std::string& line : lines) std::cout << line << '\n';
-    PrintOrigins(world, agent, lines);
+    std::cout << account->text << '\n';
+    for (const sim::WhyNode& reason : account->below) std::cout << debugger::ToText(reason);
+    PrintOrigins(world, agent, *account);
     return kOk;
   }
   const Result<debugger::WhyNode> why = debugger::WhyName(world, agent, options.topic);
@@ -138,7 +143,7 @@ int Why(const WhyOptions& options) {
     std::cout << debugger::Print(debugger::ToJson(*why));
     return kOk;
   }
-  std::cout << lines.front() << ", " << options.topic << '\n';
+  std::cout << account->text << ", " << options.topic << '\n';
   if (why->kind == "topic") {
     for (const debugger::WhyNode& reason : why->below) std::cout << debugger::ToText(reason, 1);
   } else {

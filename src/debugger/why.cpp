@@ -105,32 +105,6 @@ std::string CommandText(const CommandRow& command) {
   return text + ": " + command.status + (command.reason.empty() ? "" : " " + command.reason);
 }
 
-/// Lines that are indented by two blanks per step, as a tree.
-void Nest(WhyNode& root, const std::vector<std::string>& lines, std::size_t& next, std::size_t indent) {
-  while (next < lines.size()) {
-    const std::string& line = lines[next];
-    const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
-    if (blanks < indent) return;
-    WhyNode node{line.substr(blanks), "reason", "", {}};
-    if (node.text.starts_with("command ")) node.kind = "command";
-    if (node.text.starts_with('^')) node.kind = "percept";
-    for (const char* kind : {"rule", "operator"}) {
-      const std::string begin = std::string(kind) + " ";
-      if (!node.text.starts_with(begin)) continue;
-      node.kind = kind;
-      node.link = node.text.substr(begin.size(), node.text.find_first_of(" :,;", begin.size()) - begin.size());
-    }
-    ++next;
-    Nest(node, lines, next, blanks + 1);
-    root.below.push_back(std::move(node));
-  }
-}
-
-void Append(std::string& text, const WhyNode& node, std::size_t indent) {
-  text += std::string(2 * indent, ' ') + node.text + "\n";
-  for (const WhyNode& below : node.below) Append(text, below, indent + 1);
-}
-
 }  // namespace
 
 WhyNode WhyElement(sim::Inspector& mind, std::uint64_t timetag) {
@@ -177,12 +151,9 @@ Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std
     if (std::optional<WhyNode> op = WhyOperator(*mind, name)) return *std::move(op);
     if (std::optional<WhyNode> learned = WhyLearned(*mind, name)) return *std::move(learned);
   }
-  const Result<std::vector<std::string>> lines = simulation.WhyTopic(agent, std::string(name));
-  if (!lines) return lines.error();
-  WhyNode root{"why not " + std::string(name), "topic", "", {}};
-  std::size_t next = 0;
-  Nest(root, *lines, next, 0);
-  return root;
+  Result<std::vector<WhyNode>> reasons = simulation.WhyTopic(agent, std::string(name));
+  if (!reasons) return reasons.error();
+  return WhyNode{"why not " + std::string(name), "topic", "", std::move(*reasons)};
 }
 
 WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std::string_view name) {
@@ -194,22 +165,15 @@ WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std:
 }
 
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
-  const std::vector<std::string> lines = simulation.Why(agent);
-  if (lines.empty())
+  std::optional<WhyNode> root = simulation.Why(agent);
+  if (!root)
     return {"there is no agent " + std::string(agent) + " with a mind of rules", "agent", std::string(agent), {}};
-  WhyNode root{lines.front(), "agent", std::string(agent), {}};
-  std::size_t next = 1;
-  WhyNode told;
-  Nest(told, lines, next, 0);
   const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent);
-  for (WhyNode& node : told.below) {
+  if (mind == nullptr || !mind->TellsAll()) return *std::move(root);
+  for (WhyNode& node : root->below) {
     // The operators stand below the command that they led to; our own kernel tells more of them.
-    if (mind != nullptr && mind->TellsAll() && (node.kind == "command" || node.text == "has given no command")) {
+    if (node.kind == "command") {
       node.below.clear();
-      if (node.kind == "command") {
-        const std::string rest = node.text.substr(std::string_view("command ").size());
-        node.link = rest.substr(0, rest.find_first_of(" ,"));
-      }
       for (const sim::StateFact& state : mind->Stack())
         if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) node.below.push_back(*std::move(op));
       if (node.below.empty()) {
@@ -218,14 +182,13 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
         node.below.push_back({"no operator is selected now", "reason", "", {}});
       }
     }
-    root.below.push_back(std::move(node));
   }
-  return root;
+  return *std::move(root);
 }
 
 std::string ToText(const WhyNode& node, std::size_t indent) {
   std::string text;
-  Append(text, node, indent);
+  for (const std::string& line : sim::Lines(node, indent)) text += line + "\n";
   return text;
 }
 

@@ -10,16 +10,11 @@
 #include "debugger/json.h"
 #include "diagnostics/result.h"
 #include "sim/simulation.h"
+#include "sim/why_node.h"
 
 namespace soarbox::debugger {
 
-/// One step of an answer. What `link` names can be looked at, and asked about in turn.
-struct WhyNode {
-  std::string text;
-  std::string kind;  ///< "agent", "command", "operator", "preference", "rule", "element", "percept", "reason".
-  std::string link;  ///< The agent's, operator's or rule's name, or an element's time tag; may be empty.
-  std::vector<WhyNode> below;
-};
+using sim::WhyNode;
 
 /// Why an agent does what it does now: command, operators, preferences, elements, percepts.
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent);

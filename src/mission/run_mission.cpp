@@ -179,9 +179,14 @@ std::vector<std::string> ReasonsFor(const Check& check, const std::string& agent
   if (agent.empty()) return lines;
   const std::string topic = TopicOf(check);
   if (!topic.empty()) {
-    if (Result<std::vector<std::string>> why = simulation.WhyTopic(agent, topic)) lines = std::move(*why);
+    if (const Result<std::vector<sim::WhyNode>> why = simulation.WhyTopic(agent, topic)) {
+      for (const sim::WhyNode& node : *why) {
+        const std::vector<std::string> more = sim::Lines(node, 1);
+        lines.insert(lines.end(), more.begin(), more.end());
+      }
+    }
   }
-  if (lines.empty()) lines = simulation.Why(agent);
+  if (lines.empty()) lines = sim::AccountLines(simulation.Why(agent));
   if (lines.size() > kMostReasons) {
     lines.resize(kMostReasons);
     lines.emplace_back("...");

@@ -246,9 +246,11 @@ class RunStory {
       case sim::EventKind::kNews:
         Add(event.time_s, event.agent, event.news == "says" ? "message" : "news", event.news + " " + event.text);
         if (event.news == "dies")
-          Moment(event.time_s, 1, event.agent, event.agent + " dies, " + event.text, simulation_.Why(event.agent));
+          Moment(event.time_s, 1, event.agent, event.agent + " dies, " + event.text,
+                 sim::AccountLines(simulation_.Why(event.agent)));
         if (event.news == "shoots" && !has_shot_)
-          Moment(event.time_s, 4, event.agent, event.agent + " fires the first shot", simulation_.Why(event.agent));
+          Moment(event.time_s, 4, event.agent, event.agent + " fires the first shot",
+                 sim::AccountLines(simulation_.Why(event.agent)));
         has_shot_ |= event.news == "shoots";
         break;
       case sim::EventKind::kLog:
@@ -286,7 +288,8 @@ class RunStory {
       Add(facts.time_s, agent.name, "impasse", event.word);
       if (told_.insert(agent.name + "/" + event.word).second)
         Moment(facts.time_s, event.word == "tie" || event.word == "conflict" ? 2 : 5, agent.name,
-               agent.name + " meets its first " + event.word + " impasse", simulation_.Why(agent.name));
+               agent.name + " meets its first " + event.word + " impasse",
+               sim::AccountLines(simulation_.Why(agent.name)));
     }
   }
 

@@ -60,7 +60,7 @@ Outcome PlayHogs(int hogs, std::size_t limit_bytes, int threads, int ticks) {
     }
   }
   EXPECT_EQ((*simulation)->tick(), static_cast<std::uint64_t>(ticks));
-  for (const std::string& agent : outcome.halted) EXPECT_FALSE((*simulation)->Why(agent).empty());
+  for (const std::string& agent : outcome.halted) EXPECT_TRUE((*simulation)->Why(agent).has_value());
   outcome.hash = (*simulation)->StateHash();
   fs::remove_all(folder);
   return outcome;

@@ -14,6 +14,8 @@
 namespace soarbox::sim {
 namespace {
 
+constexpr std::string_view kHaltedForMemory = "was halted: the minds of this world needed too much memory";
+
 /// An agent that does nothing for so long is asked why.
 constexpr float kIdleUntilTold_s = 1;
 /// So many times an agent is asked why it does nothing, and so many times all agents of a run are.
@@ -548,57 +550,57 @@ void Minds::TellCounts() {
   }
 }
 
-Result<std::vector<std::string>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
+Result<std::vector<WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
   Mind* mind = FindNamed(agent);
   if (mind == nullptr) {
     Diagnostic problem;
     problem.message = "there is no agent '" + std::string(agent) + "' with a mind";
     return problem;
   }
-  if (mind->gone) return std::vector<std::string>{"was halted: the minds of this world needed too much memory"};
+  if (mind->gone) return std::vector<WhyNode>{{std::string(kHaltedForMemory), "reason", "", {}}};
   return MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
 }
 
-std::vector<std::string> Minds::Why(std::string_view agent) {
+std::optional<WhyNode> Minds::Why(std::string_view agent) {
   Mind* at = FindNamed(agent);
-  if (at == nullptr) return {};
+  if (at == nullptr) return std::nullopt;
   const world::Agent& body = *world_.FindAgent(at->agent);
-  std::vector<std::string> lines;
   char text[160];
   std::snprintf(text, sizeof text, "%s at %.2f s", body.name().c_str(), world_.time_s());
-  lines.emplace_back(text);
-  if (at->gone) {
-    lines.emplace_back("was halted: the minds of this world needed too much memory");
-    return lines;
+  WhyNode root{text, "agent", body.name(), {}};
+  const auto add = [&root](std::string line, const char* kind) -> WhyNode& {
+    return root.below.emplace_back(WhyNode{std::move(line), kind, "", {}});
+  };
+  if (at->gone || body.Health() <= 0) {
+    add(at->gone ? std::string(kHaltedForMemory) : std::string("is dead"), "reason");
+    return root;
   }
   MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
   Actor* actor = arena_.Find(at->agent);
-  if (body.Health() <= 0) {
-    lines.emplace_back("is dead");
-    return lines;
-  }
-  if (at->last_said.empty()) {
-    lines.emplace_back("has given no command");
-  } else {
-    std::snprintf(text, sizeof text, ", given at %.2f s: ", at->last_said_s);
-    lines.push_back("command " + at->last_said + text + (at->last_answer.empty() ? "under way" : at->last_answer));
-  }
   const std::string command = at->last_said.substr(0, at->last_said.find(' '));
-  for (std::string& line : reasons.OperatorTree(command)) lines.push_back(std::move(line));
+  std::snprintf(text, sizeof text, ", given at %.2f s: ", at->last_said_s);
+  WhyNode& said = add(at->last_said.empty() ? std::string("has given no command")
+                                            : "command " + at->last_said + text +
+                                                  (at->last_answer.empty() ? "under way" : at->last_answer),
+                      "command");
+  said.link = command;
+  said.below = reasons.OperatorTree(command);
   if (at->soar.Halted()) {
-    const std::string why = reasons.WhyHalted();
-    lines.push_back(tell::Say(tell::Situation::kHalted) + (why.empty() ? "" : ": " + why));
+    std::string halted = tell::Say(tell::Situation::kHalted);
+    if (const std::string why = reasons.WhyHalted(); !why.empty()) halted += ": " + why;
+    add(std::move(halted), "reason");
   } else if (actor == nullptr || !actor->IsBusy()) {
-    lines.emplace_back("nothing is under way, because");
-    for (std::string& reason : reasons.WhyIdle(KnownAttributes())) lines.push_back("  " + std::move(reason));
+    WhyNode& idle = add("nothing is under way, because", "reason");
+    for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
+      idle.below.push_back({std::move(reason), "reason", "", {}});
   }
-  if (at->settings.has_distance) lines.push_back("perceives ^distance " + std::to_string(at->distance_squared_m2));
+  if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2), "reason");
   if (actor != nullptr) {
-    lines.emplace_back("perceives");
+    WhyNode& perceives = add("perceives", "reason");
     for (const Percept& percept : AllPercepts(*actor))
-      lines.push_back("  ^" + percept.attribute + " " + DescribeValue(percept));
+      perceives.below.push_back({"^" + percept.attribute + " " + DescribeValue(percept), "percept", "", {}});
   }
-  return lines;
+  return root;
 }
 
 }  // namespace soarbox::sim

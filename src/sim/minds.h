@@ -19,6 +19,7 @@
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "sim/soar_mind.h"
+#include "sim/why_node.h"
 #include "sim/worker_pool.h"
 #include "world/world.h"
 
@@ -76,11 +77,11 @@ class Minds final : public script::MindFactory {
 
   /// Tells how often causes came up that were told once.
   void TellCounts();
-  /// Why an agent does what it does now, as a tree of lines; empty if there is no such agent with a mind.
-  std::vector<std::string> Why(std::string_view agent);
-  /// Why it says or does not say a command, selects or does not select an operator, or a rule matches or does not: a
-  /// tree of lines. An error if there is no such agent, or its rules know nothing of that name.
-  Result<std::vector<std::string>> WhyTopic(std::string_view agent, const std::string& topic);
+  /// Why an agent does what it does now; nothing if there is no such agent with a mind.
+  std::optional<WhyNode> Why(std::string_view agent);
+  /// Why it says or does not say a command, selects or does not select an operator, or a rule matches or does not. An
+  /// error if there is no such agent, or its rules know nothing of that name.
+  Result<std::vector<WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
 
   /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay
   /// idle.

@@ -12,6 +12,7 @@
 #include "mind/decision.h"
 #include "sim/failed_rule.h"
 #include "sim/mind_view.h"
+#include "sim/why_node.h"
 
 namespace soarbox::sim {
 
@@ -27,11 +28,11 @@ class MindReasons {
   std::vector<std::string> WhyIdle(const std::set<std::string>& known);
   /// Attributes that its rules test and that no sense, rule or answer ever writes.
   std::vector<std::string> UnwrittenAttributes(const std::set<std::string>& known);
-  /// What led to the operator that is selected: proposals, preferences and the elements that they rest on, as lines.
-  std::vector<std::string> OperatorTree(const std::string& command);
-  /// Why a command is or is not said, an operator is or is not selected, or a rule does or does not match, as an
-  /// indented tree of lines. An error if its rules know nothing of that name.
-  Result<std::vector<std::string>> WhyTopic(const std::string& topic, const std::set<std::string>& known);
+  /// What led to the operator that is selected: proposals, preferences and the elements that they rest on.
+  std::vector<WhyNode> OperatorTree(const std::string& command);
+  /// Why a command is or is not said, an operator is or is not selected, or a rule does or does not match. An error if
+  /// its rules know nothing of that name.
+  Result<std::vector<WhyNode>> WhyTopic(const std::string& topic, const std::set<std::string>& known);
   /// The rules that call (halt), for a program that has halted.
   std::string WhyHalted();
 
@@ -85,10 +86,11 @@ class MindReasons {
   std::string WhatFailed();
   std::string StateOf(const RuleText& rule);
 
-  struct Tree;
-  void TellCommand(const std::string& command, Tree& tree);
-  void TellOperator(const std::string& name, int depth, Tree& tree);
-  void TellRule(const RuleText& rule, int depth, Tree& tree);
+  struct Told;
+  void TellCommand(const std::string& command, Told& told, std::vector<WhyNode>& into);
+  void TellOperator(const std::string& name, int depth, Told& told, std::vector<WhyNode>& into);
+  void TellRule(const RuleText& rule, int depth, Told& told, std::vector<WhyNode>& into);
+  WhyNode OfPreference(const Preference& preference, bool with_elements);
 
   sml::Agent& agent_;
   MindView view_;

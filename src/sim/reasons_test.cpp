@@ -55,10 +55,11 @@ class Reasons : public ::testing::Test {
   }
 
   std::string Why(const std::string& topic) {
-    const Result<std::vector<std::string>> lines = MindReasons(*agent_, failed_).WhyTopic(topic, Known());
+    const Result<std::vector<WhyNode>> nodes = MindReasons(*agent_, failed_).WhyTopic(topic, Known());
     std::string text;
-    if (!lines) return lines.error().message;
-    for (const std::string& line : *lines) text += line + "\n";
+    if (!nodes) return nodes.error().message;
+    for (const WhyNode& node : *nodes)
+      for (const std::string& line : sim::Lines(node, 1)) text += line + "\n";
     return text;
   }
 

@@ -537,11 +537,11 @@ std::vector<WatchedFile> Simulation::Files() {
   return files;
 }
 
-std::vector<std::string> Simulation::Why(std::string_view agent) const {
+std::optional<WhyNode> Simulation::Why(std::string_view agent) const {
   return impl_->minds->Why(agent);
 }
 
-Result<std::vector<std::string>> Simulation::WhyTopic(std::string_view agent, const std::string& topic) {
+Result<std::vector<WhyNode>> Simulation::WhyTopic(std::string_view agent, const std::string& topic) {
   return impl_->minds->WhyTopic(agent, topic);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@
 #include "sim/mind_log.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
+#include "sim/why_node.h"
 #include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
 
@@ -129,10 +131,10 @@ class Simulation {
 
   /// The files that its minds and scripts were made from.
   std::vector<WatchedFile> Files();
-  /// Why an agent does what it does now, as a tree of lines; empty if there is no such agent with a mind.
-  std::vector<std::string> Why(std::string_view agent) const;
+  /// Why an agent does what it does now; nothing if there is no such agent with a mind.
+  std::optional<WhyNode> Why(std::string_view agent) const;
   /// Why it does or does not say this command, select this operator or match this rule now.
-  Result<std::vector<std::string>> WhyTopic(std::string_view agent, const std::string& topic);
+  Result<std::vector<WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
   /// What is most likely a slip in these rules of an agent as they run now, as warnings with their places.
   std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules) const;
   /// Ends the scripts of all simulations as soon as they can be: the process is to end. May be called from a signal's
