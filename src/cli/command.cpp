@@ -82,13 +82,9 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
     if (!word.empty() && subcommand.name.starts_with(word)) found.push_back(&subcommand);
   }
   if (found.size() > 1) {
-    std::sort(found.begin(), found.end(), [](const auto* a, const auto* b) { return a->name < b->name; });
-    std::string message = "%?  Did you mean ";
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (i > 0) message += i + 1 == found.size() ? ", or " : " ";
-      message += found[i]->name;
-    }
-    return call.Fail(message + "?\n" + std::string(invalid));
+    std::vector<std::string_view> names;
+    for (const SubcommandInfo* subcommand : found) names.push_back(subcommand->name);
+    return call.Fail(DidYouMean(std::move(names)) + std::string(invalid));
   }
   if (found.empty()) {
     std::vector<std::string_view> names;
@@ -107,6 +103,16 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
   const bool ok = found.front()->handler(call);
   call.words = outer;
   return ok;
+}
+
+std::string DidYouMean(std::vector<std::string_view> names) {
+  std::ranges::sort(names);
+  std::string message = "%?  Did you mean ";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) message += i + 1 == names.size() ? ", or " : " ";
+    message += names[i];
+  }
+  return message + "?\n";
 }
 
 const CommandInfo* FindCommand(std::string_view word, std::string& error) {

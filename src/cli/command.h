@@ -75,6 +75,9 @@ std::span<const CommandInfo> Commands();
 /// The command that `word` names by its full name or a unique beginning; else null, with Soar's message in `error`.
 const CommandInfo* FindCommand(std::string_view word, std::string& error);
 
+/// The line that lists what an ambiguous word may be.
+std::string DidYouMean(std::vector<std::string_view> names);
+
 /// Carries out the sub-command that words[1] names by its full name or a unique beginning. `invalid` is the message if
 /// there is none. Options are checked against those of all sub-commands of the command first, as Soar does;
 /// `usage_hint` follows its message, but not for the letters `also_known`, which pass there.

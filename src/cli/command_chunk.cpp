@@ -255,7 +255,41 @@ bool Singleton(CommandCall& call) {
   return true;
 }
 
+constexpr std::string_view kInvalidChunk = "Invalid chunking command.  Use 'chunk ?' to see a list of valid settings.";
+
 constexpr std::string_view kModes[] = {"always", "never", "only", "except", "flagged", "unflagged"};
+
+bool IsChunkMode(std::string_view word) {
+  return std::ranges::find(kModes, word) != std::end(kModes) || word == "on" || word == "all" || word == "off";
+}
+
+/// The sub-command that a word begins; `error` lists them if there are several.
+std::string FullChunkWord(const std::string& word, std::string& error) {
+  if (IsChunkMode(word)) return word;
+  std::vector<std::string_view> found;
+  for (const SubcommandInfo& subcommand : kChunkSubcommands) {
+    if (subcommand.name == word) return word;
+    if (subcommand.name.starts_with(word)) found.push_back(subcommand.name);
+  }
+  if (std::string_view("learn").starts_with(word)) found.push_back("learn");
+  if (found.size() > 1) error = DidYouMean(found);
+  return found.empty() ? word : std::string(found.front());
+}
+
+/// The mode as a setting.
+bool LearnSetting(CommandCall& call) {
+  if (call.words.size() == 2) {
+    call.Out("learn is " + call.session.settings().Get("chunk", "mode") + "\n");
+    return true;
+  }
+  const std::string& value = call.words[2].text;
+  if (call.words.size() > 3 || std::ranges::find(kModes, value) == std::end(kModes)) {
+    return call.Fail("Invalid argument for chunking command. Use 'chunk ?' to see a list of valid settings.");
+  }
+  SetChunkMode(call, value);
+  call.Out("learn is now " + value + "\n");
+  return true;
+}
 
 bool Chunk(CommandCall& call) {
   if (call.words.size() > 1 && call.words[1].text.size() > 1 &&
@@ -269,11 +303,15 @@ bool Chunk(CommandCall& call) {
     ChunkOverview(call);
     return true;
   }
-  const std::string& word = call.words[1].text;
-  if (word == "?" || word == "help") {
+  if (call.words[1].text == "?" || call.words[1].text == "help") {
     ChunkHelp(call);
     return true;
   }
+  if (static_cast<std::size_t>(plain) + 1 < call.words.size()) return call.Fail(kInvalidChunk);
+  std::string error;
+  const std::string word = FullChunkWord(call.words[1].text, error);
+  if (!error.empty()) return call.Fail(error + std::string(kInvalidChunk));
+  if (word == "learn") return LearnSetting(call);
   std::string mode;
   for (const std::string_view name : kModes) {
     if (word == name) mode = name;
@@ -293,7 +331,7 @@ bool Chunk(CommandCall& call) {
     return true;
   }
   const bool done =
-      NamedSetting(call, "chunk", "Invalid chunking command.  Use 'chunk ?' to see a list of valid settings.",
+      NamedSetting(call, "chunk", kInvalidChunk,
                    "Invalid argument for chunking command. Use 'chunk ?' to see a list of valid settings.");
   if (call.words.size() > 2) ApplyChunkSettings(call);
   return done;

@@ -174,6 +174,19 @@ bool WatchRule(CommandCall& call) {
 constexpr std::string_view kSeeLists =
     "Type 'explain list-chunks' or 'explain list-justifications' to see a list of rule formations Soar has recorded.\n";
 
+constexpr std::string_view kInvalidExplain =
+    "Invalid explain sub-command.  Use 'explain ?' to see a list of valid sub-commands and settings.";
+
+bool IsLoadedRule(CommandCall& call, const std::string& name) {
+  return call.agent().FindProduction(name) != kernel::ProductionId::kNone ||
+         std::ranges::any_of(call.agent().Justifications(),
+                             [&](const kernel::ProductionPtr& justification) { return justification->name == name; });
+}
+
+LoadedRules LoadedIn(CommandCall& call) {
+  return [&call](const std::string& name) { return IsLoadedRule(call, name); };
+}
+
 bool ExplainChunk(CommandCall& call) {
   if (call.words.size() != 3) return call.Fail("Please specify the chunk using either the chunk's name or its ID.");
   const std::string& word = call.words[2].text;
@@ -187,30 +200,34 @@ bool ExplainChunk(CommandCall& call) {
     if (is_number) {
       call.Out(fmt::format("Could not find a rule name or id {}.\n{}", word, kSeeLists));
     } else {
-      bool known = call.agent().FindProduction(word) != kernel::ProductionId::kNone;
-      for (const kernel::ProductionPtr& justification : call.agent().Justifications()) {
-        known = known || justification->name == word;
-      }
-      if (known) call.Out(fmt::format("Soar has not recorded an explanation for {}.\n{}", word, kSeeLists));
+      if (IsLoadedRule(call, word))
+        call.Out(fmt::format("Soar has not recorded an explanation for {}.\n{}", word, kSeeLists));
     }
     return call.FailPrinted();
   }
   call.session.explain().rule = found->number;
   call.session.explain().firing = 0;
   call.Out(fmt::format("Now explaining {}.\n{}", found->name, is_number ? "" : "\n") +
-           ExplainedRuleText(*found, call.session.explain().elements));
+           ExplainedRuleText(*found, call.session.explain().elements, LoadedIn(call)));
   return true;
 }
 
 void ShowFiring(CommandCall& call, const ExplainedRule& rule) {
   const ExplainState& state = call.session.explain();
   if (state.firing == 0) {
-    call.Out(ExplainedRuleText(rule, state.elements));
+    call.Out(ExplainedRuleText(rule, state.elements, LoadedIn(call)));
     return;
   }
-  const ExplainedRule::Firing* const firing = rule.FindFiring(state.firing);
-  if (firing == nullptr) return;
-  call.Out(ExplainedFiringText(rule, *firing, state.elements) + (state.elements ? ExplainMenu(true) : ""));
+  const LoadedRules loaded = LoadedIn(call);
+  const auto show = [&](const ExplainedRule::Firing& firing) {
+    const bool menu = state.elements || !loaded(firing.rule);
+    call.Out(ExplainedFiringText(rule, firing, state.elements, loaded) + (menu ? ExplainMenu(true) : ""));
+  };
+  if (state.firing == rule.instance) {
+    show(LearnedInstance(rule));
+  } else if (const ExplainedRule::Firing* const firing = rule.FindFiring(state.firing); firing != nullptr) {
+    show(*firing);
+  }
 }
 
 bool ExplainFiring(CommandCall& call, const ExplainedRule& rule) {
@@ -219,32 +236,31 @@ bool ExplainFiring(CommandCall& call, const ExplainedRule& rule) {
   const bool is_number = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
   if (!is_number) call.Out("The instantiation ID must be a number.\n");
   const std::uint64_t number = is_number ? std::strtoull(word.c_str(), nullptr, 10) : 0;
-  const ExplainedRule::Firing* const firing = rule.FindFiring(static_cast<std::uint32_t>(number));
-  if (firing == nullptr) {
+  if (number != rule.instance && rule.FindFiring(static_cast<std::uint32_t>(number)) == nullptr) {
     call.Out(fmt::format("Could not find an instantiation with ID {}.\n", number));
     return call.FailPrinted();
   }
-  call.session.explain().firing = firing->serial;
+  call.session.explain().firing = static_cast<std::uint32_t>(number);
   ShowFiring(call, rule);
   return true;
 }
 
-/// The full word for the beginnings that the menu names and for others that are unique.
-std::string FullExplainWord(const std::string& word) {
+/// The full word for the beginnings that the menu names and for others that are unique; `error` lists what else it may
+/// be.
+std::string FullExplainWord(const std::string& word, std::string& error) {
   if (word == "f") return "formation";
   if (word == "c") return "constraints";
   if (word == "i") return "identity";
   if (word == "s") return "stats";
   if (word == "w") return "wm-trace";
   if (word == "e") return "explanation-trace";
-  std::string found;
+  std::vector<std::string_view> found;
   for (const SubcommandInfo& subcommand : kExplainSubcommands) {
     if (subcommand.name == word) return word;
-    if (!subcommand.name.starts_with(word)) continue;
-    if (!found.empty()) return word;
-    found = subcommand.name;
+    if (subcommand.name.starts_with(word)) found.push_back(subcommand.name);
   }
-  return found.empty() ? word : found;
+  if (found.size() > 1) error = DidYouMean(found);
+  return found.empty() ? word : std::string(found.front());
 }
 
 }  // namespace
@@ -254,7 +270,9 @@ bool CommandExplain(CommandCall& call) {
     ExplainOverview(call);
     return true;
   }
-  const std::string word = FullExplainWord(call.words[1].text);
+  std::string error;
+  const std::string word = FullExplainWord(call.words[1].text, error);
+  if (!error.empty()) return call.Fail(error + std::string(kInvalidExplain));
   if (word == "?" || word == "help") {
     ExplainHelp(call);
     return true;
@@ -275,7 +293,7 @@ bool CommandExplain(CommandCall& call) {
   const bool known = std::ranges::any_of(kExplainSubcommands,
                                          [&](const SubcommandInfo& subcommand) { return subcommand.name == word; });
   if (!known) {
-    return call.Fail("Invalid explain sub-command.  Use 'explain ?' to see a list of valid sub-commands and settings.");
+    return call.Fail(kInvalidExplain);
   }
   ExplainState& state = call.session.explain();
   const ExplainedRule* const chosen = ChosenRule(call);
@@ -286,7 +304,7 @@ bool CommandExplain(CommandCall& call) {
   const ExplainedRule& rule = *chosen;
   if (word == "instantiation") return ExplainFiring(call, rule);
   if (word == "formation") {
-    call.Out(FormationText(rule, state.elements));
+    call.Out(FormationText(rule, state.elements, LoadedIn(call)));
   } else if (word == "identity") {
     call.Out(IdentityText(rule));
   } else if (word == "constraints") {

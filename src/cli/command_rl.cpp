@@ -49,14 +49,16 @@ bool Overview(CommandCall& call) {
 }
 
 bool Get(CommandCall& call, const std::string& name, const ParsedWords& parsed) {
-  if (!parsed.arguments.empty()) return call.Fail("Unneccessary argument to rl -g");
+  if (!parsed.arguments.empty()) return call.Fail("Too many arguments.");
   if (SettingStore::Find("rl", name) == nullptr) return call.Fail("Invalid setting.");
   call.Out(call.session.settings().Get("rl", name));
   return true;
 }
 
 bool Set(CommandCall& call, const std::string& name, const ParsedWords& parsed) {
-  if (parsed.arguments.empty()) return call.Fail("Invalid arguments for set: a setting and its value are expected.");
+  if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
+  // A path may have blanks.
+  if (parsed.arguments.size() > 1 && name != "update-log-path") return call.Fail("Too many arguments.");
   std::string value;
   for (const Word& word : parsed.arguments) value += (value.empty() ? "" : " ") + word.text;
   if (name == "update-log-path" && !call.session.SetReinforcementLog(value)) {
@@ -149,6 +151,10 @@ const std::span<const OptionSpec> kRlOptions = kRlTable;
 bool CommandRl(CommandCall& call) {
   if (call.words.size() == 2 && (call.words[1].text == "?" || call.words[1].text == "help")) {
     return call.Fail("Invalid syntax; 'rl' shows the settings.");
+  }
+  if (const std::string& last = call.words.back().text;
+      last == "-g" || last == "--get" || last == "-s" || last == "--set") {
+    return call.Fail("Too few arguments.");
   }
   ParsedWords parsed;
   if (!call.Parse(kRlTable, parsed)) return false;

@@ -107,30 +107,70 @@ std::string CreatorText(const ExplainedRule::Condition& condition) {
   return fmt::format("i {} ({})", condition.creator, condition.creator_rule);
 }
 
+/// What was merged or made literal in a firing, or that nothing was.
+std::string EventsIn(const ExplainedRule& rule, std::uint32_t firing) {
+  std::string events;
+  for (const bool literal : {false, true}) {
+    for (const ExplainedRule::Event& event : rule.events) {
+      if (event.firing == firing && (event.to == 0) == literal) events += EventText(event) + "\n";
+    }
+  }
+  return events.empty() ? fmt::format("No identity set unifications for instantiation {}.\n", firing)
+                        : "Identity operations:\n\n" + events;
+}
+
+/// A firing whose rule was excised since: what it matched beside the identities.
+std::string WithoutRule(const ExplainedRule& rule, const ExplainedRule::Firing& firing) {
+  const bool learned = firing.serial == rule.instance;
+  const std::string title = fmt::format("Explanation trace of instantiation # {}", firing.serial);
+  const std::string match = fmt::format("(match of rule {} at level {})\n", firing.rule, firing.level);
+  std::string text = Padded(title, 69) + match +
+                     "\nWarning:  Cannot print explanation trace for this instantiation because no underlying\n"
+                     "            rule found in RETE.  Printing working memory trace instead.\n\n" +
+                     Padded(title, 56) + match;
+  text += firing.made_result ? " (produced chunk result)\n"
+                             : "- Shortest path to a result: " + PathText(firing.path) + "\n";
+  text += Padded("", 74) + "Identities instead of variables Operational Creator\n\n";
+  text += ConditionRows(firing.conditions, Column::kValue, learned,
+                        [&](const std::string& row, const ExplainedRule::Condition& condition, const Part* part) {
+                          const std::string identity =
+                              part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, learned);
+                          const bool operational = part != nullptr ? part->operational : condition.operational;
+                          return Padded(Padded(row, 56) + identity, 103) +
+                                 fmt::format("{:<11}{}", operational ? "Yes" : "No",
+                                             part != nullptr ? "N/A" : CreatorText(condition));
+                        });
+  text += "   -->\n";
+  int number = 0;
+  for (const ExplainedRule::Action& action : firing.actions) {
+    text += fmt::format("{:<6}{}\n", fmt::format("{}:", ++number), ActionText(action, Column::kValue, false));
+  }
+  return text + "\n" + EventsIn(rule, firing.serial);
+}
+
 std::string TitleOf(const ExplainedRule& rule) {
   return fmt::format("{} (c {})", rule.name, rule.number);
 }
 
 }  // namespace
 
-std::string ExplainedRuleText(const ExplainedRule& rule, bool elements) {
-  if (elements) {
-    std::string text = Padded(fmt::format("Working memory trace of instantiation # {}", rule.instance), 56) +
-                       fmt::format("(match of rule {} at level {})\n", rule.name, rule.instance_level) +
-                       Padded("", 56) + "Operational    Creator\n\n";
-    text += ConditionRows(rule.conditions, Column::kValue, false,
-                          [](const std::string& row, const ExplainedRule::Condition&, const Part* part) {
-                            return Padded(row, 60) + fmt::format("{:<11}{}",
-                                                                 part != nullptr && part->operational ? "Yes" : "No",
-                                                                 part != nullptr ? "N/A" : "Soar Architecture");
-                          });
-    text += "   -->\n";
-    int number = 0;
-    for (const ExplainedRule::Action& action : rule.actions) {
-      text += fmt::format("{:<6}{}\n", fmt::format("{}:", ++number), ActionText(action, Column::kValue, false));
-    }
-    return text;
+ExplainedRule::Firing LearnedInstance(const ExplainedRule& rule) {
+  ExplainedRule::Firing firing;
+  firing.serial = rule.instance;
+  firing.rule = rule.name;
+  firing.level = rule.instance_level;
+  firing.made_result = true;
+  firing.conditions = rule.conditions;
+  for (ExplainedRule::Condition& condition : firing.conditions) {
+    condition.operational = false;
+    condition.creator = 0;
   }
+  firing.actions = rule.actions;
+  return firing;
+}
+
+std::string ExplainedRuleText(const ExplainedRule& rule, bool elements, const LoadedRules& loaded) {
+  if (elements || !loaded(rule.name)) return ExplainedFiringText(rule, LearnedInstance(rule), elements, loaded);
   std::string text = Padded(Padded("", 59) + "Using variable identity IDs", 109) +
                      "Shortest Path to Result Instantiation\n\nsp {" + rule.name + "\n";
   text += ConditionRows(rule.conditions, Column::kText, true,
@@ -149,7 +189,10 @@ std::string ExplainedRuleText(const ExplainedRule& rule, bool elements) {
   return text + "\nThis instantiation produced results in a superstate.\n";
 }
 
-std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::Firing& firing, bool elements) {
+std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::Firing& firing, bool elements,
+                                const LoadedRules& loaded) {
+  if (!elements && !loaded(firing.rule)) return WithoutRule(rule, firing);
+  const bool learned = firing.serial == rule.instance;
   const std::string kind = elements ? "Working memory trace" : "Explanation trace";
   std::string text = Padded(fmt::format("{} of instantiation # {}", kind, firing.serial), 56) +
                      fmt::format("(match of rule {} at level {})\n", firing.rule, firing.level);
@@ -164,7 +207,7 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
         std::string whole = Padded(row, elements ? 60 : 56);
         if (!elements) {
           whole = Padded(
-              whole + (part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, false)), 103);
+              whole + (part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, learned)), 103);
         }
         const bool operational = part != nullptr ? part->operational : condition.operational;
         return whole +
@@ -187,17 +230,10 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
         "Shortest path from this instantiation to an instantiation that produced a result: " + PathText(firing.path) +
         "\n";
   }
-  std::string events;
-  for (const bool literal : {false, true}) {
-    for (const ExplainedRule::Event& event : rule.events) {
-      if (event.firing == firing.serial && (event.to == 0) == literal) events += EventText(event) + "\n";
-    }
-  }
-  return text + (events.empty() ? fmt::format("No identity set unifications for instantiation {}.\n", firing.serial)
-                                : "Identity operations:\n\n" + events);
+  return text + EventsIn(rule, firing.serial);
 }
 
-std::string FormationText(const ExplainedRule& rule, bool elements) {
+std::string FormationText(const ExplainedRule& rule, bool elements, const LoadedRules& loaded) {
   const std::string line(84, '-');
   const ExplainedRule::Firing* const base = rule.FindFiring(rule.base);
   std::string text =
@@ -209,7 +245,7 @@ std::string FormationText(const ExplainedRule& rule, bool elements) {
   if (base != nullptr) {
     text += fmt::format("Initial base instantiation (i {}) that fired when {} matched at level {} at time {}:\n\n",
                         base->serial, base->rule, base->level, rule.decision);
-    text += ExplainedFiringText(rule, *base, elements);
+    text += ExplainedFiringText(rule, *base, elements, loaded);
   }
   if (!rule.other_results.empty()) {
     text += fmt::format(
@@ -218,7 +254,7 @@ std::string FormationText(const ExplainedRule& rule, bool elements) {
         rule.other_results.size() - 1);
     for (const std::uint32_t serial : rule.other_results) {
       const ExplainedRule::Firing* const other = rule.FindFiring(serial);
-      if (other != nullptr) text += ExplainedFiringText(rule, *other, elements);
+      if (other != nullptr) text += ExplainedFiringText(rule, *other, elements, loaded);
     }
   }
   text += "\n";

@@ -144,6 +144,8 @@ bool IsChoice(std::string_view choices, std::string_view value) {
 
 /// Long-term memories take of a number what stands at its beginning, as Soar 9.6.3 does: 8k is 8, and a word is 0.
 std::string AsNumber(const SettingInfo& info, const std::string& value) {
+  // The limits of learning are what stands before a decimal point.
+  if (info.group == "chunk" && info.kind == kInteger && ParseDouble(value)) return value.substr(0, value.find('.'));
   if (info.group != "smem" && info.group != "epmem" && info.group != "wma") return value;
   if (info.kind == kInteger) return std::to_string(ParseLeadingInteger(value).value_or(0));
   if (info.kind != kReal) return value;

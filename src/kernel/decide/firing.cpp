@@ -27,6 +27,9 @@ void AppendLoaded(std::string& out, const SymbolTable& symbols, const RhsValue& 
   }
 }
 
+/// Learning sees so many of the elements that a firing tested or copied.
+constexpr std::size_t kMostTraced = 20'000;
+
 /// What the trace prints of a preference that cannot be made.
 std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Action& action) {
   std::string text = "Error: RHS of action           (";
@@ -118,21 +121,33 @@ void Firing::TellFired(InstantiationId id) {
 void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
   const GoalLevel level = engine_.instantiations[id].level;
   const std::span<ConditionTrace> traces = engine_.instantiations.MakeTrace(id, wmes.size());
-  for (std::size_t n = 0; n < wmes.size(); ++n) {
-    const WmeId wme = wmes[n];
-    // A justification may rest on an element that has left since: so may the preference that made it.
-    const WmeRecord& record = engine_.memory.record(wme);
-    PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
-    bool inherits = false;
-    if (preference != PreferenceId::kNone) {
-      inherits = engine_.memory.preference(preference).level == level;
-      if (!inherits) preference = CloneAtLevel(preference, level);
-      if (preference != PreferenceId::kNone) engine_.preferences.AddReference(preference);
-    }
-    traces[n] = {wme, engine_.memory.level(engine_.memory.wme(wme).id), inherits, preference};
-    engine_.changes.AddReference(wme);
-  }
+  for (std::size_t n = 0; n < wmes.size(); ++n) traces[n] = TraceOf(wmes[n], level);
   if (engine_.selections.OfGoal(level) != SelectionKnowledge::kNone) engine_.chunker.NoteSelection(id);
+}
+
+ConditionTrace Firing::TraceOf(WmeId wme, GoalLevel level) {
+  // A justification may rest on an element that has left since: so may the preference that made it.
+  const WmeRecord& record = engine_.memory.record(wme);
+  PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
+  bool inherits = false;
+  if (preference != PreferenceId::kNone) {
+    inherits = engine_.memory.preference(preference).level == level;
+    if (!inherits) preference = CloneAtLevel(preference, level);
+    if (preference != PreferenceId::kNone) engine_.preferences.AddReference(preference);
+  }
+  engine_.changes.AddReference(wme);
+  return {wme, engine_.memory.level(engine_.memory.wme(wme).id), inherits, preference};
+}
+
+void Firing::TraceCopied(InstantiationId id) {
+  const GoalLevel level = engine_.instantiations[id].level;
+  std::vector<ConditionTrace> more;
+  for (const RuleContext::Copied& copied : engine_.context.copied()) {
+    if (engine_.instantiations[id].trace_count + more.size() == kMostTraced) break;
+    if (copied.element != WmeId::kNone) more.push_back(TraceOf(copied.element, level));
+  }
+  engine_.instantiations.ExtendTrace(id, more);
+  engine_.chunker.NoteCopied(id, engine_.context.copied());
 }
 
 PreferenceId Firing::CloneAtLevel(PreferenceId preference, GoalLevel level) const {
@@ -156,8 +171,16 @@ void Firing::RunActions(const Production& rule, InstantiationId id) {
   for (std::size_t n = 0; n < new_count; ++n) new_identifiers_[n] = Symbol();
   engine_.context.SetFiring(id);
   std::uint16_t number = 0;
-  for (const Action& action : rule.actions) RunAction(action, number++, id);
+  for (const Action& action : rule.actions) {
+    RunAction(action, number++, id);
+    if (engine_.context.HasCopied()) [[unlikely]]
+      engine_.context.MakeCopies();
+  }
   engine_.context.SetFiring(InstantiationId::kNone);
+  if (engine_.context.HasCopied()) [[unlikely]] {
+    if (match_level_ > 1) TraceCopied(id);
+    engine_.context.ForgetCopied();
+  }
 }
 
 void Firing::RunTemplate(const Production& rule, InstantiationId id) {

@@ -41,6 +41,9 @@ class Firing {
   /// The preference of the same result at a level, or kNone.
   PreferenceId CloneAtLevel(PreferenceId preference, GoalLevel level) const;
 
+  /// The level of the object that the running action says something of.
+  GoalLevel object_level() const { return level_; }
+
  private:
   void RunActions(const Production& rule, InstantiationId id);
   [[gnu::noinline]] void TellMade(InstantiationId id);
@@ -48,6 +51,9 @@ class Firing {
   [[gnu::noinline]] void TellFired(InstantiationId id);
   /// Makes a rule with the matched constants (learn/rl_template.h).
   [[gnu::noinline]] void RunTemplate(const Production& rule, InstantiationId id);
+  ConditionTrace TraceOf(WmeId wme, GoalLevel level);
+  /// What deep-copy copied is tested by the firing as well.
+  [[gnu::noinline]] void TraceCopied(InstantiationId id);
   void RunAction(const Action& action, std::uint16_t number, InstantiationId id);
   /// The value of a right-hand-side term; none if a function failed or gives nothing.
   Symbol Evaluate(const RhsValue& value) {

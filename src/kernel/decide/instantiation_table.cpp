@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/decide/instantiation_table.h"
 
+#include <algorithm>
+
 namespace soarbox::kernel {
 
 InstantiationId InstantiationTable::Make() {
@@ -35,6 +37,16 @@ std::span<ConditionTrace> InstantiationTable::MakeTrace(InstantiationId id, std:
     traces_.resize(traces_.size() + count);
   }
   return {traces_.data() + record.first_trace, count};
+}
+
+void InstantiationTable::ExtendTrace(InstantiationId id, std::span<const ConditionTrace> more) {
+  const Instantiation before = *id.record;
+  const std::span<ConditionTrace> traces = MakeTrace(id, before.trace_count + more.size());
+  std::copy_n(traces_.begin() + before.first_trace, before.trace_count, traces.begin());
+  std::copy(more.begin(), more.end(), traces.begin() + before.trace_count);
+  if (before.trace_count == 0) return;
+  if (free_traces_.size() <= before.trace_count) free_traces_.resize(before.trace_count + 1u);
+  free_traces_[before.trace_count].push_back(before.first_trace);
 }
 
 std::span<const ConditionTrace> InstantiationTable::Trace(InstantiationId id) const {

@@ -27,6 +27,8 @@ class InstantiationTable {
 
   /// Room for the trace of an instantiation.
   std::span<ConditionTrace> MakeTrace(InstantiationId id, std::size_t count);
+  /// Adds to the trace of an instantiation; never more than 65,535 in all.
+  void ExtendTrace(InstantiationId id, std::span<const ConditionTrace> more);
   std::span<const ConditionTrace> Trace(InstantiationId id) const;
   std::span<ConditionTrace> MutableTrace(InstantiationId id);
 

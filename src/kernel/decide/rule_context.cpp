@@ -109,12 +109,12 @@ void RuleContext::SlotChildren(Symbol identifier, std::vector<Child>& out) const
 void RuleContext::AllChildren(Symbol identifier, std::vector<Child>& out) const {
   for (const WmeId wme : engine_.memory.WmesOf(identifier)) {
     if (engine_.memory.wme(wme).acceptable) continue;
-    out.push_back({engine_.memory.wme(wme).attribute, engine_.memory.wme(wme).value});
+    out.push_back({engine_.memory.wme(wme).attribute, engine_.memory.wme(wme).value, wme});
   }
 }
 
 Symbol RuleContext::NewIdentifier(char letter) {
-  const GoalLevel level = firing_ == InstantiationId::kNone ? GoalLevel{1} : engine_.instantiations[firing_].level;
+  const GoalLevel level = firing_ == InstantiationId::kNone ? GoalLevel{1} : engine_.firing.object_level();
   return engine_.memory.NewIdentifier(letter, level);
 }
 
@@ -127,6 +127,17 @@ void RuleContext::MakePreference(Symbol identifier, Symbol attribute, Symbol val
   preference.o_supported = engine_.instantiations[firing_].o_support;
   preference.action = Preference::kNoAction;
   engine_.preferences.Make(firing_, preference);
+}
+
+void RuleContext::CopyElement(const Child& element, Symbol original, Symbol copy, Symbol attribute, Symbol value) {
+  if (firing_ != InstantiationId::kNone) copied_.push_back({element.element, original, copy, attribute, value});
+}
+
+void RuleContext::MakeCopies() {
+  while (made_copies_ < copied_.size()) {
+    const Copied& copied = copied_[made_copies_++];
+    MakePreference(copied.copy, copied.attribute, copied.value);
+  }
 }
 
 bool RuleContext::IsGoal(Symbol identifier) const {

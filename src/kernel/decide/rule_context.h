@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,20 @@ class RuleContext final : public FunctionContext {
 
   /// The instantiation that runs its actions.
   void SetFiring(InstantiationId id) { firing_ = id; }
+  /// An element that the firing copied, and what it became.
+  struct Copied {
+    WmeId element = WmeId::kNone;
+    Symbol original, copy, attribute, value;
+  };
+  bool HasCopied() const { return !copied_.empty(); }
+  /// Makes the preferences for what the action copied.
+  void MakeCopies();
+  /// All that the firing copied.
+  std::span<const Copied> copied() const { return copied_; }
+  void ForgetCopied() {
+    copied_.clear();
+    made_copies_ = 0;
+  }
 
   SymbolTable& symbols() override;
   RandomStream& random() override;
@@ -40,6 +56,7 @@ class RuleContext final : public FunctionContext {
   void AllChildren(Symbol identifier, std::vector<Child>& out) const override;
   Symbol NewIdentifier(char letter) override;
   void MakePreference(Symbol identifier, Symbol attribute, Symbol value) override;
+  void CopyElement(const Child& element, Symbol original, Symbol copy, Symbol attribute, Symbol value) override;
   bool IsGoal(Symbol identifier) const override;
   std::uint64_t LongTermIdentifier(Symbol identifier) const override;
   void LinkToLongTerm(Symbol identifier, std::uint64_t lti) override;
@@ -49,6 +66,8 @@ class RuleContext final : public FunctionContext {
   Engine& engine_;
   InstantiationId firing_ = InstantiationId::kNone;
   std::uint64_t next_constant_ = 1;
+  std::vector<Copied> copied_;
+  std::size_t made_copies_ = 0;  ///< So many have their preferences.
 };
 
 }  // namespace soarbox::kernel

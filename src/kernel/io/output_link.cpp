@@ -2,6 +2,8 @@
 #include "kernel/io/output_link.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 
 namespace soarbox::kernel {
 
@@ -14,6 +16,8 @@ constexpr std::size_t kUsualElements = 8;
 
 OutputLink::OutputLink(const WorkingMemory& memory, OutputMarks& marks) : memory_(memory), marks_(marks) {
   members_.reserve(kUsualElements);
+  pending_.reserve(kUsualElements);
+  visited_.reserve(kUsualElements);
   for (std::vector<OutputChange>* list : {&current_, &next_, &changes_}) list->reserve(kUsualElements);
   new_commands_.reserve(kUsualElements);
 }
@@ -24,10 +28,25 @@ void OutputLink::SetIdentifier(Symbol identifier) {
   members_.assign(1, identifier);
 }
 
-void OutputLink::Traverse(Symbol id) {
-  if (marks_.IsMarked(id)) return;
+void OutputLink::Visit(Symbol id) {
   marks_.Mark(id);
   members_.push_back(id);
+  const std::size_t first = next_.size();
+  const auto take = [&](WmeId wme) {
+    for (; wme != WmeId::kNone; wme = memory_.record(wme).next) {
+      const Wme& content = memory_.wme(wme);
+      next_.push_back({true, content.timetag, content.id, content.attribute, content.value});
+    }
+  };
+  const IdentifierRecord& record = memory_.identifier(id);
+  take(record.input_wmes);
+  for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) take(memory_.slot(slot).wmes);
+  take(record.architecture_wmes);
+  // The lists have their newest entries first: what is newest is followed first, and told of last.
+  std::reverse(next_.begin() + static_cast<std::ptrdiff_t>(first), next_.end());
+  for (std::size_t n = first; n < next_.size(); ++n) {
+    if (next_[n].value.IsIdentifier() && !marks_.IsMarked(next_[n].value)) pending_.push_back(next_[n].value);
+  }
 }
 
 bool OutputLink::Collect() {
@@ -35,23 +54,18 @@ bool OutputLink::Collect() {
   for (const Symbol id : members_) marks_.Unmark(id);
   members_.clear();
   next_.clear();
-  Traverse(identifier_);
-  const auto visit = [&](WmeId first) {
-    for (WmeId wme = first; wme != WmeId::kNone; wme = memory_.record(wme).next) {
-      const Wme& content = memory_.wme(wme);
-      next_.push_back({true, content.timetag, content.id, content.attribute, content.value});
-      if (content.value.IsIdentifier()) Traverse(content.value);
-    }
-  };
-  for (std::size_t n = 0; n < members_.size(); ++n) {
-    const IdentifierRecord& record = memory_.identifier(members_[n]);
-    for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next)
-      visit(memory_.slot(slot).wmes);
-    visit(record.architecture_wmes);
-    visit(record.input_wmes);
+  pending_.assign(1, identifier_);
+  while (!pending_.empty()) {
+    const Symbol id = pending_.back();
+    pending_.pop_back();
+    if (!marks_.IsMarked(id)) Visit(id);
   }
   const auto by_timetag = [](const OutputChange& a, const OutputChange& b) { return a.timetag < b.timetag; };
-  if (!std::is_sorted(next_.begin(), next_.end(), by_timetag)) std::sort(next_.begin(), next_.end(), by_timetag);
+  visited_.clear();
+  if (!std::is_sorted(next_.begin(), next_.end(), by_timetag)) {
+    for (const OutputChange& change : next_) visited_.push_back(change.timetag);
+    std::sort(next_.begin(), next_.end(), by_timetag);
+  }
 
   current_.swap(next_);
   const std::vector<OutputChange>& before = next_;
@@ -68,16 +82,33 @@ bool OutputLink::Collect() {
     changes_.push_back(old);
     changes_.back().added = false;
   }
+  const std::size_t removed = changes_.size();
   auto old = before.begin();
   for (const OutputChange& change : current_) {
     while (old != before.end() && old->timetag < change.timetag) ++old;
     if (old != before.end() && old->timetag == change.timetag) continue;
     changes_.push_back(change);
+  }
+  OrderAdditions(removed);
+  for (const OutputChange& change : std::span(changes_).subspan(removed)) {
     if (change.id == identifier_ && change.value.IsIdentifier()) {
       new_commands_.push_back({change.attribute, change.value, change.timetag});
     }
   }
   return true;
+}
+
+void OutputLink::OrderAdditions(std::size_t first) {
+  const std::size_t count = changes_.size() - first;
+  if (count < 2 || visited_.empty()) return;
+  const std::span<OutputChange> additions = std::span(changes_).subspan(first);
+  // `next_` holds what was there before, which nobody needs any more.
+  next_.clear();
+  for (const std::uint64_t timetag : visited_) {
+    const auto found = std::ranges::lower_bound(additions, timetag, {}, &OutputChange::timetag);
+    if (found != additions.end() && found->timetag == timetag) next_.push_back(*found);
+  }
+  std::ranges::copy(next_, additions.begin());
 }
 
 void OutputLink::Reset() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -36,8 +37,9 @@ class OutputLink {
 
   /// The output link's own identifier (I3), or none before the first state exists.
   Symbol identifier() const { return identifier_; }
-  /// The differences that the last changing output phase found: removals first, then additions in time-tag order,
-  /// parents before the elements of their objects wherever the structure is a tree.
+  /// The differences that the last changing output phase found: removals first in time-tag order, then additions in the
+  /// order of a walk from the output link: an object's elements stand together, oldest attribute first and after those
+  /// of the object that it was reached from; of several objects below one, the newest comes first.
   std::span<const OutputChange> changes() const { return changes_; }
   /// Counts output phases that found a difference: a client compares it with what it saw last.
   std::uint64_t generation() const { return generation_; }
@@ -66,7 +68,10 @@ class OutputLink {
   void Reset();
 
  private:
-  void Traverse(Symbol id);
+  /// Takes what `id` has into `next_`, and the objects below it into `pending_`.
+  void Visit(Symbol id);
+  /// Puts changes_[first...] from time-tag order into the order of the walk.
+  void OrderAdditions(std::size_t first);
 
   const WorkingMemory& memory_;
   OutputMarks& marks_;  ///< Below the output link at the last collection.
@@ -75,6 +80,8 @@ class OutputLink {
   std::vector<Symbol> members_;  ///< Those that are marked.
   std::vector<OutputChange> current_, next_, changes_;
   std::vector<OutputCommand> new_commands_;
+  std::vector<Symbol> pending_;         ///< During the walk: objects to visit, the next one last.
+  std::vector<std::uint64_t> visited_;  ///< Time tags in the order of the last walk; empty if they only grew.
 };
 
 }  // namespace soarbox::kernel

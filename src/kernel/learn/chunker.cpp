@@ -102,6 +102,19 @@ void Chunker::NoteFiring(InstantiationId id) {
   reader_.EndAnalysis();
 }
 
+void Chunker::NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied) {
+  reader_.NoteCopied(id, copied);
+  if (!engine_.instantiations[id].has_identities) return;
+  // Each identifier in what was read counts as one.
+  std::uint32_t created = 0;
+  for (const RuleContext::Copied& element : copied) {
+    created += 1u + (element.attribute.IsIdentifier() ? 1u : 0u) + (element.value.IsIdentifier() ? 1u : 0u);
+  }
+  statistics_.identities_created += created;
+  statistics_.identities_propagated += created;
+  next_identity_ += created;
+}
+
 void Chunker::NoteSelection(InstantiationId id) {
   Instantiation& instantiation = engine_.instantiations[id];
   const std::uint32_t selection = engine_.selections.OfGoal(instantiation.level);

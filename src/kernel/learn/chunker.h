@@ -47,6 +47,9 @@ class Chunker {
   [[gnu::noinline]] void Consider(InstantiationId id);
   /// A rule fired in a substate, and learning is on: its identities begin.
   [[gnu::noinline]] void NoteFiring(InstantiationId id);
+  /// A firing in a substate copied objects, and its trace has what it read.
+  [[gnu::noinline]] void NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied);
+  void ForgetCopied(InstantiationId id) { reader_.ForgetCopied(id); }
   /// The same for a rule that tests the selected operator of its substate.
   [[gnu::noinline]] void NoteSelection(InstantiationId id);
   /// The number of an identity that is no rule's: the name of a substate or of its superstate.

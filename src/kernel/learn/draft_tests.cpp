@@ -5,16 +5,6 @@
 
 namespace soarbox::kernel {
 
-const Condition& PositiveCondition(const Production& rule, std::size_t number) {
-  const Condition* found = nullptr;
-  for (const Condition& condition : rule.conditions) {
-    if (condition.kind != ConditionKind::kPositive) continue;
-    found = &condition;
-    if (number-- == 0) break;
-  }
-  return *found;
-}
-
 Symbol ValueOfClass(const Engine& engine, const IdentityPlan& plan, InstantiationId firing,
                     std::uint16_t identity_class) {
   const std::uint16_t place = plan.first[identity_class];

@@ -49,7 +49,6 @@ constexpr TestKind TurnedRound(TestKind kind) {
 inline bool Contains(const std::vector<Symbol>& symbols, Symbol symbol) {
   return std::ranges::find(symbols, symbol) != symbols.end();
 }
-const Condition& PositiveCondition(const Production& rule, std::size_t number);
 /// What a class of a firing's conditions was.
 Symbol ValueOfClass(const Engine& engine, const IdentityPlan& plan, InstantiationId firing,
                     std::uint16_t identity_class);

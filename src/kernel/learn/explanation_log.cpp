@@ -237,6 +237,8 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
         out.conditions.push_back(DescribeNegated(source, source, literal->conditions.front(), id, explanation.level));
       }
     }
+    // What it copied stands behind.
+    for (; positive < traces.size(); ++positive) describe(positive, nullptr);
   }
   for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
        p = engine_.memory.preference(p).next_of_instantiation) {
@@ -322,7 +324,8 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
     const Explanation::Ground ground = known ? explanation.grounds[index] : Explanation::Ground{};
     if (known && ground.firing != InstantiationId::kNone) {
       const Production* const rule = reader_.Rule(ground.firing);
-      const Condition* const source = rule != nullptr ? &PositiveCondition(*rule, ground.condition) : nullptr;
+      const Condition* const source =
+          rule != nullptr ? reader_.TestedBy(ground.firing, ground.condition).condition : nullptr;
       const Wme& wme = engine_.memory.wme(ground.wme);
       for (const Field field : kAllFields) {
         ExplainedRule::Field& part = field == Field::kId          ? condition.id
@@ -386,10 +389,32 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
   };
   number_of_variable_.clear();
   if (out.rule != nullptr) {
-    // Which identity each variable of the finished rule stands for.
+    // Which identity each variable of the finished rule stands for, and what it was.
+    std::map<std::uint32_t, Symbol> value_of_variable;
+    const auto matched = [&](const Test& test, Symbol value) {
+      std::vector<std::string> texts;
+      ForEachTest(test, [&](const Test& part) {
+        if (part.kind == TestKind::kDisjunction) {
+          std::string list = "<<";
+          for (const Symbol symbol : part.disjuncts()) list += " " + Name(symbol);
+          texts.push_back(list + " >>");
+        } else if (IsCarried(part.kind)) {
+          const auto found = value_of_variable.find(part.referent().bits());
+          texts.push_back(std::string(SignOf(part.kind)) +
+                          Name(found != value_of_variable.end() ? found->second : part.referent()));
+        }
+      });
+      texts.push_back(Name(value));
+      return Joined(texts);
+    };
     std::size_t place = 0;
     for (const Condition& learned : out.rule->conditions) {
       if (learned.kind != ConditionKind::kPositive) continue;
+      const Wme& wme = engine_.memory.wme(builder_.elements()[place]);
+      for (const Field field : kAllFields) {
+        const Symbol variable = EqualitySymbol(TestOf(learned, field));
+        if (variable.IsVariable()) value_of_variable.try_emplace(variable.bits(), FieldOf(wme, field));
+      }
       const std::uint32_t index = builder_.ground_of_condition()[place++];
       if (index >= explanation.grounds.size()) continue;
       for (const Field field : kAllFields) {
@@ -405,9 +430,9 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
         const Wme& wme = engine_.memory.wme(builder_.elements()[positive]);
         out.conditions.push_back(describe(builder_.ground_of_condition()[positive++], &learned));
         ExplainedRule::Condition& described = out.conditions.back();
-        described.id.value = Name(wme.id);
-        described.attribute.value = Name(wme.attribute);
-        described.value.value = Name(wme.value);
+        described.id.value = matched(learned.id, wme.id);
+        described.attribute.value = matched(learned.attribute, wme.attribute);
+        described.value.value = matched(learned.value, wme.value);
         described.acceptable = wme.acceptable;
         continue;
       }

@@ -74,7 +74,9 @@ const Production* FiringReader::Rule(InstantiationId firing) {
 }
 
 const FiringReader::Tested& FiringReader::TestedBy(InstantiationId firing, std::size_t condition) {
-  return KnownOf(engine_.instantiations[firing].production).positives[condition];
+  static const Tested kCopied;
+  const Known& known = KnownOf(engine_.instantiations[firing].production);
+  return condition < known.positives.size() ? known.positives[condition] : kCopied;
 }
 
 bool FiringReader::CarriesTests(InstantiationId firing) {
@@ -86,14 +88,16 @@ bool FiringReader::CarriesTests(InstantiationId firing) {
 
 const IdentityPlan& FiringReader::Plan(InstantiationId firing) {
   const Instantiation& instantiation = engine_.instantiations[firing];
-  if (instantiation.production != ProductionId::kNone) return *KnownOf(instantiation.production).plan;
+  if (instantiation.production != ProductionId::kNone && !instantiation.copied) [[likely]]
+    return *KnownOf(instantiation.production).plan;
   if (instantiation.justification != Instantiation::kNoJustification) {
     return *engine_.justifier.record(instantiation.justification).plan;
   }
   for (const auto& [known, plan] : without_rule_) {
     if (known == firing) return *plan;
   }
-  without_rule_.emplace_back(firing, std::make_unique<IdentityPlan>(PlanOfArchitecture(firing)));
+  without_rule_.emplace_back(firing, std::make_unique<IdentityPlan>(instantiation.copied ? PlanWithCopied(firing)
+                                                                                         : PlanOfArchitecture(firing)));
   return *without_rule_.back().second;
 }
 
@@ -118,6 +122,80 @@ IdentityPlan FiringReader::PlanOfArchitecture(InstantiationId firing) const {
   return plan;
 }
 
+IdentityPlan FiringReader::PlanWithCopied(InstantiationId firing) {
+  IdentityPlan plan = *KnownOf(engine_.instantiations[firing].production).plan;
+  std::unordered_map<std::uint32_t, std::uint16_t> class_of;
+  for (std::uint16_t known = plan.bound(); known-- > 0;) {
+    const Symbol value = ValueOfClass(engine_, plan, firing, known);
+    if (value.IsIdentifier()) class_of[value.bits()] = known;
+  }
+  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+  for (std::size_t n = plan.of_field.size() / 3u; n < traces.size(); ++n) {
+    const Wme& wme = engine_.memory.wme(traces[n].wme);
+    for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) {
+      std::uint16_t known = IdentityPlan::kLiteral;
+      if (symbol.IsIdentifier()) {
+        const auto [found, is_new] = class_of.try_emplace(symbol.bits(), plan.bound());
+        known = found->second;
+        if (is_new) {
+          plan.first.push_back(static_cast<std::uint16_t>(plan.of_field.size()));
+          plan.variables.push_back(symbol);
+        }
+      }
+      plan.of_field.push_back(known);
+    }
+  }
+  return plan;
+}
+
+FiringReader::Term FiringReader::TermOfCopier(const Preference& preference, Part part) {
+  const Instantiation& instantiation = engine_.instantiations[preference.instantiation];
+  const IdentityPlan& plan = Plan(preference.instantiation);
+  const Symbol symbols[] = {preference.id, preference.attribute, preference.value, preference.referent};
+  const Symbol symbol = symbols[static_cast<std::size_t>(part)];
+  Term term;
+  if (symbol.IsIdentifier()) {
+    for (const auto& [copy, original] : copied_[instantiation.serial]) {
+      if (copy != symbol) continue;
+      for (std::uint16_t known = 0; known < plan.bound(); ++known) {
+        if (ValueOfClass(engine_, plan, preference.instantiation, known) != original) continue;
+        term.kind = Term::Kind::kClass;
+        term.identity_class = known;
+        return term;
+      }
+      break;
+    }
+  }
+  const Production* const rule = Rule(preference.instantiation);
+  if (rule != nullptr && preference.action < rule->actions.size()) {
+    const Action& action = rule->actions[preference.action];
+    return TermOf(part == Part::kId          ? action.id
+                  : part == Part::kAttribute ? action.attribute
+                  : part == Part::kValue     ? action.value
+                                             : action.referent,
+                  plan);
+  }
+  if (symbol.IsIdentifier()) {
+    term.kind = Term::Kind::kSymbol;
+    term.symbol = symbol;
+  }
+  return term;
+}
+
+void FiringReader::NoteCopied(InstantiationId firing, std::span<const RuleContext::Copied> copied) {
+  Instantiation& instantiation = engine_.instantiations[firing];
+  instantiation.copied = true;
+  std::vector<std::pair<Symbol, Symbol>>& known = copied_[instantiation.serial];
+  for (const RuleContext::Copied& element : copied) {
+    const std::pair<Symbol, Symbol> pair(element.copy, element.original);
+    if (known.empty() || known.back() != pair) known.push_back(pair);
+  }
+}
+
+void FiringReader::ForgetCopied(InstantiationId firing) {
+  copied_.erase(engine_.instantiations[firing].serial);
+}
+
 std::uint16_t FiringReader::ClassOf(const RhsValue& value, const IdentityPlan& plan) {
   if (value.kind == RhsValueKind::kNew) return static_cast<std::uint16_t>(plan.bound() + value.new_index());
   return plan.ClassOf(value.site().positive_condition, value.site().field);
@@ -127,6 +205,8 @@ FiringReader::Term FiringReader::TermOf(PreferenceId preference_id, Part part) {
   const Preference& preference = engine_.memory.preference(preference_id);
   const Instantiation& instantiation = engine_.instantiations[preference.instantiation];
   const std::size_t place = 4u * preference.action + static_cast<std::size_t>(part);
+  if (instantiation.copied && instantiation.has_identities) [[unlikely]]
+    return TermOfCopier(preference, part);
   if (instantiation.has_identities && instantiation.production != ProductionId::kNone) [[likely]] {
     const Known& known = KnownOf(instantiation.production);
     if (place < known.terms.size()) return known.terms[place];
@@ -279,6 +359,7 @@ IdentityGraph::Key FiringReader::Origin(InstantiationId& firing, std::uint16_t i
 }
 
 void FiringReader::Clear() {
+  copied_.clear();
   without_rule_.clear();
 }
 

@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/rule_context.h"
 #include "kernel/learn/identity_graph.h"
 #include "kernel/learn/identity_plan.h"
 #include "kernel/rules/production.h"
@@ -32,6 +35,7 @@ class FiringReader {
 
     bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
   };
+  /// Of what the firing copied there is no condition.
   const Tested& TestedBy(InstantiationId firing, std::size_t condition);
   /// False if no condition of the firing asks for more than which value something is.
   bool CarriesTests(InstantiationId firing);
@@ -78,10 +82,14 @@ class FiringReader {
   enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem, kArchitecture };
   Source SourceOf(InstantiationId firing, std::uint16_t place);
 
+  /// The firing copied objects. To learning, the copy is the original: what is said of it is said of that.
+  void NoteCopied(InstantiationId firing, std::span<const RuleContext::Copied> copied);
+  void ForgetCopied(InstantiationId firing);
+
   /// Until the next call, what is known of a rule is not compared with the rule again: as long as a firing of it is
   /// looked at, no other rule takes its number.
   void BeginAnalysis() { ++analysis_; }
-  /// Plans of firings without a rule are kept until then.
+  /// Plans that are not a rule's are kept until then.
   void EndAnalysis() {
     ++analysis_;
     without_rule_.clear();
@@ -91,6 +99,9 @@ class FiringReader {
  private:
   static constexpr std::uint32_t kSuperstateKey = 0xFFFFFFF0u, kItemKey = 0xFFFFFFF1u, kSymbolKey = 0xFFFFFFF2u;
   IdentityPlan PlanOfArchitecture(InstantiationId firing) const;
+  /// The rule's, and behind it what the firing copied.
+  [[gnu::noinline]] IdentityPlan PlanWithCopied(InstantiationId firing);
+  [[gnu::noinline]] Term TermOfCopier(const Preference& preference, Part part);
 
   Engine& engine_;
   struct Known {
@@ -117,6 +128,7 @@ class FiringReader {
   std::vector<Known> rules_;  ///< By ProductionId; of rules that learning has looked at.
   std::uint32_t analysis_ = 1;
   std::vector<std::pair<InstantiationId, std::unique_ptr<IdentityPlan>>> without_rule_;
+  std::unordered_map<std::uint32_t, std::vector<std::pair<Symbol, Symbol>>> copied_;  ///< By serial: copy, original.
 };
 
 }  // namespace soarbox::kernel

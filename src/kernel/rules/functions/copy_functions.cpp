@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "kernel/rules/functions/function_bodies.h"
@@ -13,38 +14,49 @@ using Child = FunctionContext::Child;
 
 }  // namespace
 
-/// Copies everything that can be reached; what is shared in the original is shared in the copy.
+/// Copies everything that can be reached; what is shared in the original is shared in the copy. An element is copied
+/// after all that is below it.
 Symbol DeepCopy(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {
     return context.symbols().String("*symbol not id*");
   }
-  std::unordered_map<std::uint32_t, Symbol> copies;
-  std::vector<Symbol> waiting;
-  const auto copy_of = [&](Symbol symbol) {
-    if (!symbol.IsIdentifier()) {
-      return symbol;
-    }
-    const auto [found, is_new] = copies.try_emplace(symbol.bits());
-    if (is_new) {
-      found->second = context.NewIdentifier(copies.size() == 1 ? 'D' : context.symbols().Letter(symbol));
-      waiting.push_back(symbol);
-    }
-    return found->second;
+  struct Open {
+    Symbol original, copy;
+    std::vector<Child> children;
+    std::size_t next = 0;
+    bool attribute_done = false, value_done = false;
   };
-  const Symbol root = copy_of(arguments[0]);
-  std::vector<Child> children;
-  while (!waiting.empty()) {
-    const Symbol original = waiting.back();
-    waiting.pop_back();
-    const Symbol copy = copies.at(original.bits());
-    children.clear();
-    context.AllChildren(original, children);
-    for (const Child& child : children) {
-      const Symbol attribute = copy_of(child.attribute);
-      context.MakePreference(copy, attribute, copy_of(child.value));
+  std::vector<Open> open;
+  std::unordered_map<std::uint32_t, Symbol> copies;
+  const auto copy_of = [&](Symbol symbol) { return symbol.IsIdentifier() ? copies.at(symbol.bits()) : symbol; };
+  const auto begin = [&](Symbol symbol) {
+    if (!symbol.IsIdentifier() || copies.contains(symbol.bits())) return;
+    const Symbol copy = context.NewIdentifier(copies.empty() ? 'D' : context.symbols().Letter(symbol));
+    copies.emplace(symbol.bits(), copy);
+    Open& object = open.emplace_back();
+    object.original = symbol;
+    object.copy = copy;
+    context.AllChildren(symbol, object.children);
+  };
+  begin(arguments[0]);
+  while (!open.empty()) {
+    Open& object = open.back();
+    if (object.next == object.children.size()) {
+      open.pop_back();
+      continue;
+    }
+    const Child child = object.children[object.next];
+    if (!std::exchange(object.attribute_done, true)) {
+      begin(child.attribute);
+    } else if (!std::exchange(object.value_done, true)) {
+      begin(child.value);
+    } else {
+      context.CopyElement(child, object.original, object.copy, copy_of(child.attribute), copy_of(child.value));
+      ++object.next;
+      object.attribute_done = object.value_done = false;
     }
   }
-  return root;
+  return copies.at(arguments[0].bits());
 }
 
 }  // namespace soarbox::kernel::function_bodies

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/base/ids.h"
 #include "kernel/base/random.h"
 #include "kernel/base/symbol_table.h"
 
@@ -20,6 +21,7 @@ class FunctionContext {
   struct Child {
     Symbol attribute;
     Symbol value;
+    WmeId element = WmeId::kNone;  ///< Where it has one.
   };
 
   virtual ~FunctionContext() = default;
@@ -69,6 +71,12 @@ class FunctionContext {
   virtual Symbol NewIdentifier(char letter) = 0;
   /// Adds an acceptable preference to what the firing instantiation makes.
   virtual void MakePreference(Symbol identifier, Symbol attribute, Symbol value) = 0;
+  /// Adds a preference for the copy of an element of `original`. It comes after what the action itself makes, and the
+  /// firing rests on the element from now on.
+  virtual void CopyElement([[maybe_unused]] const Child& element, [[maybe_unused]] Symbol original, Symbol copy,
+                           Symbol attribute, Symbol value) {
+    MakePreference(copy, attribute, value);
+  }
   virtual bool IsGoal(Symbol identifier) const = 0;
   /// The long-term identifier that an identifier is linked to; 0 if none.
   virtual std::uint64_t LongTermIdentifier(Symbol identifier) const = 0;
