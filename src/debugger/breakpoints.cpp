@@ -41,7 +41,7 @@ bool IsRule(std::string_view name, std::string_view pattern) {
 }
 
 /// "(operator tie)" of "==>S: S2 (operator tie)"; empty if the line is no impasse.
-std::string_view ImpasseOf(std::string_view decision) {
+std::string_view ImpasseInDecision(std::string_view decision) {
   const std::size_t begin = decision.find_first_not_of(' ');
   if (begin == std::string_view::npos || !decision.substr(begin).starts_with("==>S: ")) return {};
   const std::size_t open = decision.find(" (");
@@ -67,7 +67,7 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const sim::MindRepor
       break;
     case BreakKind::kImpasse:
       for (const std::string& decision : report.decisions) {
-        const std::string_view impasse = ImpasseOf(decision);
+        const std::string_view impasse = ImpasseInDecision(decision);
         if (!impasse.empty() && (point.what.empty() || impasse.find(point.what) != std::string_view::npos))
           return "impasse: " + decision.substr(decision.find_first_not_of(' '));
       }

@@ -21,7 +21,7 @@ constexpr float kSpeed_mps = 5;
 constexpr float kSteepest = 0.996f;  // Sine of the steepest look up or down.
 constexpr float kGlide_s = 0.45f;
 constexpr float kUsualFov_deg = 45, kEyesFov_deg = 70, kMapFov_deg = 30;
-constexpr float kNearest_m = 1.5f, kFurthest_m = 600;
+constexpr float kNearest_m = 1.5f, kFurthestEye_m = 600;
 
 Quat About(Vec3 axis, float angle) {
   const float s = std::sin(angle / 2);
@@ -83,7 +83,7 @@ void CameraRig::Keep(std::span<const FramedBody> agents, std::span<const Vec3> p
   if (!goal) return;
   pose_ = *goal;
   if (mode_ == CameraMode::kMap) {
-    distance_ = std::clamp(goal->position.y, 25.0f, kFurthest_m);
+    distance_ = std::clamp(goal->position.y, 25.0f, kFurthestEye_m);
     pivot_ = {goal->position.x, 0, goal->position.z};
     pose_.position = pivot_ + Vec3{0, distance_, 0};
   }
@@ -97,7 +97,7 @@ void CameraRig::StopKeeping() {
   pose_ = shown_;
   if (mode_ != CameraMode::kMap) return;
   pivot_ = {shown_.position.x, 0, shown_.position.z};
-  distance_ = std::clamp(shown_.position.y, 5.0f, kFurthest_m);
+  distance_ = std::clamp(shown_.position.y, 5.0f, kFurthestEye_m);
 }
 
 void CameraRig::Approach(float seconds) {
@@ -147,7 +147,7 @@ float CameraRig::ReachAlong(Vec3 way) const {
 
 void CameraRig::Zoom(const CameraInput& input, float nearest_m) {
   const float before = distance_;
-  distance_ = std::clamp(distance_ * std::pow(0.88f, input.wheel), nearest_m, kFurthest_m);
+  distance_ = std::clamp(distance_ * std::pow(0.88f, input.wheel), nearest_m, kFurthestEye_m);
   if (input.wheel == 0 || input.towards == Vec3{} || mode_ == CameraMode::kFollow) return;
   // The point at the height of the pivot that is under the cursor stays there.
   const Vec3 way = input.towards;
@@ -205,7 +205,7 @@ bool CameraRig::SetMode(CameraMode mode, const world::AgentSnapshot* agent) {
       const Vec3 below = has_pivot ? pivot_ : pose_.position + Rotate(shown_.orientation, {0, 0, -1}) * reach;
       pivot_ = before == CameraMode::kEyes ? pose_.position : below;
       pivot_.y = 0;
-      distance_ = std::clamp(1.6f * reach, 25.0f, kFurthest_m);
+      distance_ = std::clamp(1.6f * reach, 25.0f, kFurthestEye_m);
       pose_.orientation = kDown;
       pose_.vertical_fov_deg = kMapFov_deg;
       break;
@@ -235,7 +235,7 @@ void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float
   if (mode_ == CameraMode::kMap) {
     const CameraSnapshot pose = pose_from(kDown, kMapFov_deg);
     pivot_ = {pose.position.x, 0, pose.position.z};
-    distance_ = std::clamp(pose.position.y, 25.0f, kFurthest_m);
+    distance_ = std::clamp(pose.position.y, 25.0f, kFurthestEye_m);
     return;
   }
   if (mode_ == CameraMode::kFollow && agents.size() == 1 && agents.front()->id == agent_) {
@@ -258,7 +258,7 @@ void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float
   best.position.y = std::max(best.position.y, 0.5f);
   pose_ = best;
   pivot_ = middle;
-  distance_ = std::clamp(world::Distance(middle, best.position), kNearest_m, kFurthest_m);
+  distance_ = std::clamp(world::Distance(middle, best.position), kNearest_m, kFurthestEye_m);
 }
 
 void CameraRig::GoTo(Vec3 way) {
@@ -271,7 +271,7 @@ void CameraRig::GoTo(Vec3 way) {
   if (mode_ == CameraMode::kFollow) mode_ = CameraMode::kOrbit;
   pivot_ = shown_.position + way * away;
   if (mode_ != CameraMode::kFree) {
-    distance_ = std::clamp(0.6f * distance_, mode_ == CameraMode::kMap ? 25.0f : 6.0f, kFurthest_m);
+    distance_ = std::clamp(0.6f * distance_, mode_ == CameraMode::kMap ? 25.0f : 6.0f, kFurthestEye_m);
     return;
   }
   distance_ = std::clamp(0.5f * away, std::min(away, 6.0f), 40.0f);
@@ -339,7 +339,7 @@ void CameraRig::Hover(const CameraInput& input, float seconds, float height_px) 
   if (input.looking) pivot_ += Vec3{-input.mouse_dx, 0, -input.mouse_dy} * metres_per_px;
   const float speed = distance_ * (input.fast ? 2.0f : 0.5f);
   pivot_ += world::Normalized(Vec3{-input.left, 0, -input.forward}) * speed * seconds;
-  distance_ = std::clamp(distance_ * std::pow(2.0f, input.up * seconds), 5.0f, kFurthest_m);
+  distance_ = std::clamp(distance_ * std::pow(2.0f, input.up * seconds), 5.0f, kFurthestEye_m);
   pose_.orientation = kDown;
   pose_.position = pivot_ + Vec3{0, distance_, 0};
 }

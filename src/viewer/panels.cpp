@@ -11,8 +11,8 @@ namespace soarbox::viewer {
 namespace {
 
 constexpr float kBarHeight = kStatusBar_px, kCardMargin = 16;
-constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kText = IM_COL32(236, 241, 246, 255),
-                kQuiet = IM_COL32(152, 166, 180, 255), kGo = IM_COL32(96, 208, 132, 255),
+constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kBarText = IM_COL32(236, 241, 246, 255),
+                kBarQuiet = IM_COL32(152, 166, 180, 255), kGo = IM_COL32(96, 208, 132, 255),
                 kHold = IM_COL32(247, 190, 82, 255);
 
 ImU32 Packed(world::Color c, float alpha = 1) {
@@ -30,8 +30,8 @@ class BarWriter {
     x_ += font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x + gap;
   }
   void Pair(const char* label, const std::string& value) {
-    Word(label, kQuiet, false, 6);
-    Word(value, kText);
+    Word(label, kBarQuiet, false, 6);
+    Word(value, kBarText);
   }
   void Skip(float width) { x_ += width; }
   float x() const { return x_; }
@@ -88,13 +88,13 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
       std::count_if(scene.agents.begin(), scene.agents.end(), [](const auto& agent) { return agent.failed; });
   if (failed > 0)
     bar.Word(Text("%d stopped by an error", static_cast<int>(failed)), IM_COL32(255, 120, 104, 255), true);
-  if (!status.message.empty()) bar.Word(status.message, kQuiet);
+  if (!status.message.empty()) bar.Word(status.message, kBarQuiet);
 
   const std::string rate = frames_per_second > 0 ? Text("%.0f fps     ", static_cast<double>(frames_per_second)) : "";
   const std::string right = rate + "H  keys";
   ImFont* font = host.panel_font();
   const float right_width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, right.c_str()).x;
-  BarWriter(out, host, width - right_width - 14).Word(right, kQuiet);
+  BarWriter(out, host, width - right_width - 14).Word(right, kBarQuiet);
 }
 
 void DrawKeyHelp(const PanelHost& host) {

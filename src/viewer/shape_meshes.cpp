@@ -19,18 +19,18 @@ float Sane(float size) {
 }
 
 /// One ring of a body of revolution.
-struct Ring {
+struct ShapeRing {
   float radius, y;
   float tint = 1, light = 1, gloss = 0;
 };
 
 /// Turns a profile, from bottom to top, about the y axis. Normals follow the profile's slope.
-MeshData Revolve(const std::vector<Ring>& profile, int segments = kSegments) {
+MeshData Revolve(const std::vector<ShapeRing>& profile, int segments = kSegments) {
   MeshData mesh;
   const std::size_t count = profile.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const Ring& below = profile[i > 0 ? i - 1 : i];
-    const Ring& above = profile[i + 1 < count ? i + 1 : i];
+    const ShapeRing& below = profile[i > 0 ? i - 1 : i];
+    const ShapeRing& above = profile[i + 1 < count ? i + 1 : i];
     const float dr = above.radius - below.radius, dy = above.y - below.y;
     const float length = std::max(std::sqrt(dr * dr + dy * dy), 1e-6f);
     float out = dy / length, up = -dr / length;
@@ -63,7 +63,7 @@ MeshData Revolve(const std::vector<Ring>& profile, int segments = kSegments) {
 }
 
 /// Rings of an arc of an ellipse, angles from the horizontal, both ends included.
-void AddArc(std::vector<Ring>& profile, float radius, float height, float centre_y, float from, float to, int steps) {
+void AddArc(std::vector<ShapeRing>& profile, float radius, float height, float centre_y, float from, float to, int steps) {
   for (int i = 0; i <= steps; ++i) {
     const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps);
     profile.push_back({std::max(0.0f, radius * std::cos(angle)), centre_y + height * std::sin(angle)});
@@ -71,7 +71,7 @@ void AddArc(std::vector<Ring>& profile, float radius, float height, float centre
 }
 
 /// Radius of a profile at a height, between its rings.
-float RadiusAt(const std::vector<Ring>& profile, float y) {
+float RadiusAt(const std::vector<ShapeRing>& profile, float y) {
   for (std::size_t i = 1; i < profile.size(); ++i) {
     if (y > profile[i].y) continue;
     const float span = std::max(profile[i].y - profile[i - 1].y, 1e-6f);
@@ -82,7 +82,7 @@ float RadiusAt(const std::vector<Ring>& profile, float y) {
 }
 
 /// A raised patch on the front (+z) of the profile, with the outline of a superellipse; its border sinks into the body.
-MeshData Visor(const std::vector<Ring>& profile, float low_y, float high_y, float half_angle, float radius, int columns,
+MeshData Visor(const std::vector<ShapeRing>& profile, float low_y, float high_y, float half_angle, float radius, int columns,
                int rows) {
   const auto point = [&](float a, float b) {
     const float y = (low_y + high_y) / 2 + (high_y - low_y) / 2 * b;
@@ -195,7 +195,7 @@ MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
 
 MeshData CapsuleMesh(float radius_m, float height_m) {
   const float radius = Sane(radius_m), half = std::max(0.0f, Sane(height_m) / 2 - radius);
-  std::vector<Ring> profile;
+  std::vector<ShapeRing> profile;
   AddArc(profile, radius, radius, -half, -kPi / 2, 0, 8);
   AddArc(profile, radius, radius, half, 0, kPi / 2, 8);
   return Revolve(profile);
@@ -209,9 +209,9 @@ MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail) {
   const int arc = fine ? 10 : coarse ? 3 : 5;
 
   // Foot: a dark, rounded base. Torso: a slight taper. Groove: the neck. Head: a dome that fills the capsule's cap.
-  std::vector<Ring> profile;
+  std::vector<ShapeRing> profile;
   AddArc(profile, 0.86f * r, 0.42f * r, bottom + 0.42f * r, -kPi / 2, 0, fine ? 6 : coarse ? 2 : 3);
-  for (Ring& ring : profile) ring.light = 0.75f;
+  for (ShapeRing& ring : profile) ring.light = 0.75f;
   profile.push_back({0.90f * r, bottom + 0.55f * r});
   profile.push_back({0.95f * r, bottom + 0.85f * r});
   if (!coarse) {
@@ -236,7 +236,7 @@ MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail) {
 MeshData CylinderMesh(float radius_m, float height_m) {
   const float radius = Sane(radius_m), half = Sane(height_m) / 2;
   const float rim = std::min({0.03f, 0.2f * radius, 0.4f * half});
-  std::vector<Ring> profile{{0, -half}, {0.5f * (radius - rim), -half}};
+  std::vector<ShapeRing> profile{{0, -half}, {0.5f * (radius - rim), -half}};
   AddArc(profile, rim, rim, -half + rim, -kPi / 2, 0, 3);
   for (std::size_t i = 2; i < profile.size(); ++i) profile[i].radius += radius - rim;
   const std::size_t lower = profile.size();
@@ -248,7 +248,7 @@ MeshData CylinderMesh(float radius_m, float height_m) {
 }
 
 MeshData SphereMesh(float radius_m) {
-  std::vector<Ring> profile;
+  std::vector<ShapeRing> profile;
   AddArc(profile, Sane(radius_m), Sane(radius_m), 0, -kPi / 2, kPi / 2, 18);
   return Revolve(profile);
 }
