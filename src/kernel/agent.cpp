@@ -20,6 +20,13 @@ Diagnostic Refusal(std::string message) {
   return diagnostic;
 }
 
+/// What a learned rule takes, with about what its conditions take in the network. (They share some of it with other
+/// rules.)
+std::size_t LearnedBytes(const Production& rule) {
+  constexpr std::size_t kNetworkPerCondition_bytes = 256;
+  return rule.MemoryBytes() + rule.conditions.size() * kNetworkPerCondition_bytes;
+}
+
 }  // namespace
 
 Agent::Agent(std::string name) : engine_(std::make_unique<Engine>(*this, std::move(name))) {
@@ -97,6 +104,8 @@ void Agent::NoteAdded(ProductionId id, const ProductionPtr& production) {
   record.Set(Engine::ProductionRecord::kHasNegations,
              std::ranges::any_of(production->conditions,
                                  [](const Condition& c) { return c.kind != ConditionKind::kPositive; }));
+  record.Set(Engine::ProductionRecord::kLearned, running());
+  if (running()) engine_->learned_rule_bytes += LearnedBytes(*production);
   engine_->productions[index] = record;
   engine_->rules.Add(id, engine_->NameOf(*production), production->type);
   if (!running()) engine_->rules_changed = true;  // What an agent learns is its own.
@@ -114,7 +123,9 @@ void Agent::Excise(ProductionId id) {
   engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(*this, id); });
   const ProductionPtr rule = engine_->rete.production(id);
   engine_->reinforcement.RuleExcised(id);
-  engine_->productions[Index(id)].Set(Engine::ProductionRecord::kLive, false);
+  Engine::ProductionRecord& record = engine_->productions[Index(id)];
+  if (record.Is(Engine::ProductionRecord::kLearned)) engine_->learned_rule_bytes -= LearnedBytes(*rule);
+  record.Set(Engine::ProductionRecord::kLive, false);
   engine_->rules.Remove(id, engine_->NameOf(*rule), rule->type);
   engine_->rules_changed = true;
   engine_->chunker.RuleExcised(id);
@@ -174,6 +185,7 @@ bool Agent::HasBreak(ProductionId id) const {
 /// Hands the settings that concern the match down to it.
 void Agent::PrepareMatch() {
   engine_->rete.LimitPartialMatches(settings().max_partial_matches);
+  engine_->symbols.LimitTexts(settings().most_memory_bytes);
   engine_->rete.MixedSupportIsO(!settings().warn_of_mixed_support);
 }
 
@@ -238,7 +250,9 @@ void Agent::BreakDown(std::string_view rule) {
       breakdown_ =
           "rule " + std::string(production(heaviest).name) + " had " + std::to_string(most) + " partial matches";
     } else {
-      breakdown_ = "rules whose conditions match in very many combinations are the usual cause";
+      breakdown_ =
+          "rules whose conditions match in very many combinations, that add elements without end or that make ever "
+          "longer texts are the usual cause";
     }
     if (at_limit) {
       breakdown_ += "; 'soar max-partial-matches' allows " + std::to_string(settings().max_partial_matches) + " in all";
@@ -606,7 +620,7 @@ const LongTerm& Agent::long_term() const {
 std::size_t Agent::MemoryBytes() const {
   return sizeof(Engine) + engine_->symbols.MemoryBytes() + engine_->memory.MemoryBytes() +
          engine_->links.MemoryBytes() + engine_->instantiations.MemoryBytes() + engine_->rete.MemoryBytes() +
-         engine_->long_term.MemoryBytes();
+         engine_->long_term.MemoryBytes() + engine_->chunker.explanations().MemoryBytes() + engine_->learned_rule_bytes;
 }
 
 std::size_t Agent::SharedMemoryBytes() const {

@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -54,6 +55,8 @@ struct AgentSettings {
   /// A rule that needs more partial matches at a time breaks its agent down: see Agent::out_of_memory(). Each takes 64
   /// bytes, what becomes of it several times as much.
   std::uint32_t max_partial_matches = 8'000'000;
+  /// An agent whose own memory grows beyond this while it runs breaks down, too. The host sets it, no command does.
+  std::size_t most_memory_bytes = std::numeric_limits<std::size_t>::max();
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
   /// What elaborates an operator and applies it at once has i-support, and a warning says so; else it has o-support.
@@ -318,8 +321,8 @@ class Agent {
 
   // Memory ----------------------------------------------------------------------------------------------------------
 
-  std::size_t MemoryBytes() const;        ///< This agent's own part.
-  std::size_t SharedMemoryBytes() const;  ///< Rules and network, shared by agents with equal rules.
+  std::size_t MemoryBytes() const;        ///< This agent's own part; of the rules those that it learned.
+  std::size_t SharedMemoryBytes() const;  ///< Rules and network, which agents with equal rules share.
   /// Checks the invariants of support, links, slots and matches; the first violation in words, or empty.
   std::string CheckInvariants() const;
 

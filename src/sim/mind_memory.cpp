@@ -32,8 +32,10 @@ void Minds::LimitMemory() {
   if (ready_.empty()) return;
   const std::size_t left = MemoryLeft();
   const std::size_t share = std::max(kLeastGrowth_bytes, left / ready_.size());
-  for (const std::size_t i : ready_)
+  for (const std::size_t i : ready_) {
     minds_[i].soar.AllowMatches(minds_[i].memory_bytes / kMatch_bytes + share / kGrownMatch_bytes);
+    minds_[i].soar.AllowMemory(minds_[i].memory_bytes + share);
+  }
 }
 
 void Minds::KeepWithinMemory() {

@@ -445,7 +445,9 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
   event.diagnostic.file = mind.rules.string();
   event.diagnostic.message =
       body.name() + " ran out of memory and stops for good: " + std::string(mind.soar.Breakdown());
-  event.diagnostic.hint = "conditions that share no variable match in all combinations of their elements";
+  event.diagnostic.hint =
+      "look for conditions that share no variable (they match in all combinations of their elements), and for rules "
+      "that add elements, or lengthen texts, each time they fire";
   report_(std::move(event));
   return true;
 }

@@ -61,6 +61,12 @@ void PutUpFence(Kernel& kernel, const SoarSettings& settings) {
   }
 }
 
+/// What an agent perceives goes to a kernel in another process as one message before each of its decisions, not as one
+/// message per element.
+void WriteInTurns(::sml::Kernel& kernel) {
+  kernel.SetAutoCommit(false);
+}
+
 /// A recording is a stranger's, too. Other kernels know no fence and get nothing of it.
 template <typename Kernel>
 const char* ExecuteRecorded(Kernel& kernel, const char* line, const char* agent) {
@@ -139,6 +145,7 @@ SoarHost::SoarHost(std::unique_ptr<::sml::Kernel> kernel, const SoarSettings& se
     : kernel_(std::move(kernel)), settings_(settings) {
   Overhear(*kernel_, heard_);
   PutUpFence(*kernel_, settings_);
+  if (IsRemote()) WriteInTurns(*kernel_);
   if (!IsRemote() && settings_.port == 0) MakeFurtherKernels();
 }
 
@@ -250,6 +257,7 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
     return std::move(problem);
   }
   ::sml::Kernel& kernel = KernelOf(found->second);
+  if (::sml::Agent* named = kernel.GetAgent(agent.c_str())) named->Commit();
   const char* text = recorded ? ExecuteRecorded(kernel, line.c_str(), agent.c_str())
                               : kernel.ExecuteCommandLine(line.c_str(), agent.c_str());
   if (text == nullptr)
@@ -308,6 +316,8 @@ bool SoarHost::Reconnect() {
   if (answered->HadError() || answered->IsConnectionClosed()) return false;
   kernel_->Shutdown();
   kernel_ = std::move(answered);
+  PutUpFence(*kernel_, settings_);
+  WriteInTurns(*kernel_);
   attempt_.reset();
   // If it is the same kernel, and only the connection broke, the agents of before are still there.
   RemoveAgents(*kernel_, agents_);

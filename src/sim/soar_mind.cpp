@@ -93,6 +93,8 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
       rows_(agent),
       writing_(new Writing(agent)) {
   agent.SetBlinkIfNoChange(settings.blinks);
+  // ReadOutput tells by their time tags what is new. A kernel in another process would have to report each decision.
+  agent.SetOutputLinkChangeTracking(false);
   if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
   SetDetail(settings.detail);
 }
@@ -123,6 +125,7 @@ void SoarMind::Perceive(const Actor& body, bool surroundings) {
 }
 
 void SoarMind::Decide() {
+  agent_->Commit();
   answer_ = agent_->RunSelfTilOutput();
   ReadOutput();
 }
@@ -146,16 +149,16 @@ void SoarMind::ReadOutput() {
       const bool is_new = !Stands(at, tag);
       if (is_new) at = standing_.insert(at, Standing{tag});
       at->seen = true;
-      at->word = child->ConvertToIdentifier();
       if (!is_new) continue;
       SaidCommand& said = commands_.emplace_back();
       said.tag = tag;
       said.name = child->GetAttribute();
-      said.is_object = at->word != nullptr;
+      sml::Identifier* word = child->ConvertToIdentifier();
+      said.is_object = word != nullptr;
       if (said.is_object) {
         const std::size_t given = std::min(kMostParameters, tick_left);
         std::size_t left = given;
-        said.parameters = ReadBelow(*at->word, left);
+        said.parameters = ReadBelow(*word, left);
         tick_left -= given - left;
         said.is_too_large = left == 0;
         if (said.is_too_large) said.parameters.clear();
@@ -174,9 +177,21 @@ void SoarMind::NoteSaid(const SaidCommand& said) {
   log_.notes().NoteCommand(parameters.empty() ? said.name : said.name + " " + parameters, said.tag);
 }
 
+/// The command itself; null if it is no identifier or is gone: somebody at a debugger may have run the agent since it was
+/// read.
+sml::Identifier* SoarMind::FindWord(std::uint64_t tag) const {
+  sml::Identifier* link = agent_->GetOutputLink();
+  if (link == nullptr) return nullptr;
+  for (int i = 0; i < link->GetNumberChildren(); ++i) {
+    sml::WMElement* child = link->GetChild(i);
+    if (child != nullptr && static_cast<std::uint64_t>(child->GetTimeTag()) == tag) return child->ConvertToIdentifier();
+  }
+  return nullptr;
+}
+
 void SoarMind::Complete(std::uint64_t tag) {
-  const auto at = FindStanding(tag);
-  if (Stands(at, tag) && at->word != nullptr) at->word->AddStatusComplete();
+  if (!Stands(FindStanding(tag), tag)) return;
+  if (sml::Identifier* word = FindWord(tag)) word->AddStatusComplete();
 }
 
 void SoarMind::NoteOutcome(std::string_view command, const Outcome& outcome) {
@@ -197,8 +212,10 @@ void SoarMind::NoteOutcome(std::string_view command, const Outcome& outcome) {
 
 void SoarMind::Answer(const Outcome& outcome) {
   const auto at = FindStanding(outcome.tag);
-  if (!Stands(at, outcome.tag) || at->word == nullptr) return;
-  sml::Identifier& word = *at->word;
+  if (!Stands(at, outcome.tag)) return;
+  sml::Identifier* found = FindWord(outcome.tag);
+  if (found == nullptr) return;
+  sml::Identifier& word = *found;
   if (is_logged_) NoteOutcome(word.GetAttribute(), outcome);
   switch (outcome.status) {
     case Outcome::Status::kProgress:
@@ -265,11 +282,18 @@ void SoarMind::AllowMatches(std::uint64_t most) {
   if (const std::uint32_t allowed = std::min(rounded, own_match_limit_); allowed != present)
     SetMindMatchLimit(*agent_, allowed);
 }
+
+void SoarMind::AllowMemory(std::size_t bytes) {
+  // A power of two, so that it seldom changes.
+  const std::size_t rounded = std::bit_ceil(std::clamp<std::size_t>(bytes, 1, std::size_t{1} << 62));
+  if (rounded != std::exchange(memory_limit_, rounded)) SetMindMemoryLimit(*agent_, rounded);
+}
 #else
 std::size_t SoarMind::MemoryBytes() const {
   return 0;
 }
 void SoarMind::AllowMatches(std::uint64_t) {}
+void SoarMind::AllowMemory(std::size_t) {}
 #endif
 
 void SoarMind::Forget() {
@@ -281,6 +305,7 @@ void SoarMind::Forget() {
 }
 
 void SoarMind::Restart() {
+  agent_->Commit();
   agent_->InitSoar();
 }
 

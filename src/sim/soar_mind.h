@@ -69,6 +69,8 @@ class SoarMind {
   std::size_t MemoryBytes() const;
   /// It may have about so many partial matches, or as many as it was allowed before if that is less.
   void AllowMatches(std::uint64_t most);
+  /// It may grow to about so much memory; beyond that it breaks down.
+  void AllowMemory(std::size_t bytes);
   /// The agent behind it is about to be destroyed: from here on there is only what was noted.
   void Forget();
   sml::Agent& agent() { return *agent_; }
@@ -82,7 +84,6 @@ class SoarMind {
  private:
   struct Standing {
     std::uint64_t tag = 0;
-    sml::Identifier* word = nullptr;  ///< Valid until the next Decide; null if the command is no identifier.
     sml::FloatElement* progress = nullptr;
     bool seen = false;  ///< Scratch: met in the present reading of the output link.
   };
@@ -91,6 +92,7 @@ class SoarMind {
   bool Stands(std::vector<Standing>::const_iterator at, std::uint64_t tag) const {
     return at != standing_.end() && at->tag == tag;
   }
+  sml::Identifier* FindWord(std::uint64_t tag) const;
   void ReadOutput();
   void NoteSaid(const SaidCommand& said);
   void NoteOutcome(std::string_view command, const Outcome& outcome);
@@ -107,6 +109,7 @@ class SoarMind {
   bool is_logged_ = false;
   std::uint32_t own_match_limit_ = 0;  ///< What it was allowed by itself.
   std::uint32_t match_limit_ = 0;      ///< What AllowMatches set; 0: nothing.
+  std::size_t memory_limit_ = 0;       ///< What AllowMemory set; 0: nothing.
   /// Where what the rules write goes; its address is known to the kernel.
   struct Writing;
   struct EndWriting {

@@ -69,6 +69,33 @@ class RuleThatMatchesTooOften(ScenarioCase, test_wire.Case):
         self.check(run_json(self.folder, "--seconds", 2, "--every-command", "--report", 0.1,
                             "--kernel", f"127.0.0.1:{port}", "--kernel-limit", 60))
 
+    def check_growth(self, rules):
+        self.write("greedy.soar", MODEST + rules)
+        run = run_json(self.folder, "--seconds", 2, "--every-command", "--report", 0.1, "--memory", 400,
+                       memory_bytes=3 << 29)
+        self.assertEqual(run.code, 1, run.err)
+        _, greedy, modest = [event["agent"] for event in run.of("agent")]
+        failed = run.of("failed")
+        self.assertEqual([event["agent"] for event in failed], [greedy], run.out)
+        self.assertRegex(failed[0]["diagnostic"]["message"], f"^{greedy} (ran out of memory and )?stops for good: ")
+        self.assertGreater(len(run.of("command", agent=modest)), 50)
+
+    def test_stops_an_agent_that_doubles_a_text(self):
+        self.check_growth("""
+sp {seed (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name grow)}
+sp {first (state <s> ^operator.name grow -^text) --> (<s> ^text abcdefgh)}
+sp {double (state <s> ^operator.name grow ^text <t>) --> (<s> ^text (concat <t> <t>) <t> -)}
+""")
+
+    def test_stops_an_agent_that_adds_elements_within_one_decision(self):
+        self.check_growth("""
+soar max-elaborations 10000
+sp {digits (state <s> ^superstate nil) --> (<s> ^digit 0 1 2 3 4 5 6 7 8 9 ^operator <o> +) (<o> ^name count)}
+sp {first (state <s> ^operator.name count -^n) --> (<s> ^n 0)}
+sp {count (state <s> ^operator.name count ^n <n>) --> (<s> ^n (+ <n> 1) <n> -)}
+sp {keep (state <s> ^operator.name count ^n <n> ^digit <a> ^digit <b>) --> (<s> ^<a> (concat <n> |-| <b>))}
+""")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -514,6 +514,10 @@ bool SymbolTable::Adopt(std::shared_ptr<const FrozenSymbols> base) {
   return true;
 }
 
+void SymbolTable::LimitTexts(std::size_t bytes) {
+  contents_->texts.Limit(bytes);
+}
+
 std::size_t SymbolTable::MemoryBytes() const {
   const Contents& c = *contents_;
   return sizeof(Contents) + c.texts.MemoryBytes() + c.own.strings.MemoryBytes() + c.own.variables.MemoryBytes() +

@@ -119,6 +119,8 @@ class SymbolTable {
   /// nothing has changed then.
   bool Adopt(std::shared_ptr<const FrozenSymbols> base);
 
+  /// How many bytes the texts of its own may take together; a long text beyond that throws std::bad_alloc.
+  void LimitTexts(std::size_t bytes);
   /// Bytes used by this table alone (not the shared base).
   std::size_t MemoryBytes() const;
 

@@ -5,7 +5,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <new>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +36,9 @@ class TextArena {
   }
 
   std::size_t MemoryBytes() const { return bytes_; }
+  /// A long text that would take this arena beyond so many bytes is refused with std::bad_alloc, as if memory had run
+  /// out: one rule that doubles a text can ask for more than a machine has.
+  void Limit(std::size_t bytes) { limit_ = bytes; }
 
  private:
   struct FreeText {
@@ -52,6 +57,7 @@ class TextArena {
     }
     const std::size_t size = std::size_t{8} << size_class;
     if (size > kBlockBytes / 2) {
+      if (size > limit_ || bytes_ > limit_ - size) throw std::bad_alloc();
       blocks_.push_back(std::make_unique<char[]>(size));
       bytes_ += size;
       return blocks_.back().get();
@@ -73,6 +79,7 @@ class TextArena {
   char* block_next_ = nullptr;
   std::size_t block_left_ = 0;
   std::size_t bytes_ = 0;
+  std::size_t limit_ = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace soarbox::kernel

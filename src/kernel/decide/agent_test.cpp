@@ -357,6 +357,35 @@ TEST(AgentMemory, MorePartialMatchesThanAreAllowedEndTheAgentAndNameTheRule) {
             "there is no room for the matches of rule explode; 'soar max-partial-matches' allows 5000 in all");
 }
 
+TEST(AgentMemory, ATextThatGrowsWithoutEndEndsTheAgent) {
+  Agent agent("wordy");
+  agent.mutable_settings().most_memory_bytes = std::size_t{4} << 20;
+  for (const char* rule : {"start (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name grow)",
+                           "seed (state <s> ^operator <o> -^text) --> (<s> ^text abcdefgh)",
+                           "grow (state <s> ^operator.name grow ^text <t>) --> (<s> ^text (concat <t> <t>) <t> -)"}) {
+    ASSERT_TRUE(agent.LoadProduction(rule).loaded);
+  }
+  agent.Run(RunUnit::kDecision, 5);
+  EXPECT_TRUE(agent.out_of_memory());
+  EXPECT_LT(agent.MemoryBytes(), std::size_t{8} << 20);
+  EXPECT_THAT(std::string(agent.breakdown()), testing::HasSubstr("make ever longer texts"));
+}
+
+TEST(AgentMemory, ElementsThatAreAddedWithinOneDecisionAreLimited) {
+  Agent agent("collector");
+  agent.mutable_settings().max_elaborations = 10'000'000;
+  agent.mutable_settings().most_memory_bytes = std::size_t{4} << 20;
+  for (const char* rule : {"start (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name count)",
+                           "zero (state <s> ^operator.name count -^n) --> (<s> ^n 0)",
+                           "count (state <s> ^operator.name count ^n <n>) --> (<s> ^n (+ <n> 1) <n> - ^seen <n>)"}) {
+    ASSERT_TRUE(agent.LoadProduction(rule).loaded);
+  }
+  agent.Run(RunUnit::kDecision, 2);
+  EXPECT_TRUE(agent.out_of_memory());
+  EXPECT_LT(agent.MemoryBytes(), std::size_t{8} << 20);
+  EXPECT_THAT(std::string(agent.breakdown()), testing::HasSubstr("add elements without end"));
+}
+
 TEST(AgentMemory, PartialMatchesThatAreKeptApartAreLimitedToo) {
   // Hardly any pair meets the last condition: those that come late are parked.
   Agent agent("greedy");

@@ -110,6 +110,9 @@ void Elaboration::Run(bool apply) {
   PreferencePhase(apply);
   engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnWorkingMemoryPhase(engine_.agent, firing_); });
   ApplyWorkingMemoryChanges();
+  // Within one decision rules may add elements a hundred times and more, before the host looks at the agent again.
+  constexpr std::uint32_t kElaborationsUntilMeasured = 4;
+  if (count_ % kElaborationsUntilMeasured == 0) engine_.StopIfOutgrown();
   engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnElaborationEnd(engine_.agent); });
 }
 

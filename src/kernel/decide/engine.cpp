@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
+#include <new>
 #include <utility>
 
 #include "kernel/decide/invariants.h"
@@ -195,6 +197,13 @@ void Engine::Initialize(bool announce) {
 
 void Engine::StopIfBroken() const {
   if (run.broken()) throw std::bad_alloc();
+}
+
+void Engine::StopIfOutgrown() const {
+  constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
+  if (settings.most_memory_bytes != kUnlimited && agent.MemoryBytes() > settings.most_memory_bytes) {
+    throw std::bad_alloc();
+  }
 }
 
 #ifdef SOARBOX_CHECK_INVARIANTS

@@ -69,6 +69,7 @@ struct Engine {
     static constexpr std::uint64_t kLive = 1;
     static constexpr std::uint64_t kBreaks = 2;
     static constexpr std::uint64_t kHasNegations = 4;  ///< Negated conditions, which justifications look for.
+    static constexpr std::uint64_t kLearned = 8;       ///< It came while the agent ran: no other agent shares it.
 
     bool Is(std::uint64_t flag) const { return (word_ & flag) != 0; }
     void Set(std::uint64_t flag, bool on) { word_ = on ? word_ | flag : word_ & ~flag; }
@@ -83,6 +84,7 @@ struct Engine {
   std::vector<ProductionRecord> productions;
   RuleDirectory rules;
   std::map<ProductionId, std::uint32_t> interrupts;  ///< How often the rules that interrupt runs have done so.
+  std::size_t learned_rule_bytes = 0;                ///< What rules that came while the agent ran take, about.
   bool rules_changed = false;                        ///< Since they were last offered for sharing.
 
   // What happens, in the order of the cycle.
@@ -148,6 +150,8 @@ struct Engine {
   /// Ends the run at hand (by std::bad_alloc) if the agent broke down while a rule's action or an observer did
   /// something that took all memory: the matches are gone, nothing can go on with them.
   void StopIfBroken() const;
+  /// The same if the agent has grown beyond AgentSettings::most_memory_bytes.
+  void StopIfOutgrown() const;
   void CheckAfterPhase() const;
   /// In such builds: aborts unless a preference that was left out is one that the top state has already.
   void CheckSupported(const Preference& left_out) const;

@@ -88,6 +88,9 @@ struct ExplainedRule {
   std::uint32_t merged_conditions = 0, merged_disjunctions = 0, operational_constraints = 0, duplicates = 0;
   bool local_negation = false, quiescence = false, long_term_memory = false, repaired = false;
 
+  /// About what it takes: its texts are measured by what they hold, so that the answer stays the same when they are
+  /// copied.
+  std::size_t MemoryBytes() const;
   /// Negated conjunctions count each of their conditions.
   std::size_t CountConditions() const {
     std::size_t count = 0;

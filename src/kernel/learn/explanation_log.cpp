@@ -92,6 +92,7 @@ class ShortestPaths {
 }  // namespace
 
 void ExplanationLog::Clear() {
+  for (const ExplainedRule& rule : rules_) bytes_ -= rule.MemoryBytes();
   rules_.clear();
   watched_learned.clear();
   last_number_ = 0;
@@ -484,13 +485,17 @@ void ExplanationLog::Add(const Explanation& explanation, std::uint32_t number, c
   ExplainedRule& out = rules_.emplace_back();
   out.number = number;
   Describe(out, explanation, made);
+  bytes_ += out.MemoryBytes();
   // What `chunk stats` says of it is said of recorded rules alone.
   engine_.chunker.mutable_statistics().identities_in_rules += out.identities.size();
 }
 
 void ExplanationLog::Note(const Explanation& explanation, const Made& made) {
   Describe(noted_.emplace_back(), explanation, made);
-  if (noted_.size() > kMostNoted) noted_.pop_front();
+  bytes_ += noted_.back().MemoryBytes();
+  if (noted_.size() <= kMostNoted) return;
+  bytes_ -= noted_.front().MemoryBytes();
+  noted_.pop_front();
 }
 
 void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation, const Made& made) {

@@ -52,6 +52,7 @@ class ExplanationLog {
   const std::vector<ExplainedRule>& rules() const { return rules_; }
   const std::deque<ExplainedRule>& noted() const { return noted_; }  ///< init-soar keeps them, as it keeps the rules.
   void Clear();
+  std::size_t MemoryBytes() const { return bytes_; }  ///< What all explanations take.
 
  private:
   void Describe(ExplainedRule& out, const Explanation& explanation, const Made& made);
@@ -76,6 +77,7 @@ class ExplanationLog {
   RuleBuilder& builder_;
   std::vector<ExplainedRule> rules_;
   std::deque<ExplainedRule> noted_;
+  std::size_t bytes_ = 0;
   std::uint32_t last_number_ = 0;
   std::map<std::uint32_t, std::uint32_t> number_of_variable_;  ///< Scratch.
 };

@@ -3,6 +3,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
   learn/choice_graph.cpp
   learn/chunker.cpp
   learn/draft_tests.cpp
+  learn/explained_rule.cpp
   learn/explanation_log.cpp
   learn/firing_reader.cpp
   learn/identity_analysis.cpp

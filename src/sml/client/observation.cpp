@@ -221,4 +221,8 @@ void SetMindMatchLimit(sml::Agent& agent, std::uint32_t most) {
   if (kernel::Agent* mind = KernelAgent(agent)) mind->mutable_settings().max_partial_matches = most;
 }
 
+void SetMindMemoryLimit(sml::Agent& agent, std::size_t bytes) {
+  if (kernel::Agent* mind = KernelAgent(agent)) mind->mutable_settings().most_memory_bytes = bytes;
+}
+
 }  // namespace soarbox

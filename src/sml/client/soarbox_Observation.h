@@ -112,11 +112,15 @@ class EXPORT CallBatch {
   server::CallMutex* held_ = nullptr;
 };
 
-/// What an agent takes, in bytes, without the rules that it shares with others; 0 if its kernel is in another process.
+/// What an agent takes, in bytes, without the rules of its files, which it may share with others; 0 if its kernel is in another process.
 std::size_t EXPORT MindMemoryBytes(sml::Agent& agent);
 
 /// How many partial matches the agent may have ('soar max-partial-matches'); 0 if its kernel is in another process.
 std::uint32_t EXPORT MindMatchLimit(sml::Agent& agent);
 void EXPORT SetMindMatchLimit(sml::Agent& agent, std::uint32_t most);
+
+/// To how many bytes (as MindMemoryBytes counts) the agent may grow; while it runs beyond that it breaks down as if
+/// memory had run out. Does nothing if its kernel is in another process.
+void EXPORT SetMindMemoryLimit(sml::Agent& agent, std::size_t bytes);
 
 }  // namespace soarbox

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <new>
 #include <string>
 #include <string_view>
 
@@ -45,8 +47,11 @@ class ShortText {
  private:
   static constexpr std::size_t kRoom = 256;
   static constexpr std::size_t kLongestInteger = 20;
+  /// A text that grows beyond this is taken for one that grows without end: memory has run out.
+  static constexpr std::size_t kLongest = std::size_t{64} << 20;
 
   [[gnu::noinline]] void AppendLong(std::string_view piece) {
+    if (piece.size() > kLongest - std::max(long_.size(), size_)) throw std::bad_alloc();
     if (long_.empty()) long_.assign(room_, size_);
     long_ += piece;
   }
