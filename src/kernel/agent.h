@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <map>
 #include <limits>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>

@@ -177,8 +177,8 @@ void SoarMind::NoteSaid(const SaidCommand& said) {
   log_.notes().NoteCommand(parameters.empty() ? said.name : said.name + " " + parameters, said.tag);
 }
 
-/// The command itself; null if it is no identifier or is gone: somebody at a debugger may have run the agent since it was
-/// read.
+/// The command itself; null if it is no identifier or is gone: somebody at a debugger may have run the agent since it
+/// was read.
 sml::Identifier* SoarMind::FindWord(std::uint64_t tag) const {
   sml::Identifier* link = agent_->GetOutputLink();
   if (link == nullptr) return nullptr;

@@ -63,7 +63,8 @@ MeshData Revolve(const std::vector<ShapeRing>& profile, int segments = kSegments
 }
 
 /// Rings of an arc of an ellipse, angles from the horizontal, both ends included.
-void AddArc(std::vector<ShapeRing>& profile, float radius, float height, float centre_y, float from, float to, int steps) {
+void AddArc(std::vector<ShapeRing>& profile, float radius, float height, float centre_y, float from, float to,
+            int steps) {
   for (int i = 0; i <= steps; ++i) {
     const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps);
     profile.push_back({std::max(0.0f, radius * std::cos(angle)), centre_y + height * std::sin(angle)});
@@ -82,8 +83,8 @@ float RadiusAt(const std::vector<ShapeRing>& profile, float y) {
 }
 
 /// A raised patch on the front (+z) of the profile, with the outline of a superellipse; its border sinks into the body.
-MeshData Visor(const std::vector<ShapeRing>& profile, float low_y, float high_y, float half_angle, float radius, int columns,
-               int rows) {
+MeshData Visor(const std::vector<ShapeRing>& profile, float low_y, float high_y, float half_angle, float radius,
+               int columns, int rows) {
   const auto point = [&](float a, float b) {
     const float y = (low_y + high_y) / 2 + (high_y - low_y) / 2 * b;
     const float inside = 1 - std::pow(std::abs(a), 4.0f) - std::pow(std::abs(b), 4.0f);

@@ -166,6 +166,26 @@ class RemoteMinds(Case):
         self.assertGreater(max(moved(while_lost[0], while_lost[-1], False)), 0.2, "the world goes on")
         self.assertGreater(max(moved(while_lost[-1], after[-1], True)), 1, "the minds act again")
 
+    def test_the_next_kernel_keeps_the_limits_of_a_strangers_rules_too(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder, outside = pathlib.Path(place) / "scenario", pathlib.Path(place) / "outside"
+            folder.mkdir()
+            (folder / "hero.soar").write_text(f"output command-to-file {outside} echo hello\n{SEEKER_RULES}",
+                                              encoding="utf-8")
+            (folder / "scenario.toml").write_text('[[agent]]\nname = "hero"\nrules = "hero.soar"\n', encoding="utf-8")
+            port = free_port()
+            kernel = self.start_kernel(port)
+            run = self.start("run", folder, "--headless", "--json", "--seconds", 60, "--speed", 4, "--report", 0.5,
+                             "--kernel", f"127.0.0.1:{port}")
+            run.wait_for(is_event("state"))
+            kernel.kill()
+            run.wait_for(is_event("lost"))
+            self.start_kernel(port)
+            back = json.loads(run.wait_for(is_event("back")))
+            run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > back["time"] + 1)
+            run.interrupt()
+            self.assertFalse(outside.exists())
+
     def test_a_kernel_that_hangs_is_given_up_and_the_world_goes_on(self):
         port = free_port()
         kernel = self.start_kernel(port)

@@ -112,7 +112,8 @@ class EXPORT CallBatch {
   server::CallMutex* held_ = nullptr;
 };
 
-/// What an agent takes, in bytes, without the rules of its files, which it may share with others; 0 if its kernel is in another process.
+/// What an agent takes, in bytes, without the rules of its files, which it may share with others; 0 if its kernel is in
+/// another process.
 std::size_t EXPORT MindMemoryBytes(sml::Agent& agent);
 
 /// How many partial matches the agent may have ('soar max-partial-matches'); 0 if its kernel is in another process.
