@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -77,6 +78,15 @@ bool Set(toml::table& root, std::string_view path, const toml::node& value) {
   }
 }
 
+/// Where an agent's other rules go in the copy: under their own name, unless other rules have it there already.
+fs::path PlaceForRules(const fs::path& folder, const fs::path& file) {
+  const std::optional<std::string> text = ReadText(file);
+  fs::path to = folder / file.filename();
+  for (int n = 2; fs::exists(to) && ReadText(to) != text; ++n)
+    to = folder / (file.stem().string() + "-" + std::to_string(n) + file.extension().string());
+  return to;
+}
+
 /// Changes the copy of a scenario file as the variant says.
 Result<void> Change(const fs::path& definition, const Variant& variant, const Spec& spec) {
   if (variant.rules.empty() && variant.parameters.empty() && variant.setup.empty()) return {};
@@ -91,7 +101,7 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
   std::map<std::string, std::string> of_agents;
   for (const auto& [who, file] : variant.rules) {
     const bool is_rules = who.ends_with(".soar");
-    const fs::path to = is_rules ? sim::FindInFolders(who, {folder}) : folder / fs::path(file).filename();
+    const fs::path to = is_rules ? sim::FindInFolders(who, {folder}) : PlaceForRules(folder, file);
     if (to.empty())
       return refuse("the scenario has no rules '" + who + "'", "name an agent, or a file of rules in its folder");
     const fs::path beside = spec.file.has_parent_path() ? spec.file.parent_path() : fs::path(".");

@@ -143,7 +143,7 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
       only_second += good && !other->second ? 1 : 0;
       equal += hashes[v][seed] == hashes.front()[seed] ? 1 : 0;
     }
-    if (both > 0 && equal == both) {
+    if (both > 0 && equal == both && only_first == 0 && only_second == 0) {
       out << "  " << plan.variants[v].variant.name << " never differs from " << plan.variants.front().variant.name
           << ": does what it changes reach the agents?\n";
       continue;

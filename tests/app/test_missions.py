@@ -393,6 +393,21 @@ class Sweeps(MissionCase):
         self.write("page.html", "a page beside it changes nothing")
         self.assertIn("0 runs made, 6 were there", Run("sweep", spec).err)
 
+    def test_rules_of_one_name_from_two_folders_stay_apart(self):
+        self.mission("", world=WORLD + '[[agent]]\nname = "other"\nrules = "scout.soar"\n')
+        for folder, said in (("calm", "calm"), ("bold", "bold")):
+            (self.folder / folder).mkdir()
+            self.write(f"{folder}/scout.soar", RULES.replace("off I go", said))
+        checks = "".join(f'[[check]]\nname = "{agent} {said}"\nagent = "{agent}"\nprints = "{said}"\n'
+                         for agent, said in (("scout", "calm"), ("other", "bold")))
+        spec = self.write("sweep.toml", 'scenario = "scenario.toml"\nseeds = "1..2"\nseconds = 4\n' + checks
+                          + '[[variant]]\nname = "plain"\n[[variant]]\nname = "both"\n'
+                          + 'rules = { "scout" = "calm/scout.soar", "other" = "bold/scout.soar" }\n')
+        run = Run("sweep", spec)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        passed = {(row["variant"], row["passed"]) for row in self.rows()}
+        self.assertEqual(passed, {("plain", "0"), ("both", "1")}, run.out)
+
     def test_seeds_variants_and_recordings_may_be_added(self):
         self.mission("")
         spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..2"))
