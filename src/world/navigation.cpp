@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "world/navigation_build.h"
 #include "world/overlay_snapshot.h"
 #include "world/state_hash.h"
 
@@ -13,20 +14,6 @@ constexpr Color kFill{0, 1, 1, 32.0f / 255};
 constexpr Color kEdge{0, 0.5f, 0.5f, 1};
 /// Above the mesh, so that floors do not shine through.
 constexpr Vec3 kLift_m{0, 0.02f, 0};
-
-std::uint64_t HashOf(const NavigationGeometry& geometry, const NavigationConfig& config) {
-  StateHash hash;
-  hash.Add(geometry.Hash());
-  hash.Add(config.walkable_height_m);
-  hash.Add(config.walkable_radius_m);
-  hash.Add(config.climb_height_m);
-  hash.Add(config.slope_deg);
-  hash.Add(config.min_region_cells);
-  hash.Add(config.merge_region_cells);
-  hash.Add(config.cell_size_m);
-  hash.Add(static_cast<std::uint64_t>(config.keeps_points));
-  return hash.value();
-}
 
 std::string Quoted(std::string_view name) {
   return "\"" + std::string(name) + "\"";
@@ -62,7 +49,7 @@ Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geomet
   const float farthest = std::max({-min.x, -min.y, -min.z, max.x, max.y, max.z});
   Entry& entry = entries_[std::string(name)];
   entry = Entry();
-  entry.source_hash = HashOf(geometry, config);
+  entry.source_hash = SourceHash(geometry, config);
   auto build = [geometry = std::move(geometry), config] { return NavigationMesh::Build(geometry, config); };
   // Where no thread is to be had it is built when it is needed.
   entry.building = std::async(std::launch::async | std::launch::deferred, std::move(build));

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "world/navigation_mesh.h"
+#include "world/state_hash.h"
 
 // Recast's stages in order: rasterize, filter, compact, erode, regions, contours, polygons, detail, tile.
 namespace soarbox::world {
@@ -170,6 +171,20 @@ Result<BuiltNavigation> MakeTile(const rcConfig& grid, const NavigationConfig& c
 }
 
 }  // namespace
+
+std::uint64_t SourceHash(const NavigationGeometry& geometry, const NavigationConfig& config) {
+  StateHash hash;
+  hash.Add(geometry.Hash());
+  hash.Add(config.walkable_height_m);
+  hash.Add(config.walkable_radius_m);
+  hash.Add(config.climb_height_m);
+  hash.Add(config.slope_deg);
+  hash.Add(config.min_region_cells);
+  hash.Add(config.merge_region_cells);
+  hash.Add(config.cell_size_m);
+  hash.Add(static_cast<std::uint64_t>(config.keeps_points));
+  return hash.value();
+}
 
 Result<BuiltNavigation> BuildNavigation(const NavigationGeometry& geometry, const NavigationConfig& config) {
   rcContext context(false);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "diagnostics/result.h"
@@ -20,6 +21,8 @@ struct BuiltNavigation {
   std::vector<std::array<Vec3, 3>> triangles;
 };
 
+/// Names what a mesh is made from: the same hash, the same mesh.
+std::uint64_t SourceHash(const NavigationGeometry& geometry, const NavigationConfig& config);
 Result<BuiltNavigation> BuildNavigation(const NavigationGeometry& geometry, const NavigationConfig& config);
 
 }  // namespace soarbox::world

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "world/navigation_build.h"
+#include "world/navigation_store.h"
 #include "world/rotation.h"
 
 namespace soarbox::world {
@@ -42,6 +43,14 @@ std::string Text(float value) {
   text.erase(text.find_last_not_of('0') + 1);
   if (text.ends_with('.')) text.pop_back();
   return text;
+}
+
+Result<BuiltNavigation> FindOrBuild(const NavigationGeometry& geometry, const NavigationConfig& config) {
+  const std::uint64_t source = SourceHash(geometry, config);
+  if (std::optional<BuiltNavigation> found = FindSharedNavigation(source)) return std::move(*found);
+  Result<BuiltNavigation> built = BuildNavigation(geometry, config);
+  if (built.ok()) OfferNavigation(source, *built);
+  return built;
 }
 
 struct Range {
@@ -141,7 +150,7 @@ double NavigationMesh::CoveredCells(const NavigationGeometry& geometry, const Na
 Result<std::unique_ptr<NavigationMesh>> NavigationMesh::Build(const NavigationGeometry& geometry,
                                                               const NavigationConfig& config) {
   if (const Result<void> checked = Check(geometry, config); !checked.ok()) return checked.error();
-  Result<BuiltNavigation> built = BuildNavigation(geometry, config);
+  Result<BuiltNavigation> built = FindOrBuild(geometry, config);
   if (!built.ok()) return built.error();
 
   auto impl = std::make_unique<Impl>();

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <DetourAlloc.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstring>
 #include <limits>
 
+#include "world/navigation_mesh.h"
+#include "world/navigation_store.h"
+#include "world/shared_navigation.h"
 #include "world/world.h"
 
 namespace soarbox::world {
@@ -181,6 +188,36 @@ TEST_F(NavigationTest, TheSameWorldGivesTheSameMeshAndPoints) {
   EXPECT_EQ(a, b);
   make(6, c);
   EXPECT_NE(a, c);
+}
+
+TEST(SharedNavigation, AMeshThatAnotherProcessBuiltIsTheOneThatWouldBeBuiltHere) {
+  NavigationGeometry geometry;
+  geometry.AddBox({}, {10, 0.5f, 10}, {0, -0.5f, 0}, {});
+  geometry.AddBox({}, {1, 1, 1}, {3, 1, 2}, {});
+  NavigationConfig config;
+  const std::uint64_t source = SourceHash(geometry, config);
+  ShareNavigation();
+  EXPECT_FALSE(FindSharedNavigation(source).has_value());
+  const pid_t child = fork();
+  if (child == 0) _exit(NavigationMesh::Build(geometry, config).ok() ? 0 : 1);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_EQ(status, 0);
+  std::optional<BuiltNavigation> found = FindSharedNavigation(source);
+  ASSERT_TRUE(found.has_value());
+  Result<BuiltNavigation> built = BuildNavigation(geometry, config);
+  ASSERT_TRUE(built.ok());
+  ASSERT_EQ(found->tile_size, built->tile_size);
+  EXPECT_EQ(std::memcmp(found->tile, built->tile, static_cast<std::size_t>(built->tile_size)), 0);
+  EXPECT_EQ(found->triangles, built->triangles);
+  dtFree(found->tile);
+  dtFree(built->tile);
+  // A mesh made of it answers; another source is another mesh.
+  const Result<std::unique_ptr<NavigationMesh>> mesh = NavigationMesh::Build(geometry, config);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_GE((*mesh)->FindPath({0, 0, 2}, {6, 0, 2}).size(), 2u);
+  config.walkable_radius_m = 0.6f;
+  EXPECT_FALSE(FindSharedNavigation(SourceHash(geometry, config)).has_value());
 }
 
 TEST_F(NavigationTest, FaultsAreNamed) {

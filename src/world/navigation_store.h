@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "world/navigation_build.h"
+
+namespace soarbox::world {
+
+// For the navigation_*.cpp files only.
+
+/// Meshes that this process and those forked from it have built. Nothing is shared until ShareNavigation is called
+/// (shared_navigation.h); what does not fit is built again by everybody.
+///
+/// The same source gives the same mesh, so nobody can tell whether it was built or found. Safe from any thread and any
+/// of these processes; one that is killed while it writes leaves nothing behind.
+
+/// What was made from this source; nothing if nobody has built it yet. The tile is the caller's.
+std::optional<BuiltNavigation> FindSharedNavigation(std::uint64_t source);
+/// Offers what was made from this source to the others.
+void OfferNavigation(std::uint64_t source, const BuiltNavigation& built);
+
+}  // namespace soarbox::world
