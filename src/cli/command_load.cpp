@@ -135,12 +135,14 @@ void ReportTraps(CommandCall& call, int loaded) {
   const kernel::Agent& agent = call.agent();
   std::vector<const kernel::Production*> rules;
   for (const kernel::ProductionId id : agent.Productions()) rules.push_back(&agent.production(id));
+  std::vector<Diagnostic>& traps = call.result.traps;
   for (Diagnostic& gap : kernel::FindRuleGaps(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
-    call.result.diagnostics.push_back(std::move(gap));
+    traps.push_back(std::move(gap));
   }
   for (Diagnostic& crowd : FindRuleCrowds(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
-    call.result.diagnostics.push_back(std::move(crowd));
+    traps.push_back(std::move(crowd));
   }
+  call.result.diagnostics.insert(call.result.diagnostics.end(), traps.begin(), traps.end());
 }
 
 /// While it lives, relative names start from the folder of a file, as after `pushd`.

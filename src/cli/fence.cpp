@@ -22,7 +22,7 @@ constexpr std::string_view kAllowedInRecordings[] = {"alias", "debug", "run"};
 /// What counts in files that are looked over.
 constexpr std::string_view kRules[] = {"cd", "gp", "load", "popd", "production", "pushd", "sp"};
 /// Sub-commands of those that count: other ones are passed over.
-constexpr Subcommand kRuleWords[] = {{"load", "file"}, {"production", "excise"}};
+constexpr Subcommand kRuleWords[] = {{"load", "file"}, {"production", "excise"}, {"production", "optimize-attribute"}};
 
 /// Words of the long-term memories' commands that open no file. Whatever else follows the command is refused.
 constexpr std::string_view kMemoryWords[] = {
@@ -93,8 +93,11 @@ Fence::Answer Fence::Ask(std::span<const Word> words) const {
       const auto holds_rule = [](const Word& word) { return word.text.find("-->") != std::string::npos; };
       return {false, std::ranges::any_of(words, holds_rule) ? "no such command for a rule: " + name : std::string()};
     }
-    for (const auto& [command, word] : kRuleWords)
-      if (name == command && (words.size() < 2 || !IsBeginningOf(words[1].text, word))) return {false, {}};
+    const auto is_about = [&](const Subcommand& row) { return row.first == name; };
+    const auto is_meant = [&](const Subcommand& row) {
+      return is_about(row) && words.size() > 1 && IsBeginningOf(words[1].text, row.second);
+    };
+    if (std::ranges::any_of(kRuleWords, is_about) && std::ranges::none_of(kRuleWords, is_meant)) return {false, {}};
     return {};
   }
   const bool is_recorded = source_ == Source::kRecording;

@@ -39,6 +39,7 @@ struct CommandResult {
   std::string text;                             ///< As Soar prints it: output, then the message of a failure.
   ResultNode structured{"result", {}, {}, {}};  ///< The same for programs; empty if the command only printed text.
   std::vector<Diagnostic> diagnostics;          ///< Errors with file, line, column and hint; warnings too.
+  std::vector<Diagnostic> traps;                ///< Those of the warnings that only all rules together show.
 };
 
 }  // namespace soarbox::cli

@@ -213,6 +213,9 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
   if (!ok) {
     std::vector<Diagnostic> more = ParseDiagnostics(reason, file);
     if (loaded.problems.empty()) loaded.problems = std::move(more);
+  } else {
+    for (Diagnostic& trap : ParseDiagnostics(loaded.agent->GetLoadWarnings(), file))
+      loaded.problems.push_back(std::move(trap));
   }
   ClarifyErrors(loaded.problems);
   for (Diagnostic& problem : loaded.problems) {

@@ -27,6 +27,7 @@ struct AgentData {
   int next_callback = 0;
   int debugger_process = 0;
   std::string converted;  ///< Result of ConvertIdentifier.
+  std::string load_warnings;
 
   HandlerTable<RunEventHandler> run_handlers;
   HandlerTable<ProductionEventHandler> production_handlers;

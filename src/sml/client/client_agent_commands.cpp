@@ -31,13 +31,19 @@ bool Agent::LoadProductions(char const* pFilename, bool echoResults) {
   KernelData& kernel = data_->kernel_data();
   LineAnswer answer = kernel.link->Execute(GetAgentName(), link, {line, echoResults, !kernel.filtering, false, true});
   kernel.last_line_ok = answer.ok;
+  data_->load_warnings.clear();
   if (answer.ok) {
     ClearError();
+    data_->load_warnings = std::move(answer.details);
   } else {
     SetDetailedError(kDetailedError, answer.details.empty() ? answer.text.c_str() : answer.details.c_str());
   }
   kernel.Answer(std::move(answer.text));
   return kernel.last_line_ok;
+}
+
+char const* Agent::GetLoadWarnings() const {
+  return data_->load_warnings.c_str();
 }
 
 char const* Agent::InitSoar() {

@@ -61,7 +61,7 @@ struct LineAnswer {
   bool ok = true;
   bool failed_to_ask = false;  ///< The kernel did not answer at all; text says why.
   std::string text;
-  std::string details;  ///< Every error with file, line and column, if there are any.
+  std::string details;  ///< Every error with file, line and column, if there are any; else every warning.
   std::shared_ptr<const soarbox::wire::Element> document;  ///< For structured answers: the response <sml>.
 };
 

@@ -283,7 +283,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     LineAnswer answer;
     answer.ok = result.ok;
     answer.text = result.text;
-    if (!result.ok) answer.details = soarbox::server::ErrorDetails(result);
+    answer.details = result.ok ? soarbox::server::Warnings(result) : soarbox::server::ErrorDetails(result);
     if (structured) answer.document = soarbox::server::StructuredDocument(result);
     return answer;
   }

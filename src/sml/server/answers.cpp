@@ -82,6 +82,12 @@ std::string ErrorDetails(const cli::CommandResult& result) {
   return details;
 }
 
+std::string Warnings(const cli::CommandResult& result) {
+  std::string warnings;
+  for (const Diagnostic& trap : result.traps) warnings += Format(trap);
+  return warnings;
+}
+
 wire::Element InputReceivedCommand(HostedAgent& agent, std::span<const InputWme> wmes) {
   wire::Element command("command");
   command.Set("name", "event").AddArg("eventid", "xml-input-received").AddArg("agent", agent.name());

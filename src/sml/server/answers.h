@@ -18,6 +18,8 @@ void AddLineResult(wire::Message& response, const cli::CommandResult& result, bo
 std::shared_ptr<const wire::Element> StructuredDocument(const cli::CommandResult& result);
 /// The text of a failed command line, and every error with file, line and column that the text does not show.
 std::string ErrorDetails(const cli::CommandResult& result);
+/// What a command line that succeeded warns of: traps in rules that it loaded. Empty for nearly all.
+std::string Warnings(const cli::CommandResult& result);
 /// The <command> of an input message, as an event shows it.
 wire::Element InputReceivedCommand(HostedAgent& agent, std::span<const InputWme> wmes);
 std::shared_ptr<const wire::Element> InputReceivedDocument(HostedAgent& agent, std::span<const InputWme> wmes);
