@@ -16,6 +16,7 @@
 #include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "sim/live_edits.h"
+#include "sim/odd_characters.h"
 #include "sim/reasons.h"
 #include "sim/rule_slips.h"
 #include "sim/rule_surroundings.h"
@@ -198,6 +199,10 @@ class Checker {
     for (const fs::path& one : WithSourcedFiles(file, folders_))
       if (one != file) files.push_back({one, BlankComments(ReadText(one).value_or(""))});
     for (Diagnostic& twice : FindDuplicates(files)) problems.push_back(std::move(twice));
+    std::set<std::string> loaded;
+    for (const RuleText& rule : rules) loaded.insert(rule.name);
+    for (auto& [rule, warning] : FindOddCharacters({file, text}))
+      if (loaded.contains(rule)) problems.push_back(std::move(warning));
     const KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
                            around.has_database, complete};
     for (const auto& slips :

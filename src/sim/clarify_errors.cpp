@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "diagnostics/read_text.h"
+#include "sim/odd_characters.h"
 #include "sim/rule_text.h"
 
 namespace soarbox::sim {
@@ -151,6 +152,12 @@ bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
   if (!line.starts_with("sp ") && !line.starts_with("gp ")) return false;
   const std::string rest = Trimmed(line.substr(3));
   if (rest.empty() || rest.front() == '{' || rest.front() == '"') return false;
+  if (rest.front() == '(') {
+    problem.message = "a rule begins with sp {, not with sp (";
+    problem.hint = "write sp {" + Trimmed(rest.substr(1));
+    PointAt(problem, source, problem.line, line.find('('), 1);
+    return true;
+  }
   problem.message = "{ is missing after sp";
   problem.hint = "write sp {" + rest;
   PointAt(problem, source, problem.line, line.find(rest), rest.size());
@@ -207,6 +214,10 @@ std::string HintForValue(const std::string& found, const std::string& before) {
   if (found == "=") return "write the value directly after its ^attribute, without =";
   if (found == ">" || found == ">=" || found == "<=" || found == "<>")
     return "an action makes elements and compares nothing: write the value alone";
+  // "(state <s> ^operator <o> +)"
+  const std::size_t word = before.rfind("(state ");
+  if (found == "^" && word != kNowhere && before.find(')', word) == kNowhere)
+    return "the word state stands in conditions only: write (" + Trimmed(before.substr(word + 7)) + " ^...";
   // "(<command ^waypoint": the variable has no end.
   const std::size_t open = before.rfind('<');
   if (found == "^" && open != kNowhere && before.find('>', open) == kNowhere) {
@@ -241,12 +252,54 @@ std::string HintForTest(const std::string& found, const std::string& before, con
   return {};
 }
 
+/// Where a condition should begin, or go on: words that join conditions in other languages.
+std::string HintForJoin(const std::string& found, bool is_within) {
+  if (found == "not" || found == "NOT")
+    return is_within ? "a negation is written with a minus: -^attribute value"
+                     : "a negation is written with a minus: -(<id> ^attribute value)";
+  if (found == "and" || found == "AND" || found == "&&") return "conditions stand one after another, without " + found;
+  if (found == "or" || found == "OR") return "write two rules, or a choice between values: << a b >>";
+  return {};
+}
+
+/// "sp {my first rule": the name ends at the blank. What was meant, in one word; empty if that is not it.
+std::string NameOfWords(const SourceFile& source, const Diagnostic& problem, const std::string& found) {
+  const std::string& line = source.Code(problem.line);
+  if (!BeginsRule(line) || found.empty() || std::isalnum(static_cast<unsigned char>(found.front())) == 0) return {};
+  const std::size_t begin = line.find('{') + 1;
+  std::istringstream words(line.substr(begin, line.find('(', begin) - begin));
+  std::string name;
+  for (std::string word; words >> word;) name += (name.empty() ? "" : "*") + word;
+  return name;
+}
+
+/// A character that readers skip, in a rule that did not load: most likely why.
+bool ClarifyOddCharacter(Diagnostic& problem, const SourceFile& source) {
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0 || problem.severity != Severity::kError) return false;
+  for (int at = begin; at < EndOfRule(source, begin) && at <= problem.line; ++at) {
+    const std::size_t column = FindOddCharacter(source.Code(at));
+    if (column == kNowhere) continue;
+    OddCharacter odd = DescribeOddCharacter(source.Code(at), column);
+    if (odd.hint.ends_with("blank")) continue;  // It parts words as a blank does.
+    problem.message = "rule " + NameOfRule(source, begin) + ": " + odd.message;
+    problem.hint = std::move(odd.hint);
+    PointAt(problem, source, at, column, 1);
+    return true;
+  }
+  return false;
+}
+
 /// What the reader expected and what it found: forms of other languages and of haste.
 void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   const std::string found = Between(problem.message, "found '", "'");
   if (problem.message.ends_with("but the rule ends here") && problem.message.find("-->") != kNowhere)
     problem.hint = "write --> between the conditions and the actions";
   if (found.empty()) return;
+  if (problem.message.find("expected ( to begin a condition") != kNowhere) {
+    if (const std::string name = NameOfWords(source, problem, found); !name.empty())
+      problem.hint = "a rule's name has no blanks: sp {" + name;
+  }
   if (problem.message.starts_with("expected the rule's name")) problem.hint = "give it one: sp {scout*propose*go";
   const std::string& line = source.Code(problem.line);
   const std::size_t column = static_cast<std::size_t>(std::max(problem.column, 1)) - 1;
@@ -267,6 +320,8 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   std::string hint;
   if (problem.message.find("expected ( to begin an action") != kNowhere) hint = HintForAction(found);
   if (problem.message.find("expected a value") != kNowhere) hint = HintForValue(found, head);
+  if (problem.message.find("or --> before the actions") != kNowhere) hint = HintForJoin(found, false);
+  if (problem.message.find("expected ^attribute") != kNowhere) hint = HintForJoin(found, true);
   if (problem.message.find("expected a constant") != kNowhere) hint = HintForTest(found, head, tail);
   const bool is_comment = BeginsComment(found) || Trimmed(head).ends_with(';');  // The reader skips a semicolon.
   if (problem.message.find("or --> before the actions") != kNowhere && is_comment &&
@@ -392,7 +447,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
           problem.hint.starts_with("the rule's"))
         continue;
       if (problem.hint.starts_with("bind it") && !kept.empty() && kept.back().hint.starts_with("the rule's")) continue;
-    } else {
+    } else if (!ClarifyOddCharacter(problem, source)) {
       ClarifyState(problem);
       ClarifyFound(problem, source);
       if (LacksArrow(problem, source)) problem.hint = "write --> between the conditions and the actions";

@@ -5,6 +5,7 @@
 #include "diagnostics/read_text.h"
 #include "sim/live_edits.h"
 #include "sim/minds.h"
+#include "sim/odd_characters.h"
 #include "sim/reasons.h"
 #include "sim/rule_slips.h"
 #include "sim/rule_surroundings.h"
@@ -58,6 +59,16 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
       if (!only.empty() && !only.contains(slip.rule)) continue;
       Diagnostic warning = Placed(slip, files);
       if (!warning.file.empty()) warning.file = scenario_.Original(warning.file).string();
+      warnings.push_back(std::move(warning));
+    }
+  }
+  std::set<std::string> loaded = only;
+  if (only.empty())
+    for (const RuleText& rule : reasons.rules()) loaded.insert(rule.name);
+  for (const RuleFile& file : files) {
+    for (auto& [rule, warning] : FindOddCharacters(file)) {
+      if (!loaded.contains(rule)) continue;
+      warning.file = scenario_.Original(file.file).string();
       warnings.push_back(std::move(warning));
     }
   }

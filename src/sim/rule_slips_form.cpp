@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "diagnostics/diagnostic.h"
 #include "sim/rule_slips.h"
 
 namespace soarbox::sim {
 namespace {
+
+constexpr std::size_t kNone = std::string::npos;
 
 /// Functions that rules call most, for near-misses.
 constexpr std::string_view kFunctions[] = {"write",
@@ -108,10 +113,46 @@ std::vector<std::string> ConstantsIn(const std::string& value) {
   return words;
 }
 
+/// "$place": a variable of other languages. A kernel prints it as it is, or between bars.
+bool IsOtherLanguagesVariable(const std::string& word) {
+  return word.size() > 1 && word.front() == '$' && (std::isalpha(static_cast<unsigned char>(word[1])) != 0);
+}
+
+bool IsNumberText(const std::string& word) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+/// The tests of a value one by one, "{ > 2m <x> }" as "> 2m" and "<x>"; words between bars keep them.
+std::vector<std::pair<std::string, std::string>> TestsIn(const std::string& value) {
+  std::vector<std::pair<std::string, std::string>> tests;
+  std::string relation;
+  for (std::size_t at = value.find_first_not_of(' '); at < value.size(); at = value.find_first_not_of(' ', at)) {
+    const std::size_t end =
+        std::min(value[at] == '|' ? value.find('|', at + 1) + 1 : value.find(' ', at), value.size());
+    std::string word = value.substr(at, end - at);
+    at = end;
+    if (word == "{" || word == "}") continue;
+    if (word.find_first_not_of("<>=") == std::string::npos && word != "<<" && word != ">>") {
+      relation = std::move(word);
+    } else {
+      tests.emplace_back(std::exchange(relation, {}), std::move(word));
+    }
+  }
+  return tests;
+}
+
 /// Constants that look like something else. A kernel prints them between bars, whatever their author did.
 void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
   for (const auto* side : {&rule.conditions, &rule.actions}) {
     for (const RuleAttribute& clause : *side) {
+      for (const auto& test : TestsIn(clause.value)) {
+        if (!IsOtherLanguagesVariable(test.second)) continue;
+        slips.push_back({rule.name, test.second, false,
+                         test.second + " in rule " + rule.name + " is read as a word, not as a variable",
+                         "write a variable between < and >: <" + test.second.substr(1) + ">"});
+      }
       for (const std::string& word : ConstantsIn(clause.value)) {
         if (word.size() < 2 || word.find(' ') != std::string::npos) continue;
         if (word.find_first_not_of("<>=!") == std::string::npos) {
@@ -124,6 +165,78 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
         }
       }
     }
+  }
+}
+
+/// "2m" and "50%": the number that was meant; empty if there is none.
+std::string LeadingNumber(const std::string& word) {
+  const std::size_t end = word.find_first_not_of("0123456789.-");
+  const std::string number = word.substr(0, end);
+  return IsNumberText(number) ? number : std::string();
+}
+
+/// Only numbers are less or greater than each other: with a word such a test never comes true.
+void FindComparedWords(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& condition : rule.conditions) {
+    for (const auto& [relation, text] : TestsIn(condition.value)) {
+      const bool compares = relation == "<" || relation == "<=" || relation == ">" || relation == ">=";
+      const bool is_quoted = text.size() > 1 && text.front() == '|' && text.back() == '|';
+      const std::string word = is_quoted ? text.substr(1, text.size() - 2) : text;
+      if (!compares || word.empty() || IsVariable(word) || (!is_quoted && IsNumberText(word))) continue;
+      if (IsHalfVariable(word) || word.find_first_not_of("<>=!") == std::string::npos) continue;  // Reported as that.
+      const std::string number = LeadingNumber(word);
+      slips.push_back({rule.name, word, false,
+                       "rule " + rule.name + " tests ^" + condition.attribute + " " + relation + " " +
+                           (IsNumberText(word) ? text : word) + ", which is a word and no number: that never matches",
+                       number.empty()   ? "< <= > >= compare numbers; a word is equal, or not equal: <>"
+                       : number == word ? "write the number without bars: " + number
+                                        : "write the number alone: " + number});
+    }
+  }
+}
+
+/// "^color red and ^size big": the words of other languages that join tests are values here.
+void FindJoiningWords(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& condition : rule.conditions) {
+    const std::string& word = condition.value;
+    if (word != "and" && word != "or" && word != "not" && word != "&&") continue;
+    const bool joins = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& other) {
+      return &other != &condition && other.id == condition.id && other.attribute == condition.attribute;
+    });
+    if (!joins) continue;
+    slips.push_back({rule.name, word, false,
+                     "rule " + rule.name + " tests that ^" + condition.attribute + " is the word " + word,
+                     word == "or"    ? "a choice is written << a b >>"
+                     : word == "not" ? "not equal is written <>, and that an element is absent -^attribute value"
+                                     : "conditions need no " + word +
+                                           " between them; two tests of one value stand in "
+                                           "braces: { > 10 < 20 }"});
+  }
+}
+
+/// An operator that a rule makes and never makes acceptable is no candidate.
+void FindUnproposed(const RuleText& rule, std::vector<Slip>& slips) {
+  std::set<std::string> known, proposed;
+  for (const RuleAttribute& condition : rule.conditions)
+    for (std::string& variable : VariablesIn(condition.value)) known.insert(std::move(variable));
+  for (const RuleAttribute& action : rule.actions) {
+    if (action.attribute != "operator") {
+      known.insert(FirstWord(action.value));  // Another rule may find it there and propose it.
+    } else if (action.value.ends_with(" +") || action.value.ends_with(" !") || action.value.find(' ') == kNone) {
+      proposed.insert(FirstWord(action.value));
+    }
+  }
+  std::set<std::string> told;
+  for (const RuleAttribute& action : rule.actions) {
+    const std::string name = FirstWord(action.value);
+    if (action.attribute != "operator" || !IsVariable(name) || known.contains(name) || proposed.contains(name))
+      continue;
+    if (!told.insert(name).second) continue;
+    const std::string sign = action.value.substr(std::min(action.value.find(' ') + 1, action.value.size()));
+    slips.push_back({rule.name, "operator", true,
+                     "rule " + rule.name + " makes the operator " + name + " and does not propose it: " + sign +
+                         " alone only compares it with others",
+                     "add a +: (<s> ^operator " + name + " + " + sign + ")"});
   }
 }
 
@@ -196,6 +309,9 @@ std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules) {
   std::vector<Slip> slips;
   for (const RuleText& rule : rules) {
     FindOddWords(rule, slips);
+    FindComparedWords(rule, slips);
+    FindJoiningWords(rule, slips);
+    FindUnproposed(rule, slips);
     const std::size_t before = slips.size();
     FindUnlinked(rule, slips);
     // A variable that lost a bracket is told as that.

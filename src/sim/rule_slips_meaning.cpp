@@ -6,6 +6,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "sim/command_check.h"
+#include "sim/mind_view.h"
 #include "sim/reasons.h"
 #include "sim/rule_slips.h"
 #include "sim/vocabulary.h"
@@ -25,6 +26,8 @@ class MeaningChecker {
     made_ = known.attributes;
     for (const RuleText& rule : rules)
       for (const RuleAttribute& action : rule.actions) made_.insert(action.attribute);
+    for (const RuleText& rule : rules)
+      for (const RuleAttribute& condition : rule.conditions) tested_.insert(condition.attribute);
     recalls_anything_ = known.has_database && std::ranges::any_of(rules, TestsWhatWasRecalled);
   }
 
@@ -48,7 +51,36 @@ class MeaningChecker {
       if (IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
       if (IsArchitectureAttribute(attribute) || IsPerceptAttribute(attribute) || !known_.complete) continue;
       Tell(rule, attribute, true, "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule makes",
-           SuggestAttribute(attribute, made_));
+           Nearest(attribute));
+    }
+  }
+
+  /// What rules wait for below a command, of what commands are never answered.
+  void CheckAnswers(const RuleText& rule) {
+    const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+    for (const RuleAttribute& condition : rule.conditions) {
+      const bool is_status = condition.attribute == "status";
+      if ((!is_status && condition.attribute != "reason") || condition.value.empty()) continue;
+      const auto path = paths.find(condition.id);
+      if (path == paths.end() || path->second.size() != 3 || path->second[1] != "output-link") continue;
+      if (FindCommand(path->second[2]) == nullptr) continue;  // What scripts answer is theirs.
+      const std::string& value = condition.value;
+      if (value.find_first_of(" <>{}|") != std::string::npos || known_.scripts.contains(value)) continue;
+      if (IsMadeBelowCommands(condition.attribute)) continue;
+      std::vector<std::string_view> words = {"complete", "error", "interrupted"};
+      if (!is_status) {
+        words.clear();
+        for (const ReasonRow& row : Reasons()) words.push_back(row.name);
+      }
+      if (std::find(words.begin(), words.end(), value) != words.end()) continue;
+      const std::string_view near = Suggest(value, words);
+      std::string hint = is_status ? "it is complete, error or interrupted" : "docs/commands.md lists the reasons";
+      if (!near.empty()) hint = "did you mean " + std::string(near) + "?";
+      if (is_status && near.empty() && IsWordForComplete(value)) hint = "did you mean complete?";
+      Tell(rule, value, false,
+           "rule " + rule.name + " waits for ^" + condition.attribute + " " + value +
+               ", which no command is answered with",
+           std::move(hint));
     }
   }
 
@@ -96,6 +128,21 @@ class MeaningChecker {
     }
   }
 
+  /// "(<s> ^operater <o> +)": made, and tested by no rule, because another name was meant.
+  void CheckMade(const RuleText& rule) {
+    std::set<std::string> states;
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.on_state) states.insert(condition.id);
+    for (const RuleAttribute& action : rule.actions) {
+      const std::string& attribute = action.attribute;
+      if (!states.contains(action.id) || !IsVariable(FirstWord(action.value)) || attribute == "operator") continue;
+      if (tested_.contains(attribute) || known_.scripts.contains(attribute)) continue;
+      if (Suggest(attribute, {"operator"}).empty()) continue;
+      Tell(rule, attribute, true, "rule " + rule.name + " makes ^" + attribute + ", which no rule tests",
+           "did you mean ^operator?");
+    }
+  }
+
   /// Operators that are proposed and applied under different names, or not at all.
   void CheckOperators() {
     std::set<std::string> applied, proposed;
@@ -138,6 +185,22 @@ class MeaningChecker {
       slips.push_back({rule.name, word, is_attribute, std::move(message), std::move(hint)});
   }
 
+  /// Like SuggestAttribute, and the architecture's own attributes besides.
+  std::string Nearest(const std::string& attribute) const {
+    const std::string_view own = Suggest(attribute, {"superstate", "operator", "input-link", "output-link",
+                                                     "reward-link", "impasse", "item", "type", "smem", "epmem"});
+    return own.empty() || attribute.size() < 4 ? SuggestAttribute(attribute, made_)
+                                               : "did you mean ^" + std::string(own) + "?";
+  }
+
+  /// True if rules put such an attribute below what may be a command.
+  bool IsMadeBelowCommands(const std::string& attribute) const { return made_.contains(attribute); }
+
+  static bool IsWordForComplete(const std::string& word) {
+    constexpr std::string_view kWords[] = {"done", "finished", "success", "succeeded", "ok", "yes", "true", "ready"};
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+  }
+
   /// A percept that stands deeper than the input link itself.
   void CheckPlace(const RuleText& rule, const std::string& attribute) {
     for (const PerceptRow& row : Percepts())
@@ -148,16 +211,32 @@ class MeaningChecker {
         "it is " + PlacesOfPercept(attribute));
   }
 
+  static bool IsAlwaysNumber(const std::string& attribute) {
+    return std::all_of(Percepts().begin(), Percepts().end(), [&](const PerceptRow& row) {
+      return row.Attribute() != attribute || row.type == ValueType::kNumber || row.type == ValueType::kInteger;
+    });
+  }
+
+  /// "^health |10|": the word 10.
+  void CheckQuotedNumber(const RuleText& rule, const RuleAttribute& condition, const std::string& word) {
+    if (!IsNumber(word) || !IsAlwaysNumber(condition.attribute)) return;
+    Tell(rule, word, false,
+         "rule " + rule.name + " compares ^" + condition.attribute + ", a number, with the word " + word,
+         "write the number without bars: " + word);
+  }
+
   /// A word that the percepts of that name never have.
   void CheckWord(const RuleText& rule, const RuleAttribute& condition) {
     const std::string& value = condition.value;
+    if (value.size() > 2 && value.front() == '|' && value.back() == '|') {
+      CheckQuotedNumber(rule, condition, value.substr(1, value.size() - 2));
+      return;
+    }
     if (value.find_first_of(" <>{}|") != std::string::npos || value.empty() || IsNumber(value)) return;
+    if (value == "and" || value == "or" || value == "not") return;  // A slip of form.
     const std::vector<std::string_view> words = WordsOfPercept(condition.attribute);
     if (std::find(words.begin(), words.end(), value) != words.end()) return;
-    const bool is_number = std::all_of(Percepts().begin(), Percepts().end(), [&](const PerceptRow& row) {
-      return row.Attribute() != condition.attribute || row.type == ValueType::kNumber ||
-             row.type == ValueType::kInteger;
-    });
+    const bool is_number = IsAlwaysNumber(condition.attribute);
     if (words.empty() && !is_number) return;
     if (words.empty()) {
       Tell(rule, value, false,
@@ -194,7 +273,14 @@ class MeaningChecker {
   /// "^speed 1 + 2" reads as two values: the sign is a preference.
   void CheckTwoValues(const RuleText& rule, const std::string& command, const RuleAttribute& first,
                       const RuleAttribute& second) {
-    if (FirstWord(first.value) == FirstWord(second.value)) return;
+    if (const std::string value = FirstWord(first.value); value == FirstWord(second.value)) {
+      if (!IsNumber(value)) return;
+      Tell(rule, second.attribute, true,
+           "rule " + rule.name + " gives ^" + second.attribute + " of " + command + " twice, as " + value +
+               ": a + behind a value is a preference, not a sum",
+           "a sum is written (+ " + value + " " + value + ")");
+      return;
+    }
     SaidCommand said;
     said.name = command;
     said.parameters = {GivenBy(first), GivenBy(second)};
@@ -215,7 +301,7 @@ class MeaningChecker {
 
   const std::vector<RuleText>& rules_;
   const KnownWords& known_;
-  std::set<std::string> made_;
+  std::set<std::string> made_, tested_;
   std::set<std::string> told_;
   bool recalls_anything_ = false;  ///< From a database, say: nobody knows which attributes its facts have.
 };
@@ -275,6 +361,8 @@ std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const K
   MeaningChecker checker(rules, known);
   for (const RuleText& rule : rules) {
     checker.CheckConditions(rule);
+    checker.CheckAnswers(rule);
+    checker.CheckMade(rule);
     checker.CheckSaid(rule);
   }
   if (known.complete) checker.CheckOperators();
