@@ -27,7 +27,12 @@
 namespace soarbox::app {
 
 int Check(const CheckOptions& options) {
-  const std::vector<Diagnostic> problems = sim::CheckFiles(options.files, &mission::CheckMissionFile);
+  const Result<sim::DataFolders> data = FindDataFolders();
+  const sim::DataFolders* shipped = data ? &*data : nullptr;
+  const std::vector<Diagnostic> problems =
+      sim::CheckFiles(options.files, [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
+        return mission::CheckMissionFile(file, shipped, found);
+      });
   int errors = 0;
   for (const Diagnostic& problem : problems) {
     errors += problem.severity == Severity::kError ? 1 : 0;

@@ -24,7 +24,8 @@ void ReadRuleWords(const fs::path& folder, Cast& cast) {
   std::error_code error;
   std::size_t count = 0;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    if (it->path().extension() != ".soar" || ++count > kMostRuleFiles) continue;
+    const bool is_script = it->path().extension() == ".lua";
+    if ((it->path().extension() != ".soar" && !is_script) || ++count > kMostRuleFiles) continue;
     const std::string text = ReadText(it->path()).value_or("");
     std::string word;
     bool is_rule = false;
@@ -36,6 +37,11 @@ void ReadRuleWords(const fs::path& folder, Cast& cast) {
         continue;
       }
       if (!word.empty()) {
+        cast.all_words.insert(word);
+        if (is_script) {
+          word.clear();
+          continue;
+        }
         if (is_rule) cast.rules.insert(word);
         is_rule = word == "sp" && (c == '{' || c == ' ');
         cast.rule_words.insert(std::move(word));
@@ -53,15 +59,77 @@ class NameChecker {
  public:
   NameChecker(const Cast& cast, std::vector<Diagnostic>& problems) : cast_(cast), problems_(problems) {}
 
-  void Look(const Check& check) {
+  void Look(const Check& check, bool takes_any_attribute = false) {
     for (const std::string& agent : check.agents) Need(check, check.line, "agent", agent, cast_.agents);
     if (!check.team.empty()) Need(check, check.line, "team", check.team, cast_.teams);
     if (!check.item.empty()) Need(check, check.line, "item", check.item, cast_.items);
-    for (const Condition& condition : check.conditions)
+    for (const Condition& condition : check.conditions) {
       for (const std::string& word : condition.words) Look(check, condition, word);
+      if (!takes_any_attribute) LookAtParts(check, condition);
+    }
+    if (check.who == Who::kSome) CountSubjects(check);
   }
 
  private:
+  /// So many at once, of fewer, never come true.
+  void CountSubjects(const Check& check) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < cast_.agents.size(); ++i) {
+      const bool is_named = std::any_of(check.agents.begin(), check.agents.end(),
+                                        [&](const std::string& name) { return MatchesPattern(name, cast_.agents[i]); });
+      count += is_named || (!check.team.empty() && cast_.team_of[i] == check.team) ? 1 : 0;
+    }
+    if (count == 0 || static_cast<std::size_t>(check.some) <= count) return;
+    Tell(check, check.line,
+         "'who' asks for " + std::to_string(check.some) + " in one tick, and this check is about " +
+             std::to_string(count));
+  }
+
+  /// Parameters, reasons and paths, which nobody would miss if they were misspelt: the check would just be false.
+  void LookAtParts(const Check& check, const Condition& condition) {
+    if (condition.row->key == Key::kElement) {
+      for (const std::string& path : condition.words) LookAtPath(check, condition, path);
+      return;
+    }
+    std::vector<std::string> known(cast_.all_words.begin(), cast_.all_words.end());
+    if (condition.row->key == Key::kCommand) {
+      bool takes_place = false, is_known = true;
+      for (const std::string& word : condition.words) {
+        const sim::CommandRow* row = sim::FindCommand(word);
+        is_known &= row != nullptr;
+        if (row == nullptr) continue;
+        for (const sim::ParameterRow& parameter : row->parameters) known.emplace_back(parameter.name);
+        takes_place |= row->place != sim::TakesPlace::kNo;
+      }
+      if (takes_place || !is_known)
+        for (const sim::ParameterRow& parameter : sim::PlaceParameters()) known.emplace_back(parameter.name);
+      if (!condition.reason.empty()) {
+        std::vector<std::string> reasons = known;
+        for (const sim::ReasonRow& row : sim::Reasons()) reasons.emplace_back(row.name);
+        Need(check, condition.line, "reason", condition.reason, reasons);
+      }
+    }
+    if (condition.row->key == Key::kMessage) known.emplace_back("to");
+    if (condition.row->key == Key::kImpasse) known = {"operator"};
+    for (const auto& [name, value] : condition.with) Need(check, condition.line, "attribute", name, known);
+  }
+
+  void LookAtPath(const Check& check, const Condition& condition, std::string_view path) {
+    std::vector<std::string> known(cast_.all_words.begin(), cast_.all_words.end());
+    for (const sim::PerceptRow& row : sim::Percepts()) known.emplace_back(row.Attribute());
+    for (const sim::CommandRow& row : sim::Commands()) known.emplace_back(row.name);
+    for (const char* own : {"io",     "input-link", "output-link", "reward-link", "reward",  "value",   "operator",
+                            "name",   "superstate", "substate",    "smem",        "epmem",   "command", "result",
+                            "status", "reason",     "type",        "success",     "failure", "svs"})
+      known.emplace_back(own);
+    while (true) {
+      const std::size_t dot = path.find('.');
+      Need(check, condition.line, "attribute", std::string(path.substr(0, dot)), known);
+      if (dot == std::string_view::npos) return;
+      path.remove_prefix(dot + 1);
+    }
+  }
+
   void Look(const Check& check, const Condition& condition, const std::string& word) {
     const auto need = [&](const char* what, const std::vector<std::string>& known) {
       Need(check, condition.line, what, word, known);
@@ -103,6 +171,9 @@ class NameChecker {
         for (const sim::CommandRow& row : sim::Commands()) known.emplace_back(row.name);
         return Need(check, condition.line, "command", word, known);
       }
+      case Names::kTopic:
+        return Need(check, condition.line, "message in the rules about", word,
+                    {cast_.all_words.begin(), cast_.all_words.end()});
       case Names::kOperator:
       case Names::kRule: {
         const bool is_rule = condition.row->names == Names::kRule;
@@ -118,10 +189,7 @@ class NameChecker {
   void Need(const Check& check, int line, const char* what, const std::string& word,
             const std::vector<std::string>& known) {
     if (IsAmong(known, word)) return;
-    Diagnostic& problem = problems_.emplace_back();
-    problem.file = check.file;
-    problem.line = line;
-    problem.message = std::string("there is no ") + what + " '" + word + "'";
+    Diagnostic& problem = Tell(check, line, std::string("there is no ") + what + " '" + word + "'");
     const std::vector<std::string_view> candidates(known.begin(), known.end());
     if (const std::string_view near = Suggest(word, candidates); !near.empty()) {
       problem.hint = "did you mean '" + std::string(near) + "'?";
@@ -131,6 +199,14 @@ class NameChecker {
       problem.hint = "there are:";
       for (const std::string& name : known) problem.hint += " " + name;
     }
+  }
+
+  Diagnostic& Tell(const Check& check, int line, std::string message) {
+    Diagnostic& problem = problems_.emplace_back();
+    problem.file = check.file;
+    problem.line = line;
+    problem.message = std::move(message);
+    return problem;
   }
 
   const Cast& cast_;
@@ -154,6 +230,7 @@ Cast CastOf(const sim::ScenarioFile& file) {
     const auto team = agent.options.find("team");
     const std::string* named = team == agent.options.end() ? nullptr : std::get_if<std::string>(&team->second);
     const std::string own = named != nullptr ? *named : "team1";
+    cast.team_of.resize(cast.agents.size(), own);
     if (std::find(cast.teams.begin(), cast.teams.end(), own) == cast.teams.end()) cast.teams.push_back(own);
   }
   for (const sim::ScenarioFile::Thing& thing : file.things)
@@ -169,7 +246,8 @@ Cast CastOf(const sim::ScenarioFile& file) {
 void CheckNames(const Mission& mission, const Cast& cast, std::vector<Diagnostic>& problems) {
   NameChecker checker(cast, problems);
   for (const Check& check : mission.checks) checker.Look(check);
-  for (const Check& check : mission.mistakes) checker.Look(check);
+  // Whoever makes a mistake may make any attribute.
+  for (const Check& check : mission.mistakes) checker.Look(check, true);
 }
 
 bool IsMissionText(std::string_view text) {
@@ -183,7 +261,7 @@ bool IsMissionText(std::string_view text) {
   return false;
 }
 
-bool CheckMissionFile(const fs::path& file, std::vector<Diagnostic>& problems) {
+bool CheckMissionFile(const fs::path& file, const sim::DataFolders* data, std::vector<Diagnostic>& problems) {
   const std::string text = ReadText(file).value_or("");
   const bool is_mission = IsMissionText(text);
   std::vector<Diagnostic> found, others;
@@ -204,11 +282,25 @@ bool CheckMissionFile(const fs::path& file, std::vector<Diagnostic>& problems) {
   if (is_mission) {
     scenario = file.parent_path() / mission.scenario;
     std::error_code error;
-    if (fs::is_directory(scenario, error)) scenario /= "scenario.toml";
+    if (fs::is_directory(scenario, error)) {
+      scenario /= "scenario.toml";
+    } else if (!fs::exists(scenario, error) && data != nullptr) {
+      // One that comes with the program, by its name.
+      const Result<sim::Scenario> named = sim::FindScenario(mission.scenario, *data);
+      if (!named) {
+        Diagnostic& problem = problems.emplace_back(named.error());
+        problem.file = file.string();
+        problem.line = mission.scenario_line;
+        return false;
+      }
+      scenario = named->definition;
+    }
     if (scenario.extension() != ".toml" || !fs::is_regular_file(scenario, error)) return false;
   }
   const sim::ScenarioFile read = sim::ParseScenarioFile(ReadText(scenario).value_or(""), scenario, others);
-  if (others.empty()) CheckNames(mission, CastOf(read), problems);
+  if (!others.empty()) return !is_mission;
+  CheckNames(mission, CastOf(read), problems);
+  CheckTimes(mission, mission.seconds.value_or(read.seconds.value_or(60)), problems);
   return !is_mission;
 }
 

@@ -8,6 +8,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "mission/mission.h"
+#include "sim/scenario.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::mission {
@@ -17,6 +18,9 @@ struct Cast {
   std::vector<std::string> agents, teams, items, things, waypoints, regions, ends;
   std::set<std::string> rules;       ///< Names of rules.
   std::set<std::string> rule_words;  ///< All words in the files of rules: operators, attributes, values.
+  std::set<std::string> all_words;   ///< Those, and the ones in scripts beside them.
+  /// The team of each of `agents`.
+  std::vector<std::string> team_of;
 };
 
 /// Reads the names. Rules are all files of rules below the scenario's folder.
@@ -25,8 +29,10 @@ Cast CastOf(const sim::ScenarioFile& file);
 /// Adds a problem for each name that nothing knows, with what was probably meant.
 void CheckNames(const Mission& mission, const Cast& cast, std::vector<Diagnostic>& problems);
 
-/// Looks over the checks of a .toml file for `soarbox check`; false if it is no scenario besides.
-bool CheckMissionFile(const std::filesystem::path& file, std::vector<Diagnostic>& problems);
+/// Looks over the checks of a .toml file for `soarbox check`; false if it is no scenario besides. `data`: where the
+/// scenarios are that come with the program; none: they are not looked at.
+bool CheckMissionFile(const std::filesystem::path& file, const sim::DataFolders* data,
+                      std::vector<Diagnostic>& problems);
 /// Whether this text is a mission file, which names a scenario, and not a scenario itself.
 bool IsMissionText(std::string_view text);
 

@@ -17,6 +17,8 @@
 #include <exception>
 #include <vector>
 
+#include "world/shared_navigation.h"
+
 namespace soarbox::mission {
 namespace {
 
@@ -75,6 +77,10 @@ void Limit(int what, rlim_t soft, rlim_t hard) {
 }
 
 }  // namespace
+
+ChildPool::ChildPool(int jobs) : jobs_(jobs) {
+  world::ShareNavigation();
+}
 
 ChildPool::~ChildPool() {
   for (const auto& [pid, child] : running_) kill(pid, SIGKILL);

@@ -31,7 +31,7 @@ struct ChildEnd {
 /// that piece only. The process that owns the pool must have one thread, as its children are forks of it.
 class ChildPool {
  public:
-  explicit ChildPool(int jobs) : jobs_(jobs) {}
+  explicit ChildPool(int jobs);
   ~ChildPool();  ///< Kills what still runs.
   ChildPool(const ChildPool&) = delete;
   ChildPool& operator=(const ChildPool&) = delete;

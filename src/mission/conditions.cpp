@@ -135,6 +135,8 @@ double ValueOf(Key key, const AgentFacts& agent, const TickFacts&) {
       return agent.reward;
     case Key::kUpdates:
       return agent.updates;
+    case Key::kValues:
+      return agent.values;
     default:
       return 0;
   }
@@ -168,11 +170,13 @@ Finding LookForEvents(const Condition& condition, const AgentFacts* agent, const
       return word == "any" || MatchesPattern(word, event.word);
     });
     const bool any_status = condition.row->key == Key::kRetrieval && condition.status.empty();
+    const bool is_impasse = condition.row->key == Key::kImpasse;
     if (!is_named || (!any_status && event.status != condition.status)) continue;
     if (!condition.reason.empty() && event.reason != condition.reason) continue;
     if (!HoldsAll(condition.with, event.with)) continue;
     ++found.times;
     found.detail = "it was " + event.word;
+    if (is_impasse) found.detail += " impasse";
     if (!event.reason.empty()) found.detail += ": " + event.reason;
   }
   found.holds = found.times > 0;
@@ -268,15 +272,27 @@ Finding LookAt(const Condition& condition, const AgentFacts* agent, const ItemFa
       found.holds = any_word([&](const std::string& thing) { return Holds(agent->carried, thing); });
       return found;
     case Key::kSees:
-      found.holds = any_word([&](const std::string& other) { return Holds(agent->sees, other); });
+      for (const std::string& seen : agent->sees) {
+        if (!any_word([&](const std::string& word) { return IsMeant(word, *agent, seen, facts); })) continue;
+        found.holds = true;
+        found.detail = "it saw " + seen;
+        break;
+      }
       return found;
     case Key::kOperator:
       for (const OperatorFact& chosen : agent->operators) {
         if (!any_word([&](const std::string& name) { return MatchesPattern(name, chosen.name); })) continue;
         if (condition.level && *condition.level != chosen.level) continue;
+        if (!condition.selected_by.empty() && condition.selected_by != chosen.selected_by) continue;
         if (HoldsAll(condition.with, chosen.with)) found.holds = true;
       }
-      if (!agent->operators.empty()) found.detail = "it had selected " + agent->operators.back().name;
+      if (!agent->operators.empty()) {
+        const OperatorFact& last = agent->operators.back();
+        found.detail = "it had selected " + last.name;
+        for (const auto& [name, value] : last.with)
+          if (name != "name") found.detail += " ^" + name + " " + value;
+        if (!last.why.empty()) found.detail += ", " + last.why;
+      }
       return found;
     case Key::kElement:
       return LookAtElement(condition, *agent, wants);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct EventFact {
   Key key = Key::kPrints;
   std::string word;                                       ///< Whom, what, which rule, which command.
   std::vector<std::pair<std::string, std::string>> with;  ///< Parameters.
-  std::string status, reason;                             ///< Of a command's answer; empty: it was said.
+  std::string status, reason;  ///< Of a command's answer; empty: it was said. Of an impasse: why, in words.
 };
 
 /// An operator that was selected in a tick.
@@ -25,6 +26,8 @@ struct OperatorFact {
   int level = 1;
   std::string name;
   std::vector<std::pair<std::string, std::string>> with;
+  std::string_view selected_by;  ///< "only" candidate, "preference", "chance"; empty: nobody tells.
+  std::string why;               ///< In words, if it is told.
 };
 
 struct ElementFact {
@@ -43,7 +46,7 @@ struct AgentFacts {
   std::optional<double> ammunition;
   double distance = 0, rounds = 0, damage = 0, idle = 0, repeats = 0;
   double answered = 0, decisions = 0, firings = 0, elements = 0, depth = 1, learned = 0;
-  double reused = 0, reward = 0, updates = 0;
+  double reused = 0, reward = 0, updates = 0, values = 0;
   std::vector<std::string> carried, sees;
   std::vector<EventFact> events;
   std::vector<OperatorFact> operators;

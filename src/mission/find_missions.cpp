@@ -109,6 +109,7 @@ LoadedMission LoadMission(const fs::path& file, const sim::DataFolders& data, st
   if (is_mission && fs::exists(beside, error)) mission.scenario = beside.lexically_normal().string();
   Result<sim::Scenario> scenario = sim::FindScenario(mission.scenario, data);
   if (!scenario) {
+    problem.line = mission.scenario_line;
     problem.message = scenario.error().message;
     problem.hint = scenario.error().hint;
     problems.push_back(std::move(problem));
@@ -124,6 +125,7 @@ LoadedMission LoadMission(const fs::path& file, const sim::DataFolders& data, st
     if (mission.seeds.empty() && definition.seed) mission.seeds = {*definition.seed};
   }
   loaded.seconds = mission.seconds.value_or(loaded.seconds);
+  CheckTimes(mission, loaded.seconds, problems);
   return loaded;
 }
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mind/decision_codec.h"
 #include "mission/sentences.h"
 #include "sim/arena.h"
 #include "sim/inspector.h"
 #include "sim/learning_facts.h"
+#include "tell/decision_text.h"
 #include "world/world.h"
 
 namespace soarbox::mission {
@@ -23,6 +25,25 @@ PlaceFacts PlaceOf(const sim::Region& region) {
 std::string ImpasseName(std::string_view impasse, std::string_view attribute) {
   if (impasse == "no-change") return std::string(attribute) + "-no-change";
   return std::string(impasse);
+}
+
+void TellDecision(std::string_view packed, OperatorFact& selected) {
+  const std::optional<mind::Decision> decision = mind::Unpack(packed);
+  if (!decision || decision->empty()) return;
+  selected.why = tell::WhySelected(*decision);
+  // Chance between those that preferences left is theirs, too.
+  selected.selected_by = decision->operators.size() < 2                        ? "only"
+                         : decision->left.size() == decision->operators.size() ? "chance"
+                                                                               : "preference";
+}
+
+/// The candidates and why none was selected.
+void TellImpasse(std::string_view packed, EventFact& impasse) {
+  const std::optional<mind::Decision> decision = mind::Unpack(packed);
+  if (!decision || decision->empty()) return;
+  for (const mind::Decision::Operator& candidate : decision->operators)
+    impasse.with.emplace_back("operator", candidate.name.empty() ? candidate.id : candidate.name);
+  impasse.reason = tell::WhyNothing(*decision);
 }
 
 std::string ValueText(const world::Message::Value& value) {
@@ -122,6 +143,8 @@ void FactGatherer::GatherBodies() {
     for (const auto& [other, contact] : actor.contacts())
       if (const world::Agent* seen = contact.visible ? world.FindAgent(other) : nullptr)
         facts.sees.push_back(seen->name());
+    for (const auto& [other, thing] : actor.things())
+      if (thing.visible) facts.sees.push_back(thing.name);
     for (const sim::Happening& happening : actor.happenings()) {
       if (happening.number <= memories_[i].happened) continue;
       memories_[i].happened = happening.number;
@@ -217,6 +240,8 @@ void FactGatherer::ReadNotes(const sim::MindNotes& notes, std::size_t agent) {
     if (memory.selected.size() >= level && level > 0) memory.selected.resize(static_cast<std::size_t>(level - 1));
   };
   sim::MindNotes::View note;
+  std::size_t level_decided = 0;  ///< Of the operator whose decision may follow; 0: none.
+  bool impasse_decided = false;   ///< The last event is an impasse, and what led to it may follow.
   for (std::size_t at = 0; notes.Next(at, note);) {
     switch (note.kind) {
       case Kind::kOperator: {
@@ -224,7 +249,7 @@ void FactGatherer::ReadNotes(const sim::MindNotes& notes, std::size_t agent) {
         leave(note.number);
         memory.selected.resize(static_cast<std::size_t>(note.number));
         OperatorFact chosen{
-            static_cast<int>(note.number), std::string(note.second.empty() ? note.first : note.second), {}};
+            static_cast<int>(note.number), std::string(note.second.empty() ? note.first : note.second), {}, {}, {}};
         if (wants_.insight) {
           if (const auto inspector = simulation_.Inspect(facts.name)) {
             for (const sim::ElementFact& element : inspector->ElementsOf(note.first))
@@ -233,10 +258,24 @@ void FactGatherer::ReadNotes(const sim::MindNotes& notes, std::size_t agent) {
         }
         memory.selected.back() = chosen;
         facts.operators.push_back(std::move(chosen));
+        level_decided = static_cast<std::size_t>(note.number);
         break;
       }
+      case Kind::kDecided:
+        // It follows what was decided.
+        if (impasse_decided) {
+          TellImpasse(note.first, facts.events.back());
+        } else if (wants_.decisions && level_decided > 0) {
+          TellDecision(note.first, memory.selected[level_decided - 1]);
+          facts.operators.back() = memory.selected[level_decided - 1];
+        }
+        level_decided = 0;
+        impasse_decided = false;
+        break;
       case Kind::kState:
         leave(note.number);
+        level_decided = 0;
+        impasse_decided = note.number > 1 && wants_.decisions;
         if (note.number > 1) facts.events.push_back({Key::kImpasse, ImpasseName(note.second, note.third), {}, {}, {}});
         break;
       case Kind::kStateGone:
@@ -314,6 +353,7 @@ void FactGatherer::Inspect(AgentFacts& facts, std::size_t agent) {
       facts.reward = learning.total_reward;
       facts.updates = 0;
       for (const sim::NumberFact& number : learning.numbers) facts.updates += static_cast<double>(number.updates);
+      facts.values = static_cast<double>(learning.numbers.size());
     }
   }
   if (wants_.retrievals) GatherRetrievals(*inspector, stack, facts, memory);
@@ -348,6 +388,11 @@ void FactGatherer::Inspect(AgentFacts& facts, std::size_t agent) {
   for (std::size_t i = 0; i < wants_.elements.size() && !stack.empty(); ++i) {
     std::vector<std::string> at = {stack.front().id};
     std::string_view path = wants_.elements[i];
+    if (constexpr std::string_view kBelow = "substate."; path.starts_with(kBelow)) {
+      at.clear();
+      for (std::size_t below = 1; below < stack.size(); ++below) at.push_back(stack[below].id);
+      path.remove_prefix(kBelow.size());
+    }
     while (!at.empty()) {
       const std::size_t dot = path.find('.');
       const std::string_view attribute = path.substr(0, dot);

@@ -48,6 +48,7 @@ enum class Key : std::uint8_t {
   kReused,
   kReward,
   kUpdates,
+  kValues,
   kRetrieval,
   kProblem,
 };

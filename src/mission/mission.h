@@ -29,6 +29,7 @@ struct Condition {
   std::vector<std::pair<std::string, std::string>> with;  ///< Parameters of a command, message or operator.
   std::string status, reason;                             ///< Of a command's answer.
   std::optional<int> level;                               ///< Of an operator, from 1.
+  std::string selected_by;                                ///< Of an operator: "only", "preference", "chance".
   std::string is;                                         ///< Value of an element.
   char support = 0;                                       ///< 'i', 'o'; 0: any.
   int line = 0;
@@ -72,8 +73,10 @@ struct Check {
   Bounds times;
 
   std::string hint;
-  bool marker = false;      ///< A moment to refer to, not a requirement.
-  std::optional<int> pass;  ///< Counted over the seeds by itself.
+  std::size_t unless = kNoCheck;  ///< Of a mistake: it is none if this check came true.
+  std::string written;            ///< Of a mistake: a rule that its author wrote fits this pattern; empty: any.
+  bool marker = false;            ///< A moment to refer to, not a requirement.
+  std::optional<int> pass;        ///< Counted over the seeds by itself.
 };
 
 /// A scenario with what is to be checked of it.
@@ -81,6 +84,7 @@ struct Mission {
   std::filesystem::path file;  ///< In which the checks stand.
   std::string name;            ///< For people: "soar_hallway".
   std::string scenario;        ///< As `soarbox run` takes it.
+  int scenario_line = 0;       ///< In which a mission file names it.
   std::vector<std::uint64_t> seeds;
   std::optional<int> pass;        ///< So many seeds must pass; none: all.
   std::optional<double> seconds;  ///< How long a run lasts; none: the scenario's, else 60.
@@ -92,6 +96,7 @@ struct Mission {
 /// What the checks of a mission ask for, so that nothing else is looked at.
 struct Wants {
   bool notes = false, firings = false, insight = false;
+  bool decisions = false;                                     ///< How operators came to be selected.
   bool learned = false, numbers = false, retrievals = false;  ///< Of what the inspector tells.
   std::vector<std::string> elements;                          ///< Paths from the top state.
 };

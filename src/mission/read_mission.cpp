@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -19,7 +20,7 @@ constexpr std::size_t kMostChecks = 1000;
 constexpr std::string_view kCheckWords[] = {"name",   "agent",    "team",  "item", "who",     "with",   "range",
                                             "status", "reason",   "level", "is",   "support", "by",     "for",
                                             "always", "never",    "from",  "to",   "after",   "before", "within",
-                                            "until",  "whenever", "times", "hint", "marker",  "pass"};
+                                            "until",  "whenever", "times", "hint", "marker",  "pass",   "selected_by"};
 
 class MissionReader {
  public:
@@ -156,11 +157,14 @@ class MissionReader {
         seeds = std::vector<std::uint64_t>{static_cast<std::uint64_t>(*one)};
       } else if (const toml::array* list = node->as_array()) {
         seeds.emplace();
+        bool is_good = true;
         for (const toml::node& entry : *list) {
           const auto seed = entry.value_exact<std::int64_t>();
-          if (seed && *seed >= 0) seeds->push_back(static_cast<std::uint64_t>(*seed));
+          const auto number = static_cast<std::uint64_t>(seed.value_or(0));
+          is_good &= seed.has_value() && *seed >= 0;
+          if (std::find(seeds->begin(), seeds->end(), number) == seeds->end()) seeds->push_back(number);
         }
-        if (seeds->empty() || seeds->size() != list->size()) seeds.reset();
+        if (seeds->empty() || !is_good) seeds.reset();
       }
       if (!seeds) Problem(*node, "'seeds' takes \"1..20\" or [1, 5, 9]");
       mission.seeds = seeds.value_or(std::vector<std::uint64_t>{});
@@ -183,7 +187,7 @@ class MissionReader {
       Check& check = checks.emplace_back();
       check.file = file_;
       check.line = static_cast<int>(table->source().begin.line);
-      ReadCheck(*table, check);
+      ReadCheck(*table, key == "mistake", check);
       if (check.pass && most_seeds > 0 && static_cast<std::size_t>(*check.pass) > most_seeds)
         Problem(*table->get("pass"), "'pass' is more than there are seeds");
       if (check.name.empty()) continue;
@@ -195,6 +199,10 @@ class MissionReader {
       Refer(*tables[i], "before", names, checks[i].before);
       Refer(*tables[i], "until", names, checks[i].until);
       Refer(*tables[i], "whenever", names, checks[i].whenever);
+      Refer(*tables[i], "unless", names, checks[i].unless);
+      for (const auto& [key_of, index] :
+           {std::pair{"before", checks[i].before}, {"until", checks[i].until}, {"whenever", checks[i].whenever}})
+        if (index == first + i) Problem(*tables[i]->get(key_of), "this check refers to itself");
       const std::size_t late = checks[i].after;
       if (late != kNoCheck && late >= first && checks[late - first].mode == Mode::kNever)
         Problem(*tables[i]->get("after"),
@@ -233,12 +241,14 @@ class MissionReader {
             near.empty() ? "give the check that is meant this name" : "did you mean '" + std::string(near) + "'?");
   }
 
-  void ReadCheck(const toml::table& table, Check& check) {
+  void ReadCheck(const toml::table& table, bool is_mistake, Check& check) {
     std::vector<std::string_view> known(std::begin(kCheckWords), std::end(kCheckWords));
+    if (is_mistake) known.insert(known.end(), {"unless", "written"});
     for (const KeyRow& row : Keys()) known.push_back(row.name);
     CheckKeys(table, "a check", known);
     check.name = Text(table, "name");
     check.hint = Text(table, "hint");
+    if (is_mistake) check.written = Text(table, "written");
     check.marker = Truth(table, "marker");
     check.pass = WholeNumber(table, "pass", 0, 1'000'000);
     ReadWho(table, check);
@@ -324,8 +334,8 @@ class MissionReader {
       condition->bounds = ReadBounds(*table.get("range"), "range", false);
     if (Condition* condition = Find(check, {Key::kNear}); condition != nullptr && !table.contains("range"))
       Problem(table, "'near' wants a range", "write range = { max = 2 }, in metres between the centres");
-    if (Condition* condition =
-            needs("with", {Key::kCommand, Key::kMessage, Key::kOperator}, "a command, a message or an operator")) {
+    if (Condition* condition = needs("with", {Key::kCommand, Key::kMessage, Key::kOperator, Key::kImpasse},
+                                     "a command, a message, an operator or an impasse")) {
       const toml::node& node = *table.get("with");
       if (const toml::table* with = node.as_table()) {
         for (const auto& [name, value] : *with) {
@@ -353,6 +363,12 @@ class MissionReader {
     }
     if (Condition* condition = needs("level", {Key::kOperator}, "an operator"))
       condition->level = WholeNumber(table, "level", 1, 100);
+    if (Condition* condition = needs("selected_by", {Key::kOperator}, "an operator")) {
+      condition->selected_by = Text(table, "selected_by");
+      if (condition->selected_by != "only" && condition->selected_by != "preference" &&
+          condition->selected_by != "chance")
+        Problem(*table.get("selected_by"), "'selected_by' is \"only\", \"preference\" or \"chance\"");
+    }
     if (Condition* condition = needs("is", {Key::kElement}, "an element"))
       condition->is = Word(*table.get("is")).value_or("");
     if (Condition* condition = needs("support", {Key::kElement}, "an element")) {
@@ -390,10 +406,26 @@ class MissionReader {
       Problem(*table.get("within"), "'within' counts from 'after': write which check it follows");
     if (table.contains("until") && !always && !never)
       Problem(*table.get("until"), "'until' is for 'always' and 'never'");
-    if (check.from_s && check.by_s && *check.from_s > *check.by_s)
-      Problem(*table.get("from"), "this ends before it begins");
-    const bool says_when =
-        always || never || whenever || check.by_s || check.for_s || check.within_s || table.contains("times");
+    for (const char* begin : {"from", "after"}) {
+      const std::optional<double>& at_s = begin == std::string_view("from") ? check.from_s : check.after_s;
+      if (at_s && check.by_s && *at_s >= *check.by_s) Problem(*table.get(begin), "this ends before it begins");
+    }
+    if (check.for_s && check.by_s &&
+        *check.by_s - std::max(check.from_s.value_or(0), check.after_s.value_or(0)) < *check.for_s)
+      Problem(*table.get("for"),
+              "this cannot last for " + NumberText(*check.for_s) + " s: too little time is left for it");
+    if (check.for_s && check.within_s && !whenever && *check.within_s < *check.for_s)
+      Problem(*table.get("for"),
+              "this cannot last for " + NumberText(*check.for_s) + " s within " + NumberText(*check.within_s) + " s");
+    if (table.contains("times") && check.times.max && *check.times.max < 0)
+      Problem(*table.get("times"), "nothing happens fewer than 0 times");
+    for (const std::optional<double>& bound : {check.times.min, check.times.max})
+      if (table.contains("times") && bound && *bound != std::floor(*bound))
+        Problem(*table.get("times"), "'times' takes whole numbers");
+    const bool has_event = std::ranges::any_of(
+        check.conditions, [](const Condition& condition) { return condition.row->kind == Kind::kEvent; });
+    const bool says_when = has_event || always || never || whenever || check.by_s || check.for_s || check.within_s ||
+                           table.contains("times");
     for (const Condition& condition : check.conditions) {
       if (condition.row->kind == Kind::kGauge && !says_when && !check.marker)
         Problem(table, "'" + std::string(condition.row->name) + "' does not say when",
@@ -433,6 +465,20 @@ std::optional<toml::table> ParseToml(std::string_view text, const std::filesyste
   return std::nullopt;
 }
 
+void CheckTimesOf(const Check& check, double seconds, std::vector<Diagnostic>& problems) {
+  const double begin_s = std::max(check.from_s.value_or(0), check.after_s.value_or(0));
+  const bool never_begins = begin_s > 0 && begin_s >= seconds;
+  if (!never_begins && check.for_s.value_or(0) <= seconds - begin_s) return;
+  Diagnostic& problem = problems.emplace_back();
+  problem.file = check.file;
+  problem.line = check.line;
+  problem.message =
+      never_begins
+          ? "this is looked at from " + NumberText(begin_s) + " s on, and the run ends at " + NumberText(seconds) + " s"
+          : "this cannot last for " + NumberText(*check.for_s) + " s: the run ends at " + NumberText(seconds) + " s";
+  problem.hint = "seconds = N makes runs longer";
+}
+
 void SortByLine(std::vector<Diagnostic>& problems, std::size_t from) {
   std::stable_sort(problems.begin() + static_cast<std::ptrdiff_t>(from), problems.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
@@ -461,6 +507,8 @@ Mission ParseMission(std::string_view text, const std::filesystem::path& file, b
     reader.CheckKeys(*root, "a mission", {"scenario", "seeds", "pass", "seconds", "wall", "check"});
     reader.ReadFrame(*root, mission);
     mission.scenario = reader.Text(*root, "scenario");
+    if (const toml::node* named = root->get("scenario"))
+      mission.scenario_line = static_cast<int>(named->source().begin.line);
     if (mission.scenario.empty() && !root->contains("scenario"))
       reader.Problem(*root, "this mission names no scenario",
                      "write scenario = \".\" for the one beside it, above the first [[check]]");
@@ -485,6 +533,11 @@ Mission ParseLessonChecks(std::string_view text, const std::filesystem::path& fi
   return mission;
 }
 
+void CheckTimes(const Mission& mission, double seconds, std::vector<Diagnostic>& problems) {
+  for (const Check& check : mission.checks) CheckTimesOf(check, seconds, problems);
+  for (const Check& check : mission.mistakes) CheckTimesOf(check, seconds, problems);
+}
+
 Wants WantsOf(const Mission& mission) {
   Wants wants;
   for (const std::vector<Check>* checks : {&mission.checks, &mission.mistakes}) {
@@ -495,7 +548,9 @@ Wants WantsOf(const Mission& mission) {
         wants.insight |= condition.row->source == Source::kInsight ||
                          (condition.row->key == Key::kOperator && !condition.with.empty());
         wants.learned |= condition.row->key == Key::kReused;
-        wants.numbers |= condition.row->key == Key::kReward || condition.row->key == Key::kUpdates;
+        wants.decisions |= condition.row->key == Key::kOperator || condition.row->key == Key::kImpasse;
+        wants.numbers |= condition.row->key == Key::kReward || condition.row->key == Key::kUpdates ||
+                         condition.row->key == Key::kValues;
         wants.retrievals |= condition.row->key == Key::kRetrieval;
         if (condition.row->key != Key::kElement) continue;
         for (const std::string& path : condition.words)

@@ -21,7 +21,10 @@ Mission ParseMission(std::string_view text, const std::filesystem::path& file, b
 /// Reads [[check]] and [[mistake]] of a lesson file.
 Mission ParseLessonChecks(std::string_view text, const std::filesystem::path& file, std::vector<Diagnostic>& problems);
 
-/// "1..20", "3", "1,4,7..9"; nothing if it is something else, or more than a million.
+/// Checks that a run of this many seconds never looks at, or that cannot come true in it.
+void CheckTimes(const Mission& mission, double seconds, std::vector<Diagnostic>& problems);
+
+/// "1..20", "3", "1,4,7..9"; each once. Nothing if it is something else, or more than a million.
 std::optional<std::vector<std::uint64_t>> ParseSeeds(std::string_view text);
 /// "1..20" or "1, 4, 7".
 std::string SeedsText(const std::vector<std::uint64_t>& seeds);

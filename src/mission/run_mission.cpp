@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "mission/check_news.h"
 #include "mission/gather_facts.h"
@@ -75,6 +76,15 @@ std::string UnknownName(const Mission& mission, const TickFacts& facts) {
     if (!check.item.empty() && std::none_of(facts.items.begin(), facts.items.end(),
                                             [&](const ItemFacts& item) { return item.name == check.item; }))
       return "there is no item '" + check.item + "' in this scenario (line " + std::to_string(check.line) + ")";
+    for (const Condition& condition : check.conditions) {
+      const bool is_waypoint = condition.row->names == Names::kWaypoint;
+      if (!is_waypoint && condition.row->names != Names::kRegion) continue;
+      const std::vector<PlaceFacts>& places = is_waypoint ? facts.waypoints : facts.regions;
+      for (const std::string& word : condition.words)
+        if (std::none_of(places.begin(), places.end(), [&](const PlaceFacts& place) { return place.name == word; }))
+          return std::string("there is no ") + (is_waypoint ? "waypoint '" : "region '") + word +
+                 "' in this scenario (line " + std::to_string(condition.line) + ")";
+    }
   }
   return {};
 }
@@ -134,11 +144,15 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   if (!made) return;
   sim::Simulation& simulation = **made;
   std::string error;
-  Keeper keeper(spec, settings, simulation, error);
-  if (!keeper.IsOpen()) result.error = "the recording was not kept: " + error;
+  std::optional<Keeper> keeper;
+  if (!spec.recording.empty()) keeper.emplace(spec, settings, simulation, error);
+  if (keeper && !keeper->IsOpen()) result.error = "the recording was not kept: " + error;
+  Account account(simulation, spec.account);
   // The recording holds the checks, too, as that of a run in a window does.
   const auto keep = [&] {
     sim::EventList events = simulation.TakeEvents();
+    if (!spec.account.file.empty()) account.See(events);
+    if (!keeper) return;
     const std::uint64_t tick = simulation.tick();
     for (std::size_t i = 0; i < spec.mission->checks.size() && i < result.checks.size(); ++i) {
       const Verdict& verdict = result.checks[i].verdict;
@@ -146,7 +160,7 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
       if (tick == 0) events.push_back(CheckNews(*spec.mission, i, {}, tick, simulation.time_s()));
       if (is_decided) events.push_back(CheckNews(*spec.mission, i, verdict, tick, simulation.time_s()));
     }
-    keeper.Take(simulation, std::move(events));
+    keeper->Take(simulation, std::move(events));
   };
   keep();
   std::size_t asked = 0;
@@ -169,7 +183,8 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   }
   if (simulation.StateHash() != result.state_hash)
     result.error = "the same run came to another state when it was made again: that is a fault of Soarbox";
-  if (keeper.Finish()) result.recording = spec.recording.string();
+  if (keeper && keeper->Finish()) result.recording = spec.recording.string();
+  if (!spec.account.file.empty()) result.account = account.Finish();
 }
 
 }  // namespace
@@ -284,7 +299,8 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   const bool all_true =
       std::all_of(verdicts.begin(), verdicts.begin() + static_cast<std::ptrdiff_t>(mission.checks.size()),
                   [](const Verdict& verdict) { return verdict.state == State::kTrue; });
-  if (!spec.recording.empty() && (spec.record_always || !result.passed || !all_true)) {
+  const bool is_asked = !spec.recording.empty() || !spec.account.file.empty();
+  if (is_asked && (spec.record_always || !result.passed || !all_true)) {
     made->reset();
     TellWhy(spec, result);
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
+#include "mission/account.h"
 #include "mission/evaluator.h"
 #include "mission/mission.h"
 #include "sim/scenario.h"
@@ -30,6 +31,7 @@ struct RunSpec {
   std::filesystem::path recording;  ///< A run that fails is made again and recorded here; empty: not.
   bool record_always = false;       ///< Also one that passes.
   std::string kernel;               ///< HOST:PORT of a kernel elsewhere; empty: our own.
+  AccountSettings account;          ///< Of a run that fails: what it says of one file of rules.
 };
 
 /// How a check ended, in words.
@@ -52,6 +54,7 @@ struct RunResult {
   std::vector<std::size_t> idle_checks;   ///< Checks that hold before anybody acts.
   std::map<std::string, double> numbers;  ///< Metrics that every run has: "distance", "decisions".
   std::string recording;                  ///< The file that was kept; empty: none.
+  std::vector<std::string> account;       ///< If it was asked for.
   double cpu_s = 0, peak_mb = 0;
 
   bool IsTrue(std::size_t check) const { return check < checks.size() && checks[check].verdict.state == State::kTrue; }

@@ -32,6 +32,7 @@ std::string ToJsonLine(const RunResult& result) {
             {"checks", std::move(checks)}, {"numbers", result.numbers}};
   if (!result.error.empty()) json["error"] = result.error;
   if (!result.recording.empty()) json["recording"] = result.recording;
+  if (!result.account.empty()) json["account"] = result.account;
   if (!result.idle_checks.empty()) json["idle_checks"] = result.idle_checks;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -51,6 +52,7 @@ Result<RunResult> FromJsonLine(const std::string& line) {
     result.ticks = json.value("ticks", std::uint64_t{0});
     result.state_hash = std::stoull(json.value("state_hash", "0"));
     result.recording = json.value("recording", "");
+    result.account = json.value("account", std::vector<std::string>{});
     result.idle_checks = json.value("idle_checks", std::vector<std::size_t>{});
     result.numbers = json.value("numbers", std::map<std::string, double>{});
     for (const Json& each : json.at("checks")) {

@@ -34,6 +34,13 @@ std::string WithText(const Condition& condition) {
   return text;
 }
 
+/// A name, or the words that stand for many.
+std::string OneOf(const std::string& words, const char* any) {
+  if (words == "any") return any;
+  if (words == "friend") return "a friend";
+  return words == "enemy" ? "an enemy" : words;
+}
+
 std::string Plural(const Bounds& times) {
   const bool is_one = times.max.value_or(times.min.value_or(0)) == 1;
   return BoundsText(times, is_one ? " time" : " times");
@@ -92,31 +99,26 @@ std::string Infinitive(const Condition& condition) {
     case Key::kIdle:
       return "stand idle " + BoundsText(condition.bounds, " s");
     case Key::kSees:
-      return "see " + words;
+      return "see " + OneOf(words, "anybody");
     case Key::kCollides:
-      return "collide with " + (words == "any"      ? std::string("anything")
-                                : words == "friend" ? "a friend"
-                                : words == "enemy"  ? "an enemy"
-                                                    : words);
+      return "collide with " + OneOf(words, "anything");
     case Key::kHitBy:
-      return "be hit by " + (words == "any"      ? std::string("anybody")
-                             : words == "friend" ? "a friend"
-                             : words == "enemy"  ? "an enemy"
-                                                 : words);
+      return "be hit by " + OneOf(words, "anybody");
     case Key::kHits:
-      return "hit " + (words == "any"      ? std::string("anybody")
-                       : words == "friend" ? "a friend"
-                       : words == "enemy"  ? "an enemy"
-                                           : words);
+      return "hit " + OneOf(words, "anybody");
     case Key::kMessage:
       return "send a message about " + words + WithText(condition);
     case Key::kPrints:
       return "print \"" + Joined(condition.words, "or") + "\"";
     case Key::kOperator:
       return "select operator " + words + WithText(condition) +
-             (condition.level ? " at level " + std::to_string(*condition.level) : "");
+             (condition.level ? " at level " + std::to_string(*condition.level) : "") +
+             (condition.selected_by.empty()           ? ""
+              : condition.selected_by == "chance"     ? " by chance"
+              : condition.selected_by == "preference" ? " by a preference"
+                                                      : " as the only candidate");
     case Key::kImpasse:
-      return words == "any" ? std::string("meet an impasse") : "meet a " + words + " impasse";
+      return (words == "any" ? std::string("meet an impasse") : "meet a " + words + " impasse") + WithText(condition);
     case Key::kCommand:
       if (!condition.status.empty()) {
         return "get " + condition.status + (condition.reason.empty() ? "" : " " + condition.reason) + " for " + words +
@@ -151,6 +153,8 @@ std::string Infinitive(const Condition& condition) {
       return "collect a reward of " + BoundsText(condition.bounds, "");
     case Key::kUpdates:
       return "update its numbers " + BoundsText(condition.bounds, " times");
+    case Key::kValues:
+      return "have " + BoundsText(condition.bounds, " rules whose values are learned");
     case Key::kRetrieval:
       return "get " + (condition.status.empty() ? std::string("an answer") : "the answer " + condition.status) +
              " from " + (words == "any" ? std::string("a") : "its " + words) + " memory";

@@ -37,6 +37,7 @@ struct TestSettings {
   std::vector<std::uint64_t> seeds;  ///< Instead of the missions' own; empty: those.
   bool empty_minds = false;
   std::filesystem::path keep;  ///< Folder for recordings of runs that fail; empty: none are kept.
+  AccountSettings account;     ///< What runs that fail are to say of a file of rules.
 };
 
 /// What came of all runs of a mission.

@@ -11,6 +11,7 @@ import signal
 import sqlite3
 import subprocess
 import time
+import tomllib
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -101,6 +102,56 @@ class Missions(MissionCase):
         (self.folder / "empty").mkdir()
         self.assertEqual(Run("test", self.folder / "empty").code, 5)
         self.assertEqual(Run("test", "--seeds", "x", self.folder).code, 2)
+
+    def test_what_can_never_come_true_is_refused_with_its_line(self):
+        for check, message in (
+                ('agent = "scout"\ncommand = "move-to"\nwith = { waypont = "gate" }\n', "did you mean 'waypoint'?"),
+                ('agent = "scout"\ncommand = "move-to"\nreason = "bloked"\nnever = true\n', "did you mean 'blocked'?"),
+                ('agent = "scout"\nelement = "io.input-link.waypont"\n', "did you mean 'waypoint'?"),
+                ('agent = "scout"\nmessage = "fire"\n', "there is no message in the rules about 'fire'"),
+                ('agent = "scout"\nsees = "gatee"\n', "there is no agent or thing 'gatee'"),
+                ('agent = "scout"\nat = "gate"\nwho = 2\n', "asks for 2 in one tick, and this check is about 1"),
+                ('agent = "scout"\nat = "gate"\nafter = 9\nby = 3\n', "this ends before it begins"),
+                ('agent = "scout"\nat = "gate"\nafter = 25\n', "the run ends at 20 s"),
+                ('agent = "scout"\nat = "gate"\nfor = 9\nby = 3\n', "too little time is left"),
+                ('name = "a"\nagent = "scout"\nat = "gate"\nbefore = "a"\n', "refers to itself"),
+                ('agent = "scout"\ncommand = "move-to"\ntimes = 1.5\n', "'times' takes whole numbers"),
+                ('agent = "scout"\ncommand = "move-to"\ntimes = { max = -1 }\n', "fewer than 0 times"),
+                ('agent = "scout"\noperator = "go"\nselected_by = "luck"\n', "'selected_by' is")):
+            file = self.mission("[[check]]\n" + check)
+            for words in (("test", "--no-keep"), ("check",)):
+                run = Run(words[0], file, *words[1:])
+                told = run.out + run.err
+                self.assertNotEqual(run.code, 0, check)
+                self.assertIn(message, told)
+                self.assertRegex(told, r"scenario\.toml:\d+", check)
+
+    def test_names_are_looked_up_in_a_scenario_that_comes_with_the_program(self):
+        """The mission names it, as `soarbox run` takes it: no folder beside the mission."""
+        check = 'scenario = "soar_hallway"\n[[check]]\nagent = "%s"\nalive = true\n'
+        file = self.write("far.toml", check % "nobody")
+        for command in ("check", "test"):
+            run = Run(command, file)
+            self.assertNotEqual(run.code, 0)
+            self.assertRegex(run.out + run.err, r"far\.toml:2.*there is no agent 'nobody'")
+        run = Run("check", self.write("far.toml", (check % "*").replace("hallway", "halway")))
+        self.assertRegex(run.out, r"far\.toml:1.*soar_halway")
+        self.assertEqual(Run("check", self.write("far.toml", check % "*")).code, 0)
+
+    def test_seen_things_and_how_operators_were_selected_can_be_asked_for(self):
+        crate = '[[obstacle]]\nname = "crate"\nposition = [2, -9]\nsize = [1, 1, 1]\n'
+        two = RULES.replace("(<s> ^operator <o> +)", "(<s> ^operator <o> + =)") + (
+            "sp {scout*propose*rest (state <s> ^superstate nil ^io.input-link.waypoint <w>) (<w> ^name gate ^here no) --> "
+            "(<s> ^operator <o> + =) (<o> ^name rest)}")
+        run = self.judge(crate + '[[check]]\nagent = "scout"\nsees = "crate"\nby = 5\n'
+                         '[[check]]\nagent = "scout"\noperator = ["go", "rest"]\nselected_by = "chance"\nby = 1\n'
+                         '[[check]]\nagent = "scout"\noperator = "*"\nselected_by = "only"\nnever = true\n', rules=two)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        tie = two.replace("+ =)", "+)")
+        run = self.judge('[[check]]\nagent = "scout"\nimpasse = "tie"\nwith = { operator = "rest" }\nby = 1\n'
+                         '[[check]]\nname = "free"\nagent = "scout"\nimpasse = "tie"\nnever = true\n', rules=tie)
+        self.assertEqual(run.code, 1, run.out + run.err)
+        self.assertRegex(run.out, "free .*tie impasse: no preference decides among")
 
     def test_results_are_told_as_json_and_to_servers(self):
         report = self.folder / "out.xml"
@@ -319,6 +370,14 @@ class Sweeps(MissionCase):
         self.assertEqual(Run("sweep", spec, "--folder", self.folder / "whole").code, 0)
         drop = lambda rows: [{key: value for key, value in row.items() if key != "tries"} for row in rows]
         self.assertEqual(drop(self.rows()), drop(self.rows("whole")))
+
+    def test_runs_that_took_too_long_are_made_again_when_asked_for(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP.split("[[variant]]")[0].replace("1..6", "1").replace("seconds = 8", "seconds = 900000\nwall = 0.3"))
+        for words, told in (((), "1 runs made, 0 were there"), ((), "0 runs made, 1 were there"), (("--retry",), "1 runs made, 0 were there")):
+            run = Run("sweep", spec, *words)
+            self.assertIn(told, run.err)
+            self.assertEqual([row["outcome"] for row in self.rows()], ["hung"])
 
     def test_a_sweep_may_be_named_like_its_scenario(self):
         spec = self.write("thesis.toml", 'scenario = "thesis"\nseeds = "1..2"\nseconds = 2\n')
@@ -583,6 +642,31 @@ class Lessons(MissionCase):
         told = run.out.splitlines()
         self.assertEqual(sum("  solution: as it should" in line for line in told), 12)
         self.assertGreaterEqual(sum("  wrong/" in line for line in told), 48)
+
+    def test_each_panel_of_the_window_is_introduced_by_a_lesson(self):
+        page = (REPOSITORY / "docs" / "window.md").read_text(encoding="utf-8")
+        table = page.split("## The panels")[1].split("\n\n")[1]
+        panels = {line.split("|")[1].strip() for line in table.splitlines()[2:]}
+        lessons = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted((REPOSITORY / "lessons").glob("*/lesson.toml"))]
+        first = [lesson["panel"] for lesson in lessons]
+        self.assertEqual(len(set(first)), 12, first)
+        self.assertEqual(set(first).union(*(lesson.get("also", []) for lesson in lessons)), panels)
+
+    def test_a_wrong_answer_that_nobody_foresaw_is_explained_from_its_run(self):
+        lesson = REPOSITORY / "lessons" / "01-a-rule"
+        right = (lesson / "solution" / "porter.soar").read_text(encoding="utf-8")
+        mine = self.folder / "mine"
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        for old, new, told in (
+                ("^visible yes", "^visible true", r"rule porter\*greet never fired: it requires \^.*visible true"),
+                ("^visible yes", "^visibel yes", r"did you mean \^visible\?"),
+                ("|Good day, | <name>", "|Good day,| <name>", 'It printed "Good day,anna"'),
+                ("<name> (crlf)", "<a> (crlf)", "That is the identifier of the percept")):
+            self.assertEqual(right.count(old), 1)
+            (mine / "01-a-rule" / "porter.soar").write_text(right.replace(old, new), encoding="utf-8")
+            run = Run("learn", "check", "1", "--folder", mine)
+            self.assertEqual(run.code, 1, run.out + run.err)
+            self.assertRegex(run.out, told)
 
     def test_what_a_learner_wrote_stays(self):
         mine = self.folder / "mine"

@@ -26,7 +26,7 @@ ALLOWED = {
     # sim reaches the kernel through the public client API only, so that an official Soar can take its place.
     "sim": {"diagnostics", "mind", "tell", "world", "script"},
     "record": {"diagnostics", "world", "script", "sim"},
-    "mission": {"diagnostics", "world", "sim", "record"},
+    "mission": {"diagnostics", "mind", "tell", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "world", "sim", "record"},

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mission/account.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "mission/sentences.h"
+#include "sim/inspector.h"
+#include "sim/simulation.h"
+
+namespace soarbox::mission {
+namespace {
+
+constexpr std::size_t kMostSlips = 3, kMostIdleReasons = 4, kMostRules = 3;
+
+std::string FileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+/// Without the blanks that make it a line of a tree.
+std::string Trimmed(const std::string& line) {
+  return line.substr(std::min(line.find_first_not_of(' '), line.size()));
+}
+
+}  // namespace
+
+void Account::See(const sim::EventList& events) {
+  for (const sim::Event& event : events) {
+    if (event.kind == sim::EventKind::kGap && idle_.empty()) {
+      idle_agent_ = event.agent;
+      idle_.push_back("At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text);
+      for (std::size_t i = 0; i < event.reasons.size() && i < kMostIdleReasons; ++i)
+        idle_.push_back(Trimmed(event.reasons[i]));
+    }
+    const Diagnostic& problem = event.diagnostic;
+    if (event.kind != sim::EventKind::kDiagnostic || problem.severity == Severity::kNote ||
+        FileName(problem.file) != settings_.file || slips_.size() >= kMostSlips)
+      continue;
+    std::string text = settings_.file + (problem.line > 0 ? ":" + std::to_string(problem.line) : "") + ": " +
+                       problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
+    if (std::find(slips_.begin(), slips_.end(), text) == slips_.end()) slips_.push_back(std::move(text));
+  }
+}
+
+std::vector<std::string> Account::Finish() {
+  std::vector<std::string> own, given;
+  bool is_idle_one_of_them = false;
+  for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
+    const std::string agent = simulation_.AgentOfMind(i);
+    const auto inspector = simulation_.Inspect(agent);
+    if (inspector == nullptr) continue;
+    for (const sim::RuleFact& rule : inspector->Rules()) {
+      if (FileName(rule.file) != settings_.file) continue;
+      is_idle_one_of_them |= agent == idle_agent_;
+      if (rule.firings > 0) continue;
+      const Result<std::vector<std::string>> why = simulation_.WhyTopic(agent, rule.name);
+      const std::string start = "rule " + rule.name + " ";
+      if (!why) continue;
+      const auto line = std::find_if(why->begin(), why->end(),
+                                     [&](const std::string& each) { return Trimmed(each).starts_with(start); });
+      if (line == why->end()) continue;
+      (settings_.given.contains(rule.name) ? given : own)
+          .push_back(start + "never fired: it " + Trimmed(*line).substr(start.size()));
+    }
+  }
+  std::vector<std::string> told = slips_;
+  if (is_idle_one_of_them) told.insert(told.end(), idle_.begin(), idle_.end());
+  // What another rule waits for in vain is often the fault of one's own.
+  for (const std::vector<std::string>* rules : {&own, &given}) {
+    if (rules == &given && !told.empty()) break;
+    for (std::size_t i = 0; i < rules->size() && i < kMostRules; ++i) told.push_back((*rules)[i]);
+  }
+  return told;
+}
+
+}  // namespace soarbox::mission

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/event.h"
+
+namespace soarbox::sim {
+class Simulation;
+}
+
+namespace soarbox::mission {
+
+/// Whose rules an account is about.
+struct AccountSettings {
+  std::string file;             ///< Name of the file of rules; empty: no account is asked for.
+  std::set<std::string> given;  ///< Rules in it that somebody else wrote: told only if none of the others is to blame.
+};
+
+/// What a run itself says of one file of rules, for whoever wrote it: slips, why its agent had nothing to do, and at
+/// which condition rules stopped that never fired. Follows a run through all its ticks.
+class Account {
+ public:
+  Account(sim::Simulation& simulation, AccountSettings settings)
+      : simulation_(simulation), settings_(std::move(settings)) {}
+
+  /// Call once for each tick, with its events.
+  void See(const sim::EventList& events);
+  /// Sentences, most telling first; few, and perhaps none.
+  std::vector<std::string> Finish();
+
+ private:
+  sim::Simulation& simulation_;
+  AccountSettings settings_;
+  std::vector<std::string> slips_;
+  std::string idle_agent_;         ///< Who first had nothing to do.
+  std::vector<std::string> idle_;  ///< Since when, and why.
+};
+
+}  // namespace soarbox::mission
