@@ -80,7 +80,11 @@ class Learner {
               << lesson.idea << "\n\nTask: " << lesson.task << "\nEdit:  " << (folder / lesson.rules).string()
               << "\nSee:   soarbox run " << folder.string() << "\nGrade: soarbox learn check " << number
               << "\nStuck: soarbox learn hint " << number << "\n";
-    if (!lesson.panel.empty()) std::cout << "Look:  the panel " << lesson.panel << "\n";
+    if (!lesson.panel.empty()) {
+      std::cout << "Look:  the panel " << lesson.panel;
+      for (std::size_t i = 0; i < lesson.also.size(); ++i) std::cout << (i == 0 ? "; also " : ", ") << lesson.also[i];
+      std::cout << "\n";
+    }
     if (options_.headless) return kOk;
     std::cout.flush();
     RunOptions run = options_.window;
@@ -137,7 +141,11 @@ class Learner {
     }
     std::cout << grade.outcome.passed << " of " << grade.outcome.runs.size() << " seeds passed; this was seed "
               << run.seed << ": soarbox run " << FolderOf(lesson).string() << " --seed " << run.seed << '\n';
+    if (run.outcome != "ok") std::cout << "This run " << run.outcome << ": " << run.error << '\n';
     if (!grade.hint.empty()) std::cout << "\n" << grade.hint << '\n';
+    if (grade.account.empty()) return;
+    std::cout << "\nWhat this run shows of your rules:\n";
+    for (const std::string& line : grade.account) std::cout << "- " << line << '\n';
   }
 
   int Reset(const Lesson& lesson) {

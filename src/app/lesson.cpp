@@ -5,14 +5,20 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
 
 #include "app/run_session.h"
 #include "diagnostics/read_text.h"
 #include "mission/cast.h"
+#include "mission/conditions.h"
 #include "mission/read_mission.h"
 #include "mission/sentences.h"
 #include "sim/check.h"
+#include "sim/rule_text.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::app {
@@ -22,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kUsualSeeds = 10;
 
-/// {time}, {was} and {agent} of a hint, as the run had them.
+/// {time}, {was}, {what} and {agent} of a hint, as the run had them.
 std::string Filled(std::string hint, const mission::Verdict& verdict) {
   const auto put = [&hint](std::string_view mark, const std::string& text) {
     for (std::size_t at = hint.find(mark); at != std::string::npos; at = hint.find(mark, at + text.size()))
@@ -30,8 +36,60 @@ std::string Filled(std::string hint, const mission::Verdict& verdict) {
   };
   put("{time}", mission::SecondsText(verdict.time_s));
   put("{was}", verdict.was);
+  constexpr std::string_view kItWas = "it was ";
+  put("{what}", verdict.was.starts_with(kItWas) ? verdict.was.substr(kItWas.size()) : verdict.was);
   put("{agent}", verdict.agent);
   return hint;
+}
+
+/// The rules of a text by their names, without blanks that mean nothing.
+std::map<std::string, std::string> RulesOf(const std::string& text) {
+  std::map<std::string, std::string> rules;
+  std::istringstream words(sim::BlankComments(text));
+  std::string* rule = nullptr;
+  for (std::string word; words >> word;) {
+    if (word == "sp" || word == "gp") {
+      words >> word;
+      if (word == "{") words >> word;
+      rule = &rules[word.substr(word.starts_with('{') ? 1 : 0)];
+    } else if (rule != nullptr) {
+      *rule += word + " ";
+    }
+  }
+  return rules;
+}
+
+/// The rules of a learner, and which of them the lesson gave.
+struct LearnersRules {
+  std::map<std::string, std::string> all;
+  std::set<std::string> given;
+
+  LearnersRules(const Lesson& lesson, const fs::path& file) : all(RulesOf(ReadText(file).value_or(""))) {
+    for (const auto& [name, text] : RulesOf(ReadText(lesson.folder / lesson.rules).value_or(""))) {
+      const auto at = all.find(name);
+      if (at != all.end() && at->second == text) given.insert(name);
+    }
+  }
+
+  /// True if one that the learner wrote fits the pattern.
+  bool Fit(const std::string& pattern) const {
+    return std::ranges::any_of(all, [&](const auto& rule) {
+      return !given.contains(rule.first) && mission::MatchesPattern(pattern, rule.second);
+    });
+  }
+};
+
+/// What the failed run says of the learner's rules: it is made again, and its mind is asked.
+std::vector<std::string> AccountOf(const mission::LoadedMission& loaded, const Lesson& lesson, LearnersRules rules,
+                                   std::uint64_t seed) {
+  mission::TestSettings settings;
+  settings.seeds = {seed};
+  settings.account.file = lesson.rules;
+  settings.account.given = std::move(rules.given);
+  Result<mission::MissionOutcome> outcome = mission::TestMission(
+      loaded, settings, [](const mission::RunResult&) {}, [] { return !WasInterrupted(); });
+  if (!outcome || outcome->runs.empty()) return {};
+  return std::move(outcome->runs.front().account);
 }
 
 }  // namespace
@@ -94,6 +152,8 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
   lesson.idea = root["idea"].value_or(std::string());
   lesson.task = root["task"].value_or(std::string());
   lesson.panel = root["panel"].value_or(std::string());
+  if (const toml::array* also = root["also"].as_array())
+    for (const toml::node& panel : *also) lesson.also.push_back(panel.value_or(std::string()));
   lesson.rules = root["rules"].value_or(std::string());
   if (const toml::array* hints = root["hints"].as_array())
     for (const toml::node& hint : *hints) lesson.hints.push_back(hint.value_or(std::string()));
@@ -120,6 +180,7 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
       sim::ParseScenarioFile(ReadText(folder / "scenario.toml").value_or(""), folder / "scenario.toml", problems);
   mission::CheckNames(mission, mission::CastOf(file), problems);
   lesson.loaded.seconds = mission.seconds.value_or(file.seconds.value_or(60));
+  mission::CheckTimes(mission, lesson.loaded.seconds, problems);
   if (mission.seeds.empty())
     for (std::size_t seed = 1; seed <= kUsualSeeds; ++seed) mission.seeds.push_back(seed);
   if (problems.size() > before) return std::nullopt;
@@ -157,13 +218,18 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
                                    [](const mission::RunResult& run) { return !run.passed; });
   if (failed == grade.outcome.runs.end()) return grade;
   grade.example = static_cast<std::size_t>(failed - grade.outcome.runs.begin());
+  LearnersRules written(lesson, rules);
   for (std::size_t i = 0; i < mission.mistakes.size(); ++i) {
     const std::size_t at = mission.checks.size() + i;
     if (!failed->IsTrue(at)) continue;
+    if (const std::size_t other = mission.mistakes[i].unless; other != mission::kNoCheck && failed->IsTrue(other))
+      continue;
+    if (const std::string& pattern = mission.mistakes[i].written; !pattern.empty() && !written.Fit(pattern)) continue;
     grade.mistake = mission.mistakes[i].name;
     grade.hint = Filled(mission.mistakes[i].hint, failed->checks[at].verdict);
     break;
   }
+  if (failed->outcome == "ok") grade.account = AccountOf(loaded, lesson, std::move(written), failed->seed);
   return grade;
 }
 

@@ -15,8 +15,10 @@ namespace soarbox::app {
 struct Lesson {
   std::filesystem::path folder;
   std::string name;  ///< "01-a-rule"
-  std::string title, idea, task, panel;
-  std::string rules;  ///< The learner's file, "porter.soar".
+  std::string title, idea, task;
+  std::string panel;              ///< Of the window, which the lesson introduces.
+  std::vector<std::string> also;  ///< Other panels that it needs for the first time.
+  std::string rules;              ///< The learner's file, "porter.soar".
   std::vector<std::string> hints;
   mission::LoadedMission loaded;
 };
@@ -46,8 +48,9 @@ struct Grade {
   bool passed = false;
   std::vector<Diagnostic> problems;  ///< Rules that do not load: nothing was run.
   mission::MissionOutcome outcome;
-  std::string mistake, hint;  ///< The typical mistake that was recognised in the run, and what to tell about it.
-  std::size_t example = 0;    ///< Of the outcome's runs, the first that failed.
+  std::string mistake, hint;         ///< The typical mistake that was recognised in the run, and what to tell about it.
+  std::size_t example = 0;           ///< Of the outcome's runs, the first that failed.
+  std::vector<std::string> account;  ///< What that run itself says of the learner's rules.
 };
 
 /// Runs the lesson's world with the rules of this folder. `seeds`: how many; 0: all.

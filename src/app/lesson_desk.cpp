@@ -17,6 +17,7 @@
 #include "app/data_folders.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
+#include "viewer/panels/panel_id.h"
 
 namespace soarbox::app {
 namespace {
@@ -100,6 +101,25 @@ std::vector<std::string> LinesOf(const std::string& text) {
     at = end + 1;
   }
   return lines;
+}
+
+/// "New in the window: Memory (Alt+E). Working memory as a tree. Also new: Edit (Alt+D)."
+std::string NewPanels(const Lesson& lesson) {
+  const auto find = [](const std::string& title) -> const viewer::PanelInfo* {
+    const auto at = std::find_if(viewer::kPanelInfos.begin(), viewer::kPanelInfos.end(),
+                                 [&](const viewer::PanelInfo& info) { return info.title == title; });
+    return at == viewer::kPanelInfos.end() ? nullptr : &*at;
+  };
+  const auto name = [](const viewer::PanelInfo& info) {
+    return std::string(info.title) + " (Alt+" + std::string(1, info.key) + ")";
+  };
+  const viewer::PanelInfo* panel = find(lesson.panel);
+  if (panel == nullptr) return {};
+  std::string text = "\n\nNew in the window: " + name(*panel) + ". " + std::string(panel->about);
+  std::string also;
+  for (const std::string& title : lesson.also)
+    if (const viewer::PanelInfo* other = find(title)) also += (also.empty() ? " Also new: " : ", ") + name(*other);
+  return text + also + (also.empty() ? "" : ".");
 }
 
 }  // namespace
@@ -189,7 +209,7 @@ void LessonDesk::Fill(viewer::PanelContents& contents) const {
   shown.name = now->name;
   shown.title = std::to_string(parts_->at + 1) + ". " + now->title;
   shown.idea = now->idea;
-  shown.task = now->task;
+  shown.task = now->task + NewPanels(*now);
   shown.panel = now->panel;
   shown.hint_count = now->hints.size();
   const auto used = static_cast<std::size_t>(std::max(0, parts_->progress.Get(now->name, "hints")));
