@@ -53,12 +53,17 @@ std::vector<std::string> Account::Finish() {
       if (FileName(rule.file) != settings_.file) continue;
       is_idle_one_of_them |= agent == idle_agent_;
       if (rule.firings > 0) continue;
-      const Result<std::vector<std::string>> why = simulation_.WhyTopic(agent, rule.name);
+      const Result<std::vector<sim::WhyNode>> why = simulation_.WhyTopic(agent, rule.name);
       const std::string start = "rule " + rule.name + " ";
       if (!why) continue;
-      const auto line = std::find_if(why->begin(), why->end(),
-                                     [&](const std::string& each) { return Trimmed(each).starts_with(start); });
-      if (line == why->end()) continue;
+      std::vector<std::string> lines;
+      for (const sim::WhyNode& node : *why) {
+        const std::vector<std::string> more = sim::Lines(node, 0);
+        lines.insert(lines.end(), more.begin(), more.end());
+      }
+      const auto line =
+          std::ranges::find_if(lines, [&](const std::string& each) { return Trimmed(each).starts_with(start); });
+      if (line == lines.end()) continue;
       (settings_.given.contains(rule.name) ? given : own)
           .push_back(start + "never fired: it " + Trimmed(*line).substr(start.size()));
     }
