@@ -187,10 +187,11 @@ class MeaningChecker {
 
   /// Like SuggestAttribute, and the architecture's own attributes besides.
   std::string Nearest(const std::string& attribute) const {
+    std::string hint = SuggestAttribute(attribute, made_);
+    if (!hint.empty() || attribute.size() < 4) return hint;
     const std::string_view own = Suggest(attribute, {"superstate", "operator", "input-link", "output-link",
-                                                     "reward-link", "impasse", "item", "type", "smem", "epmem"});
-    return own.empty() || attribute.size() < 4 ? SuggestAttribute(attribute, made_)
-                                               : "did you mean ^" + std::string(own) + "?";
+                                                     "reward-link", "impasse", "item", "smem", "epmem"});
+    return own.empty() ? hint : "did you mean ^" + std::string(own) + "?";
   }
 
   /// True if rules put such an attribute below what may be a command.
