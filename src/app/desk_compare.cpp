@@ -8,6 +8,7 @@
 
 #include "app/desk.h"
 #include "debugger/watch.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::app {
 namespace {
@@ -17,6 +18,15 @@ std::string TextOf(const std::filesystem::path& file) {
   std::ostringstream text;
   if (in) text << in.rdbuf();
   return text.str();
+}
+
+/// What a mind said last in a tick, or how that went; empty if it said nothing.
+std::string LastCommand(const mind::EventLog& events) {
+  std::string last;
+  events.ForEach(mind::Cases{[&](const mind::CommandSaid& said) { last = tell::CommandText(said); },
+                             [&](const mind::CommandEnded& ended) { last = tell::CommandText(ended); },
+                             [](const auto&) {}});
+  return last;
 }
 
 /// Behind the brace that closes the one at `open`; npos if none does. Comments and quoted texts hold no braces.
@@ -183,8 +193,8 @@ void Desk::LookForChange(const record::TickRecord& tick) {
     change = "its mind has gone";
   } else if (now.impasse != awaited_.impasse) {
     change = now.impasse.empty() ? "out of the impasse " + awaited_.impasse : "impasse " + now.impasse;
-  } else if (mind != nullptr && !mind->commands.empty()) {
-    change = "gave " + mind->commands.back();
+  } else if (mind != nullptr && !LastCommand(mind->events).empty()) {
+    change = "gave " + LastCommand(mind->events);
   } else if (now.operators != awaited_.operators) {
     change = now.operators.empty() ? "no operator is left" : "now " + now.operators;
   } else if (tick.tick > awaited_.since_tick + kLongest_ticks) {

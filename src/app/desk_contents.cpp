@@ -167,7 +167,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   changes_ = {};
   if (shown != nullptr) {
     if (const record::MindRecord* mind = record::FindMind(*shown, agent_))
-      changes_ = debugger::MemoryChanges(mind->details);
+      changes_ = debugger::MemoryChanges(mind->events);
   }
   std::unique_ptr<sim::Inspector> mind = world != nullptr && contents.has_mind ? world->Inspect(agent_) : nullptr;
   contents.not_available.clear();

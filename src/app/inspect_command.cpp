@@ -36,6 +36,7 @@ bool IsRecording(const std::string& name) {
 struct Inspected {
   std::unique_ptr<sim::Simulation> simulation;  ///< Null if a recording cannot be simulated again.
   debugger::RunModels models;
+  debugger::RecordedMinds recorded;  ///< Of a recording.
   record::TickRecord last;
   double step_s = 1.0 / 30;
   std::vector<Diagnostic> warnings;
@@ -124,6 +125,7 @@ Result<void> ReadRecording(const InspectOptions& options, const sim::DataFolders
   run.step_s = reader.header().step_s;
   const auto wanted = static_cast<std::uint64_t>(std::llround(options.at_s / run.step_s));
   const std::uint64_t last = std::clamp(wanted, reader.first_tick(), reader.last_tick());
+  run.recorded = debugger::RecordedMinds(reader.header().level);
   for (std::uint64_t tick = reader.first_tick(); tick <= last; ++tick) {
     const Result<const record::TickRecord*> read = reader.At(tick);
     if (!read) return read.error();
@@ -134,8 +136,10 @@ Result<void> ReadRecording(const InspectOptions& options, const sim::DataFolders
       Plot(options, run, agent);
     }
     run.models.Add(**read);
+    run.recorded.Add(**read);
     run.last = **read;
   }
+  if (options.recorded) return {};
   Result<record::Rerun> again = record::GoTo(reader, last, data);
   if (again) {
     run.simulation = std::move(again->simulation);
@@ -166,6 +170,13 @@ int Inspect(const InspectOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return refuse(data.error());
   Inspected run;
+  if (options.recorded && !IsRecording(options.source)) {
+    Diagnostic problem;
+    problem.file = options.source;
+    problem.message = "--recorded is about recordings, and this is none";
+    problem.hint = "`soarbox run " + options.source + " --record FILE` makes one";
+    return refuse(problem);
+  }
   const Result<void> brought =
       IsRecording(options.source) ? ReadRecording(options, *data, run) : RunScenario(options, *data, run);
   if (!brought) return refuse(brought.error());
@@ -175,7 +186,8 @@ int Inspect(const InspectOptions& options) {
   request.agent = options.agent;
   request.first_tick = static_cast<std::uint64_t>(std::llround(options.from_s / run.step_s));
   request.last_tick = run.last.tick;
-  const Result<debugger::ViewText> shown = debugger::ShowView({run.simulation.get(), &run.models, &run.last}, request);
+  const Result<debugger::ViewText> shown =
+      debugger::ShowView({run.simulation.get(), &run.models, &run.last, &run.recorded}, request);
   if (!shown) return refuse(shown.error());
   std::cout << (options.json ? shown->json : shown->text);
   return kOk;

@@ -19,6 +19,7 @@ struct InspectOptions {
   std::string until;   ///< A breakpoint that ends the run sooner: "fire RULE"; scenarios only.
   std::string kernel;  ///< HOST:PORT of a Soar kernel elsewhere; empty: our own.
   bool json = false;
+  bool recorded = false;  ///< Of a recording: what it holds, without simulating it again.
   std::optional<std::uint64_t> seed;
   std::vector<std::filesystem::path> extra_folders;
 };

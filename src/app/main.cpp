@@ -158,6 +158,7 @@ void AddInspect(CLI::App& program, soarbox::app::InspectOptions& options) {
   inspect->add_option("--kernel", options.kernel,
                       "As for `soarbox run`; facts that only Soarbox's own kernel reports are missing");
   inspect->add_flag("--json", options.json, "Print it as JSON");
+  inspect->add_flag("--recorded", options.recorded, "Show what the recording holds; do not simulate it again");
   inspect->add_option("--seed", options.seed, "As for `soarbox run`")->check(soarbox::app::WholeNumber());
   inspect->add_option("--path", options.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
 }

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <variant>
 
 #include "debugger/facts_text.h"
 #include "debugger/memory.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -40,48 +42,30 @@ bool IsRule(std::string_view name, std::string_view pattern) {
   return name == pattern || IsLikeText(name, pattern);
 }
 
-/// "(operator tie)" of "==>S: S2 (operator tie)"; empty if the line is no impasse.
-std::string_view ImpasseInDecision(std::string_view decision) {
-  const std::size_t begin = decision.find_first_not_of(' ');
-  if (begin == std::string_view::npos || !decision.substr(begin).starts_with("==>S: ")) return {};
-  const std::size_t open = decision.find(" (");
-  if (open == std::string_view::npos || !decision.ends_with(')')) return {};
-  return decision.substr(open + 2, decision.size() - open - 3);
+std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& event) {
+  if (const auto* fired = std::get_if<mind::RuleFired>(&event); point.kind == BreakKind::kFire && fired != nullptr) {
+    if (!fired->retracts && IsRule(fired->rule, point.what)) return "rule " + std::string(fired->rule) + " fired";
+  }
+  if (const auto* element = std::get_if<mind::ElementChanged>(&event);
+      point.kind == BreakKind::kElement && element != nullptr && element->added) {
+    const sim::ElementFact fact = FactOf(*element);
+    if (IsLike(fact, point.what)) return Describe(fact) + " came";
+  }
+  if (const auto* made = std::get_if<mind::StateMade>(&event);
+      point.kind == BreakKind::kImpasse && made != nullptr && made->level > 1) {
+    const std::string impasse = tell::ImpasseText(made->reason, made->on_operator);
+    if (impasse.find(point.what) != std::string::npos) return "impasse: " + tell::DecisionLine(event);
+  }
+  if (const auto* said = std::get_if<mind::CommandSaid>(&event); point.kind == BreakKind::kCommand && said != nullptr) {
+    if (point.what.empty() || IsLikeText(said->name, point.what)) return "command " + tell::CommandText(*said);
+  }
+  return std::nullopt;
 }
 
-std::optional<std::string> CauseIn(const Breakpoint& point, const sim::MindReport& report) {
-  switch (point.kind) {
-    case BreakKind::kFire:
-      for (const std::string_view detail : report.details) {
-        const std::size_t blank = detail.find(' ');
-        if (blank == std::string_view::npos || !detail.substr(blank + 1).starts_with("fire ")) continue;
-        const std::string_view rule = detail.substr(blank + 6);
-        if (IsRule(rule, point.what)) return "rule " + std::string(rule) + " fired";
-      }
-      break;
-    case BreakKind::kElement:
-      for (const std::string& detail : report.details) {
-        const std::optional<ElementLine> line = ReadElementLine(detail);
-        if (line && line->added && IsLike(line->element, point.what)) return Describe(line->element) + " came";
-      }
-      break;
-    case BreakKind::kImpasse:
-      for (const std::string& decision : report.decisions) {
-        const std::string_view impasse = ImpasseInDecision(decision);
-        if (!impasse.empty() && (point.what.empty() || impasse.find(point.what) != std::string_view::npos))
-          return "impasse: " + decision.substr(decision.find_first_not_of(' '));
-      }
-      break;
-    case BreakKind::kCommand:
-      for (const std::string& command : report.commands) {
-        if (command.find(": ") != std::string::npos) continue;  // How one went.
-        const std::string_view name = std::string_view(command).substr(0, command.find(' '));
-        if (point.what.empty() || IsLikeText(name, point.what)) return "command " + command;
-      }
-      break;
-    case BreakKind::kMatch:
-      break;
-  }
+std::optional<std::string> CauseIn(const Breakpoint& point, const mind::EventLog& events) {
+  mind::Event event;
+  for (std::size_t at = 0; events.Next(at, event);)
+    if (std::optional<std::string> cause = CauseIn(point, event)) return cause;
   return std::nullopt;
 }
 
@@ -168,7 +152,7 @@ std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation) {
     for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
       const sim::MindReport report = simulation.Mind(i);
       if (!point.agent.empty() && point.agent != report.agent) continue;
-      std::optional<std::string> cause = CauseIn(point, report);
+      std::optional<std::string> cause = CauseIn(point, report.events);
       if (point.kind == BreakKind::kMatch) {
         const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(report.agent);
         const std::optional<sim::MatchFacts> match = mind == nullptr ? std::nullopt : mind->Match(point.what);

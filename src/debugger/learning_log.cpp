@@ -2,29 +2,15 @@
 #include "debugger/learning_log.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
+#include <variant>
+
+#include "tell/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
 
 constexpr std::size_t kMostLearned = 20'000, kMostFired = 1000, kMostPoints = 1000, kMostEpisodes = 2000;
-constexpr std::string_view kLearnWord = "learn ", kValueWord = "value ", kRewardWord = "reward ",
-                           kEpisodeEnds = "episode ends";
-
-double LearnedNumber(std::string_view text) {
-  double number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
-
-/// The rule of a detail: "3 fire RULE".
-std::string_view RuleThatFired(std::string_view detail) {
-  constexpr std::string_view kFire = " fire ";
-  const std::size_t at = detail.find(' ');
-  if (at == std::string_view::npos || !detail.substr(at).starts_with(kFire)) return {};
-  return detail.substr(at + kFire.size());
-}
 
 /// One point for each tick: the last. Of too many, every second of the older half goes.
 void AddPoint(LearningLog::Points& points, std::uint64_t tick, double value) {
@@ -47,10 +33,6 @@ void CutPoints(LearningLog::Points& points, std::uint64_t tick) {
 
 }  // namespace
 
-bool TellsOfReward(std::string_view line) {
-  return line.starts_with(kValueWord) || line.starts_with(kRewardWord) || line == kEpisodeEnds;
-}
-
 void LearningLog::Fired(std::uint64_t tick, std::string_view rule) {
   const auto found = numbers_.find(rule);
   if (found == numbers_.end()) return;
@@ -60,34 +42,31 @@ void LearningLog::Fired(std::uint64_t tick, std::string_view rule) {
 }
 
 void LearningLog::Add(std::uint64_t tick, const record::MindRecord& mind) {
-  for (std::size_t n = 0; n < mind.decisions.size(); ++n) {
-    std::string_view line = mind.decisions[n];
-    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    if (line.starts_with(kLearnWord)) {
+  mind::Event event;
+  for (std::size_t at = 0; mind.events.Next(at, event);) {
+    if (const auto* learned = std::get_if<mind::RuleLearned>(&event)) {
       LearnedRule& rule = rules_.emplace_back();
-      rule.name = line.substr(kLearnWord.size());
+      rule.name = learned->rule;
       rule.tick = tick;
-      if (n < mind.reasons.size()) rule.reason = mind.reasons[n];
+      rule.reason = tell::ReasonText(event);
       numbers_[rule.name] = forgotten_ + rules_.size() - 1;
-    } else if (line.starts_with(kValueWord)) {
-      const std::size_t blank = line.rfind(' ');
-      if (blank <= kValueWord.size()) continue;
-      const std::string name(line.substr(kValueWord.size(), blank - kValueWord.size()));
-      AddPoint(values_[name], tick, LearnedNumber(line.substr(blank + 1)));
-    } else if (line.starts_with(kRewardWord)) {
+    } else if (const auto* update = std::get_if<mind::ValueUpdated>(&event)) {
+      AddPoint(values_[std::string(update->rule)], tick, update->value);
+    } else if (const auto* received = std::get_if<mind::RewardReceived>(&event)) {
       const double before = rewards_.empty() ? 0 : rewards_.back().second;
-      AddPoint(rewards_, tick, before + LearnedNumber(line.substr(kRewardWord.size())));
+      AddPoint(rewards_, tick, before + received->reward);
       if (!std::exchange(is_in_episode_, true)) episode_begin_ = tick;
-    } else if (line == kEpisodeEnds && std::exchange(is_in_episode_, false)) {
+    } else if (std::holds_alternative<mind::EpisodeEnded>(event)) {
+      if (!std::exchange(is_in_episode_, false)) continue;
       const double all = rewards_.empty() ? 0 : rewards_.back().second;
       const double before = episodes_.empty() ? 0 : episodes_.back().total;
       episodes_.push_back({episode_begin_, tick, all - before, all});
       if (episodes_.size() > kMostEpisodes) episodes_.pop_front();
     }
   }
-  for (const std::string& detail : mind.details) {
-    if (const std::string_view rule = RuleThatFired(detail); !rule.empty()) Fired(tick, rule);
-  }
+  mind.events.ForEachOf<mind::RuleFired>([&](const mind::RuleFired& fired) {
+    if (!fired.retracts) Fired(tick, fired.rule);
+  });
   while (rules_.size() > kMostLearned) {
     const auto number = numbers_.find(rules_.front().name);
     if (number != numbers_.end() && number->second == forgotten_) numbers_.erase(number);

@@ -60,8 +60,4 @@ class LearningLog {
   bool is_in_episode_ = false;
 };
 
-/// What is told among decisions of learning by reward, and is no decision: "value RULE 1.5", "reward 2",
-/// "episode ends".
-bool TellsOfReward(std::string_view line);
-
 }  // namespace soarbox::debugger

@@ -52,23 +52,23 @@ sp {hero*value (state <s> ^operator <o> +) (<o> ^name go) --> (<s> ^operator <o>
 sp {hero*reward (state <s> ^superstate nil ^reward-link <r> ^turn > 0) --> (<r> ^reward.value 1)}
 )";
 
-record::MindRecord Decided(std::vector<std::string> decisions, std::vector<std::string> details = {}) {
+template <typename... Events>
+record::MindRecord Did(const Events&... events) {
   record::MindRecord mind;
-  mind.reasons.resize(decisions.size());
-  mind.decisions = std::move(decisions);
-  mind.details = std::move(details);
+  (mind.events.Add(events), ...);
   return mind;
 }
 
 TEST(LearningLog, ReadsWhatIsToldAmongDecisionsAndForgetsWhatDidNotHappen) {
   LearningLog log;
-  record::MindRecord first =
-      Decided({"==>S: S1", "   learn chunk*a", "value rl*one -1.5"}, {"1 fire chunk*a", "2 fire b"});
-  first.reasons[1] = "from a in S2 (operator tie)";
-  log.Add(3, first);
-  log.Add(5, Decided({"reward 2", "value rl*one 0.25", "O: O1 (go)"}, {"0 fire chunk*a", "0 retract chunk*a"}));
-  log.Add(7, Decided({"reward -0.5", "episode ends"}));
-  log.Add(9, Decided({"reward 4"}));
+  using mind::RuleFired;
+  log.Add(3, Did(mind::StateMade{1, "S1", mind::StateReason::kTop, false, {}},
+                 mind::RuleLearned{2, "chunk*a", "a", "S2", mind::StateReason::kTie, true}, RuleFired{"chunk*a", false},
+                 mind::ValueUpdated{"rl*one", -1.5}, RuleFired{"b", false}));
+  log.Add(5, Did(RuleFired{"chunk*a", false}, RuleFired{"chunk*a", true}, mind::RewardReceived{2},
+                 mind::ValueUpdated{"rl*one", 0.25}, mind::OperatorSelected{1, "O1", "go", {}}));
+  log.Add(7, Did(mind::RewardReceived{-0.5}, mind::EpisodeEnded{}));
+  log.Add(9, Did(mind::RewardReceived{4}));
   ASSERT_EQ(log.rules().size(), 1u);
   EXPECT_EQ(log.rules()[0].name, "chunk*a");
   EXPECT_EQ(log.rules()[0].reason, "from a in S2 (operator tie)");
@@ -80,7 +80,7 @@ TEST(LearningLog, ReadsWhatIsToldAmongDecisionsAndForgetsWhatDidNotHappen) {
   EXPECT_EQ(log.episodes()[0].reward, 1.5);
   EXPECT_EQ(log.episodes()[0].first_tick, 5u);
   log.CutFrom(9);
-  log.Add(9, Decided({"reward 1", "episode ends"}));
+  log.Add(9, Did(mind::RewardReceived{1}, mind::EpisodeEnded{}));
   ASSERT_EQ(log.episodes().size(), 2u);
   EXPECT_EQ(log.episodes()[1].reward, 1);
   log.CutFrom(5);
@@ -95,7 +95,9 @@ TEST(LearningLog, ReadsWhatIsToldAmongDecisionsAndForgetsWhatDidNotHappen) {
 TEST(LearningLog, KeepsTheNewestOfManyRulesAndThinsLongCurvesOut) {
   LearningLog log;
   for (std::uint64_t tick = 1; tick <= 21'000; ++tick) {
-    log.Add(tick, Decided({"learn c" + std::to_string(tick), "value v " + std::to_string(tick)}));
+    const std::string rule = "c" + std::to_string(tick);
+    log.Add(tick, Did(mind::RuleLearned{1, rule, {}, {}, mind::StateReason::kNoChange, false},
+                      mind::ValueUpdated{"v", static_cast<double>(tick)}));
   }
   EXPECT_EQ(log.rules().size(), 20'000u);
   EXPECT_EQ(log.Find("c1000"), nullptr);

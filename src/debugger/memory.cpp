@@ -2,13 +2,11 @@
 #include "debugger/memory.h"
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "debugger/facts_text.h"
 #include "debugger/recorded_mind.h"
-#include "sim/rule_text.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -85,57 +83,19 @@ Json RowsToJson(const std::vector<MemoryRow>& rows) {
 
 }  // namespace
 
-std::optional<ElementLine> ReadElementLine(std::string_view detail) {
-  // "3 + 12: S1 ^a b +"
-  const std::size_t first = detail.find(' ');
-  if (first == std::string_view::npos || first + 2 >= detail.size()) return std::nullopt;
-  ElementLine line;
-  if (detail[first + 1] != '+' && detail[first + 1] != '-') return std::nullopt;
-  line.added = detail[first + 1] == '+';
-  std::string_view rest = detail.substr(first + 2);
-  if (!rest.starts_with(' ')) return std::nullopt;
-  rest.remove_prefix(1);
-  const std::size_t colon = rest.find(": ");
-  if (colon == std::string_view::npos) return std::nullopt;
-  const auto read = std::from_chars(rest.data(), rest.data() + colon, line.element.timetag);
-  if (read.ec != std::errc() || read.ptr != rest.data() + colon) return std::nullopt;
-  rest.remove_prefix(colon + 2);
-  const std::size_t caret = rest.find(" ^");
-  if (caret == std::string_view::npos) return std::nullopt;
-  line.element.id = rest.substr(0, caret);
-  rest.remove_prefix(caret + 2);
-  // An attribute in bars may hold blanks.
-  std::size_t end = 0;
-  for (bool quoted = false; end < rest.size() && (quoted || rest[end] != ' '); ++end)
-    if (rest[end] == '|') quoted = !quoted;
-  if (end >= rest.size()) return std::nullopt;
-  line.element.attribute = rest.substr(0, end);
-  rest.remove_prefix(end + 1);
-  if (rest.ends_with(" +") && rest.size() > 2) {
-    line.element.acceptable = true;
-    rest.remove_suffix(2);
-  }
-  line.element.value = rest;
-  line.element.is_object = sim::IsIdentifier(rest);
-  return line;
+sim::ElementFact FactOf(const mind::ElementChanged& element) {
+  return {element.timetag,    std::string(element.id), std::string(element.attribute), std::string(element.value),
+          element.acceptable, element.is_object};
 }
 
-MemoryChanges::MemoryChanges(std::span<const std::string> details, std::optional<std::size_t> decisions) {
-  for (const std::string& detail : details) {
-    if (decisions) {
-      std::size_t before = 0;
-      std::from_chars(detail.data(), detail.data() + detail.size(), before);
-      if (before < *decisions) continue;
+MemoryChanges::MemoryChanges(const mind::EventLog& events) {
+  events.ForEachOf<mind::ElementChanged>([this](const mind::ElementChanged& element) {
+    if (element.added) {
+      added_[element.timetag] = FactOf(element);
+    } else if (added_.erase(element.timetag) == 0) {
+      removed_[element.timetag] = FactOf(element);
     }
-    std::optional<ElementLine> line = ReadElementLine(detail);
-    if (!line) continue;
-    const std::uint64_t timetag = line->element.timetag;
-    if (line->added) {
-      added_[timetag] = std::move(line->element);
-    } else if (added_.erase(timetag) == 0) {
-      removed_[timetag] = std::move(line->element);
-    }
-  }
+  });
 }
 
 MemoryObject LookAtObject(sim::Inspector& mind, std::string_view id, const MemoryChanges& changes, std::size_t depth) {

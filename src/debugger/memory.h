@@ -5,25 +5,23 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "debugger/json.h"
+#include "mind/event_log.h"
 #include "sim/inspector.h"
 
 namespace soarbox::debugger {
 
 enum class Change : std::uint8_t { kNone, kAdded, kRemoved };
 
-/// What came into a working memory and left it in a tick, read from what was noted of it (MindDetail::kAll).
+/// What came into a working memory and left it in a tick, as it was noted (MindDetail::kAll).
 class MemoryChanges {
  public:
   MemoryChanges() = default;
-  /// Lines as MindLog::details has them. `decisions`: how many decisions the tick had; with it only what came behind
-  /// the last of them counts.
-  explicit MemoryChanges(std::span<const std::string> details, std::optional<std::size_t> decisions = {});
+  explicit MemoryChanges(const mind::EventLog& events);
 
   bool WasAdded(std::uint64_t timetag) const { return added_.contains(timetag); }
   const std::map<std::uint64_t, sim::ElementFact>& added() const { return added_; }
@@ -34,12 +32,7 @@ class MemoryChanges {
   std::map<std::uint64_t, sim::ElementFact> added_, removed_;
 };
 
-/// Reads "+ 12: S1 ^a b" of a detail; nothing if it is something else.
-struct ElementLine {
-  bool added = true;
-  sim::ElementFact element;
-};
-std::optional<ElementLine> ReadElementLine(std::string_view detail);
+sim::ElementFact FactOf(const mind::ElementChanged& element);
 
 struct MemoryRow {
   sim::ElementFact element;

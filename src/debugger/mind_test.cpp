@@ -95,7 +95,7 @@ TEST_F(Debugger, MemoryIsATreeThatCanBeSearchedAndMarksWhatIsNew) {
   Start(kTwoOperators);
   const record::TickRecord& tick = Tick();
   const auto mind = Mind();
-  const MemoryChanges changes(record::FindMind(tick, "hero")->details);
+  const MemoryChanges changes(record::FindMind(tick, "hero")->events);
   const MemoryObject state = LookAtObject(*mind, "S1", changes, 4);
   const auto vigour =
       std::ranges::find_if(state.rows, [](const MemoryRow& row) { return row.element.attribute == "vigour"; });

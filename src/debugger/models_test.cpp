@@ -14,6 +14,7 @@
 #include "debugger/syntax.h"
 #include "debugger/timeline.h"
 #include "debugger/trace.h"
+#include "record/legacy_minds.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -129,22 +130,17 @@ TEST(Operators, AChoiceByChanceTellsItsProbability) {
 
 // Memory --------------------------------------------------------------------------------------------------------------
 
-TEST(Memory, DetailsAreReadAsElements) {
-  const std::optional<ElementLine> line = ReadElementLine("2 + 12: S1 ^|two words| O3 +");
-  ASSERT_TRUE(line.has_value());
-  EXPECT_TRUE(line->added);
-  EXPECT_EQ(line->element, (sim::ElementFact{12, "S1", "|two words|", "O3", true, true}));
-  for (const char* other : {"", "2", "2 fire a*b", "2 + x: S1 ^a b", "2 + 3 S1 ^a b", "2 + 3: S1 a b", "2 + 3: S1 ^a"})
-    EXPECT_FALSE(ReadElementLine(other).has_value()) << other;
-}
-
 TEST(Memory, WhatCameAndWentWithinATickIsNoChange) {
-  const std::vector<std::string> details = {"0 + 5: S1 ^a b", "1 - 3: S1 ^c d", "1 - 5: S1 ^a b", "1 + 6: S1 ^e f"};
-  const MemoryChanges changes(details);
+  mind::EventLog events;
+  events.Add(mind::ElementChanged{true, 5, "S1", "a", "b", false, false});
+  events.Add(mind::ElementChanged{false, 3, "S1", "|two words|", "O3", true, true});
+  events.Add(mind::ElementChanged{false, 5, "S1", "a", "b", false, false});
+  events.Add(mind::ElementChanged{true, 6, "S1", "e", "f", false, false});
+  const MemoryChanges changes(events);
   EXPECT_FALSE(changes.WasAdded(5));
   EXPECT_TRUE(changes.WasAdded(6));
-  EXPECT_EQ(changes.removed().size(), 1u);
-  EXPECT_EQ(MemoryChanges(details, 1).removed().size(), 2u);
+  ASSERT_EQ(changes.removed().size(), 1u);
+  EXPECT_EQ(changes.removed().at(3), (sim::ElementFact{3, "S1", "|two words|", "O3", true, true}));
 }
 
 // Ticks ---------------------------------------------------------------------------------------------------------------
@@ -156,9 +152,7 @@ record::TickRecord TickOf(std::uint64_t number, std::vector<std::string> decisio
   tick.scene.time_s = static_cast<double>(number) / 30;
   record::MindRecord& mind = tick.minds.emplace_back();
   mind.agent = "a";
-  mind.percepts = {"self.health 100"};
-  mind.decisions = std::move(decisions);
-  mind.details = std::move(details);
+  mind.events = record::ReadWords({{"self.health 100"}, std::move(decisions), std::move(details), {}, {}, {}});
   return tick;
 }
 
@@ -254,7 +248,7 @@ TEST(Timeline, TracksOfManyAgentsShareWhatIsKept) {
   Timeline timeline;
   constexpr std::size_t kAgents = 100;
   record::TickRecord tick = TickOf(1, {});
-  tick.minds[0].commands = {"seek"};
+  tick.minds[0].events.Add(mind::CommandSaid{0, "seek", {}, {}});
   for (std::size_t i = 0; i < kAgents; ++i) tick.minds.push_back(tick.minds[0]);
   for (std::size_t i = 0; i < tick.minds.size(); ++i) tick.minds[i].agent = "a" + std::to_string(i);
   for (tick.tick = 1; tick.tick <= 5'000; ++tick.tick) timeline.Add(tick);

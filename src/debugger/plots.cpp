@@ -13,6 +13,7 @@
 #include "debugger/percept_help.h"
 #include "sim/learning_facts.h"
 #include "sim/rule_text.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -101,21 +102,25 @@ std::optional<double> ValueIn(const record::TickRecord& tick, std::string_view a
                               bool& has_firings) {
   const record::MindRecord* mind = record::FindMind(tick, agent);
   if (what == "health" || what == "speed") return OfBody(tick, agent, what);
-  if (what == "decisions")
-    return mind == nullptr ? 0.0
-                           : static_cast<double>(std::ranges::count_if(
-                                 mind->decisions, [](const std::string& line) { return !TellsOfReward(line); }));
-  if (what == "fired") {
-    has_firings |= mind != nullptr && !mind->details.empty();
-    if (!has_firings) return std::nullopt;
-    return mind == nullptr ? 0.0 : static_cast<double>(std::ranges::count_if(mind->details, [](const std::string& d) {
-      return d.find(' ') != std::string::npos && std::string_view(d).substr(d.find(' ')).starts_with(" fire ");
-    }));
+  if (what == "decisions" || what == "fired") {
+    double decided = 0, fired = 0;
+    mind::Event event;
+    for (std::size_t at = 0; mind != nullptr && mind->events.Next(at, event);) {
+      has_firings |= mind::IsDetail(event);
+      const auto* firing = std::get_if<mind::RuleFired>(&event);
+      fired += firing != nullptr && !firing->retracts ? 1 : 0;
+      decided += !tell::DecisionLine(event).empty() && !tell::IsOfReward(event) ? 1 : 0;
+    }
+    if (what == "fired" && !has_firings) return std::nullopt;
+    return what == "fired" ? fired : decided;
   }
   const auto known = percepts.find(agent);
   if (known == percepts.end()) return std::nullopt;
   const auto percept = known->second.find(what);
-  return percept == known->second.end() ? std::nullopt : Number(percept->second);
+  if (percept == known->second.end()) return std::nullopt;
+  return std::visit(mind::Cases{[](const std::string& word) { return Number(word); },
+                                [](auto number) { return std::optional(static_cast<double>(number)); }},
+                    percept->second);
 }
 
 /// See Plots::kMostPoints.
@@ -175,7 +180,7 @@ void Plots::Prepend(std::string_view agent, std::string_view what, const std::ve
 }
 
 void Plots::Add(const record::TickRecord& tick) {
-  for (const record::MindRecord& mind : tick.minds) record::ApplyPercepts(mind.percepts, percepts_[mind.agent]);
+  for (const record::MindRecord& mind : tick.minds) record::ApplyPercepts(mind.events, percepts_[mind.agent]);
   for (PlotSeries& series : series_) {
     while (!series.points.empty() && series.points.back().tick >= tick.tick) series.points.pop_back();
     const std::optional<double> value = ValueIn(tick, series.agent, series.what, percepts_, series.has_firings);
@@ -219,7 +224,7 @@ void PlotHistory::Add(const record::TickRecord& tick) {
     if (const std::unique_ptr<sim::Inspector> mind = mind_.Inspect(agent_)) value = Follow(*mind, what_);
   } else {
     if (const record::MindRecord* mind = record::FindMind(tick, agent_))
-      record::ApplyPercepts(mind->percepts, percepts_[agent_]);
+      record::ApplyPercepts(mind->events, percepts_[agent_]);
     value = ValueIn(tick, agent_, what_, percepts_, has_firings_);
   }
   if (value) points_.push_back({tick.tick, *value});

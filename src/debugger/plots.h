@@ -11,7 +11,7 @@
 
 #include "debugger/json.h"
 #include "debugger/recorded_mind.h"
-#include "record/percept_text.h"
+#include "record/percept_values.h"
 #include "record/tick_record.h"
 #include "sim/simulation.h"
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -16,50 +15,16 @@ namespace soarbox::debugger {
 namespace {
 
 constexpr std::size_t kMostRecalls = 2000;
-constexpr std::string_view kRecallWord = "recall ", kNoFactWord = "no fact", kNoEpisodeWord = "no episode",
-                           kEpisodeWord = "episode ";
-
-std::uint64_t RecalledNumber(std::string_view text) {
-  std::uint64_t number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
 
 }  // namespace
 
-std::optional<Recall> ReadRecall(std::string_view line) {
-  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-  Recall recall;
-  recall.level = 1 + static_cast<int>(indent / 3);
-  line.remove_prefix(indent);
-  const std::size_t open = line.find(" {"), between = line.rfind("} for {");
-  if (!line.starts_with(kRecallWord) || open == std::string_view::npos || between == std::string_view::npos ||
-      between < open + 2 || !line.ends_with('}'))
-    return std::nullopt;
-  const std::string_view what = line.substr(kRecallWord.size(), open - kRecallWord.size());
-  recall.answer = line.substr(open + 2, between - open - 2);
-  recall.question = line.substr(between + 7, line.size() - between - 8);
-  recall.is_episode = what.starts_with(kEpisodeWord) || what == kNoEpisodeWord;
-  if (what.starts_with(kEpisodeWord)) {
-    recall.number = RecalledNumber(what.substr(kEpisodeWord.size()));
-  } else if (what.starts_with('@')) {
-    recall.number = RecalledNumber(what.substr(1));
-  } else if (what != kNoFactWord && what != kNoEpisodeWord) {
-    return std::nullopt;
-  }
-  return recall;
-}
-
 void RecallLog::Add(std::uint64_t tick, const record::MindRecord& mind) {
-  for (std::size_t n = 0; n < mind.decisions.size(); ++n) {
-    std::optional<Recall> recall = ReadRecall(mind.decisions[n]);
-    if (!recall) continue;
-    recall->tick = tick;
-    if (n < mind.reasons.size()) recall->reason = mind.reasons[n];
-    recalls_.push_back(*std::move(recall));
+  mind.events.ForEachOf<mind::Recalled>([&](const mind::Recalled& recalled) {
+    recalls_.push_back({tick, recalled.level, recalled.is_episode, recalled.number, std::string(recalled.answer),
+                        std::string(recalled.question), std::string(recalled.reason)});
     ++count_;
     if (recalls_.size() > kMostRecalls) recalls_.pop_front();
-  }
+  });
 }
 
 void RecallLog::CutFrom(std::uint64_t tick) {

@@ -28,10 +28,6 @@ struct Recall {
   std::string reason;
 };
 
-/// What is told of a recall among decisions: "recall @12 {^kind ammo} for {^kind <any>}", "recall episode 7 {} for
-/// {^here gate}", "recall no fact {} for {^kind mortar}". Nothing if a line tells of something else.
-std::optional<Recall> ReadRecall(std::string_view line);
-
 /// The recalls of one agent, fed tick by tick, live or from a recording.
 class RecallLog {
  public:

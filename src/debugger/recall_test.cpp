@@ -31,22 +31,6 @@ sp {hero*next*apply (state <s> ^operator.name next ^smem.command <c> ^epmem.comm
 sp {hero*wait (state <s> ^superstate nil ^step 2) --> (<s> ^operator <o> +) (<o> ^name wait)}
 )";
 
-TEST(ReadRecall, ReadsWhatIsToldAmongDecisions) {
-  const auto recall = ReadRecall("   recall @12 {^kind ammo ^at {x}} for {^kind ammo}");
-  ASSERT_TRUE(recall);
-  EXPECT_EQ(recall->level, 2);
-  EXPECT_EQ(recall->number, 12u);
-  EXPECT_EQ(recall->answer, "^kind ammo ^at {x}");
-  EXPECT_EQ(recall->question, "^kind ammo");
-  EXPECT_FALSE(recall->is_episode);
-  EXPECT_EQ(ReadRecall("recall episode 7 {} for {^here gate}")->number, 7u);
-  EXPECT_TRUE(ReadRecall("recall no episode {} for {^here gate}")->is_episode);
-  EXPECT_EQ(ReadRecall("recall no fact {} for {^here gate}")->number, 0u);
-  for (const char* line : {"", "O: O1 (recall)", "recall", "recall @1 {} for {", "recall x {} for {}"}) {
-    EXPECT_FALSE(ReadRecall(line)) << line;
-  }
-}
-
 TEST_F(Recalling, TellsWhatWasAskedWhatCameAndWhy) {
   Start(kRecallRules);
   RunModels models;

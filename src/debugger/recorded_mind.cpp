@@ -6,6 +6,9 @@
 
 #include "debugger/facts_text.h"
 #include "debugger/memory.h"
+#include "mind/decision_codec.h"
+#include "tell/decision_text.h"
+#include "tell/mind_words.h"
 #include "tell/sentences.h"
 
 namespace soarbox::debugger {
@@ -14,119 +17,139 @@ namespace {
 constexpr std::size_t kMostCommands = 12;
 constexpr std::string_view kInput = "input-link", kOutput = "output-link", kCommandId = "command#";
 
-/// "O1 (seek)" apart.
-std::pair<std::string, std::string> IdAndAbout(std::string_view text) {
-  const std::size_t open = text.find(" (");
-  std::pair<std::string, std::string> parts{std::string(text.substr(0, open)), std::string()};
-  if (open != std::string_view::npos && text.ends_with(')'))
-    parts.second = text.substr(open + 2, text.size() - open - 3);
-  return parts;
-}
+/// What came of one event after the other.
+class MindReader {
+ public:
+  MindReader(RecordedMind& mind, std::uint64_t tick) : mind_(mind), tick_(tick) {}
 
-/// A line of MindLog::decisions; see there.
-void ReadDecision(RecordedMind& mind, std::string_view line, const std::string& reason) {
-  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-  const int level = 1 + static_cast<int>(indent / 3);
-  line.remove_prefix(indent);
-  const auto keep = [&](int levels) {
-    if (static_cast<int>(mind.stack.size()) > levels) mind.stack.resize(static_cast<std::size_t>(levels));
-    mind.reasons.erase(mind.reasons.upper_bound(levels), mind.reasons.end());
-  };
-  if (line == "halt") {
-    mind.halted = true;
-  } else if (line.starts_with("<==S: ")) {
-    keep(level - 1);
-  } else if (line.starts_with("==>S: ")) {
-    auto [id, about] = IdAndAbout(line.substr(6));
-    keep(level - 1);
+  void operator()(const mind::OperatorSelected& selected) {
+    ++mind_.decisions;
+    Keep(selected.level);
+    Assume(selected.level);
+    mind_.stack.back().operator_id = selected.id;
+    mind_.stack.back().operator_name = selected.name;
+    Note(selected.level, selected.decision);
+  }
+  void operator()(const mind::StateMade& made) {
+    Keep(made.level - 1);
+    Assume(made.level - 1);
     sim::StateFact state;
-    state.level = level;
-    state.id = std::move(id);
-    // "operator no-change"
-    const std::size_t blank = about.find(' ');
-    state.attribute = about.substr(0, std::min(blank, about.size()));
-    state.impasse = blank == std::string::npos ? (level == 1 ? "none" : about) : about.substr(blank + 1);
-    if (level == 1) state.attribute.clear();
-    mind.stack.push_back(std::move(state));
-  } else if (line.starts_with("O: ")) {
-    ++mind.decisions;
-    keep(level);
-    // A recording may begin in the middle of a run: states above are there, whatever they are called.
-    while (static_cast<int>(mind.stack.size()) < level) {
-      sim::StateFact state;
-      state.level = static_cast<int>(mind.stack.size()) + 1;
+    state.level = made.level;
+    state.id = made.id;
+    state.impasse = tell::ReasonName(made.reason);
+    if (made.level > 1) state.attribute = made.on_operator ? "operator" : "state";
+    mind_.stack.push_back(std::move(state));
+    // A program that waits in its top state without an operator says so of that state.
+    if (!made.decision.empty()) Note(std::max(made.level - 1, 1), made.decision);
+  }
+  void operator()(const mind::StateGone& gone) { Keep(gone.level - 1); }
+  void operator()(const mind::Halted&) { mind_.halted = true; }
+  void operator()(const mind::Remark& remark) {
+    if (last_level_ > 0) mind_.accounts[last_level_].remark = tell::ReasonText(remark);
+  }
+  void operator()(const mind::CommandSaid& said) {
+    RecordedMind::Command command;
+    command.name = said.name;
+    command.parameters = tell::ParametersText(said.parameters);
+    for (std::size_t i = 0; i < said.parameters.size(); ++i) {
+      const mind::Parameter& parameter = said.parameters[i];
+      if (parameter.depth > 0) continue;
+      std::size_t end = i + 1;
+      while (end < said.parameters.size() && said.parameters[end].depth > 0) ++end;
+      std::string value = tell::ValueText(parameter.value);
+      if (parameter.is_object) {
+        std::vector<mind::Parameter> below(said.parameters.begin() + static_cast<std::ptrdiff_t>(i + 1),
+                                           said.parameters.begin() + static_cast<std::ptrdiff_t>(end));
+        for (mind::Parameter& one : below) --one.depth;
+        value = "(" + tell::ParametersText(below) + ")";
+      }
+      command.values.emplace_back(parameter.attribute, std::move(value));
+    }
+    command.rule = said.rule;
+    command.tick = tick_;
+    mind_.commands.push_front(std::move(command));
+    if (mind_.commands.size() > kMostCommands) mind_.commands.pop_back();
+  }
+  void operator()(const mind::CommandEnded& ended) {
+    const auto said =
+        std::ranges::find_if(mind_.commands, [&](const RecordedMind::Command& c) { return c.name == ended.name; });
+    if (said == mind_.commands.end()) return;
+    said->status = tell::StatusName(ended.status);
+    said->reason = ended.fault;
+  }
+  void operator()(const mind::RuleFired& fired) {
+    if (mind_.level != record::Level::kAll || fired.retracts) return;
+    ++mind_.fired;
+    ++mind_.firings[std::string(fired.rule)];
+  }
+  void operator()(const mind::ElementChanged& element) {
+    if (mind_.level != record::Level::kAll) return;
+    if (element.added) {
+      mind_.elements[element.timetag] = FactOf(element);
+    } else {
+      mind_.elements.erase(element.timetag);
+    }
+  }
+  template <typename Other>
+  void operator()(const Other&) {}
+
+ private:
+  /// What is above that level stays.
+  void Keep(int levels) {
+    last_level_ = 0;
+    if (static_cast<int>(mind_.stack.size()) > levels)
+      mind_.stack.resize(static_cast<std::size_t>(std::max(levels, 0)));
+    mind_.accounts.erase(mind_.accounts.upper_bound(levels), mind_.accounts.end());
+  }
+  /// The top state is made before anybody listens, and a recording may begin in the middle of a run: states above are
+  /// there, whatever they are called.
+  void Assume(int levels) {
+    while (static_cast<int>(mind_.stack.size()) < levels) {
+      sim::StateFact& state = mind_.stack.emplace_back();
+      state.level = static_cast<int>(mind_.stack.size());
       state.id = state.level == 1 ? "S1" : "?";
       state.impasse = state.level == 1 ? "none" : "?";
-      mind.stack.push_back(std::move(state));
     }
-    auto [id, name] = IdAndAbout(line.substr(3));
-    mind.stack.back().operator_id = std::move(id);
-    mind.stack.back().operator_name = std::move(name);
-    mind.reasons[level] = reason;
   }
+  void Note(int level, std::string_view decision) {
+    last_level_ = level;
+    mind_.accounts[level] = {std::string(decision), {}};
+  }
+
+  RecordedMind& mind_;
+  std::uint64_t tick_;
+  int last_level_ = 0;  ///< That the last decision was about.
+};
+
+/// What the decision procedure said when it last decided in a state, if that is recorded.
+std::optional<mind::Decision> DecisionOf(const RecordedMind::Account* account) {
+  return account == nullptr || account->decision.empty() ? std::nullopt : mind::Unpack(account->decision);
 }
 
-/// "move-to ^waypoint gate", or how one went: "move-to: complete", "shoot: error no-target".
-void ReadCommand(RecordedMind& mind, std::string_view line, const std::string& rule, std::uint64_t tick) {
-  const std::size_t colon = line.find(": "), blank = line.find(' ');
-  if (colon != std::string_view::npos && colon < blank) {
-    const std::string_view name = line.substr(0, colon), outcome = line.substr(colon + 2);
-    const auto said =
-        std::ranges::find_if(mind.commands, [&](const RecordedMind::Command& c) { return c.name == name; });
-    if (said == mind.commands.end()) return;
-    const std::size_t end = std::min(outcome.find(' '), outcome.size());
-    said->status = outcome.substr(0, end);
-    said->reason = end < outcome.size() ? outcome.substr(end + 1) : std::string_view{};
-    return;
-  }
-  RecordedMind::Command command;
-  command.name = line.substr(0, blank);
-  if (blank != std::string_view::npos) command.parameters = line.substr(blank + 1);
-  command.rule = rule;
-  command.tick = tick;
-  mind.commands.push_front(std::move(command));
-  if (mind.commands.size() > kMostCommands) mind.commands.pop_back();
+const RecordedMind::Account* AccountOf(const RecordedMind& mind, const sim::StateFact& state) {
+  const auto found = mind.accounts.find(state.level);
+  return found == mind.accounts.end() ? nullptr : &found->second;
 }
 
-void ReadDetail(RecordedMind& mind, const std::string& detail) {
-  if (std::optional<ElementLine> line = ReadElementLine(detail)) {
-    const std::uint64_t timetag = line->element.timetag;
-    if (line->added) {
-      mind.elements[timetag] = std::move(line->element);
-    } else {
-      mind.elements.erase(timetag);
-    }
-    return;
+/// A preference of a decision as the inspectors of living minds give it.
+sim::PreferenceFact FactOf(const mind::Decision& decision, const mind::Decision::Preference& preference) {
+  constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
+      {"acceptable", "+"}, {"require", "!"}, {"reject", "-"},      {"prohibit", "~"}, {"best", ">"}, {"worst", "<"},
+      {"better", ">"},     {"worse", "<"},   {"indifferent", "="}, {"numeric", "="},  {"equal", "="}};
+  sim::PreferenceFact fact;
+  const auto& [type, sign] = kKinds[static_cast<std::size_t>(preference.kind)];
+  fact.type = type;
+  fact.sign = sign;
+  fact.value = decision.operators[preference.op].id;
+  fact.name = decision.operators[preference.op].name;
+  if (preference.referent != mind::Decision::kNoOperator) {
+    fact.referent = decision.operators[preference.referent].id;
+    fact.other_name = decision.operators[preference.referent].name;
   }
-  const std::size_t blank = detail.find(' ');
-  constexpr std::string_view kFire = " fire ";
-  if (blank == std::string::npos || !std::string_view(detail).substr(blank).starts_with(kFire)) return;
-  ++mind.fired;
-  ++mind.firings[detail.substr(blank + kFire.size())];
-}
-
-/// Where the next " ^" is that does not stand between bars; the end if there is none.
-std::size_t EndOfParameter(std::string_view text) {
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '|' && (i == 0 || text[i - 1] != '\\')) is_quoted = !is_quoted;
-    if (!is_quoted && text.substr(i).starts_with(" ^")) return i;
-  }
-  return text.size();
-}
-
-/// "^waypoint gate ^text |go ^fast|" as attributes with values.
-std::vector<std::pair<std::string, std::string>> Parameters(std::string_view text) {
-  std::vector<std::pair<std::string, std::string>> list;
-  while (text.starts_with('^')) {
-    const std::size_t end = EndOfParameter(text);
-    const std::string_view one = text.substr(1, end - 1);
-    const std::size_t blank = one.find(' ');
-    list.emplace_back(one.substr(0, blank),
-                      blank == std::string_view::npos ? std::string_view{} : one.substr(blank + 1));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return list;
+  if (preference.kind == mind::PreferenceKind::kNumeric) fact.referent = tell::ValueText(preference.number);
+  fact.maker.kind = preference.rule.empty() ? sim::MakerFact::Kind::kArchitecture : sim::MakerFact::Kind::kRule;
+  fact.maker.rule = preference.rule;
+  return fact;
 }
 
 class RecordInspector final : public sim::Inspector {
@@ -196,12 +219,13 @@ class RecordInspector final : public sim::Inspector {
         facts.state = level.id;
         facts.selected = level.operator_id;
         facts.impasse = "none";
-        if (!level.operator_id.empty()) Propose(facts, level.operator_id, level.operator_name);
+        Decided(facts, level);
+        if (!level.operator_id.empty() && !facts.decision) Propose(facts, level.operator_id, level.operator_name);
       } else if (!facts.state.empty() && facts.impasse == "none") {
         facts.impasse = level.impasse;
       }
     }
-    if (facts.state.empty()) return facts;
+    if (facts.state.empty() || facts.decision) return facts;
     for (const auto& [timetag, element] : mind_.elements) {
       if (element.id != state || element.attribute != "operator" || element.value == facts.selected) continue;
       const sim::ElementFact* name = FindElement(element.value, "name");
@@ -231,6 +255,20 @@ class RecordInspector final : public sim::Inspector {
     return nullptr;
   }
 
+  /// What the decision procedure said when it last decided in this state.
+  void Decided(sim::OperatorFacts& facts, const sim::StateFact& state) const {
+    facts.decision = DecisionOf(AccountOf(mind_, state));
+    if (!facts.decision) return;
+    const mind::Decision& decision = *facts.decision;
+    for (const mind::Decision::Preference& preference : decision.preferences)
+      facts.preferences.push_back(FactOf(decision, preference));
+    if (decision.impasse != mind::Impasse::kNone) return;
+    for (const mind::Decision::Chance& chance : decision.left) {
+      const mind::Decision::Operator& op = decision.operators[chance.op];
+      facts.candidates.push_back({op.id, op.name, chance.value, chance.probability});
+    }
+  }
+
   static void Propose(sim::OperatorFacts& facts, const std::string& id, const std::string& name) {
     sim::PreferenceFact& preference = facts.preferences.emplace_back();
     preference.type = "acceptable";
@@ -255,7 +293,7 @@ class RecordInspector final : public sim::Inspector {
       if (!path.starts_with(prefix)) continue;
       const std::string rest = path.substr(prefix.size());
       const std::size_t dot = rest.find('.');
-      sim::ElementFact element{number, std::string(id), rest.substr(0, dot), value, false, false};
+      sim::ElementFact element{number, std::string(id), rest.substr(0, dot), record::TextOf(value), false, false};
       if (dot != std::string::npos) {
         element.value = prefix + element.attribute;
         element.is_object = true;
@@ -275,7 +313,7 @@ class RecordInspector final : public sim::Inspector {
       const auto add = [&](std::string attribute, std::string value) {
         found.push_back({number, name, std::move(attribute), std::move(value), false, false});
       };
-      for (auto& [attribute, value] : Parameters(command.parameters)) add(attribute, value);
+      for (const auto& [attribute, value] : command.values) add(attribute, value);
       if (!command.status.empty()) add("status", command.status);
       if (!command.reason.empty()) add("reason", command.reason);
     }
@@ -306,17 +344,8 @@ void RecordedMinds::Add(const record::TickRecord& tick) {
       mind.level = level_;
       mind.is_whole = from_begin_;
     }
-    record::ApplyPercepts(record.percepts, mind.percepts);
-    for (std::size_t i = 0; i < record.decisions.size(); ++i)
-      ReadDecision(mind, record.decisions[i], i < record.reasons.size() ? record.reasons[i] : std::string{});
-    // A window notes more of the agent that is selected than its recording is to hold.
-    if (level_ == record::Level::kAll) {
-      for (const std::string& detail : record.details) ReadDetail(mind, detail);
-    }
-    for (std::size_t i = 0; i < record.commands.size(); ++i) {
-      ReadCommand(mind, record.commands[i], i < record.command_rules.size() ? record.command_rules[i] : std::string{},
-                  tick.tick);
-    }
+    record::ApplyPercepts(record.events, mind.percepts);
+    record.events.ForEach(MindReader(mind, tick.tick));
   }
 }
 
@@ -347,6 +376,10 @@ std::string MemoryAbsence(const sim::Inspector& mind) {
 void TellRecorded(const sim::Inspector& mind, OperatorsView& view) {
   const auto* recorded = dynamic_cast<const RecordInspector*>(&mind);
   if (recorded == nullptr) return;
+  const RecordedMind::Account* account = nullptr;
+  for (const sim::StateFact& state : recorded->mind().stack)
+    if (state.id == view.state) account = AccountOf(recorded->mind(), state);
+  if (DecisionOf(account)) return;
   view.note = "preferences: " + std::string(kNotRecorded);
   view.sentence.clear();
   view.impasse.clear();
@@ -354,14 +387,30 @@ void TellRecorded(const sim::Inspector& mind, OperatorsView& view) {
     row.verdict = row.selected ? "selected" : "proposed";
     if (!row.selected) continue;
     const std::string op = NameAndId(row.name, row.id);
-    view.sentence = tell::Say(tell::Situation::kIsSelected, {{"op", op}});
-    for (const sim::StateFact& state : recorded->mind().stack) {
-      if (state.id != view.state) continue;
-      const auto reason = recorded->mind().reasons.find(state.level);
-      if (reason != recorded->mind().reasons.end() && !reason->second.empty())
-        view.sentence = tell::Say(tell::Situation::kWasSelected, {{"op", op}, {"why", reason->second}});
-    }
+    view.sentence = account != nullptr && !account->remark.empty()
+                        ? tell::Say(tell::Situation::kWasSelected, {{"op", op}, {"why", account->remark}})
+                        : tell::Say(tell::Situation::kIsSelected, {{"op", op}});
   }
+}
+
+namespace {
+
+WhyNode NodeOf(const RecordedMind::Command& command) {
+  std::string text = "command " + command.name;
+  if (!command.parameters.empty()) text += " " + command.parameters;
+  text += ": " + (command.status.empty() ? std::string("under way") : command.status);
+  if (!command.reason.empty()) text += " " + command.reason;
+  WhyNode node{std::move(text), "command", command.name, {}};
+  if (!command.rule.empty())
+    node.below.push_back({tell::Say(tell::Situation::kSaidBy, {{"rule", command.rule}}), "rule", command.rule, {}});
+  return node;
+}
+
+}  // namespace
+
+std::optional<WhyNode> WhyRecordedCommand(const RecordedMind& mind, std::string_view name) {
+  const auto command = std::ranges::find(mind.commands, name, &RecordedMind::Command::name);
+  return command == mind.commands.end() ? std::nullopt : std::optional(NodeOf(*command));
 }
 
 WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
@@ -370,26 +419,36 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
   if (mind.commands.empty()) {
     root.below.push_back({"has given no command", "command", "", {}});
   } else {
-    const RecordedMind::Command& command = mind.commands.front();
-    std::string text = "command " + command.name;
-    if (!command.parameters.empty()) text += " " + command.parameters;
-    text += ": " + (command.status.empty() ? std::string("under way") : command.status);
-    if (!command.reason.empty()) text += " " + command.reason;
-    below = &root.below.emplace_back(WhyNode{std::move(text), "command", "", {}});
-    if (!command.rule.empty())
-      below->below.push_back({tell::Say(tell::Situation::kSaidBy, {{"rule", command.rule}}), "rule", command.rule, {}});
+    below = &root.below.emplace_back(NodeOf(mind.commands.front()));
   }
   bool has_operator = false;
   for (const sim::StateFact& state : mind.stack) {
-    if (state.operator_id.empty()) continue;
+    const RecordedMind::Account* account = AccountOf(mind, state);
+    const std::optional<mind::Decision> decision = DecisionOf(account);
+    if (state.operator_id.empty()) {
+      // An impasse has a reason, too.
+      if (!decision) continue;
+      if (std::string why = tell::WhyNothing(*decision); !why.empty())
+        below->below.push_back({"no operator is selected in " + state.id + ": " + why, "reason", "", {}});
+      continue;
+    }
     has_operator = true;
     WhyNode& node = below->below.emplace_back(
         WhyNode{"operator " + NameAndId(state.operator_name, state.operator_id) + " is selected in " + state.id,
                 "operator",
                 "",
                 {}});
-    if (const auto reason = mind.reasons.find(state.level); reason != mind.reasons.end() && !reason->second.empty())
-      node.below.push_back({reason->second, "reason", "", {}});
+    if (account == nullptr) continue;
+    if (!account->remark.empty()) node.below.push_back({account->remark, "reason", "", {}});
+    if (!decision) continue;
+    node.below.push_back({tell::WhyDecided(*decision), "reason", "", {}});
+    for (const mind::Decision::Drop& drop : decision->drops) {
+      node.below.push_back(
+          {"also there: " + tell::OperatorText(*decision, drop.op) + ", " + tell::WhyDropped(*decision, drop.op),
+           "reason",
+           "",
+           {}});
+    }
   }
   if (!has_operator) below->below.push_back({"no operator is selected now", "reason", "", {}});
   return root;

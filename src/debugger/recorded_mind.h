@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,8 +13,9 @@
 
 #include "debugger/operators.h"
 #include "debugger/why.h"
+#include "mind/decision.h"
 #include "record/header.h"
-#include "record/percept_text.h"
+#include "record/percept_values.h"
 #include "record/tick_record.h"
 #include "sim/inspector.h"
 
@@ -22,8 +24,9 @@ namespace soarbox::debugger {
 /// What the records of ticks tell of one mind at the end of the last of them.
 struct RecordedMind {
   struct Command {
-    std::string name, parameters;  ///< "^waypoint gate ^within 0.8"
-    std::string status;            ///< Empty: under way.
+    std::string name, parameters;                             ///< "^waypoint gate ^within 0.8"
+    std::vector<std::pair<std::string, std::string>> values;  ///< The same by attribute.
+    std::string status;                                       ///< Empty: under way.
     std::string reason;
     std::string rule;  ///< That said it; empty if it is not known.
     std::uint64_t tick = 0;
@@ -32,7 +35,12 @@ struct RecordedMind {
   record::Level level = record::Level::kDecisions;
   bool is_whole = true;  ///< Known since the beginning of its run.
   std::vector<sim::StateFact> stack;
-  std::map<int, std::string> reasons;  ///< By level of the stack: why its operator was selected.
+  /// Why an operator was selected in a state, or none was.
+  struct Account {
+    std::string decision;  ///< Packed (mind/decision_codec.h); may be empty.
+    std::string remark;    ///< What an old recording says instead, in words.
+  };
+  std::map<int, Account> accounts;  ///< By level of the stack.
   record::PerceptValues percepts;
   std::map<std::uint64_t, sim::ElementFact> elements;  ///< Level::kAll, by time tag.
   std::map<std::string, std::uint64_t> firings;        ///< Level::kAll, by rule.
@@ -78,6 +86,8 @@ std::string MemoryAbsence(const sim::Inspector& mind);
 /// Takes out of a view of operators what a recording cannot know, and puts the recorded reason in; others stay.
 void TellRecorded(const sim::Inspector& mind, OperatorsView& view);
 
+/// How a command went and which rule gave it; nothing if none of that name is recorded.
+std::optional<WhyNode> WhyRecordedCommand(const RecordedMind& mind, std::string_view name);
 /// Why it does what it does, as far as that is recorded.
 WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent);
 

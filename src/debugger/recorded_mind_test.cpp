@@ -7,6 +7,7 @@
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
 #include "debugger/stack.h"
+#include "record/legacy_minds.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -72,7 +73,9 @@ TEST_F(RecordedMindTest, AtLevelAllItHasTheStackAndTheMemoryOfTheLivingMind) {
   EXPECT_EQ(io.input.rows.size(), LookAtIo(*living).input.rows.size());
   EXPECT_TRUE(MemoryAbsence(*recorded).empty());
   EXPECT_EQ(Absence(*recorded), "not recorded");
-  EXPECT_THAT(ToText(LookAtOperators(*recorded)), HasSubstr("preferences: not recorded"));
+  const std::string operators = ToText(LookAtOperators(*recorded));
+  EXPECT_THAT(operators, HasSubstr("was selected: the only operator proposed, by rule"));
+  EXPECT_THAT(operators, HasSubstr("what the preferences rest on: not recorded"));
 }
 
 TEST_F(RecordedMindTest, AtLevelDecisionsItHasPerceptsAndCommandsAndSaysThatMemoryIsNotThere) {
@@ -96,10 +99,12 @@ TEST(RecordedMinds, DecisionsBuildTheStackAndTakeItDown) {
   record::TickRecord tick;
   record::MindRecord& mind = tick.minds.emplace_back();
   mind.agent = "hero";
-  mind.decisions = {"==>S: S1", "O: O1 (go)", "   ==>S: S2 (operator no-change)", "   O: O2 (look)"};
-  mind.reasons = {"", "the only one proposed", "", ""};
-  mind.commands = {"move-to ^waypoint gate", "move-to: error no-way"};
-  mind.command_rules = {"hero*say", ""};
+  mind.events = record::ReadWords({{},
+                                   {"==>S: S1", "O: O1 (go)", "   ==>S: S2 (operator no-change)", "   O: O2 (look)"},
+                                   {},
+                                   {"move-to ^waypoint gate", "move-to: error no-way"},
+                                   {"", "the only one proposed", "", ""},
+                                   {"hero*say", ""}});
   RecordedMinds minds;
   minds.Add(tick);
   const std::string text = ToText(LookAtStack(*minds.Inspect("hero")));
@@ -108,12 +113,12 @@ TEST(RecordedMinds, DecisionsBuildTheStackAndTakeItDown) {
   const std::string why = ToText(WhyRecorded(*minds.Find("hero"), "hero"));
   EXPECT_THAT(why, HasSubstr("command move-to ^waypoint gate: error no-way"));
   EXPECT_THAT(why, HasSubstr("rule hero*say"));
-  EXPECT_THAT(why, HasSubstr("the only one proposed"));
+  EXPECT_THAT(why, HasSubstr("as recorded: the only one proposed"));
 
   tick.tick = 1;
-  mind.decisions = {"   <==S: S2", "O: O3 (rest)"};
-  mind.reasons = {"", "best"};
-  mind.commands.clear();
+  mind.events.Clear();
+  mind.events.Add(mind::StateGone{2, "S2"});
+  mind.events.Add(mind::OperatorSelected{1, "O3", "rest", {}});
   minds.Add(tick);
   const std::string later = ToText(LookAtStack(*minds.Inspect("hero")));
   EXPECT_THAT(later, HasSubstr("O: O3 (rest)"));
@@ -121,11 +126,12 @@ TEST(RecordedMinds, DecisionsBuildTheStackAndTakeItDown) {
   EXPECT_EQ(minds.Inspect("hero")->Mind().decisions, 3u);
 }
 
-TEST(RecordedMinds, AValueBetweenBarsIsOneValueWhateverStandsInIt) {
+TEST(RecordedMinds, AValueIsOneValueWhateverStandsInIt) {
   record::TickRecord tick;
   record::MindRecord& mind = tick.minds.emplace_back();
   mind.agent = "hero";
-  mind.commands = {"say ^text |go ^fast| ^loud yes"};
+  mind.events.Add(mind::CommandSaid{
+      0, "say", {}, {{0, false, "text", std::string_view("go ^fast")}, {0, false, "loud", std::string_view("yes")}}});
   RecordedMinds minds;
   minds.Add(tick);
   const std::unique_ptr<sim::Inspector> recorded = minds.Inspect("hero");
@@ -134,7 +140,7 @@ TEST(RecordedMinds, AValueBetweenBarsIsOneValueWhateverStandsInIt) {
   const std::vector<sim::ElementFact> parameters = recorded->ElementsOf(commands.front().value);
   ASSERT_EQ(parameters.size(), 2u);
   EXPECT_EQ(parameters[0].attribute, "text");
-  EXPECT_EQ(parameters[0].value, "|go ^fast|");
+  EXPECT_EQ(parameters[0].value, "go ^fast");
   EXPECT_EQ(parameters[1].attribute, "loud");
 }
 
@@ -143,7 +149,7 @@ TEST(RecordedMinds, ARecordingThatBeginsInTheMiddleOfARunSaysSo) {
   tick.tick = 300;
   record::MindRecord& mind = tick.minds.emplace_back();
   mind.agent = "hero";
-  mind.decisions = {"      O: O9 (aim)"};
+  mind.events.Add(mind::OperatorSelected{3, "O9", "aim", {}});
   RecordedMinds minds(record::Level::kAll);
   minds.Add(tick);
   const std::unique_ptr<sim::Inspector> recorded = minds.Inspect("hero");

@@ -140,15 +140,14 @@ Coverage::Row& Coverage::At(const std::string& rule) {
 }
 
 void Coverage::Add(std::uint64_t tick, const record::MindRecord& mind) {
-  for (const std::string_view detail : mind.details) {
-    const std::size_t blank = detail.find(' ');
-    if (blank == std::string_view::npos || !detail.substr(blank + 1).starts_with("fire ")) continue;
-    Row& row = At(std::string(detail.substr(blank + 6)));
+  mind.events.ForEachOf<mind::RuleFired>([&](const mind::RuleFired& fired) {
+    if (fired.retracts) return;
+    Row& row = At(std::string(fired.rule));
     ++row.firings;
     row.matched = true;
     if (!row.first) row.first = tick;
     row.last = tick;
-  }
+  });
 }
 
 void Coverage::Look(sim::Inspector& mind) {

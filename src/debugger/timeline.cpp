@@ -5,18 +5,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <variant>
 
-#include "debugger/learning_log.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
-
-/// "O1 (seek)" apart.
-void Split(std::string_view text, std::string& id, std::string& about) {
-  const std::size_t open = text.find(" (");
-  id = text.substr(0, open);
-  if (open != std::string_view::npos && text.ends_with(')')) about = text.substr(open + 2, text.size() - open - 3);
-}
 
 MarkKind KindOf(const sim::Event& event) {
   using Kind = sim::EventKind;
@@ -111,30 +105,36 @@ void Timeline::Open(TimelineTrack& track, TimelineSpan span) {
   std::ranges::stable_sort(track.open, {}, &TimelineSpan::line);
 }
 
-void Timeline::ReadDecision(TimelineTrack& track, std::string_view line, std::uint64_t tick) {
-  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+void Timeline::Read(TimelineTrack& track, const mind::Event& event, std::uint64_t tick) {
   TimelineSpan span;
-  span.level = 1 + static_cast<int>(indent / 3);
+  span.level = tell::LevelOf(event);
   span.first_tick = span.last_tick = tick;
-  line.remove_prefix(indent);
-  if (line.starts_with("<==S: ")) return Close(track, span.level, tick, true);
-  if (line.starts_with("==>S: ")) {
+  if (const auto* gone = std::get_if<mind::StateGone>(&event)) return Close(track, gone->level, tick, true);
+  if (const auto* made = std::get_if<mind::StateMade>(&event)) {
     span.is_state = true;
-    Split(line.substr(6), span.id, span.text);
+    span.id = made->id;
+    if (made->level > 1) span.text = tell::ImpasseText(made->reason, made->on_operator);
     // A state that waits is told again and again; what was selected in it is not any more.
     const auto is_same = [&](const TimelineSpan& open) {
       return open.is_state && open.level == span.level && open.id == span.id && open.text == span.text;
     };
     if (std::ranges::any_of(track.open, is_same)) return Close(track, span.level, tick, false);
     Close(track, span.level, tick, true);
-  } else if (line.starts_with("O: ")) {
-    Split(line.substr(3), span.id, span.text);
+  } else if (const auto* selected = std::get_if<mind::OperatorSelected>(&event)) {
+    span.id = selected->id;
+    span.text = selected->name;
     Close(track, span.level, tick, false);
-  } else if (constexpr std::string_view kLearn = "learn "; line.starts_with(kLearn)) {
-    track.marks.push_back({tick, MarkKind::kLearned, "learned " + std::string(line.substr(kLearn.size()))});
+  } else if (const auto* learned = std::get_if<mind::RuleLearned>(&event)) {
+    track.marks.push_back({tick, MarkKind::kLearned, "learned " + std::string(learned->rule)});
     return;
   } else {
-    if (!TellsOfReward(line)) track.marks.push_back({tick, MarkKind::kEvent, std::string(line)});
+    // What is recorded with a mind is all that it said; events tell only news.
+    if (const auto* said = std::get_if<mind::CommandSaid>(&event))
+      track.marks.push_back({tick, MarkKind::kCommand, tell::CommandText(*said)});
+    if (const auto* ended = std::get_if<mind::CommandEnded>(&event))
+      track.marks.push_back({tick, MarkKind::kOutcome, tell::CommandText(*ended)});
+    if (std::string line = tell::DecisionLine(event); !line.empty() && !tell::IsOfReward(event))
+      track.marks.push_back({tick, MarkKind::kEvent, std::move(line)});
     return;
   }
   span.line = 2 * (span.level - 1) + (span.is_state ? 0 : 1);
@@ -150,15 +150,14 @@ void Timeline::Add(const record::TickRecord& tick) {
   for (const world::AgentSnapshot& agent : tick.scene.agents) Track(agent.name);
   for (const record::MindRecord& mind : tick.minds) {
     TimelineTrack& track = Track(mind.agent);
-    for (const std::string& line : mind.decisions) ReadDecision(track, line, tick.tick);
-    const auto fired = std::ranges::count_if(mind.details, [](const std::string& detail) {
-      return detail.find(" fire ") != std::string::npos && detail.find(" fire ") == detail.find(' ');
-    });
-    if (fired > 0) track.firings.emplace_back(tick.tick, static_cast<std::uint32_t>(fired));
-    // What is recorded with a mind is all that it said; events tell only news.
-    for (const std::string& command : mind.commands)
-      track.marks.push_back(
-          {tick.tick, command.find(": ") == std::string::npos ? MarkKind::kCommand : MarkKind::kOutcome, command});
+    std::uint32_t fired = 0;
+    mind::Event event;
+    for (std::size_t at = 0; mind.events.Next(at, event);) {
+      Read(track, event, tick.tick);
+      const auto* firing = std::get_if<mind::RuleFired>(&event);
+      fired += firing != nullptr && !firing->retracts ? 1 : 0;
+    }
+    if (fired > 0) track.firings.emplace_back(tick.tick, fired);
   }
   const auto has_mind = [&](const std::string& agent) {
     return std::ranges::any_of(tick.minds, [&](const record::MindRecord& mind) { return mind.agent == agent; });

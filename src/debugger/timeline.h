@@ -68,7 +68,7 @@ class Timeline {
  private:
   void CutFrom(std::uint64_t tick);
   TimelineTrack& Track(const std::string& agent);
-  void ReadDecision(TimelineTrack& track, std::string_view line, std::uint64_t tick);
+  static void Read(TimelineTrack& track, const mind::Event& event, std::uint64_t tick);
   static void Close(TimelineTrack& track, int level, std::uint64_t tick, bool state_too);
   static void Open(TimelineTrack& track, TimelineSpan span);
 

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "debugger/facts_text.h"
-#include "debugger/learning_log.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -45,12 +45,6 @@ std::string LineOf(const sim::Event& event) {
   return text + event.diagnostic.message;
 }
 
-/// "shoot: complete", not "shoot ^agent red-1".
-bool IsOutcome(const std::string& command) {
-  const std::size_t colon = command.find(": ");
-  return colon != std::string::npos && colon < command.find(' ');
-}
-
 /// Fills in the lines of one tick.
 struct Writer {
   std::deque<TraceLine>& lines;
@@ -65,36 +59,33 @@ struct Writer {
     lines.push_back({tick, time_s, kind, level, agent, std::move(text)});
   }
 
-  /// Decisions, with the details that stand between them.
+  /// Percepts, decisions with the details that stand between them, commands.
   void WriteMind(const record::MindRecord& mind) {
-    for (const std::string& percept : mind.percepts) Write(TraceKind::kPercept, mind.agent, percept);
-    std::size_t next = 0;
-    for (const std::string& detail : mind.details) {
-      std::size_t before = 0;
-      const auto read = std::from_chars(detail.data(), detail.data() + detail.size(), before);
-      while (next < before && next < mind.decisions.size()) WriteDecision(mind, next++);
-      const std::string_view text = std::string_view(detail).substr(static_cast<std::size_t>(read.ptr - detail.data()));
-      const std::string_view shown = text.starts_with(' ') ? text.substr(1) : text;
-      const bool is_element = shown.starts_with("+ ") || shown.starts_with("- ");
-      Write(is_element ? TraceKind::kElement : TraceKind::kRule, mind.agent, std::string(shown));
+    mind::Event event;
+    for (std::size_t at = 0; mind.events.Next(at, event);) {
+      if (const auto* percept = std::get_if<mind::PerceptChanged>(&event)) {
+        Write(
+            TraceKind::kPercept, mind.agent,
+            tell::PerceptPath(percept->path, percept->attribute, percept->key) + " " + tell::ValueText(percept->value));
+      } else if (const auto* gone = std::get_if<mind::PerceptGone>(&event)) {
+        Write(TraceKind::kPercept, mind.agent, "-" + tell::PerceptPath(gone->path, gone->attribute, gone->key));
+      } else if (const auto* said = std::get_if<mind::CommandSaid>(&event)) {
+        Write(TraceKind::kCommand, mind.agent, tell::CommandText(*said));
+      } else if (mind::IsDetail(event)) {
+        const bool is_element = std::holds_alternative<mind::ElementChanged>(event);
+        Write(is_element ? TraceKind::kElement : TraceKind::kRule, mind.agent, tell::DetailLine(event));
+      } else if (std::string line = tell::DecisionLine(event); !line.empty()) {
+        // Numbers that move are no decisions.
+        const TraceKind kind = tell::IsOfReward(event) ? TraceKind::kRule : TraceKind::kDecision;
+        Write(kind, mind.agent, std::move(line), tell::LevelOf(event));
+      }
     }
-    while (next < mind.decisions.size()) WriteDecision(mind, next++);
-    for (const std::string& command : mind.commands)
-      if (!IsOutcome(command)) Write(TraceKind::kCommand, mind.agent, command);
   }
 
   /// How commands went: it comes of what happened in the world.
   void WriteOutcomes(const record::MindRecord& mind) {
-    for (const std::string& command : mind.commands)
-      if (IsOutcome(command)) Write(TraceKind::kCommand, mind.agent, command);
-  }
-
-  void WriteDecision(const record::MindRecord& mind, std::size_t index) {
-    const std::string& line = mind.decisions[index];
-    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-    // Numbers that move are no decisions.
-    const TraceKind kind = TellsOfReward(line) ? TraceKind::kRule : TraceKind::kDecision;
-    Write(kind, mind.agent, line.substr(indent), 1 + static_cast<int>(indent / 3));
+    mind.events.ForEachOf<mind::CommandEnded>(
+        [&](const mind::CommandEnded& ended) { Write(TraceKind::kCommand, mind.agent, tell::CommandText(ended)); });
   }
 };
 

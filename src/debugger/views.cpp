@@ -65,7 +65,7 @@ ViewText Both(const Model& model) {
 MemoryChanges LastChanges(const sim::Simulation& simulation, const std::string& agent) {
   for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
     const sim::MindReport report = simulation.Mind(i);
-    if (report.agent == agent) return MemoryChanges(report.details);
+    if (report.agent == agent) return MemoryChanges(report.events);
   }
   return {};
 }
@@ -192,6 +192,41 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
   return Both(console.lines());
 }
 
+/// What is recorded of a mind, of that what the view wants.
+Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& request, std::string agent) {
+  std::vector<std::string> minds;
+  if (source.recorded != nullptr) {
+    for (const world::AgentSnapshot& one : source.last->scene.agents)
+      if (source.recorded->Find(one.name) != nullptr) minds.push_back(one.name);
+  }
+  if (agent.empty() && !minds.empty()) agent = minds.front();
+  const std::unique_ptr<sim::Inspector> mind = source.recorded == nullptr ? nullptr : source.recorded->Inspect(agent);
+  if (mind == nullptr) {
+    return minds.empty() ? Problem("nothing is recorded of any mind",
+                                   "record with --record-level decisions or all, or simulate the run again")
+                         : NoSuch("recorded mind named", agent, minds);
+  }
+  if (request.view == "stack") return Both(LookAtStack(*mind));
+  if (request.view == "memory") return ShowMemory(*mind, {}, request.of);
+  if (request.view == "io") return Both(LookAtIo(*mind));
+  if (request.view == "rules") return Both(ListRules(*mind, request.of));
+  if (request.view == "operators") return Both(LookAtOperators(*mind, request.of));
+  if (request.view == "why" && request.of.empty()) {
+    WhyNode answer = WhyRecorded(*source.recorded->Find(agent), agent);
+    if (const auto log = source.models->recalls.find(agent); log != source.models->recalls.end())
+      TellRecalls(log->second, answer);
+    return Both(answer);
+  }
+  if (request.view == "why") {
+    if (const std::optional<WhyNode> command = WhyRecordedCommand(*source.recorded->Find(agent), request.of))
+      return Both(*command);
+    if (const std::optional<WhyNode> op = WhyOperator(*mind, request.of)) return Both(*op);
+    return Problem("nothing is recorded of '" + request.of + "' at this moment",
+                   "`soarbox why FILE " + request.of + "` simulates the run again");
+  }
+  return Problem("the view " + request.view + " shows nothing that is recorded", "simulate the run again for it");
+}
+
 Result<ViewText> ShowRun(const ViewSource& source, const ViewRequest& request, const std::string& agent) {
   const RunModels& models = *source.models;
   const auto within = [&](std::uint64_t tick) { return tick >= request.first_tick && tick <= request.last_tick; };
@@ -247,9 +282,7 @@ Result<ViewText> ShowView(const ViewSource& source, const ViewRequest& request) 
     return NoSuch("agent", request.agent, names);
   const std::string agent = request.agent.empty() && !minds.empty() ? minds.front() : request.agent;
   if (!view->needs_mind) return ShowRun(source, request, request.view == "timeline" ? request.agent : agent);
-  if (source.simulation == nullptr)
-    return Problem("the run cannot be simulated again, so that no mind can be looked into",
-                   "other views show what was recorded");
+  if (source.simulation == nullptr) return ShowRecorded(source, request, request.agent);
   const std::unique_ptr<sim::Inspector> mind = source.simulation->Inspect(agent);
   if (mind == nullptr) {
     return minds.empty() ? Problem("no agent of this run has a Soar mind", "")

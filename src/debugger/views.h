@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "debugger/recorded_mind.h"
 #include "debugger/run_models.h"
 #include "diagnostics/result.h"
 #include "record/tick_record.h"
@@ -35,6 +36,8 @@ struct ViewSource {
   sim::Simulation* simulation = nullptr;  ///< Stands at the last tick; null: only what was recorded is known.
   const RunModels* models = nullptr;      ///< Fed with all ticks up to it.
   const record::TickRecord* last = nullptr;
+  /// Fed with the same ticks, where there is no simulation; may be null.
+  const RecordedMinds* recorded = nullptr;
 };
 
 struct ViewText {

@@ -97,8 +97,33 @@ class In {
   bool failed_ = false;
 };
 
+// Of a file or a wire anything may come. What a decision procedure says stays far below these.
+constexpr std::size_t kMostBytes = 4u << 20;
+constexpr std::size_t kMostNamed = 16u << 20;  ///< Bytes of names, each counted as often as it is referred to.
+constexpr std::size_t kMostCauses = 1u << 16;  ///< Drops times preferences that suffice.
+
 bool HasReferent(PreferenceKind kind) {
   return kind == PreferenceKind::kBetter || kind == PreferenceKind::kWorse || kind == PreferenceKind::kEqual;
+}
+
+/// Whether to go through all that is referred to, and to name it, takes no more time and memory than it should.
+bool IsModest(const Decision& decision) {
+  std::size_t named = 0, causes = 0, dominated = 0;
+  const auto name = [&](std::uint32_t op) {
+    named += decision.operators[op].id.size() + decision.operators[op].name.size();
+  };
+  for (const Decision::Preference& preference : decision.preferences) {
+    name(preference.op);
+    if (HasReferent(preference.kind)) name(preference.referent);
+  }
+  for (const Decision::Chance& chance : decision.left) name(chance.op);
+  for (const Decision::Drop& drop : decision.drops) {
+    name(drop.op);
+    causes += drop.count;
+    if (drop.stage == Stage::kDominated) dominated += drop.count;
+  }
+  // Each that is dominated has preferences of its own.
+  return named <= kMostNamed && causes <= decision.by.size() + kMostCauses && dominated <= decision.by.size();
 }
 
 }  // namespace
@@ -141,6 +166,7 @@ void Pack(const DecisionView& decision, std::string& bytes) {
 }
 
 std::optional<Decision> Unpack(std::string_view bytes) {
+  if (bytes.size() > kMostBytes) return std::nullopt;
   In in(bytes);
   Decision decision;
   decision.impasse = in.Kind(Impasse::kConstraintFailure);
@@ -190,7 +216,7 @@ std::optional<Decision> Unpack(std::string_view bytes) {
     if (preference.op == Decision::kNoOperator) return std::nullopt;
     if (HasReferent(preference.kind) && preference.referent == Decision::kNoOperator) return std::nullopt;
   }
-  if (in.failed() || !in.AtEnd()) return std::nullopt;
+  if (in.failed() || !in.AtEnd() || !IsModest(decision)) return std::nullopt;
   return decision;
 }
 

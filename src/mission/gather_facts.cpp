@@ -10,6 +10,7 @@
 #include "sim/inspector.h"
 #include "sim/learning_facts.h"
 #include "tell/decision_text.h"
+#include "tell/mind_words.h"
 #include "world/world.h"
 
 namespace soarbox::mission {
@@ -22,9 +23,9 @@ PlaceFacts PlaceOf(const sim::Region& region) {
   return {region.name, region.center, region.radius_m, region.half_x_m, region.half_z_m};
 }
 
-std::string ImpasseName(std::string_view impasse, std::string_view attribute) {
-  if (impasse == "no-change") return std::string(attribute) + "-no-change";
-  return std::string(impasse);
+std::string ImpasseName(const mind::StateMade& state) {
+  if (state.reason == mind::StateReason::kNoChange) return state.on_operator ? "operator-no-change" : "state-no-change";
+  return std::string(tell::ReasonName(state.reason));
 }
 
 void TellDecision(std::string_view packed, OperatorFact& selected) {
@@ -52,22 +53,23 @@ std::string ValueText(const world::Message::Value& value) {
   return std::get<std::string>(value);
 }
 
-}  // namespace
-
-std::string SplitCommand(std::string_view text, std::vector<std::pair<std::string, std::string>>& with) {
-  const std::size_t blank = text.find(' ');
-  const std::string name(text.substr(0, blank));
-  while (true) {
-    const std::size_t caret = text.find(" ^");
-    if (caret == std::string_view::npos) return name;
-    text.remove_prefix(caret + 2);
-    const std::size_t gap = text.find(' ');
-    if (gap == std::string_view::npos) return name;
-    const std::string_view rest = text.substr(gap + 1);
-    with.emplace_back(std::string(text.substr(0, gap)), std::string(rest.substr(0, rest.find(" ^"))));
-    text = text.substr(gap);
+/// What a condition can ask for of a command: its parameters. Those of objects go by their path.
+std::vector<std::pair<std::string, std::string>> ParametersOf(const mind::CommandSaid& command) {
+  std::vector<std::pair<std::string, std::string>> with;
+  std::vector<std::string> path;
+  for (const mind::Parameter& parameter : command.parameters) {
+    path.resize(parameter.depth);
+    std::string name = (path.empty() ? "" : path.back() + ".") + std::string(parameter.attribute);
+    if (parameter.is_object) {
+      path.push_back(std::move(name));
+    } else {
+      with.emplace_back(std::move(name), tell::ValueText(parameter.value));
+    }
   }
+  return with;
 }
+
+}  // namespace
 
 FactGatherer::FactGatherer(sim::Simulation& simulation, Wants wants)
     : simulation_(simulation), wants_(std::move(wants)) {}
@@ -217,7 +219,7 @@ void FactGatherer::GatherMinds() {
     const std::size_t agent = IndexOf(simulation_.AgentOfMind(i));
     if (agent == facts_.agents.size()) continue;
     facts_.agents[agent].has_mind = true;
-    ReadNotes(simulation_.NotesOfMind(i), agent);
+    ReadEvents(simulation_.Mind(i).events, agent);
     if (wants_.insight && (facts_.agents[agent].alive || !is_begun_)) Inspect(facts_.agents[agent], agent);
   }
 }
@@ -229,84 +231,64 @@ void FactGatherer::GatherInsight() {
   }
 }
 
-void FactGatherer::ReadNotes(const sim::MindNotes& notes, std::size_t agent) {
-  using Kind = sim::MindNotes::Kind;
+void FactGatherer::ReadEvents(const mind::EventLog& events, std::size_t agent) {
   AgentFacts& facts = facts_.agents[agent];
   Memory& memory = memories_[agent];
   facts.operators.clear();
   for (std::size_t level = 0; level < memory.selected.size(); ++level)
     if (!memory.selected[level].name.empty()) facts.operators.push_back(memory.selected[level]);
-  const auto leave = [&](std::uint64_t level) {
-    if (memory.selected.size() >= level && level > 0) memory.selected.resize(static_cast<std::size_t>(level - 1));
+  const auto leave = [&](int level) {
+    if (level > 0 && memory.selected.size() >= static_cast<std::size_t>(level))
+      memory.selected.resize(static_cast<std::size_t>(level - 1));
   };
-  sim::MindNotes::View note;
-  std::size_t level_decided = 0;  ///< Of the operator whose decision may follow; 0: none.
-  bool impasse_decided = false;   ///< The last event is an impasse, and what led to it may follow.
-  for (std::size_t at = 0; notes.Next(at, note);) {
-    switch (note.kind) {
-      case Kind::kOperator: {
-        if (note.number == 0 || note.number > 1000) break;
-        leave(note.number);
-        memory.selected.resize(static_cast<std::size_t>(note.number));
-        OperatorFact chosen{
-            static_cast<int>(note.number), std::string(note.second.empty() ? note.first : note.second), {}, {}, {}};
-        if (wants_.insight) {
-          if (const auto inspector = simulation_.Inspect(facts.name)) {
-            for (const sim::ElementFact& element : inspector->ElementsOf(note.first))
-              chosen.with.emplace_back(element.attribute, element.value);
-          }
-        }
-        memory.selected.back() = chosen;
-        facts.operators.push_back(std::move(chosen));
-        level_decided = static_cast<std::size_t>(note.number);
-        break;
-      }
-      case Kind::kDecided:
-        // It follows what was decided.
-        if (impasse_decided) {
-          TellImpasse(note.first, facts.events.back());
-        } else if (wants_.decisions && level_decided > 0) {
-          TellDecision(note.first, memory.selected[level_decided - 1]);
-          facts.operators.back() = memory.selected[level_decided - 1];
-        }
-        level_decided = 0;
-        impasse_decided = false;
-        break;
-      case Kind::kState:
-        leave(note.number);
-        level_decided = 0;
-        impasse_decided = note.number > 1 && wants_.decisions;
-        if (note.number > 1) facts.events.push_back({Key::kImpasse, ImpasseName(note.second, note.third), {}, {}, {}});
-        break;
-      case Kind::kStateGone:
-        leave(note.number);
-        break;
-      case Kind::kCommand: {
-        EventFact event{Key::kCommand, {}, {}, {}, {}};
-        event.word = SplitCommand(note.first, event.with);
-        if (const auto under_way = memory.under_way.find(event.word);
-            under_way != memory.under_way.end() && under_way->second == note.first)
-          facts.repeats += 1;
-        memory.under_way[event.word] = note.first;
-        memory.last_said[event.word] = note.first;
-        facts.events.push_back(std::move(event));
-        break;
-      }
-      case Kind::kOutcome: {
-        EventFact event{Key::kCommand, std::string(note.first), {}, std::string(note.second), std::string(note.third)};
-        if (const auto said = memory.last_said.find(event.word); said != memory.last_said.end())
-          SplitCommand(said->second, event.with);
-        memory.under_way.erase(event.word);
-        facts.events.push_back(std::move(event));
-        break;
-      }
-      case Kind::kFire:
-        facts.events.push_back({Key::kRule, std::string(note.first), {}, {}, {}});
-        break;
-      default:
-        break;
-    }
-  }
+  events.ForEach(
+      mind::Cases{[&](const mind::OperatorSelected& selected) {
+                    if (selected.level < 1 || selected.level > 1000) return;
+                    leave(selected.level);
+                    memory.selected.resize(static_cast<std::size_t>(selected.level));
+                    OperatorFact chosen{
+                        selected.level, std::string(selected.name.empty() ? selected.id : selected.name), {}, {}, {}};
+                    if (wants_.insight) {
+                      if (const auto inspector = simulation_.Inspect(facts.name)) {
+                        for (const sim::ElementFact& element : inspector->ElementsOf(selected.id))
+                          chosen.with.emplace_back(element.attribute, element.value);
+                      }
+                    }
+                    if (wants_.decisions) TellDecision(selected.decision, chosen);
+                    memory.selected.back() = chosen;
+                    facts.operators.push_back(std::move(chosen));
+                  },
+                  [&](const mind::StateMade& state) {
+                    leave(state.level);
+                    if (state.level <= 1) return;
+                    facts.events.push_back({Key::kImpasse, ImpasseName(state), {}, {}, {}});
+                    if (wants_.decisions) TellImpasse(state.decision, facts.events.back());
+                  },
+                  [&](const mind::StateGone& state) { leave(state.level); },
+                  [&](const mind::CommandSaid& said) {
+                    EventFact event{Key::kCommand, std::string(said.name), ParametersOf(said), {}, {}};
+                    if (const auto under_way = memory.under_way.find(event.word);
+                        under_way != memory.under_way.end() && under_way->second == event.with)
+                      facts.repeats += 1;
+                    memory.under_way[event.word] = event.with;
+                    memory.last_said[event.word] = event.with;
+                    facts.events.push_back(std::move(event));
+                  },
+                  [&](const mind::CommandEnded& ended) {
+                    EventFact event{Key::kCommand,
+                                    std::string(ended.name),
+                                    {},
+                                    std::string(tell::StatusName(ended.status)),
+                                    std::string(ended.fault)};
+                    if (const auto said = memory.last_said.find(event.word); said != memory.last_said.end())
+                      event.with = said->second;
+                    memory.under_way.erase(event.word);
+                    facts.events.push_back(std::move(event));
+                  },
+                  [&](const mind::RuleFired& fired) {
+                    if (!fired.retracts) facts.events.push_back({Key::kRule, std::string(fired.rule), {}, {}, {}});
+                  },
+                  [](const auto&) {}});
 }
 
 void FactGatherer::GatherRetrievals(sim::Inspector& inspector, const std::vector<sim::StateFact>& stack,

@@ -28,7 +28,7 @@ class FactGatherer {
   void GatherEvents(const sim::EventList& events);
   void GatherMessages();
   void GatherMinds();
-  void ReadNotes(const sim::MindNotes& notes, std::size_t agent);
+  void ReadEvents(const mind::EventLog& events, std::size_t agent);
   void Inspect(AgentFacts& facts, std::size_t agent);
   std::size_t IndexOf(std::string_view name) const;
 
@@ -40,8 +40,9 @@ class FactGatherer {
   struct Memory {
     std::vector<OperatorFact> selected;  ///< By level.
     std::vector<std::string> ids;
-    std::map<std::string, std::string> last_said;  ///< By the command's name: with its parameters.
-    std::map<std::string, std::string> under_way;
+    using Said = std::map<std::string, std::vector<std::pair<std::string, std::string>>>;
+    Said last_said;  ///< By the command's name: its parameters.
+    Said under_way;
     std::uint32_t happened = 0;
     std::size_t rules = 0;
     bool knows_rules = false;
@@ -56,8 +57,5 @@ class FactGatherer {
   std::uint32_t messages_ = 0;
   bool is_begun_ = false;
 };
-
-/// "move-to ^waypoint gate ^within 2": the name, and the parameters.
-std::string SplitCommand(std::string_view text, std::vector<std::pair<std::string, std::string>>& with);
 
 }  // namespace soarbox::mission

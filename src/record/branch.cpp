@@ -55,7 +55,7 @@ Result<void> Branch::Check() {
   sim::EventList events = simulation_->TakeEvents();  // Told when they happened first.
   for (std::size_t i = 0; i < simulation_->soar_agents(); ++i) {
     const sim::MindReport mind = simulation_->Mind(i);
-    if (!mind.percepts.empty()) comparer_.Share(mind.agent, mind.percepts);
+    if (!mind.events.empty()) comparer_.Share(mind.agent, mind.events);
   }
   const bool is_goal = tick_ == goal_;
   if (!is_goal && tick_ % kTicksBetweenChecks != 0) return {};

@@ -11,7 +11,7 @@ std::vector<std::string> PerceptsThatDiffer(const PerceptValues& a, const Percep
   std::vector<std::string> lines;
   const auto value = [](const PerceptValues& values, const std::string& path) {
     const auto at = values.find(path);
-    return at == values.end() ? std::string("none") : at->second;
+    return at == values.end() ? std::string("none") : TextOf(at->second);
   };
   for (const PerceptValues* values : {&a, &b}) {
     for (const auto& [path, ignored] : *values) {
@@ -53,17 +53,17 @@ Comparison::Moment MomentOf(const TickRecord& a, const TickRecord& b) {
 Comparer::Comparer(double step_s)
     : ticks_per_moment_(static_cast<std::uint64_t>(std::max(1.0, std::round(1 / step_s)))) {}
 
-void Comparer::Share(const std::string& agent, std::span<const std::string> percepts) {
-  ApplyPercepts(percepts, perceived_a_[agent]);
-  ApplyPercepts(percepts, perceived_b_[agent]);
+void Comparer::Share(const std::string& agent, const mind::EventLog& events) {
+  ApplyPercepts(events, perceived_a_[agent]);
+  ApplyPercepts(events, perceived_b_[agent]);
 }
 
 void Comparer::See(const TickRecord& a, const TickRecord& b) {
   if (!std::exchange(has_begun_, true)) result_.first_tick = a.tick;
   result_.last_tick = a.tick;
   if (!result_.decision) {
-    for (const MindRecord& mind : a.minds) ApplyPercepts(mind.percepts, perceived_a_[mind.agent]);
-    for (const MindRecord& mind : b.minds) ApplyPercepts(mind.percepts, perceived_b_[mind.agent]);
+    for (const MindRecord& mind : a.minds) ApplyPercepts(mind.events, perceived_a_[mind.agent]);
+    for (const MindRecord& mind : b.minds) ApplyPercepts(mind.events, perceived_b_[mind.agent]);
     result_.decision = DecisionThatDiffers(a, b);
     if (result_.decision)
       result_.percepts =

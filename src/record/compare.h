@@ -3,12 +3,11 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "record/difference.h"
-#include "record/percept_text.h"
+#include "record/percept_values.h"
 #include "record/timeline.h"
 
 namespace soarbox::record {
@@ -37,7 +36,7 @@ class Comparer {
   explicit Comparer(double step_s);
 
   /// What an agent perceived in a tick that both share: so that it is known what it perceives when they part.
-  void Share(const std::string& agent, std::span<const std::string> percepts);
+  void Share(const std::string& agent, const mind::EventLog& events);
   /// The next tick, in both.
   void See(const TickRecord& a, const TickRecord& b);
   const Comparison& result() const { return result_; }

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 #include <vector>
+
+#include "tell/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -18,6 +21,21 @@ std::string Text(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
   return text.empty() ? "nothing" : text;
+}
+
+/// The percepts, their numbers with all digits.
+std::string Exact(const mind::EventLog& events) {
+  std::vector<std::string> lines;
+  events.ForEachOf<mind::PerceptChanged>([&](const mind::PerceptChanged& percept) {
+    std::string line = tell::PerceptPath(percept.path, percept.attribute, percept.key) + " ";
+    if (const auto* number = std::get_if<double>(&percept.value)) {
+      line += fmt::format("{}", *number);
+    } else {
+      line += tell::ValueText(percept.value);
+    }
+    lines.push_back(std::move(line));
+  });
+  return Text(lines);
 }
 
 std::optional<Difference> DifferenceOfBodies(const TickRecord& recorded, const TickRecord& now) {
@@ -52,30 +70,61 @@ std::optional<Difference> DifferenceOfBodies(const TickRecord& recorded, const T
   return std::nullopt;
 }
 
+/// Without firings and elements, which a lower level leaves out.
+mind::EventLog WithoutDetails(const MindRecord& mind) {
+  mind::EventLog events = mind.events;
+  events.DropDetails();
+  return events;
+}
+
+/// What two minds did, if it is not the same; the first thing that differs in words is named.
+std::optional<Difference> DifferenceOf(const MindRecord& a, const MindRecord& b, std::uint64_t tick) {
+  if (a.agent == b.agent && a.events == b.events) return std::nullopt;
+  const mind::EventLog was = WithoutDetails(a), is = WithoutDetails(b);
+  if (a.agent == b.agent && was == is) return std::nullopt;
+  const std::string& agent = a.agent.empty() ? b.agent : a.agent;
+  const tell::MindWords old_words = tell::Words(was), new_words = tell::Words(is);
+  const std::pair<const char*, std::vector<std::string> tell::MindWords::*> parts[] = {
+      {"percepts", &tell::MindWords::percepts},
+      {"decisions", &tell::MindWords::decisions},
+      {"commands", &tell::MindWords::commands},
+      {"reasons", &tell::MindWords::reasons},
+      {"commands' rules", &tell::MindWords::command_rules}};
+  // What decisions rested on is not in a recording that holds words.
+  const bool is_less = a.from_words || b.from_words;
+  for (const auto& [element, part] : parts) {
+    if (is_less && part == &tell::MindWords::reasons) continue;
+    if (a.agent != b.agent || old_words.*part != new_words.*part)
+      return Difference{tick, agent, element, Text(old_words.*part), Text(new_words.*part)};
+  }
+  if (is_less) return std::nullopt;
+  // Numbers that are printed alike, or preferences that a sentence does not name.
+  const bool in_percepts = Exact(was) != Exact(is);
+  return Difference{tick, agent, in_percepts ? "percepts" : "preferences", in_percepts ? Exact(was) : "others",
+                    in_percepts ? Exact(is) : "others"};
+}
+
 std::optional<Difference> DifferenceOfMinds(const TickRecord& recorded, const TickRecord& now) {
   if (recorded.minds.empty() || now.minds.empty()) return std::nullopt;  // A level that tells nothing of minds.
-  const std::size_t count = std::max(recorded.minds.size(), now.minds.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    static const MindRecord kNothing;
-    const MindRecord& a = i < recorded.minds.size() ? recorded.minds[i] : kNothing;
-    const MindRecord& b = i < now.minds.size() ? now.minds[i] : kNothing;
-    const std::pair<const char*, std::vector<std::string> MindRecord::*> parts[] = {
-        {"percepts", &MindRecord::percepts},
-        {"decisions", &MindRecord::decisions},
-        {"commands", &MindRecord::commands},
-        {"reasons", &MindRecord::reasons},
-        {"commands' rules", &MindRecord::command_rules}};
-    for (const auto& [element, part] : parts) {
-      if (a.agent == b.agent && a.*part == b.*part) continue;
-      return Difference{recorded.tick, a.agent.empty() ? b.agent : a.agent, element, Text(a.*part), Text(b.*part)};
-    }
+  const auto has_done_something = [](const MindRecord& mind) { return !WithoutDetails(mind).empty(); };
+  auto a = recorded.minds.begin(), b = now.minds.begin();
+  static const MindRecord kNothing;
+  while (true) {
+    a = std::find_if(a, recorded.minds.end(), has_done_something);
+    b = std::find_if(b, now.minds.end(), has_done_something);
+    const bool has_a = a != recorded.minds.end(), has_b = b != now.minds.end();
+    if (!has_a && !has_b) return std::nullopt;
+    if (std::optional<Difference> found = DifferenceOf(has_a ? *a : kNothing, has_b ? *b : kNothing, recorded.tick))
+      return found;
+    ++a;
+    ++b;
   }
-  return std::nullopt;
 }
 
 std::string Joined(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line.substr(line.find_first_not_of(' '));
+  for (const std::string& line : lines)
+    text += (text.empty() ? "" : "; ") + line.substr(std::min(line.find_first_not_of(' '), line.size()));
   return text.empty() ? "nothing" : text;
 }
 
@@ -99,8 +148,9 @@ std::optional<Difference> DecisionThatDiffers(const TickRecord& a, const TickRec
   const auto compare = [&](const std::string& agent) -> std::optional<Difference> {
     const MindRecord* in_a = FindMind(a, agent);
     const MindRecord* in_b = FindMind(b, agent);
-    const MindRecord& x = in_a != nullptr ? *in_a : kNothing;
-    const MindRecord& y = in_b != nullptr ? *in_b : kNothing;
+    if (in_a != nullptr && in_b != nullptr && in_a->events == in_b->events) return std::nullopt;
+    const tell::MindWords x = tell::Words((in_a != nullptr ? *in_a : kNothing).events, false);
+    const tell::MindWords y = tell::Words((in_b != nullptr ? *in_b : kNothing).events, false);
     if (x.decisions != y.decisions)
       return Difference{a.tick, agent, "decision", Joined(x.decisions), Joined(y.decisions)};
     if (x.commands != y.commands) return Difference{a.tick, agent, "command", Joined(x.commands), Joined(y.commands)};

@@ -7,7 +7,8 @@
 #include <set>
 
 #include "record/export.h"
-#include "record/percept_text.h"
+#include "record/percept_values.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -35,6 +36,14 @@ Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
   return {};
 }
 
+std::string LastDecision(const mind::EventLog& events) {
+  std::string last;
+  mind::Event event;
+  for (std::size_t at = 0; events.Next(at, event);)
+    if (std::string line = tell::DecisionLine(event); !line.empty()) last = std::move(line);
+  return last;
+}
+
 }  // namespace
 
 Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
@@ -45,7 +54,7 @@ Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
   Result<void> read = ForEachTick(recording, before_too, [&](const TickRecord& record) {
     for (const MindRecord& mind : record.minds) {
       PerceptValues& values = perceived[mind.agent];
-      ApplyPercepts(mind.percepts, values);
+      ApplyPercepts(mind.events, values);
       if (record.tick < range.first) continue;
       for (const auto& [path, value] : values) names.insert(path);
     }
@@ -57,21 +66,20 @@ Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
   out << '\n';
   perceived.clear();
   return ForEachTick(recording, before_too, [&](const TickRecord& record) {
-    for (const MindRecord& mind : record.minds) ApplyPercepts(mind.percepts, perceived[mind.agent]);
+    for (const MindRecord& mind : record.minds) ApplyPercepts(mind.events, perceived[mind.agent]);
     if (record.tick < range.first) return;
     for (const world::AgentSnapshot& agent : record.scene.agents) {
       const double heading = std::atan2(agent.forward.x, agent.forward.z) * 180 / std::numbers::pi;
       const MindRecord* mind = FindMind(record, agent.name);
-      const std::string decision = mind != nullptr && !mind->decisions.empty() ? mind->decisions.back() : "";
+      const std::string decision = mind != nullptr ? LastDecision(mind->events) : std::string();
       out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", record.tick, record.scene.time_s,
                          Cell(agent.name), agent.position.x, agent.position.y, agent.position.z, agent.velocity.x,
                          agent.velocity.y, agent.velocity.z, world::Length(agent.velocity), static_cast<float>(heading),
-                         agent.health, Cell(agent.last_command),
-                         Cell(decision.substr(std::min(decision.find_first_not_of(' '), decision.size()))));
+                         agent.health, Cell(agent.last_command), Cell(decision));
       const PerceptValues& values = perceived[agent.name];
       for (const std::string& name : names) {
         const auto at = values.find(name);
-        out << ',' << (at == values.end() ? std::string() : Cell(at->second));
+        out << ',' << (at == values.end() ? std::string() : Cell(TextOf(at->second)));
       }
       out << '\n';
     }

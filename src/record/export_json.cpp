@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "record/export.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -49,12 +50,13 @@ Json OfEvent(const sim::Event& event) {
 Json OfMind(const MindRecord& mind) {
   Json json;
   json["agent"] = mind.agent;
-  if (!mind.percepts.empty()) json["percepts"] = mind.percepts;
-  if (!mind.decisions.empty()) json["decisions"] = mind.decisions;
-  if (!mind.reasons.empty()) json["reasons"] = mind.reasons;
-  if (!mind.details.empty()) json["details"] = mind.details;
-  if (!mind.commands.empty()) json["commands"] = mind.commands;
-  if (!mind.command_rules.empty()) json["command_rules"] = mind.command_rules;
+  const tell::MindWords words = tell::Words(mind.events);
+  if (!words.percepts.empty()) json["percepts"] = words.percepts;
+  if (!words.decisions.empty()) json["decisions"] = words.decisions;
+  if (!words.reasons.empty()) json["reasons"] = words.reasons;
+  if (!words.details.empty()) json["details"] = words.details;
+  if (!words.commands.empty()) json["commands"] = words.commands;
+  if (!words.command_rules.empty()) json["command_rules"] = words.command_rules;
   return json;
 }
 

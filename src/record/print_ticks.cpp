@@ -4,39 +4,32 @@
 #include <algorithm>
 
 #include "record/export.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::record {
 namespace {
 
-/// A detail's text without the count in front of it, and that count.
-std::pair<std::size_t, std::string_view> SplitDetail(std::string_view detail) {
-  std::size_t count = 0;
-  const std::size_t blank = std::min(detail.find(' '), detail.size());
-  for (const char c : detail.substr(0, blank)) count = count * 10 + static_cast<std::size_t>(c - '0') % 10;
-  return {count, detail.substr(std::min(blank + 1, detail.size()))};
-}
-
-/// The text that belongs to the `index`-th line, with blanks in front, if there is one.
-std::string Remark(const std::vector<std::string>& remarks, std::size_t index) {
-  return index < remarks.size() && !remarks[index].empty() ? "  " + remarks[index] : std::string();
+/// With blanks in front, if there is something.
+std::string Aside(const std::string& remark) {
+  return remark.empty() ? remark : "  " + remark;
 }
 
 void PrintMind(const MindRecord& mind, std::ostream& out) {
-  for (const std::string& percept : mind.percepts) out << "    " << mind.agent << "  perceives " << percept << '\n';
+  const tell::MindWords words = tell::Words(mind.events, false);
+  for (const std::string& percept : words.percepts) out << "    " << mind.agent << "  perceives " << percept << '\n';
   std::size_t decided = 0;
-  const auto decide = [&](std::size_t until) {
-    for (; decided < std::min(until, mind.decisions.size()); ++decided)
-      out << "    " << mind.agent << "  " << mind.decisions[decided] << Remark(mind.reasons, decided) << '\n';
-  };
-  for (const std::string& detail : mind.details) {
-    const auto [count, text] = SplitDetail(detail);
-    decide(count);
-    out << "    " << mind.agent << "    " << text << '\n';
+  mind::Event event;
+  for (std::size_t at = 0; mind.events.Next(at, event);) {
+    if (mind::IsDetail(event)) {
+      out << "    " << mind.agent << "    " << tell::DetailLine(event) << '\n';
+    } else if (!tell::DecisionLine(event).empty()) {
+      out << "    " << mind.agent << "  " << words.decisions[decided] << Aside(words.reasons[decided]) << '\n';
+      ++decided;
+    }
   }
-  decide(mind.decisions.size());
-  for (std::size_t i = 0; i < mind.commands.size(); ++i) {
-    const std::string rule = Remark(mind.command_rules, i);
-    out << "    " << mind.agent << "  commands " << mind.commands[i] << (rule.empty() ? "" : " by") << rule << '\n';
+  for (std::size_t i = 0; i < words.commands.size(); ++i) {
+    const std::string rule = Aside(words.command_rules[i]);
+    out << "    " << mind.agent << "  commands " << words.commands[i] << (rule.empty() ? "" : " by") << rule << '\n';
   }
 }
 

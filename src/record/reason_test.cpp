@@ -11,14 +11,19 @@
 #include "record/test_run.h"
 #include "record/test_ticks.h"
 #include "sim/simulation.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::record {
 namespace {
 
 using testing::MatchesRegex;
 
+mind::EventLog MindOf(const TickRecord& record) {
+  return record.minds.empty() ? mind::EventLog() : record.minds[0].events;
+}
+
 /// What an agent with these rules decides first, after a command, if there is one.
-MindRecord FirstDecisions(const std::string& rules, const std::string& command) {
+tell::MindWords FirstDecisions(const std::string& rules, const std::string& command) {
   const ScratchFolder scratch;
   std::ofstream(scratch.path() / "scout.soar") << rules;
   const sim::Scenario scenario = sim::FindScenario((scratch.path() / "scout.soar").string(), Data()).value();
@@ -28,11 +33,11 @@ MindRecord FirstDecisions(const std::string& rules, const std::string& command) 
   const std::unique_ptr<sim::Simulation> simulation = std::move(sim::Simulation::Create(scenario, settings).value());
   if (!command.empty()) simulation->Submit(sim::CommandInput{simulation->AgentOfMind(0), command});
   TickRecord record;
-  for (int i = 0; i < 5 && (record.minds.empty() || record.minds[0].decisions.empty()); ++i) {
+  for (int i = 0; i < 5 && tell::Words(MindOf(record)).decisions.empty(); ++i) {
     simulation->Tick();
     Observe(*simulation, simulation->TakeEvents(), Level::kDecisions, record);
   }
-  return record.minds.at(0);
+  return tell::Words(MindOf(record));
 }
 
 constexpr const char* kEither = R"(sp {scout*either
@@ -68,7 +73,7 @@ sp {scout*ba
 })";
 
 TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
-  const MindRecord free = FirstDecisions(kEither, "");
+  const tell::MindWords free = FirstDecisions(kEither, "");
   ASSERT_FALSE(free.decisions.empty());
   EXPECT_EQ(
       free.reasons[0],
@@ -79,7 +84,7 @@ TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
   int forced = 0;
   for (const int other : {number - 1, number + 1}) {
     const std::string id = "O" + std::to_string(other);
-    const MindRecord decided = FirstDecisions(kEither, "decide select " + id);
+    const tell::MindWords decided = FirstDecisions(kEither, "decide select " + id);
     ASSERT_FALSE(decided.decisions.empty());
     if (decided.decisions == free.decisions) {
       EXPECT_EQ(decided.reasons, free.reasons);
@@ -93,7 +98,7 @@ TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
 }
 
 TEST(Reasons, TwoThatAreEachBetterThanTheOtherLeaveTheThird) {
-  const MindRecord record = FirstDecisions(kCircle, "");
+  const tell::MindWords record = FirstDecisions(kCircle, "");
   ASSERT_FALSE(record.decisions.empty());
   EXPECT_EQ(record.decisions[0].substr(record.decisions[0].find('(')), "(c)");
   EXPECT_THAT(record.reasons[0],
@@ -103,14 +108,14 @@ TEST(Reasons, TwoThatAreEachBetterThanTheOtherLeaveTheThird) {
 }
 
 TEST(Reasons, AnImpasseSaysBetweenWhat) {
-  const MindRecord record = FirstDecisions(R"(sp {scout*either
+  const tell::MindWords record = FirstDecisions(R"(sp {scout*either
    (state <s> ^superstate nil ^io.input-link.self)
 -->
    (<s> ^operator <one> + ^operator <other> +)
    (<one> ^name one)
    (<other> ^name other)
 })",
-                                           "");
+                                                "");
   ASSERT_FALSE(record.decisions.empty());
   EXPECT_THAT(record.decisions[0], testing::HasSubstr("(operator tie)"));
   EXPECT_THAT(record.reasons[0], MatchesRegex("no preference decides among (one|other) \\([A-Z][0-9]+\\) and "
@@ -131,7 +136,7 @@ TEST(Reasons, AMindThatWaitsSaysSoOnce) {
   std::vector<std::string> decisions;
   for (int i = 0; i < 20; ++i) {
     simulation->Tick();
-    for (const std::string& line : simulation->Mind(0).decisions) decisions.push_back(line);
+    for (const std::string& line : tell::Words(simulation->Mind(0).events).decisions) decisions.push_back(line);
   }
   EXPECT_EQ(decisions, std::vector<std::string>{"==>S: S1"});
 }

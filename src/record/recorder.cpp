@@ -16,26 +16,29 @@ void ObserveWorld(const sim::Simulation& simulation, sim::EventList events, Tick
   for (const sim::Input& input : simulation.LastInputs()) record.inputs.push_back(sim::WriteInput(input));
   simulation.Snapshot(record.scene);
   record.events = std::move(events);
-  record.minds.clear();
 }
 
-/// Adds what a mind did, in words, if it did anything that this level tells.
-void AddMind(const std::string& agent, const sim::MindNotes& notes, Level level, TickRecord& record) {
-  sim::MindWords words = notes.Words(level == Level::kAll);
-  if (words.percepts.empty() && words.decisions.empty() && words.details.empty() && words.commands.empty()) return;
-  record.minds.push_back({agent, std::move(words.percepts), std::move(words.decisions), std::move(words.details),
-                          std::move(words.commands), std::move(words.reasons), std::move(words.command_rules)});
+/// What minds did, as far as this level tells it. The memory of records that are there serves again.
+void ObserveMinds(const sim::Simulation& simulation, Level level, std::vector<MindRecord>& minds) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; level != Level::kWorld && i < simulation.soar_agents(); ++i) {
+    const sim::MindReport report = simulation.Mind(i);
+    if (report.events.empty()) continue;
+    if (count == minds.size()) minds.emplace_back();
+    MindRecord& mind = minds[count++];
+    mind.agent = report.agent;
+    mind.events = report.events;
+    mind.from_words = false;
+  }
+  minds.resize(count);
 }
 
 }  // namespace
 
 void Observe(const sim::Simulation& simulation, sim::EventList events, Level level, TickRecord& record) {
   ObserveWorld(simulation, std::move(events), record);
-  if (level == Level::kWorld) return;
-  for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
-    const sim::MindNotes& notes = simulation.NotesOfMind(i);
-    if (!notes.empty()) AddMind(simulation.AgentOfMind(i), notes, level, record);
-  }
+  ObserveMinds(simulation, level, record.minds);
+  KeepLevel(record, level);
 }
 
 Recorder::Recorder(std::unique_ptr<Writer> writer, Level level)
@@ -48,53 +51,40 @@ Recorder::~Recorder() {
 void KeepLevel(TickRecord& record, Level level) {
   if (level == Level::kAll) return;
   if (level == Level::kWorld) record.minds.clear();
-  for (MindRecord& mind : record.minds) mind.details.clear();
-  std::erase_if(record.minds, [](const MindRecord& mind) {
-    return mind.percepts.empty() && mind.decisions.empty() && mind.commands.empty();
-  });
+  for (MindRecord& mind : record.minds) mind.events.DropDetails();
+  std::erase_if(record.minds, [](const MindRecord& mind) { return mind.events.empty(); });
 }
 
-NotedTick Recorder::Blank() {
+TickRecord Recorder::Blank() {
   const std::lock_guard lock(mutex_);
   if (written_.empty()) return {};
-  NotedTick tick = std::move(written_.back());
+  TickRecord tick = std::move(written_.back());
   written_.pop_back();
   return tick;
 }
 
 Result<void> Recorder::Take(const sim::Simulation& simulation, sim::EventList events, const TickRecord* seen) {
   if (is_told_) return {};
-  NotedTick tick = Blank();
+  TickRecord tick = Blank();
   if (seen != nullptr) {
-    tick.record.tick = seen->tick;
-    tick.record.state_hash = seen->state_hash;
-    tick.record.inputs = seen->inputs;
-    tick.record.scene = seen->scene;
-    tick.record.events = std::move(events);
-    tick.record.minds.clear();
+    tick.tick = seen->tick;
+    tick.state_hash = seen->state_hash;
+    tick.inputs = seen->inputs;
+    tick.scene = seen->scene;
+    tick.events = std::move(events);
   } else {
-    ObserveWorld(simulation, std::move(events), tick.record);
+    ObserveWorld(simulation, std::move(events), tick);
   }
-  tick.mind_count = 0;
-  for (std::size_t i = 0; level_ != Level::kWorld && i < simulation.soar_agents(); ++i) {
-    const sim::MindNotes& notes = simulation.NotesOfMind(i);
-    if (notes.empty()) continue;
-    if (tick.mind_count == tick.minds.size()) tick.minds.emplace_back();
-    NotedTick::Mind& mind = tick.minds[tick.mind_count++];
-    mind.agent = simulation.AgentOfMind(i);
-    mind.notes = notes;
-  }
+  ObserveMinds(simulation, level_, tick.minds);
   return Push(std::move(tick));
 }
 
 Result<void> Recorder::Take(TickRecord record) {
   if (is_told_) return {};
-  NotedTick tick;
-  tick.record = std::move(record);
-  return Push(std::move(tick));
+  return Push(std::move(record));
 }
 
-Result<void> Recorder::Push(NotedTick tick) {
+Result<void> Recorder::Push(TickRecord tick) {
   // A run that is faster than the disk waits for it here.
   constexpr std::size_t kMostWaiting = 120;
   std::unique_lock lock(mutex_);
@@ -122,7 +112,7 @@ Result<void> Recorder::Finish() {
 
 /// The writing thread. Ticks that wait are taken all at once, so that the run is seldom disturbed.
 void Recorder::Write() {
-  std::deque<NotedTick> taken;
+  std::deque<TickRecord> taken;
   while (true) {
     {
       std::unique_lock lock(mutex_);
@@ -131,21 +121,18 @@ void Recorder::Write() {
       taken.swap(waiting_);
     }
     changed_.notify_all();
-    for (NotedTick& tick : taken) {
-      for (std::size_t i = 0; i < tick.mind_count; ++i)
-        AddMind(tick.minds[i].agent, tick.minds[i].notes, level_, tick.record);
-      const Result<void> added = writer_->Add(tick.record);
+    for (TickRecord& tick : taken) {
+      // A window notes more of the agent that is selected than its recording is to hold.
+      KeepLevel(tick, level_);
+      const Result<void> added = writer_->Add(tick);
       if (added) continue;
       const std::lock_guard lock(mutex_);
       failure_ = added.error();
       break;
     }
     if (failure_) break;
-    // Words are given back here, so that the run's thread need not.
-    for (NotedTick& tick : taken) {
-      tick.record.minds.clear();
-      tick.record.events.clear();
-    }
+    // Given back here, so that the run's thread need not.
+    for (TickRecord& tick : taken) tick.events.clear();
     constexpr std::size_t kMostBlank = 8;
     const std::lock_guard lock(mutex_);
     for (; !taken.empty(); taken.pop_front())

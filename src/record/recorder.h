@@ -23,17 +23,6 @@ void Observe(const sim::Simulation& simulation, sim::EventList events, Level lev
 /// Leaves out what a recording of this level does not hold.
 void KeepLevel(TickRecord& record, Level level);
 
-/// A tick as the run's thread leaves it to the writing thread, which makes words of what minds noted.
-struct NotedTick {
-  struct Mind {
-    std::string agent;
-    sim::MindNotes notes;
-  };
-  TickRecord record;        ///< Without the minds, unless they are in words already.
-  std::vector<Mind> minds;  ///< The first mind_count of them; the memory of the others is for later ticks.
-  std::size_t mind_count = 0;
-};
-
 /// Puts each tick of a run into a file. The run's thread only notes what there is; a thread of its own writes it down.
 class Recorder {
  public:
@@ -53,8 +42,8 @@ class Recorder {
 
  private:
   void Write();
-  NotedTick Blank();
-  Result<void> Push(NotedTick tick);
+  TickRecord Blank();
+  Result<void> Push(TickRecord tick);
 
   std::unique_ptr<Writer> writer_;  ///< The writing thread's.
   Level level_;
@@ -62,9 +51,9 @@ class Recorder {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<NotedTick> waiting_;   ///< For the writing thread.
-  std::vector<NotedTick> written_;  ///< Their memory is used again.
-  bool is_over_ = false;            ///< Nothing more comes.
+  std::deque<TickRecord> waiting_;   ///< For the writing thread.
+  std::vector<TickRecord> written_;  ///< Their memory is used again.
+  bool is_over_ = false;             ///< Nothing more comes.
   std::optional<Diagnostic> failure_;
   std::thread thread_;
 };

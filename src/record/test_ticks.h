@@ -100,14 +100,14 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
       event.diagnostic.message = "something is wrong";
       tick.events.push_back(event);
     }
-    if (chance(3))
-      tick.minds.push_back({"agent1",
-                            {"+ distance 3.5"},
-                            {"O: O1 (seek)"},
-                            {"Firing seek"},
-                            {"seek"},
-                            {"the only one proposed"},
-                            {"seek*apply"}});
+    if (chance(3)) {
+      MindRecord& mind = tick.minds.emplace_back();
+      mind.agent = "agent1";
+      mind.events.Add(mind::PerceptChanged{"self.", "speed", 0, 3.5});
+      mind.events.Add(mind::OperatorSelected{1, "O1", "seek", {}});
+      mind.events.Add(mind::RuleFired{"seek*apply", false});
+      mind.events.Add(mind::CommandSaid{12, "seek", "seek*apply", {{0, false, "target", "red-1"}}});
+    }
     ticks.push_back(tick);
   }
   return ticks;

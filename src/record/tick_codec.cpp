@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "record/legacy_minds.h"
 #include "record/scene_codec.h"
 
 namespace soarbox::record {
@@ -69,16 +70,29 @@ void ReadEvent(ByteReader& in, sim::Event& event) {
 
 void WriteMind(ByteWriter& out, const MindRecord& mind) {
   out.Text(mind.agent);
-  for (const auto* texts :
-       {&mind.percepts, &mind.decisions, &mind.details, &mind.commands, &mind.reasons, &mind.command_rules})
-    WriteTexts(out, *texts);
+  out.Byte(mind.from_words ? 1 : 0);
+  out.Text(mind.events.bytes());
 }
 
 void ReadMind(ByteReader& in, MindRecord& mind) {
   mind.agent = in.Text();
+  mind.from_words = in.Byte() != 0;
+  const std::string_view events = in.Text();
+  in.Charge(events.size());
+  if (in.failed()) return;
+  mind.events = mind::EventLog(events);
+  if (!mind.events.IsSound()) in.Fail();
+}
+
+/// Formats 2 to 4 hold words.
+void ReadMindInWords(ByteReader& in, MindRecord& mind) {
+  mind.agent = in.Text();
+  mind.from_words = true;
+  tell::MindWords words;
   for (auto* texts :
-       {&mind.percepts, &mind.decisions, &mind.details, &mind.commands, &mind.reasons, &mind.command_rules})
+       {&words.percepts, &words.decisions, &words.details, &words.commands, &words.reasons, &words.command_rules})
     ReadTexts(in, *texts);
+  if (!in.failed()) mind.events = ReadWords(words);
 }
 
 }  // namespace
@@ -100,17 +114,18 @@ void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRe
   for (const MindRecord& mind : now.minds) WriteMind(out, mind);
 }
 
-void ReadTick(ByteReader& in, TickRecord& record) {
+void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version) {
   record.tick = in.Number();
   record.state_hash = in.Fixed64();
   ReadTexts(in, record.inputs);
   ReadScene(in, record.scene);
   record.scene.tick = record.tick;
-  // An event takes 15 bytes at least, a mind 7.
+  // An event takes 15 bytes at least, a mind 3.
   record.events.assign(in.CountOf(sizeof(sim::Event), 15), {});
   for (sim::Event& event : record.events) ReadEvent(in, event);
-  record.minds.assign(in.CountOf(sizeof(MindRecord), 7), {});
-  for (MindRecord& mind : record.minds) ReadMind(in, mind);
+  record.minds.assign(in.CountOf(sizeof(MindRecord), 3), {});
+  constexpr std::uint16_t kLastInWords = 4;
+  for (MindRecord& mind : record.minds) version <= kLastInWords ? ReadMindInWords(in, mind) : ReadMind(in, mind);
 }
 
 void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs) {

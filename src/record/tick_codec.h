@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "record/byte_stream.h"
+#include "record/format.h"
 #include "record/tick_record.h"
 
 namespace soarbox::record {
@@ -9,8 +14,9 @@ namespace soarbox::record {
 /// Writes a tick as what differs from the one before; an empty scene before it makes it stand alone.
 void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now);
 
-/// Turns the record of one tick into that of the next. `in` has failed afterwards if the bytes do not make sense.
-void ReadTick(ByteReader& in, TickRecord& record);
+/// Turns the record of one tick into that of the next; `version` is that of its block. `in` has failed afterwards if
+/// the bytes do not make sense.
+void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version = kVersion);
 
 /// What entered before a tick, kept apart when a bounded recording drops the tick's frames.
 void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mind/event_log.h"
 #include "sim/event.h"
 #include "world/scene_snapshot.h"
 
@@ -20,13 +21,10 @@ enum class Level : std::uint8_t {
 
 /// What one mind did in a tick.
 struct MindRecord {
-  std::string agent;                       ///< Its body's name.
-  std::vector<std::string> percepts;       ///< What changed on the input link: "path value", or "-path".
-  std::vector<std::string> decisions;      ///< Operators selected and impasses met, as the trace words them.
-  std::vector<std::string> details;        ///< Level::kAll: firings, retractions, elements.
-  std::vector<std::string> commands;       ///< What it said, with parameters and status.
-  std::vector<std::string> reasons;        ///< For each decision why it was taken; empty texts where nothing is known.
-  std::vector<std::string> command_rules;  ///< For each command the rule that made it; likewise.
+  std::string agent;  ///< Its body's name.
+  /// Percepts, decisions and commands; at Level::kAll also firings and elements.
+  mind::EventLog events;
+  bool from_words = false;  ///< Of an old recording: some is not known, and numbers have six digits.
   friend bool operator==(const MindRecord&, const MindRecord&) = default;
 };
 

@@ -102,6 +102,29 @@ TEST(Verify, OneBitOfAStateIsFoundAndNamed) {
   EXPECT_EQ(verdict.difference->element, "the state's hash");
 }
 
+/// Changes an event, if it is of this kind.
+template <typename Kind, typename Change>
+std::function<bool(mind::Event&)> ChangeOf(Change change) {
+  return [change](mind::Event& event) {
+    Kind* const wanted = std::get_if<Kind>(&event);
+    if (wanted != nullptr) change(*wanted);
+    return wanted != nullptr;
+  };
+}
+
+/// Changes the first event that can be.
+bool ChangeOne(mind::EventLog& events, const std::function<bool(mind::Event&)>& change) {
+  mind::EventLog changed;
+  bool is_changed = false;
+  mind::Event event;
+  for (std::size_t at = 0; events.Next(at, event);) {
+    is_changed = is_changed || change(event);
+    std::visit([&](const auto& each) { changed.Add(each); }, event);
+  }
+  events = changed;
+  return is_changed;
+}
+
 TEST(Verify, WhatIsSeenOrThoughtOtherwiseIsNamedWithItsAgent) {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.path() / "run";
@@ -116,17 +139,17 @@ TEST(Verify, WhatIsSeenOrThoughtOtherwiseIsNamedWithItsAgent) {
   EXPECT_EQ(verdict.difference->agent, agent);
   EXPECT_EQ(verdict.difference->element, "position");
 
-  const std::pair<const char*, std::vector<std::string> MindRecord::*> parts[] = {{"percepts", &MindRecord::percepts},
-                                                                                  {"decisions", &MindRecord::decisions},
-                                                                                  {"reasons", &MindRecord::reasons},
-                                                                                  {"commands", &MindRecord::commands}};
-  for (const auto& [element, part] : parts) {
-    RunAndRecord(file, "crowd/crowd_10.lua", 15, [&, part = part](TickRecord& record) {
+  const std::pair<const char*, std::function<bool(mind::Event&)>> parts[] = {
+      {"percepts", ChangeOf<mind::PerceptChanged>([](auto& percept) { percept.attribute = "x"; })},
+      {"decisions", ChangeOf<mind::OperatorSelected>([](auto& selected) { selected.name = "x"; })},
+      {"reasons", ChangeOf<mind::OperatorSelected>([](auto& selected) { selected.decision = {}; })},
+      {"commands", ChangeOf<mind::CommandSaid>([](auto& said) { said.name = "x"; })}};
+  for (const auto& [element, change] : parts) {
+    RunAndRecord(file, "crowd/crowd_10.lua", 15, [&, change = change](TickRecord& record) {
       if (record.tick != 11) return;
       for (MindRecord& mind : record.minds) {
-        if ((mind.*part).empty()) continue;
+        if (!ChangeOne(mind.events, change)) continue;
         agent = mind.agent;
-        (mind.*part).back() += "x";
         return;
       }
       ADD_FAILURE() << "no mind has any";

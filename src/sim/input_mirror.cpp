@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "sim/mind_notes.h"
 #include "sml_Client.h"
+#include "tell/mind_words.h"
 
 namespace soarbox::sim {
 
@@ -69,7 +69,7 @@ void InputMirror::Recycle(Slots& slots) {
 }
 
 void InputMirror::Destroy(const Slot& slot) {
-  if (notes_ != nullptr) notes_->NotePerceptGone(path_, slot.element->GetAttribute(), slot.key);
+  if (log_ != nullptr) log_->Add(mind::PerceptGone{Path(), slot.element->GetAttribute(), slot.key});
   agent_->DestroyWME(slot.element);  // Takes what is below it along.
   if (slot.kind == Kind::kObject) {
     Recycle(*slot.below);
@@ -108,6 +108,7 @@ void InputMirror::Begin() {
   changes_ = 0;
   refused_ = 0;
   path_.clear();
+  named_ = 0;
   open_.clear();
   open_.push_back({top_.get(), 0, agent_->GetInputLink()});
 }
@@ -117,17 +118,28 @@ void InputMirror::End() {
 }
 
 void InputMirror::Note(const Slot& slot) {
-  Percept constant;
-  constant.attribute = slot.element->GetAttribute();
-  constant.key = slot.key;
+  mind::PerceptChanged percept{Path(), slot.element->GetAttribute(), slot.key, {}};
   if (slot.kind == Kind::kInteger) {
-    constant.value = slot.integer;
+    percept.value = slot.integer;
   } else if (slot.kind == Kind::kFloat) {
-    constant.value = slot.number;
+    percept.value = slot.number;
   } else {
-    constant.value = std::string(static_cast<sml::StringElement*>(slot.element)->GetValue());
+    percept.value = std::string_view(static_cast<sml::StringElement*>(slot.element)->GetValue());
   }
-  notes_->NotePercept(path_, constant);
+  log_->Add(percept);
+}
+
+/// Made only where something has changed: most objects are compared and no more.
+std::string_view InputMirror::Path() {
+  for (; named_ < open_.size(); ++named_) {
+    if (named_ == 0) continue;  // The input link itself.
+    OpenObject& object = open_[named_];
+    object.path_length = path_.size();
+    path_ += object.object->GetAttribute();
+    if (object.key != 0) path_.append("#").append(std::to_string(object.key));
+    path_ += '.';
+  }
+  return path_;
 }
 
 void InputMirror::TellInteger(const Name& name, std::int64_t value) {
@@ -144,7 +156,7 @@ void InputMirror::TellInteger(const Name& name, std::int64_t value) {
     ++changes_;
   }
   slot->integer = value;
-  if (notes_ != nullptr) Note(*slot);
+  if (log_ != nullptr) Note(*slot);
 }
 
 void InputMirror::TellFloat(const Name& name, double value) {
@@ -161,7 +173,7 @@ void InputMirror::TellFloat(const Name& name, double value) {
     ++changes_;
   }
   slot->number = value;
-  if (notes_ != nullptr) Note(*slot);
+  if (log_ != nullptr) Note(*slot);
 }
 
 void InputMirror::TellText(const Name& name, std::string_view value) {
@@ -178,7 +190,7 @@ void InputMirror::TellText(const Name& name, std::string_view value) {
     ++changes_;
   }
   slot->Hold(value);
-  if (notes_ != nullptr) Note(*slot);
+  if (log_ != nullptr) Note(*slot);
 }
 
 void InputMirror::Word(const PerceptRow& row, std::string_view value, std::uint32_t key) {
@@ -206,10 +218,7 @@ void InputMirror::OpenNamed(const Name& name) {
     ++refused_;
     return;
   }
-  open_.push_back({slot->below, 0, static_cast<sml::Identifier*>(slot->element), path_.size()});
-  if (notes_ == nullptr) return;
-  path_ += NameOfPercept(name.attribute(), name.key);
-  path_ += '.';
+  open_.push_back({slot->below, 0, static_cast<sml::Identifier*>(slot->element), 0, slot->key, 0});
 }
 
 void InputMirror::Close() {
@@ -218,7 +227,10 @@ void InputMirror::Close() {
     return;
   }
   DropRest();
-  path_.resize(open_.back().path_length);
+  if (named_ == open_.size()) {
+    path_.resize(open_.back().path_length);
+    --named_;
+  }
   open_.pop_back();
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mind/event_log.h"
 #include "sim/percept.h"
 #include "sim/percept_sink.h"
 
@@ -19,8 +20,6 @@ class WMElement;
 }  // namespace sml
 
 namespace soarbox::sim {
-
-class MindNotes;
 
 /// Keeps an agent's input link equal to what it is told and writes only the differences. What is told as it was costs
 /// a comparison: nothing is made, copied or looked up for it.
@@ -63,7 +62,7 @@ class InputMirror final : public PerceptSink {
   void KeepRest();
 
   /// Notes each change from now on; null: does not. Not owned.
-  void SetNotes(MindNotes* notes) { notes_ = notes; }
+  void SetLog(mind::EventLog* log) { log_ = log; }
   /// How many elements were written, changed or removed since the last Begin.
   std::size_t changes() const { return changes_; }
 
@@ -102,8 +101,9 @@ class InputMirror final : public PerceptSink {
     Slots* slots = nullptr;
     std::size_t next = 0;  ///< The first that has not been told yet.
     sml::Identifier* object = nullptr;
-    std::size_t path_length = 0;
-    std::size_t dropped = 0;  ///< So many in front of `next` are gone.
+    std::uint32_t key = 0;
+    std::size_t path_length = 0;  ///< Of the path of what it hangs on, once it is named.
+    std::size_t dropped = 0;      ///< So many in front of `next` are gone.
   };
 
   void Integer(const PerceptRow& row, std::int64_t value) override {
@@ -123,6 +123,7 @@ class InputMirror final : public PerceptSink {
   void DropRest();
   void Recycle(Slots& slots);
   void Note(const Slot& slot);
+  std::string_view Path();
 
   sml::Agent* agent_;
   std::deque<Slots> slots_;
@@ -131,8 +132,9 @@ class InputMirror final : public PerceptSink {
   std::vector<OpenObject> open_;                            ///< From the input link to the object that is told now.
   std::size_t refused_ = 0;                                 ///< Open objects that the client library would not make.
   std::size_t changes_ = 0;
-  MindNotes* notes_ = nullptr;
-  std::string path_;  ///< Of the object that is told now, with a dot behind it; kept with notes only.
+  mind::EventLog* log_ = nullptr;
+  std::string path_;       ///< Of the object that is told now, with a dot behind it, ...
+  std::size_t named_ = 0;  ///< ... as far as it has been asked for: so many of open_.
 };
 
 }  // namespace soarbox::sim

@@ -15,11 +15,31 @@
 namespace soarbox::sim {
 namespace {
 
+/// What all kernels have.
 struct TickOfMind {
-  MindNotes notes;
-  MindWords words;         ///< Of the notes when they had so many bytes.
-  std::size_t worded = 0;  ///< None: no words.
+  mind::EventLog events;
+  std::vector<std::pair<std::uint64_t, std::string>> rules;  ///< By time tag, who made what is on the output link.
+  std::vector<mind::Parameter> parameters;                   ///< Scratch.
 };
+
+void AddParameters(const PerceptList& list, std::uint32_t depth, std::vector<mind::Parameter>& parameters) {
+  for (const Percept& percept : list) {
+    if (parameters.size() >= mind::kMostParameters) return;
+    mind::Parameter& parameter = parameters.emplace_back();
+    parameter.depth = depth;
+    parameter.attribute = percept.attribute;
+    if (const auto* below = std::get_if<PerceptList>(&percept.value)) {
+      parameter.is_object = true;
+      AddParameters(*below, depth + 1, parameters);
+    } else if (const auto* integer = std::get_if<std::int64_t>(&percept.value)) {
+      parameter.value = *integer;
+    } else if (const auto* number = std::get_if<double>(&percept.value)) {
+      parameter.value = *number;
+    } else {
+      parameter.value = std::string_view(*percept.Text());
+    }
+  }
+}
 
 }  // namespace
 
@@ -40,10 +60,10 @@ struct MindLog::Listener final : MindObserver {
 
   void OnOperator(int level, std::string_view, std::string_view id, std::string_view name) override {
     Settle(level, name.empty() ? id : name);
-    tick.notes.NoteOperator(level, id, name);
-    NoteDecided();
+    tick.events.Add(mind::OperatorSelected{level, id, name, decided});
+    decided.clear();
   }
-  void OnState(int level, std::string_view state, std::string_view impasse, std::string_view attribute) override {
+  void OnState(int level, std::string_view state, mind::StateReason reason, bool on_operator) override {
     // A program that waits says so in each cycle; once is enough, however long it waits.
     if (waits_in == state) {
       decided.clear();
@@ -51,42 +71,33 @@ struct MindLog::Listener final : MindObserver {
     }
     Settle(level, {});
     waits_in = state;
-    tick.notes.NoteState(level, state, impasse, attribute);
-    NoteDecided();
+    tick.events.Add(mind::StateMade{level, state, reason, on_operator, decided});
+    decided.clear();
   }
   void OnStateGone(int level, std::string_view state) override {
     Settle(level, {});
-    tick.notes.NoteStateGone(level, state);
+    tick.events.Add(mind::StateGone{level, state});
   }
-  void OnHalt() override { tick.notes.NoteHalt(); }
+  void OnHalt() override { tick.events.Add(mind::Halted{}); }
   void OnDecided(const mind::DecisionView& decision) override {
     decided.clear();
     mind::Pack(decision, decided);
   }
-  void NoteDecided() {
-    tick.notes.NoteDecided(decided);
-    decided.clear();
-  }
   void OnRecall(int level, bool is_episode, std::uint64_t number, std::string_view question, std::string_view answer,
                 std::string_view reason) override {
-    tick.notes.NoteRecall(level, is_episode, number, question, answer);
-    tick.notes.NoteReason(reason);
+    tick.events.Add(mind::Recalled{level, is_episode, number, question, answer, reason});
   }
-  void OnLearned(int level, std::string_view rule, std::string_view reason) override {
-    tick.notes.NoteLearned(level, rule);
-    tick.notes.NoteReason(reason);
-  }
-  void OnValue(std::string_view rule, double value) override { tick.notes.NoteValue(rule, value); }
-  void OnReward(double reward) override { tick.notes.NoteReward(reward); }
-  void OnEpisodeEnd() override { tick.notes.NoteEpisodeEnd(); }
+  void OnLearned(const mind::RuleLearned& learned) override { tick.events.Add(learned); }
+  void OnValue(std::string_view rule, double value) override { tick.events.Add(mind::ValueUpdated{rule, value}); }
+  void OnReward(double reward) override { tick.events.Add(mind::RewardReceived{reward}); }
+  void OnEpisodeEnd() override { tick.events.Add(mind::EpisodeEnded{}); }
   void OnCommand(std::uint64_t timetag, std::string_view, std::string_view rule) override {
-    if (!rule.empty()) tick.notes.NoteRuleOfCommand(timetag, rule);
+    if (!rule.empty()) tick.rules.emplace_back(timetag, rule);
   }
-  void OnFiring(std::string_view rule, int, bool retracts) override { tick.notes.NoteFiring(rule, retracts); }
-  void OnElement(bool added, std::uint64_t timetag, std::string_view id, std::string_view attribute,
-                 std::string_view value, bool acceptable) override {
-    tick.notes.NoteElement(added, timetag, id, attribute, value, acceptable);
+  void OnFiring(std::string_view rule, int, bool retracts) override {
+    tick.events.Add(mind::RuleFired{rule, retracts});
   }
+  void OnElement(const mind::ElementChanged& element) override { tick.events.Add(element); }
 
   TickOfMind tick;
   std::vector<std::string> operators;  ///< By level of the goal stack, the first `depth` of them.
@@ -122,27 +133,27 @@ MindLog::MindLog(MindLog&&) noexcept = default;
 MindLog& MindLog::operator=(MindLog&&) noexcept = default;
 
 void MindLog::Clear() {
+  listener_->tick.events.Clear();
+  listener_->tick.rules.clear();
+}
+
+mind::EventLog& MindLog::events() {
+  return listener_->tick.events;
+}
+
+const mind::EventLog& MindLog::events() const {
+  return listener_->tick.events;
+}
+
+void MindLog::NoteCommand(std::uint64_t timetag, std::string_view name, const PerceptList& parameters) {
   TickOfMind& tick = listener_->tick;
-  tick.notes.Clear();
-  if (tick.worded > 0) tick.words = {};
-  tick.worded = 0;
-}
-
-MindNotes& MindLog::notes() {
-  return listener_->tick.notes;
-}
-
-const MindNotes& MindLog::notes() const {
-  return listener_->tick.notes;
-}
-
-const MindWords& MindLog::words() const {
-  TickOfMind& tick = listener_->tick;
-  if (tick.notes.bytes() != tick.worded) {
-    tick.words = tick.notes.Words();
-    tick.worded = tick.notes.bytes();
-  }
-  return tick.words;
+  mind::CommandSaid said{timetag, name, {}, std::move(tick.parameters)};
+  said.parameters.clear();
+  AddParameters(parameters, 0, said.parameters);
+  for (const auto& [tag, rule] : tick.rules)
+    if (tag == timetag) said.rule = rule;
+  tick.events.Add(said);
+  tick.parameters = std::move(said.parameters);
 }
 
 std::string MindLog::Operators() const {

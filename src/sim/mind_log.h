@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
-#include "sim/mind_notes.h"
+#include "mind/event_log.h"
+#include "sim/percept.h"
 
 namespace sml {
 class Agent;
@@ -20,7 +22,7 @@ enum class MindDetail : std::uint8_t {
   kAll,        ///< Also rules that fire and retract, and elements that come and go.
 };
 
-/// What one mind does within a tick, for whoever looks at the tick afterwards. Notes only; nothing is read while the
+/// What one mind does within a tick, for whoever looks at the tick afterwards: facts only; nothing is read while the
 /// mind runs.
 class MindLog {
  public:
@@ -34,11 +36,11 @@ class MindLog {
   /// Forgets the tick before.
   void Clear();
 
-  /// What has been noted in this tick, to add to or to copy; stays where it is for the life of the log.
-  MindNotes& notes();
-  const MindNotes& notes() const;
-  /// The same in words, made when they are asked for first. Valid until the log is added to; one thread at a time.
-  const MindWords& words() const;
+  /// What happened in this tick, to add to or to copy; stays where it is for the life of the log.
+  mind::EventLog& events();
+  const mind::EventLog& events() const;
+  /// A command came to the output link; the rule that made it is known by then.
+  void NoteCommand(std::uint64_t timetag, std::string_view name, const PerceptList& parameters);
   /// The operators chosen in the goal stack now, from the top: "engage > aim"; empty if there is none, or nobody tells.
   std::string Operators() const;
 

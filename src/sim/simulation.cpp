@@ -463,12 +463,7 @@ std::size_t Simulation::soar_agents() const {
 }
 MindReport Simulation::Mind(std::size_t index) const {
   const Minds::Mind& mind = impl_->minds->all()[index];
-  const MindWords& words = mind.soar.log().words();
-  return {AgentOfMind(index), words.percepts, words.decisions,     words.details,
-          words.commands,     words.reasons,  words.command_rules, mind.decide_s};
-}
-const MindNotes& Simulation::NotesOfMind(std::size_t index) const {
-  return impl_->minds->all()[index].soar.log().notes();
+  return {AgentOfMind(index), mind.soar.log().events(), mind.decide_s};
 }
 const std::string& Simulation::AgentOfMind(std::size_t index) const {
   return impl_->world.FindAgent(impl_->minds->all()[index].agent)->name();

@@ -31,13 +31,11 @@ namespace soarbox::sim {
 
 class Arena;
 
-/// What one Soar mind did in a tick (see MindWords for the words).
+/// What one Soar mind did in a tick.
 struct MindReport {
-  std::string agent;
-  std::span<const std::string> percepts, decisions, details, commands;
-  std::span<const std::string> reasons;        ///< For each decision.
-  std::span<const std::string> command_rules;  ///< For each command.
-  double decide_s = 0;                         ///< Real time that it decided for; nothing in a run depends on it.
+  const std::string& agent;
+  const mind::EventLog& events;
+  double decide_s = 0;  ///< Real time that it decided for; nothing in a run depends on it.
 };
 
 struct SimulationSettings {
@@ -97,8 +95,6 @@ class Simulation {
   std::size_t soar_agents() const;
   /// What the mind of this number, in creation order, did in the last tick. Valid until the next.
   MindReport Mind(std::size_t index) const;
-  /// The same without words, for whoever copies it and makes them later, on another thread perhaps.
-  const MindNotes& NotesOfMind(std::size_t index) const;
   const std::string& AgentOfMind(std::size_t index) const;
   /// Whether there is an agent of this name with a Soar mind.
   bool HasMind(std::string_view agent) const;

@@ -70,11 +70,11 @@ struct SoarMind::Writing
     Add(more);
   }
   void OnOperator(int, std::string_view, std::string_view, std::string_view) override {}
-  void OnState(int, std::string_view, std::string_view, std::string_view) override {}
+  void OnState(int, std::string_view, mind::StateReason, bool) override {}
   void OnStateGone(int, std::string_view) override {}
   void OnHalt() override {}
   void OnFiring(std::string_view, int, bool) override {}
-  void OnElement(bool, std::uint64_t, std::string_view, std::string_view, std::string_view, bool) override {}
+  void OnElement(const mind::ElementChanged&) override {}
 
   std::unique_ptr<Observation> observation;
 #endif
@@ -105,13 +105,13 @@ void SoarMind::SetDetail(MindDetail detail) {
   log_.Clear();
   log_.Listen(*agent_, detail);
   for (InputMirror* mirror : {&own_body_, &messages_, &surroundings_, &rows_})
-    mirror->SetNotes(is_logged_ ? &log_.notes() : nullptr);
+    mirror->SetLog(is_logged_ ? &log_.events() : nullptr);
 }
 
 void SoarMind::SetDistance(float distance_squared_m2) {
   if (distance_ == nullptr) return;
   const auto value = static_cast<double>(distance_squared_m2);
-  if (is_logged_ && value != distance_->GetValue()) log_.notes().NoteNumber({}, "distance", 0, value);
+  if (is_logged_ && value != distance_->GetValue()) log_.events().Add(mind::PerceptChanged{{}, "distance", 0, value});
   agent_->Update(distance_, value);
 }
 
@@ -173,8 +173,7 @@ void SoarMind::ReadOutput() {
 }
 
 void SoarMind::NoteSaid(const SaidCommand& said) {
-  const std::string parameters = Describe(said.parameters);
-  log_.notes().NoteCommand(parameters.empty() ? said.name : said.name + " " + parameters, said.tag);
+  log_.NoteCommand(said.tag, said.name, said.parameters);
 }
 
 /// The command itself; null if it is no identifier or is gone: somebody at a debugger may have run the agent since it
@@ -199,13 +198,13 @@ void SoarMind::NoteOutcome(std::string_view command, const Outcome& outcome) {
     case Outcome::Status::kProgress:
       return;
     case Outcome::Status::kComplete:
-      log_.notes().NoteOutcome(command, "complete");
+      log_.events().Add(mind::CommandEnded{command, mind::CommandStatus::kComplete, {}});
       return;
     case Outcome::Status::kInterrupted:
-      log_.notes().NoteOutcome(command, "interrupted");
+      log_.events().Add(mind::CommandEnded{command, mind::CommandStatus::kInterrupted, {}});
       return;
     case Outcome::Status::kError:
-      log_.notes().NoteOutcome(command, "error", outcome.reason);
+      log_.events().Add(mind::CommandEnded{command, mind::CommandStatus::kError, outcome.reason});
       return;
   }
 }

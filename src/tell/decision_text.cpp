@@ -22,7 +22,8 @@ using mind::Policy;
 using mind::PreferenceKind;
 using mind::Stage;
 
-constexpr std::size_t kMostReasons = 4;  ///< That one sentence names.
+constexpr std::size_t kMostReasons = 4;     ///< That one sentence names.
+constexpr std::size_t kMostCompared = 300;  ///< Of more drops none are looked at in pairs.
 
 std::string Maker(const Decision::Preference& preference) {
   if (preference.rule.empty() || preference.rule == "|Memory System Recall|") return "the architecture";
@@ -110,6 +111,7 @@ class Teller {
   /// "a (O3) and b (O2) are each better than the other (rules R and S), so both were dropped", if this drop and another
   /// one are by each other, and the subject is better than neither.
   std::string Mutual(const Decision::Drop& drop, std::uint32_t& other) const {
+    if (decision_.drops.size() > kMostCompared || drop.stage != Stage::kDominated) return {};
     if (subject_ != Decision::kNoOperator && DominatedBy(drop, subject_) != nullptr) return {};
     for (const Decision::Drop& second : decision_.drops) {
       const Decision::Preference* below = DominatedBy(drop, second.op);
@@ -283,8 +285,9 @@ std::string WhyNothing(const mind::Decision& decision) {
     case Impasse::kConflict: {
       std::vector<std::string> parts = {Say(Situation::kConflict, {{"operators", Listed(left)}})};
       for (const Decision::Drop& drop : decision.drops) {
-        if (drop.stage != Stage::kDominated || parts.size() > kMostReasons) continue;
-        std::string clause = teller.Clause(*teller.Telling(drop));
+        const Decision::Preference* telling = teller.Telling(drop);
+        if (drop.stage != Stage::kDominated || telling == nullptr || parts.size() > kMostReasons) continue;
+        std::string clause = teller.Clause(*telling);
         if (std::ranges::find(parts, clause) == parts.end()) parts.push_back(std::move(clause));
       }
       return Joined(parts);

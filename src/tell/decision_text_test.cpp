@@ -199,5 +199,14 @@ TEST(DecisionText, EachImpasse) {
   EXPECT_EQ(WhyDecided(Decision()), "");
 }
 
+TEST(DecisionText, AConflictWithoutReasonsIsToldAsOne) {
+  Decision decision;
+  decision.impasse = mind::Impasse::kConflict;
+  decision.operators = {{"O1", "seek"}, {"O2", "turn"}};
+  decision.drops = {{0, mind::Stage::kDominated, mind::Decisive::kUnknown, 0, 0}};
+  decision.left = {{0, 0, 0}, {1, 0, 0}};
+  EXPECT_NE(WhyDecided(decision).find("turn (O2)"), std::string::npos) << WhyDecided(decision);
+}
+
 }  // namespace
 }  // namespace soarbox::tell

@@ -163,12 +163,16 @@ constexpr std::array kSentences = {
     Sentence{kCouldWin, "one of several indifferent operators", "could win"},
     Sentence{kNoChance, "one of several indifferent operators whose value gives it no chance",
              "left, but its value gives it no chance"},
+
+    Sentence{kLearnedFrom, "what a rule was learned from", "from {rule} in {state} ({impasse})"},
+    Sentence{kLearnedIn, "what a rule was learned from, the firing unknown", "from a firing in {state} ({impasse})"},
+    Sentence{kAsRecorded, "a reason in a recording of an earlier format", "as recorded: {reason}"},
 };
 
 constexpr bool IsInOrder() {
   for (std::size_t i = 0; i < kSentences.size(); ++i)
     if (static_cast<std::size_t>(kSentences[i].situation) != i) return false;
-  return kSentences.size() == static_cast<std::size_t>(kNoChance) + 1;
+  return kSentences.size() == static_cast<std::size_t>(kAsRecorded) + 1;
 }
 static_assert(IsInOrder());
 

@@ -120,6 +120,10 @@ enum class Situation : std::uint8_t {
   kIsContradicted,
   kCouldWin,
   kNoChance,
+  // Learning, and recordings of old.
+  kLearnedFrom,
+  kLearnedIn,
+  kAsRecorded,
 };
 
 /// A row of the table. {slots} stand for facts.

@@ -210,14 +210,15 @@ sp {{scout*apply*walk
 
 
 ENGAGEMENT = pathlib.Path(__file__).parent / "recordings" / "engagement.soarrec"
+WORDS = pathlib.Path(__file__).parent / "recordings" / "words.soarrec"
 
 
 class Engagement(unittest.TestCase):
     """A recording that is kept: what it holds can be read by every later build that knows its format.
 
     Made in /tmp with `soarbox run soar_skirmish --headless --seconds 5 --seed 4 --record all.soarrec` and
-    `soarbox export all.soarrec --recording --from 3 --to 4.5 -o engagement.soarrec`; to be made anew when the format's
-    version is raised."""
+    `soarbox export all.soarrec --recording --from 3 --to 4.5 -o engagement.soarrec`, when the format was 2; to be kept as it
+    is."""
 
     def test_it_is_small_and_replays(self):
         self.assertLess(ENGAGEMENT.stat().st_size, 200_000)
@@ -239,6 +240,46 @@ class Engagement(unittest.TestCase):
         self.assertRegex(done.out, "^(equal: ticks 90 to 135|tick .* differs)")
         if done.code == 1:
             self.assertIn("another build of Soarbox made this recording", done.err)
+
+
+class InWords(unittest.TestCase):
+    """A recording of format 4, which held what minds do in words. Its files are in it: `--as-recorded` uses them.
+
+    One mind learns a rule, recalls a fact, is rewarded and gives commands; `soarbox run old-minds --headless --seconds 0.2
+    --seed 1 --record words.soarrec --record-level all`. To be kept as it is."""
+
+    def minds(self, file):
+        exported = Run("export", file, "--json")
+        self.assertEqual(exported.code, 0, exported.err)
+        return [(line["tick"], line["minds"]) for line in map(json.loads, exported.out.splitlines()[1:]) if "minds" in line]
+
+    def test_it_says_what_it_said(self):
+        minds = dict(self.minds(WORDS))
+        first = minds[1][0]
+        self.assertIn("waypoint#1.bearing 90", first["percepts"])
+        self.assertEqual(first["decisions"][:3], ["O: O1 (price)", "   ==>S: S2 (operator no-change)",
+                                                  "   learn chunk*hero*price*look*t2-1"])
+        self.assertEqual(first["reasons"][0],
+                         "as recorded: the only operator proposed, by rule hero*propose*price")
+        self.assertEqual(first["commands"], ["say ^text |go ^fast|", "move-to ^position (^x 1.5 ^z -2)",
+                                             "say: error missing-parameter", "move-to: error unknown-parameter"])
+        self.assertEqual(first["command_rules"], ["hero*apply*go", "hero*apply*go", "", ""])
+        self.assertIn("recall @1 {^kind ammo ^at gate} for {^kind ammo}", first["decisions"])
+
+    def test_it_can_be_made_a_recording_of_today(self):
+        with tempfile.TemporaryDirectory() as folder:
+            newer = pathlib.Path(folder) / "newer.soarrec"
+            made = Run("export", WORDS, "--recording", "-o", newer)
+            self.assertEqual(made.code, 0, made.err)
+            self.assertEqual(WORDS.read_bytes()[8], 4)
+            self.assertEqual(newer.read_bytes()[8], 5)
+            self.assertEqual(self.minds(newer), self.minds(WORDS))
+            self.assertEqual(Run("compare", WORDS, newer).code, 0)
+
+    def test_it_is_verified_as_far_as_it_goes(self):
+        done = Run("verify", WORDS, "--as-recorded")
+        self.assertIn(done.code, (0, 1), done.err)
+        self.assertRegex(done.out, "^(equal: ticks 0 to 6|tick .* differs)")
 
 
 class Usual(unittest.TestCase):

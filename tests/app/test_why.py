@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """What Soarbox answers to *why*, situation by situation: tests/why holds an agent for each, with what must be said.
 
-Each situation is looked at in three ways: in the run itself, in a recording that is simulated again, and with a mind in a
-kernel elsewhere. The comments of an agent say what is expected:
+Each situation is looked at in four ways: in the run itself, in a recording that is simulated again, in what that recording
+holds, and with a mind in a kernel elsewhere. The comments of an agent say what is expected:
 
     # at 2                       the moment, in seconds (1 unless it says so)
     # operators: TEXT            TEXT is in this view of `soarbox inspect`, however it is looked at
     # why go: TEXT               likewise; the view may have a name behind it
     # why go: not TEXT           TEXT is not
-    # recorded operators: TEXT   only in that way: live, again, elsewhere
+    # recorded operators: TEXT   only in that way: live, again, recorded, elsewhere
+    # asked why: TEXT            only where there is a mind that can be asked: live, again, elsewhere
 """
 import os
 import pathlib
@@ -20,7 +21,8 @@ import unittest
 from soarbox_command import COMMAND, Run, ScenarioCase
 
 SITUATIONS = pathlib.Path(__file__).resolve().parent.parent / "why"
-WAYS = ("live", "again", "elsewhere")
+WAYS = ("live", "again", "recorded", "elsewhere")
+ASKED = ("live", "again", "elsewhere")
 WORLD = """
 [[agent]]
 name = "hero"
@@ -36,8 +38,8 @@ position = [12, 0]
 name = "tower"
 position = [0, 15]
 """
-EXPECTED = re.compile(r"# (?:(live|again|elsewhere) )?((?:why|operators|stack|io|rule|trace|learning|longterm)\b[^:]*): "
-                      r"(not )?(.*)")
+EXPECTED = re.compile(r"# (?:(live|again|recorded|elsewhere|asked) )?"
+                      r"((?:why|operators|stack|io|rule|trace|learning|longterm)\b[^:]*): (not )?(.*)")
 
 
 class Situation:
@@ -50,8 +52,13 @@ class Situation:
             elif match := EXPECTED.fullmatch(line):
                 self.expected.append(match.groups())
 
+    def of(self, way):
+        """What is expected in this way: view, whether it must not be there, text."""
+        return [rest for only, *rest in self.expected
+                if only in (None, way) or only == "asked" and way in ASKED]
+
     def views(self, way):
-        return sorted({view for only, view, _, _ in self.expected if only in (None, way)})
+        return sorted({view for view, _, _ in self.of(way)})
 
 
 class Why(ScenarioCase):
@@ -70,8 +77,8 @@ class Why(ScenarioCase):
         cls.kernel.stdout.close()
 
     def look(self, situation, way, view, recording):
-        source = recording if way == "again" else self.folder
-        more = ["--kernel", f"127.0.0.1:{self.port}"] if way == "elsewhere" else []
+        source = recording if way in ("again", "recorded") else self.folder
+        more = {"recorded": ["--recorded"], "elsewhere": ["--kernel", f"127.0.0.1:{self.port}"]}.get(way, [])
         shown = Run("inspect", source, "--agent", "hero", "--at", situation.at, "--view", view, *more)
         return shown.out + shown.err
 
@@ -80,7 +87,8 @@ class Why(ScenarioCase):
         self.assertGreater(len(files), 30)
         for file in files:
             situation = Situation(file)
-            self.assertTrue(situation.expected, f"{file} expects nothing")
+            for way in WAYS:
+                self.assertTrue(situation.of(way), f"{file} expects nothing {way}")
             self.write("hero.soar", situation.rules)
             self.write("scenario.toml", WORLD)
             recording = self.folder / (situation.name + ".soarrec")
@@ -92,8 +100,8 @@ class Why(ScenarioCase):
                     if "WHY_SHOW" in os.environ:
                         print(f"--- {situation.name}, {way}, {view}\n{shown}")
                         continue
-                    for only, of, is_absent, text in situation.expected:
-                        if of != view or only not in (None, way):
+                    for of, is_absent, text in situation.of(way):
+                        if of != view:
                             continue
                         with self.subTest(situation=situation.name, way=way, view=view):
                             (self.assertNotIn if is_absent else self.assertIn)(text, shown)

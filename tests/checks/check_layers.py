@@ -25,13 +25,13 @@ ALLOWED = {
     "script": {"diagnostics", "world"},
     # sim reaches the kernel through the public client API only, so that an official Soar can take its place.
     "sim": {"diagnostics", "mind", "tell", "world", "script"},
-    "record": {"diagnostics", "world", "script", "sim"},
+    "record": {"diagnostics", "mind", "tell", "world", "script", "sim"},
     "mission": {"diagnostics", "mind", "tell", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "world", "sim", "record"},
     "viewer": {"diagnostics", "world", "sim", "record", "debugger"},
-    "app": {"diagnostics", "kernel", "cli", "sml", "world", "script", "sim", "record", "mission", "sweep", "report", "debugger",
+    "app": {"diagnostics", "kernel", "mind", "tell", "cli", "sml", "world", "script", "sim", "record", "mission", "sweep", "report", "debugger",
             "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.

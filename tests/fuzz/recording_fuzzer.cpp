@@ -11,7 +11,7 @@
 #include "record/byte_stream.h"
 #include "record/format.h"
 #include "record/header.h"
-#include "record/percept_text.h"
+#include "record/percept_values.h"
 #include "record/tick_codec.h"
 
 namespace {
@@ -26,14 +26,14 @@ std::string Alone(const TickRecord& record) {
   return bytes;
 }
 
-void ReadTicks(std::string_view bytes) {
+void ReadTicks(std::string_view bytes, std::uint16_t version) {
   ByteReader in(bytes);
   TickRecord record;
   PerceptValues percepts;
   while (!in.AtEnd()) {
-    ReadTick(in, record);
+    ReadTick(in, record, version);
     if (in.failed()) return;
-    for (const MindRecord& mind : record.minds) ApplyPercepts(mind.percepts, percepts);
+    for (const MindRecord& mind : record.minds) ApplyPercepts(mind.events, percepts);
     const std::string bytes_alone = Alone(record);
     ByteReader again(bytes_alone);
     TickRecord copy;
@@ -59,7 +59,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     }
     case 2:
-      ReadTicks(bytes);
+      ReadTicks(bytes, kVersion);
+      ReadTicks(bytes, 4);  // The last that held words.
       break;
     default: {
       BlockFrame frame;

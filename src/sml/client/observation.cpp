@@ -5,7 +5,6 @@
 
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
-#include "cli/stack_printer.h"
 #include "kernel/agent.h"
 #include "kernel/learn/explained_rule.h"
 #include "kernel/learn/reinforcement.h"
@@ -34,6 +33,17 @@ std::string_view RuleOfOutput(const kernel::Agent& agent, kernel::Symbol attribu
     return agent.ProductionName(memory.preference(preference).instantiation);
   }
   return {};
+}
+
+mind::StateReason ReasonOf(kernel::ImpasseType impasse) {
+  using kernel::ImpasseType;
+  static_assert(static_cast<int>(ImpasseType::kNone) == static_cast<int>(mind::StateReason::kTop) &&
+                static_cast<int>(ImpasseType::kTie) == static_cast<int>(mind::StateReason::kTie) &&
+                static_cast<int>(ImpasseType::kConflict) == static_cast<int>(mind::StateReason::kConflict) &&
+                static_cast<int>(ImpasseType::kConstraintFailure) ==
+                    static_cast<int>(mind::StateReason::kConstraintFailure) &&
+                static_cast<int>(ImpasseType::kNoChange) == static_cast<int>(mind::StateReason::kNoChange));
+  return static_cast<mind::StateReason>(impasse);
 }
 
 /// Passes on what a kernel in this process tells of one agent.
@@ -67,8 +77,7 @@ class LocalObservation final : public Observation, kernel::Observer {
       listener_.OnOperator(static_cast<int>(goal.level), state.view(), op.view(),
                            names_.NameOfOperator(agent, goal.op));
     } else {
-      listener_.OnState(static_cast<int>(goal.level), state.view(), cli::ImpasseName(goal.impasse),
-                        goal.on_operator ? "operator" : "state");
+      listener_.OnState(static_cast<int>(goal.level), state.view(), ReasonOf(goal.impasse), goal.on_operator);
     }
   }
   void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override {
@@ -106,10 +115,8 @@ class LocalObservation final : public Observation, kernel::Observer {
     if (noted.empty() || noted.back().name != info.name) return;
     const kernel::ExplainedRule& learned = noted.back();
     const kernel::ExplainedRule::Firing* const base = learned.FindFiring(learned.base);
-    std::string reason = "from " + (base == nullptr ? std::string("a firing") : base->rule) + " in " + learned.state;
-    reason.append(" (").append(learned.on_operator ? "operator " : "state ");
-    reason.append(cli::ImpasseName(learned.impasse)).append(")");
-    listener_.OnLearned(learned.level, info.name, reason);
+    listener_.OnLearned({learned.level, info.name, base == nullptr ? std::string_view() : std::string_view(base->rule),
+                         learned.state, ReasonOf(learned.impasse), learned.on_operator});
   }
   void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override {
     NoteReward(agent);
@@ -133,8 +140,9 @@ class LocalObservation final : public Observation, kernel::Observer {
   void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override { Tell(agent, wme, false); }
 
   void Tell(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool added) {
-    listener_.OnElement(added, wme.timetag, SymbolText(agent, wme.id), SymbolText(agent, wme.attribute),
-                        SymbolText(agent, wme.value), wme.acceptable);
+    const std::string id = SymbolText(agent, wme.id), attribute = SymbolText(agent, wme.attribute),
+                      value = SymbolText(agent, wme.value);
+    listener_.OnElement({added, wme.timetag, id, attribute, value, wme.acceptable, wme.value.IsIdentifier()});
   }
 
   void NoteReward(const kernel::Agent& agent) {

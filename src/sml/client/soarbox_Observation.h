@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "Export.h"
-#include "mind/decision.h"
+#include "mind/event.h"
 
 namespace sml {
 class Agent;
@@ -30,9 +30,8 @@ class MindObserver {
 
   /// An operator was selected. `name` is its ^name, or empty.
   virtual void OnOperator(int level, std::string_view state, std::string_view id, std::string_view name) = 0;
-  /// An impasse made a state. `impasse` is "tie", "conflict", "constraint-failure" or "no-change"; `attribute` is
-  /// "operator" or "state". Also told after init-soar for the top state, with "none".
-  virtual void OnState(int level, std::string_view state, std::string_view impasse, std::string_view attribute) = 0;
+  /// An impasse made a state. Also told after init-soar for the top state.
+  virtual void OnState(int level, std::string_view state, mind::StateReason reason, bool on_operator) = 0;
   /// A state went, with all below it, because its impasse was resolved or its reasons have gone.
   virtual void OnStateGone(int level, std::string_view state) = 0;
   virtual void OnHalt() = 0;
@@ -50,12 +49,8 @@ class MindObserver {
     (void)answer;
     (void)reason;
   }
-  /// A rule was learned from what went on in a state of this level. `reason`: from which rule and impasse, in words.
-  virtual void OnLearned(int level, std::string_view rule, std::string_view reason) {
-    (void)level;
-    (void)rule;
-    (void)reason;
-  }
+  /// A rule was learned from what went on in a state of this level.
+  virtual void OnLearned(const mind::RuleLearned& learned) { (void)learned; }
   /// Reinforcement learning gives a rule another number.
   virtual void OnValue(std::string_view rule, double value) {
     (void)rule;
@@ -76,8 +71,7 @@ class MindObserver {
   /// A rule fired (or what it made goes, because it matches no longer) for a state of this level; 0 if it touches none.
   /// Told in detail only, as are elements.
   virtual void OnFiring(std::string_view rule, int level, bool retracts) = 0;
-  virtual void OnElement(bool added, std::uint64_t timetag, std::string_view id, std::string_view attribute,
-                         std::string_view value, bool acceptable) = 0;
+  virtual void OnElement(const mind::ElementChanged& element) = 0;
   /// Its rules wrote this: (write ...), or one of their functions failed, or they fire without end. Traces, which go
   /// the same way to clients, are not among it.
   virtual void OnWritten(std::string_view text) { (void)text; }

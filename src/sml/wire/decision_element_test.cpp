@@ -104,6 +104,28 @@ TEST(Decision, BytesThatAreNoneAreRefused) {
   EXPECT_FALSE(mind::Unpack(""));
 }
 
+TEST(Decision, WhatWouldTakeFarMoreMemoryOrTimeThanItsBytesIsRefused) {
+  Decision decision;
+  decision.operators = {{"O1", std::string(1000, 'a')}, {"O2", "b"}};
+  decision.preferences.resize(10, {mind::PreferenceKind::kBetter, 1, 0, 0, "r"});
+  decision.by = {0, 1};
+  decision.drops = {{0, mind::Stage::kDominated, mind::Decisive::kYes, 0, 2}};
+  EXPECT_TRUE(mind::Unpack(Packed(decision)));
+  decision.drops.push_back({1, mind::Stage::kDominated, mind::Decisive::kYes, 0, 2});
+  EXPECT_FALSE(mind::Unpack(Packed(decision))) << "each has its own";
+  decision.drops.back().stage = mind::Stage::kBest;
+  EXPECT_TRUE(mind::Unpack(Packed(decision)));
+  decision.drops.resize(40'000, decision.drops.back());
+  EXPECT_FALSE(mind::Unpack(Packed(decision)));
+  decision.drops.clear();
+  decision.left.resize(20'000, {0, 0, 0});
+  EXPECT_FALSE(mind::Unpack(Packed(decision))) << "one long name, again and again";
+  decision.operators[0].name = "a";
+  EXPECT_TRUE(mind::Unpack(Packed(decision)));
+  decision.left.resize(300'000, {0, 0, 0});
+  EXPECT_FALSE(mind::Unpack(Packed(decision)));
+}
+
 TEST(Decision, AnAnswerOfAnotherKernelIsNone) {
   Element parent("result");
   EXPECT_FALSE(ReadDecision(parent));

@@ -402,9 +402,14 @@ debugger::RunModels BusyRun(std::uint64_t ticks, int agents) {
     tick.scene.time_s = static_cast<double>(tick.tick) / 30;
     for (record::MindRecord& mind : tick.minds) {
       const std::string number = std::to_string(tick.tick);
-      mind.decisions = {"O: O" + number + " (seek)", "==>S: S" + number + " (operator no-change)", "   O: O1 (think)"};
-      mind.commands = {"seek ^waypoint north", "seek: complete"};
-      mind.details = {"1 fire walker*propose*seek"};
+      const std::string op = "O" + number, state = "S" + number;
+      mind.events.Clear();
+      mind.events.Add(mind::OperatorSelected{1, op, "seek", {}});
+      mind.events.Add(mind::RuleFired{"walker*propose*seek", false});
+      mind.events.Add(mind::StateMade{1, state, mind::StateReason::kNoChange, true, {}});
+      mind.events.Add(mind::OperatorSelected{2, "O1", "think", {}});
+      mind.events.Add(mind::CommandSaid{0, "seek", {}, {{0, false, "waypoint", std::string_view("north")}}});
+      mind.events.Add(mind::CommandEnded{"seek", mind::CommandStatus::kComplete, {}});
     }
     models.Add(tick);
   }
@@ -589,8 +594,7 @@ TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
   stage->Fill("walker");
   debugger::RecallLog recalls;
   record::MindRecord mind;
-  mind.decisions = {"recall @12 {^kind ammo ^site @3} for {^kind ammo}"};
-  mind.reasons = {"the only one that fits"};
+  mind.events.Add(mind::Recalled{1, false, 12, "^kind ammo", "^kind ammo ^site @3", "the only one that fits"});
   recalls.Add(5, mind);
   PanelContents& contents = stage->contents;
   contents.recalls = &recalls;
@@ -624,12 +628,16 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   stage->Fill("walker");
   debugger::LearningLog log;
   record::MindRecord mind;
-  mind.decisions = {"learn chunk*walker*turn*t4-1", "value rl*walker*1 0.5", "reward 2", "episode ends"};
-  mind.reasons.resize(4);
+  mind.events.Add(mind::RuleLearned{1, "chunk*walker*turn*t4-1", {}, {}, mind::StateReason::kTie, true});
+  mind.events.Add(mind::ValueUpdated{"rl*walker*1", 0.5});
+  mind.events.Add(mind::RewardReceived{2});
+  mind.events.Add(mind::EpisodeEnded{});
   log.Add(5, mind);
-  mind.decisions = {"value rl*walker*1 1.5", "reward -1", "episode ends"};
-  mind.reasons.resize(3);
-  mind.details = {"0 fire chunk*walker*turn*t4-1"};
+  mind.events.Clear();
+  mind.events.Add(mind::RuleFired{"chunk*walker*turn*t4-1", false});
+  mind.events.Add(mind::ValueUpdated{"rl*walker*1", 1.5});
+  mind.events.Add(mind::RewardReceived{-1});
+  mind.events.Add(mind::EpisodeEnded{});
   log.Add(20, mind);
   PanelContents& contents = stage->contents;
   contents.learning_log = &log;
@@ -681,9 +689,10 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   record::TickRecord tick = stage->last;
   tick.tick = 0;
   for (record::MindRecord& mind : tick.minds) {
-    mind.decisions = {"==>S: S1", "O: O3 (seek)"};
-    mind.reasons = {"", "better than the other"};
-    mind.details.clear();
+    mind.events.Clear();
+    mind.events.Add(mind::StateMade{1, "S1", mind::StateReason::kTop, false, {}});
+    mind.events.Add(mind::OperatorSelected{1, "O3", "seek", {}});
+    mind.events.Add(mind::Remark{"better than the other"});
   }
   ASSERT_FALSE(tick.minds.empty());
   minds.Add(tick);

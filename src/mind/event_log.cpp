@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mind/event_log.h"
+
+#include <algorithm>
+#include <array>
+
+namespace soarbox::mind {
+namespace {
+
+/// Reads what EventLog's writer wrote. Once something does not fit, everything is zero, and failed() stays.
+class FieldReader {
+ public:
+  explicit FieldReader(std::string_view bytes) : bytes_(bytes) {}
+  bool failed() const { return failed_; }
+  bool AtEnd() const { return bytes_.empty(); }
+  std::size_t left() const { return bytes_.size(); }
+
+  void operator()(const char*, std::string_view& text) {
+    const std::uint64_t size = Number();
+    if (size > bytes_.size()) return Fail();
+    text = bytes_.substr(0, static_cast<std::size_t>(size));
+    bytes_.remove_prefix(static_cast<std::size_t>(size));
+  }
+  void operator()(const char*, Value& value) {
+    switch (Byte()) {
+      case 0:
+        (*this)("", value.emplace<std::string_view>());
+        break;
+      case 1: {
+        const std::uint64_t number = Number();
+        value = static_cast<std::int64_t>((number >> 1) ^ ((number & 1) != 0 ? ~std::uint64_t{0} : 0));
+        break;
+      }
+      case 2:
+        value = static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(Fixed(4))));
+        break;
+      case 3:
+        value = std::bit_cast<double>(Fixed(8));
+        break;
+      default:
+        Fail();
+    }
+  }
+  void operator()(const char*, std::vector<Parameter>& parameters) {
+    parameters.clear();
+    const std::uint64_t count = Number();
+    // Each takes two bytes at least, and much more memory.
+    if (count > bytes_.size() / 2 || count > kMostParameters) return Fail();
+    std::uint32_t most_depth = 0;
+    for (std::uint64_t i = 0; i < count && !failed_; ++i) {
+      Parameter& parameter = parameters.emplace_back();
+      const std::uint64_t head = Number();
+      if (head >> 1 > most_depth) return Fail();
+      parameter.depth = static_cast<std::uint32_t>(head >> 1);
+      parameter.is_object = (head & 1) != 0;
+      most_depth = parameter.depth + (parameter.is_object ? 1 : 0);
+      (*this)("", parameter.attribute);
+      if (!parameter.is_object) (*this)("", parameter.value);
+    }
+  }
+  void operator()(const char*, bool& flag) {
+    const std::uint8_t value = Byte();
+    if (value > 1) Fail();
+    flag = value == 1;
+  }
+  /// A level of the goal stack.
+  void operator()(const char*, int& number) {
+    number = static_cast<int>(std::clamp<std::uint64_t>(Number(), 1, kDeepestLevel));
+  }
+  void operator()(const char*, std::uint32_t& number) {
+    const std::uint64_t value = Number();
+    if (value > 0xFFFFFFFFu) return Fail();
+    number = static_cast<std::uint32_t>(value);
+  }
+  void operator()(const char*, std::uint64_t& number) { number = Number(); }
+  void operator()(const char*, double& number) { number = std::bit_cast<double>(Fixed(8)); }
+  void operator()(const char*, StateReason& reason) { reason = Kind(StateReason::kNoChange); }
+  void operator()(const char*, CommandStatus& status) { status = Kind(CommandStatus::kError); }
+
+  std::uint8_t Byte() {
+    if (bytes_.empty()) {
+      Fail();
+      return 0;
+    }
+    const auto value = static_cast<std::uint8_t>(bytes_.front());
+    bytes_.remove_prefix(1);
+    return value;
+  }
+  std::uint64_t Number() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 64; shift += 7) {
+      const std::uint8_t byte = Byte();
+      value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+      if ((byte & 0x80) == 0) return value;
+    }
+    Fail();
+    return 0;
+  }
+
+ private:
+  void Fail() {
+    failed_ = true;
+    bytes_ = {};
+  }
+  template <typename Enum>
+  Enum Kind(Enum last) {
+    const std::uint8_t value = Byte();
+    if (value <= static_cast<std::uint8_t>(last)) return static_cast<Enum>(value);
+    Fail();
+    return Enum{};
+  }
+  std::uint64_t Fixed(std::size_t count) {
+    if (bytes_.size() < count) {
+      Fail();
+      return 0;
+    }
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      value |= static_cast<std::uint64_t>(static_cast<std::uint8_t>(bytes_[i])) << (8 * i);
+    bytes_.remove_prefix(count);
+    return value;
+  }
+
+  std::string_view bytes_;
+  bool failed_ = false;
+};
+
+template <std::size_t number>
+bool ReadKind(std::string_view bytes, Event& event) {
+  using Kind = std::variant_alternative_t<number, Event>;
+  FieldReader in(bytes);
+  // The memory of an event before it serves again.
+  Kind& read = std::holds_alternative<Kind>(event) ? std::get<Kind>(event) : event.emplace<Kind>();
+  Kind::Fields(read, in);
+  return !in.failed();  // What a later version adds at the end is passed over.
+}
+
+constexpr std::size_t kKinds = std::variant_size_v<Event>;
+
+template <std::size_t... numbers>
+constexpr auto Readers(std::index_sequence<numbers...>) {
+  return std::array<bool (*)(std::string_view, Event&), sizeof...(numbers)>{&ReadKind<numbers>...};
+}
+constexpr auto kReaders = Readers(std::make_index_sequence<kKinds>());
+
+}  // namespace
+
+bool EventLog::Step(std::size_t& at, std::uint8_t& kind, std::string_view& fields) const {
+  FieldReader in(bytes().substr(at));
+  kind = in.Byte();
+  const std::uint64_t size = in.Number();
+  if (in.failed() || size > in.left()) return false;
+  at = used_ - in.left();
+  fields = bytes().substr(at, static_cast<std::size_t>(size));
+  at += static_cast<std::size_t>(size);
+  return true;
+}
+
+bool EventLog::Next(std::size_t& at, Event& event) const {
+  std::uint8_t kind = 0;
+  std::string_view fields;
+  while (at < used_ && Step(at, kind, fields)) {
+    if (kind < kKinds && kReaders[kind](fields, event)) return true;
+  }
+  return false;
+}
+
+bool EventLog::IsSound() const {
+  std::uint8_t kind = 0;
+  std::string_view fields;
+  Event event;
+  for (std::size_t at = 0; at < used_;) {
+    if (!Step(at, kind, fields)) return false;
+    if (kind < kKinds && !kReaders[kind](fields, event)) return false;
+  }
+  return true;
+}
+
+void EventLog::DropDetails() {
+  std::uint8_t kind = 0;
+  std::string_view fields;
+  std::size_t kept = 0;
+  for (std::size_t at = 0; at < used_;) {
+    const std::size_t begin = at;
+    if (!Step(at, kind, fields)) break;
+    if (kind == NumberOf<RuleFired>() || kind == NumberOf<ElementChanged>()) continue;
+    if (kept != begin) std::memmove(bytes_.data() + kept, bytes_.data() + begin, at - begin);
+    kept += at - begin;
+  }
+  used_ = kept;
+}
+
+}  // namespace soarbox::mind

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "mind/event.h"
+
+namespace soarbox::mind {
+
+/// What one mind did, in order, as bytes: quick to add to while the mind runs, quick to copy, and as files hold them.
+///
+/// An event is its kind (a byte), the number of bytes that follow (a number in seven-bit groups, lowest first, at least
+/// two of them), and its fields. Texts are their size and their bytes. Readers pass over kinds that they do not know.
+class EventLog {
+ public:
+  EventLog() = default;
+  /// Of bytes that another log had, or of a file; anything is taken (see IsSound).
+  explicit EventLog(std::string_view bytes) : bytes_(bytes), used_(bytes.size()) {}
+  EventLog(const EventLog& other) : EventLog(other.bytes()) {}
+  EventLog& operator=(const EventLog& other) {
+    bytes_.assign(other.bytes_, 0, other.used_);
+    used_ = other.used_;
+    return *this;
+  }
+  EventLog(EventLog&& other) noexcept : bytes_(std::move(other.bytes_)), used_(std::exchange(other.used_, 0)) {
+    other.bytes_.clear();
+  }
+  EventLog& operator=(EventLog&& other) noexcept {
+    bytes_.swap(other.bytes_);
+    std::swap(used_, other.used_);
+    return *this;
+  }
+  ~EventLog() = default;
+
+  /// Keeps the memory.
+  void Clear() { used_ = 0; }
+  bool empty() const { return used_ == 0; }
+  std::string_view bytes() const { return std::string_view(bytes_).substr(0, used_); }
+  friend bool operator==(const EventLog& a, const EventLog& b) { return a.bytes() == b.bytes(); }
+
+  template <typename Kind>
+  void Add(const Kind& event);
+
+  /// Reads the event at this place, 0 for the first, and moves on; false behind the last. Texts of the event are this
+  /// log's and valid until the next Add. Events that make no sense are passed over.
+  bool Next(std::size_t& at, Event& event) const;
+  /// Calls `see` with each event, as its own type.
+  template <typename See>
+  void ForEach(See&& see) const {
+    Event event;
+    for (std::size_t at = 0; Next(at, event);) std::visit(see, event);
+  }
+  /// The same for one kind.
+  template <typename Kind, typename See>
+  void ForEachOf(See&& see) const {
+    Event event;
+    for (std::size_t at = 0; Next(at, event);)
+      if (const Kind* wanted = std::get_if<Kind>(&event)) see(*wanted);
+  }
+  template <typename Kind>
+  bool HasAny() const {
+    bool any = false;
+    ForEachOf<Kind>([&](const Kind&) { any = true; });
+    return any;
+  }
+
+  /// Whether all bytes are events, and those of known kinds make sense.
+  bool IsSound() const;
+  /// Leaves out firings and elements.
+  void DropDetails();
+
+ private:
+  /// The number of a type in Event.
+  template <typename Kind, std::size_t at = 0>
+  static constexpr std::size_t NumberOf() {
+    if constexpr (std::is_same_v<std::variant_alternative_t<at, Event>, Kind>) {
+      return at;
+    } else {
+      return NumberOf<Kind, at + 1>();
+    }
+  }
+
+  /// Puts fields behind used_; the memory for them is there.
+  class Writer;
+  struct Sizer;
+  bool Step(std::size_t& at, std::uint8_t& kind, std::string_view& fields) const;
+
+  std::string bytes_;  ///< The first used_ of them.
+  std::size_t used_ = 0;
+};
+
+/// How many bytes fields take at most.
+struct EventLog::Sizer {
+  static constexpr std::size_t kNumber = 10;
+  std::size_t size = 0;
+
+  void operator()(const char*, std::string_view text) { size += kNumber + text.size(); }
+  void operator()(const char*, const Value& value) {
+    size += kNumber + 1;
+    if (const auto* word = std::get_if<std::string_view>(&value)) size += word->size();
+  }
+  void operator()(const char*, const std::vector<Parameter>& parameters) {
+    size += kNumber;
+    for (const Parameter& parameter : parameters) {
+      size += 1 + kNumber;
+      (*this)("", parameter.attribute);
+      (*this)("", parameter.value);
+    }
+  }
+  template <typename Number>
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+  void operator()(const char*, Number) { size += kNumber; }
+};
+
+class EventLog::Writer {
+ public:
+  explicit Writer(char* at) : at_(at) {}
+  char* at() const { return at_; }
+
+  void operator()(const char*, std::string_view text) {
+    Number(text.size());
+    if (!text.empty()) std::memcpy(at_, text.data(), text.size());
+    at_ += text.size();
+  }
+  void operator()(const char*, const Value& value) {
+    if (const auto* word = std::get_if<std::string_view>(&value)) {
+      Byte(0);
+      (*this)("", *word);
+    } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+      Byte(1);
+      // Small negative numbers are small, too.
+      const auto bits = static_cast<std::uint64_t>(*integer);
+      Number((bits << 1) ^ (*integer < 0 ? ~std::uint64_t{0} : 0));
+    } else {
+      const double number = std::get<double>(value);
+      const auto single = static_cast<float>(number);
+      const bool is_single = static_cast<double>(single) == number;
+      Byte(is_single ? 2 : 3);
+      is_single ? Fixed(std::bit_cast<std::uint32_t>(single), 4) : Fixed(std::bit_cast<std::uint64_t>(number), 8);
+    }
+  }
+  void operator()(const char*, const std::vector<Parameter>& parameters) {
+    Number(parameters.size());
+    for (const Parameter& parameter : parameters) {
+      Number((std::uint64_t{parameter.depth} << 1) | (parameter.is_object ? 1 : 0));
+      (*this)("", parameter.attribute);
+      if (!parameter.is_object) (*this)("", parameter.value);
+    }
+  }
+  void operator()(const char*, bool flag) { Byte(flag ? 1 : 0); }
+  void operator()(const char*, int number) { Number(static_cast<std::uint64_t>(number < 0 ? 0 : number)); }
+  void operator()(const char*, std::uint32_t number) { Number(number); }
+  void operator()(const char*, std::uint64_t number) { Number(number); }
+  void operator()(const char*, double number) { Fixed(std::bit_cast<std::uint64_t>(number), 8); }
+  template <typename Enum>
+  requires std::is_enum_v<Enum>
+  void operator()(const char*, Enum value) { Byte(static_cast<std::uint8_t>(value)); }
+
+  void Byte(std::uint8_t value) { *at_++ = static_cast<char>(value); }
+  void Number(std::uint64_t value) {
+    for (; value >= 0x80; value >>= 7) Byte(static_cast<std::uint8_t>(value | 0x80));
+    Byte(static_cast<std::uint8_t>(value));
+  }
+
+ private:
+  void Fixed(std::uint64_t value, int count) {
+    for (int i = 0; i < count; ++i) Byte(static_cast<std::uint8_t>(value >> (8 * i)));
+  }
+  char* at_;
+};
+
+template <typename Kind>
+void EventLog::Add(const Kind& event) {
+  constexpr std::size_t kHead = 3, kMostHead = 11;  // Kind, and a size that takes two bytes nearly always.
+  Sizer most;
+  Kind::Fields(event, most);
+  if (used_ + kMostHead + most.size > bytes_.size()) bytes_.resize(2 * (used_ + kMostHead + most.size));
+  char* const begin = bytes_.data() + used_;
+  Writer fields(begin + kHead);
+  Kind::Fields(event, fields);
+  auto size = static_cast<std::size_t>(fields.at() - begin) - kHead;
+  Writer head(begin);
+  head.Byte(static_cast<std::uint8_t>(NumberOf<Kind>()));
+  if (size < (1u << 14)) {
+    head.Byte(static_cast<std::uint8_t>(size | 0x80));
+    head.Byte(static_cast<std::uint8_t>(size >> 7));
+    used_ += kHead + size;
+    return;
+  }
+  Writer longer(begin);
+  std::size_t groups = 0;
+  for (std::size_t rest = size; rest > 0; rest >>= 7) ++groups;
+  std::memmove(begin + 1 + groups, begin + kHead, size);
+  longer.Byte(static_cast<std::uint8_t>(NumberOf<Kind>()));
+  longer.Number(size);
+  used_ += 1 + groups + size;
+}
+
+}  // namespace soarbox::mind

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "mind/event_log.h"
+
+namespace soarbox::record {
+
+/// A constant that is perceived: a word, an integer or a float.
+using PerceptValue = std::variant<std::string, std::int64_t, double>;
+std::string TextOf(const PerceptValue& value);
+
+/// What a mind's percepts are after its changes, by path ("self.speed", "agent#3.range").
+using PerceptValues = std::map<std::string, PerceptValue, std::less<>>;
+
+/// Applies the changes of a tick: what is gone takes all below it along.
+void ApplyPercepts(const mind::EventLog& events, PerceptValues& values);
+
+}  // namespace soarbox::record
