@@ -96,6 +96,7 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kChunkWarnings), Event::kNotLearned);
   want(trace.On(TraceFlag::kIndifferent), Event::kExploration);
   want(trace.On(TraceFlag::kRl), Event::kReinforcement);
+  want(trace.On(TraceFlag::kWma), Event::kActivation);
   session_.agent().AddObserver(*this, mask);
 }
 
@@ -389,6 +390,26 @@ void TracePrinter::OnLearned(const Agent& agent, const FiringInfo& info) {
 
 void TracePrinter::OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
   Print(fmt::format("Ignoring {} because it is a duplicate of {}\n", name, original));
+}
+
+void TracePrinter::OnFollowed(const Agent& agent, kernel::WmeId wme) {
+  const kernel::Wme& element = agent.memory().wme(wme);
+  const auto text = [&](kernel::Symbol symbol) {
+    return symbol.IsFloat() ? fmt::format("{:g}", agent.symbols().FloatValue(symbol))
+                            : kernel::ToString(agent.symbols(), symbol, false);
+  };
+  // Soar 9.6.3 shows the attribute in the place of an object.
+  Print(fmt::format("WMA @{}: add {} {} {} {}\n", agent.counters().decision_phases, element.timetag,
+                    SymbolText(agent, element.id), text(element.attribute),
+                    text(element.value.IsIdentifier() ? element.attribute : element.value)));
+}
+
+void TracePrinter::OnFollowedGone(const Agent& agent, std::uint64_t timetag) {
+  Print(fmt::format("WMA @{}: remove {}\n", agent.counters().decision_phases, timetag));
+}
+
+void TracePrinter::OnUses(const Agent& agent, std::uint64_t timetag, std::uint64_t uses) {
+  Print(fmt::format("WMA @{}: activate {} {}\n", agent.counters().decision_phases, timetag, uses));
 }
 
 void TracePrinter::OnNotLearned(const Agent& agent, kernel::NotLearned why, const FiringInfo& info) {

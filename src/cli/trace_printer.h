@@ -59,6 +59,9 @@ class TracePrinter : public kernel::Observer {
   void OnLearning(const kernel::Agent& agent, std::string_view name) override;
   void OnLearned(const kernel::Agent& agent, const kernel::FiringInfo& info) override;
   void OnDuplicateLearned(const kernel::Agent& agent, std::string_view name, std::string_view original) override;
+  void OnFollowed(const kernel::Agent& agent, kernel::WmeId wme) override;
+  void OnFollowedGone(const kernel::Agent& agent, std::uint64_t timetag) override;
+  void OnUses(const kernel::Agent& agent, std::uint64_t timetag, std::uint64_t uses) override;
   void OnNotLearned(const kernel::Agent& agent, kernel::NotLearned why, const kernel::FiringInfo& info) override;
   void OnLocalNegation(const kernel::Agent& agent, const kernel::Production& negation) override;
   void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override;

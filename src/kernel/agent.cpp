@@ -374,6 +374,12 @@ std::uint32_t Agent::instantiation_count() const {
 const LearnStatistics& Agent::learn_statistics() const {
   return engine_->chunker.statistics();
 }
+std::size_t Agent::learned_rule_count() const {
+  return engine_->chunker.learned_count();
+}
+LearnedRules Agent::LearnedBySource() const {
+  return engine_->chunker.LearnedBySource();
+}
 const Singletons& Agent::singletons() const {
   return engine_->chunker.singletons();
 }

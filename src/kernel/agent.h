@@ -42,6 +42,7 @@ struct RlStatistics;
 struct RlValue;
 struct ExplainedRule;
 struct LearnSettings;
+struct LearnedRules;
 struct LearnStatistics;
 class Singletons;
 
@@ -219,6 +220,8 @@ class Agent {
   /// Changes the settings by `change`.
   void ChangeLearning(const std::function<void(LearnSettings&)>& change);
   const LearnStatistics& learn_statistics() const;
+  std::size_t learned_rule_count() const;
+  LearnedRules LearnedBySource() const;
   /// Rules that fired, in all states, and attempts to learn; since init-soar.
   std::uint32_t instantiation_count() const;
   const Singletons& singletons() const;  ///< learn/singletons.h

@@ -41,6 +41,7 @@ enum class Event : std::uint32_t {
   kRecall = 1u << 15,         ///< What long-term memory answered to rules.
   kReason = 1u << 16,         ///< Why operators are selected and impasses arise.
   kNotLearned = 1u << 17,     ///< Why results get no rule.
+  kActivation = 1u << 18,     ///< Elements whose activation is followed.
 };
 
 using EventMask = std::uint32_t;
@@ -267,6 +268,14 @@ class Observer {
   /// Reasoning in a substate rests on the absence of something in it, and `chunk allow-local-negations` is off: a rule
   /// whose only condition is the negated one.
   virtual void OnLocalNegation(const Agent&, const Production& negation) { (void)negation; }
+
+  // kActivation
+  /// An element is followed from now on.
+  virtual void OnFollowed(const Agent&, WmeId) {}
+  /// It has gone.
+  virtual void OnFollowedGone(const Agent&, std::uint64_t timetag) { (void)timetag; }
+  /// It was used so often in the decision cycle that ends.
+  virtual void OnUses(const Agent&, std::uint64_t timetag, std::uint64_t uses) { (void)timetag, (void)uses; }
 
   // kExploration
   /// One candidate with its value, when exploration chooses.

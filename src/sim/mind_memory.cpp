@@ -18,6 +18,8 @@ constexpr std::size_t kMatch_bytes = 64, kGrownMatch_bytes = 256;
 
 /// A mind that takes this part of the world's memory is told of.
 constexpr std::size_t kMuch = 8;
+/// So is a mind that has learned so many rules: each of them is matched from then on.
+constexpr std::size_t kManyLearned = 500;
 constexpr const char* kGrowingRules =
     "look for rules that add elements in each decision and never take them back; --memory gives the world more";
 
@@ -47,6 +49,7 @@ void Minds::KeepWithinMemory() {
     memory_bytes_ = memory_bytes_ - mind.memory_bytes + now;
     mind.memory_bytes = now;
     if (now > memory_limit_ / kMuch && !mind.told_memory) TellMemory(mind);
+    if (!mind.told_learned && mind.soar.LearnedRules() >= kManyLearned) TellLearned(mind);
   }
   while (memory_bytes_ + scripts_bytes_ + bodies_bytes_ > memory_limit_) {
     Mind* largest = nullptr;
@@ -68,6 +71,21 @@ void Minds::TellMemory(Mind& mind) {
   event.diagnostic.message = "the mind of " + event.agent + " has grown to " + Megabytes(mind.memory_bytes) +
                              " of the " + Megabytes(memory_limit_) + " that this world may take";
   event.diagnostic.hint = kGrowingRules;
+  report_(std::move(event));
+}
+
+void Minds::TellLearned(Mind& mind) {
+  mind.told_learned = true;
+  Event event;
+  event.kind = EventKind::kDiagnostic;
+  event.agent = world_.FindAgent(mind.agent)->name();
+  event.diagnostic.severity = Severity::kWarning;
+  event.diagnostic.file = mind.rules.string();
+  event.diagnostic.message = "the mind of " + event.agent + " has learned " + std::to_string(mind.soar.LearnedRules()) +
+                             " rules, " + mind.soar.MostLearnedFrom();
+  event.diagnostic.hint =
+      "let that rule's substate test nothing that is new each time, such as a counter or the time; or learn only where "
+      "it pays: 'chunk only' and (force-learn <s>)";
   report_(std::move(event));
 }
 

@@ -94,5 +94,44 @@ TEST(MindMemory, NobodyIsHaltedWhileThereIsRoom) {
   EXPECT_TRUE(PlayHogs(3, std::size_t{1} << 30, 1, 5).halted.empty());
 }
 
+/// Learns a rule for each number that it counts, and another for each tick.
+constexpr const char* kCounter = R"(
+sp {count*init (state <s> ^superstate nil) --> (<s> ^turn 1)}
+sp {count*propose*look (state <s> ^superstate nil ^turn <n> -^seen <n>) --> (<s> ^operator <o> +) (<o> ^name look)}
+sp {count*look (state <ss> ^superstate <s>) (<s> ^operator.name look ^turn { <n> > 0 }) --> (<ss> ^at (+ <n> 0))}
+sp {count*note (state <ss> ^superstate <s> ^at <n>) --> (<s> ^seen <n>)}
+sp {count*propose*next (state <s> ^superstate nil ^turn <n> ^seen <n>) --> (<s> ^operator <o> +) (<o> ^name next ^turn <n>)}
+sp {count*next (state <s> ^operator <o>) (<o> ^name next ^turn <n>) --> (<s> ^turn <n> - (+ <n> 1))}
+)";
+
+TEST(MindMemory, AMindThatLearnsTooMuchIsToldOfOnceWithTheRuleThatIsToBlame) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("learner-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  std::ofstream(folder / "counter.soar") << "chunk always\n" << kCounter;
+  std::ofstream(folder / "scenario.toml") << "description = \"counts\"\nseconds = 600\n"
+                                          << "[[agent]]\nname = \"counter\"\nrules = \"counter.soar\"\n";
+  const std::string root = SOARBOX_SOURCE_DIR;
+  const auto scenario = FindScenario(folder.string(), {root + "/scenarios", root + "/media"});
+  ASSERT_TRUE(scenario.ok());
+  auto simulation = Simulation::Create(scenario.value(), {});
+  ASSERT_TRUE(simulation.ok());
+  std::vector<std::string> told;
+  std::uint64_t first = 0;
+  for (int i = 0; i < 3000 && (told.empty() || i < 1200); ++i) {
+    (*simulation)->Tick();
+    for (const Event& event : (*simulation)->TakeEvents()) {
+      if (event.kind != EventKind::kDiagnostic || event.diagnostic.message.find("has learned") == std::string::npos)
+        continue;
+      told.push_back(event.diagnostic.message);
+      if (first == 0) first = (*simulation)->tick();
+    }
+  }
+  fs::remove_all(folder);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_GT(first, 0u);
+  EXPECT_NE(told.front().find("the mind of counter has learned 5"), std::string::npos) << told.front();
+  EXPECT_NE(told.front().find("of them from 'count*note'"), std::string::npos) << told.front();
+}
+
 }  // namespace
 }  // namespace soarbox::sim

@@ -105,6 +105,7 @@ class Minds final : public script::MindFactory {
     bool gone = false;             ///< Its agent was destroyed: there is no program to ask.
     std::size_t memory_bytes = 0;  ///< When it was last measured.
     bool told_memory = false;      ///< That it takes much.
+    bool told_learned = false;     ///< That it has learned many rules.
     bool in_gap = false;
     bool told_halt = false;
     int gaps = 0;                  ///< How often it was found doing nothing.
@@ -145,6 +146,7 @@ class Minds final : public script::MindFactory {
   void KeepWithinMemory();
   void HaltForMemory(Mind& mind);
   void TellMemory(Mind& mind);
+  void TellLearned(Mind& mind);
   void TellGap(Mind& mind, const world::Agent& body);
   void TellIdle(Mind& mind, const world::Agent& body);
   void TellHalt(Mind& mind, const world::Agent& body);

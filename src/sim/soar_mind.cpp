@@ -271,6 +271,15 @@ std::size_t SoarMind::MemoryBytes() const {
   return MindMemoryBytes(*agent_);
 }
 
+std::size_t SoarMind::LearnedRules() const {
+  return MindLearnedRules(*agent_);
+}
+
+std::string SoarMind::MostLearnedFrom() const {
+  const LearnedSource most = MindLearnedFrom(*agent_);
+  return std::to_string(most.count) + " of them from '" + most.rule + "'";
+}
+
 void SoarMind::AllowMatches(std::uint64_t most) {
   // Powers of two, so that it seldom changes.
   const auto rounded = static_cast<std::uint32_t>(std::bit_ceil(std::clamp<std::uint64_t>(most, 1, 1u << 30)));
@@ -290,6 +299,12 @@ void SoarMind::AllowMemory(std::size_t bytes) {
 #else
 std::size_t SoarMind::MemoryBytes() const {
   return 0;
+}
+std::size_t SoarMind::LearnedRules() const {
+  return 0;
+}
+std::string SoarMind::MostLearnedFrom() const {
+  return {};
 }
 void SoarMind::AllowMatches(std::uint64_t) {}
 void SoarMind::AllowMemory(std::size_t) {}

@@ -67,6 +67,10 @@ class SoarMind {
 
   /// Its memory in bytes; 0 if the kernel is in another process.
   std::size_t MemoryBytes() const;
+  /// How many rules it has learned; 0 if the kernel is in another process.
+  std::size_t LearnedRules() const;
+  /// The rule that most of them came from, with their number: "478 of them from 'tour*look*note'".
+  std::string MostLearnedFrom() const;
   /// It may have about so many partial matches, or as many as it was allowed before if that is less.
   void AllowMatches(std::uint64_t most);
   /// It may grow to about so much memory; beyond that it breaks down.

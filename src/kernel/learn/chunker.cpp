@@ -2,6 +2,7 @@
 #include "kernel/learn/chunker.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "kernel/base/words.h"
@@ -266,6 +267,19 @@ Chunker::Origin Chunker::OriginOf(InstantiationId firing) const {
   const auto found = learned_.find(instantiation.production);
   if (found != learned_.end()) return found->second;
   return {std::string(engine_.ProductionName(firing)), 0};
+}
+
+LearnedRules Chunker::LearnedBySource() const {
+  std::map<std::string_view, std::size_t> counts;
+  for (const auto& [rule, origin] : learned_) ++counts[origin.base];
+  LearnedRules most;
+  most.count = learned_.size();
+  for (const auto& [source, count] : counts) {
+    if (count <= most.of_source) continue;
+    most.source = source;
+    most.of_source = count;
+  }
+  return most;
 }
 
 std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {

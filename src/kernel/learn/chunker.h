@@ -74,6 +74,8 @@ class Chunker {
     std::uint32_t depth = 0;
   };
   Origin OriginOf(InstantiationId firing) const;
+  std::size_t learned_count() const { return learned_.size(); }
+  LearnedRules LearnedBySource() const;
   void Clear();
 
  private:

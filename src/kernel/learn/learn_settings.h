@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "kernel/base/symbol.h"
@@ -50,6 +52,13 @@ struct LearnStatistics {
   std::uint64_t duplicates = 0, tested_quiescence = 0, without_grounds = 0;
   std::uint64_t over_max_chunks = 0, over_max_duplicates = 0;
   std::uint64_t unrepairable = 0, did_not_match = 0;
+};
+
+/// The rules that were learned and not excised, and the rule that most of them come from.
+struct LearnedRules {
+  std::size_t count = 0;
+  std::string source;  ///< Of equals the first by name.
+  std::size_t of_source = 0;
 };
 
 }  // namespace soarbox::kernel

@@ -105,8 +105,13 @@ void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> 
     if (tested > 0 && sum > 0) history.pending += static_cast<std::uint64_t>(sum / static_cast<double>(tested));
     histories_.insert_or_assign(Index(wme), history);
     used_.push_back(Index(wme));
+    engine_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowed(engine_.agent, wme); });
   }
-  for (const WmeId wme : removed) histories_.erase(Index(wme));
+  for (const WmeId wme : removed) {
+    if (histories_.erase(Index(wme)) == 0) continue;
+    const std::uint64_t timetag = memory.wme(wme).timetag;
+    engine_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowedGone(engine_.agent, timetag); });
+  }
 }
 
 void WmActivation::Use(WmeId wme) {
@@ -190,7 +195,12 @@ void WmActivation::Enter(WmeId wme, History& history) {
 void WmActivation::Output(bool) {
   for (const std::uint32_t index : used_) {
     const auto found = histories_.find(index);
-    if (found != histories_.end() && found->second.pending > 0) Enter(static_cast<WmeId>(index), found->second);
+    if (found == histories_.end() || found->second.pending == 0) continue;
+    const auto wme = static_cast<WmeId>(index);
+    const std::uint64_t uses = found->second.pending;
+    Enter(wme, found->second);
+    engine_.observers.Notify(Event::kActivation,
+                             [&](Observer& o) { o.OnUses(engine_.agent, engine_.memory.wme(wme).timetag, uses); });
   }
   used_.clear();
 }

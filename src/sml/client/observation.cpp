@@ -7,6 +7,7 @@
 #include "cli/rule_text.h"
 #include "kernel/agent.h"
 #include "kernel/learn/explained_rule.h"
+#include "kernel/learn/learn_settings.h"
 #include "kernel/learn/reinforcement.h"
 #include "kernel/observer.h"
 #include "sml/client/agent_data.h"
@@ -218,6 +219,18 @@ CallBatch::~CallBatch() {
 std::size_t MindMemoryBytes(sml::Agent& agent) {
   const kernel::Agent* mind = KernelAgent(agent);
   return mind == nullptr ? 0 : mind->MemoryBytes();
+}
+
+std::size_t MindLearnedRules(sml::Agent& agent) {
+  const kernel::Agent* mind = KernelAgent(agent);
+  return mind == nullptr ? 0 : mind->learned_rule_count();
+}
+
+LearnedSource MindLearnedFrom(sml::Agent& agent) {
+  const kernel::Agent* mind = KernelAgent(agent);
+  if (mind == nullptr) return {};
+  kernel::LearnedRules learned = mind->LearnedBySource();
+  return {std::move(learned.source), learned.of_source};
 }
 
 std::uint32_t MindMatchLimit(sml::Agent& agent) {

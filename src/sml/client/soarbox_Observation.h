@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "Export.h"
@@ -109,6 +110,15 @@ class EXPORT CallBatch {
 /// What an agent takes, in bytes, without the rules of its files, which it may share with others; 0 if its kernel is in
 /// another process.
 std::size_t EXPORT MindMemoryBytes(sml::Agent& agent);
+
+/// The rules that an agent has learned and still has; 0 if its kernel is in another process.
+std::size_t EXPORT MindLearnedRules(sml::Agent& agent);
+/// The rule that most of them were learned from, and how many were.
+struct LearnedSource {
+  std::string rule;
+  std::size_t count = 0;
+};
+LearnedSource EXPORT MindLearnedFrom(sml::Agent& agent);
 
 /// How many partial matches the agent may have ('soar max-partial-matches'); 0 if its kernel is in another process.
 std::uint32_t EXPORT MindMatchLimit(sml::Agent& agent);
