@@ -267,7 +267,13 @@ void SemanticMemory::Respond(bool store_only) {
   for (auto level = static_cast<GoalLevel>(engine_.goals.depth()); level >= 1; --level) {
     changed = RespondTo(level, store_only) || changed;
   }
-  if (changed) installer_.Settle();
+  if (!changed) return;
+  if (store_only) {
+    // In the trace it is one more change of working memory within the elaboration.
+    const FiringType type = engine_.elaboration.firing_type();
+    engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnWorkingMemoryPhase(engine_.agent, type); });
+  }
+  installer_.Settle();
 }
 
 /// The sources of spreading: objects an instance of which has elements, with how active these are.
