@@ -15,9 +15,7 @@ std::string LearningStatisticsText(const kernel::Agent& agent) {
   const kernel::LearnStatistics& s = agent.learn_statistics();
   std::string text;
   const std::string thick(75, '='), thin(75, '-');
-  const auto row = [&](std::string_view name, std::uint64_t value) {
-    text += fmt::format("{:<71}{}\n", name, value);
-  };
+  const auto row = [&](std::string_view name, std::uint64_t value) { text += fmt::format("{:<71}{}\n", name, value); };
   const auto title = [&](std::string_view name, int indent) {
     text += "\n" + thin + "\n" + std::string(static_cast<std::size_t>(indent), ' ') + std::string(name) + "\n" + thin +
             "\n";
