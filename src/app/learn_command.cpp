@@ -163,8 +163,9 @@ class Learner {
     return Refuse("there are too many earlier folders of this lesson", "remove some", folder_.string());
   }
 
-  /// Starters must fail, solutions pass, and each wrong answer must be told as the mistake that it is.
-  int Test() {
+  /// Starters must fail, solutions pass, and each wrong answer must be told as the mistake that it is: of one lesson, or
+  /// of all.
+  int Test(const Lesson* only) {
     int bad = 0;
     const auto tell = [&bad](const Lesson& lesson, const std::string& what, const std::string& wrong) {
       std::cout << lesson.name << "  " << what << ": " << (wrong.empty() ? "as it should" : wrong) << '\n'
@@ -172,6 +173,7 @@ class Learner {
       bad += wrong.empty() ? 0 : 1;
     };
     for (const Lesson& lesson : lessons_) {
+      if (only != nullptr && &lesson != only) continue;
       if (WasInterrupted()) return 130;
       const Result<Grade> starter = GradeRules(lesson, lesson.folder, 1);
       tell(lesson, "starter",
@@ -241,12 +243,14 @@ int Learn(const LearnOptions& options) {
   Learner learner(options, std::move(lessons));
   if (options.words.empty()) return learner.List();
   const std::string& first = options.words.front();
-  if (first == "test") return learner.Test();
-  const bool is_verb = first == "check" || first == "hint" || first == "reset";
+  const bool is_test = first == "test";
+  if (is_test && options.words.size() == 1) return learner.Test(nullptr);
+  const bool is_verb = is_test || first == "check" || first == "hint" || first == "reset";
   if (is_verb && options.words.size() > 2) return Refuse("this is one word too many: " + options.words.back());
   const std::string which = is_verb ? (options.words.size() > 1 ? options.words[1] : "next") : first;
   const Lesson* lesson = learner.Find(which);
   if (lesson == nullptr) return Refuse("there is no lesson '" + which + "'", "soarbox learn lists them");
+  if (is_test) return learner.Test(lesson);
   if (first == "check") return learner.Check(*lesson);
   if (first == "hint") return learner.Hint(*lesson);
   if (first == "reset") return learner.Reset(*lesson);

@@ -153,6 +153,14 @@ class Missions(MissionCase):
         self.assertEqual(run.code, 1, run.out + run.err)
         self.assertRegex(run.out, "free .*tie impasse: no preference decides among")
 
+    def test_an_enemy_in_view_can_be_asked_for(self):
+        other = '[[agent]]\nname = "other"\nrules = "scout.soar"\nposition = [0, -6]\nteam = "%s"\n'
+        scout = WORLD.replace('name = "scout"\n', 'name = "scout"\nteam = "red"\n')
+        check = '[[check]]\nagent = "scout"\nsees = "enemy"\nby = 5\n'
+        for team, code in (("blue", 0), ("red", 1)):
+            run = self.judge(other % team + check, world=scout)
+            self.assertEqual(run.code, code, run.out + run.err)
+
     def test_results_are_told_as_json_and_to_servers(self):
         report = self.folder / "out.xml"
         run = self.judge('[mission]\nseeds = "1..3"\npass = 0\n[[check]]\nname = "a < b"\nagent = "scout"\nat = "mill"\nby = 2\n',
@@ -637,9 +645,12 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
 class Lessons(MissionCase):
     def test_starters_fail_solutions_pass_and_wrong_answers_get_their_own_hint(self):
         self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), 12)
-        run = Run("learn", "test")
-        self.assertEqual(run.code, 0, run.out + run.err)
-        told = run.out.splitlines()
+        told = []
+        for number in range(1, 13):
+            run = Run("learn", "test", number)
+            self.assertEqual(run.code, 0, run.out + run.err)
+            self.assertEqual(len({line.split("  ")[0] for line in run.out.splitlines()}), 1, "one lesson alone is tried")
+            told += run.out.splitlines()
         self.assertEqual(sum("  solution: as it should" in line for line in told), 12)
         self.assertGreaterEqual(sum("  wrong/" in line for line in told), 48)
 
