@@ -84,7 +84,7 @@ TEST_F(RecordedMindTest, AtLevelDecisionsItHasPerceptsAndCommandsAndSaysThatMemo
   ASSERT_NE(recorded, nullptr);
   const std::string io = ToText(LookAtIo(*recorded));
   EXPECT_THAT(io, HasSubstr("^health 100"));
-  EXPECT_THAT(io, HasSubstr("say ^text hello"));
+  EXPECT_THAT(io, HasSubstr("say ^loud yes ^text hello"));
   EXPECT_THAT(ToText(LookAtObject(*recorded, "S1")), HasSubstr("--record-level all"));
   EXPECT_THAT(ToText(LookAtOperators(*recorded)), HasSubstr("was selected"));
   const std::string why = ToText(WhyRecorded(*minds.Find("hero"), "hero"));

@@ -712,7 +712,8 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   contents.rule.reset();
   contents.story.reset();
   const std::vector<std::pair<PanelId, std::vector<const char*>>> wanted = {
-      {PanelId::kMind, {"as recorded", "seek", "better than the other", "preferences: not recorded"}},
+      {PanelId::kMind,
+       {"as recorded", "seek (O3) was selected: as recorded: better than the", "preferences: not recorded"}},
       {PanelId::kMemory, {"Not recorded at this level"}},
       {PanelId::kRules, {"Not recorded at this level"}},
       {PanelId::kBreakpoints, {"Nothing stops a recording."}},
