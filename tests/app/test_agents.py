@@ -110,7 +110,9 @@ class TheThesisOwnAgents(unittest.TestCase):
     def test_run_unmodified_with_scripts_in_its_dialect(self):
         run = run_json(THESIS / "scripts", "--path", THESIS / "agents", "--seconds", 60, "--every-command")
         self.assertEqual(run.code, 0, run.err)
-        self.assertEqual(run.diagnostics(), [])
+        # Their tests leave a gap at exactly 3 and 5, which is true of the thesis' rules, too.
+        told = [(diagnostic["severity"], diagnostic["message"].split(",")[0]) for diagnostic in run.diagnostics()]
+        self.assertEqual(set(told), {("warning", f"if ^distance is exactly {distance}") for distance in (3, 5)}, told)
         self.assertEqual((run.of("end")[0]["agents"], run.of("end")[0]["soar_agents"]), (6, 5))
         said = {event["command"] for event in run.of("command")}
         self.assertLessEqual({"follow", "stop", "nextwaypoint", "samewaypoint"}, said)
