@@ -101,7 +101,7 @@ STORY = (
         click "Search; rule:NAME op:NAME ^attribute"
         type "rule:walker*apply*seek"
           expect "fire walker*apply*seek"
-          expect-not "seek ^waypoint north"
+          expect-not "seek ^within 0.8 ^waypoint north"
           key Ctrl+A
           key Delete
           key Escape
@@ -110,7 +110,7 @@ STORY = (
         click "Trace"
         click "Search; rule:NAME op:NAME ^attribute"
         type "command:seek"
-          expect "seek ^waypoint north"
+          expect "seek ^within 0.8 ^waypoint north"
           expect-not "fire walker*"
           key Ctrl+A
           key Delete
