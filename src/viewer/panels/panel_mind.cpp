@@ -133,8 +133,8 @@ class MindPanel final : public Panel {
     if (!ImGui::BeginTable("operators", has_numbers ? 4 : 2,
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp))
       return;
-    ImGui::TableSetupColumn("Operator", 0, 3);
-    ImGui::TableSetupColumn("Standing", 0, 4);
+    ImGui::TableSetupColumn("Operator", 0, has_numbers ? 4.2f : 3);
+    ImGui::TableSetupColumn("Standing", 0, has_numbers ? 2.8f : 4);
     if (has_numbers) {
       ImGui::TableSetupColumn("Value", 0, 1.5f);
       ImGui::TableSetupColumn("Chance", 0, 1.5f);

@@ -24,7 +24,10 @@ class MissionPanel final : public Panel {
                   "Write what agents are to do as [[check]] tables into scenario.toml: docs/missions.md");
       return;
     }
-    DrawHead(frame);
+    if (!contents.lesson) {
+      DrawHead(frame);
+      ImGui::Separator();
+    }
     ImGui::BeginChild("checks", {0, 0}, false, ImGuiWindowFlags_NoNav);
     int number = 0;
     for (const CheckRow& check : contents.checks) {
@@ -64,7 +67,6 @@ class MissionPanel final : public Panel {
     if (moment.branches > 0)
       WrappedText(theme::kWarn,
                   "You went back and on: these are the checks of the run before. Reset begins a run that is checked.");
-    ImGui::Separator();
   }
 
   static void DrawCheck(PanelFrame& frame, const CheckRow& check) {
@@ -146,6 +148,8 @@ class MissionPanel final : public Panel {
       if (ImGui::Button("Next lesson")) frame.Ask(LessonRequest{What::kOpen, lesson.next});
       Tooltip("Every lesson is open, whether this one is done or not");
     }
+    // Above what may be long.
+    if (!frame.contents.checks.empty()) DrawHead(frame);
     int number = 0;
     for (const std::string& text : lesson.hints) WrappedText(theme::kWarn, std::to_string(++number) + ". " + text);
     if (lesson.is_graded) ColoredText(theme::kQuiet, "Ten seeds are run ...");
