@@ -103,23 +103,28 @@ std::vector<std::string> LinesOf(const std::string& text) {
   return lines;
 }
 
-/// "New in the window: Memory (Alt+E). Working memory as a tree. Also new: Edit (Alt+D)."
+const viewer::PanelInfo* FindPanel(const std::string& title) {
+  const auto at = std::find_if(viewer::kPanelInfos.begin(), viewer::kPanelInfos.end(),
+                               [&](const viewer::PanelInfo& info) { return info.title == title; });
+  return at == viewer::kPanelInfos.end() ? nullptr : &*at;
+}
+
+/// "New in the window: Memory (Alt+E), Edit (Alt+D)."
 std::string NewPanels(const Lesson& lesson) {
-  const auto find = [](const std::string& title) -> const viewer::PanelInfo* {
-    const auto at = std::find_if(viewer::kPanelInfos.begin(), viewer::kPanelInfos.end(),
-                                 [&](const viewer::PanelInfo& info) { return info.title == title; });
-    return at == viewer::kPanelInfos.end() ? nullptr : &*at;
+  std::string names;
+  const auto add = [&](const std::string& title) {
+    if (const viewer::PanelInfo* panel = FindPanel(title))
+      names += (names.empty() ? "" : ", ") + std::string(panel->title) + " (Alt+" + std::string(1, panel->key) + ")";
   };
-  const auto name = [](const viewer::PanelInfo& info) {
-    return std::string(info.title) + " (Alt+" + std::string(1, info.key) + ")";
-  };
-  const viewer::PanelInfo* panel = find(lesson.panel);
-  if (panel == nullptr) return {};
-  std::string text = "\n\nNew in the window: " + name(*panel) + ". " + std::string(panel->about);
-  std::string also;
-  for (const std::string& title : lesson.also)
-    if (const viewer::PanelInfo* other = find(title)) also += (also.empty() ? " Also new: " : ", ") + name(*other);
-  return text + also + (also.empty() ? "" : ".");
+  add(lesson.panel);
+  for (const std::string& title : lesson.also) add(title);
+  return names.empty() ? names : "\n\nNew in the window: " + names + ".";
+}
+
+/// "Memory: Working memory as a tree."
+std::string AboutPanel(const Lesson& lesson) {
+  const viewer::PanelInfo* panel = FindPanel(lesson.panel);
+  return panel == nullptr ? "" : "\n\n" + std::string(panel->title) + ": " + std::string(panel->about);
 }
 
 }  // namespace
@@ -208,7 +213,7 @@ void LessonDesk::Fill(viewer::PanelContents& contents) const {
   viewer::LessonContents& shown = contents.lesson.emplace();
   shown.name = now->name;
   shown.title = std::to_string(parts_->at + 1) + ". " + now->title;
-  shown.idea = now->idea;
+  shown.idea = now->idea + AboutPanel(*now);
   shown.task = now->task + NewPanels(*now);
   shown.panel = now->panel;
   shown.hint_count = now->hints.size();

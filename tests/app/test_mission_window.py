@@ -188,7 +188,7 @@ class Lessons(WindowUser):
             expect "2. Operators: propose, select, apply" 30
             expect "Make the mowing robot mow"
             expect "Check my rules"
-            expect "of 4 checks"
+            expect "of 5 checks"
             expect-not "This lesson is done."
             {picture("lesson-next")}
             """, 1, while_open=mend)
@@ -213,7 +213,7 @@ class Lessons(WindowUser):
             expect "1. A rule fires once for each match"
             click "Next lesson"
             expect "2. Operators: propose, select, apply" 30
-            expect "of 4 checks"
+            expect "of 5 checks"
             """, 1, "--from", course)
         self.assertTrue((self.folder / "soarbox-lessons" / "b-mower" / "mower.soar").exists())
 
