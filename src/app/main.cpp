@@ -214,9 +214,9 @@ void AddReport(CLI::App& program, soarbox::app::ReportOptions& options) {
 
 void AddLearn(CLI::App& program, soarbox::app::LearnOptions& options) {
   CLI::App* learn = program.add_subcommand("learn", "Lessons that grade what you write");
-  learn->add_option(
-      "words", options.words,
-      "Nothing to list the lessons; N or next to begin one; check N, hint N, reset N; test [N] to try all lessons or one");
+  learn->add_option("words", options.words,
+                    "Nothing to list the lessons; N or next to begin one; check N, hint N, reset N; test [N] to try "
+                    "all lessons or one");
   learn->add_option("--folder", options.folder, "Where your files are (default: ~/soarbox-lessons)");
   learn
       ->add_option("--from", options.from, "Use the lessons in this folder instead of those that come with the program")
