@@ -163,8 +163,8 @@ class Learner {
     return Refuse("there are too many earlier folders of this lesson", "remove some", folder_.string());
   }
 
-  /// Starters must fail, solutions pass, and each wrong answer must be told as the mistake that it is: of one lesson, or
-  /// of all.
+  /// Starters must fail, solutions pass, and each wrong answer must be told as the mistake that it is: of one lesson,
+  /// or of all.
   int Test(const Lesson* only) {
     int bad = 0;
     const auto tell = [&bad](const Lesson& lesson, const std::string& what, const std::string& wrong) {
