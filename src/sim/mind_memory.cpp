@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <filesystem>
+#include <string>
 
 #include "sim/minds.h"
 
@@ -22,6 +24,15 @@ constexpr std::size_t kMuch = 8;
 constexpr std::size_t kManyLearned = 500;
 constexpr const char* kGrowingRules =
     "look for rules that add elements in each decision and never take them back; --memory gives the world more";
+
+/// What is said of a mind, with the rules that it runs.
+Event AboutMind(EventKind kind, const std::string& name, const std::filesystem::path& rules) {
+  Event event;
+  event.kind = kind;
+  event.agent = name;
+  event.diagnostic.file = rules.string();
+  return event;
+}
 
 std::string Megabytes(std::size_t bytes) {
   return std::to_string((bytes + (std::size_t{1} << 19)) >> 20) + " MB";
@@ -63,11 +74,8 @@ void Minds::KeepWithinMemory() {
 
 void Minds::TellMemory(Mind& mind) {
   mind.told_memory = true;
-  Event event;
-  event.kind = EventKind::kDiagnostic;
-  event.agent = world_.FindAgent(mind.agent)->name();
+  Event event = AboutMind(EventKind::kDiagnostic, world_.FindAgent(mind.agent)->name(), mind.rules);
   event.diagnostic.severity = Severity::kWarning;
-  event.diagnostic.file = mind.rules.string();
   event.diagnostic.message = "the mind of " + event.agent + " has grown to " + Megabytes(mind.memory_bytes) +
                              " of the " + Megabytes(memory_limit_) + " that this world may take";
   event.diagnostic.hint = kGrowingRules;
@@ -76,11 +84,8 @@ void Minds::TellMemory(Mind& mind) {
 
 void Minds::TellLearned(Mind& mind) {
   mind.told_learned = true;
-  Event event;
-  event.kind = EventKind::kDiagnostic;
-  event.agent = world_.FindAgent(mind.agent)->name();
+  Event event = AboutMind(EventKind::kDiagnostic, world_.FindAgent(mind.agent)->name(), mind.rules);
   event.diagnostic.severity = Severity::kWarning;
-  event.diagnostic.file = mind.rules.string();
   event.diagnostic.message = "the mind of " + event.agent + " has learned " + std::to_string(mind.soar.LearnedRules()) +
                              " rules, " + mind.soar.MostLearnedFrom();
   event.diagnostic.hint =
@@ -91,10 +96,7 @@ void Minds::TellLearned(Mind& mind) {
 
 void Minds::HaltForMemory(Mind& mind) {
   const std::string& name = world_.FindAgent(mind.agent)->name();
-  Event event;
-  event.kind = EventKind::kMindFailed;
-  event.agent = name;
-  event.diagnostic.file = mind.rules.string();
+  Event event = AboutMind(EventKind::kMindFailed, name, mind.rules);
   event.diagnostic.message = name + " stops for good: this world needs more than " + Megabytes(memory_limit_) +
                              " of memory (minds " + Megabytes(memory_bytes_) + ", scripts " +
                              Megabytes(scripts_bytes_) + ", bodies " + Megabytes(bodies_bytes_) + "), and its " +
