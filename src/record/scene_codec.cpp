@@ -387,6 +387,15 @@ void WritePlain(ByteWriter& out, const std::vector<T>& now) {
   for (const T& value : now) Put(out, value);
 }
 
+/// Circles stand behind the lines, as lines: files know none.
+void WriteLines(ByteWriter& out, const world::SceneSnapshot& now) {
+  std::vector<world::LineSnapshot> circles;
+  world::AppendLines(now.circles, circles);
+  out.Number(now.lines.size() + circles.size());
+  for (const world::LineSnapshot& line : now.lines) Put(out, line);
+  for (const world::LineSnapshot& line : circles) Put(out, line);
+}
+
 template <HasFields T>
 void ReadPlain(ByteReader& in, std::vector<T>& list) {
   list.resize(in.Count(sizeof(T)));
@@ -402,7 +411,7 @@ void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world
   WriteList(out, before.agents, now.agents);
   WriteList(out, before.ui, now.ui);
   WriteList(out, before.particles, now.particles);
-  WritePlain(out, now.lines);
+  WriteLines(out, now);
   WritePlain(out, now.triangles);
 }
 
@@ -414,6 +423,7 @@ void ReadScene(ByteReader& in, world::SceneSnapshot& scene) {
   ReadList(in, scene.ui);
   ReadList(in, scene.particles);
   ReadPlain(in, scene.lines);
+  scene.circles.clear();
   ReadPlain(in, scene.triangles);
 }
 

@@ -480,6 +480,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   scene.markup_palette = newest.markup_palette;
   scene.agents = newest.agents;
   scene.lines = newest.lines;
+  world::AppendLines(newest.circles, scene.lines);
   particles.AddLines(newest, scene.lines);
   triangles = newest.triangles;
   painter.Note(newest);

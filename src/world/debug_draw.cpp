@@ -12,7 +12,6 @@
 namespace soarbox::world {
 namespace {
 
-constexpr int kCircleSegments = 10;
 constexpr float kFillAlpha = 0.5f;
 
 struct UnitSphere {
@@ -64,8 +63,8 @@ UnitSphere MakeUnitSphere() {
 
 std::vector<Vec3> MakeUnitCircle() {
   std::vector<Vec3> corners;
-  for (int i = 1; i <= kCircleSegments; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kCircleSegments;
+  for (int i = 1; i <= static_cast<int>(kLinesOfCircle); ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(kLinesOfCircle);
     corners.push_back({std::cos(angle), 0, std::sin(angle)});
   }
   return corners;
@@ -79,8 +78,7 @@ Color Opaque(Vec3 color) {
 
 void DebugDraw::Line(Vec3 from, Vec3 to, Vec3 color) {
   if (!IsFinite(from) || !IsFinite(to) || !IsFinite(color)) return;
-  shapes_.push_back({from, to, color});
-  ++line_count_;
+  lines_.push_back({from, to, Opaque(color)});
 }
 
 void DebugDraw::Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color) {
@@ -93,23 +91,17 @@ void DebugDraw::Circle(Vec3 center, float radius_m, Vec3 color) {
   const float sum = std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + radius_m + std::abs(color.x) +
                     std::abs(color.y) + std::abs(color.z);
   if (!(radius_m > 0) || !(sum <= std::numeric_limits<float>::max())) return;
-  shapes_.push_back({center, {radius_m, 0, 0}, color, true});
-  line_count_ += kCircleSegments;
+  circles_.push_back({center, radius_m, Opaque(color)});
 }
 
-void DebugDraw::AppendLines(std::vector<LineSnapshot>& lines) const {
+void AppendLines(const std::vector<CircleSnapshot>& circles, std::vector<LineSnapshot>& lines) {
   static const std::vector<Vec3> kUnitCircle = MakeUnitCircle();
-  lines.reserve(lines.size() + line_count_);
-  for (const Shape& shape : shapes_) {
-    const Color color = Opaque(shape.color);
-    if (!shape.is_circle) {
-      lines.push_back({shape.from, shape.to, color});
-      continue;
-    }
-    Vec3 last = shape.from + shape.to;
+  lines.reserve(lines.size() + kLinesOfCircle * circles.size());
+  for (const CircleSnapshot& circle : circles) {
+    Vec3 last = circle.center + Vec3{circle.radius_m, 0, 0};
     for (const Vec3 corner : kUnitCircle) {
-      const Vec3 next = shape.from + corner * shape.to.x;
-      lines.push_back({last, next, color});
+      const Vec3 next = circle.center + corner * circle.radius_m;
+      lines.push_back({last, next, circle.color});
       last = next;
     }
   }
@@ -136,8 +128,8 @@ void DebugDraw::Square(Vec3 center, float side_m, Vec3 color, bool filled) {
 }
 
 void DebugDraw::Clear() {
-  shapes_.clear();
-  line_count_ = 0;
+  lines_.clear();
+  circles_.clear();
   triangles_.clear();
 }
 

@@ -12,7 +12,7 @@ namespace soarbox::world {
 class DebugDraw {
  public:
   void Line(Vec3 from, Vec3 to, Vec3 color);
-  /// Horizontal, of 10 segments; ignored if radius_m <= 0.
+  /// Horizontal; ignored if radius_m <= 0.
   void Circle(Vec3 center, float radius_m, Vec3 color);
   /// Wire sphere; filled adds translucent triangles. Ignored if radius_m <= 0.
   void Sphere(Vec3 center, float radius_m, Vec3 color, bool filled = false);
@@ -21,24 +21,16 @@ class DebugDraw {
   void Clear();
 
   /// Of lines and triangles.
-  std::size_t size() const { return line_count_ + triangles_.size(); }
-  /// In the order of the calls.
-  void AppendLines(std::vector<LineSnapshot>& lines) const;
+  std::size_t size() const { return lines_.size() + kLinesOfCircle * circles_.size() + triangles_.size(); }
+  const std::vector<LineSnapshot>& lines() const { return lines_; }
+  const std::vector<CircleSnapshot>& circles() const { return circles_; }
   const std::vector<TriangleSnapshot>& triangles() const { return triangles_; }
 
  private:
   void Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color);
 
-  /// Lines and circles; who draws them is the first to make lines of a circle.
-  struct Shape {
-    Vec3 from;  ///< Of a circle: its centre.
-    Vec3 to;    ///< Of a circle: its radius in x.
-    Vec3 color;
-    bool is_circle = false;
-  };
-
-  std::vector<Shape> shapes_;
-  std::size_t line_count_ = 0;
+  std::vector<LineSnapshot> lines_;
+  std::vector<CircleSnapshot> circles_;
   std::vector<TriangleSnapshot> triangles_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -68,6 +69,15 @@ struct LineSnapshot {
   Vec3 from, to;
   Color color;
 };
+
+/// A horizontal circle that lasts for this tick only. Whoever draws or keeps it makes lines of it (AppendLines).
+struct CircleSnapshot {
+  Vec3 center;
+  float radius_m = 0;
+  Color color;
+};
+inline constexpr std::size_t kLinesOfCircle = 10;
+void AppendLines(const std::vector<CircleSnapshot>& circles, std::vector<LineSnapshot>& lines);
 
 /// A filled, translucent triangle of debug drawing that lasts for this tick only. Seen from both sides.
 struct TriangleSnapshot {
@@ -147,6 +157,7 @@ struct SceneSnapshot {
   std::vector<AgentSnapshot> agents;        ///< In creation order.
   std::vector<UiSnapshot> ui;               ///< In creation order.
   std::vector<LineSnapshot> lines;          ///< Debug lines of this tick, physics debug included if switched on.
+  std::vector<CircleSnapshot> circles;      ///< Likewise; those of a recording stand among the lines.
   std::vector<TriangleSnapshot> triangles;  ///< Debug fills of this tick.
   std::vector<ParticleSnapshot> particles;  ///< In creation order.
   /// What %0 to %9 mean in markup texts.

@@ -99,6 +99,8 @@ void ExpectSame(const SceneSnapshot& a, const SceneSnapshot& b) {
   }
   ASSERT_EQ(a.lines.size(), b.lines.size());
   for (std::size_t i = 0; i < a.lines.size(); ++i) EXPECT_EQ(a.lines[i].to, b.lines[i].to);
+  ASSERT_EQ(a.circles.size(), b.circles.size());
+  for (std::size_t i = 0; i < a.circles.size(); ++i) EXPECT_EQ(a.circles[i].center, b.circles[i].center);
   ASSERT_EQ(a.ui.size(), b.ui.size());
   for (std::size_t i = 0; i < a.ui.size(); ++i) EXPECT_EQ(a.ui[i].text, b.ui[i].text);
   ASSERT_EQ(a.agents.size(), b.agents.size());

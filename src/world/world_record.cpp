@@ -59,8 +59,9 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
   impl_->scene.FillSnapshot(snapshot, is_known);
   impl_->ui.FillSnapshot(snapshot, is_known);
 
-  impl_->debug.AppendLines(snapshot.lines);
+  snapshot.lines.insert(snapshot.lines.end(), impl_->debug.lines().begin(), impl_->debug.lines().end());
   snapshot.lines.insert(snapshot.lines.end(), impl_->physics_lines.begin(), impl_->physics_lines.end());
+  snapshot.circles = impl_->debug.circles();
   snapshot.triangles = impl_->debug.triangles();
   impl_->navigation.FillSnapshot(snapshot);
   if (impl_->influence) impl_->influence->FillSnapshot(snapshot);

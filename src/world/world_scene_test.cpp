@@ -143,14 +143,21 @@ TEST(WorldScene, DebugLinesLastOneTick) {
   World world;
   world.debug().Circle({0, 0, 0}, 1, {1, 0, 0});
   world.debug().Circle({0, 0, 0}, 0, {1, 0, 0});
-  EXPECT_EQ(world.Snapshot().lines.size(), 10u);
+  const auto lines = [&world] {
+    const SceneSnapshot snapshot = world.Snapshot();
+    std::vector<LineSnapshot> all = snapshot.lines;
+    AppendLines(snapshot.circles, all);
+    return all;
+  };
+  EXPECT_EQ(lines().size(), 10u);
+  EXPECT_EQ(lines().size(), world.debug().size());
   world.debug().Sphere({0, 0, 0}, 1, {1, 0, 0}, true);
-  EXPECT_EQ(world.Snapshot().lines.size(), 130u);
+  EXPECT_EQ(lines().size(), 130u);
   EXPECT_EQ(world.Snapshot().triangles.size(), 80u);
   world.debug().Line({std::numeric_limits<float>::infinity(), 0, 0}, {}, {1, 1, 1});
-  EXPECT_EQ(world.Snapshot().lines.size(), 130u);
+  EXPECT_EQ(lines().size(), 130u);
   world.BeginTick();
-  EXPECT_TRUE(world.Snapshot().lines.empty());
+  EXPECT_TRUE(lines().empty());
 }
 
 TEST(WorldScene, PhysicsIsDrawnOnlyWhenSwitchedOn) {
