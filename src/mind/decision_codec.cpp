@@ -4,35 +4,10 @@
 #include <bit>
 #include <cstddef>
 
+#include "mind/field_writer.h"
+
 namespace soarbox::mind {
 namespace {
-
-class Out {
- public:
-  explicit Out(std::string& bytes) : bytes_(bytes) {}
-  void Byte(std::uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
-  template <typename Enum>
-  void Kind(Enum value) {
-    Byte(static_cast<std::uint8_t>(value));
-  }
-  void Number(std::uint64_t value) {
-    for (; value >= 0x80; value >>= 7) Byte(static_cast<std::uint8_t>(value | 0x80));
-    Byte(static_cast<std::uint8_t>(value));
-  }
-  /// A place, or none as 0.
-  void Place(std::uint32_t value) { Number(value == Decision::kNoOperator ? 0 : std::uint64_t{value} + 1); }
-  void Double(double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    for (int i = 0; i < 8; ++i) Byte(static_cast<std::uint8_t>(bits >> (8 * i)));
-  }
-  void Text(std::string_view text) {
-    Number(text.size());
-    bytes_.append(text);
-  }
-
- private:
-  std::string& bytes_;
-};
 
 /// Once something does not fit, everything is zero, and failed() stays.
 class In {
@@ -129,40 +104,53 @@ bool IsModest(const Decision& decision) {
 }  // namespace
 
 void Pack(const DecisionView& decision, std::string& bytes) {
-  Out out(bytes);
-  out.Kind(decision.impasse);
-  out.Kind(decision.policy);
+  constexpr std::size_t kNumber = FieldWriter::kMostOfNumber;
+  std::size_t most = 8 * kNumber + (decision.by.size() + 3 * decision.left.size()) * kNumber;
+  for (const DecisionView::Operator& op : decision.operators) most += 2 * kNumber + op.id.size() + op.name.size();
+  for (const DecisionView::Preference& preference : decision.preferences) most += 5 * kNumber + preference.rule.size();
+  most += 5 * kNumber * decision.drops.size();
+  const std::size_t before = bytes.size();
+  bytes.resize(before + most);
+
+  FieldWriter out(bytes.data() + before);
+  const auto put = [&out](auto value) { out("", value); };
+  const auto put_place = [&out](std::uint32_t value) {  // Or none, as 0.
+    out.Number(value == Decision::kNoOperator ? 0 : std::uint64_t{value} + 1);
+  };
+  put(decision.impasse);
+  put(decision.policy);
   out.Byte(static_cast<std::uint8_t>((decision.is_forced ? 1 : 0) | (decision.has_changed ? 2 : 0)));
   out.Number(decision.operators.size());
   for (const DecisionView::Operator& op : decision.operators) {
-    out.Text(op.id);
-    out.Text(op.name);
+    put(op.id);
+    put(op.name);
   }
-  out.Place(decision.selected);
+  put_place(decision.selected);
   out.Number(decision.preferences.size());
   for (const DecisionView::Preference& preference : decision.preferences) {
-    out.Kind(preference.kind);
-    out.Place(preference.op);
-    if (HasReferent(preference.kind)) out.Place(preference.referent);
-    if (preference.kind == PreferenceKind::kNumeric) out.Double(preference.number);
-    out.Text(preference.rule);
+    put(preference.kind);
+    put_place(preference.op);
+    if (HasReferent(preference.kind)) put_place(preference.referent);
+    if (preference.kind == PreferenceKind::kNumeric) put(preference.number);
+    put(preference.rule);
   }
   out.Number(decision.by.size());
-  for (const std::uint32_t place : decision.by) out.Place(place);
+  for (const std::uint32_t place : decision.by) put_place(place);
   out.Number(decision.drops.size());
   for (const DecisionView::Drop& drop : decision.drops) {
-    out.Place(drop.op);
-    out.Kind(drop.stage);
-    out.Kind(drop.decisive);
+    put_place(drop.op);
+    put(drop.stage);
+    put(drop.decisive);
     out.Number(drop.first);
     out.Number(drop.count);
   }
   out.Number(decision.left.size());
   for (const DecisionView::Chance& chance : decision.left) {
-    out.Place(chance.op);
-    out.Double(chance.value);
-    out.Double(chance.probability);
+    put_place(chance.op);
+    put(chance.value);
+    put(chance.probability);
   }
+  bytes.resize(static_cast<std::size_t>(out.at() - bytes.data()));
 }
 
 std::optional<Decision> Unpack(std::string_view bytes) {

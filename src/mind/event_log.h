@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +11,7 @@
 #include <variant>
 
 #include "mind/event.h"
+#include "mind/field_writer.h"
 
 namespace soarbox::mind {
 
@@ -88,8 +88,6 @@ class EventLog {
     }
   }
 
-  /// Puts fields behind used_; the memory for them is there.
-  class Writer;
   struct Sizer;
   bool Step(std::size_t& at, std::uint8_t& kind, std::string_view& fields) const;
 
@@ -99,7 +97,7 @@ class EventLog {
 
 /// How many bytes fields take at most.
 struct EventLog::Sizer {
-  static constexpr std::size_t kNumber = 10;
+  static constexpr std::size_t kNumber = FieldWriter::kMostOfNumber;
   std::size_t size = 0;
 
   void operator()(const char*, std::string_view text) { size += kNumber + text.size(); }
@@ -120,63 +118,6 @@ struct EventLog::Sizer {
   void operator()(const char*, Number) { size += kNumber; }
 };
 
-class EventLog::Writer {
- public:
-  explicit Writer(char* at) : at_(at) {}
-  char* at() const { return at_; }
-
-  void operator()(const char*, std::string_view text) {
-    Number(text.size());
-    if (!text.empty()) std::memcpy(at_, text.data(), text.size());
-    at_ += text.size();
-  }
-  void operator()(const char*, const Value& value) {
-    if (const auto* word = std::get_if<std::string_view>(&value)) {
-      Byte(0);
-      (*this)("", *word);
-    } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-      Byte(1);
-      // Small negative numbers are small, too.
-      const auto bits = static_cast<std::uint64_t>(*integer);
-      Number((bits << 1) ^ (*integer < 0 ? ~std::uint64_t{0} : 0));
-    } else {
-      const double number = std::get<double>(value);
-      const auto single = static_cast<float>(number);
-      const bool is_single = static_cast<double>(single) == number;
-      Byte(is_single ? 2 : 3);
-      is_single ? Fixed(std::bit_cast<std::uint32_t>(single), 4) : Fixed(std::bit_cast<std::uint64_t>(number), 8);
-    }
-  }
-  void operator()(const char*, const std::vector<Parameter>& parameters) {
-    Number(parameters.size());
-    for (const Parameter& parameter : parameters) {
-      Number((std::uint64_t{parameter.depth} << 1) | (parameter.is_object ? 1 : 0));
-      (*this)("", parameter.attribute);
-      if (!parameter.is_object) (*this)("", parameter.value);
-    }
-  }
-  void operator()(const char*, bool flag) { Byte(flag ? 1 : 0); }
-  void operator()(const char*, int number) { Number(static_cast<std::uint64_t>(number < 0 ? 0 : number)); }
-  void operator()(const char*, std::uint32_t number) { Number(number); }
-  void operator()(const char*, std::uint64_t number) { Number(number); }
-  void operator()(const char*, double number) { Fixed(std::bit_cast<std::uint64_t>(number), 8); }
-  template <typename Enum>
-  requires std::is_enum_v<Enum>
-  void operator()(const char*, Enum value) { Byte(static_cast<std::uint8_t>(value)); }
-
-  void Byte(std::uint8_t value) { *at_++ = static_cast<char>(value); }
-  void Number(std::uint64_t value) {
-    for (; value >= 0x80; value >>= 7) Byte(static_cast<std::uint8_t>(value | 0x80));
-    Byte(static_cast<std::uint8_t>(value));
-  }
-
- private:
-  void Fixed(std::uint64_t value, int count) {
-    for (int i = 0; i < count; ++i) Byte(static_cast<std::uint8_t>(value >> (8 * i)));
-  }
-  char* at_;
-};
-
 template <typename Kind>
 void EventLog::Add(const Kind& event) {
   constexpr std::size_t kHead = 3, kMostHead = 11;  // Kind, and a size that takes two bytes nearly always.
@@ -184,10 +125,10 @@ void EventLog::Add(const Kind& event) {
   Kind::Fields(event, most);
   if (used_ + kMostHead + most.size > bytes_.size()) bytes_.resize(2 * (used_ + kMostHead + most.size));
   char* const begin = bytes_.data() + used_;
-  Writer fields(begin + kHead);
+  FieldWriter fields(begin + kHead);
   Kind::Fields(event, fields);
   auto size = static_cast<std::size_t>(fields.at() - begin) - kHead;
-  Writer head(begin);
+  FieldWriter head(begin);
   head.Byte(static_cast<std::uint8_t>(NumberOf<Kind>()));
   if (size < (1u << 14)) {
     head.Byte(static_cast<std::uint8_t>(size | 0x80));
@@ -195,7 +136,7 @@ void EventLog::Add(const Kind& event) {
     used_ += kHead + size;
     return;
   }
-  Writer longer(begin);
+  FieldWriter longer(begin);
   std::size_t groups = 0;
   for (std::size_t rest = size; rest > 0; rest >>= 7) ++groups;
   std::memmove(begin + 1 + groups, begin + kHead, size);

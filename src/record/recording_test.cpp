@@ -223,6 +223,28 @@ TEST_F(RecordingTest, TheVersionsBeforeAreStillReadAndOthersAreRefused) {
   EXPECT_TRUE(header->files.empty());
 }
 
+/// Made by the release that wrote format 5: ten agents of the crowd, six ticks, each agent in a circle.
+TEST_F(RecordingTest, CirclesOfVersion5StandAmongTheLines) {
+  const fs::path kept = fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / "circles.soarrec";
+  const Result<std::unique_ptr<Reader>> older = Reader::Open(kept);
+  ASSERT_TRUE(older) << Format(older.error());
+  std::vector<TickRecord> ticks;
+  for (std::uint64_t tick = (*older)->first_tick(); tick <= (*older)->last_tick(); ++tick) {
+    const Result<const TickRecord*> record = (*older)->At(tick);
+    ASSERT_TRUE(record) << Format(record.error());
+    ticks.push_back(**record);
+  }
+  ASSERT_EQ(ticks.size(), 7u);
+  EXPECT_EQ(ticks.back().scene.agents.size(), 10u);
+  EXPECT_GE(ticks.back().scene.lines.size(), 10 * world::kLinesOfCircle);
+  EXPECT_TRUE(ticks.back().scene.circles.empty());
+
+  Write(file(), ticks);
+  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
+  ASSERT_TRUE(newer) << Format(newer.error());
+  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+}
+
 TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {
   const std::vector<TickRecord> ticks = SomeTicks(60);
   std::mt19937 random(8);

@@ -387,15 +387,6 @@ void WritePlain(ByteWriter& out, const std::vector<T>& now) {
   for (const T& value : now) Put(out, value);
 }
 
-/// Circles stand behind the lines, as lines: files know none.
-void WriteLines(ByteWriter& out, const world::SceneSnapshot& now) {
-  std::vector<world::LineSnapshot> circles;
-  world::AppendLines(now.circles, circles);
-  out.Number(now.lines.size() + circles.size());
-  for (const world::LineSnapshot& line : now.lines) Put(out, line);
-  for (const world::LineSnapshot& line : circles) Put(out, line);
-}
-
 template <HasFields T>
 void ReadPlain(ByteReader& in, std::vector<T>& list) {
   list.resize(in.Count(sizeof(T)));
@@ -411,11 +402,12 @@ void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world
   WriteList(out, before.agents, now.agents);
   WriteList(out, before.ui, now.ui);
   WriteList(out, before.particles, now.particles);
-  WriteLines(out, now);
+  WritePlain(out, now.lines);
   WritePlain(out, now.triangles);
+  WritePlain(out, now.circles);
 }
 
-void ReadScene(ByteReader& in, world::SceneSnapshot& scene) {
+void ReadScene(ByteReader& in, world::SceneSnapshot& scene, std::uint16_t version) {
   GetMembers(in, scene);
   ReadList(in, scene.drawables);
   ReadList(in, scene.lights);
@@ -423,8 +415,10 @@ void ReadScene(ByteReader& in, world::SceneSnapshot& scene) {
   ReadList(in, scene.ui);
   ReadList(in, scene.particles);
   ReadPlain(in, scene.lines);
-  scene.circles.clear();
   ReadPlain(in, scene.triangles);
+  constexpr std::uint16_t kLastWithoutCircles = 5;  // They stood among the lines.
+  scene.circles.clear();
+  if (version > kLastWithoutCircles) ReadPlain(in, scene.circles);
 }
 
 }  // namespace soarbox::record

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "record/byte_stream.h"
+#include "record/format.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::record {
@@ -10,7 +11,8 @@ namespace soarbox::record {
 void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now);
 
 /// Turns the earlier scene into the later one. `in` has failed afterwards if the bytes do not make sense; the scene is
-/// then of no use. Whether it has failed or not, memory stays below a multiple of the bytes read and of `scene`.
-void ReadScene(ByteReader& in, world::SceneSnapshot& scene);
+/// then of no use; `version` is the format's. Whether it has failed or not, memory stays below a multiple of the bytes
+/// read and of `scene`.
+void ReadScene(ByteReader& in, world::SceneSnapshot& scene, std::uint16_t version = kVersion);
 
 }  // namespace soarbox::record

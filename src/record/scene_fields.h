@@ -56,6 +56,10 @@ constexpr auto FieldsOf(const world::LineSnapshot&) {
   using T = world::LineSnapshot;
   return std::tuple(&T::from, &T::to, &T::color);
 }
+constexpr auto FieldsOf(const world::CircleSnapshot&) {
+  using T = world::CircleSnapshot;
+  return std::tuple(&T::center, &T::radius_m, &T::color);
+}
 constexpr auto FieldsOf(const world::TriangleSnapshot&) {
   using T = world::TriangleSnapshot;
   return std::tuple(&T::a, &T::b, &T::c, &T::color);

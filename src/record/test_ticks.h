@@ -85,6 +85,8 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
       tick.scene.lines = {{{1, 2, 3}, {4, 5, 6}, {}}};
     else
       tick.scene.lines.clear();
+    tick.scene.circles.clear();
+    if (chance(5)) tick.scene.circles = {{{number(), 1, 2}, 0.5f, {1, 0, 0, 1}}, {{3, 2, 1}, number(), {}}};
     if (chance(7)) tick.inputs = {"key space_key down", "key space_key up"};
     if (chance(6)) {
       sim::Event event;

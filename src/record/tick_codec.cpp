@@ -118,7 +118,7 @@ void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version) {
   record.tick = in.Number();
   record.state_hash = in.Fixed64();
   ReadTexts(in, record.inputs);
-  ReadScene(in, record.scene);
+  ReadScene(in, record.scene, version);
   record.scene.tick = record.tick;
   // An event takes 15 bytes at least, a mind 3.
   record.events.assign(in.CountOf(sizeof(sim::Event), 15), {});

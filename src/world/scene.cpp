@@ -98,7 +98,7 @@ bool Scene::SetPosition(NodeId node, Vec3 position) {
   Node* found = Find(node);
   if (!found || node == NodeId::kRoot || !IsFinite(position)) return false;
   found->position = position;
-  Changed(*found);
+  Moved(*found);
   return true;
 }
 
@@ -106,7 +106,7 @@ bool Scene::SetOrientation(NodeId node, Quat orientation) {
   Node* found = Find(node);
   if (!found || node == NodeId::kRoot || !IsFinite(orientation)) return false;
   found->orientation = Normalized(orientation);
-  Changed(*found);
+  Moved(*found);
   return true;
 }
 
@@ -114,7 +114,7 @@ bool Scene::SetScale(NodeId node, Vec3 scale) {
   Node* found = Find(node);
   if (!found || node == NodeId::kRoot || !IsFinite(scale)) return false;
   found->scale = scale;
-  Changed(*found);
+  Moved(*found);
   return true;
 }
 
@@ -135,7 +135,7 @@ void Scene::BodyMoved(Node& node, Vec3 position, Quat orientation) {
   if (node.body_position == position && node.body_orientation == orientation) return;
   node.body_position = position;
   node.body_orientation = orientation;
-  Changed(node);
+  Moved(node);
 }
 
 WorldTransform Scene::Transform(NodeId node) const {
@@ -163,8 +163,8 @@ WorldTransform Scene::TransformOf(const Node& node, bool by_body) {
       result = local;
       continue;
     }
-    result.position = local.Apply(result.position);
-    result.orientation = local.orientation * result.orientation;
+    result.position = result.position == Vec3{} ? local.position : local.Apply(result.position);
+    result.orientation = result.orientation == Quat{} ? local.orientation : local.orientation * result.orientation;
     result.scale = {result.scale.x * local.scale.x, result.scale.y * local.scale.y, result.scale.z * local.scale.z};
   }
   return result;
@@ -221,6 +221,7 @@ bool Scene::SetVisible(NodeId node, bool visible) {
     Node* found = waiting.back();
     waiting.pop_back();
     found->visible = visible;
+    found->has_new_look = true;
     waiting.insert(waiting.end(), found->children.begin(), found->children.end());
   }
   Changed(*top);

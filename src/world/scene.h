@@ -165,6 +165,8 @@ class Scene {
   void BodyMoved(Node& node, Vec3 position, Quat orientation);
   /// The node, and what is below it, looks otherwise from now on.
   void Changed(Node& node);
+  /// Its place alone has changed.
+  void Moved(Node& node);
   void Forget(Node& node);
   void Refresh() const;
   void Redraw(Node& node) const;

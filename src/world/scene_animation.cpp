@@ -73,6 +73,7 @@ bool Scene::AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 positi
     waiting.pop_back();
     next->owner = body->owner;
     next->owner_is_agent = body->owner_is_agent;
+    next->has_new_look = true;
     waiting.insert(waiting.end(), next->children.begin(), next->children.end());
   }
   Changed(*thing);

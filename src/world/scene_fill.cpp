@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "world/scene.h"
 #include "world/scene_node.h"
@@ -44,6 +45,11 @@ void AddOnce(std::vector<const Node*>& list, const Node& node) {
 }  // namespace
 
 void Scene::Changed(Node& node) {
+  node.has_new_look = true;
+  Moved(node);
+}
+
+void Scene::Moved(Node& node) {
   if (node.waits_at != Node::kNotWaiting) return;
   node.waits_at = picture_->waiting.size();
   picture_->waiting.push_back(&node);
@@ -95,17 +101,20 @@ void Scene::Redraw(Node& node) const {
       }
       const WorldTransform transform = TransformOf(node, true);
       DrawableSnapshot& drawable = picture.drawables.Edit(place);
-      drawable.owner_id = Number(node.owner);
-      drawable.belongs_to_agent = node.owner_is_agent;
-      drawable.shape = node.drawable.shape;
-      drawable.mesh = node.drawable.mesh;
-      drawable.material = node.drawable.material;
-      drawable.size = node.drawable.size;
-      drawable.texture_repeats = node.drawable.texture_repeats;
-      drawable.position = transform.Apply(node.offset);
-      drawable.orientation = transform.orientation * node.offset_turn;
+      if (std::exchange(node.has_new_look, false)) {
+        drawable.owner_id = Number(node.owner);
+        drawable.belongs_to_agent = node.owner_is_agent;
+        drawable.shape = node.drawable.shape;
+        drawable.mesh = node.drawable.mesh;
+        drawable.material = node.drawable.material;
+        drawable.size = node.drawable.size;
+        drawable.texture_repeats = node.drawable.texture_repeats;
+        drawable.visible = node.visible;
+      }
+      drawable.position = node.offset == Vec3{} ? transform.position : transform.Apply(node.offset);
+      drawable.orientation =
+          node.offset_turn == Quat{} ? transform.orientation : transform.orientation * node.offset_turn;
       drawable.scale = transform.scale;
-      drawable.visible = node.visible;
       if (node.animator) {
         if (is_new || node.drawn_pose != node.animator->changes()) drawable.bones = node.animator->Bones();
         drawable.shows_skeleton = node.animator->shows_skeleton();

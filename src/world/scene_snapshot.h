@@ -157,7 +157,7 @@ struct SceneSnapshot {
   std::vector<AgentSnapshot> agents;        ///< In creation order.
   std::vector<UiSnapshot> ui;               ///< In creation order.
   std::vector<LineSnapshot> lines;          ///< Debug lines of this tick, physics debug included if switched on.
-  std::vector<CircleSnapshot> circles;      ///< Likewise; those of a recording stand among the lines.
+  std::vector<CircleSnapshot> circles;      ///< Likewise; in recordings before format 6 they stand among the lines.
   std::vector<TriangleSnapshot> triangles;  ///< Debug fills of this tick.
   std::vector<ParticleSnapshot> particles;  ///< In creation order.
   /// What %0 to %9 mean in markup texts.

@@ -4,14 +4,15 @@
 
 usage: check_instructions.py PERFORMANCE.MD DRIVER_FOLDER [--compiler NAME]
 
-Reads the table under the heading "The instruction gate", repeats its runs with the drivers run_bench and io_loop of
-DRIVER_FOLDER (a release build), and fails if one takes more than 2 % more instructions than its row says. A change that
-is worth its instructions states the new figure in the same commit. Figures hold for the compiler that the paragraph
+Reads the table under the heading "The instruction gate", repeats its runs with the drivers run_bench, io_loop and
+recording_cost of DRIVER_FOLDER (a release build), and fails if one takes more than 2 % more instructions than its row
+says. A change that is worth its instructions states the new figure in the same commit. Figures hold for the compiler that the paragraph
 above the table names; with another one (--compiler) the runs are shown and nothing is required.
 """
 import argparse
 import pathlib
 import re
+import subprocess
 import sys
 import tempfile
 
@@ -21,7 +22,9 @@ import compare_bench  # noqa: E402  (bench/ is no package)
 
 HEADING = "The instruction gate"
 MOST_GROWTH = 0.02
-ROW = re.compile(r"^\| *([a-z_-]+(?: \d+ \w+)?) *\| *([\d,]+) *\| *([\d,]+) *\|$", re.MULTILINE)
+RECORDING = "recording "  # Begins the name of a run of recording_cost; its level follows.
+SCENARIO, TICKS_PER_SECOND = "crowd/crowd_100.lua", 30
+ROW = re.compile(r"^\| *([a-z_-]+(?: \w+)*) *\| *([\d,]+) *\| *([\d,]+) *\|$", re.MULTILINE)
 COMPILER = re.compile(r"Counted with `([^`]+)`")
 
 
@@ -44,6 +47,8 @@ class Figures:
 
 def measure(folder, work, name, length):
     """Instructions per decision, or per agent and tick, of one run of the corpus at that length; an error otherwise."""
+    if name.startswith(RECORDING):
+        return measure_recording(folder, name.removeprefix(RECORDING), length)
     known = dict(compare_bench.rows(compare_bench.read_corpus(), None))
     if name not in known:
         return None, f"bench/corpus.json has no run of this name; there are {', '.join(known)}"
@@ -56,6 +61,17 @@ def measure(folder, work, name, length):
     if values["decisions"] != length:
         return None, f"made {values['decisions']} decisions instead of {length}"
     return values["instructions_per_decision"], None
+
+
+def measure_recording(folder, level, ticks):
+    """Instructions per tick of a crowd that is recorded at this level, on the thread that runs the world; an error otherwise."""
+    done = subprocess.run(["valgrind", "--tool=callgrind", "--toggle-collect=MeasuredTicks*", "--callgrind-out-file=/dev/null",
+                           folder / "recording_cost", "count", level, SCENARIO, str(ticks / TICKS_PER_SECOND)],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", check=False)
+    counted = re.search(r"Collected : (\d+)", done.stderr)
+    if done.returncode != 0 or counted is None or counted.group(1) == "0":
+        return None, f"recording_cost failed: {(done.stderr.strip().splitlines() or ['no output'])[-1]}"
+    return round(int(counted.group(1)) / ticks), None
 
 
 def main(arguments):

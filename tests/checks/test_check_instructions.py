@@ -31,7 +31,7 @@ class TheInstructionGate(unittest.TestCase):
     def setUpClass(cls):
         with tempfile.TemporaryDirectory() as work:
             cls.counted = {}
-            for name, length in (("decide-loop", 200), ("io_loop 1 self", 20)):
+            for name, length in (("decide-loop", 200), ("io_loop 1 self", 20), ("recording decisions", 12)):
                 cls.counted[name], error = check_instructions.measure(DRIVERS, pathlib.Path(work), name, length)
                 assert error is None, error
 
@@ -46,7 +46,8 @@ class TheInstructionGate(unittest.TestCase):
 
     def rows(self, factor):
         return (f"| decide-loop | 200 | {round(self.counted['decide-loop'] * factor):,} |\n"
-                f"| io_loop 1 self | 20 | {round(self.counted['io_loop 1 self'] * factor):,} |")
+                f"| io_loop 1 self | 20 | {round(self.counted['io_loop 1 self'] * factor):,} |\n"
+                f"| recording decisions | 12 | {round(self.counted['recording decisions'] * factor):,} |")
 
     def test_passes_at_the_stated_figure_and_a_little_above(self):
         self.assertEqual(self.check(self.rows(1))[0], 0)
@@ -55,12 +56,12 @@ class TheInstructionGate(unittest.TestCase):
     def test_fails_when_three_percent_were_added(self):
         status, printed = self.check(self.rows(1 / 1.03))
         self.assertEqual(status, 1, printed)
-        self.assertEqual(printed.count("too many"), 2, printed)
+        self.assertEqual(printed.count("too many"), 3, printed)
 
     def test_asks_to_state_fewer(self):
         status, printed = self.check(self.rows(1.05))
         self.assertEqual(status, 0, printed)
-        self.assertEqual(printed.count("fewer than stated"), 2, printed)
+        self.assertEqual(printed.count("fewer than stated"), 3, printed)
 
     def test_requires_nothing_of_another_compiler(self):
         self.assertEqual(self.check(self.rows(1 / 1.03), "--compiler", "GNU 12.2.0")[0], 1)
@@ -76,6 +77,9 @@ class TheInstructionGate(unittest.TestCase):
         self.assertIn("no run of this name", printed)
         status, printed = self.check("| planner | 40 | 1 |")
         self.assertEqual(status, 1, printed)
+        status, printed = self.check("| recording everything | 12 | 9,000,000 |")
+        self.assertEqual(status, 1, printed)
+        self.assertIn("recording_cost failed", printed)
 
 
 if __name__ == "__main__":

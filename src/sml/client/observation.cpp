@@ -68,12 +68,20 @@ class LocalObservation final : public Observation, kernel::Observer {
 
  private:
   void OnDecided(const kernel::Agent& agent, const kernel::DecisionReport& report) override {
+    decided_for_ = report.goal;
     listener_.OnDecided(decisions_.Read(agent, report));
   }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
     if (agent.reinforcement().learning) NoteEpisode(agent, goal);
     const server::IdentifierText state(agent, goal.goal);
+    // Its texts were made a moment ago if this state has just been decided.
+    const bool is_known = std::exchange(decided_for_, {}) == goal.goal;
     if (goal.op) {
+      const auto* known = is_known ? decisions_.Find(goal.op) : nullptr;
+      if (known != nullptr) {
+        listener_.OnOperator(static_cast<int>(goal.level), state.view(), known->id, known->name);
+        return;
+      }
       const server::IdentifierText op(agent, goal.op);
       listener_.OnOperator(static_cast<int>(goal.level), state.view(), op.view(),
                            names_.NameOfOperator(agent, goal.op));
@@ -190,6 +198,7 @@ class LocalObservation final : public Observation, kernel::Observer {
   bool told_of_elaborations_ = false;
   server::PrintedNames names_;
   server::DecisionReader decisions_;
+  kernel::Symbol decided_for_;  ///< The state that decisions_ speaks of, until its operator is noted.
 };
 
 /// Null if the kernel is in another process.

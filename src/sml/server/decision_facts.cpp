@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/server/decision_facts.h"
 
+#include <algorithm>
+
 #include "cli/object_printer.h"
 #include "kernel/decide/exploration.h"
 #include "mind/decision_codec.h"
@@ -115,6 +117,12 @@ std::uint32_t DecisionReader::PlaceOf(const kernel::Agent& agent, kernel::Symbol
     decision_.operators.push_back({id, Keep(names_.NameOfOperator(agent, op))});
   }
   return place;
+}
+
+const mind::DecisionView::Operator* DecisionReader::Find(kernel::Symbol op) const {
+  const auto found = std::ranges::find(operators_, op);
+  return found == operators_.end() ? nullptr
+                                   : &decision_.operators[static_cast<std::size_t>(found - operators_.begin())];
 }
 
 const mind::DecisionView& DecisionReader::Read(const kernel::Agent& agent, const kernel::DecisionReport& report) {

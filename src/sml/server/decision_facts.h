@@ -20,6 +20,8 @@ class DecisionReader {
  public:
   /// Valid until the next call, and as long as the rules are there.
   const mind::DecisionView& Read(const kernel::Agent& agent, const kernel::DecisionReport& report);
+  /// An operator of the last decision that was read, likewise; null if that did not speak of it.
+  const mind::DecisionView::Operator* Find(kernel::Symbol op) const;
 
  private:
   std::uint32_t PlaceOf(const kernel::Agent& agent, kernel::Symbol op);
