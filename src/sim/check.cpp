@@ -39,6 +39,19 @@ Diagnostic Problem(const fs::path& file, std::string message, std::string hint =
   return problem;
 }
 
+/// What may have been meant by a file of rules that is not there.
+std::string HintForRules(const std::string& name, const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    if (at->path().extension() == ".soar") files.push_back(at->path().filename().string());
+  std::sort(files.begin(), files.end());
+  const std::string_view near = Suggest(name, {files.begin(), files.end()});
+  if (!near.empty()) return "did you mean '" + std::string(near) + "'?";
+  if (files.size() == 1) return "there is " + files.front();
+  return "check the name";
+}
+
 std::string LineOf(const std::string& text, int number) {
   std::istringstream in(text);
   std::string line;
@@ -133,8 +146,8 @@ class Checker {
       if (agent.rules.empty() || agent.rules == kGivenRules) continue;
       const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
       if (!FindInFolders(agent.rules, {folder}).empty()) continue;
-      problems.push_back(
-          Problem(file, "there are no rules '" + agent.rules + "' beside this scenario", "check the name"));
+      problems.push_back(Problem(file, "there are no rules '" + agent.rules + "' beside this scenario",
+                                 HintForRules(agent.rules, folder)));
       problems.back().line = agent.line;
     }
   }

@@ -237,6 +237,7 @@ std::string HintForTest(const std::string& found, const std::string& before, con
   }
   if (found == "=" && last == '!') return "not equal is written <>";
   if (found == "^" && last == '!') return "a negation is written with a minus: -^attribute value";
+  if (last == '!') return "not equal is written <>: <> " + found;
   if (found == "^" && last == '^') return "write one ^ only";
   if (found == "." && last == '^') return "the ^ comes first: ^io.input-link";
   if (found == ".") {

@@ -250,7 +250,9 @@ void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
   for (const std::string& call : rule.calls) {
     if (!call.starts_with("exec ")) continue;
     const std::string name = call.substr(5);
-    const std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
+    constexpr std::string_view kPrinters[] = {"print", "printf", "println", "echo", "say", "log", "puts", "display"};
+    std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
+    if (near.empty() && std::ranges::find(kPrinters, name) != std::end(kPrinters)) near = "write";
     slips.push_back({rule.name, name, false,
                      "rule " + rule.name + " calls the function " + name + ", which does not exist",
                      near.empty() ? "built in are write, crlf, halt, + - * / and others"

@@ -189,8 +189,14 @@ class MeaningChecker {
   std::string Nearest(const std::string& attribute) const {
     std::string hint = SuggestAttribute(attribute, made_);
     if (!hint.empty() || attribute.size() < 4) return hint;
-    const std::string_view own = Suggest(attribute, {"superstate", "operator", "input-link", "output-link",
-                                                     "reward-link", "impasse", "item", "smem", "epmem"});
+    const std::vector<std::string_view> all = {"superstate", "operator", "input-link", "output-link", "reward-link",
+                                               "impasse",    "item",     "smem",       "epmem"};
+    std::string_view own = Suggest(attribute, all);
+    if (own.empty()) {
+      const auto longer =
+          std::ranges::find_if(all, [&](std::string_view one) { return one.starts_with(attribute + "-"); });
+      if (longer != all.end()) own = *longer;
+    }
     return own.empty() ? hint : "did you mean ^" + std::string(own) + "?";
   }
 

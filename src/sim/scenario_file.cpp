@@ -37,6 +37,10 @@ const toml::node& EntryAt(const toml::table& table, std::string_view name) {
 std::string HintOf(std::string_view complaint) {
   constexpr std::pair<std::string_view, std::string_view> kHints[] = {
       {"could not determine value type", "put text between quotes: name = \"scout\""},
+      {"expected 'nan'", "put text between quotes: name = \"scout\""},
+      {"expected 'inf'", "put text between quotes: name = \"scout\""},
+      {"expected 'true'", "put text between quotes: name = \"scout\""},
+      {"expected 'false'", "put text between quotes: name = \"scout\""},
       {"unescaped control characters", "the text that begins in this line has no closing quote"},
       {"cannot redefine", "a key may occur once in its table; [[agent]] begins the next one"},
   };
@@ -196,7 +200,7 @@ void ReadPlaces(Reader& reader, const toml::table& root, ScenarioFile& read) {
     if (const auto size = reader.Point(*table, "size")) {
       made.half_x_m = size->x / 2;
       made.half_z_m = size->z / 2;
-    } else if (made.radius_m == 0) {
+    } else if (!table->contains("radius") && !table->contains("size")) {
       reader.Problem(*table, "this region has neither 'radius' nor 'size'");
     }
     if (!names.insert(made.name).second) reader.Problem(*table, "there are two regions named '" + made.name + "'");

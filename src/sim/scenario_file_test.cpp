@@ -28,6 +28,23 @@ TEST(ScenarioFile, ObstaclesThatNoBodyCouldBeAreRefusedWithTheirLine) {
   EXPECT_THAT(ProblemsOf("mass = nan"), ElementsAre("2: 'mass' takes a number from 0 to 1e+06"));
 }
 
+TEST(ScenarioFile, ARegionWithABadRadiusHasOneProblem) {
+  std::vector<Diagnostic> problems;
+  ParseScenarioFile("[[region]]\nradius = -2\n[[region]]\nname = 'gate'", "yard.toml", problems);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].message, "'radius' takes a number from 0.1 to 100000");
+  EXPECT_EQ(problems[1].message, "this region has neither 'radius' nor 'size'");
+}
+
+TEST(ScenarioFile, TextWithoutQuotesIsCalledThat) {
+  for (const char* word : {"scout", "north", "inn", "tower", "field"}) {
+    std::vector<Diagnostic> problems;
+    ParseScenarioFile(std::string("[[waypoint]]\nname = ") + word, "yard.toml", problems);
+    ASSERT_EQ(problems.size(), 1u) << word;
+    EXPECT_EQ(problems[0].hint, "put text between quotes: name = \"scout\"") << word;
+  }
+}
+
 TEST(ScenarioFile, AColumnIsRound) {
   EXPECT_THAT(ProblemsOf("shape = 'column'\nsize = [1, 2.5, 1]"), ElementsAre());
   EXPECT_THAT(ProblemsOf("shape = 'column'\nsize = [3, 2, 1]"),

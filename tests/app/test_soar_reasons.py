@@ -338,6 +338,11 @@ region = "y"
             self.assertIn(hint, problems[0]["hint"])
 
     def test_names_files_that_are_not_there(self):
+        (self.folder / "hero.soar").write_text("# no rules yet\n", encoding="utf-8")
+        code, problems = self.check("yard.toml", '[[agent]]\nname = "a"\nrules = "heros.soar"\n')
+        self.assertEqual(code, 1)
+        self.assertEqual([(problem["message"], problem["hint"]) for problem in problems],
+                         [("there are no rules 'heros.soar' beside this scenario", "did you mean 'hero.soar'?")])
         self.assertEqual(Run("check", self.folder / "no.soar").code, 1)
 
 
