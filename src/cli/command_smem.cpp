@@ -37,7 +37,7 @@ constexpr OptionSpec kSmemTable[] = {
     {'g', "get", kOptional, "show a setting"},
     {'h', "history", kOptional, "when an object was used"},
     {'i', "init", OptionArgument::kNone, "open the database again"},
-    {'P', "precalculate", OptionArgument::kNone, "prepare spreading"},
+    {'P', "precalculate", OptionArgument::kNone, "does nothing: spreading is worked out when it is asked for"},
     {'q', "query", kOptional, "find objects"},
     {'r', "remove", kOptional, "remove objects or their elements"},
     {'s', "set", kOptional, "change a setting"},
@@ -87,6 +87,7 @@ void Apply(CommandCall& call) {
   settings.activation_mode = mode == "base-level"  ? kernel::ActivationMode::kBaseLevel
                              : mode == "frequency" ? kernel::ActivationMode::kFrequency
                                                    : kernel::ActivationMode::kRecency;
+  settings.initial_number = std::max<std::uint64_t>(whole("initial-variable-id"), 1);
   settings.activate_on_query = store.IsOn("smem", "activate-on-query");
   settings.base_decay = real("base-decay");
   const std::string policy = text("base-update-policy");
@@ -234,6 +235,18 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
         "Spreading activation cannot be turned on until the 'activation-mode' is also set to base-level.\n"
         "Run 'smem --set activation-mode base-level' first if you intend to use spreading.");
   }
+  if (name == "initial-variable-id") {
+    const std::int64_t number = ParseLeadingInteger(value).value_or(0);
+    if (number < 1) return call.Fail("The id counter must be at least 1.");
+    // Of a memory that is in use, only the numbers to come change.
+    if (!memory.opened() && store.Set("smem", name, value) != SetResult::kOk) {
+      return call.Fail("Invalid setting for SMem parameter.");
+    }
+    Apply(call);
+    memory.SetNextNumber(static_cast<kernel::Lti>(number));
+    call.Out(fmt::format("{} is now {}\n", name, value));
+    return true;
+  }
   std::string kept = value;
   if (name == "base-incremental-threshes") {
     kept = Toggled(store.Get("smem", name), value);
@@ -380,6 +393,27 @@ bool Stats(CommandCall& call, const std::string& name) {
   return true;
 }
 
+/// Times of parts of the work. They are not taken: all show 0, as while timers are off.
+bool SmemTimers(CommandCall& call, std::string_view wanted) {
+  constexpr std::string_view kNames[] = {
+      "_total",          "smem_api",        "smem_hash",       "smem_init",       "smem_ncb_retrieval",
+      "smem_query",      "smem_storage",    "spreading",       "spreading-1",     "spreading-2",
+      "spreading-3",     "spreading-4",     "spreading-5",     "spreading-6",     "spreading-7",
+      "spreading-7-1",   "spreading-7-2",   "spreading-7-2-1", "spreading-7-2-2", "spreading-7-2-3",
+      "spreading-7-2-4", "spreading-7-2-5", "spreading-7-2-6", "spreading-7-2-7", "spreading-7-2-8",
+      "spreading-wma-1", "spreading-wma-2", "spreading-wma-3", "three_activation"};
+  if (!wanted.empty()) {
+    if (std::ranges::find(kNames, wanted) == std::end(kNames)) return call.Fail("Invalid timer.");
+    call.Out(" 0\n");
+    return true;
+  }
+  Summary summary(40);
+  summary.Rule('=').Text("         Semantic Memory Timers         \n").Rule('=');
+  for (const std::string_view name : kNames) summary.Row(std::string(name) + ":", "0");
+  call.Out(summary.Take());
+  return true;
+}
+
 /// The text of an option that wants braces, or a failure.
 bool TextOf(CommandCall& call, const ParsedWords& parsed, char letter, std::string& text) {
   if (const auto argument = parsed.Argument(letter)) {
@@ -438,12 +472,12 @@ bool CommandSmem(CommandCall& call) {
     case 'S':
       return Stats(call, parsed.Argument('S').value_or(""));
     case 't':
-      return call.Fail("Semantic memory takes no times.");
+      return SmemTimers(call, parsed.Argument('t').value_or(""));
     default:
       break;
   }
-  // What spreads is worked out when it is asked for.
-  return Use(call);
+  // Soar 9.6.3 reads --precalculate and does not know it. What spreads is worked out when it is asked for.
+  return call.Fail("Unknown option.");
 }
 
 }  // namespace soarbox::cli

@@ -29,25 +29,23 @@ std::string TermText(const Knowledge& knowledge, StoreTerm term, bool short_floa
   return text;
 }
 
-/// Augmentations in the order in which they are shown; `by_name`: attributes by their texts, else by age.
+/// Augmentations in the order in which they are shown; `by_name`: attributes by their texts, else in the order
+/// in which the store met them.
 std::string Augmentations(const Knowledge& knowledge, std::uint32_t object, bool by_name, bool short_floats = false) {
   struct Group {
     std::string attribute;
     std::vector<Edge> edges;
   };
   std::vector<Group> groups;
-  std::map<std::uint32_t, std::size_t> by_attribute;
-  for (const Edge& edge : knowledge.EdgesAt(object)) {
-    const auto [place, added] = by_attribute.try_emplace(edge.attribute.bits(), groups.size());
-    if (added) groups.push_back({TermText(knowledge, edge.attribute), {}});
-    groups[place->second].edges.push_back(edge);
+  for (const Edge& edge : knowledge.OrderedEdgesAt(object)) {
+    if (groups.empty() || groups.back().edges.front().attribute != edge.attribute) {
+      groups.push_back({TermText(knowledge, edge.attribute), {}});
+    }
+    groups.back().edges.push_back(edge);
   }
   if (by_name) std::ranges::stable_sort(groups, {}, &Group::attribute);
   std::string text;
-  for (Group& group : groups) {
-    std::ranges::stable_sort(group.edges, {}, [&](const Edge& edge) {
-      return edge.value.IsObject() ? knowledge.NumberAt(edge.value.index()) : 0;
-    });
+  for (const Group& group : groups) {
     text += " ^" + group.attribute;
     for (const Edge& edge : group.edges) text += " " + TermText(knowledge, edge.value, short_floats);
   }
@@ -163,7 +161,7 @@ std::string PrintedKnowledge(kernel::Agent& agent, const std::string& word, int 
     if (asked.waits_for_file()) asked.EnsureOpen();
   }
   const kernel::SemanticMemory* const memory = kernel::SemanticMemory::Find(agent.long_term());
-  if (word == "@") return memory == nullptr ? std::string() : AllObjects(*memory);
+  if (word == "@" || word == "@0") return memory == nullptr ? std::string() : AllObjects(*memory);
   const kernel::Lti number = memory == nullptr ? 0 : kernel::ObjectNamed(*memory, word);
   if (number == 0) return "LTI " + word + " not found in semantic memory.\n";
   return ObjectTree(*memory, memory->knowledge().Find(number), depth);

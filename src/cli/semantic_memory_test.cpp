@@ -70,6 +70,22 @@ TEST_F(SemanticMemoryTest, SavingTheAgentKeepsFactsAndSettings) {
   EXPECT_EQ(other.Do("smem --get activation-mode"), desk.Do("smem --get activation-mode"));
 }
 
+TEST_F(SemanticMemoryTest, WhatMakesNoSenseIsRefused) {
+  Desk desk(folder_);
+  desk.Do("smem --enable");
+  desk.Do("smem --add {(@1 ^name alpha)}");
+  EXPECT_THAT(desk.Do("smem --set initial-variable-id 0"), HasSubstr("The id counter must be at least 1."));
+  EXPECT_THAT(desk.Do("smem --timers nothing"), HasSubstr("Invalid timer."));
+  EXPECT_THAT(desk.Do("smem --precalculate"), HasSubstr("Unknown option."));
+  EXPECT_THAT(desk.Do("smem --query {(<q> ^name @0)}"), HasSubstr("LTI was not found."));
+  EXPECT_THAT(desk.Do("smem --remove {(@0)}"), HasSubstr("No LTI found for that id."));
+  EXPECT_THAT(desk.Do("smem --history @0"), HasSubstr("LTI not found."));
+  // Without bars it is an identifier, and an identifier is no attribute.
+  EXPECT_THAT(desk.Do("smem --add {(@1 ^k4 2)}"), HasSubstr("Error parsing clause #0"));
+  EXPECT_THAT(desk.Do("smem --query {(<q> ^k4 2)}"), HasSubstr("Error parsing clause #1."));
+  EXPECT_EQ(desk.Do("smem --stats edges"), " 1\n");
+}
+
 TEST_F(SemanticMemoryTest, AFileHoldsFactsAndHowActiveTheyAre) {
   std::string before;
   {

@@ -72,6 +72,7 @@ constexpr SettingInfo kSettings[] = {
     {"smem", "base-incremental-threshes", kText, "10"},
     {"smem", "thresh", kInteger, "100", {}, 0},
     {"smem", "base-inhibition", kSwitch, "off"},
+    {"smem", "initial-variable-id", kInteger, "1", {}, 1},
     {"smem", "base-unused-age-offset", kInteger, "0", {}, 0},
     {"smem", "spreading", kSwitch, "off"},
     {"smem", "spreading-limit", kInteger, "300", {}, 0},

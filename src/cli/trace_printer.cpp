@@ -11,6 +11,8 @@
 #include "cli/session.h"
 #include "cli/stack_printer.h"
 #include "kernel/decide/exploration.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/semantic_memory.h"
 #include "kernel/rules/print_production.h"
 
 namespace soarbox::cli {
@@ -97,6 +99,10 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kIndifferent), Event::kExploration);
   want(trace.On(TraceFlag::kRl), Event::kReinforcement);
   want(trace.On(TraceFlag::kWma), Event::kActivation);
+  kernel::LongTerm& long_term = session_.agent().long_term();
+  if (trace.On(TraceFlag::kSmem) || kernel::SemanticMemory::Find(long_term) != nullptr) {
+    kernel::SemanticMemory::Of(long_term).SetTrace(trace.On(TraceFlag::kSmem));
+  }
   session_.agent().AddObserver(*this, mask);
 }
 

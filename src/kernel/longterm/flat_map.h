@@ -46,7 +46,7 @@ class FlatMap {
     return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ull) >> 20) & (entries_.size() - 1);
   }
   void Grow() {
-    std::vector<Entry> old(entries_.empty() ? 64 : entries_.size() * 2);
+    std::vector<Entry> old(entries_.empty() ? 8 : entries_.size() * 2);
     old.swap(entries_);
     for (const Entry& entry : old) {
       if (entry.key == 0) continue;

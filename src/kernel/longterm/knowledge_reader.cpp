@@ -9,6 +9,7 @@
 
 #include "kernel/base/arena.h"
 #include "kernel/longterm/semantic_memory.h"
+#include "kernel/longterm/written_order.h"
 #include "kernel/rules/lexer.h"
 
 namespace soarbox::kernel {
@@ -30,6 +31,7 @@ struct WrittenAugmentation {
   std::vector<WrittenValue> path;  ///< The attribute, and those behind its dots.
   std::vector<WrittenValue> values;
   bool negative = false;
+  std::uint32_t place = 0;  ///< See WrittenOrder.
 };
 
 struct WrittenClause {
@@ -67,7 +69,7 @@ class ClauseReader {
       do {
         Advance();
         const std::optional<WrittenValue> attribute = ReadValue();
-        if (!attribute || attribute->IsObject()) return {};
+        if (!attribute || attribute->IsObject() || attribute->kind == WrittenValue::Kind::kIdentifier) return {};
         made.path.push_back(*attribute);
       } while (token_.kind == TokenKind::kPeriod);
       while (token_.kind != TokenKind::kUpArrow && token_.kind != TokenKind::kRightParen &&
@@ -93,7 +95,7 @@ class ClauseReader {
         const std::size_t end = token_.offset + token_.length;
         Advance();
         if (token_.offset != end) return {};
-        if (token_.kind == TokenKind::kInteger && token_.integer > 0) {
+        if (token_.kind == TokenKind::kInteger && token_.integer >= 0) {
           value.kind = WrittenValue::Kind::kNumber;
           value.number = static_cast<Lti>(token_.integer);
         } else if (token_.kind == TokenKind::kString || token_.kind == TokenKind::kIdentifier) {
@@ -147,30 +149,69 @@ class Adder {
  public:
   explicit Adder(SemanticMemory& memory) : memory_(memory) {}
 
-  void Add(const WrittenClause& clause) {
+  void Add(WrittenClause& clause) {
     const std::uint32_t object = ObjectOf(clause.object);
+    const bool is_ordered = Order(clause.augmentations);
     for (const WrittenAugmentation& augmentation : clause.augmentations) {
+      // A path's objects are made from its end.
+      std::vector<std::uint32_t> between(augmentation.path.size() - 1);
+      for (std::size_t n = between.size(); n-- > 0;) between[n] = memory_.NewObject();
       std::uint32_t owner = object;
-      for (std::size_t n = 0; n + 1 < augmentation.path.size(); ++n) {
-        const StoreTerm attribute = TermOf(augmentation.path[n]);
-        const std::uint32_t made = memory_.NewObject();
-        memory_.AddEdge(owner, attribute, StoreTerm::Object(made));
-        owner = made;
+      for (std::size_t n = 0; n < between.size(); ++n) {
+        memory_.AddEdge(owner, TermOf(augmentation.path[n]), StoreTerm::Object(between[n]));
+        owner = between[n];
       }
       const StoreTerm attribute = TermOf(augmentation.path.back());
       for (const WrittenValue& value : augmentation.values) memory_.AddEdge(owner, attribute, TermOf(value));
     }
+    if (!is_ordered) return;
+    WrittenOrder& order = memory_.written_order();
+    for (const WrittenAugmentation& augmentation : clause.augmentations) {
+      for (const WrittenValue& value : augmentation.values) {
+        if (IsText(value)) order.Drop(value.text);
+      }
+      for (const WrittenValue& attribute : augmentation.path) {
+        if (IsText(attribute)) order.Drop(attribute.text);
+      }
+    }
   }
 
  private:
+  static bool IsText(const WrittenValue& value) {
+    return value.kind == WrittenValue::Kind::kString || value.kind == WrittenValue::Kind::kIdentifier;
+  }
+  /// Puts augmentations into the order in which the store meets them. False if that is how they are written.
+  bool Order(std::vector<WrittenAugmentation>& augmentations) {
+    std::size_t texts = 0;
+    for (const WrittenAugmentation& augmentation : augmentations) {
+      texts += augmentation.path.size() + augmentation.values.size();
+    }
+    if (texts > WrittenOrder::kMostTexts) return false;
+    WrittenOrder& order = memory_.written_order();
+    for (WrittenAugmentation& augmentation : augmentations) {
+      for (const WrittenValue& attribute : augmentation.path) {
+        if (!IsText(attribute)) continue;
+        const std::uint32_t place = order.Read(attribute.text, memory_.symbols());
+        if (&attribute == &augmentation.path.front()) augmentation.place = place;
+      }
+      for (const WrittenValue& value : augmentation.values) {
+        if (IsText(value)) order.Read(value.text, memory_.symbols());
+      }
+    }
+    if (!std::ranges::is_sorted(augmentations, {}, &WrittenAugmentation::place)) {
+      std::ranges::stable_sort(augmentations, {}, &WrittenAugmentation::place);
+    }
+    return true;
+  }
   std::uint32_t ObjectOf(const WrittenValue& value) {
-    if (value.kind == WrittenValue::Kind::kNumber) return memory_.ObjectOf(value.number);
+    if (value.kind == WrittenValue::Kind::kNumber && value.number != 0) return memory_.ObjectOf(value.number);
     if (value.kind == WrittenValue::Kind::kAlias) {
       if (const Lti known = memory_.knowledge().FindAlias(value.text)) return memory_.ObjectOf(known);
       const std::uint32_t made = memory_.NewObject();
       memory_.SetAlias(value.text, memory_.knowledge().NumberAt(made));
       return made;
     }
+    // @0 is a variable, too.
     const auto [place, added] = variables_.try_emplace(value.text, 0);
     if (added) place->second = memory_.NewObject();
     return place->second;
@@ -188,7 +229,9 @@ class Adder {
 
 std::uint32_t FindObject(const SemanticMemory& memory, const WrittenValue& value) {
   const Knowledge& knowledge = memory.knowledge();
-  if (value.kind == WrittenValue::Kind::kNumber) return knowledge.Find(value.number);
+  if (value.kind == WrittenValue::Kind::kNumber) {
+    return value.number == 0 ? Knowledge::kNowhere : knowledge.Find(value.number);
+  }
   const Lti number = value.kind == WrittenValue::Kind::kAlias ? knowledge.FindAlias(value.text) : 0;
   return number == 0 ? Knowledge::kNowhere : knowledge.Find(number);
 }
@@ -257,7 +300,7 @@ std::string AddKnowledge(SemanticMemory& memory, std::string_view text) {
   std::size_t number = 0;
   // What stands before a clause that cannot be read is added.
   do {
-    const std::optional<WrittenClause> clause = reader.Read(true);
+    std::optional<WrittenClause> clause = reader.Read(true);
     if (!clause || clause->augmentations.empty() ||
         std::ranges::any_of(clause->augmentations, &WrittenAugmentation::negative)) {
       return InClause(number);
@@ -319,6 +362,7 @@ std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool 
   failed = !Plan(memory, *clause, force, plan, errors);
   if (failed) return errors;
   for (const Removal& removal : plan) memory.RemoveEdge(removal.object, removal.attribute, removal.value);
+  memory.TraceRewritten(FindObject(memory, clause->object));
   return errors;
 }
 

@@ -146,11 +146,11 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
   Parse(command);
   const bool store_changed = command.store != state.store;
   if (store_only && command.store.count == 0) {
-    // The store that was answered has gone; what else there is waits for the output phase.
+    // The store that was answered has gone, and its answer with it. What else there is waits for the output phase, if
+    // it has not been answered: what stood beside the store is not asked again.
     state.store = command.store;
     if (state.results.empty()) return false;
     installer_.Retract(state.results);
-    state.other = {};
     return true;
   }
   state.store = command.store;
@@ -218,6 +218,7 @@ std::uint32_t SemanticMemory::Store(Symbol id, bool as_new) {
   }
   // Its augmentations are made anew: their rows are the youngest.
   const std::vector<Edge> old(knowledge_->EdgesAt(object).begin(), knowledge_->EdgesAt(object).end());
+  TraceGone(object);
   for (const Edge& edge : old) RemoveEdge(object, edge.attribute, edge.value);
   for (const auto& [attribute, value] : edges) AddEdge(object, attribute, value);
   Touch(object, false);
@@ -308,27 +309,22 @@ Symbol SemanticMemory::Retrieve(std::uint32_t root, Retrieval& retrieval, std::i
     for (const std::uint32_t object : wave) {
       const Symbol parent = identifier_of(object);
       if (object != root) retrieval.deeper.push_back(parent);
-      // By attribute, the oldest first; values with the youngest first, as their elements are made in turn.
-      std::vector<Edge> edges(knowledge_->EdgesAt(object).begin(), knowledge_->EdgesAt(object).end());
-      const auto number = [&](const Edge& edge) {
-        return edge.value.IsObject() ? knowledge_->NumberAt(edge.value.index()) : 0;
-      };
-      if (!std::ranges::is_sorted(edges, {}, number)) std::ranges::stable_sort(edges, {}, number);
+      // By attribute; the values of one with the last first, as their elements are made in turn.
+      const std::vector<Edge> edges = knowledge_->OrderedEdgesAt(object);
       retrieval.contents.reserve(retrieval.contents.size() + edges.size());
-      while (!edges.empty()) {
-        const StoreTerm attribute = edges.front().attribute;
+      for (std::size_t n = 0; n < edges.size();) {
+        const StoreTerm attribute = edges[n].attribute;
+        const Symbol name = SymbolOf(attribute);
         const std::size_t first = retrieval.contents.size();
-        for (const Edge& edge : edges) {
-          if (edge.attribute != attribute) continue;
-          const bool links = edge.value.IsObject();
-          const Symbol value = links ? identifier_of(edge.value.index()) : SymbolOf(edge.value);
-          retrieval.contents.push_back({parent, SymbolOf(attribute), value});
-          if (!links || std::ranges::find(seen, edge.value.index()) != seen.end()) continue;
-          seen.push_back(edge.value.index());
-          next.push_back(edge.value.index());
+        for (; n < edges.size() && edges[n].attribute == attribute; ++n) {
+          const StoreTerm held = edges[n].value;
+          const bool links = held.IsObject();
+          retrieval.contents.push_back({parent, name, links ? identifier_of(held.index()) : SymbolOf(held)});
+          if (!links || std::ranges::find(seen, held.index()) != seen.end()) continue;
+          seen.push_back(held.index());
+          next.push_back(held.index());
         }
         std::reverse(retrieval.contents.begin() + static_cast<std::ptrdiff_t>(first), retrieval.contents.end());
-        std::erase_if(edges, [&](const Edge& edge) { return edge.attribute == attribute; });
       }
     }
     wave.swap(next);

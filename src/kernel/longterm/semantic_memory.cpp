@@ -58,7 +58,7 @@ void SemanticMemory::SettingsChanged() {
 
 Knowledge& SemanticMemory::Writable() {
   if (shared_) {
-    knowledge_ = std::make_shared<Knowledge>(knowledge_->Copy());
+    knowledge_ = std::make_shared<Knowledge>(std::shared_ptr<const Knowledge>(std::move(knowledge_)));
     shared_ = false;
   }
   return *knowledge_;
@@ -66,7 +66,7 @@ Knowledge& SemanticMemory::Writable() {
 
 void SemanticMemory::Share() {
   // What is small, or kept in a file of its own, is not worth the trouble.
-  if (shared_ || journal_ != nullptr || knowledge_->object_count() < kWorthSharing) return;
+  if (shared_ || knowledge_->is_layer() || journal_ != nullptr || knowledge_->object_count() < kWorthSharing) return;
   knowledge_ = ShareKnowledge(std::move(knowledge_));
   shared_ = true;
 }
@@ -74,6 +74,11 @@ void SemanticMemory::Share() {
 void SemanticMemory::NoteGraphChanged() {
   search_.Forget();
   spreading_.Forget();
+}
+
+void SemanticMemory::NoteEdgeChanged(StoreTerm attribute, StoreTerm value) {
+  search_.Forget(attribute);
+  if (value.IsObject()) spreading_.Forget();
 }
 
 std::uint32_t SemanticMemory::ObjectOf(Lti number) {
@@ -91,10 +96,12 @@ std::uint32_t SemanticMemory::NewObject() {
 }
 
 bool SemanticMemory::AddEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
-  if (knowledge_->Has(object, attribute, value)) return false;
-  Writable().AddEdge(object, attribute, value);
+  if (traced_) TraceAdded(object, attribute, value);
+  // (What is there already is no reason for a layer.)
+  if (shared_ && knowledge_->Has(object, attribute, value)) return false;
+  if (!Writable().AddEdge(object, attribute, value)) return false;
   if (journal_ != nullptr) journal_->Append(records::Edge(*knowledge_, object, attribute, value, true));
-  NoteGraphChanged();
+  NoteEdgeChanged(attribute, value);
   return true;
 }
 
@@ -102,8 +109,18 @@ bool SemanticMemory::RemoveEdge(std::uint32_t object, StoreTerm attribute, Store
   if (!knowledge_->Has(object, attribute, value)) return false;
   Writable().RemoveEdge(object, attribute, value);
   if (journal_ != nullptr) journal_->Append(records::Edge(*knowledge_, object, attribute, value, false));
-  NoteGraphChanged();
+  NoteEdgeChanged(attribute, value);
   return true;
+}
+
+const SymbolTable& SemanticMemory::symbols() const {
+  return engine_.symbols;
+}
+
+void SemanticMemory::SetNextNumber(Lti number) {
+  if (knowledge_->next_number() == number) return;
+  Writable().set_next_number(number);
+  if (journal_ != nullptr) journal_->Append(records::NextNumber(number));
 }
 
 void SemanticMemory::SetAlias(std::string_view name, Lti number) {
@@ -113,11 +130,14 @@ void SemanticMemory::SetAlias(std::string_view name, Lti number) {
 
 void SemanticMemory::Clear() {
   knowledge_ = std::make_shared<Knowledge>();
+  knowledge_->set_next_number(settings_.initial_number);
   shared_ = false;
   activations_.Clear();
   NoteGraphChanged();
   spreading_.Clear();
-  if (journal_ != nullptr) journal_->Append(records::Clear());
+  if (journal_ == nullptr) return;
+  journal_->Append(records::Clear());
+  if (settings_.initial_number != 1) journal_->Append(records::NextNumber(settings_.initial_number));
 }
 
 std::vector<std::uint32_t> SemanticMemory::Search(const Cue& cue, std::size_t limit) {
@@ -128,6 +148,35 @@ std::vector<std::uint32_t> SemanticMemory::Search(const Cue& cue, std::size_t li
 void SemanticMemory::Touch(std::uint32_t object, bool advance) {
   if (activations_.Touch(object, advance)) search_.FirstTouched(*knowledge_, object);
   if (journal_ != nullptr) journal_->Append(records::Touch(knowledge_->NumberAt(object), advance));
+}
+
+// The trace -----------------------------------------------------------------------------------------------------------
+
+void SemanticMemory::TraceGone(std::uint32_t object) {
+  if (traced_) engine_.Print("<=SMEM: (@" + std::to_string(knowledge_->NumberAt(object)) + " ^* *)\n");
+}
+
+void SemanticMemory::TraceAdded(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
+  const Terms& terms = knowledge_->terms();
+  const std::string number = std::to_string(knowledge_->NumberAt(object));
+  std::string line = value.IsObject() ? "=>SMEM: (" + number : "=>SMEM: (@" + number;
+  line += " ^";
+  terms.Append(line, attribute);
+  line += ' ';
+  if (value.IsObject()) {
+    line += std::to_string(knowledge_->NumberAt(value.index()));
+  } else if (value.kind() == TermKind::kFloat) {
+    line += std::to_string(terms.FloatValue(value));
+  } else {
+    terms.Append(line, value);
+  }
+  engine_.Print(line + ")\n");
+}
+
+void SemanticMemory::TraceRewritten(std::uint32_t object) {
+  if (!traced_) return;
+  TraceGone(object);
+  for (const Edge& edge : knowledge_->OrderedEdgesAt(object)) TraceAdded(object, edge.attribute, edge.value);
 }
 
 // Keeping -------------------------------------------------------------------------------------------------------------
@@ -163,6 +212,7 @@ void SemanticMemory::Save(RecordWriter& out) const {
 
 bool SemanticMemory::Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records) {
   auto loaded = std::make_shared<Knowledge>();
+  loaded->set_next_number(settings_.initial_number);
   Activations active(settings_);
   if (!image.empty() && !records::ReadImage(image, *loaded, active)) return false;
   for (const std::vector<std::uint8_t>& record : records) {

@@ -21,6 +21,7 @@
 #include "kernel/longterm/semantic_query.h"
 #include "kernel/longterm/smem_settings.h"
 #include "kernel/longterm/spreading.h"
+#include "kernel/longterm/written_order.h"
 
 namespace soarbox::kernel {
 
@@ -74,10 +75,19 @@ class SemanticMemory final : public MemoryModule {
   StoreTerm StringTerm(std::string_view text) { return Writable().terms().String(text); }
   StoreTerm IntegerTerm(std::int64_t value) { return Writable().terms().Integer(value); }
   StoreTerm FloatTerm(double value) { return Writable().terms().Float(value); }
+  WrittenOrder& written_order() { return written_order_; }
+  const SymbolTable& symbols() const;
+  /// From here on the number of the next new object is looked for.
+  void SetNextNumber(Lti number);
   /// Forgets everything.
   void Clear();
   /// The objects that fit, best first, as `smem --query` lists them: nothing is touched.
   std::vector<std::uint32_t> Search(const Cue& cue, std::size_t limit);
+
+  /// Shows additions and removals as text (`trace --smem`).
+  void SetTrace(bool on) { traced_ = on; }
+  /// Says that all augmentations of an object go, and those that it has now came, if that is shown.
+  void TraceRewritten(std::uint32_t object);
 
   // The journal -----------------------------------------------------------------------------------------------------
 
@@ -103,7 +113,7 @@ class SemanticMemory final : public MemoryModule {
   // Sharing ---------------------------------------------------------------------------------------------------------
 
   /// Shares the knowledge with other agents that know the very same, if there are any. Done by itself when the agent
-  /// runs first. Who changes shared knowledge gets a copy of its own.
+  /// runs first. Who changes shared knowledge gets a layer of its own over it.
   void Share();
   bool shares() const { return shared_; }
 
@@ -152,7 +162,10 @@ class SemanticMemory final : public MemoryModule {
   Symbol SymbolOf(StoreTerm constant);
   void Touch(std::uint32_t object, bool advance = true);
   void UpdateSources();
+  void TraceGone(std::uint32_t object);
+  void TraceAdded(std::uint32_t object, StoreTerm attribute, StoreTerm value);
   void NoteGraphChanged();
+  void NoteEdgeChanged(StoreTerm attribute, StoreTerm value);
 
   LongTerm& long_term_;
   struct Engine& engine_;
@@ -164,6 +177,7 @@ class SemanticMemory final : public MemoryModule {
   Installer installer_;
   CommandWatch watch_;
   SmemCounters counters_;
+  WrittenOrder written_order_;
   std::vector<State> states_;  ///< By level - 1.
   bool pending_ = false;       ///< Commands changed since the last output phase.
   std::unique_ptr<Journal> journal_;
@@ -171,6 +185,7 @@ class SemanticMemory final : public MemoryModule {
   bool opened_ = false;
   bool shared_ = false;
   bool asked_to_share_ = false;
+  bool traced_ = false;
   bool warned_ = false;  ///< Of a journal that cannot be written.
   mutable bool first_line_ = true;
 };

@@ -77,12 +77,22 @@ std::uint32_t SemanticSearch::RowIn(const Knowledge& knowledge, std::uint32_t ob
   return row;
 }
 
-std::vector<std::uint32_t>& SemanticSearch::HotOf(const Knowledge& knowledge, std::uint32_t list) {
+std::vector<std::uint32_t>& SemanticSearch::HotOf(const Knowledge& knowledge, std::uint32_t list,
+                                                  const CueElement& driver) {
   const auto [place, added] = hot_.try_emplace(list);
   if (!added) return place->second;
   std::vector<std::uint32_t>& hot = place->second;
-  for (const Member& member : knowledge.ListAt(list)) {
-    if (activations_.Find(member.object) != nullptr) hot.push_back(member.object);
+  const MemberList members = knowledge.ListAt(list);
+  const std::span<const Activations::Touched> touched = activations_.records();
+  if (touched.size() < members.slots()) {
+    // What was touched is often less than what is known.
+    for (const Activations::Touched& record : touched) {
+      if (RowIn(knowledge, record.object, driver) != 0) hot.push_back(record.object);
+    }
+  } else {
+    members.ForEach([&](const Member& member) {
+      if (activations_.Find(member.object) != nullptr) hot.push_back(member.object);
+    });
   }
   std::ranges::sort(hot);
   hot.erase(std::unique(hot.begin(), hot.end()), hot.end());
@@ -92,17 +102,18 @@ std::vector<std::uint32_t>& SemanticSearch::HotOf(const Knowledge& knowledge, st
 const std::vector<SemanticSearch::Number>& SemanticSearch::NumbersOf(const Knowledge& knowledge, StoreTerm attribute) {
   const auto [place, added] = numbers_.try_emplace(attribute.bits());
   if (!added) return place->second;
+  std::vector<Number>& numbers = place->second;
   const std::uint32_t list = knowledge.FindList(attribute, StoreTerm());
-  if (list == Knowledge::kNowhere) return place->second;
-  for (const Member& member : knowledge.ListAt(list)) {
+  if (list == Knowledge::kNowhere) return numbers;
+  knowledge.ListAt(list).ForEach([&](const Member& member) {
     const std::span<const Edge> edges = knowledge.EdgesAt(member.object);
     const auto edge = std::ranges::find(edges, member.row, &Edge::row);
-    if (!edge->value.IsNumber()) continue;
+    if (!edge->value.IsNumber()) return;
     const double number = knowledge.terms().NumberValue(edge->value);
-    if (number == number) place->second.push_back({number, member.object});
-  }
-  std::ranges::stable_sort(place->second, {}, &Number::number);
-  return place->second;
+    if (number == number) numbers.push_back({number, member.object});
+  });
+  std::ranges::stable_sort(numbers, {}, &Number::number);
+  return numbers;
 }
 
 void SemanticSearch::FirstTouched(const Knowledge& knowledge, std::uint32_t object) {
@@ -131,10 +142,10 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     driving_list = list;
   }
   if (driver == nullptr) return {};
-  const std::span<const Member> list = knowledge.ListAt(driving_list);
+  const MemberList list = knowledge.ListAt(driving_list);
   if (settings_.activation_mode == ActivationMode::kBaseLevel &&
       settings_.base_update_policy == BaseUpdatePolicy::kNaive) {
-    for (const Member& member : list) activations_.Update(member.object);
+    list.ForEach([&](const Member& member) { activations_.Update(member.object); });
     hot_.erase(driving_list);
   }
   const auto is_prohibited = [&](std::uint32_t object) {
@@ -208,7 +219,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
       hot.front() = made;
     }
   };
-  for (const std::uint32_t object : HotOf(knowledge, driving_list)) {
+  for (const std::uint32_t object : HotOf(knowledge, driving_list, *driver)) {
     if (activations_.Find(object) != nullptr) consider(object);
   }
   if (spreading != nullptr) {
@@ -221,7 +232,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   // The others, merged in: all are equally active, the youngest row comes first.
   std::vector<std::uint32_t> found;
   std::size_t next_hot = 0;
-  std::size_t next_cold = list.size();
+  std::size_t next_cold = list.slots();
   std::vector<std::uint32_t> seen;  // Of an attribute with any value an object may stand in the list more than once.
   bool has_best = false;
   double best = 0, second_best = 0;
@@ -249,9 +260,10 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   while (true) {
     std::uint32_t cold = Knowledge::kNowhere;
     while (next_cold > 0) {
-      const std::uint32_t object = list[next_cold - 1].object;
+      const std::uint32_t object = list.At(next_cold - 1).object;
       const bool again = !driver->value && std::ranges::find(seen, object) != seen.end();
-      if (!again && is_cold(object) && !is_prohibited(object) && Fits(knowledge, cue, driver, object)) {
+      if (!again && !list.IsHidden(next_cold - 1) && is_cold(object) && !is_prohibited(object) &&
+          Fits(knowledge, cue, driver, object)) {
         cold = object;
         break;
       }
@@ -262,7 +274,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     Candidate passive;
     passive.object = cold;
     passive.activation = cold_activation;
-    passive.row = next_cold > 0 ? list[next_cold - 1].row : 0;
+    passive.row = next_cold > 0 ? list.At(next_cold - 1).row : 0;
     if (has_hot && (cold == Knowledge::kNowhere || Better(hot[next_hot], passive))) {
       if (take(hot[next_hot++].object)) break;
       continue;

@@ -48,7 +48,11 @@ class SemanticSearch {
                                   std::size_t limit, const Spreading* spreading = nullptr);
   /// To be called when an object is touched for the first time.
   void FirstTouched(const Knowledge& knowledge, std::uint32_t object);
-  /// To be called before or after augmentations of an object change.
+  /// To be called before or after augmentations of an object with this attribute change.
+  void Forget(StoreTerm attribute) {
+    hot_.clear();
+    numbers_.erase(attribute.bits());
+  }
   void Forget() {
     hot_.clear();
     numbers_.clear();
@@ -69,7 +73,7 @@ class SemanticSearch {
   /// The numbers that objects have for an attribute, in ascending order.
   const std::vector<Number>& NumbersOf(const Knowledge& knowledge, StoreTerm attribute);
   bool Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver, std::uint32_t object) const;
-  std::vector<std::uint32_t>& HotOf(const Knowledge& knowledge, std::uint32_t list);
+  std::vector<std::uint32_t>& HotOf(const Knowledge& knowledge, std::uint32_t list, const CueElement& driver);
   static std::uint32_t RowIn(const Knowledge& knowledge, std::uint32_t object, const CueElement& driver);
 
   const SmemSettings& settings_;

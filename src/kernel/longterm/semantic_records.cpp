@@ -15,7 +15,8 @@ enum class Kind : std::uint8_t {
   kAlias,
   kTouch,
   kClear,
-  kTouchNoAdvance
+  kTouchNoAdvance,
+  kNextNumber
 };
 constexpr std::uint8_t kImageVersion = 1;
 
@@ -74,6 +75,9 @@ std::vector<std::uint8_t> Object(Lti number) {
 std::vector<std::uint8_t> NewObject(Lti number) {
   return OfNumber(Kind::kNewObject, number);
 }
+std::vector<std::uint8_t> NextNumber(Lti number) {
+  return OfNumber(Kind::kNextNumber, number);
+}
 std::vector<std::uint8_t> Touch(Lti number, bool advance) {
   return OfNumber(advance ? Kind::kTouch : Kind::kTouchNoAdvance, number);
 }
@@ -123,6 +127,12 @@ bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activatio
       if (!in.ok()) return false;
       return adds ? knowledge.AddEdge(object, attribute, value) : knowledge.RemoveEdge(object, attribute, value);
     }
+    case Kind::kNextNumber: {
+      const Lti number = in.Number();
+      if (!in.ok() || number == 0) return false;
+      knowledge.set_next_number(number);
+      return true;
+    }
     case Kind::kAlias: {
       const std::string_view name = in.Text();
       const Lti number = in.Number();
@@ -166,31 +176,35 @@ void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations
     }
   }
   std::ranges::sort(entries, {}, &Entry::row);
-  // Constants once, by the order in which augmentations name them.
-  FlatMap numbers;
+  // Constants once, in the order in which the store met them.
+  FlatMap noted;
   std::vector<StoreTerm> constants;
   const auto note = [&](StoreTerm term) {
     if (term.IsObject()) return;
     const auto next = static_cast<std::uint32_t>(constants.size());
-    if (numbers.FindOrAdd(term.bits(), next) == next) constants.push_back(term);
+    if (noted.FindOrAdd(term.bits(), next) == next) constants.push_back(term);
   };
   for (const Entry& entry : entries) {
     note(entry.attribute);
     note(entry.value);
   }
+  std::ranges::sort(constants, {}, [&](StoreTerm term) { return knowledge.terms().Order(term); });
+  FlatMap places;
+  for (const StoreTerm term : constants) places.FindOrAdd(term.bits(), static_cast<std::uint32_t>(places.size()));
   out.Number(constants.size());
   for (const StoreTerm term : constants) WriteTerm(out, knowledge, term);
   out.Number(entries.size());
   const auto write = [&](StoreTerm term) {
-    out.Number(term.IsObject() ? 2 * std::uint64_t{term.index()} + 1 : 2 * std::uint64_t{numbers.Find(term.bits())});
+    out.Number(term.IsObject() ? 2 * std::uint64_t{term.index()} + 1 : 2 * std::uint64_t{places.Find(term.bits())});
   };
   for (const Entry& entry : entries) {
     out.Number(entry.object);
     write(entry.attribute);
     write(entry.value);
   }
-  out.Number(knowledge.aliases().size());
-  for (const auto& [name, number] : knowledge.aliases()) {
+  const auto aliases = knowledge.Aliases();
+  out.Number(aliases.size());
+  for (const auto& [name, number] : aliases) {
     out.Text(name);
     out.Number(number);
   }

@@ -16,6 +16,7 @@ namespace soarbox::kernel::records {
 
 std::vector<std::uint8_t> Object(Lti number);
 std::vector<std::uint8_t> NewObject(Lti number);
+std::vector<std::uint8_t> NextNumber(Lti number);
 std::vector<std::uint8_t> Edge(const Knowledge& knowledge, std::uint32_t object, StoreTerm attribute, StoreTerm value,
                                bool added);
 std::vector<std::uint8_t> Alias(std::string_view name, Lti number);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <random>
 #include <set>
@@ -145,6 +146,38 @@ class RandomMemory {
     objects_ = seed % 4 == 0 ? 150 : 12;
   }
 
+  /// Another agent over the same knowledge, with what the first one did until now as its own past. From now on both
+  /// change layers.
+  RandomMemory(RandomMemory& other, unsigned seed)
+      : random_(seed),
+        settings_(other.settings_),
+        naive_(settings_),
+        activations_(settings_),
+        search_(settings_, activations_),
+        row_(other.row_),
+        objects_(other.objects_) {
+    naive_.objects = other.naive_.objects;
+    naive_.clock = other.naive_.clock;
+    naive_.kept = other.naive_.kept;
+    const std::vector<Activations::Touched> touched(other.activations_.records().begin(),
+                                                    other.activations_.records().end());
+    activations_.Restore(other.activations_.tick(), touched);
+    if (!other.knowledge_->is_layer()) {
+      other.base_ = other.knowledge_;
+      other.knowledge_ = std::make_shared<Knowledge>(other.base_);
+      other.search_.Forget();
+    }
+    base_ = other.base_;
+    knowledge_ = std::make_shared<Knowledge>(base_);
+  }
+
+  std::vector<std::uint8_t> Image() const {
+    RecordWriter image;
+    records::WriteImage(image, *knowledge_, activations_);
+    return {image.bytes().begin(), image.bytes().end()};
+  }
+  const Knowledge& knowledge() const { return *knowledge_; }
+
   void Step() {
     switch (random_() % 10) {
       case 0:
@@ -165,12 +198,12 @@ class RandomMemory {
   }
 
   void Check() {
-    EXPECT_EQ(knowledge_.CheckInvariants(), "");
+    EXPECT_EQ(knowledge_->CheckInvariants(), "");
     for (const auto& [number, object] : naive_.objects) {
-      EXPECT_NEAR(activations_.Of(knowledge_.Find(number)), naive_.ActivationOf(number), 1e-12);
+      EXPECT_NEAR(activations_.Of(knowledge_->Find(number)), naive_.ActivationOf(number), 1e-12);
     }
     RecordWriter image;
-    records::WriteImage(image, knowledge_, activations_);
+    records::WriteImage(image, *knowledge_, activations_);
     Knowledge again;
     Activations active(settings_);
     ASSERT_TRUE(records::ReadImage(image.bytes(), again, active));
@@ -181,10 +214,10 @@ class RandomMemory {
   }
 
  private:
-  StoreTerm Attribute(int number) { return knowledge_.terms().String("a" + std::to_string(number)); }
+  StoreTerm Attribute(int number) { return knowledge_->terms().String("a" + std::to_string(number)); }
   StoreTerm Value(int number) {
-    if (number % 3 == 0) return knowledge_.terms().Integer(number);
-    return knowledge_.terms().String("v" + std::to_string(number));
+    if (number % 3 == 0) return knowledge_->terms().Integer(number);
+    return knowledge_->terms().String("v" + std::to_string(number));
   }
   int AnyAttribute() { return static_cast<int>(random_() % 4); }
   /// Low numbers are common.
@@ -197,25 +230,25 @@ class RandomMemory {
     NaiveObject& object = naive_.objects[number];
     const bool there = NaiveMemory::Has(object, {attribute, value});
     if (!there) object.edges.push_back({attribute, value, ++row_});
-    EXPECT_EQ(knowledge_.AddEdge(knowledge_.FindOrAdd(number), Attribute(attribute), Value(value)), !there);
-    search_.Forget();
+    EXPECT_EQ(knowledge_->AddEdge(knowledge_->FindOrAdd(number), Attribute(attribute), Value(value)), !there);
+    search_.Forget(Attribute(attribute));
   }
 
   void Remove() {
     const Lti number = Some();
     const int attribute = AnyAttribute(), value = AnyValue();
-    const std::uint32_t place = knowledge_.FindOrAdd(number);
+    const std::uint32_t place = knowledge_->FindOrAdd(number);
     NaiveObject& object = naive_.objects[number];
     const auto gone = std::erase_if(
         object.edges, [&](const NaiveEdge& edge) { return edge.attribute == attribute && edge.value == value; });
-    EXPECT_EQ(knowledge_.RemoveEdge(place, Attribute(attribute), Value(value)), gone == 1);
-    search_.Forget();
+    EXPECT_EQ(knowledge_->RemoveEdge(place, Attribute(attribute), Value(value)), gone == 1);
+    search_.Forget(Attribute(attribute));
   }
 
   void Touch(Lti number) {
-    const std::uint32_t place = knowledge_.FindOrAdd(number);
+    const std::uint32_t place = knowledge_->FindOrAdd(number);
     naive_.Touch(number);
-    if (activations_.Touch(place)) search_.FirstTouched(knowledge_, place);
+    if (activations_.Touch(place)) search_.FirstTouched(*knowledge_, place);
   }
 
   void Query() {
@@ -233,8 +266,8 @@ class RandomMemory {
     for (int n = 0; n < 2; ++n) {
       if (random_() % 3 != 0) continue;
       const Lti number = Some();
-      if (knowledge_.Find(number) == Knowledge::kNowhere || !prohibited.insert(number).second) continue;
-      places.push_back(knowledge_.Find(number));
+      if (knowledge_->Find(number) == Knowledge::kNowhere || !prohibited.insert(number).second) continue;
+      places.push_back(knowledge_->Find(number));
     }
     const int extreme = random_() % 3 == 0 ? AnyAttribute() : -1;
     const bool largest = random_() % 2 == 0;
@@ -244,18 +277,19 @@ class RandomMemory {
       cue.elements.push_back(test);
       demands.push_back({extreme, -1});
     }
-    const std::vector<std::uint32_t> found = search_.Find(knowledge_, cue, places, 1);
+    const std::vector<std::uint32_t> found = search_.Find(*knowledge_, cue, places, 1);
     const std::optional<Lti> expected = naive_.Find(demands, prohibited, extreme, largest);
     ASSERT_EQ(found.empty(), !expected.has_value());
     if (!expected) return;
-    ASSERT_EQ(knowledge_.NumberAt(found.front()), *expected);
+    ASSERT_EQ(knowledge_->NumberAt(found.front()), *expected);
     Touch(*expected);
   }
 
   std::mt19937 random_;
   SmemSettings settings_;
   NaiveMemory naive_;
-  Knowledge knowledge_;
+  std::shared_ptr<const Knowledge> base_;
+  std::shared_ptr<Knowledge> knowledge_ = std::make_shared<Knowledge>();
   Activations activations_;
   SemanticSearch search_;
   int row_ = 0;
@@ -272,6 +306,53 @@ TEST(SemanticSearch, AnswersAsAModelWithoutIndicesDoes) {
     }
     memory.Check();
   }
+}
+
+/// Agents over shared knowledge, beside the same model: what one of them does, no other one sees.
+TEST(SharedKnowledge, LayersAnswerAsAModelOfTheirOwnDoes) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMemory first(seed);
+    for (int step = 0; step < 300; ++step) first.Step();
+    const std::vector<std::uint8_t> before = first.Image();
+    RandomMemory second(first, seed + 1000), third(first, seed + 2000);
+    ASSERT_TRUE(second.knowledge().is_layer());
+    EXPECT_EQ(third.Image(), before);
+    for (int step = 0; step < 300; ++step) {
+      first.Step();
+      second.Step();
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+    first.Check();
+    second.Check();
+    EXPECT_EQ(third.Image(), before);
+    EXPECT_EQ(third.knowledge().CheckInvariants(), "");
+  }
+}
+
+/// A layer holds what was changed, however much is known.
+TEST(SharedKnowledge, ALayerCostsWhatItChanges) {
+  const auto known = std::make_shared<Knowledge>();
+  const StoreTerm kind = known->terms().String("kind"), thing = known->terms().String("thing");
+  const StoreTerm number = known->terms().String("number");
+  for (int n = 0; n < 20'000; ++n) {
+    const std::uint32_t object = known->AddNew();
+    known->AddEdge(object, kind, thing);
+    known->AddEdge(object, number, known->terms().Integer(n));
+  }
+  const std::shared_ptr<const Knowledge> base = known;
+  Knowledge layer(base);
+  EXPECT_EQ(layer.object_count(), 20'000u);
+  const std::uint32_t made = layer.AddNew();
+  EXPECT_EQ(layer.NumberAt(made), 20'001u);
+  EXPECT_TRUE(layer.AddEdge(made, kind, thing));
+  EXPECT_FALSE(layer.AddEdge(5, kind, thing));
+  EXPECT_TRUE(layer.RemoveEdge(5, kind, thing));
+  EXPECT_EQ(layer.ListAt(layer.FindList(kind, thing)).size(), 20'000u);
+  EXPECT_EQ(base->ListAt(base->FindList(kind, thing)).size(), 20'000u);
+  EXPECT_LT(layer.MemoryBytes(), 5'000u);
+  EXPECT_GT(base->MemoryBytes(), 1'000'000u);
+  EXPECT_EQ(layer.CheckInvariants(), "");
 }
 
 TEST(SemanticRecords, BytesThatLieAreRefused) {

@@ -30,6 +30,7 @@ std::pair<std::uint64_t, std::uint64_t> DigestOf(const Knowledge& knowledge) {
   const auto add_term = [&](StoreTerm term) {
     add(term.bits());
     if (term.IsObject()) return;
+    add(knowledge.terms().Order(term));
     const std::size_t place = 4 * std::size_t{term.index()} + static_cast<std::size_t>(term.kind());
     if (told.size() <= place) told.resize(place + 1);
     if (std::exchange(told[place], 1) != 0) return;
@@ -53,7 +54,7 @@ std::pair<std::uint64_t, std::uint64_t> DigestOf(const Knowledge& knowledge) {
       add_term(edge.value);
     }
   }
-  for (const auto& [name, number] : knowledge.aliases()) {
+  for (const auto& [name, number] : knowledge.Aliases()) {
     add_text(name);
     add(number);
   }

@@ -13,6 +13,7 @@ enum class BaseUpdatePolicy : std::uint8_t { kStable, kNaive, kIncremental };
 /// What `smem --set` sets, as far as it means something to the kernel.
 struct SmemSettings {
   bool enabled = false;
+  std::uint64_t initial_number = 1;  ///< Where the numbers of new objects begin in an empty memory.
   ActivationMode activation_mode = ActivationMode::kRecency;
   bool activate_on_query = true;
   double base_decay = 0.5;

@@ -22,7 +22,8 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   longterm/spreading.cpp
   longterm/surface_match.cpp
   longterm/terms.cpp
-  longterm/wm_activation.cpp)
+  longterm/wm_activation.cpp
+  longterm/written_order.cpp)
 soarbox_kernel_test(kernel_episodes_test SOURCES longterm/episode_store_test.cpp longterm/episodic_memory_test.cpp
   longterm/naive_episodes.cpp)
 soarbox_kernel_test(kernel_semantic_test SOURCES longterm/semantic_search_test.cpp)

@@ -10,51 +10,76 @@
 
 namespace soarbox::kernel {
 
+Terms::Terms(const Terms* base)
+    : base_(base),
+      first_string_(static_cast<std::uint32_t>(base->strings_.size())),
+      first_integer_(static_cast<std::uint32_t>(base->integers_.size())),
+      first_float_(static_cast<std::uint32_t>(base->floats_.size())),
+      next_order_(base->next_order_) {}
+
 StoreTerm Terms::String(std::string_view text) {
   if (const StoreTerm known = FindString(text)) return known;
-  const auto index = static_cast<std::uint32_t>(strings_.size());
-  strings_.emplace_back(text);
-  by_text_.emplace(strings_.back(), index);
-  bytes_ += 80 + (text.size() > 15 ? text.size() + 1 : 0);
+  const auto index = first_string_ + static_cast<std::uint32_t>(strings_.size());
+  strings_.push_back({std::string(text), next_order_++});
+  by_text_.emplace(strings_.back().text, index);
+  bytes_ += 88 + (text.size() > 15 ? text.size() + 1 : 0);
   return StoreTerm(TermKind::kString, index);
 }
 
 StoreTerm Terms::Integer(std::int64_t value) {
-  const auto [place, added] = by_integer_.try_emplace(value, static_cast<std::uint32_t>(integers_.size()));
-  if (added) integers_.push_back(value);
+  if (base_ != nullptr) {
+    if (const StoreTerm known = base_->FindInteger(value)) return known;
+  }
+  const auto next = first_integer_ + static_cast<std::uint32_t>(integers_.size());
+  const auto [place, added] = by_integer_.try_emplace(value, next);
+  if (added) integers_.push_back({value, next_order_++});
   return StoreTerm(TermKind::kInteger, place->second);
 }
 
 StoreTerm Terms::Float(double value) {
-  const auto [place, added] =
-      by_bits_.try_emplace(std::bit_cast<std::uint64_t>(value), static_cast<std::uint32_t>(floats_.size()));
-  if (added) floats_.push_back(value);
+  if (base_ != nullptr) {
+    if (const StoreTerm known = base_->FindFloat(value)) return known;
+  }
+  const auto next = first_float_ + static_cast<std::uint32_t>(floats_.size());
+  const auto [place, added] = by_bits_.try_emplace(std::bit_cast<std::uint64_t>(value), next);
+  if (added) floats_.push_back({value, next_order_++});
   return StoreTerm(TermKind::kFloat, place->second);
 }
 
 StoreTerm Terms::FindString(std::string_view text) const {
-  const auto found = by_text_.find(text);
-  return found == by_text_.end() ? StoreTerm() : StoreTerm(TermKind::kString, found->second);
+  if (const auto found = by_text_.find(text); found != by_text_.end()) {
+    return StoreTerm(TermKind::kString, found->second);
+  }
+  return base_ == nullptr ? StoreTerm() : base_->FindString(text);
 }
 
 StoreTerm Terms::FindInteger(std::int64_t value) const {
-  const auto found = by_integer_.find(value);
-  return found == by_integer_.end() ? StoreTerm() : StoreTerm(TermKind::kInteger, found->second);
+  if (const auto found = by_integer_.find(value); found != by_integer_.end()) {
+    return StoreTerm(TermKind::kInteger, found->second);
+  }
+  return base_ == nullptr ? StoreTerm() : base_->FindInteger(value);
 }
 
 StoreTerm Terms::FindFloat(double value) const {
-  const auto found = by_bits_.find(std::bit_cast<std::uint64_t>(value));
-  return found == by_bits_.end() ? StoreTerm() : StoreTerm(TermKind::kFloat, found->second);
+  if (const auto found = by_bits_.find(std::bit_cast<std::uint64_t>(value)); found != by_bits_.end()) {
+    return StoreTerm(TermKind::kFloat, found->second);
+  }
+  return base_ == nullptr ? StoreTerm() : base_->FindFloat(value);
 }
 
-Terms Terms::Copy() const {
-  Terms copy;
-  for (const std::string& text : strings_) copy.String(text);
-  copy.integers_ = integers_;
-  copy.floats_ = floats_;
-  copy.by_integer_ = by_integer_;
-  copy.by_bits_ = by_bits_;
-  return copy;
+std::uint32_t Terms::Order(StoreTerm constant) const {
+  const std::uint32_t index = constant.index();
+  switch (constant.kind()) {
+    case TermKind::kString:
+      return index < first_string_ ? base_->strings_[index].order : strings_[index - first_string_].order;
+    case TermKind::kInteger:
+      return IntegerAt(index).order;
+    case TermKind::kFloat:
+      return FloatAt(index).order;
+    case TermKind::kObject:
+      break;
+  }
+  return 0;
 }
 
 void Terms::Append(std::string& out, StoreTerm constant, bool short_floats) const {

@@ -38,8 +38,18 @@ class StoreTerm {
 };
 
 /// The constants of a store: equal constants have equal terms (5, 5.0 and |5| are three). Nothing is ever taken out.
+///
+/// Terms may stand on others, which nobody changes any more: they hold what those hold, and what was added since.
 class Terms {
  public:
+  Terms() = default;
+  /// `base` outlives this, never changes, and stands on nothing itself.
+  explicit Terms(const Terms* base);
+  Terms(const Terms&) = delete;
+  Terms& operator=(const Terms&) = delete;
+  Terms(Terms&&) = default;
+  Terms& operator=(Terms&&) = default;
+
   StoreTerm String(std::string_view text);
   StoreTerm Integer(std::int64_t value);
   StoreTerm Float(double value);
@@ -48,29 +58,47 @@ class Terms {
   StoreTerm FindInteger(std::int64_t value) const;
   StoreTerm FindFloat(double value) const;
 
-  std::string_view Text(StoreTerm string) const { return strings_[string.index()]; }
-  std::int64_t IntegerValue(StoreTerm integer) const { return integers_[integer.index()]; }
-  double FloatValue(StoreTerm real) const { return floats_[real.index()]; }
+  std::string_view Text(StoreTerm string) const {
+    const std::uint32_t index = string.index();
+    return index < first_string_ ? base_->strings_[index].text : strings_[index - first_string_].text;
+  }
+  std::int64_t IntegerValue(StoreTerm integer) const { return IntegerAt(integer.index()).value; }
+  double FloatValue(StoreTerm real) const { return FloatAt(real.index()).value; }
   double NumberValue(StoreTerm number) const {
     return number.kind() == TermKind::kFloat ? FloatValue(number) : static_cast<double>(IntegerValue(number));
   }
+  /// The how manieth constant it was that the store met, whatever its kind: values are shown in this order.
+  std::uint32_t Order(StoreTerm constant) const;
   /// How a constant is written in `smem --add`: strings with bars where they need them, floats with 16 decimals or,
   /// if `short_floats`, 16 digits.
   void Append(std::string& out, StoreTerm constant, bool short_floats = false) const;
 
-  std::size_t MemoryBytes() const { return bytes_ + (integers_.size() + floats_.size()) * 48; }
-  Terms Copy() const;
-
-  Terms() = default;
-  Terms(const Terms&) = delete;
-  Terms& operator=(const Terms&) = delete;
-  Terms(Terms&&) = default;
-  Terms& operator=(Terms&&) = default;
+  /// Without those of the terms that it stands on.
+  std::size_t MemoryBytes() const { return bytes_ + (integers_.size() + floats_.size()) * 64; }
 
  private:
-  std::deque<std::string> strings_;
-  std::vector<std::int64_t> integers_;
-  std::vector<double> floats_;
+  template <class Value>
+  struct Constant {
+    Value value;
+    std::uint32_t order;
+  };
+  struct WrittenText {
+    std::string text;
+    std::uint32_t order;
+  };
+  const Constant<std::int64_t>& IntegerAt(std::uint32_t index) const {
+    return index < first_integer_ ? base_->integers_[index] : integers_[index - first_integer_];
+  }
+  const Constant<double>& FloatAt(std::uint32_t index) const {
+    return index < first_float_ ? base_->floats_[index] : floats_[index - first_float_];
+  }
+
+  const Terms* base_ = nullptr;
+  std::uint32_t first_string_ = 0, first_integer_ = 0, first_float_ = 0;  ///< How many `base_` has.
+  std::uint32_t next_order_ = 0;
+  std::deque<WrittenText> strings_;
+  std::vector<Constant<std::int64_t>> integers_;
+  std::vector<Constant<double>> floats_;
   std::unordered_map<std::string_view, std::uint32_t> by_text_;
   std::unordered_map<std::int64_t, std::uint32_t> by_integer_;
   std::unordered_map<std::uint64_t, std::uint32_t> by_bits_;

@@ -10,8 +10,8 @@
 namespace soarbox::kernel {
 
 namespace {
-/// What being made counts.
-constexpr std::uint64_t kUsesAtBirth = 3;
+/// What an element of which no history is kept counts among those that a new one rests on: activation 1.
+constexpr double kWithoutHistory = 2.718281828459045;
 }  // namespace
 
 WmActivation& WmActivation::Of(LongTerm& long_term) {
@@ -49,7 +49,10 @@ std::uint64_t WmActivation::now() const {
 // Activation ----------------------------------------------------------------------------------------------------------
 
 double WmActivation::ActivationAt(const History& history, std::uint64_t cycle) const {
-  if (history.count == 0) return 1;
+  return history.count == 0 ? 1 : std::log(StrengthAt(history, cycle));
+}
+
+double WmActivation::StrengthAt(const History& history, std::uint64_t cycle) const {
   const double d = settings_.decay_rate;
   const auto age = [&](std::uint64_t then) { return then >= cycle ? 1.0 : static_cast<double>(cycle - then); };
   double sum = 0;
@@ -66,7 +69,7 @@ double WmActivation::ActivationAt(const History& history, std::uint64_t cycle) c
              ((1 + d) * (first - recent));
     }
   }
-  return std::log(sum);
+  return sum;
 }
 
 double WmActivation::Of(WmeId wme) const {
@@ -89,20 +92,7 @@ void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> 
     const Preference& maker = memory.preference(record.preference);
     if (!maker.o_supported || memory.slot(record.slot).is_operator) continue;
     History history;
-    history.pending = kUsesAtBirth;
-    // What its maker rested on gives its mean.
-    const Instantiation& instantiation = engine_.instantiations[maker.instantiation];
-    double sum = 0;
-    std::uint64_t tested = 0;
-    if (instantiation.match != MatchId::kNone) {
-      for (const WmeId ground : engine_.rete.matches().Wmes(instantiation.match)) {
-        const History* const known = HistoryOf(ground);
-        if (known == nullptr) continue;
-        sum += ActivationAt(*known, now());
-        ++tested;
-      }
-    }
-    if (tested > 0 && sum > 0) history.pending += static_cast<std::uint64_t>(sum / static_cast<double>(tested));
+    history.pending = UsesAtBirth(engine_.instantiations[maker.instantiation]);
     histories_.insert_or_assign(Index(wme), history);
     used_.push_back(Index(wme));
     engine_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowed(engine_.agent, wme); });
@@ -126,23 +116,25 @@ void WmActivation::Use(WmeId wme) {
   if (history.pending++ == 0) used_.push_back(Index(wme));
 }
 
-/// The o-supported elements that an i-supported one rests on, each once.
-void WmActivation::UseWhatHolds(WmeId wme) {
+/// Of what the elements of open_ rest on, calls `held` with each o-supported element and `other` with each that no rule
+/// made. Each element is looked at once.
+template <class Held, class Other>
+void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
   const WorkingMemory& memory = engine_.memory;
   seen_.resize(memory.wmes().size(), 0);
   ++pass_;
-  open_.assign(1, wme);
-  seen_[Index(wme)] = pass_;
+  for (const WmeId wme : open_) seen_[Index(wme)] = pass_;
   while (!open_.empty()) {
     const WmeId next = open_.back();
     open_.pop_back();
     const WmeRecord& record = memory.record(next);
-    if (record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) continue;
+    if (record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) {
+      other(next);
+      continue;
+    }
     const Preference& maker = memory.preference(record.preference);
     if (maker.o_supported) {
-      if (memory.slot(record.slot).is_operator) continue;
-      History& history = histories_[Index(next)];
-      if (history.pending++ == 0) used_.push_back(Index(next));
+      if (!memory.slot(record.slot).is_operator) held(next);
       continue;
     }
     const Instantiation& instantiation = engine_.instantiations[maker.instantiation];
@@ -153,6 +145,36 @@ void WmActivation::UseWhatHolds(WmeId wme) {
       open_.push_back(ground);
     }
   }
+}
+
+/// The o-supported elements that an i-supported one rests on, each once.
+void WmActivation::UseWhatHolds(WmeId wme) {
+  open_.assign(1, wme);
+  ForWhatHolds(
+      [&](WmeId held) {
+        History& history = histories_[Index(held)];
+        if (history.pending++ == 0) used_.push_back(Index(held));
+      },
+      [](WmeId) {});
+}
+
+/// What its maker rests on gives a new element its mean strength; what is as new as it gives nothing.
+std::uint64_t WmActivation::UsesAtBirth(const Instantiation& maker) {
+  double sum = 0;
+  std::uint64_t count = 0;
+  // (What goes in the same moment has lost its preference, but not its history.)
+  const auto add = [&](WmeId wme) {
+    const auto known = histories_.find(Index(wme));
+    if (known != histories_.end() && known->second.count == 0) return;
+    sum += known == histories_.end() ? kWithoutHistory : StrengthAt(known->second, now());
+    ++count;
+  };
+  open_.clear();
+  if (maker.match != MatchId::kNone) {
+    for (const WmeId ground : engine_.rete.matches().Wmes(maker.match)) open_.push_back(ground);
+  }
+  ForWhatHolds(add, add);
+  return 1 + (count == 0 ? 0 : static_cast<std::uint64_t>(sum / static_cast<double>(count)));
 }
 
 void WmActivation::RulesFire(LongTerm& long_term) {

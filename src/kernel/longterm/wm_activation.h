@@ -30,10 +30,11 @@ struct WmaSettings {
 /// How active the elements of working memory are, and forgetting of those that are active no more.
 ///
 /// An element with o-support that was made since this is on has a history: how often it was used in which decision
-/// cycle, the last ten of them. Being made counts 3, and as much as what its maker rested on was active. Each match
-/// that waits to fire when rules fire uses the elements that it tests; of an i-supported element it uses the
-/// o-supported ones that this rests on. Uses of a cycle are entered in its output phase. The activation is ln of the
-/// sum of uses * age^decay_rate. All other elements show 1.
+/// cycle, the last ten of them. Being made counts 1, and the mean strength of what its maker rested on: of o-supported
+/// elements the sum of uses * age^decay_rate, of those that no rule made e, and i-supported ones stand for what they
+/// rest on. Each match that waits to fire when rules fire uses the elements that it tests; of an i-supported element it
+/// uses the o-supported ones that this rests on. Uses of a cycle are entered in its output phase. The activation is ln
+/// of the sum of uses * age^decay_rate. All other elements show 1.
 ///
 /// Forgetting retracts the preferences of elements whose activation is below the threshold, at the end of the output
 /// phase.
@@ -82,8 +83,13 @@ class WmActivation final : public MemoryModule {
  private:
   void CountUses();
   double ActivationAt(const History& history, std::uint64_t cycle) const;
+  /// The sum of uses * age^decay_rate.
+  double StrengthAt(const History& history, std::uint64_t cycle) const;
   void Use(WmeId wme);
   void UseWhatHolds(WmeId wme);
+  template <class Held, class Other>
+  void ForWhatHolds(const Held& held, const Other& other);
+  std::uint64_t UsesAtBirth(const Instantiation& maker);
   void Enter(WmeId wme, History& history);
   /// The first cycle in which the element will be below the threshold if nobody uses it.
   std::uint64_t DueOf(const History& history) const;
