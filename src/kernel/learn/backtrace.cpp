@@ -25,10 +25,10 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   out.drafts.Clear();
   queue_.clear();
   selected_proposal_ = SelectedProposal();
-  VisitFiring(out.base);
   for (auto result = out.results.rbegin(); result != out.results.rend(); ++result) {
     VisitFiring(engine_.memory.preference(*result).instantiation);
   }
+  VisitFiring(out.base);
   // The grounds of a firing are taken at once, what it rests on in the substate later: the last one first.
   while (!queue_.empty()) {
     const Open open = queue_.back();

@@ -30,6 +30,8 @@ struct IdentityPlan {
     Symbol referent;  ///< A constant, or what the other class was.
     std::uint16_t referent_class = kLiteral;
     std::vector<Symbol> disjuncts;
+    bool of_literal =
+        false;  ///< The field has become a constant: the text tells of the test, nothing is learned from it.
   };
 
   std::uint16_t bound() const { return static_cast<std::uint16_t>(first.size()); }

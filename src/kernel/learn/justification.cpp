@@ -125,6 +125,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   }
   Record& record = records_[index];
   record.number = number;
+  record.order = next_order_++;
   record.name = std::move(making.name);
   record.base = std::move(making.origin.base);
   record.depth = making.origin.depth + 1;
@@ -252,7 +253,7 @@ std::vector<std::uint32_t> Justifier::Live() const {
     if (records_[index].live && !records_[index].excised) live.push_back(index);
   }
   std::sort(live.begin(), live.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return records_[a].number < records_[b].number; });
+            [&](std::uint32_t a, std::uint32_t b) { return records_[a].order < records_[b].order; });
   return live;
 }
 
@@ -368,6 +369,7 @@ void Justifier::Clear() {
   free_records_.clear();
   names_.clear();
   next_number_ = 1;
+  next_order_ = 0;
   alike_.clear();
   alike_count_ = 0;
 }

@@ -66,6 +66,7 @@ class Justifier {
     bool quiescence = false;   ///< It rests on a test that nothing is left to do: so does what follows from it.
     bool excised = false;      ///< By name: its results go, or live on by o-support.
     std::uint32_t number = 0;  ///< justify<number>, unless it has a name.
+    std::uint32_t order = 0;   ///< How many were made before it.
     std::string name;
     std::string base;                           ///< The rule that it was learned from.
     std::uint32_t depth = 0;                    ///< How often rules were learned from rules.
@@ -131,6 +132,7 @@ class Justifier {
   mutable std::vector<std::string> names_;  ///< Of the records; empty until somebody asks.
   std::vector<std::uint32_t> free_records_;
   std::uint32_t next_number_ = 1;
+  std::uint32_t next_order_ = 0;
   std::vector<std::uint32_t> alike_;  ///< Heads of buckets, by digest; a power of two, or none.
   std::uint32_t alike_count_ = 0;
   struct Duplicates {

@@ -170,7 +170,7 @@ void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition
   }
   if (instantiation.justification == Instantiation::kNoJustification) return;
   for (const IdentityPlan::KeptTest& kept : engine_.justifier.record(instantiation.justification).tests) {
-    if (kept.condition != condition || kept.field != field) continue;
+    if (kept.condition != condition || kept.field != field || kept.of_literal) continue;
     test.kind = kept.kind;
     test.referent = kept.referent;
     test.referent_node = analysis_.OfClass(firing, kept.referent_class);
@@ -210,8 +210,9 @@ void RuleBuilder::SetDisjuncts(TestDraft& test, std::span<const Symbol> disjunct
 std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Explanation& explanation) {
   std::vector<IdentityPlan::KeptTest> kept;
   const auto keep = [&](std::size_t number, Field field, TestKind kind, Symbol referent, IdentityGraph::Node node,
-                        std::span<const Symbol> disjuncts) {
+                        std::span<const Symbol> disjuncts, bool of_literal) {
     IdentityPlan::KeptTest test;
+    test.of_literal = of_literal;
     test.condition = static_cast<std::uint16_t>(number);
     test.field = field;
     test.kind = kind;
@@ -230,9 +231,9 @@ std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Expl
     if (ground.firing == InstantiationId::kNone) continue;
     for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
       const IdentityGraph::Node tested = analysis_.OfGround(ground, field);
-      if (tested == IdentityGraph::kNone || analysis_.graph().literal(tested)) continue;
+      const bool literal = tested == IdentityGraph::kNone || analysis_.graph().literal(tested);
       ForEachCarried(ground.firing, ground.condition, field, [&](const CarriedTest& test) {
-        if (MayCarryUp(test)) keep(n, field, test.kind, test.referent, test.referent_node, test.disjuncts);
+        if (MayCarryUp(test)) keep(n, field, test.kind, test.referent, test.referent_node, test.disjuncts, literal);
       });
     }
   }
@@ -253,12 +254,12 @@ std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Expl
   for (const CarriedTest& test : constraints_) {
     const auto here = place_of(test.tested);
     if (here.first < explanation.grounds.size()) {
-      keep(here.first, here.second, test.kind, test.referent, test.referent_node, test.disjuncts);
+      keep(here.first, here.second, test.kind, test.referent, test.referent_node, test.disjuncts, false);
       continue;
     }
     const auto there = place_of(test.referent_node);
     if (there.first < explanation.grounds.size() && test.kind != TestKind::kDisjunction) {
-      keep(there.first, there.second, TurnedRound(test.kind), test.value, IdentityGraph::kNone, {});
+      keep(there.first, there.second, TurnedRound(test.kind), test.value, IdentityGraph::kNone, {}, false);
     }
   }
   return kept;

@@ -48,9 +48,11 @@ bool SelectionKnowledge::SaysTheSame(PreferenceId a, PreferenceId b) const {
   return compares(x) && compares(y) && x.value == y.referent && x.referent == y.value;
 }
 
-/// Of several that say the same the first is enough; numbers are summed up, so all of them count.
+/// Of several that say the same the first is enough. Numbers are summed up, so all of them count; all that prohibit an
+/// operator do, too, as in Soar 9.6.3.
 void SelectionKnowledge::Add(PreferenceId preference) {
-  if (engine_.memory.preference(preference).type != PreferenceType::kNumericIndifferent &&
+  const PreferenceType type = engine_.memory.preference(preference).type;
+  if (type != PreferenceType::kNumericIndifferent && type != PreferenceType::kProhibit &&
       std::ranges::any_of(collected_, [&](PreferenceId known) { return SaysTheSame(known, preference); })) {
     return;
   }
