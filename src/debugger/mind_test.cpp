@@ -57,6 +57,27 @@ TEST_F(Debugger, TheWinnerIsToldWithTheRuleThatMadeItWin) {
   EXPECT_EQ(rest->verdict, "rule hero*prefer*walk makes it worse than walk (" + walk->id + ")");
 }
 
+TEST_F(Debugger, OperatorsOfOneNameAreToldApartByWhatDiffers) {
+  Start(R"(
+sp {hero*places (state <s> ^superstate nil) --> (<s> ^place <n> <e>) (<n> ^name north) (<e> ^name east)}
+sp {hero*propose (state <s> ^superstate nil ^place <p>)
+ --> (<s> ^operator <o> + =) (<o> ^name go ^to <p> ^pace 2)}
+sp {hero*rest (state <s> ^superstate nil ^place.name north) --> (<s> ^operator <o> + <) (<o> ^name rest ^for 3)}
+)");
+  Tick();
+  const auto mind = Mind();
+  ASSERT_NE(mind, nullptr);
+  const OperatorsView view = LookAtOperators(*mind, "S1");
+  ASSERT_EQ(view.rows.size(), 3u);
+  std::vector<std::string> about;
+  for (const OperatorRow& row : view.rows) about.push_back(row.about);
+  EXPECT_THAT(about, testing::UnorderedElementsAre(testing::MatchesRegex("\\^to [A-Z][0-9]+ \\(north\\)"),
+                                                   testing::MatchesRegex("\\^to [A-Z][0-9]+ \\(east\\)"), ""));
+  EXPECT_THAT(ToText(view), HasSubstr(") ^to "));
+  EXPECT_THAT(ToText(view), Not(HasSubstr("^pace")));
+  EXPECT_THAT(ToText(view), Not(HasSubstr("^for")));
+}
+
 TEST_F(Debugger, ATieIsToldAndShownOnTheStack) {
   Start(kTie);
   Tick();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -143,6 +144,50 @@ std::string WithoutZeros(std::string number) {
   return number;
 }
 
+/// What each operator has besides its name, by attribute: "north", or "W1 (north)" for an object with a name.
+using Features = std::map<std::string, std::string>;
+
+Features FeaturesOf(sim::Inspector& mind, const std::string& op) {
+  Features features;
+  for (const sim::ElementFact& element : mind.ElementsOf(op)) {
+    if (element.attribute == "name") continue;
+    std::string value = element.value;
+    if (element.is_object) {
+      for (const sim::ElementFact& below : mind.ElementsOf(element.value))
+        if (below.attribute == "name" && !below.is_object) value += " (" + below.value + ")";
+    }
+    std::string& told = features[element.attribute];
+    told += (told.empty() ? "" : " ") + value;
+  }
+  return features;
+}
+
+/// Operators of one name are told apart by those attributes in which they differ.
+void TellApart(sim::Inspector& mind, OperatorsView& view) {
+  constexpr std::size_t kMostOperators = 24, kMostAttributes = 3;
+  std::map<std::string, std::vector<OperatorRow*>> by_name;
+  for (OperatorRow& row : view.rows)
+    if (!row.name.empty()) by_name[row.name].push_back(&row);
+  std::size_t looked_at = 0;
+  for (const auto& [name, rows] : by_name) {
+    looked_at += rows.size();
+    if (rows.size() < 2 || looked_at > kMostOperators) continue;
+    std::vector<Features> features;
+    for (const OperatorRow* row : rows) features.push_back(FeaturesOf(mind, row->id));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      std::size_t told = 0;
+      for (const Features::value_type& feature : features[i]) {
+        const auto has_the_same = [&](const Features& other) {
+          const auto at = other.find(feature.first);
+          return at != other.end() && at->second == feature.second;
+        };
+        if (std::ranges::all_of(features, has_the_same) || ++told > kMostAttributes) continue;
+        rows[i]->about += (rows[i]->about.empty() ? "^" : " ^") + feature.first + " " + feature.second;
+      }
+    }
+  }
+}
+
 OperatorRow& RowOf(OperatorsView& view, const std::string& id, const std::string& name) {
   const auto at = std::ranges::find_if(view.rows, [&](const OperatorRow& row) { return row.id == id; });
   if (at != view.rows.end()) return *at;
@@ -154,6 +199,10 @@ OperatorRow& RowOf(OperatorsView& view, const std::string& id, const std::string
 }
 
 }  // namespace
+
+std::string Title(const OperatorRow& row) {
+  return NameAndId(row.name, row.id) + (row.about.empty() ? "" : " " + row.about);
+}
 
 std::string Describe(const PreferenceFact& preference) {
   constexpr std::pair<std::string_view, Situation> kKinds[] = {
@@ -218,6 +267,7 @@ OperatorsView LookAtOperators(sim::Inspector& mind, std::string_view state) {
     return none;
   }
   OperatorsView view = View(facts);
+  TellApart(mind, view);
   if (!mind.TellsAll()) view.note = "what the preferences rest on: " + std::string(Absence(mind));
   if (!facts.decision) view.note += (view.note.empty() ? "" : "; ") + ("why: " + std::string(Absence(mind)));
   TellRecorded(mind, view);
@@ -228,8 +278,7 @@ std::string ToText(const OperatorsView& view) {
   std::string text = "operators of " + view.state + (view.impasse.empty() ? "" : ", impasse: " + view.impasse) + "\n";
   text += view.sentence + (view.sentence.empty() ? "" : "\n");
   for (const OperatorRow& row : view.rows) {
-    text +=
-        (row.selected ? "* " : "  ") + NameAndId(row.name, row.id) + (row.verdict.empty() ? "" : ": " + row.verdict);
+    text += (row.selected ? "* " : "  ") + Title(row) + (row.verdict.empty() ? "" : ": " + row.verdict);
     if (row.value) text += fmt::format(", value {:g}", *row.value);
     if (row.probability) text += fmt::format(", probability {:.3g} %", *row.probability * 100);
     text += "\n";
@@ -253,6 +302,7 @@ Json ToJson(const OperatorsView& view) {
     Json one;
     one["id"] = row.id;
     one["name"] = row.name;
+    if (!row.about.empty()) one["about"] = row.about;
     one["selected"] = row.selected;
     one["verdict"] = row.verdict;
     if (row.dropped) {

@@ -21,6 +21,7 @@ struct DroppedBy {
 /// One operator that preferences speak of.
 struct OperatorRow {
   std::string id, name;  ///< The name may be empty.
+  std::string about;     ///< "^waypoint north": what tells it from the others of its name; empty if the name does.
   bool selected = false;
   bool proposed = false;              ///< Has an acceptable or require preference.
   std::string verdict;                ///< "selected", "rule x rejects it", "could win", ...
@@ -45,6 +46,8 @@ OperatorsView LookAtOperators(sim::Inspector& mind, std::string_view state = {})
 /// Facts of a state as a view. What the decision procedure said is told; where it is missing, nothing takes its place.
 OperatorsView View(const sim::OperatorFacts& facts);
 
+/// "move-to (O1) ^waypoint north".
+std::string Title(const OperatorRow& row);
 /// "rule r makes it better than rest (O3)", in words.
 std::string Describe(const sim::PreferenceFact& preference);
 

@@ -120,13 +120,12 @@ std::optional<WhyNode> WhyOperator(sim::Inspector& mind, std::string_view op) {
   if (!found) return std::nullopt;
   const auto& [view, row] = *found;
   WhyNode node{view.sentence, "operator", row.id, {}};
-  if (!row.selected) node.text = NameAndId(row.name, row.id) + ": " + row.verdict + ". " + view.sentence;
+  if (!row.selected) node.text = Title(row) + ": " + row.verdict + ". " + view.sentence;
   Tracer tracer(mind);
   for (const sim::PreferenceFact& preference : row.preferences) node.below.push_back(tracer.Preference(preference));
   for (const OperatorRow& other : view.rows) {
     if (other.id == row.id || node.below.size() >= kMostBelow) continue;
-    node.below.push_back(
-        {"also there: " + NameAndId(other.name, other.id) + ", " + other.verdict, "operator", other.id, {}});
+    node.below.push_back({"also there: " + Title(other) + ", " + other.verdict, "operator", other.id, {}});
   }
   return node;
 }

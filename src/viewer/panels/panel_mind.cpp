@@ -149,7 +149,7 @@ class MindPanel final : public Panel {
     ImGui::TableNextColumn();
     ImGui::PushID(row.id.c_str());
     std::string title(row.selected ? "\xe2\x9c\x93 " : "");
-    title.append(row.name.empty() ? row.id : row.name + " (" + row.id + ")");
+    title.append(debugger::Title(row));
     ImGui::PushStyleColor(ImGuiCol_Text, row.selected ? theme::kGood : theme::kText);
     const bool open = ImGui::TreeNodeEx("row", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
     ImGui::PopStyleColor();
