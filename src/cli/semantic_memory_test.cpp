@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/longterm/semantic_memory.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -9,7 +10,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "cli/interpreter.h"
 #include "cli/session.h"
@@ -31,6 +36,11 @@ struct Desk {
   Session session{agent};
   Interpreter interpreter;
 };
+
+std::string Text(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 class SemanticMemoryTest : public testing::Test {
  protected:
@@ -216,12 +226,93 @@ TEST_F(SemanticMemoryTest, AgentsThatKnowTheSameShareIt) {
   };
   EXPECT_EQ(&memory(first).knowledge(), &memory(second).knowledge());
   EXPECT_NE(&memory(first).knowledge(), &memory(third).knowledge());
-  // Activation is each agent's own; who learns something new has a copy from then on.
+  // Activation is each agent's own; who learns something new has a layer of its own from then on.
   second.Do("smem --add {(@201 ^kind k)}");
   EXPECT_NE(&memory(first).knowledge(), &memory(second).knowledge());
   EXPECT_EQ(first.Do("smem --stats nodes"), " 200\n");
   EXPECT_EQ(second.Do("smem --stats nodes"), " 201\n");
   EXPECT_EQ(second.Do("print @200"), "(@200 ^kind k ^n 200 [+1.000])\n");
+}
+
+/// What an agent over shared knowledge does beside one that has everything for itself, because its memory is a file.
+TEST_F(SemanticMemoryTest, AgentsOverSharedKnowledgeAreEqualToAgentsAlone) {
+  std::string facts;
+  for (int n = 1; n <= 6000; ++n) {
+    facts += fmt::format("(@{} ^kind k{} ^number {} ^next @{} ^text |a text of some length that nobody asks for|)\n", n,
+                         n % 7, n % 50, n % 6000 + 1);
+  }
+  const std::string begin =
+      "smem --enable; smem --add {" + facts +
+      "}; trace 0; sp {cue (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.number 7)}";
+  struct Pair {
+    explicit Pair(const fs::path& folder) : shared(folder), alone(folder) {}
+    Desk shared, alone;
+  };
+  std::vector<std::unique_ptr<Pair>> pairs;
+  for (int n = 0; n < 3; ++n) {
+    const fs::path folder = folder_ / std::to_string(n);
+    fs::create_directories(folder);
+    pairs.push_back(std::make_unique<Pair>(folder));
+    pairs.back()->shared.Do(begin);
+    pairs.back()->alone.Do(kFile);
+    pairs.back()->alone.Do(begin);
+  }
+  const auto memory = [](Desk& desk) -> kernel::SemanticMemory& {
+    return kernel::SemanticMemory::Of(desk.agent.long_term());
+  };
+  // The text was read once.
+  EXPECT_TRUE(memory(pairs[0]->shared).shares());
+  EXPECT_EQ(&memory(pairs[0]->shared).knowledge(), &memory(pairs[2]->shared).knowledge());
+  EXPECT_FALSE(memory(pairs[0]->alone).shares());
+  std::mt19937 random(11);
+  const auto any = [&](unsigned below) { return static_cast<int>(random() % below); };
+  for (int step = 0; step < 400; ++step) {
+    Pair& pair = *pairs[static_cast<std::size_t>(any(3))];
+    const int object = 1 + any(6100), other = 1 + any(6100);
+    std::string line;
+    switch (any(7)) {
+      case 0:
+        line = fmt::format("smem --add {{(@{} ^kind k{} new{} ^next @{})}}", object, any(9), any(5), other);
+        break;
+      case 1:
+        line = fmt::format("smem --add {{(<x> ^kind k{} ^number {})}}", any(9), any(60));
+        break;
+      case 2:
+        line = any(2) == 0 ? fmt::format("smem --remove {{(@{} ^number)}}", object)
+                           : fmt::format("smem --remove {{(@{})}}", object);
+        break;
+      case 3:
+        line = fmt::format("smem --query {{(<q> ^kind k{} ^number {})}} 4", any(9), any(60));
+        break;
+      case 4:
+        line = fmt::format("smem --query {{(<q> ^next @{} ^kind <any>)}}", object);
+        break;
+      case 5:
+        line = fmt::format("print @{}", object);
+        break;
+      default:
+        line = "run 1; print L1 --depth 3";
+        break;
+    }
+    SCOPED_TRACE(line);
+    ASSERT_EQ(pair.shared.Do(line), pair.alone.Do(line));
+  }
+  for (const auto& pair : pairs) {
+    ASSERT_TRUE(memory(pair->shared).knowledge().is_layer());
+    EXPECT_EQ(memory(pair->shared).knowledge().CheckInvariants(), "");
+    EXPECT_LT(memory(pair->shared).knowledge().MemoryBytes(), memory(pair->alone).knowledge().MemoryBytes() / 20);
+    pair->shared.Do("smem --export shared.soar");
+    pair->alone.Do("smem --export alone.soar");
+    EXPECT_EQ(Text(pair->shared.interpreter.Resolve("shared.soar")),
+              Text(pair->alone.interpreter.Resolve("alone.soar")));
+    EXPECT_EQ(pair->shared.Do("print @"), pair->alone.Do("print @"));
+    // What is saved and read again is the same, too.
+    pair->shared.Do("smem --backup copy.db");
+    Desk again(folder_);
+    again.Do("cd " + pair->shared.interpreter.Resolve(".").string());
+    again.Do("smem --set path copy.db; smem --set database file; smem --enable");
+    EXPECT_EQ(again.Do("print @"), pair->shared.Do("print @"));
+  }
 }
 
 TEST_F(SemanticMemoryTest, OneObjectMayHaveVeryManyValues) {

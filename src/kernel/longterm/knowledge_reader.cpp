@@ -15,6 +15,9 @@
 namespace soarbox::kernel {
 namespace {
 
+/// Texts of so many bytes are read once for all agents that begin with them.
+constexpr std::size_t kWorthRecognising = 1 << 18;
+
 /// What stands for an object or a value in such a text.
 struct WrittenValue {
   enum class Kind : std::uint8_t { kNumber, kAlias, kVariable, kString, kIdentifier, kInteger, kFloat };
@@ -147,7 +150,8 @@ std::string InClause(std::size_t number) {
 /// Carries clauses out.
 class Adder {
  public:
-  explicit Adder(SemanticMemory& memory) : memory_(memory) {}
+  /// `as_written`: attributes are met in the order in which they are written, whatever the agent knows.
+  explicit Adder(SemanticMemory& memory, bool as_written) : memory_(memory), as_written_(as_written) {}
 
   void Add(WrittenClause& clause) {
     const std::uint32_t object = ObjectOf(clause.object);
@@ -182,6 +186,7 @@ class Adder {
   }
   /// Puts augmentations into the order in which the store meets them. False if that is how they are written.
   bool Order(std::vector<WrittenAugmentation>& augmentations) {
+    if (as_written_) return false;
     std::size_t texts = 0;
     for (const WrittenAugmentation& augmentation : augmentations) {
       texts += augmentation.path.size() + augmentation.values.size();
@@ -224,6 +229,7 @@ class Adder {
   }
 
   SemanticMemory& memory_;
+  bool as_written_;
   std::map<std::string, std::uint32_t> variables_;
 };
 
@@ -295,8 +301,13 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
 }  // namespace
 
 std::string AddKnowledge(SemanticMemory& memory, std::string_view text) {
+  // What agents may share must not depend on any of them.
+  const bool is_large = text.size() >= kWorthRecognising;
+  const bool is_first = is_large && memory.knowledge().object_count() == 0 && memory.knowledge().terms().empty();
+  if (is_first && memory.TakeText(text)) return {};
+  const Lti next_number = memory.knowledge().next_number();
   ClauseReader reader(text);
-  Adder adder(memory);
+  Adder adder(memory, is_large);
   std::size_t number = 0;
   // What stands before a clause that cannot be read is added.
   do {
@@ -308,6 +319,7 @@ std::string AddKnowledge(SemanticMemory& memory, std::string_view text) {
     adder.Add(*clause);
     ++number;
   } while (reader.HasMore());
+  if (is_first) memory.NoteText(text, next_number);
   return {};
 }
 

@@ -71,6 +71,22 @@ void SemanticMemory::Share() {
   shared_ = true;
 }
 
+bool SemanticMemory::TakeText(std::string_view text) {
+  const bool is_empty = knowledge_->object_count() == 0 && knowledge_->terms().empty() && !knowledge_->is_layer();
+  if (!is_empty || journal_ != nullptr || traced_) return false;
+  std::shared_ptr<Knowledge> known = KnowledgeOfText(KeyOfText(text, knowledge_->next_number()));
+  if (known == nullptr) return false;
+  knowledge_ = std::move(known);
+  shared_ = true;
+  NoteGraphChanged();
+  return true;
+}
+
+void SemanticMemory::NoteText(std::string_view text, Lti next_number) {
+  Share();
+  if (shared_) NoteKnowledgeOfText(KeyOfText(text, next_number), knowledge_);
+}
+
 void SemanticMemory::NoteGraphChanged() {
   search_.Forget();
   spreading_.Forget();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/longterm/shared_knowledge.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -63,6 +64,7 @@ std::pair<std::uint64_t, std::uint64_t> DigestOf(const Knowledge& knowledge) {
 
 struct Registry {
   std::mutex mutex;
+  std::map<TextKey, std::weak_ptr<Knowledge>> by_text;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::weak_ptr<Knowledge>> known;
 };
 
@@ -84,6 +86,33 @@ std::shared_ptr<Knowledge> ShareKnowledge(std::shared_ptr<Knowledge> own) {
   }
   known = own;
   return own;
+}
+
+TextKey KeyOfText(std::string_view text, Lti next_number) {
+  TextKey key{0xCBF29CE484222325ull, 0x9E3779B97F4A7C15ull, text.size(), next_number};
+  for (std::size_t at = 0; at < text.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, text.data() + at, std::min<std::size_t>(8, text.size() - at));
+    key.first = (key.first ^ word) * 0x100000001B3ull;
+    key.first ^= key.first >> 29;
+    key.second = (key.second + word) * 0xD6E8FEB86659FD93ull;
+    key.second ^= key.second >> 32;
+  }
+  return key;
+}
+
+std::shared_ptr<Knowledge> KnowledgeOfText(const TextKey& key) {
+  Registry& registry = TheRegistry();
+  const std::lock_guard<std::mutex> lock(registry.mutex);
+  const auto found = registry.by_text.find(key);
+  return found == registry.by_text.end() ? nullptr : found->second.lock();
+}
+
+void NoteKnowledgeOfText(const TextKey& key, const std::shared_ptr<Knowledge>& shared) {
+  Registry& registry = TheRegistry();
+  const std::lock_guard<std::mutex> lock(registry.mutex);
+  std::erase_if(registry.by_text, [](const auto& entry) { return entry.second.expired(); });
+  registry.by_text[key] = shared;
 }
 
 }  // namespace soarbox::kernel

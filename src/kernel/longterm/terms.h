@@ -73,6 +73,7 @@ class Terms {
   /// if `short_floats`, 16 digits.
   void Append(std::string& out, StoreTerm constant, bool short_floats = false) const;
 
+  bool empty() const { return next_order_ == 0; }
   /// Without those of the terms that it stands on.
   std::size_t MemoryBytes() const { return bytes_ + (integers_.size() + floats_.size()) * 64; }
 
