@@ -125,6 +125,12 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
   std::vector<EpisodeFact> facts = store_.Replay(episode);
   std::stable_sort(facts.begin(), facts.end(),
                    [&](EpisodeFact a, EpisodeFact b) { return store_.triple(a).parent < store_.triple(b).parent; });
+  struct Content {
+    Triple triple;
+    EpisodeFact fact;
+    bool links;
+  };
+  std::vector<Content> contents;
   std::vector<std::pair<EpisodeNode, Symbol>> objects;
   std::unordered_map<EpisodeNode, Symbol> known;
   const auto object = [&](EpisodeNode node, EpisodeTerm attribute) {
@@ -151,12 +157,17 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
       const EpisodeTriple triple = store_.triple(*fact);
       const Symbol value = triple.value.IsNode() ? object(triple.value.node(), triple.attribute)
                                                  : terms_.ToSymbol(engine_.symbols, triple.value.term());
-      output.contents.push_back({id, terms_.ToSymbol(engine_.symbols, triple.attribute), value});
+      contents.push_back(
+          {{id, terms_.ToSymbol(engine_.symbols, triple.attribute), value}, *fact, triple.value.IsNode()});
     }
   }
+  // Links are made first, then constants, by age; of one attribute the youngest first. (What is said last is made
+  // first.)
+  std::ranges::sort(contents,
+                    [](const Content& a, const Content& b) { return a.links != b.links ? b.links : a.fact > b.fact; });
+  for (const Content& content : contents) output.contents.push_back(content.triple);
   counters_.last_retrieval_wmes = output.contents.size();
   states_[level - 1u].retrieved = episode;
-  Say(output, level, "retrieved", objects.front().second);
   return objects;
 }
 
@@ -245,37 +256,42 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
   counters_.query_cardinality = answer.cardinality;
   const char* outcome = answer.episode == 0 ? "failure" : "success";
   if (answer.episode == 0) {
-    Say(output, level, outcome, command.argument);
     if (!command.negative.IsNone()) Say(output, level, outcome, command.negative);
+    Say(output, level, outcome, command.argument);
     return;
   }
   const auto objects = Recall(level, answer.episode, output);
   SymbolTable& symbols = engine_.symbols;
+  Symbol mapping;
+  std::vector<Symbol> pairs;
+  if (answer.graph_matched) {
+    mapping = installer_.NewIdentifier('M', level);
+    for (std::size_t n = 0; n < order.size(); ++n) pairs.push_back(installer_.NewIdentifier('N', level));
+  }
+  const auto variable = [&](std::size_t n) { return query.positive.edge(order[n]).to; };
+  // What is said last is made first; of one attribute, what is said last is listed first.
+  for (std::size_t n = pairs.size(); n-- > 0;) {
+    const EpisodeNode node = answer.nodes[variable(n)];
+    const auto found = std::ranges::find(objects, node, [](const auto& object) { return object.first; });
+    output.results.push_back({pairs[n], Word("retrieved"), found->second});
+  }
+  Say(output, level, "present-id", symbols.Integer(store_.last() + std::int64_t{1}));
+  Say(output, level, "memory-id", symbols.Integer(answer.episode));
+  Say(output, level, "retrieved", objects.front().second);
+  for (std::size_t n = pairs.size(); n-- > 0;) {
+    const Symbol asked = positive.objects[query.positive.ObjectOf(variable(n))];
+    output.results.push_back({pairs[n], Word("cue"), asked});
+    output.results.push_back({mapping, Word("node"), pairs[n]});
+  }
+  if (answer.graph_matched) Say(output, level, "mapping", mapping);
+  if (settings_.graph_match) Say(output, level, "graph-match", symbols.Integer(answer.graph_matched ? 1 : 0));
   if (!command.negative.IsNone()) Say(output, level, outcome, command.negative);
   Say(output, level, outcome, command.argument);
   const double perfect = query.positive.leaf_weight();
-  Say(output, level, "match-score", symbols.Float(answer.score));
-  Say(output, level, "cue-size", symbols.Integer(query.positive.leaf_count() + query.negative.leaf_count()));
   Say(output, level, "normalized-match-score", symbols.Float(perfect == 0 ? answer.score : answer.score / perfect));
+  Say(output, level, "match-score", symbols.Float(answer.score));
   Say(output, level, "match-cardinality", symbols.Integer(answer.cardinality));
-  Say(output, level, "memory-id", symbols.Integer(answer.episode));
-  Say(output, level, "present-id", symbols.Integer(store_.last() + std::int64_t{1}));
-  if (settings_.graph_match) Say(output, level, "graph-match", symbols.Integer(answer.graph_matched ? 1 : 0));
-  if (!answer.graph_matched) return;
-  const Symbol mapping = installer_.NewIdentifier('M', level);
-  Say(output, level, "mapping", mapping);
-  std::vector<Symbol> pairs;
-  for (std::size_t n = 0; n < order.size(); ++n) pairs.push_back(installer_.NewIdentifier('N', level));
-  // What is said last is listed first.
-  for (std::size_t n = order.size(); n-- > 0;) {
-    const std::uint32_t variable = query.positive.edge(order[n]).to;
-    const Symbol pair = pairs[n];
-    const auto found = std::find_if(objects.begin(), objects.end(),
-                                    [&](const auto& object) { return object.first == answer.nodes[variable]; });
-    output.results.push_back({mapping, Word("node"), pair});
-    output.results.push_back({pair, Word("cue"), positive.objects[query.positive.ObjectOf(variable)]});
-    output.results.push_back({pair, Word("retrieved"), found->second});
-  }
+  Say(output, level, "cue-size", symbols.Integer(query.positive.leaf_count() + query.negative.leaf_count()));
 }
 
 void EpisodeCommands::Execute(GoalLevel level, const Command& command, Output& output) {
@@ -308,9 +324,10 @@ void EpisodeCommands::Execute(GoalLevel level, const Command& command, Output& o
     Tell(level, there ? static_cast<EpisodeNumber>(wanted) : 0, question, reason);
   }
   if (there) {
-    Recall(level, static_cast<EpisodeNumber>(wanted), output);
-    Say(output, level, "memory-id", engine_.symbols.Integer(wanted));
+    const auto objects = Recall(level, static_cast<EpisodeNumber>(wanted), output);
     Say(output, level, "present-id", engine_.symbols.Integer(store_.last() + std::int64_t{1}));
+    Say(output, level, "memory-id", engine_.symbols.Integer(wanted));
+    Say(output, level, "retrieved", objects.front().second);
   } else {
     state.retrieved = 0;
     Say(output, level, "retrieved", Word("no-memory"));

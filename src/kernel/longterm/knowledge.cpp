@@ -30,8 +30,12 @@ std::uint32_t Knowledge::FindOrAdd(Lti number) {
 }
 
 std::uint32_t Knowledge::AddNew() {
-  while (Find(next_number_) != kNowhere) ++next_number_;
+  SkipTakenNumbers();
   return FindOrAdd(next_number_++);
+}
+
+void Knowledge::SkipTakenNumbers() {
+  while (Find(next_number_) != kNowhere) ++next_number_;
 }
 
 std::span<const Edge> Knowledge::InheritedEdgesAt(std::uint32_t place) const {

@@ -92,6 +92,8 @@ class Knowledge {
   std::uint32_t FindOrAdd(Lti number);
   /// A new object with the lowest number that is free and above those given out before.
   std::uint32_t AddNew();
+  /// Moves the search for the next new number behind those that are taken, once for all who will share this.
+  void SkipTakenNumbers();
   Lti NumberAt(std::uint32_t place) const {
     return place >= first_place_ ? objects_[place - first_place_].number : base_->objects_[place].number;
   }

@@ -275,7 +275,15 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
   }
   for (const WrittenAugmentation& augmentation : clause.augmentations) {
     const StoreTerm attribute = FindTerm(memory, augmentation.path.front());
-    if (augmentation.path.size() > 1 || !attribute || !knowledge.Has(object, attribute)) {
+    const bool has = attribute && knowledge.Has(object, attribute);
+    // An attribute that the agent knows is nothing to complain of, unless a value is named, too.
+    const WrittenValue& named = augmentation.path.front();
+    const bool is_text = named.kind == WrittenValue::Kind::kString || named.kind == WrittenValue::Kind::kIdentifier;
+    if (!has && augmentation.path.size() == 1 && augmentation.values.empty() && is_text &&
+        memory.symbols().FindString(named.text)) {
+      continue;
+    }
+    if (augmentation.path.size() > 1 || !has) {
       note("Attribute was not found.");
       // Force passes over an attribute alone that another one follows.
       if (force && augmentation.values.empty() && &augmentation != &clause.augmentations.back()) continue;

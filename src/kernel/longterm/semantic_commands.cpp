@@ -309,13 +309,11 @@ Symbol SemanticMemory::Retrieve(std::uint32_t root, Retrieval& retrieval, std::i
     for (const std::uint32_t object : wave) {
       const Symbol parent = identifier_of(object);
       if (object != root) retrieval.deeper.push_back(parent);
-      // By attribute; the values of one with the last first, as their elements are made in turn.
       const std::vector<Edge> edges = knowledge_->OrderedEdgesAt(object);
       retrieval.contents.reserve(retrieval.contents.size() + edges.size());
       for (std::size_t n = 0; n < edges.size();) {
         const StoreTerm attribute = edges[n].attribute;
         const Symbol name = SymbolOf(attribute);
-        const std::size_t first = retrieval.contents.size();
         for (; n < edges.size() && edges[n].attribute == attribute; ++n) {
           const StoreTerm held = edges[n].value;
           const bool links = held.IsObject();
@@ -324,11 +322,12 @@ Symbol SemanticMemory::Retrieve(std::uint32_t root, Retrieval& retrieval, std::i
           seen.push_back(held.index());
           next.push_back(held.index());
         }
-        std::reverse(retrieval.contents.begin() + static_cast<std::ptrdiff_t>(first), retrieval.contents.end());
       }
     }
     wave.swap(next);
   }
+  // What is said last is made first.
+  std::ranges::reverse(retrieval.contents);
   return id;
 }
 
@@ -428,10 +427,11 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
   // What is to be shown first is made last.
   const Symbol verdict = success ? words::kSuccess : words::kFailure;
   if (success) {
-    meta.push_back(answer(words::kRetrieved, Retrieve(object, retrieval, command.depth)));
+    const Symbol retrieved = Retrieve(object, retrieval, command.depth);
     for (std::size_t n = retrieval.deeper.size(); n-- > 0;) {
       meta.push_back(answer(words::kDepthRetrieved, retrieval.deeper[n]));
     }
+    meta.push_back(answer(words::kRetrieved, retrieved));
   }
   if (command.negative) meta.push_back(answer(verdict, command.negative));
   meta.push_back(answer(verdict, command.asked));

@@ -67,6 +67,7 @@ Knowledge& SemanticMemory::Writable() {
 void SemanticMemory::Share() {
   // What is small, or kept in a file of its own, is not worth the trouble.
   if (shared_ || knowledge_->is_layer() || journal_ != nullptr || knowledge_->object_count() < kWorthSharing) return;
+  knowledge_->SkipTakenNumbers();
   knowledge_ = ShareKnowledge(std::move(knowledge_));
   shared_ = true;
 }
