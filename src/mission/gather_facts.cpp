@@ -42,8 +42,13 @@ void TellDecision(std::string_view packed, OperatorFact& selected) {
 void TellImpasse(std::string_view packed, EventFact& impasse) {
   const std::optional<mind::Decision> decision = mind::Unpack(packed);
   if (!decision || decision->empty()) return;
-  for (const mind::Decision::Operator& candidate : decision->operators)
+  const auto add = [&impasse](const mind::Decision::Operator& candidate) {
     impasse.with.emplace_back("operator", candidate.name.empty() ? candidate.id : candidate.name);
+  };
+  // Operators that preferences ruled out are no candidates. In a constraint failure there is nobody left.
+  if (decision->left.empty()) std::ranges::for_each(decision->operators, add);
+  for (const mind::Decision::Chance& left : decision->left)
+    if (left.op < decision->operators.size()) add(decision->operators[left.op]);
   impasse.reason = tell::WhyNothing(*decision);
 }
 

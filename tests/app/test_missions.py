@@ -114,6 +114,9 @@ class Missions(MissionCase):
                 ('agent = "scout"\nat = "gate"\nafter = 9\nby = 3\n', "this ends before it begins"),
                 ('agent = "scout"\nat = "gate"\nafter = 25\n', "the run ends at 20 s"),
                 ('agent = "scout"\nat = "gate"\nfor = 9\nby = 3\n', "too little time is left"),
+                ('agent = "scout"\nat = "gate"\nfor = 9\nafter = 2\nwithin = 3\n', "this cannot last for 9 s within 3 s"),
+                ('agent = "scout"\nat = "gate"\nfor = 21\n', "the run ends at 20 s"),
+                ('agent = "scout"\nat = "gate"\nfor = 9\nfrom = 15\n', "the run ends at 20 s"),
                 ('name = "a"\nagent = "scout"\nat = "gate"\nbefore = "a"\n', "refers to itself"),
                 ('agent = "scout"\ncommand = "move-to"\ntimes = 1.5\n', "'times' takes whole numbers"),
                 ('agent = "scout"\ncommand = "move-to"\ntimes = { max = -1 }\n', "fewer than 0 times"),
@@ -652,7 +655,13 @@ class Lessons(MissionCase):
             self.assertEqual(len({line.split("  ")[0] for line in run.out.splitlines()}), 1, "one lesson alone is tried")
             told += run.out.splitlines()
         self.assertEqual(sum("  solution: as it should" in line for line in told), 12)
-        self.assertGreaterEqual(sum("  wrong/" in line for line in told), 48)
+        self.assertGreaterEqual(sum("  wrong/" in line for line in told), 74)
+
+    def test_each_mistake_of_these_lessons_has_a_wrong_answer_that_makes_it(self):
+        for name in ("04-memory", "06-danger", "07-parts", "09-support", "10-results"):
+            lesson = REPOSITORY / "lessons" / name
+            mistakes = {each["name"] for each in tomllib.loads((lesson / "lesson.toml").read_text(encoding="utf-8"))["mistake"]}
+            self.assertEqual(mistakes, {file.read_text(encoding="utf-8").strip() for file in lesson.glob("wrong/*/expects")}, name)
 
     def test_each_panel_of_the_window_is_introduced_by_a_lesson(self):
         page = (REPOSITORY / "docs" / "window.md").read_text(encoding="utf-8")
