@@ -102,10 +102,17 @@ int Sweep(const SweepOptions& options) {
     progress.planned = planned;
     progress.there_before = made();
     auto next_look = begin;
+    bool answers = true;
     for (int round = 0; round < kMostRounds && !WasInterrupted(); ++round) {
       if (made() == planned && (round > 0 || !options.retry)) break;
       if (round > 0) std::cerr << "some runs are missing: given to Slurm again\n";
-      const Result<void> done = sweep::RunOnSlurm(folder, settings, [&] {
+      const Result<void> done = sweep::RunOnSlurm(folder, settings, [&](const std::string& no_answer) {
+        if (answers != no_answer.empty()) {
+          answers = no_answer.empty();
+          std::cerr << (is_terminal ? "\n" : "")
+                    << (answers ? "Slurm answers again" : "Slurm does not answer: " + no_answer + "; still waiting")
+                    << '\n';
+        }
         // Reading all rows takes its time when there are many.
         if (const auto now = std::chrono::steady_clock::now(); is_terminal && now >= next_look) {
           progress.done = made() - progress.there_before;
@@ -140,6 +147,10 @@ int Sweep(const SweepOptions& options) {
         });
     if (is_terminal) std::cerr << '\n';
     if (!progress) return Refuse(progress.error());
+    for (const std::string& problem : progress->problems)
+      std::cerr << Format(
+          Problem(options.spec, problem,
+                  std::to_string(progress->left_out) + " runs were left out; the same command makes them later"));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::cerr << progress->done << " runs made, " << progress->there_before << " were there, in "
               << mission::SecondsText(seconds) << '\n';

@@ -214,6 +214,19 @@ bool RunResult::IsUndecided() const {
                      [](const CheckResult& check) { return check.verdict.state == State::kUndecided; });
 }
 
+bool RunResult::IsJudged() const {
+  return passed || std::any_of(checks.begin(), checks.end(), [](const CheckResult& check) {
+           return check.verdict.state != State::kTrue && check.verdict.state != State::kUndecided;
+         });
+}
+
+std::optional<double> RunResult::NumberOf(const std::string& name) const {
+  if (const auto at = numbers.find(name); at != numbers.end()) return at->second;
+  const bool is_told = numbers.contains("firings");
+  if (!is_told && (name == "firings" || name == "learned" || name.starts_with("impasses_"))) return std::nullopt;
+  return 0;
+}
+
 RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   RunResult result;
   result.seed = spec.seed;
@@ -228,10 +241,16 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   }
   sim::Simulation& simulation = **made;
   FactGatherer gatherer(simulation, wants);
-  Evaluator evaluator(mission, TellsAll(simulation));
+  const bool tells_all = TellsAll(simulation);
+  Evaluator evaluator(mission, tells_all);
   std::map<std::string, double>& numbers = result.numbers;
   const auto count = [&](const sim::EventList& events, const TickFacts& facts) {
     for (const sim::Event& event : events) {
+      // From here on the minds do nothing: what the run would show is not what they do.
+      if (event.kind == sim::EventKind::kMindLost && result.outcome == "ok") {
+        result.outcome = "crashed";
+        result.error = "the kernel at " + spec.kernel + " was lost: " + event.text;
+      }
       numbers["commands"] += event.kind == sim::EventKind::kCommand ? 1 : 0;
       numbers["failed_commands"] += event.kind == sim::EventKind::kOutcome && event.text.starts_with("error") ? 1 : 0;
       numbers["gaps"] += event.kind == sim::EventKind::kGap ? 1 : 0;
@@ -261,7 +280,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
     return result;
   }
   double decided_at_s = -1;
-  while (simulation.time_s() < spec.seconds - 1e-6 && !simulation.HasEnded()) {
+  while (simulation.time_s() < spec.seconds - 1e-6 && !simulation.HasEnded() && result.outcome == "ok") {
     simulation.Tick();
     feed();
     if (spec.to_the_end || !evaluator.IsDecided()) continue;
@@ -270,7 +289,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   }
   evaluator.Finish();
   if (spec.to_the_end) gatherer.GatherInsight();
-  result.passed = evaluator.HasPassed();
+  result.passed = evaluator.HasPassed() && result.outcome == "ok";
   result.seconds = simulation.time_s();
   result.ticks = simulation.tick();
   result.state_hash = simulation.StateHash();
@@ -288,6 +307,11 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
     numbers["learned"] += agent.learned;
   }
   numbers["alive"] = alive;
+  // A zero would say that nothing happened; such a kernel does not tell.
+  if (!tells_all)
+    std::erase_if(numbers, [](const auto& number) {
+      return number.first == "firings" || number.first == "learned" || number.first.starts_with("impasses_");
+    });
   const std::span<const Verdict> verdicts = evaluator.verdicts();
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     CheckResult& check = result.checks.emplace_back();

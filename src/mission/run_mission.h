@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,10 @@ struct RunResult {
 
   bool IsTrue(std::size_t check) const { return check < checks.size() && checks[check].verdict.state == State::kTrue; }
   bool IsUndecided() const;
+  /// True if it passed, or a check failed: those that are undecided do not matter.
+  bool IsJudged() const;
+  /// A number of the run: 0 if nothing of it happened, none if the minds' kernel does not tell.
+  std::optional<double> NumberOf(const std::string& name) const;
 };
 
 /// Called after each tick with what there is, for metrics of a sweep's own.

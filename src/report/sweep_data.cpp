@@ -163,8 +163,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
     Json cells = Json::array({plan->variants[row.variant].variant.name, row.seed, row.result.outcome, row.result.passed,
                               std::round(row.result.seconds * 100) / 100});
     for (const char* name : {"distance", "commands", "decisions", "hits", "alive"}) {
-      const auto at = row.result.numbers.find(name);
-      cells.push_back(at != row.result.numbers.end() ? std::round(at->second * 100) / 100 : 0);
+      cells.push_back(std::round(row.result.NumberOf(name).value_or(0) * 100) / 100);
     }
     table.push_back(std::move(cells));
     if (row.result.outcome != "ok")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "mission/child_pool.h"
 #include "mission/conditions.h"
@@ -154,9 +155,15 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
   const int jobs = settings.jobs > 0 ? settings.jobs : mission::Processors();
   mission::ChildPool pool(jobs);
   std::vector<Job> running;
+  const auto kernel_of = [&plan](const Job& job) { return plan.variants[job.variant].variant.kernel; };
+  // A kernel elsewhere has one agent of a name, so it serves one run at a time.
+  std::set<std::string> busy, told;
   while ((!waiting.empty() || !pool.IsIdle()) && goes_on(progress)) {
-    while (!waiting.empty() && pool.HasRoom()) {
-      const Job job = waiting.front();
+    while (pool.HasRoom()) {
+      const auto next = std::find_if(waiting.begin(), waiting.end(),
+                                     [&](const Job& each) { return !busy.contains(kernel_of(each)); });
+      if (next == waiting.end()) break;
+      const Job job = *next;
       const ReadyVariant& variant = plan.variants[job.variant];
       const fs::path recording =
           folder / "recordings" / (variant.variant.name + "-" + std::to_string(job.seed) + ".soarrec");
@@ -166,12 +173,25 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
       if (!started && pool.IsIdle()) return started.error();
       if (!started) break;
       running.push_back(job);
-      waiting.pop_front();
+      waiting.erase(next);
+      if (!variant.variant.kernel.empty()) busy.insert(variant.variant.kernel);
     }
     std::optional<mission::ChildPool::Done> done = pool.Wait(0.2);
     if (!done) continue;
     const Job job = running[done->id];
+    const std::string kernel = kernel_of(job);
+    busy.erase(kernel);
     Row row = RowOf(plan, job, std::move(done->end), mission::LimitsOf(plan.variants[job.variant].loaded, jobs));
+    if (row.result.outcome == "refused" && !kernel.empty()) {
+      // The others do without it. No row is written: the same command makes these runs when the kernel is there.
+      const std::string& name = plan.variants[job.variant].variant.name;
+      if (!told.contains(kernel)) {
+        progress.problems.push_back("variant '" + name + "' cannot run: " + row.result.error);
+        told.insert(kernel);
+      }
+      progress.left_out += 1 + std::erase_if(waiting, [&](const Job& each) { return kernel_of(each) == kernel; });
+      continue;
+    }
     if (row.result.outcome == "refused") {
       Diagnostic problem;
       problem.file = spec.file.string();

@@ -19,6 +19,8 @@ struct SweepSettings {
 /// What there is to do and what is done.
 struct Progress {
   std::size_t planned = 0, there_before = 0, done = 0, failed = 0;
+  std::size_t left_out = 0;           ///< Their kernel is not there.
+  std::vector<std::string> problems;  ///< What is wrong with variants that were left out.
 };
 
 /// Makes the runs that no part holds yet, each in a process of its own, and adds them to a part. A run that crashes is

@@ -64,11 +64,15 @@ std::string JobOf(const fs::path& folder) {
   return IsJob(job) ? job : std::string();
 }
 
-/// Whether Slurm still has tasks of it to run. An answer that is none (the controller is busy) counts as yes.
-bool IsKnown(const std::string& job) {
+enum class Known : std::uint8_t { kYes, kNo, kNoAnswer };
+
+/// Whether Slurm still has tasks of it to run. Without an answer (the controller is busy or down) nobody knows.
+Known IsKnown(const std::string& job, std::string& why) {
   const Answer answer = Ask({"squeue", "--noheader", "--jobs", job, "--format", "%T"});
-  if (answer.code == 0) return answer.text.find_first_not_of(" \n") != std::string::npos;
-  return answer.text.find("Invalid job id") == std::string::npos;
+  if (answer.code == 0) return answer.text.find_first_not_of(" \n") != std::string::npos ? Known::kYes : Known::kNo;
+  if (answer.text.find("Invalid job id") != std::string::npos) return Known::kNo;
+  why = answer.text.substr(0, answer.text.find('\n'));
+  return Known::kNoAnswer;
 }
 
 }  // namespace
@@ -81,12 +85,14 @@ std::string WhyNoSlurm() {
   return {};
 }
 
-Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings, const std::function<bool()>& goes_on) {
+Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
+                        const std::function<bool(const std::string& no_answer)>& goes_on) {
   if (const std::string missing = WhyNoSlurm(); !missing.empty())
     return Problem(missing,
                    "run this on a login node of the cluster, or without --on slurm to use this machine's cores");
   std::string job = JobOf(folder);
-  if (job.empty() || !IsKnown(job)) {
+  std::string why;
+  if (job.empty() || IsKnown(job, why) == Known::kNo) {
     std::error_code error;
     fs::create_directories(folder / "slurm", error);
     const fs::path script = fs::absolute(folder / "slurm" / "task.sh", error);
@@ -112,10 +118,13 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings, c
     if (!(std::ofstream(folder / "slurm" / "job") << job << '\n').flush())
       return Problem("the job's number cannot be written below '" + folder.string() + "'");
   }
-  while (IsKnown(job)) {
-    if (!goes_on()) return {};
+  for (Known known; (known = IsKnown(job, why)) != Known::kNo;) {
+    if (!goes_on(known == Known::kNoAnswer ? why : std::string())) return {};
     std::this_thread::sleep_for(kLook);
   }
+  // Another command took the job's number away when it ended the job.
+  if (JobOf(folder) != job)
+    return Problem("job " + job + " was cancelled", "the same command continues with what is missing");
   return {};
 }
 
@@ -125,6 +134,9 @@ Result<void> CancelOnSlurm(const fs::path& folder) {
   if (job.empty()) return Problem("this sweep was not given to Slurm");
   if (const Answer answer = Ask({"scancel", job}); answer.code != 0)
     return Problem("Slurm did not end job " + job + ": " + answer.text);
+  std::error_code error;
+  if (!fs::remove(folder / "slurm" / "job", error))
+    return Problem("'" + (folder / "slurm" / "job").string() + "' cannot be removed: " + error.message());
   return {};
 }
 

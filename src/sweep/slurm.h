@@ -21,10 +21,11 @@ struct SlurmSettings {
 std::string WhyNoSlurm();
 
 /// Submits a job array and waits until Slurm knows it no longer. A job of this folder that still runs is waited for
-/// instead. `goes_on` is asked each few seconds; false leaves the job alone and returns.
+/// instead. `goes_on` is asked each few seconds, with what Slurm said where it gave no answer; false leaves the job
+/// alone and returns.
 Result<void> RunOnSlurm(const std::filesystem::path& folder, const SlurmSettings& settings,
-                        const std::function<bool()>& goes_on);
-/// Ends the job of this folder, if there is one.
+                        const std::function<bool(const std::string& no_answer)>& goes_on);
+/// Ends the job of this folder, if there is one. Who waits for it is told.
 Result<void> CancelOnSlurm(const std::filesystem::path& folder);
 
 }  // namespace soarbox::sweep

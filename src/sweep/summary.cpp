@@ -49,8 +49,8 @@ std::vector<Quantity> Quantities(const Spec& spec, const Plan& plan, const std::
       if (row.metrics[i]) quantities[i].by_variant[row.variant][row.seed] = *row.metrics[i];
     quantities[spec.metrics.size()].by_variant[row.variant][row.seed] = row.result.seconds;
     for (std::size_t i = spec.metrics.size() + 1; i < quantities.size(); ++i) {
-      const auto at = row.result.numbers.find(quantities[i].name);
-      quantities[i].by_variant[row.variant][row.seed] = at != row.result.numbers.end() ? at->second : 0;
+      if (const std::optional<double> value = row.result.NumberOf(quantities[i].name))
+        quantities[i].by_variant[row.variant][row.seed] = *value;
     }
   }
   // What is the same number in every run tells nothing.
@@ -100,7 +100,7 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
   std::vector<std::size_t> broken(plan.variants.size());
   for (const Row& row : rows) {
     if (row.result.outcome == "ok") {
-      passed[row.variant][row.seed] = row.result.passed;
+      if (row.result.IsJudged() || !row.result.IsUndecided()) passed[row.variant][row.seed] = row.result.passed;
       hashes[row.variant][row.seed] = row.result.state_hash;
     } else {
       ++broken[row.variant];
@@ -110,8 +110,11 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
   for (std::size_t v = 0; v < plan.variants.size(); ++v) {
     const auto good = static_cast<std::size_t>(
         std::count_if(passed[v].begin(), passed[v].end(), [](const auto& run) { return run.second; }));
-    out << plan.variants[v].variant.name << ": " << passed[v].size() << " runs";
+    out << plan.variants[v].variant.name << ": " << hashes[v].size() << " runs";
     if (broken[v] > 0) out << ", " << broken[v] << " crashed or hung";
+    if (hashes[v].size() > passed[v].size())
+      out << ", " << hashes[v].size() - passed[v].size()
+          << " undecided: their kernel does not say what a check asks for";
     if (has_checks && !passed[v].empty()) {
       const mission::Interval interval = mission::WilsonInterval(good, passed[v].size());
       out << ", " << good << " passed: " << Percent(static_cast<double>(good) / static_cast<double>(passed[v].size()))

@@ -80,7 +80,8 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
       cells.push_back(std::move(cell));
     }
     cells.emplace_back(run.outcome);
-    cells.emplace_back(run.outcome == "ok" ? Cell(std::int64_t{run.passed ? 1 : 0}) : Cell());
+    const bool is_judged = run.outcome == "ok" && (run.IsJudged() || !run.IsUndecided());
+    cells.emplace_back(is_judged ? Cell(std::int64_t{run.passed ? 1 : 0}) : Cell());
     for (std::size_t i = 0; i < spec.mission.checks.size(); ++i) {
       const bool is_there = i < run.checks.size();
       cells.emplace_back(is_there ? Cell(std::string(mission::NameOf(run.checks[i].verdict.state))) : Cell());
@@ -90,8 +91,8 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
       cells.emplace_back(i < row.metrics.size() && row.metrics[i] ? Cell(*row.metrics[i]) : Cell());
     cells.emplace_back(run.seconds);
     for (const std::string& number : numbers) {
-      const auto at = run.numbers.find(number);
-      cells.emplace_back(at != run.numbers.end() ? at->second : 0.0);
+      const std::optional<double> value = run.NumberOf(number);
+      cells.emplace_back(value ? Cell(*value) : Cell());
     }
     cells.emplace_back(run.cpu_s);
     cells.emplace_back(run.peak_mb);

@@ -3,6 +3,8 @@
 import csv
 import os
 import pathlib
+import pty
+import re
 import shutil
 import signal
 import socket
@@ -12,7 +14,7 @@ import threading
 import time
 import unittest
 
-from soarbox_command import Run
+from soarbox_command import COMMAND, Run
 from test_missions import RULES, SWEEP, WORLD
 
 DAEMONS = ("slurmctld", "slurmd", "munged", "sbatch", "squeue", "scancel")
@@ -145,6 +147,82 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         rows = self.rows(there)
         self.assertEqual(len(rows), 200)
         self.assertEqual(rows, self.rows(self.folder / "here"))
+
+    def sweep_of(self, seeds):
+        (self.folder / "scenario.toml").write_text(WORLD, encoding="utf-8")
+        (self.folder / "scout.soar").write_text(RULES, encoding="utf-8")
+        spec = self.folder / "sweep.toml"
+        spec.write_text(SWEEP.replace("1..6", seeds), encoding="utf-8")
+        return spec
+
+    def on_a_terminal(self, *words):
+        """The command with its errors on a terminal of its own: progress is for people."""
+        ours, its = pty.openpty()
+        process = subprocess.Popen([COMMAND, *map(str, words)], stdout=subprocess.DEVNULL, stderr=its)
+        os.close(its)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        self.shown = ""
+
+        def read():
+            while True:
+                try:
+                    piece = os.read(ours, 65536)
+                except OSError:
+                    piece = b""
+                if not piece:
+                    os.close(ours)
+                    return
+                self.shown += piece.decode(errors="replace")
+
+        reader = threading.Thread(target=read)
+        reader.start()
+        self.addCleanup(reader.join)
+        return process
+
+    def wait_until_shown(self, pattern, limit_s=60):
+        self.wait_for(lambda: re.search(pattern, self.shown), pattern, limit_s)
+
+    def wait_for(self, condition, what, limit_s=60):
+        end = time.monotonic() + limit_s
+        while not condition():
+            self.assertLess(time.monotonic(), end, f"{what}: {self.shown}")
+            time.sleep(0.1)
+
+    def test_who_waits_sees_how_far_it_is_and_that_slurm_is_away(self):
+        there = self.folder / "there"
+        process = self.on_a_terminal("sweep", self.sweep_of("1..150"), "--folder", there, "--on", "slurm")
+        self.wait_until_shown(r"\r\d+ of 300 runs, [\d.]+ per second, \d+ s to go")
+        controller = self.daemons[1]
+        os.kill(controller.pid, signal.SIGTERM)
+        controller.wait(30)
+        self.wait_until_shown(r"Slurm does not answer: .*; still waiting")
+        self.assertIsNone(process.poll(), "the jobs run on, and it waits for them")
+        self.start("slurmctld", "-D", "-f", os.environ["SLURM_CONF"])
+        self.wait_until_shown("Slurm answers again")
+        self.assertEqual(process.wait(120), 0, self.shown)
+        counts = [int(number) for number in re.findall(r"\r(\d+) of 300 runs", self.shown)]
+        self.assertEqual(counts, sorted(counts))
+        self.assertEqual(len(self.rows(there)), 300)
+
+    def test_who_waits_for_a_job_that_is_cancelled_is_told_and_continues_later(self):
+        there = self.folder / "there"
+        spec = self.sweep_of("1..100")
+        process = self.on_a_terminal("sweep", spec, "--folder", there, "--on", "slurm")
+        self.wait_until_shown(r"\r[1-9]\d* of 200 runs")
+        self.assertEqual(Run("sweep", spec, "--folder", there, "--cancel").code, 0)
+        self.assertEqual(process.wait(60), 3, self.shown)
+        self.wait_until_shown(r"job \d+ was cancelled")
+        self.assertNotIn("given to Slurm again", self.shown)
+        run = Run("sweep", spec, "--folder", there, "--cancel")
+        self.assertEqual(run.code, 3)
+        self.assertIn("was not given to Slurm", run.err)
+        made = len(list((there / "parts").glob("*.rows")))
+        self.assertGreater(made, 0)
+        run = Run("sweep", spec, "--folder", there)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        self.assertRegex(run.err, r"[1-9]\d* were there")
+        self.assertEqual(len(self.rows(there)), 200)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Sweeps in which a variant's minds live in a kernel in another process."""
+import csv
+import os
+import socket
+import subprocess
+import time
+import unittest
+
+from soarbox_command import COMMAND, Run, ScenarioCase
+from test_missions import RULES, WORLD
+
+SPEC = """
+scenario = "."
+seeds = "1..%d"
+seconds = %d
+[[check]]
+name = "there"
+agent = "scout"
+at = "gate"
+by = 10
+[[variant]]
+name = "own"
+[[variant]]
+name = "elsewhere"
+kernel = "127.0.0.1:%d"
+"""
+
+
+def free_port():
+    with socket.socket() as there:
+        there.bind(("127.0.0.1", 0))
+        return there.getsockname()[1]
+
+
+class Elsewhere(ScenarioCase):
+    def setUp(self):
+        super().setUp()
+        self.write("scenario.toml", WORLD)
+        self.write("scout.soar", RULES)
+        self.port = free_port()
+
+    def kernel(self):
+        process = subprocess.Popen([COMMAND, "kernel", "--port", str(self.port)], stdin=subprocess.PIPE,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+        def stop():
+            process.kill()
+            process.wait()
+            process.stdin.close()
+
+        self.addCleanup(stop)
+        end = time.monotonic() + 20
+        while time.monotonic() < end:
+            try:
+                socket.create_connection(("127.0.0.1", self.port), 1).close()
+                return process
+            except OSError:
+                time.sleep(0.05)
+        self.fail("the kernel did not come up")
+
+    def sweep(self, seeds, seconds=10):
+        spec = self.write("sweep.toml", SPEC % (seeds, seconds, self.port))
+        return Run("sweep", spec, "--jobs", 4)
+
+    def rows(self):
+        with open(self.folder / "sweep.sweep" / "results.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        return {name: [row for row in rows if row["variant"] == name] for name in ("own", "elsewhere")}
+
+    def test_runs_take_turns_at_one_kernel_and_come_to_the_same(self):
+        self.kernel()
+        run = self.sweep(4)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        rows = self.rows()
+        for column in ("seed", "outcome", "passed", "time: there", "distance", "commands"):
+            self.assertEqual([row[column] for row in rows["own"]], [row[column] for row in rows["elsewhere"]], column)
+        self.assertEqual([row["tries"] for row in rows["elsewhere"]], ["1"] * 4)
+
+    def test_without_the_kernel_the_other_runs_are_made_and_its_own_later(self):
+        run = self.sweep(3)
+        self.assertEqual(run.code, 1, run.out + run.err)
+        self.assertIn("variant 'elsewhere' cannot run", run.err)
+        self.assertIn(f"no Soar kernel answers at 127.0.0.1:{self.port}", run.err)
+        self.assertIn("3 runs were left out", run.err)
+        rows = self.rows()
+        self.assertEqual((len(rows["own"]), len(rows["elsewhere"])), (3, 0))
+        self.kernel()
+        run = self.sweep(3)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        self.assertIn("3 runs made, 3 were there", run.err)
+        self.assertEqual([row["passed"] for row in self.rows()["elsewhere"]], ["1"] * 3)
+
+    def test_a_kernel_that_dies_in_a_run_leaves_no_row_that_looks_right(self):
+        kernel = self.kernel()
+        spec = self.write("sweep.toml", SPEC % (2, 600, self.port))
+        process = subprocess.Popen([COMMAND, "sweep", str(spec), "--jobs", "1"], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.wait)
+        parts = self.folder / "sweep.sweep" / "parts"
+        end = time.monotonic() + 60
+        while time.monotonic() < end and not any(part.stat().st_size for part in parts.glob("*.rows")):
+            time.sleep(0.05)
+        time.sleep(0.3)
+        os.kill(kernel.pid, 9)
+        out, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 1, out + err)
+        self.assertIn("variant 'elsewhere' cannot run", err)
+        rows = self.rows()
+        self.assertEqual([row["outcome"] for row in rows["own"]], ["ok"] * 2)
+        self.assertEqual(rows["elsewhere"], [])
+        self.kernel()
+        run = self.sweep(2, 600)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        self.assertEqual([(row["outcome"], row["passed"]) for row in self.rows()["elsewhere"]], [("ok", "1")] * 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
