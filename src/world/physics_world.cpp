@@ -23,6 +23,9 @@ namespace {
 
 // Half a body's length per step is as far as it may go without being swept (spec 6).
 constexpr float kSweepThreshold_m = 0.5f;
+// Bullet strings its pools of contacts together one by one before the first step: 4 MB by default, a quarter of a short
+// run. What does not fit into a pool comes from the heap.
+constexpr int kPoolOfContacts = 512;
 constexpr float kFriction = 0.5f;
 constexpr float kPenetrationRecovery = 0.8f;
 // The solver ends before its last iteration once no contact changes a velocity by more than 1e-5 m/s.
@@ -58,6 +61,13 @@ bool IsWithin(const btVector3& v, btScalar limit) {
 
 float Within(float value, float limit) {
   return IsFinite(value) ? std::clamp(value, -limit, limit) : 0.0f;
+}
+
+btDefaultCollisionConstructionInfo SmallPools() {
+  btDefaultCollisionConstructionInfo pools;
+  pools.m_defaultMaxPersistentManifoldPoolSize = kPoolOfContacts;
+  pools.m_defaultMaxCollisionAlgorithmPoolSize = kPoolOfContacts;
+  return pools;
 }
 
 }  // namespace
@@ -154,7 +164,7 @@ struct PhysicsWorld::Impl {
   void GatherCollisions();
   void LiftSunken();
 
-  btDefaultCollisionConfiguration configuration;
+  btDefaultCollisionConfiguration configuration{SmallPools()};
   btCollisionDispatcher dispatcher;
   CrowdBroadphase broadphase;
   PairLimit pair_limit{*broadphase.getOverlappingPairCache()};
