@@ -85,7 +85,10 @@ EpisodeCommands::Command EpisodeCommands::Read(const Reach& reach) const {
   }
   if ((command.refined || !command.negative.IsNone()) && command.kind != Kind::kQuery) good = false;
   const bool endless = command.after == std::numeric_limits<std::int64_t>::max();
-  if (command.before && command.after && !endless && *command.before <= *command.after) good = false;
+  if (command.before && command.after && !endless && *command.before <= *command.after) {
+    command.is_counted = good && command.kind == Kind::kQuery;
+    good = false;
+  }
   if (!good) command.kind = Kind::kMalformed;
   std::sort(command.prohibited.begin(), command.prohibited.end());
   return command;
@@ -252,8 +255,11 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
   counters_.query_positive = query.positive.edges().size();
   counters_.query_negative = query.negative.edges().size();
   counters_.query_literals = counters_.query_positive + counters_.query_negative;
-  counters_.query_retrieved = answer.episode;
-  counters_.query_cardinality = answer.cardinality;
+  // Who finds nothing leaves what was found before.
+  if (answer.episode != 0) {
+    counters_.query_retrieved = answer.episode;
+    counters_.query_cardinality = answer.cardinality;
+  }
   const char* outcome = answer.episode == 0 ? "failure" : "success";
   if (answer.episode == 0) {
     if (!command.negative.IsNone()) Say(output, level, outcome, command.negative);
@@ -296,6 +302,7 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
 
 void EpisodeCommands::Execute(GoalLevel level, const Command& command, Output& output) {
   if (command.kind == Kind::kNone) return;
+  if (command.is_counted) ++counters_.queries;
   if (command.kind == Kind::kMalformed) return Say(output, level, "status", Word("bad-cmd"));
   if (command.kind == Kind::kQuery) return Query(level, command, output);
   State& state = states_[level - 1u];

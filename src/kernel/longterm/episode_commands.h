@@ -65,7 +65,8 @@ class EpisodeCommands {
     Symbol argument, negative;  ///< ^query, ^next, ^previous; ^neg-query
     std::optional<std::int64_t> before, after;
     std::vector<EpisodeNumber> prohibited;
-    bool refined = false;  ///< By any of the last three.
+    bool refined = false;     ///< By any of the last three.
+    bool is_counted = false;  ///< A query, though its window holds nothing.
   };
   /// What is to be put into working memory.
   struct Output {
