@@ -140,6 +140,22 @@ bool NamesScenario(const fs::path& file) {
   return false;
 }
 
+/// Whether a script is an agent's: it defines what an agent does, and nothing of a sandbox, nor does it load what may.
+bool IsScriptOfAgent(const fs::path& file) {
+  std::error_code error;
+  if (constexpr std::uintmax_t kMostBytes = 4u << 20; fs::file_size(file, error) > kMostBytes || error) return false;
+  std::ifstream text(file);
+  bool is_agents = false;
+  for (std::string line; std::getline(text, line);) {
+    const std::string_view code = std::string_view(line).substr(0, line.find("--"));
+    for (const char* word : {"Sandbox_", "require", "dofile", "loadfile"})
+      if (code.find(word) != std::string_view::npos) return false;
+    for (const char* name : {"Agent_Initialize", "Agent_Update"})
+      is_agents = is_agents || code.find(name) != std::string_view::npos;
+  }
+  return is_agents;
+}
+
 /// The file that an argument means; empty if none.
 fs::path FindMain(const fs::path& given, const DataFolders& data) {
   for (const fs::path& place : {given, data.scenarios / given}) {
@@ -182,6 +198,17 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
     problem.file = main.string();
     problem.message = "this is no file of rules, script or scenario";
     problem.hint = "they end in .soar, .lua and .toml";
+    return problem;
+  }
+
+  if (kind == ".lua" && main.filename() != kSandboxScript && IsScriptOfAgent(main)) {
+    Diagnostic problem;
+    problem.file = main.string();
+    problem.message = "this is the script of an agent, not of a world: it has no Sandbox_Initialize";
+    problem.hint =
+        "write a Sandbox.lua beside it that makes the agent: function Sandbox_Initialize(sandbox) "
+        "Sandbox.CreateAgent(sandbox, \"" +
+        main.filename().string() + "\"); end";
     return problem;
   }
 

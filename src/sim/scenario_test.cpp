@@ -51,6 +51,20 @@ TEST_F(ScenarioTest, FolderWithoutAScriptIsToldApartFromNoFolder) {
   EXPECT_EQ(found.error().file, (root_ / "empty").string());
 }
 
+TEST_F(ScenarioTest, TheScriptOfAnAgentIsNoWorld) {
+  const fs::path walker = root_ / "walker.lua";
+  std::ofstream(walker) << "function Agent_Update(agent, milliseconds)\nend\n-- Sandbox_Initialize is elsewhere\n";
+  const auto found = FindScenario(walker.string(), data_);
+  ASSERT_FALSE(found.ok());
+  EXPECT_EQ(found.error().message, "this is the script of an agent, not of a world: it has no Sandbox_Initialize");
+  EXPECT_NE(found.error().hint.find("Sandbox.CreateAgent(sandbox, \"walker.lua\")"), std::string::npos);
+
+  std::ofstream(walker, std::ios::app) << "function Sandbox_Initialize(sandbox)\nend\n";
+  EXPECT_TRUE(FindScenario(walker.string(), data_).ok());
+  std::ofstream(walker) << "require \"World\"\nfunction Agent_Update(agent) end\n";
+  EXPECT_TRUE(FindScenario(walker.string(), data_).ok());
+}
+
 TEST_F(ScenarioTest, FilesAreFoundInFolderOrderAndWithOtherCapitals) {
   const std::vector<fs::path> folders{root_ / "scenarios/arena", root_ / "scenarios/thesis"};
   EXPECT_EQ(FindInFolders("Sandbox.lua", folders), root_ / "scenarios/arena/Sandbox.lua");
