@@ -154,8 +154,9 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   });
   goal.items = kept_items_;
   // Soar counts a firing of its own behind each item.
-  engine_.instantiations.SkipSerials(static_cast<std::uint32_t>(candidates.size()) +
-                                     static_cast<std::uint32_t>(non_numeric));
+  const std::uint32_t firings = static_cast<std::uint32_t>(candidates.size()) + static_cast<std::uint32_t>(non_numeric);
+  engine_.instantiations.SkipSerials(firings);
+  engine_.chunker.NoteItems(firings);
   const auto add = [&](Symbol attribute, Symbol value) {
     const bool present = std::any_of(kept_items_.begin(), kept_items_.end(), [&](WmeId item) {
       return memory.wme(item).attribute == attribute && memory.wme(item).value == value;

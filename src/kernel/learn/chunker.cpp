@@ -71,6 +71,13 @@ void Chunker::NoteSubstate(GoalLevel level) {
   statistics_.identities_created += 2;
 }
 
+void Chunker::NoteItems(std::uint32_t count) {
+  if (!settings_.learning()) return;
+  next_identity_ += 2 * count;
+  statistics_.identities_created += 2 * count;
+  statistics_.identities_propagated += 3 * count;
+}
+
 std::uint32_t Chunker::NumberOfSpecial(IdentityGraph::Key key) const {
   if (!FiringReader::IsSuperstateLink(key)) return 0;
   const std::uint32_t level = key.place / 2u;

@@ -56,6 +56,8 @@ class Chunker {
   std::uint32_t NumberOfSpecial(IdentityGraph::Key key) const;
   /// A substate was made.
   void NoteSubstate(GoalLevel level);
+  /// An impasse got its items, `count` of them: each stands for a firing that names its state and its operator.
+  void NoteItems(std::uint32_t count);
   /// An element came into working memory; for singletons. (WmeChanges tells of elements while that is wanted.)
   void NoteElement(Symbol attribute) { singletons_.Note(attribute); }
   std::uint32_t identities_created() const { return next_identity_ - 1; }
