@@ -65,7 +65,8 @@ bool Activations::Touch(std::uint32_t object, bool advance) {
   }
   if (record.forget_last) {
     record.forget_last = false;
-    if (record.count > 0) {
+    // (Frequency counts all uses, those that were taken back included.)
+    if (record.count > 0 && settings_.activation_mode == ActivationMode::kBaseLevel) {
       std::copy(record.ticks.begin() + 1, record.ticks.end(), record.ticks.begin());
       --record.count;
     }
