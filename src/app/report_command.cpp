@@ -16,10 +16,20 @@ int Report(const ReportOptions& options) {
   if (!data) return Refuse(data.error());
   const Result<std::string> page = report::MakePage(options.source, *data);
   if (!page) return Refuse(page.error());
+  std::error_code error;
+  // What is put in the place of a device would be there instead of it.
+  const std::filesystem::file_status there = std::filesystem::status(options.output, error);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
+    Diagnostic problem;
+    problem.file = options.output.string();
+    problem.message = "this is not a plain file, so no page is written to it";
+    problem.hint = "name a file with -o";
+    return Refuse(problem);
+  }
   // A page that is there stays until the new one is whole.
   std::filesystem::path making = options.output;
   making += ".part";
-  std::error_code error;
+  error.clear();
   const bool written = static_cast<bool>((std::ofstream(making, std::ios::binary) << *page).flush());
   if (written) std::filesystem::rename(making, options.output, error);
   if (!written || error) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/sweep_command.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -24,6 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostRounds = 5;
+constexpr int kLockWaits = 20;
+constexpr useconds_t kLockWait_us = 100'000;
 
 Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
   Diagnostic problem;
@@ -45,6 +50,20 @@ void Show(const sweep::Progress& progress, bool is_terminal, std::chrono::steady
   }
   if (progress.failed > 0) std::cerr << ", " << progress.failed << " crashed or hung";
   std::cerr << "   " << std::flush;
+}
+
+/// Keeps other sweeps of this machine out of the folder while this process lives: two would make each run twice. True
+/// also where the file system has no locks.
+bool LockFolder(const fs::path& folder) {
+  const int file = open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (file < 0) return true;
+  // The runs of a sweep that was killed end a moment after it.
+  for (int wait = 0; wait < kLockWaits; ++wait) {
+    if (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
+    usleep(kLockWait_us);
+  }
+  close(file);
+  return false;
 }
 
 }  // namespace
@@ -77,6 +96,9 @@ int Sweep(const SweepOptions& options) {
   if (!plan) return Refuse(plan.error());
   if (const Result<void> claimed = sweep::ClaimFolder(spec, *plan, folder, options.mix); !claimed)
     return Refuse(claimed.error());
+  if (options.on != "slurm" && options.task < 0 && !LockFolder(folder))
+    return Refuse(
+        Problem(folder, "another sweep is making runs here", "wait for it, or name another folder with --folder"));
   CatchInterrupts();
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
   const auto begin = std::chrono::steady_clock::now();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "sim/arena.h"
 #include "sim/event.h"
 #include "sim/failed_rule.h"
+#include "sim/rule_surroundings.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "sim/soar_mind.h"
@@ -157,7 +159,9 @@ class Minds final : public script::MindFactory {
   std::set<std::string> KnownAttributes();
   std::vector<FailedRule> FailedIn(const std::filesystem::path& rules) const;
   void Tell(EventKind kind, const world::Agent& body, std::string text);
-  std::vector<Diagnostic> FindSlips(Mind& mind, const std::set<std::string>& rules);
+  /// What lies beside the rules, by folder, as it is now: minds of one world share their folders.
+  using Neighbours = std::map<std::filesystem::path, Surroundings>;
+  std::vector<Diagnostic> FindSlips(Mind& mind, const std::set<std::string>& rules, Neighbours& beside);
 
   world::World& world_;
   const Scenario& scenario_;

@@ -34,7 +34,7 @@ Diagnostic Placed(const Slip& slip, const std::vector<RuleFile>& files) {
 
 }  // namespace
 
-std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>& only) {
+std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>& only, Neighbours& beside) {
   MindReasons reasons(mind.soar.agent());
   KnownWords known;
   known.attributes = KnownAttributes();
@@ -46,9 +46,11 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   if (mind.is_scripted) folders = scenario_.script_folders;
   folders.push_back(mind.rules.parent_path());
   for (const std::filesystem::path& folder : folders) {
-    Surroundings around = LookAround(folder, {&folder, 1});
-    known.scripts.merge(around.lua_words);
-    known.attributes.merge(around.made_by_rules);
+    const auto [at, is_new] = beside.try_emplace(folder);
+    if (is_new) at->second = LookAround(folder, {&folder, 1});
+    const Surroundings& around = at->second;
+    known.scripts.insert(around.lua_words.begin(), around.lua_words.end());
+    known.attributes.insert(around.made_by_rules.begin(), around.made_by_rules.end());
     known.has_database |= around.has_database;
   }
   std::vector<RuleFile> files = FilesOf(mind.rules, scenario_);
@@ -80,10 +82,11 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
 
 void Minds::TellSlips() {
   has_new_rules_ = false;
+  Neighbours beside;
   for (Mind& mind : minds_) {
     if (mind.gone || mind.lost || !looked_over_.insert(mind.rules).second) continue;
     const std::string& name = world_.FindAgent(mind.agent)->name();
-    for (Diagnostic& slip : FindSlips(mind, {})) {
+    for (Diagnostic& slip : FindSlips(mind, {}, beside)) {
       if (!reported_.insert(Format(slip)).second) continue;
       Event event;
       event.kind = EventKind::kDiagnostic;
@@ -97,7 +100,8 @@ void Minds::TellSlips() {
 std::vector<Diagnostic> Minds::SlipsOf(std::string_view agent, const std::set<std::string>& rules) {
   Mind* mind = FindNamed(agent);
   if (mind == nullptr || mind->gone || mind->lost || rules.empty()) return {};
-  return FindSlips(*mind, rules);
+  Neighbours beside;
+  return FindSlips(*mind, rules, beside);
 }
 
 }  // namespace soarbox::sim

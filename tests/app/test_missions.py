@@ -517,6 +517,24 @@ class Sweeps(MissionCase):
         self.assertIn("name another with --folder", run.err)
 
     @unittest.skipIf(shutil.which("sbatch"), "Slurm is installed")
+    def test_two_sweeps_of_one_folder_do_not_make_runs_twice(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..100"))
+        first = subprocess.Popen([COMMAND, "sweep", str(spec), "--jobs", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(first.wait)
+        self.addCleanup(first.kill)
+        parts = spec.with_suffix(".sweep") / "parts"
+        while first.poll() is None and not list(parts.glob("*.rows")):
+            time.sleep(0.05)
+        second = Run("sweep", spec)
+        self.assertEqual(second.code, 3, second.out + second.err)
+        self.assertIn("another sweep is making runs here", second.err)
+        first.send_signal(signal.SIGINT)
+        self.assertEqual(first.wait(60), 130)
+        self.assertEqual(Run("sweep", spec).code, 0)
+        made = sum(len(part.read_text(encoding="utf-8").splitlines()) for part in parts.glob("*.rows"))
+        self.assertEqual(made, 200)
+
     def test_without_slurm_that_is_said(self):
         self.mission("")
         run = Run("sweep", self.write("sweep.toml", SWEEP), "--on", "slurm")
@@ -638,6 +656,12 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         run = Run("report", recording, "-o", self.write("file", "") / "page.html")
         self.assertEqual(run.code, 3)
         self.assertIn("page.html", run.err)
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        run = Run("report", recording, "-o", pipe)
+        self.assertEqual(run.code, 3)
+        self.assertIn("not a plain file", run.err)
+        self.assertTrue(pipe.is_fifo(), "it is still what it was")
 
     def test_the_page_reads_nothing_as_markup(self):
         script = (REPOSITORY / "media" / "report" / "page.js").read_text(encoding="utf-8")
