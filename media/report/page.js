@@ -37,7 +37,7 @@
   function table(columns, rows, caption) {
     const body = h('tbody');
     let order = rows.map((_, i) => i), by = -1, up = true;
-    const isNumber = columns.map((_, c) => rows.length > 0 && rows.every((row) => typeof row[c] === 'number'));
+    const isNumber = columns.map((_, c) => rows.some((row) => typeof row[c] === 'number') && rows.every((row) => typeof row[c] === 'number' || row[c] === ''));
     const heads = columns.map((name, c) => h('th', { scope: 'col', 'aria-sort': 'none', class: isNumber[c] ? 'number' : null },
       h('button', { type: 'button', on: { click: () => sort(c) } }, name)));
     function fill() {
@@ -341,11 +341,11 @@
   function sweepPage(sweep) {
     const names = sweep.variants.map((v) => v.name);
     const percent = (x) => Math.round(100 * x) + ' %';
-    const variants = sweep.variants.map((v) => [v.name, v.runs, v.broken, v.passed, v.runs ? percent(v.passed / v.runs) : '', percent(v.low) + ' to ' + percent(v.high)]);
-    const checks = sweep.check_names.map((name, i) => [name].concat(sweep.variants.map((v) => v.checks[i].true + ' of ' + v.runs + ' (' + percent(v.checks[i].low) + ' to ' + percent(v.checks[i].high) + ')')));
+    const variants = sweep.variants.map((v) => [v.name, v.runs, v.broken, v.runs - v.judged, v.passed, v.judged ? percent(v.passed / v.judged) : '', percent(v.low) + ' to ' + percent(v.high)]);
+    const checks = sweep.check_names.map((name, i) => [name].concat(sweep.variants.map((v) => v.checks[i].true + ' of ' + v.checks[i].of + ' (' + percent(v.checks[i].low) + ' to ' + percent(v.checks[i].high) + ')')));
     const differences = [];
     sweep.metrics.forEach((metric) => metric.differences.forEach((d) => differences.push([metric.name, d.variant, d.mean, d.low, d.high, d.pairs, d.low > 0 || d.high < 0 ? 'yes' : 'may be chance'])));
-    return [header(sweep), section('Variants', table(['variant', 'runs', 'crashed or hung', 'passed', 'share', '95 %'], variants, 'Runs of each variant'), 'variants'),
+    return [header(sweep), section('Variants', table(['variant', 'runs', 'crashed or hung', 'undecided', 'passed', 'share', '95 %'], variants, 'Runs of each variant'), 'variants'),
       checks.length ? section('Checks', table(['check'].concat(names), checks, 'How often each check was true, with 95 % intervals'), 'checks') : null,
       section('Distributions', h('div', { class: 'even' }, sweep.metrics.slice(0, 24).map((metric) => strip(metric, names))), 'distributions'),
       differences.length ? section('Differences from ' + names[0] + ', on equal seeds', table(['number', 'variant', 'mean difference', 'low', 'high', 'pairs', 'real'], differences, 'Paired differences with 95 % intervals'), 'differences') : null,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -65,40 +66,49 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
     }
     values[row.variant][row.seed] = value;
   };
-  std::vector<std::size_t> passed(count), ok(count), broken(count);
-  std::vector<std::vector<std::size_t>> checks(count, std::vector<std::size_t>(spec.mission.checks.size()));
+  std::vector<std::size_t> passed(count), judged(count), ok(count), broken(count);
+  const std::vector<std::size_t> none(spec.mission.checks.size());
+  std::vector<std::vector<std::size_t>> checks(count, none), decided(count, none);
+  // A kernel elsewhere may not say what a check asks for: such a run is neither good nor bad.
+  const auto is_judged = [](const sweep::Row& row) { return row.result.IsJudged() || !row.result.IsUndecided(); };
   for (const sweep::Row& row : rows) {
     if (row.result.outcome != "ok") {
       ++broken[row.variant];
       continue;
     }
     ++ok[row.variant];
-    passed[row.variant] += row.result.passed ? 1 : 0;
-    for (std::size_t i = 0; i < spec.mission.checks.size(); ++i) checks[row.variant][i] += row.result.IsTrue(i) ? 1 : 0;
+    judged[row.variant] += is_judged(row) ? 1 : 0;
+    passed[row.variant] += is_judged(row) && row.result.passed ? 1 : 0;
+    for (std::size_t i = 0; i < none.size() && i < row.result.checks.size(); ++i) {
+      decided[row.variant][i] += row.result.checks[i].verdict.state == mission::State::kUndecided ? 0 : 1;
+      checks[row.variant][i] += row.result.IsTrue(i) ? 1 : 0;
+    }
     for (std::size_t i = 0; i < spec.metrics.size() && i < row.metrics.size(); ++i)
       if (row.metrics[i]) add(spec.metrics[i].name, row, *row.metrics[i]);
     add("seconds", row, row.result.seconds);
-    for (const auto& [name, value] : row.result.numbers) add(name, row, value);
+    for (const auto& [name, value] : row.result.numbers)
+      if (row.result.NumberOf(name)) add(name, row, value);
   }
   for (std::size_t v = 0; v < count; ++v) {
-    const mission::Interval interval = mission::WilsonInterval(passed[v], ok[v]);
+    const mission::Interval interval = mission::WilsonInterval(passed[v], judged[v]);
     Json& variant = variants.emplace_back(Json{{"name", plan->variants[v].variant.name},
                                                {"runs", ok[v]},
                                                {"broken", broken[v]},
+                                               {"judged", judged[v]},
                                                {"passed", passed[v]},
                                                {"low", interval.low},
                                                {"high", interval.high}});
     Json& shares = variant["checks"] = Json::array();
     for (std::size_t i = 0; i < spec.mission.checks.size(); ++i) {
-      const mission::Interval each = mission::WilsonInterval(checks[v][i], ok[v]);
-      shares.push_back(Json{{"true", checks[v][i]}, {"low", each.low}, {"high", each.high}});
+      const mission::Interval each = mission::WilsonInterval(checks[v][i], decided[v][i]);
+      shares.push_back(Json{{"true", checks[v][i]}, {"of", decided[v][i]}, {"low", each.low}, {"high", each.high}});
     }
   }
   Json check_names = Json::array();
   for (const mission::Check& check : spec.mission.checks) check_names.push_back(check.name);
   std::ostringstream verdict;
-  if (!spec.mission.checks.empty() && count > 0 && ok[0] > 0)
-    verdict << plan->variants[0].variant.name << " passes in " << passed[0] << " of " << ok[0] << " runs";
+  if (!spec.mission.checks.empty() && count > 0 && judged[0] > 0)
+    verdict << plan->variants[0].variant.name << " passes in " << passed[0] << " of " << judged[0] << " runs";
   Json metrics = Json::array();
   Json outliers = Json::array();
   for (const std::string& name : numbers) {
@@ -160,10 +170,12 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   Json table = Json::array(), failed = Json::array();
   for (const sweep::Row& row : rows) {
     if (table.size() >= kMostRows) break;
-    Json cells = Json::array({plan->variants[row.variant].variant.name, row.seed, row.result.outcome, row.result.passed,
+    Json cells = Json::array({plan->variants[row.variant].variant.name, row.seed, row.result.outcome,
+                              is_judged(row) ? Json(row.result.passed) : Json("undecided"),
                               std::round(row.result.seconds * 100) / 100});
     for (const char* name : {"distance", "commands", "decisions", "hits", "alive"}) {
-      cells.push_back(std::round(row.result.NumberOf(name).value_or(0) * 100) / 100);
+      const std::optional<double> value = row.result.NumberOf(name);
+      cells.push_back(value ? Json(std::round(*value * 100) / 100) : Json(""));
     }
     table.push_back(std::move(cells));
     if (row.result.outcome != "ok")

@@ -14,6 +14,7 @@ import time
 import tomllib
 import unittest
 import xml.etree.ElementTree as xml
+from unittest import mock
 
 from soarbox_command import COMMAND, Run, ScenarioCase
 
@@ -537,7 +538,8 @@ class Sweeps(MissionCase):
 
     def test_without_slurm_that_is_said(self):
         self.mission("")
-        run = Run("sweep", self.write("sweep.toml", SWEEP), "--on", "slurm")
+        with mock.patch.dict(os.environ, PATH="/nowhere"):
+            run = Run("sweep", self.write("sweep.toml", SWEEP), "--on", "slurm")
         self.assertEqual(run.code, 3)
         self.assertIn("is not installed", run.err)
 

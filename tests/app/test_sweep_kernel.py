@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Sweeps in which a variant's minds live in a kernel in another process."""
 import csv
+import json
 import os
+import re
 import socket
 import subprocess
 import time
@@ -90,6 +92,23 @@ class Elsewhere(ScenarioCase):
         self.assertEqual(run.code, 0, run.out + run.err)
         self.assertIn("3 runs made, 3 were there", run.err)
         self.assertEqual([row["passed"] for row in self.rows()["elsewhere"]], ["1"] * 3)
+
+    def test_a_page_counts_undecided_runs_for_themselves(self):
+        self.kernel()
+        asks = '[[check]]\nname = "walks"\nagent = "scout"\noperator = "go"\n'
+        spec = self.write("sweep.toml", (SPEC % (2, 10, self.port)).replace("[[variant]]", asks + "[[variant]]", 1))
+        run = Run("sweep", spec, "--jobs", 2)
+        self.assertEqual([row["passed"] for row in self.rows()["elsewhere"]], ["", ""], run.out + run.err)
+        page = self.folder / "page.html"
+        self.assertEqual(Run("report", self.folder / "sweep.sweep", "-o", page).code, 0)
+        data = re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.DOTALL)
+        data = json.loads(data.group(1))[0]
+        own, elsewhere = data["variants"]
+        self.assertEqual((own["runs"], own["judged"], elsewhere["runs"], elsewhere["judged"]), (2, 2, 2, 0))
+        self.assertEqual([(check["true"], check["of"]) for check in elsewhere["checks"]], [(2, 2), (0, 0)])
+        passed, decisions = data["columns"].index("passed"), data["columns"].index("decisions")
+        there = [row for row in data["rows"] if row[0] == "elsewhere"]
+        self.assertEqual([(row[passed], row[decisions]) for row in there], [("undecided", "")] * 2)
 
     def test_a_kernel_that_dies_in_a_run_leaves_no_row_that_looks_right(self):
         kernel = self.kernel()

@@ -149,7 +149,7 @@ class MindPanel final : public Panel {
     ImGui::TableNextColumn();
     ImGui::PushID(row.id.c_str());
     std::string title(row.selected ? "\xe2\x9c\x93 " : "");
-    title.append(debugger::Title(row));
+    title.append(row.name.empty() ? row.id : row.name + " (" + row.id + ")");
     ImGui::PushStyleColor(ImGuiCol_Text, row.selected ? theme::kGood : theme::kText);
     const bool open = ImGui::TreeNodeEx("row", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
     ImGui::PopStyleColor();
@@ -164,7 +164,9 @@ class MindPanel final : public Panel {
       ImGui::EndPopup();
     }
     ImGui::TableNextColumn();
-    WrappedText(row.selected ? theme::kGood : theme::kQuiet, row.verdict);
+    // What tells it from others of its name stands here, where it has room.
+    const std::string about = row.about.empty() || row.verdict.empty() ? row.about : row.about + ": ";
+    WrappedText(row.selected ? theme::kGood : theme::kQuiet, about + row.verdict);
     if (has_numbers) {
       ImGui::TableNextColumn();
       if (row.value) ColoredText(theme::kNumber, Formatted("%.4g", *row.value));
