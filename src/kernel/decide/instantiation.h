@@ -42,6 +42,7 @@ struct Instantiation {
   bool in_gds = false;  ///< What it rests on has been taken into a goal's dependency set: once and for all.
   /// Of a learned rule's or a justification's own instance: what the reasoning in the substate rested on.
   bool local_negation : 1 = false, long_term_memory : 1 = false;
+  bool turned : 1 = false;  ///< A learned rule's own instance some of whose tests were turned round (firing_reader.h).
   bool copied : 1 = false;  ///< It copied objects: what it read for that stands behind what the conditions matched.
   InstantiationId next_free;
   PreferenceId preferences = PreferenceId::kNone;  ///< Newest first: the last action comes first.

@@ -258,6 +258,7 @@ void PreferenceChanges::FreeInstantiation(InstantiationId id) {
   }
   if (instantiation.justification != 0xFFFFFFFFu) engine_.justifier.InstantiationFreed(id);
   if (instantiation.copied) engine_.chunker.ForgetCopied(id);
+  if (instantiation.turned) engine_.chunker.ForgetTurned(id);
   for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
     engine_.changes.DropReference(trace.wme);
     if (trace.preference != PreferenceId::kNone) DropReferenceLater(trace.preference);

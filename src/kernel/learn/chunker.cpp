@@ -433,6 +433,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   results_.Check(explanation_);
   if (goal_level > 1) {
     engine_.firing.TraceConditions(id, builder_.elements());
+    reader_.NoteTurned(id, builder_.turned_tests());
     NoteFiring(id);
   }
   if (engine_.observers.Wants(Event::kLearning)) {

@@ -50,6 +50,7 @@ class Chunker {
   /// A firing in a substate copied objects, and its trace has what it read.
   [[gnu::noinline]] void NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied);
   void ForgetCopied(InstantiationId id) { reader_.ForgetCopied(id); }
+  void ForgetTurned(InstantiationId id) { reader_.ForgetTurned(id); }
   /// The same for a rule that tests the selected operator of its substate.
   [[gnu::noinline]] void NoteSelection(InstantiationId id);
   /// The number of an identity that is no rule's: the name of a substate or of its superstate.

@@ -196,6 +196,26 @@ void FiringReader::ForgetCopied(InstantiationId firing) {
   copied_.erase(engine_.instantiations[firing].serial);
 }
 
+void FiringReader::NoteTurned(InstantiationId firing, const std::vector<TurnedTest>& tests) {
+  if (tests.empty()) return;
+  engine_.instantiations[firing].turned = true;
+  turned_[engine_.instantiations[firing].serial] = tests;
+}
+
+void FiringReader::ForgetTurned(InstantiationId firing) {
+  turned_.erase(engine_.instantiations[firing].serial);
+}
+
+bool FiringReader::IsTurned(InstantiationId firing, std::uint16_t condition, Field field, const Test& test) const {
+  const Instantiation& instantiation = engine_.instantiations[firing];
+  if (!instantiation.turned) return false;
+  const auto found = turned_.find(instantiation.serial);
+  return found != turned_.end() && std::ranges::any_of(found->second, [&](const TurnedTest& turned) {
+           return turned.condition == condition && turned.field == field && turned.kind == test.kind &&
+                  turned.referent == test.referent();
+         });
+}
+
 std::uint16_t FiringReader::ClassOf(const RhsValue& value, const IdentityPlan& plan) {
   if (value.kind == RhsValueKind::kNew) return static_cast<std::uint16_t>(plan.bound() + value.new_index());
   return plan.ClassOf(value.site().positive_condition, value.site().field);
@@ -360,6 +380,7 @@ IdentityGraph::Key FiringReader::Origin(InstantiationId& firing, std::uint16_t i
 
 void FiringReader::Clear() {
   copied_.clear();
+  turned_.clear();
   without_rule_.clear();
 }
 

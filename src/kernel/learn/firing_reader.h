@@ -86,6 +86,19 @@ class FiringReader {
   void NoteCopied(InstantiationId firing, std::span<const RuleContext::Copied> copied);
   void ForgetCopied(InstantiationId firing);
 
+  /// A comparison of a learned rule that was turned round when the rule was put in order.
+  struct TurnedTest {
+    std::uint16_t condition = 0;
+    Field field = Field::kValue;
+    TestKind kind = TestKind::kBlank;
+    Symbol referent;  ///< A variable of the rule.
+  };
+  /// The firing is a learned rule's own instance. To what is learned from it in turn, such a comparison has kept the
+  /// identity of its old referent, which is now the value tested: it compares that with itself. So it is in Soar 9.6.3.
+  void NoteTurned(InstantiationId firing, const std::vector<TurnedTest>& tests);
+  void ForgetTurned(InstantiationId firing);
+  bool IsTurned(InstantiationId firing, std::uint16_t condition, Field field, const Test& test) const;
+
   /// Until the next call, what is known of a rule is not compared with the rule again: as long as a firing of it is
   /// looked at, no other rule takes its number.
   void BeginAnalysis() { ++analysis_; }
@@ -129,6 +142,7 @@ class FiringReader {
   std::uint32_t analysis_ = 1;
   std::vector<std::pair<InstantiationId, std::unique_ptr<IdentityPlan>>> without_rule_;
   std::unordered_map<std::uint32_t, std::vector<std::pair<Symbol, Symbol>>> copied_;  ///< By serial: copy, original.
+  std::unordered_map<std::uint32_t, std::vector<TurnedTest>> turned_;                 ///< By serial.
 };
 
 }  // namespace soarbox::kernel

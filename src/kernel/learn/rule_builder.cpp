@@ -159,6 +159,10 @@ void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition
         if (referent == IdentityPlan::kLiteral) return;
         test.referent = ValueOfClass(engine_, plan, firing, referent);
         test.referent_node = analysis_.OfClass(firing, referent);
+        if (const std::uint16_t own = plan.ClassOf(condition, field);
+            own != IdentityPlan::kLiteral && reader_.IsTurned(firing, condition, field, part)) {
+          test.referent_node = analysis_.OfClass(firing, own);
+        }
       }
       visit(test);
     };
@@ -617,14 +621,21 @@ bool RuleBuilder::Finish(std::string_view name) {
     return false;
   }
   elements_.clear();
+  turned_tests_.clear();
   ground_of_condition_.clear();
   negation_of_condition_.clear();
-  for (const ConditionDraft& condition : rule.conditions) {
+  for (ConditionDraft& condition : rule.conditions) {
     if (condition.kind != ConditionKind::kPositive) {
       negation_of_condition_.push_back(static_cast<std::uint32_t>(&condition - copies_of_negated));
       continue;
     }
     const Made& made = made_[static_cast<std::size_t>(&condition - copies_of_made)];
+    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
+      for (const TestDraft& part : FieldOf(condition, field).parts) {
+        if (part.is_turned)
+          turned_tests_.push_back({static_cast<std::uint16_t>(elements_.size()), field, part.kind, part.referent});
+      }
+    }
     elements_.push_back(made.wme);
     ground_of_condition_.push_back(made.ground);
   }

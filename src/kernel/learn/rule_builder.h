@@ -57,6 +57,8 @@ class RuleBuilder {
   const std::vector<std::uint32_t>& ground_of_condition() const { return ground_of_condition_; }
   /// Which negation of the explanation each negated condition came from.
   const std::vector<std::uint32_t>& negation_of_condition() const { return negation_of_condition_; }
+  /// The comparisons of its positive conditions that were turned round when it was put in order.
+  const std::vector<FiringReader::TurnedTest>& turned_tests() const { return turned_tests_; }
   const std::vector<CarriedTest>& constraints() const { return constraints_; }
   std::uint32_t merged_conditions() const { return merged_conditions_; }
   std::uint32_t merged_disjunctions() const { return merged_disjunctions_; }
@@ -136,6 +138,7 @@ class RuleBuilder {
   // What was made.
   ProductionPtr rule_;
   std::vector<WmeId> elements_;
+  std::vector<FiringReader::TurnedTest> turned_tests_;
   std::vector<std::uint16_t> action_of_result_;
   std::vector<std::uint32_t> ground_of_condition_, negation_of_condition_;
 };

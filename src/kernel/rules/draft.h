@@ -72,6 +72,7 @@ struct TestDraft {
   TestKind kind = TestKind::kBlank;
   std::uint32_t disjunct_count = 0;
   std::uint32_t variable = kNoVariable;  ///< The referent's number.
+  bool is_turned = false;                ///< Put in order, it stands where its referent stood; no part of equality.
   Symbol referent;                       ///< Constant or variable, for the relational kinds and @.
   const Symbol* disjuncts = nullptr;     ///< kDisjunction.
   DraftList<TestDraft> parts;            ///< kConjunction; never nested, at most one part is kEqual.

@@ -567,6 +567,7 @@ class ListReorderer {
       } else if (referent == symbol && referent.IsVariable() && bound_.Has(saved.field_variable)) {
         TestDraft turned = saved.test;
         turned.kind = TurnedRound(turned.kind);
+        turned.is_turned = true;
         turned.referent = saved.field;
         turned.variable = saved.field_variable;
         placed.push_back(arena_.New(turned));
