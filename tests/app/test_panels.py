@@ -194,7 +194,7 @@ class Panels(WindowUser):
             expect "Paused"
             key Alt+Y
             expect "Known 3"
-            expect "^kind ammo ^at mill"
+            expect "^at mill ^kind ammo"
             audit "what is known"
             click "Recalled 3"
             expect "^kind mortar"

@@ -72,7 +72,7 @@ std::string CueWords(const Engine& engine, Symbol cue, int depth) {
 std::string ObjectWords(const Knowledge& knowledge, std::uint32_t object) {
   std::string text;
   std::size_t count = 0;
-  for (const Edge& edge : knowledge.EdgesAt(object)) {
+  for (const Edge& edge : knowledge.OrderedEdgesAt(object)) {
     if (edge.value.IsObject()) continue;
     if (++count > kMostConstants) return text + " ...";
     text += text.empty() ? "^" : " ^";
