@@ -193,7 +193,7 @@ bool RuleBuilder::Repair(GoalLevel results_level) {
     std::ranges::sort(links, [&](WmeId a, WmeId b) { return memory.wme(a).timetag < memory.wme(b).timetag; });
     for (const WmeId link : links) AddLink(link, identifier, variable);
   }
-  if (std::ranges::none_of(made_, [](const Made& made) { return HasStateTest(made.draft->id); })) AddStateTest();
+  if (std::ranges::none_of(made_, [](const Made& made) { return HasStateTest(made.draft->id); })) AddStateTests();
   return true;
 }
 

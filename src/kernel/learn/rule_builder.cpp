@@ -44,7 +44,7 @@ RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_vi
   PlaceConstraints();
   MakeNegations(explanation);
   MergeConditions();
-  AddStateTest();
+  AddStateTests();
   MakeActions(explanation);
   if (Finish(name)) {
     CountConstraints();
@@ -446,18 +446,15 @@ void RuleBuilder::MergeConditions() {
   statistics.merged_disjunctions += merged_disjunctions_;
 }
 
-/// The state that the learned rule matches: the lowest one that its conditions test.
-void RuleBuilder::AddStateTest() {
-  const std::span<const GoalLevel> levels = engine_.memory.goal_levels();
-  GoalLevel lowest = 0;
-  for (const Made& made : made_) lowest = std::max(lowest, levels[engine_.memory.wme(made.wme).id.index()]);
-  if (lowest == 0) return;
+/// Each state whose elements the rule tests must be one. (Where one leads to the next, reordering drops the test.)
+void RuleBuilder::AddStateTests() {
+  std::vector<Symbol> states;
   for (const Made& made : made_) {
-    if (levels[engine_.memory.wme(made.wme).id.index()] != lowest) continue;
-    if (EqualitySymbol(made.draft->id).IsVariable()) {
-      PrependPart(made.draft->id, arena_.New(MakeTest(TestKind::kState)), arena_);
-    }
-    return;
+    const Symbol state = EqualitySymbol(made.draft->id);
+    if (!state.IsVariable() || !engine_.memory.identifier(engine_.memory.wme(made.wme).id).is_goal) continue;
+    if (std::ranges::find(states, state) != states.end()) continue;
+    states.push_back(state);
+    PrependPart(made.draft->id, arena_.New(MakeTest(TestKind::kState)), arena_);
   }
 }
 

@@ -97,7 +97,7 @@ class RuleBuilder {
   void VariablizeNegated(TestDraft& draft, InstantiationId firing);
   bool ComparesWithUnreached(const TestDraft& test, InstantiationId firing) const;
   void MergeConditions();
-  void AddStateTest();
+  void AddStateTests();
   void MakeActions(const Explanation& explanation);
   ValueDraft MakeTerm(PreferenceId result, FiringReader::Part part, Symbol symbol);
   ValueDraft MakeFunction(const RhsValue& function, InstantiationId firing);
