@@ -20,13 +20,6 @@ Diagnostic Refusal(std::string message) {
   return diagnostic;
 }
 
-/// What a learned rule takes, with about what its conditions take in the network. (They share some of it with other
-/// rules.)
-std::size_t LearnedBytes(const Production& rule) {
-  constexpr std::size_t kNetworkPerCondition_bytes = 256;
-  return rule.MemoryBytes() + rule.conditions.size() * kNetworkPerCondition_bytes;
-}
-
 }  // namespace
 
 Agent::Agent(std::string name) : engine_(std::make_unique<Engine>(*this, std::move(name))) {
@@ -86,59 +79,22 @@ void Agent::ExciseNamed(std::string_view name, LoadOutcome& outcome) {
 void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
   Rete::AddOptions options;
   options.ignore_rl_value = settings().ignore_numbers_of_duplicates;
-  const Rete::Added added = engine_->rete.AddProduction(production, engine_->goal_view(), options);
+  const Rete::Added added = engine_->rete.AddProduction(production, engine_->memory.goal_view(), options);
   outcome.production = added.production;
   if (added.result == Rete::AddResult::kDuplicate) {
     outcome.duplicate_of = engine_->rete.production(added.production)->name;
     return;
   }
   outcome.loaded = true;
-  NoteAdded(added.production, production);
-}
-
-void Agent::NoteAdded(ProductionId id, const ProductionPtr& production) {
-  const std::uint32_t index = Index(id);
-  if (engine_->productions.size() <= index) engine_->productions.resize(index + 1u);
-  Engine::ProductionRecord record;
-  record.Set(Engine::ProductionRecord::kLive, true);
-  record.Set(Engine::ProductionRecord::kHasNegations,
-             std::ranges::any_of(production->conditions,
-                                 [](const Condition& c) { return c.kind != ConditionKind::kPositive; }));
-  record.Set(Engine::ProductionRecord::kLearned, running());
-  if (running()) engine_->learned_rule_bytes += LearnedBytes(*production);
-  engine_->productions[index] = record;
-  engine_->rules.Add(id, engine_->NameOf(*production), production->type);
-  if (!running()) engine_->rules_changed = true;  // What an agent learns is its own.
-  engine_->interrupts.erase(id);
-  engine_->reinforcement.RuleAdded(id, *production);
-  if (engine_->rete.matches().HasInterrupting()) engine_->run.TellInterrupts();
-  engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(*this, id); });
+  engine_->rule_changes.NoteAdded(added.production, production);
 }
 
 void Agent::Excise(ProductionId id) {
-  if (Index(id) >= engine_->productions.size() ||
-      !engine_->productions[Index(id)].Is(Engine::ProductionRecord::kLive)) {
-    return;
-  }
-  engine_->observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(*this, id); });
-  const ProductionPtr rule = engine_->rete.production(id);
-  engine_->reinforcement.RuleExcised(id);
-  Engine::ProductionRecord& record = engine_->productions[Index(id)];
-  if (record.Is(Engine::ProductionRecord::kLearned)) engine_->learned_rule_bytes -= LearnedBytes(*rule);
-  record.Set(Engine::ProductionRecord::kLive, false);
-  engine_->rules.Remove(id, engine_->NameOf(*rule), rule->type);
-  engine_->rules_changed = true;
-  engine_->chunker.RuleExcised(id);
-  if (engine_->run.running()) {
-    engine_->ExciseLater(id);
-  } else {
-    engine_->rete.ExciseProduction(id);
-  }
+  engine_->rule_changes.Excise(id);
 }
 
 ProductionId Agent::FindProduction(std::string_view name) const {
-  const Symbol symbol = engine_->symbols.FindString(name);
-  return symbol ? engine_->rules.Named(symbol) : ProductionId::kNone;
+  return engine_->rule_changes.Find(name);
 }
 
 const Production& Agent::production(ProductionId id) const {
@@ -167,17 +123,17 @@ std::uint64_t Agent::FiringCount(ProductionId id) const {
 }
 
 void Agent::ResetFiringCounts() {
-  for (Engine::ProductionRecord& record : engine_->productions) record.ResetFirings();
+  for (ProductionRecord& record : engine_->productions) record.ResetFirings();
 }
 
 void Agent::SetBreak(ProductionId id, bool on) {
-  engine_->productions[Index(id)].Set(Engine::ProductionRecord::kBreaks, on);
+  engine_->productions[Index(id)].Set(ProductionRecord::kBreaks, on);
   engine_->rete.matches().SetInterrupts(Index(id), on);
   engine_->interrupts.erase(id);
 }
 
 bool Agent::HasBreak(ProductionId id) const {
-  return engine_->productions[Index(id)].Is(Engine::ProductionRecord::kBreaks);
+  return engine_->productions[Index(id)].Is(ProductionRecord::kBreaks);
 }
 
 // Running -------------------------------------------------------------------------------------------------------------
@@ -453,7 +409,7 @@ const Instantiation& Agent::instantiation(InstantiationId id) const {
   return engine_->instantiations[id];
 }
 std::string_view Agent::ProductionName(InstantiationId id) const {
-  return engine_->ProductionName(id);
+  return engine_->descriptions.ProductionName(id);
 }
 
 std::span<const WmeId> Agent::MatchedWmes(InstantiationId id) const {
@@ -478,13 +434,13 @@ bool Agent::ExciseJustification(std::string_view name) {
 }
 
 WmeInfo Agent::Describe(WmeId id) const {
-  return engine_->Describe(id);
+  return engine_->descriptions.Describe(id);
 }
 GoalInfo Agent::Describe(const Goal& goal) const {
-  return engine_->Describe(goal);
+  return engine_->descriptions.Describe(goal);
 }
 Symbol Agent::OperatorOf(const Goal& goal) const {
-  return engine_->OperatorOf(goal);
+  return engine_->descriptions.OperatorOf(goal);
 }
 
 std::vector<PreferenceId> Agent::PreferencesOf(SlotId slot, PreferenceType type) const {

@@ -18,6 +18,8 @@
 #include "kernel/base/ids.h"
 #include "kernel/base/random.h"
 #include "kernel/base/symbol_table.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/agent_settings.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation.h"
 #include "kernel/io/input_link.h"
@@ -46,27 +48,6 @@ struct LearnedRules;
 struct LearnStatistics;
 class Singletons;
 
-/// What `soar` sets. Changes hold from the next phase on.
-struct AgentSettings {
-  int max_elaborations = 100;  ///< Per phase.
-  int max_goal_depth = 23;
-  int max_nil_output_cycles = 15;
-  std::int64_t max_decision_time_us = 0;  ///< 0: unlimited.
-  int max_gp = 20000;
-  /// A rule that needs more partial matches at a time breaks its agent down: see Agent::out_of_memory(). Each takes 64
-  /// bytes, what becomes of it several times as much.
-  std::uint32_t max_partial_matches = 8'000'000;
-  /// An agent whose own memory grows beyond this while it runs breaks down, too. The host sets it, no command does.
-  std::size_t most_memory_bytes = std::numeric_limits<std::size_t>::max();
-  bool keep_all_top_o_preferences = false;
-  bool wait_snc = false;
-  /// What elaborates an operator and applies it at once has i-support, and a warning says so; else it has o-support.
-  bool warn_of_mixed_support = true;
-  /// A rule whose only action is a numeric preference duplicates one that differs from it in the number only.
-  bool ignore_numbers_of_duplicates = true;
-  Phase stop_phase = Phase::kApply;  ///< `run -d` stops before this phase.
-};
-
 enum class RunUnit : std::uint8_t { kElaboration, kPhase, kDecision, kOutput, kForever };
 enum class StopReason : std::uint8_t { kCompleted, kInterrupted, kHalted, kLimit };
 
@@ -75,26 +56,6 @@ struct RunResult {
   std::uint64_t decisions = 0;  ///< Decision cycles (output phases) completed by this run.
   std::uint64_t elaborations = 0;
   std::uint64_t firings = 0;
-};
-
-/// Counted since the agent was made or initialised (init-soar), for `stats`. Plain numbers; reading is free.
-struct AgentCounters {
-  std::uint64_t decision_phases = 0;  ///< The number in the trace's decision lines.
-  std::uint64_t decision_cycles = 0;  ///< Output phases completed.
-  std::uint64_t elaborations = 0;
-  std::uint64_t inner_elaborations = 0;
-  std::uint64_t pe_elaborations = 0;
-  std::uint64_t firings = 0;
-  std::uint64_t wme_additions = 0;
-  std::uint64_t wme_removals = 0;
-  std::uint64_t phases = 0;       ///< Samples of the working memory size: one after each phase.
-  std::uint64_t wm_size_sum = 0;  ///< Sum of the samples: the mean is wm_size_sum / phases.
-  std::uint64_t wm_size_maximum = 0;
-  std::uint64_t justifications = 0;                              ///< Made so far.
-  std::uint64_t chunks = 0;                                      ///< Learned so far.
-  std::uint64_t max_wme_changes = 0, max_wme_changes_cycle = 0;  ///< Of one decision cycle.
-  std::uint64_t max_firings = 0, max_firings_cycle = 0;
-  std::uint64_t inits = 0;  ///< How often init-soar ran. Not reset by it.
 };
 
 /// What became of a rule's text.
@@ -332,9 +293,6 @@ class Agent {
  private:
   /// Excises the rule of this name, if there is one.
   void ExciseNamed(std::string_view name, LoadOutcome& outcome);
-  friend class Chunker;
-  /// A rule stands in the network now.
-  void NoteAdded(ProductionId production, const ProductionPtr& rule);
   /// Adds a rule whose name no other has.
   void Enter(ProductionPtr production, LoadOutcome& outcome);
 

@@ -6,7 +6,7 @@ usage: check_layers.py SOURCE_DIR
 
 Every module may include itself and the modules listed for it; libraries that belong to one module only
 (Ogre, ImGui, SDL: viewer; Bullet, Recast and Detour: world; Lua: script; SQLite: journal and sweep) may be included nowhere else.
-Inside the kernel the folders have an order, too. Exit status 1 names each offence.
+Inside the kernel the folders have an order, too, and a list that only shrinks says who may include the engine. Exit status 1 names each offence.
 """
 import pathlib
 import re
@@ -39,7 +39,14 @@ KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "
 # What stands in src/kernel itself, and the folders that may include it: the events, and the face of the library.
 KERNEL_HEADERS = {"observer.h": {"decide", "learn", "longterm"}, "agent.h": {"decide"}}
 # Engine is what an agent consists of: it alone knows all parts.
+ENGINE = "kernel/decide/engine.h"
 ASSEMBLY = re.compile(r"^kernel/decide/engine\.(h|cpp)$")
+# Who reaches others through it. All else gets what it uses from whoever makes it, and names it; nobody comes to this list.
+USERS_OF_ENGINE = {"kernel/agent.cpp"} | {
+    f"kernel/decide/{name}.cpp"
+    for name in ("agent_rules", "decision", "elaboration", "element_events", "engine", "firing", "goal_changes", "goal_dependency_set",
+                 "handle_check", "invariants", "preference_changes", "rule_context", "rule_sharing", "run_control", "slot_decision")
+}
 TEST = re.compile(r"(_test|_fixture|/random_agents|/random_rules)\.(h|cpp)$")
 ONLY_IN = {
     re.compile(r"^(Ogre|OGRE/|imgui|SDL)"): {"viewer"},
@@ -50,6 +57,7 @@ ONLY_IN = {
     re.compile(r"^sqlite3"): {"journal", "sweep"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+INCLUDE_LINE = re.compile(INCLUDE.pattern, re.MULTILINE)
 
 
 def goes_up(file, target):
@@ -60,6 +68,15 @@ def goes_up(file, target):
     if len(targets) == 2:
         return places[1] not in KERNEL_HEADERS.get(targets[1], set())
     return KERNEL_FOLDERS.index(targets[1]) > KERNEL_FOLDERS.index(places[1])
+
+
+def strangers_to_engine(root):
+    """Files of the list that do without the engine: they leave the list, so that it only ever shrinks."""
+    for file in sorted(USERS_OF_ENGINE):
+        path = root / file
+        includes = INCLUDE_LINE.findall(path.read_text(encoding="utf-8")) if path.exists() else []
+        if ENGINE not in includes:
+            yield f"{path}: does not include {ENGINE}: take it from the list of check_layers.py"
 
 
 def offences(root):
@@ -77,6 +94,8 @@ def offences(root):
                 yield f"{path}:{number}: {module} may not include {first} ({target})"
             if module == "kernel" and first == "kernel" and goes_up(str(path.relative_to(root)), target):
                 yield f"{path}:{number}: {path.parent.relative_to(root)} may not include {target}"
+            if target == ENGINE and str(path.relative_to(root)) not in USERS_OF_ENGINE:
+                yield f"{path}:{number}: may not include {ENGINE}: name what it uses, and get it from whoever makes it"
             for pattern, owners in ONLY_IN.items():
                 if pattern.match(target) and module not in owners:
                     yield f"{path}:{number}: only {', '.join(sorted(owners))} may include {target}"
@@ -86,7 +105,8 @@ def main(arguments):
     if len(arguments) != 1:
         print(__doc__)
         return 2
-    found = list(offences(pathlib.Path(arguments[0])))
+    root = pathlib.Path(arguments[0])
+    found = [*offences(root), *strangers_to_engine(root)]
     print("\n".join(found) or "all includes follow the module order")
     return 1 if found else 0
 

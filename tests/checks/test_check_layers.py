@@ -27,7 +27,7 @@ class TheCheckOfLayers(unittest.TestCase):
 
     def test_folders_of_the_kernel(self):
         self.assert_passes("kernel/memory/links.cpp", "kernel/base/ids.h", "kernel/match/rete.h", "kernel/memory/links.h")
-        self.assert_finds("kernel/memory/links.cpp", "kernel/decide/engine.h")
+        self.assertEqual(len(self.found("kernel/memory/links.cpp", "kernel/decide/engine.h")), 2)
         self.assert_finds("kernel/io/input_link.cpp", "kernel/decide/firing.h")
         self.assert_finds("kernel/match/rete.h", "kernel/memory/working_memory.h")
         self.assert_finds("kernel/decide/firing.cpp", "kernel/learn/chunker.h")
@@ -39,6 +39,25 @@ class TheCheckOfLayers(unittest.TestCase):
 
     def test_what_an_agent_consists_of_knows_all_parts(self):
         self.assert_passes("kernel/decide/engine.h", "kernel/learn/chunker.h")
+
+    def test_only_a_list_of_files_may_use_the_engine(self):
+        self.assert_passes("kernel/decide/firing.cpp", "kernel/decide/engine.h")
+        self.assert_finds("kernel/learn/chunker.cpp", "kernel/decide/engine.h")
+        self.assert_finds("kernel/longterm/installer.cpp", "kernel/decide/engine.h")
+        self.assert_finds("kernel/decide/goal_stack.cpp", "kernel/decide/engine.h")
+        self.assert_finds("kernel/decide/firing.h", "kernel/decide/engine.h")
+        self.assert_finds("kernel/learn/chunking_test.cpp", "kernel/decide/engine.h")
+
+    def test_the_list_of_those_who_use_the_engine_never_grows(self):
+        self.assertLessEqual(len(check_layers.USERS_OF_ENGINE), 16)
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for file in check_layers.USERS_OF_ENGINE:
+                (root / file).parent.mkdir(parents=True, exist_ok=True)
+                (root / file).write_text('#include "kernel/decide/engine.h"\n', encoding="utf-8")
+            self.assertEqual(list(check_layers.strangers_to_engine(root)), [])
+            (root / "kernel/decide/firing.cpp").write_text('#include "kernel/decide/firing.h"\n', encoding="utf-8")
+            self.assertEqual(len(list(check_layers.strangers_to_engine(root))), 1)
 
     def test_tests_may_use_the_face(self):
         self.assert_passes("kernel/match/rete_test.cpp", "kernel/agent.h")

@@ -91,7 +91,7 @@ PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced,
 
 DecisionReport Decision::Explain(const Goal& goal) {
   const PreferenceSemantics::Outcome outcome = Evaluate(goal, {}, &trace_);
-  const Symbol selected = engine_.OperatorOf(goal);
+  const Symbol selected = engine_.descriptions.OperatorOf(goal);
   const bool is_forced = selected && goal.level < forced_at_.size() && forced_at_[goal.level] == selected;
   return {goal.id, goal.level, outcome.impasse, selected, is_forced, slot_preferences_, outcome.candidates, trace_};
 }
@@ -216,9 +216,9 @@ bool Decision::EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operat
 void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable) {
   const Goal& goal = engine_.goals.at(level);
   if (engine_.observers.Wants(Event::kDecision)) {
-    const GoalInfo info = engine_.Describe(goal);
+    const GoalInfo info = engine_.descriptions.Describe(goal);
     WmeInfo wme;
-    if (acceptable != WmeId::kNone) wme = engine_.Describe(acceptable);
+    if (acceptable != WmeId::kNone) wme = engine_.descriptions.Describe(acceptable);
     engine_.observers.Notify(Event::kDecision,
                              [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
   }
@@ -255,7 +255,7 @@ bool Decision::CheckChanged(GoalLevel level) {
     if (!slot.changed || (!has_operator && engine_.goals.depth() == current)) continue;
     if (Stands(goal)) continue;
     if (engine_.observers.Wants(Event::kDecision)) {
-      const GoalInfo info = engine_.Describe(goal);
+      const GoalInfo info = engine_.descriptions.Describe(goal);
       engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnInconsistentDecision(engine_.agent, info); });
     }
     if (has_operator) {

@@ -50,9 +50,9 @@ Elaboration::Next Elaboration::Determine(bool apply) {
     return Next::kPhaseEnds;
   }
   if (count_ >= static_cast<std::uint32_t>(engine_.settings.max_elaborations)) {
-    engine_.Warn(apply ? WarningKind::kMaxElaborationsApply : WarningKind::kMaxElaborationsPropose,
-                 apply ? "reached max-elaborations; proceeding to output phase"
-                       : "reached max-elaborations; proceeding to decide phase");
+    engine_.observers.Warn(apply ? WarningKind::kMaxElaborationsApply : WarningKind::kMaxElaborationsPropose,
+                           apply ? "reached max-elaborations; proceeding to output phase"
+                                 : "reached max-elaborations; proceeding to decide phase");
     return Next::kPhaseEnds;
   }
   const GoalLevel previous = active_;
@@ -197,7 +197,7 @@ void Elaboration::AssertNew() {
   for (std::size_t n = made.size(); n-- > 0;) {
     const InstantiationId id = made[n];
     if (engine_.observers.Wants(Event::kAssertion)) {
-      const FiringInfo info = engine_.DescribeInstantiation(id);
+      const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
       engine_.observers.Notify(Event::kAssertion, [&](Observer& o) { o.OnInstantiationAsserted(engine_.agent, info); });
     }
     PreferenceId next;
@@ -238,13 +238,13 @@ void Elaboration::Retract(MatchId match) {
     if (memory.preference(p).o_supported || !memory.preference(p).in_slot) continue;
     if (!told && engine_.observers.Wants(Event::kFiring)) {
       told = true;
-      const FiringInfo info = engine_.DescribeInstantiation(id);
+      const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
       engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnRetracting(engine_.agent, info); });
     }
     engine_.preferences.Retract(p);
   }
   if (engine_.observers.Wants(Event::kFiring)) {
-    const FiringInfo info = engine_.DescribeInstantiation(id);
+    const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
     engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnRetracted(engine_.agent, info); });
   }
   engine_.rete.matches().Release(match);

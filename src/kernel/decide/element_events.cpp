@@ -33,18 +33,18 @@ bool ElementEvents::FlushBegins(std::size_t added, std::size_t removed) {
 void ElementEvents::FirstWasLost(WmeId lost) {
   const Wme& wme = engine_.memory.wme(lost);
   const auto text = [&](Symbol symbol) { return ToString(engine_.symbols, symbol); };
-  engine_.Warn(WarningKind::kAddedAndRemoved, "(" + std::to_string(wme.timetag) + ": " + text(wme.id) + " ^" +
-                                                  text(wme.attribute) + " " + text(wme.value) +
-                                                  (wme.acceptable ? " +)" : ")"));
+  engine_.observers.Warn(WarningKind::kAddedAndRemoved, "(" + std::to_string(wme.timetag) + ": " + text(wme.id) + " ^" +
+                                                            text(wme.attribute) + " " + text(wme.value) +
+                                                            (wme.acceptable ? " +)" : ")"));
 }
 
 void ElementEvents::Entered(WmeId wme) {
-  const WmeInfo info = engine_.Describe(wme);
+  const WmeInfo info = engine_.descriptions.Describe(wme);
   engine_.observers.Notify(Event::kWme, [&](Observer& o) { o.OnWmeAdded(engine_.agent, info); });
 }
 
 void ElementEvents::Left(WmeId wme) {
-  const WmeInfo info = engine_.Describe(wme);
+  const WmeInfo info = engine_.descriptions.Describe(wme);
   engine_.observers.Notify(Event::kWme, [&](Observer& o) { o.OnWmeRemoved(engine_.agent, info); });
 }
 

@@ -18,6 +18,8 @@ Engine::Engine(Agent& owner, std::string agent_name)
       memory(symbols),
       links(memory),
       rete(symbols, memory.wmes()),
+      observers(owner),
+      rule_changes(*this),
       element_events(*this),
       changes(memory, links, rete, output_marks, element_events),
       input(symbols, memory, changes),
@@ -25,72 +27,33 @@ Engine::Engine(Agent& owner, std::string agent_name)
       preferences(*this),
       context(*this),
       firing(*this),
-      selections(*this),
-      chunker(*this),
-      justifier(*this),
-      reinforcement(*this),
+      selections({memory, goals, preferences}),
+      chunker({owner,       symbols,         memory,    goals,       instantiations, rete,      productions,  changes,
+               preferences, goal_changes,    firing,    run,         selections,     justifier, descriptions, settings,
+               counters,    expected_values, observers, rule_changes}),
+      justifier({owner, memory, goals, instantiations, rete, changes, preferences, firing, chunker, descriptions,
+                 settings, counters, observers, rule_changes}),
+      reinforcement({owner, symbols, memory, goals, instantiations, rete, settings, counters, exploration,
+                     expected_values, productions, observers, rule_changes}),
+      descriptions({memory, instantiations, rete, justifier}),
       slot_decision(*this),
       gds(*this),
       goal_changes(*this),
       decision(*this),
       elaboration(*this),
       run(*this),
-      long_term(*this) {
+      long_term({owner, symbols, memory, goals, instantiations, rete, observers, counters, changes, preferences, firing,
+                 chunker, elaboration, run, output, long_term}) {
   rete.OnMixedSupport([this](ProductionId production) {
     const std::string rule(rete.production(production)->name);
-    Print("WARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " + rule);
+    observers.Print("WARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " +
+                    rule);
   });
 }
 
 Symbol Engine::NameOf(const Production& rule) {
   const SymbolTable::PinScope pin(symbols);
   return symbols.String(rule.name);
-}
-
-// Describing ----------------------------------------------------------------------------------------------------------
-
-WmeInfo Engine::Describe(WmeId id) const {
-  const Wme& wme = memory.wme(id);
-  return {id, wme.timetag, wme.id, wme.attribute, wme.value, wme.acceptable};
-}
-
-GoalInfo Engine::Describe(const Goal& goal) const {
-  return {goal.id, goal.level, goal.impasse, goal.impasse_on_operator, OperatorOf(goal)};
-}
-
-Symbol Engine::OperatorOf(const Goal& goal) const {
-  const WmeId selected = memory.slot(goal.operator_slot).wmes;
-  return selected == WmeId::kNone ? Symbol() : memory.wme(selected).value;
-}
-
-std::string_view Engine::ProductionName(InstantiationId id) const {
-  const Instantiation& instantiation = instantiations[id];
-  if (instantiation.justification != Instantiation::kNoJustification)
-    return justifier.Name(instantiation.justification);
-  if (instantiation.production == ProductionId::kNone) return "|Memory System Recall|";
-  const ProductionPtr& rule = rete.production(instantiation.production);
-  return rule == nullptr ? std::string_view("[excised]") : std::string_view(rule->name);
-}
-
-FiringInfo Engine::DescribeInstantiation(InstantiationId id) const {
-  const Instantiation& instantiation = instantiations[id];
-  FiringInfo info;
-  info.instantiation = id;
-  info.production = instantiation.production;
-  if (instantiation.production != ProductionId::kNone) info.rule = rete.production(instantiation.production).get();
-  info.name = ProductionName(id);
-  info.goal = instantiation.goal;
-  info.level = instantiation.level;
-  if (instantiation.match != MatchId::kNone) info.wmes = rete.Wmes(instantiation.match);
-  return info;
-}
-
-void Engine::Print(std::string_view text) {
-  observers.Notify(Event::kPrint, [&](Observer& o) { o.OnPrint(agent, text); });
-}
-
-void Engine::Warn(WarningKind kind, std::string_view text) {
-  observers.Notify(Event::kPrint, [&](Observer& o) { o.OnWarning(agent, kind, text); });
 }
 
 // Sweeping ------------------------------------------------------------------------------------------------------------
@@ -186,7 +149,7 @@ void Engine::Initialize(bool announce) {
   goal_changes.MakeTopState();
   elaboration.ApplyWorkingMemoryChanges();
   if (announce && observers.Wants(Event::kDecision)) {
-    const GoalInfo top = Describe(goals.top());
+    const GoalInfo top = descriptions.Describe(goals.top());
     observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(agent, top, 0); });
   }
   goal_changes.MakeIoLinks();

@@ -8,6 +8,9 @@
 #include "kernel/agent.h"
 #include "kernel/base/random.h"
 #include "kernel/base/symbol_table.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/agent_rules.h"
+#include "kernel/decide/agent_settings.h"
 #include "kernel/decide/decision.h"
 #include "kernel/decide/elaboration.h"
 #include "kernel/decide/element_events.h"
@@ -19,6 +22,7 @@
 #include "kernel/decide/observers.h"
 #include "kernel/decide/preference_changes.h"
 #include "kernel/decide/preference_semantics.h"
+#include "kernel/decide/production_record.h"
 #include "kernel/decide/rule_context.h"
 #include "kernel/decide/rule_directory.h"
 #include "kernel/decide/run_control.h"
@@ -26,6 +30,7 @@
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
 #include "kernel/learn/chunker.h"
+#include "kernel/learn/descriptions.h"
 #include "kernel/learn/justification.h"
 #include "kernel/learn/reinforcement.h"
 #include "kernel/learn/selection_knowledge.h"
@@ -62,27 +67,9 @@ struct Engine {
   RandomStream random;
   Observers observers;
 
-  /// What the agent knows of each rule beside the rule itself, by ProductionId: flags, and how often it has fired. One
-  /// number, because each agent has its own record of each rule.
-  class ProductionRecord {
-   public:
-    static constexpr std::uint64_t kLive = 1;
-    static constexpr std::uint64_t kBreaks = 2;
-    static constexpr std::uint64_t kHasNegations = 4;  ///< Negated conditions, which justifications look for.
-    static constexpr std::uint64_t kLearned = 8;       ///< It came while the agent ran: no other agent shares it.
-
-    bool Is(std::uint64_t flag) const { return (word_ & flag) != 0; }
-    void Set(std::uint64_t flag, bool on) { word_ = on ? word_ | flag : word_ & ~flag; }
-    std::uint64_t firings() const { return word_ / kFiring; }
-    void CountFiring() { word_ += kFiring; }
-    void ResetFirings() { word_ %= kFiring; }
-
-   private:
-    static constexpr std::uint64_t kFiring = 16;
-    std::uint64_t word_ = 0;
-  };
   std::vector<ProductionRecord> productions;
   RuleDirectory rules;
+  AgentRules rule_changes;
   std::map<ProductionId, std::uint32_t> interrupts;  ///< How often the rules that interrupt runs have done so.
   std::size_t learned_rule_bytes = 0;                ///< What rules that came while the agent ran take, about.
   bool rules_changed = false;                        ///< Since they were last offered for sharing.
@@ -99,6 +86,7 @@ struct Engine {
   Chunker chunker;
   Justifier justifier;
   Reinforcement reinforcement;
+  Descriptions descriptions;
   SlotDecision slot_decision;
   GoalDependencySets gds;
   GoalChanges goal_changes;
@@ -124,19 +112,9 @@ struct Engine {
 
   /// Rules that leave the network when the elaboration is over: nothing is taken from under a firing.
   std::vector<ProductionId> excisions;
-  void ExciseLater(ProductionId production) { excisions.push_back(production); }
 
   /// The string that is a rule's name. It stays while the agent lives.
   Symbol NameOf(const Production& rule);
-  GoalView goal_view() const { return memory.goal_view(); }
-  [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
-  [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;
-  [[gnu::noinline]] FiringInfo DescribeInstantiation(InstantiationId id) const;
-  std::string_view ProductionName(InstantiationId id) const;
-  /// The operator selected in a goal, or none.
-  Symbol OperatorOf(const Goal& goal) const;
-  [[gnu::noinline]] void Print(std::string_view text);
-  void Warn(WarningKind kind, std::string_view text);
 
   /// Between decision cycles: frees constants and identifiers that nothing mentions, when their number has doubled or,
   /// as long as hardly any are found, grown to four times what it was.

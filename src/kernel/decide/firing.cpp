@@ -84,7 +84,7 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
   }
 
   ++engine_.counters.firings;
-  Engine::ProductionRecord& record = engine_.productions[Index(match.production)];
+  ProductionRecord& record = engine_.productions[Index(match.production)];
   record.CountFiring();
 
   if (engine_.observers.Wants(Event::kAssertion)) TellMade(id);
@@ -99,12 +99,12 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
 }
 
 void Firing::TellMade(InstantiationId id) {
-  const FiringInfo info = engine_.DescribeInstantiation(id);
+  const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
   engine_.observers.Notify(Event::kAssertion, [&](Observer& o) { o.OnInstantiationMade(engine_.agent, info); });
 }
 
 void Firing::TellFiring(InstantiationId id) {
-  const FiringInfo info = engine_.DescribeInstantiation(id);
+  const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
   engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFiring(engine_.agent, info); });
 }
 
@@ -114,7 +114,7 @@ void Firing::TellFired(InstantiationId id) {
        p = engine_.memory.preference(p).next_of_instantiation) {
     made.push_back(p);
   }
-  const FiringInfo info = engine_.DescribeInstantiation(id);
+  const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
   engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFired(engine_.agent, info, made); });
 }
 
@@ -203,7 +203,7 @@ void Firing::RunAction(const Action& action, std::uint16_t number, Instantiation
   const Symbol object = Evaluate(action.id);
   if (!object) return;
   if (!object.IsIdentifier()) {
-    engine_.Print(BadIdentifier(engine_.symbols, object, action));
+    engine_.observers.Print(BadIdentifier(engine_.symbols, object, action));
     return;
   }
   // What an object's preference makes hangs on that object, so it begins with its level.

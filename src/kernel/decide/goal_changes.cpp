@@ -111,7 +111,7 @@ void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<
   engine_.chunker.NoteSubstate(goal.level);
   if (HasItems(impasse)) UpdateItems(static_cast<GoalLevel>(goal.level - 1), candidates);
   if (engine_.observers.Wants(Event::kDecision)) {
-    const GoalInfo info = engine_.Describe(engine_.goals.bottom());
+    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.bottom());
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateCreated(engine_.agent, info); });
   }
 }
@@ -192,7 +192,7 @@ void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
   if (engine_.goals.depth() < level) return;
   const auto tell = [&](GoalLevel gone, GoalRemoval why) {
     if (!engine_.observers.Wants(Event::kDecision)) return;
-    const GoalInfo info = engine_.Describe(engine_.goals.at(gone));
+    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.at(gone));
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateRemoved(engine_.agent, info, why); });
   };
   tell(level, reason);
@@ -215,7 +215,7 @@ namespace {
 /// Nobody hears of anything while it lives.
 class Silence {
  public:
-  explicit Silence(Observers& observers) : observers_(observers) { std::swap(observers_, kept_); }
+  Silence(Observers& observers, Agent& agent) : observers_(observers), kept_(agent) { std::swap(observers_, kept_); }
   ~Silence() { std::swap(observers_, kept_); }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
@@ -228,7 +228,7 @@ class Silence {
 }  // namespace
 
 void GoalChanges::TakeAllApart() {
-  const Silence silence(engine_.observers);
+  const Silence silence(engine_.observers, engine_.agent);
   while (!engine_.goals.empty()) TakeBottomApart();
   engine_.elaboration.ApplyBufferedChanges();
 }

@@ -76,8 +76,8 @@ void GoalDependencySets::AddMember(WmeId wme, GoalLevel level) {
   record.gds = level;
   engine_.goals.at(level).gds.push_back(wme);
   if (engine_.observers.Wants(Event::kGds)) {
-    const GoalInfo goal = engine_.Describe(engine_.goals.at(level));
-    const WmeInfo info = engine_.Describe(wme);
+    const GoalInfo goal = engine_.descriptions.Describe(engine_.goals.at(level));
+    const WmeInfo info = engine_.descriptions.Describe(wme);
     engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsAdded(engine_.agent, goal, info); });
   }
 }
@@ -86,8 +86,8 @@ void GoalDependencySets::MemberLeaves(WmeId wme) {
   const GoalLevel level = engine_.memory.record(wme).gds;
   if (level == 0 || level > engine_.goals.depth()) return;
   if (engine_.observers.Wants(Event::kGds)) {
-    const GoalInfo info = engine_.Describe(engine_.goals.at(level));
-    const WmeInfo member = engine_.Describe(wme);
+    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.at(level));
+    const WmeInfo member = engine_.descriptions.Describe(wme);
     engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsViolation(engine_.agent, info, member); });
   }
   engine_.goal_changes.RemoveFrom(level, GoalRemoval::kGdsChange);

@@ -113,7 +113,8 @@ class HandleCheck {
       }
       if (instantiation.match != MatchId::kNone) {
         Require(engine_.rete.matches().InstantiationOf(instantiation.match) == id,
-                "the match of " + std::string(engine_.ProductionName(id)) + " belongs to another instantiation");
+                "the match of " + std::string(engine_.descriptions.ProductionName(id)) +
+                    " belongs to another instantiation");
       }
       for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
         ++elements_[Index(trace.wme)];

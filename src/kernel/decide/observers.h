@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 #include "kernel/observer.h"
@@ -11,6 +12,8 @@ namespace soarbox::kernel {
 /// The observers of an agent. `Wants` is one test, so that an event nobody hears costs nothing.
 class Observers {
  public:
+  explicit Observers(Agent& agent) : agent_(&agent) {}
+
   void Add(Observer& observer, EventMask events) {
     Remove(observer);
     entries_.push_back({&observer, events});
@@ -33,11 +36,19 @@ class Observers {
     }
   }
 
+  [[gnu::noinline]] void Print(std::string_view text) const {
+    Notify(Event::kPrint, [&](Observer& o) { o.OnPrint(*agent_, text); });
+  }
+  [[gnu::noinline]] void Warn(WarningKind kind, std::string_view text) const {
+    Notify(Event::kPrint, [&](Observer& o) { o.OnWarning(*agent_, kind, text); });
+  }
+
  private:
   struct Entry {
     Observer* observer;
     EventMask events;
   };
+  Agent* agent_;
   std::vector<Entry> entries_;
   EventMask mask_ = 0;
 };

@@ -22,7 +22,7 @@ void RuleContext::PrintError(std::string_view text) {
 }
 
 void RuleContext::Write(std::string_view text) {
-  if (engine_.agent_writes) engine_.Print(text);
+  if (engine_.agent_writes) engine_.observers.Print(text);
 }
 
 void RuleContext::Log(int channel, std::string_view text) {

@@ -76,7 +76,7 @@ void RunControl::DecidePhase() {
   // What states held that went at the end of the propose phase goes here, not in the next elaboration.
   engine_.elaboration.ApplyWorkingMemoryChanges();
   if (engine_.observers.Wants(Event::kDecision)) {
-    const GoalInfo info = engine_.Describe(engine_.goals.bottom());
+    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.bottom());
     const std::uint64_t number = engine_.counters.decision_phases;
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(engine_.agent, info, number); });
   }
@@ -107,7 +107,7 @@ void RunControl::OutputPhase() {
   if (limit > 0) {
     const auto spent = std::chrono::steady_clock::now() - cycle_began_;
     if (std::chrono::duration_cast<std::chrono::microseconds>(spent).count() > limit) {
-      engine_.Warn(WarningKind::kMaxDecisionTime, "the decision cycle took longer than max-dc-time");
+      engine_.observers.Warn(WarningKind::kMaxDecisionTime, "the decision cycle took longer than max-dc-time");
       RequestStop("max-dc-time");
     }
   }
@@ -158,7 +158,7 @@ void RunControl::TellInterrupts() {
 
 void RunControl::GoalStackLimit() {
   goal_stack_limit_ = true;
-  engine_.Warn(WarningKind::kGoalStackLimit, "Goal stack depth exceeded");
+  engine_.observers.Warn(WarningKind::kGoalStackLimit, "Goal stack depth exceeded");
 }
 
 void RunControl::WatchGoal(Symbol goal) {

@@ -1,4 +1,5 @@
 list(APPEND SOARBOX_KERNEL_SOURCES
+  decide/agent_rules.cpp
   decide/decision.cpp
   decide/elaboration.cpp
   decide/element_events.cpp

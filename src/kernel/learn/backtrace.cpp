@@ -6,7 +6,17 @@
 #include <utility>
 
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/firing.h"
+#include "kernel/decide/goal_changes.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/production_record.h"
+#include "kernel/learn/justification.h"
+#include "kernel/learn/learn_settings.h"
+#include "kernel/learn/selection_knowledge.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -26,7 +36,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   queue_.clear();
   selected_proposal_ = SelectedProposal();
   for (auto result = out.results.rbegin(); result != out.results.rend(); ++result) {
-    VisitFiring(engine_.memory.preference(*result).instantiation);
+    VisitFiring(uses_.memory.preference(*result).instantiation);
   }
   VisitFiring(out.base);
   // The grounds of a firing are taken at once, what it rests on in the substate later: the last one first.
@@ -43,7 +53,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   std::ranges::reverse(out.grounds);
   std::ranges::reverse(out.negations);
   if (!out.negations.empty()) SortNegations();
-  engine_.chunker.mutable_statistics().backtraced += out.firings.size();
+  uses_.statistics.backtraced += out.firings.size();
 }
 
 bool Backtracer::Mark(WmeId wme) {
@@ -53,31 +63,31 @@ bool Backtracer::Mark(WmeId wme) {
 }
 
 void Backtracer::VisitSelection(std::uint32_t selection) {
-  const std::size_t count = engine_.selections.preferences(selection).size();
-  const bool all = engine_.chunker.settings().add_selection_knowledge;
+  const std::size_t count = uses_.selections.preferences(selection).size();
+  const bool all = uses_.learn.add_selection_knowledge;
   for (std::size_t n = 0; n < count; ++n) {
-    const PreferenceId p = engine_.selections.preferences(selection)[n];
-    if (!all && engine_.memory.preference(p).type != PreferenceType::kProhibit) continue;
-    const PreferenceId local = engine_.firing.CloneAtLevel(p, out_->level);
-    if (local != PreferenceId::kNone) VisitFiring(engine_.memory.preference(local).instantiation);
+    const PreferenceId p = uses_.selections.preferences(selection)[n];
+    if (!all && uses_.memory.preference(p).type != PreferenceType::kProhibit) continue;
+    const PreferenceId local = uses_.firing.CloneAtLevel(p, out_->level);
+    if (local != PreferenceId::kNone) VisitFiring(uses_.memory.preference(local).instantiation);
   }
 }
 
 InstantiationId Backtracer::SelectedProposal() const {
-  if (out_->level > engine_.goals.depth()) return InstantiationId::kNone;
-  if (engine_.selections.OfGoal(out_->level) == SelectionKnowledge::kNone) return InstantiationId::kNone;
-  const WmeId selected = engine_.memory.slot(engine_.goals.at(out_->level).operator_slot).wmes;
+  if (out_->level > uses_.goals.depth()) return InstantiationId::kNone;
+  if (uses_.selections.OfGoal(out_->level) == SelectionKnowledge::kNone) return InstantiationId::kNone;
+  const WmeId selected = uses_.memory.slot(uses_.goals.at(out_->level).operator_slot).wmes;
   if (selected == WmeId::kNone) return InstantiationId::kNone;
-  const PreferenceId proposal = engine_.memory.record(selected).preference;
-  return proposal == PreferenceId::kNone ? InstantiationId::kNone : engine_.memory.preference(proposal).instantiation;
+  const PreferenceId proposal = uses_.memory.record(selected).preference;
+  return proposal == PreferenceId::kNone ? InstantiationId::kNone : uses_.memory.preference(proposal).instantiation;
 }
 
 void Backtracer::VisitFiring(InstantiationId firing) {
-  Instantiation& instantiation = engine_.instantiations[firing];
+  Instantiation& instantiation = uses_.instantiations[firing];
   if (std::exchange(instantiation.backtrace, out_->trace_number) == out_->trace_number) return;
   out_->firings.push_back(firing);
   if (instantiation.justification != Instantiation::kNoJustification) {
-    out_->quiescence |= engine_.justifier.record(instantiation.justification).quiescence;
+    out_->quiescence |= uses_.justifier.record(instantiation.justification).quiescence;
   } else if (instantiation.production == ProductionId::kNone) {
     out_->long_term_memory = true;
   }
@@ -86,9 +96,9 @@ void Backtracer::VisitFiring(InstantiationId firing) {
   if (instantiation.selection != SelectionKnowledge::kNone) {
     VisitSelection(instantiation.selection);
   } else if (firing == selected_proposal_) {
-    VisitSelection(engine_.selections.OfGoal(out_->level));
+    VisitSelection(uses_.selections.OfGoal(out_->level));
   }
-  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
   for (std::size_t n = 0; n < traces.size(); ++n) VisitCondition(firing, static_cast<std::uint16_t>(n), traces[n]);
   CollectNegations(firing);
 }
@@ -98,7 +108,7 @@ inline void Backtracer::AddGround(const Explanation::Ground& ground, const Wme& 
   if (!is_new && !every_condition_) return;
   out_->grounds.push_back(ground);
   if (!is_new) return;
-  const GoalLevel goal = engine_.memory.goal_levels()[wme.id.index()];
+  const GoalLevel goal = uses_.memory.goal_levels()[wme.id.index()];
   if (goal == 0) return;
   out_->lowest_ground = std::max(out_->lowest_ground, goal);
   if (wme.attribute == words::kOperator && !wme.acceptable) out_->operator_grounds.push_back(ground.wme);
@@ -106,12 +116,12 @@ inline void Backtracer::AddGround(const Explanation::Ground& ground, const Wme& 
 
 /// An item of an impasse rests on the proposal in the superstate.
 void Backtracer::VisitItem(WmeId item) {
-  const WmeId proposal = engine_.goal_changes.ProposalOfItem(item);
-  if (proposal != WmeId::kNone) AddGround({InstantiationId::kNone, 0, proposal, item}, engine_.memory.wme(proposal));
+  const WmeId proposal = uses_.goal_changes.ProposalOfItem(item);
+  if (proposal != WmeId::kNone) AddGround({InstantiationId::kNone, 0, proposal, item}, uses_.memory.wme(proposal));
 }
 
 inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const Wme& wme = memory.wme(trace.wme);
   // An object may have become part of a higher state since.
   if (memory.known_identifier(wme.id).level < out_->level) {
@@ -121,16 +131,16 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
   if (trace.preference != PreferenceId::kNone) {
     if (every_condition_) out_->links.push_back({firing, condition, trace.preference});
     const InstantiationId maker = memory.preference(trace.preference).instantiation;
-    if (engine_.instantiations[maker].backtrace != out_->trace_number) queue_.push_back({maker, WmeId::kNone});
+    if (uses_.instantiations[maker].backtrace != out_->trace_number) queue_.push_back({maker, WmeId::kNone});
     return;
   }
   // Of the architecture: it came with the substate.
-  if (out_->level < 2 || out_->level > engine_.goals.depth() || wme.id != engine_.goals.at(out_->level).id) return;
+  if (out_->level < 2 || out_->level > uses_.goals.depth() || wme.id != uses_.goals.at(out_->level).id) return;
   if (wme.attribute == words::kQuiescence) {
     out_->quiescence = true;
   } else if (wme.attribute == words::kSuperstate) {
     if (every_condition_) out_->superstate_links.push_back({firing, condition, PreferenceId::kNone});
-  } else if (engine_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
+  } else if (uses_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
     if (every_condition_) out_->item_tests.push_back({firing, condition, trace.wme});
     if (Mark(trace.wme)) queue_.push_back({InstantiationId::kNone, trace.wme});
   }
@@ -179,11 +189,10 @@ void InstantiateCondition(ConditionDraft& condition, const Production& rule, std
 
 }  // namespace
 
-ConditionDraft InstantiateNegation(const Engine& engine, const Condition& condition, InstantiationId firing,
-                                   Arena& arena) {
+ConditionDraft InstantiateNegation(const Condition& condition, const Production& rule,
+                                   std::span<const ConditionTrace> matched, const WorkingMemory& memory, Arena& arena) {
   ConditionDraft copy = ToDraft(condition, arena);
-  const Production& rule = *engine.rete.production(engine.instantiations[firing].production);
-  InstantiateCondition(copy, rule, engine.instantiations.Trace(firing), engine.memory);
+  InstantiateCondition(copy, rule, matched, memory);
   return copy;
 }
 
@@ -212,7 +221,7 @@ bool Backtracer::IsReached(const ConditionDraft& condition) {
 void Backtracer::SortNegations() {
   reached_.clear();
   for (const Explanation::Ground& ground : out_->grounds) {
-    const Wme& wme = engine_.memory.wme(ground.wme);
+    const Wme& wme = uses_.memory.wme(ground.wme);
     for (const Symbol symbol : {wme.id, wme.value}) {
       if (symbol.IsIdentifier() && std::ranges::find(reached_, symbol) == reached_.end()) reached_.push_back(symbol);
     }
@@ -220,12 +229,12 @@ void Backtracer::SortNegations() {
   std::erase_if(out_->negations, [&](const Explanation::Negation& negation) {
     if (IsReached(negation.literal)) return false;
     out_->local_negation = true;
-    if (!engine_.chunker.settings().allow_local_negations && engine_.observers.Wants(Event::kNotLearned)) {
+    if (!uses_.learn.allow_local_negations && uses_.observers.Wants(Event::kNotLearned)) {
       ConditionDraft copy = negation.literal;
       RuleDraft shown;
       shown.conditions.Add(&copy);
       const ProductionPtr rule = Production::Make(shown);
-      engine_.observers.Notify(Event::kNotLearned, [&](Observer& o) { o.OnLocalNegation(engine_.agent, *rule); });
+      uses_.observers.Notify(Event::kNotLearned, [&](Observer& o) { o.OnLocalNegation(uses_.agent, *rule); });
     }
     return true;
   });
@@ -238,34 +247,35 @@ bool Backtracer::MayReferToHigherOnly(const Condition& condition, InstantiationI
   }
   Symbol object = EqualitySymbol(condition.id);
   if (object.IsVariable()) {
-    const Production& rule = *engine_.rete.production(engine_.instantiations[firing].production);
-    object = ValueOfVariable(rule, object, engine_.instantiations.Trace(firing), engine_.memory);
+    const Production& rule = *uses_.rete.production(uses_.instantiations[firing].production);
+    object = ValueOfVariable(rule, object, uses_.instantiations.Trace(firing), uses_.memory);
   }
-  return !object.IsIdentifier() || engine_.memory.level(object) < out_->level;
+  return !object.IsIdentifier() || uses_.memory.level(object) < out_->level;
 }
 
 void Backtracer::CollectNegations(InstantiationId firing) {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   if (instantiation.production == ProductionId::kNone) {
     if (instantiation.justification == Instantiation::kNoJustification) return;
-    const ProductionPtr& known = engine_.justifier.record(instantiation.justification).negations;
+    const ProductionPtr& known = uses_.justifier.record(instantiation.justification).negations;
     if (known == nullptr) return;
     for (const Condition& negation : known->conditions) {
       AddNegation(firing, nullptr, ToDraft(negation, out_->drafts));
     }
     return;
   }
-  if (!engine_.productions[Index(instantiation.production)].Is(Engine::ProductionRecord::kHasNegations)) return;
-  const ProductionPtr& rule = engine_.rete.production(instantiation.production);
+  if (!uses_.productions[Index(instantiation.production)].Is(ProductionRecord::kHasNegations)) return;
+  const ProductionPtr& rule = uses_.rete.production(instantiation.production);
   if (rule == nullptr) return;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind == ConditionKind::kPositive) continue;
     // Most are about the substate, and nobody asks which.
-    if (engine_.chunker.settings().allow_local_negations && !MayReferToHigherOnly(condition, firing)) {
+    if (uses_.learn.allow_local_negations && !MayReferToHigherOnly(condition, firing)) {
       out_->local_negation = true;
       continue;
     }
-    AddNegation(firing, &condition, InstantiateNegation(engine_, condition, firing, out_->drafts));
+    AddNegation(firing, &condition,
+                InstantiateNegation(condition, *rule, uses_.instantiations.Trace(firing), uses_.memory, out_->drafts));
   }
 }
 

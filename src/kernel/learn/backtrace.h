@@ -2,21 +2,50 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/learn/explanation.h"
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Agent;
 struct ConditionTrace;
+class Firing;
+class GoalChanges;
+class GoalStack;
+class InstantiationTable;
+class Justifier;
+struct LearnSettings;
+struct LearnStatistics;
+class Observers;
+class ProductionRecord;
+class Rete;
+class SelectionKnowledge;
 struct Wme;
+class WorkingMemory;
 
 /// The second stage of learning: follows what the results rest on, condition by condition, from the firings that made
 /// them to elements of higher states.
 class Backtracer {
  public:
-  explicit Backtracer(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    Agent& agent;
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    InstantiationTable& instantiations;
+    const Rete& rete;
+    const std::vector<ProductionRecord>& productions;
+    const GoalChanges& goal_changes;
+    Firing& firing;
+    const SelectionKnowledge& selections;
+    const Justifier& justifier;
+    const Observers& observers;
+    const LearnSettings& learn;
+    LearnStatistics& statistics;
+  };
+  explicit Backtracer(const Uses& uses) : uses_(uses) {}
 
   /// Fills in the explanation of its results. `every_condition`: one ground per condition, not one per element.
   void Trace(Explanation& out, bool every_condition);
@@ -43,7 +72,7 @@ class Backtracer {
   }
   bool Mark(WmeId wme);
 
-  Engine& engine_;
+  Uses uses_;
   Explanation* out_ = nullptr;
   bool every_condition_ = false;
   /// Still to be followed: a firing, or else an item of the impasse.
@@ -57,8 +86,8 @@ class Backtracer {
   std::vector<Symbol> reached_;  ///< Objects that grounds name; variables of the conjunction at hand.
 };
 
-/// The literal condition that a negated condition of a rule was in a firing.
-ConditionDraft InstantiateNegation(const Engine& engine, const Condition& condition, InstantiationId firing,
-                                   Arena& arena);
+/// The literal condition that a negated condition of a rule was in a firing, by what its positive ones matched.
+ConditionDraft InstantiateNegation(const Condition& condition, const Production& rule,
+                                   std::span<const ConditionTrace> matched, const WorkingMemory& memory, Arena& arena);
 
 }  // namespace soarbox::kernel

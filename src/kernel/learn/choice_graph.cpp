@@ -3,22 +3,26 @@
 
 #include <algorithm>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/exploration.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 std::vector<std::string> ChoiceGraph::Look(Symbol op) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   std::vector<std::string> look{"^name"};
   for (SlotId slot = memory.identifier(op).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
     for (WmeId id = memory.slot(slot).wmes; id != WmeId::kNone; id = memory.record(id).next) {
       const Wme& wme = memory.wme(id);
-      const std::string value = ToString(engine_.symbols, wme.value, false);
+      const std::string value = ToString(uses_.symbols, wme.value, false);
       if (wme.attribute == words::kName) {
         look.front() += " " + value;
       } else {
-        look.push_back("^" + ToString(engine_.symbols, wme.attribute, false) + " " + value);
+        look.push_back("^" + ToString(uses_.symbols, wme.attribute, false) + " " + value);
       }
     }
   }
@@ -37,11 +41,11 @@ void ChoiceGraph::Add(GoalLevel level, std::span<const Candidate> candidates, co
   Level& tree = At(level);
   Node& node = tree.at != nullptr ? *tree.at : tree.root;
   std::vector<double> chances;
-  if (candidates.size() > 1) chances = SelectionChances(candidates, engine_.exploration);
+  if (candidates.size() > 1) chances = SelectionChances(candidates, uses_.exploration);
   Node* next = nullptr;
   for (std::size_t n = 0; n < candidates.size(); ++n) {
     Branch& branch = node.branches[Look(candidates[n].value)];
-    branch.begun = begun_ + engine_.counters.inits;
+    branch.begun = begun_ + uses_.counters.inits;
     branch.probability.reset();
     if (n < chances.size() && learned[n]) branch.probability = chances[n];
     if (candidates[n].value != winner.value) continue;
@@ -57,7 +61,7 @@ void ChoiceGraph::Begin(GoalLevel level) {
 }
 
 void ChoiceGraph::BeginAt(GoalLevel level) {
-  if (level <= engine_.goals.depth()) {
+  if (level <= uses_.goals.depth()) {
     Level& tree = At(level);
     tree.at = nullptr;
     tree.cleared = false;
@@ -66,7 +70,7 @@ void ChoiceGraph::BeginAt(GoalLevel level) {
 }
 
 void ChoiceGraph::BeginAll() {
-  for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) {
+  for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) {
     Level& tree = At(level);
     tree.at = nullptr;
     tree.cleared = false;
@@ -82,12 +86,12 @@ void ChoiceGraph::Clear(GoalLevel level) {
 
 void ChoiceGraph::ClearAll() {
   for (auto& [level, tree] : levels_) Clear(level);
-  for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) Clear(level);
+  for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) Clear(level);
 }
 
 const ChoiceGraph::Node* ChoiceGraph::Root(GoalLevel level) const {
   const auto tree = levels_.find(level);
-  if (tree == levels_.end()) return level <= engine_.goals.depth() ? &kEmpty : nullptr;
+  if (tree == levels_.end()) return level <= uses_.goals.depth() ? &kEmpty : nullptr;
   return tree->second.cleared && !tree->second.used ? nullptr : &tree->second.root;
 }
 

@@ -14,7 +14,11 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCounters;
+struct ExplorationSettings;
+class GoalStack;
+class SymbolTable;
+class WorkingMemory;
 
 /// The choices that an agent had, as a tree for each level of the goal stack: operators by what they look like, and
 /// behind the one that was taken the choices that came next (`rl --trace`). It grows until it is cleared.
@@ -30,7 +34,15 @@ class ChoiceGraph {
     std::map<std::vector<std::string>, Branch> branches;  ///< By "^name x", then its other attributes and values.
   };
 
-  explicit ChoiceGraph(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    const SymbolTable& symbols;
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    const AgentCounters& counters;
+    const ExplorationSettings& exploration;
+  };
+  explicit ChoiceGraph(const Uses& uses) : uses_(uses) {}
 
   /// A choice in the goal of this level. `learned`: for each candidate, whether a learning rule speaks for it.
   void Add(GoalLevel level, std::span<const Candidate> candidates, const Candidate& winner,
@@ -56,7 +68,7 @@ class ChoiceGraph {
   Level& At(GoalLevel level);
   std::vector<std::string> Look(Symbol op) const;
 
-  Engine& engine_;
+  Uses uses_;
   std::map<GoalLevel, Level> levels_;
   std::uint64_t begun_ = 0;  ///< By command.
   inline static const Node kEmpty{};

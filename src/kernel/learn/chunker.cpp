@@ -6,19 +6,39 @@
 #include <utility>
 
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/agent_settings.h"
+#include "kernel/decide/firing.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/decide/rule_changes.h"
+#include "kernel/decide/run_control.h"
+#include "kernel/learn/descriptions.h"
+#include "kernel/learn/justification.h"
+#include "kernel/learn/selection_knowledge.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/wme_changes.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
-Chunker::Chunker(Engine& engine)
-    : engine_(engine),
-      singletons_(engine),
-      reader_(engine),
-      results_(engine),
-      backtracer_(engine),
-      analysis_(engine, reader_),
-      builder_(engine, reader_, analysis_),
-      log_(engine, reader_, analysis_, builder_) {}
+Chunker::Chunker(const Uses& uses)
+    : uses_(uses),
+      singletons_({uses.memory, uses.goals, uses.symbols}),
+      reader_({uses.memory, uses.goals, uses.instantiations, uses.rete, uses.goal_changes, uses.justifier}),
+      results_({uses.memory, uses.instantiations, uses.symbols, uses.firing}),
+      backtracer_({uses.agent, uses.memory, uses.goals, uses.instantiations, uses.rete, uses.productions,
+                   uses.goal_changes, uses.firing, uses.selections, uses.justifier, uses.observers, settings_,
+                   statistics_}),
+      analysis_({uses.memory, uses.goals, uses.instantiations, singletons_, *this}, reader_),
+      builder_({uses.symbols, uses.memory, uses.goals, uses.instantiations, uses.justifier, uses.expected_values,
+                uses.observers, statistics_},
+               reader_, analysis_),
+      log_({uses.symbols, uses.memory, uses.goals, uses.instantiations, uses.rete, uses.counters, uses.descriptions,
+            *this, statistics_},
+           reader_, analysis_, builder_) {}
 
 Chunker::~Chunker() = default;
 
@@ -26,7 +46,7 @@ void Chunker::ModeChanged() {
   // Until now nobody told of the elements that came.
   if (settings_.automatic_singletons || notes_elements_) singletons_.NoteAll();
   notes_elements_ = settings_.learning() && settings_.automatic_singletons;
-  engine_.changes.TellOfAttributes(notes_elements_);
+  uses_.changes.TellOfAttributes(notes_elements_);
 }
 
 void Chunker::SetLearning(Symbol state, bool learn) {
@@ -36,7 +56,7 @@ void Chunker::SetLearning(Symbol state, bool learn) {
 
 void Chunker::RuleExcised(ProductionId rule) {
   learned_.erase(rule);
-  engine_.justifier.ForgetDuplicates(rule);
+  uses_.justifier.ForgetDuplicates(rule);
 }
 
 void Chunker::GoalRemoved(Symbol state) {
@@ -61,9 +81,9 @@ void Chunker::Clear() {
 // Identities ----------------------------------------------------------------------------------------------------------
 
 void Chunker::NoteSubstate(GoalLevel level) {
-  engine_.goals.at(level).learned_below = false;
+  uses_.goals.at(level).learned_below = false;
   if (!settings_.learning()) return;
-  engine_.goals.at(level).has_identities = true;
+  uses_.goals.at(level).has_identities = true;
   if (level == 2) next_identity_ = 1;
   if (substate_identity_.size() <= level) substate_identity_.resize(level + 1u, 0);
   substate_identity_[level] = next_identity_;
@@ -85,7 +105,7 @@ std::uint32_t Chunker::NumberOfSpecial(IdentityGraph::Key key) const {
 }
 
 void Chunker::NoteFiring(InstantiationId id) {
-  Instantiation& instantiation = engine_.instantiations[id];
+  Instantiation& instantiation = uses_.instantiations[id];
   instantiation.has_identities = true;
   instantiation.first_identity = next_identity_;
   reader_.BeginAnalysis();
@@ -112,7 +132,7 @@ void Chunker::NoteFiring(InstantiationId id) {
 
 void Chunker::NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied) {
   reader_.NoteCopied(id, copied);
-  if (!engine_.instantiations[id].has_identities) return;
+  if (!uses_.instantiations[id].has_identities) return;
   // Each identifier in what was read counts as one.
   std::uint32_t created = 0;
   for (const RuleContext::Copied& element : copied) {
@@ -124,15 +144,15 @@ void Chunker::NoteCopied(InstantiationId id, std::span<const RuleContext::Copied
 }
 
 void Chunker::NoteSelection(InstantiationId id) {
-  Instantiation& instantiation = engine_.instantiations[id];
-  const std::uint32_t selection = engine_.selections.OfGoal(instantiation.level);
+  Instantiation& instantiation = uses_.instantiations[id];
+  const std::uint32_t selection = uses_.selections.OfGoal(instantiation.level);
   if (selection == SelectionKnowledge::kNone || instantiation.selection != SelectionKnowledge::kNone) return;
-  const Symbol goal = engine_.goals.at(instantiation.level).id;
-  for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
-    const Wme& wme = engine_.memory.wme(trace.wme);
+  const Symbol goal = uses_.goals.at(instantiation.level).id;
+  for (const ConditionTrace& trace : uses_.instantiations.Trace(id)) {
+    const Wme& wme = uses_.memory.wme(trace.wme);
     if (wme.id != goal || wme.attribute != words::kOperator || wme.acceptable) continue;
     instantiation.selection = selection;
-    engine_.selections.AddReference(selection);
+    uses_.selections.AddReference(selection);
     return;
   }
 }
@@ -140,19 +160,19 @@ void Chunker::NoteSelection(InstantiationId id) {
 // What becomes of a firing --------------------------------------------------------------------------------------------
 
 void Chunker::BeginCycle() {
-  if (cycle_ == engine_.counters.decision_cycles) return;
-  cycle_ = engine_.counters.decision_cycles;
+  if (cycle_ == uses_.counters.decision_cycles) return;
+  cycle_ = uses_.counters.decision_cycles;
   rules_in_cycle_ = justifications_in_cycle_ = 0;
 }
 
 void Chunker::TellNotLearned(InstantiationId firing, NotLearned why) const {
-  if (!engine_.observers.Wants(Event::kNotLearned)) return;
-  const FiringInfo info = engine_.DescribeInstantiation(firing);
-  engine_.observers.Notify(Event::kNotLearned, [&](Observer& o) { o.OnNotLearned(engine_.agent, why, info); });
+  if (!uses_.observers.Wants(Event::kNotLearned)) return;
+  const FiringInfo info = uses_.descriptions.DescribeInstantiation(firing);
+  uses_.observers.Notify(Event::kNotLearned, [&](Observer& o) { o.OnNotLearned(uses_.agent, why, info); });
 }
 
 bool Chunker::IsLeftOut(InstantiationId firing) const {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   const auto named = [&](const std::vector<Symbol>& states) {
     return std::ranges::find(states, instantiation.goal) != states.end();
   };
@@ -170,32 +190,32 @@ bool Chunker::IsLeftOut(InstantiationId firing) const {
       TellNotLearned(firing, NotLearned::kExcluded);
       return true;
   }
-  if (!settings_.bottom_only || !engine_.goals.at(instantiation.level).learned_below) return false;
+  if (!settings_.bottom_only || !uses_.goals.at(instantiation.level).learned_below) return false;
   TellNotLearned(firing, NotLearned::kNotLowest);
   return true;
 }
 
 void Chunker::Consider(InstantiationId id) {
   BeginCycle();
-  for (InstantiationId current = id; engine_.instantiations[current].level > 1;) {
+  for (InstantiationId current = id; uses_.instantiations[current].level > 1;) {
     left_out_ = IsLeftOut(current);
     if (settings_.learning() && rules_in_cycle_ >= settings_.max_chunks) {
       ++statistics_.over_max_chunks;
       TellNotLearned(current, NotLearned::kTooMany);
       return;
     }
-    explanation_.level = engine_.instantiations[current].level;
+    explanation_.level = uses_.instantiations[current].level;
     explanation_.base = current;
     ++explanation_.trace_number;
     reader_.BeginAnalysis();
     if (!results_.Collect(current, explanation_)) return;
-    if (engine_.justifier.HasTooManyDuplicates(current, settings_.max_duplicates)) {
+    if (uses_.justifier.HasTooManyDuplicates(current, settings_.max_duplicates)) {
       ++statistics_.over_max_duplicates;
       TellNotLearned(current, NotLearned::kTooManyAlike);
       return;
     }
     for (auto above = static_cast<GoalLevel>(explanation_.level - 1); above > 0; --above) {
-      engine_.goals.at(above).learned_below = true;
+      uses_.goals.at(above).learned_below = true;
     }
     current = Learn(current);
     reader_.EndAnalysis();
@@ -220,7 +240,7 @@ InstantiationId Chunker::Learn(InstantiationId base) {
   if (goal_level == 0) {
     if (explanation_.grounds.empty()) {
       ++statistics_.without_grounds;
-      engine_.instantiations.SkipSerials(1);
+      uses_.instantiations.SkipSerials(1);
       TellNotLearned(base, NotLearned::kUnconditional);
       if (settings_.warning_interrupt) Interrupt("Chunking issue detected:  Rule learned had no conditions.");
       return InstantiationId::kNone;
@@ -250,11 +270,11 @@ InstantiationId Chunker::Learn(InstantiationId base) {
     if (log_.justifications && explained) {
       log_.Add(explanation_, explanation_number_, {making.name, nullptr, InstantiationId::kNone, goal_level, false});
     }
-    return engine_.justifier.Build(explanation_, goal_level, std::move(making));
+    return uses_.justifier.Build(explanation_, goal_level, std::move(making));
   }
   if (explanation_.quiescence) ++statistics_.tested_quiescence;
   CountJustification();
-  return engine_.justifier.Build(explanation_, goal_level, {});
+  return uses_.justifier.Build(explanation_, goal_level, {});
 }
 
 void Chunker::CountJustification() {
@@ -266,14 +286,14 @@ void Chunker::CountJustification() {
 // Names ---------------------------------------------------------------------------------------------------------------
 
 Chunker::Origin Chunker::OriginOf(InstantiationId firing) const {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   if (instantiation.justification != Instantiation::kNoJustification) {
-    const Justifier::Record& record = engine_.justifier.record(instantiation.justification);
+    const Justifier::Record& record = uses_.justifier.record(instantiation.justification);
     return {record.base, record.depth};
   }
   const auto found = learned_.find(instantiation.production);
   if (found != learned_.end()) return found->second;
-  return {std::string(engine_.ProductionName(firing)), 0};
+  return {std::string(uses_.descriptions.ProductionName(firing)), 0};
 }
 
 LearnedRules Chunker::LearnedBySource() const {
@@ -294,11 +314,11 @@ std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
   std::uint32_t& count = is_chunk ? rules_in_cycle_ : justifications_in_cycle_;
   if (counts) ++count;
   if (settings_.numbered_names) {
-    if (!is_chunk) return kind + std::to_string(engine_.justifier.TakeNumber());
+    if (!is_chunk) return kind + std::to_string(uses_.justifier.TakeNumber());
     // They go up by two, as in Soar 9.6.3, and on by one past those that there are.
     for (++next_number_;; ++next_number_) {
       const std::string name = kind + std::to_string(next_number_);
-      if (engine_.agent.FindProduction(name) != ProductionId::kNone) continue;
+      if (uses_.rule_changes.Find(name) != ProductionId::kNone) continue;
       ++next_number_;
       return name;
     }
@@ -308,9 +328,9 @@ std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
   if (origin.depth > 0) name += "x" + std::to_string(origin.depth + 1);
   name += "*" + origin.base;
   // The impasse above the one in which the rule matched.
-  const GoalLevel level = engine_.instantiations[base].level;
+  const GoalLevel level = uses_.instantiations[base].level;
   if (level > 2) {
-    switch (engine_.goals.at(static_cast<GoalLevel>(level - 1)).impasse) {
+    switch (uses_.goals.at(static_cast<GoalLevel>(level - 1)).impasse) {
       case ImpasseType::kConstraintFailure:
         name += "*Failure";
         break;
@@ -328,21 +348,21 @@ std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
     }
   }
   name += "*t";
-  if (engine_.counters.inits > 0) name += std::to_string(engine_.counters.inits + 1) + "-";
-  name += std::to_string(engine_.counters.decision_cycles + 1) + "-" + std::to_string(count);
+  if (uses_.counters.inits > 0) name += std::to_string(uses_.counters.inits + 1) + "-";
+  name += std::to_string(uses_.counters.decision_cycles + 1) + "-" + std::to_string(count);
   std::string unique = name;
-  for (int number = 2; engine_.agent.FindProduction(unique) != ProductionId::kNone; ++number) {
+  for (int number = 2; uses_.rule_changes.Find(unique) != ProductionId::kNone; ++number) {
     unique = name + "-" + std::to_string(number);
   }
   return unique;
 }
 
 void Chunker::Tell(const std::string& name) {
-  engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearning(engine_.agent, name); });
+  uses_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearning(uses_.agent, name); });
 }
 
 void Chunker::Interrupt(const std::string& reason) {
-  engine_.run.InterruptAfterPhase(reason);
+  uses_.run.InterruptAfterPhase(reason);
 }
 
 // A learned rule ------------------------------------------------------------------------------------------------------
@@ -375,27 +395,27 @@ InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, 
 
 InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   const ProductionPtr& rule = builder_.rule();
-  const std::span<const GoalLevel> goal_levels = engine_.memory.goal_levels();
+  const std::span<const GoalLevel> goal_levels = uses_.memory.goal_levels();
   GoalLevel goal_level = 0;
   for (const WmeId wme : builder_.elements()) {
-    goal_level = std::max(goal_level, goal_levels[engine_.memory.wme(wme).id.index()]);
+    goal_level = std::max(goal_level, goal_levels[uses_.memory.wme(wme).id.index()]);
   }
   if (goal_level == 0) goal_level = static_cast<GoalLevel>(explanation_.level - 1);
-  const InstantiationId id = engine_.instantiations.Make();
+  const InstantiationId id = uses_.instantiations.Make();
   Rete::AddOptions options;
-  options.ignore_rl_value = engine_.settings.ignore_numbers_of_duplicates;
+  options.ignore_rl_value = uses_.settings.ignore_numbers_of_duplicates;
   options.refracted = builder_.elements();
   options.instantiation = id;
-  const Rete::Added added = engine_.rete.AddProduction(rule, engine_.goal_view(), options);
+  const Rete::Added added = uses_.rete.AddProduction(rule, uses_.memory.goal_view(), options);
   if (added.result == Rete::AddResult::kDuplicate) {
-    engine_.instantiations.Free(id);
+    uses_.instantiations.Free(id);
     ++statistics_.duplicates;
-    const std::string original(engine_.rete.production(added.production)->name);
-    engine_.observers.Notify(Event::kLearning,
-                             [&](Observer& o) { o.OnDuplicateLearned(engine_.agent, rule->name, original); });
-    engine_.justifier.CountDuplicate(base);
+    const std::string original(uses_.rete.production(added.production)->name);
+    uses_.observers.Notify(Event::kLearning,
+                           [&](Observer& o) { o.OnDuplicateLearned(uses_.agent, rule->name, original); });
+    uses_.justifier.CountDuplicate(base);
     // What nothing holds yet goes: these firings leave no preferences, the known rule fires by itself.
-    for (const PreferenceId result : explanation_.results) engine_.preferences.FreeIfUnused(result);
+    for (const PreferenceId result : explanation_.results) uses_.preferences.FreeIfUnused(result);
     log_.CountDuplicate(original);
     return InstantiationId::kNone;
   }
@@ -407,9 +427,9 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     if (!log_.all) log_.watched_learned.emplace_back(rule->name);
   }
   if (log_.noting) log_.Note(explanation_, made);
-  engine_.agent.NoteAdded(added.production, rule);
+  uses_.rule_changes.NoteAdded(added.production, rule);
   ++statistics_.chunks;
-  ++engine_.counters.chunks;
+  ++uses_.counters.chunks;
   if (explanation_.local_negation) ++statistics_.chunks_with_local_negation;
   if (explanation_.long_term_memory) ++statistics_.chunks_with_long_term_memory;
   {
@@ -418,37 +438,37 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     learned_[added.production] = std::move(origin);
   }
   {
-    Instantiation& instantiation = engine_.instantiations[id];
+    Instantiation& instantiation = uses_.instantiations[id];
     instantiation.production = added.production;
     instantiation.match = added.refracted;
-    instantiation.goal = engine_.goals.at(goal_level).id;
+    instantiation.goal = uses_.goals.at(goal_level).id;
     instantiation.level = goal_level;
     instantiation.held = true;
     instantiation.has_identities = true;
     instantiation.local_negation = explanation_.local_negation;
     instantiation.long_term_memory = explanation_.long_term_memory;
   }
-  engine_.rete.matches().HoldRule(added.production);
+  uses_.rete.matches().HoldRule(added.production);
   if (added.refracted == MatchId::kNone) ++statistics_.did_not_match;
   results_.Check(explanation_);
   if (goal_level > 1) {
-    engine_.firing.TraceConditions(id, builder_.elements());
+    uses_.firing.TraceConditions(id, builder_.elements());
     reader_.NoteTurned(id, builder_.turned_tests());
     NoteFiring(id);
   }
-  if (engine_.observers.Wants(Event::kLearning)) {
-    const FiringInfo info = engine_.DescribeInstantiation(id);
-    engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(engine_.agent, info); });
+  if (uses_.observers.Wants(Event::kLearning)) {
+    const FiringInfo info = uses_.descriptions.DescribeInstantiation(id);
+    uses_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(uses_.agent, info); });
   }
   // The learned rule's own instance holds its results by o-support if they apply or elaborate an operator above.
-  const Symbol goal = engine_.goals.at(goal_level).id;
-  const bool o_support = !engine_.justifier.Proposes(base) &&
+  const Symbol goal = uses_.goals.at(goal_level).id;
+  const bool o_support = !uses_.justifier.Proposes(base) &&
                          std::ranges::any_of(explanation_.operator_grounds,
-                                             [&](WmeId ground) { return engine_.memory.wme(ground).id == goal; });
-  engine_.instantiations[id].o_support = o_support;
-  engine_.justifier.MakeClones(explanation_, id, builder_.action_of_result(), o_support);
-  engine_.preferences.LinkToGoal(id);
-  engine_.firing.made().push_back(id);
+                                             [&](WmeId ground) { return uses_.memory.wme(ground).id == goal; });
+  uses_.instantiations[id].o_support = o_support;
+  uses_.justifier.MakeClones(explanation_, id, builder_.action_of_result(), o_support);
+  uses_.preferences.LinkToGoal(id);
+  uses_.firing.made().push_back(id);
   if (settings_.interrupt) {
     Interrupt("Soar learned a new rule.");
   } else if (explained && settings_.explain_interrupt) {

@@ -21,7 +21,26 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Agent;
+struct AgentCounters;
+struct AgentSettings;
+class Descriptions;
+class ExpectedValues;
+class Firing;
+class GoalChanges;
+class GoalStack;
+class InstantiationTable;
+class Justifier;
+class Observers;
+class PreferenceChanges;
+class ProductionRecord;
+class Rete;
+class RuleChanges;
+class RunControl;
+class SelectionKnowledge;
+class SymbolTable;
+class WmeChanges;
+class WorkingMemory;
 
 /// Explanation-based chunking: a rule that fired in a substate and gave something to a higher state is explained, and
 /// the explanation becomes a rule that does in one step what the substate did. Where that is not wanted or not right,
@@ -31,7 +50,30 @@ struct Engine;
 /// repair), and entering the rule here.
 class Chunker {
  public:
-  explicit Chunker(Engine& engine);
+  /// What it uses of the agent.
+  struct Uses {
+    Agent& agent;
+    SymbolTable& symbols;
+    WorkingMemory& memory;
+    GoalStack& goals;
+    InstantiationTable& instantiations;
+    Rete& rete;
+    const std::vector<ProductionRecord>& productions;
+    WmeChanges& changes;
+    PreferenceChanges& preferences;
+    const GoalChanges& goal_changes;
+    Firing& firing;
+    RunControl& run;
+    SelectionKnowledge& selections;
+    Justifier& justifier;
+    const Descriptions& descriptions;
+    const AgentSettings& settings;
+    AgentCounters& counters;
+    const ExpectedValues& expected_values;
+    const Observers& observers;
+    RuleChanges& rule_changes;
+  };
+  explicit Chunker(const Uses& uses);
   ~Chunker();
 
   const LearnSettings& settings() const { return settings_; }
@@ -98,7 +140,7 @@ class Chunker {
   void BeginCycle();
   void Interrupt(const std::string& reason);
 
-  Engine& engine_;
+  Uses uses_;
   LearnSettings settings_;
   LearnStatistics statistics_;
   Singletons singletons_;

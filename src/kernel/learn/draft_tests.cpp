@@ -5,11 +5,10 @@
 
 namespace soarbox::kernel {
 
-Symbol ValueOfClass(const Engine& engine, const IdentityPlan& plan, InstantiationId firing,
-                    std::uint16_t identity_class) {
+Symbol ValueOfClass(const IdentityPlan& plan, std::uint16_t identity_class, std::span<const ConditionTrace> matched,
+                    const WorkingMemory& memory) {
   const std::uint16_t place = plan.first[identity_class];
-  const ConditionTrace& trace = engine.instantiations.Trace(firing)[place / 3u];
-  return FieldOf(engine.memory.wme(trace.wme), static_cast<Field>(place % 3u));
+  return FieldOf(memory.wme(matched[place / 3u].wme), static_cast<Field>(place % 3u));
 }
 
 namespace {

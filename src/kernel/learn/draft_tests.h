@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/base/arena.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/instantiation_table.h"
 #include "kernel/learn/identity_plan.h"
+#include "kernel/memory/working_memory.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/production.h"
 
@@ -49,9 +51,9 @@ constexpr TestKind TurnedRound(TestKind kind) {
 inline bool Contains(const std::vector<Symbol>& symbols, Symbol symbol) {
   return std::ranges::find(symbols, symbol) != symbols.end();
 }
-/// What a class of a firing's conditions was.
-Symbol ValueOfClass(const Engine& engine, const IdentityPlan& plan, InstantiationId firing,
-                    std::uint16_t identity_class);
+/// What a class of conditions was, by what they matched when they fired.
+Symbol ValueOfClass(const IdentityPlan& plan, std::uint16_t identity_class, std::span<const ConditionTrace> matched,
+                    const WorkingMemory& memory);
 void AppendPart(TestDraft& test, TestDraft* part, Arena& arena);
 void PrependPart(TestDraft& test, TestDraft* part, Arena& arena);
 /// If both tests are lists of values, or `kept` has one, leaves in it what both allow.

@@ -5,9 +5,17 @@
 #include <set>
 #include <utility>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/learn/chunker.h"
+#include "kernel/learn/descriptions.h"
 #include "kernel/learn/draft_tests.h"
+#include "kernel/learn/learn_settings.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/working_memory.h"
 #include "kernel/rules/print_production.h"
 
 namespace soarbox::kernel {
@@ -54,19 +62,20 @@ std::string Joined(const std::vector<std::string>& parts) {
 /// "i 3 (rule)" of the shortest way from each firing to one that made a result.
 class ShortestPaths {
  public:
-  ShortestPaths(const Engine& engine, const Explanation& explanation) : engine_(engine) {
+  ShortestPaths(const InstantiationTable& instantiations, const WorkingMemory& memory, const Explanation& explanation)
+      : instantiations_(instantiations) {
     std::vector<InstantiationId> wave;
     const auto begin = [&](InstantiationId firing) {
       if (next_.try_emplace(SerialOf(firing), 0).second) wave.push_back(firing);
     };
     begin(explanation.base);
-    for (const PreferenceId result : explanation.results) begin(engine.memory.preference(result).instantiation);
+    for (const PreferenceId result : explanation.results) begin(memory.preference(result).instantiation);
     while (!wave.empty()) {
       std::vector<InstantiationId> following;
       for (const InstantiationId firing : wave) {
         for (const Explanation::Link& link : explanation.links) {
           if (link.firing != firing) continue;
-          const InstantiationId maker = engine.memory.preference(link.maker).instantiation;
+          const InstantiationId maker = memory.preference(link.maker).instantiation;
           if (next_.try_emplace(SerialOf(maker), SerialOf(firing)).second) following.push_back(maker);
         }
       }
@@ -84,8 +93,8 @@ class ShortestPaths {
   }
 
  private:
-  std::uint32_t SerialOf(InstantiationId firing) const { return engine_.instantiations[firing].serial; }
-  const Engine& engine_;
+  std::uint32_t SerialOf(InstantiationId firing) const { return instantiations_[firing].serial; }
+  const InstantiationTable& instantiations_;
   std::map<std::uint32_t, std::uint32_t> next_;
 };
 
@@ -107,7 +116,7 @@ bool ExplanationLog::WantsChunkOf(InstantiationId base) const {
 }
 
 std::string ExplanationLog::Name(Symbol symbol) const {
-  return symbol ? ToString(engine_.symbols, symbol) : std::string("<?>");
+  return symbol ? ToString(uses_.symbols, symbol) : std::string("<?>");
 }
 
 /// A constant stands for itself.
@@ -152,7 +161,8 @@ ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value
       const std::uint16_t bound = reader_.Plan(firing).ClassOf(part.referent());
       const IdentityGraph::Node other = analysis_.OfClass(firing, bound);
       if (other != IdentityGraph::kNone) of = Number(other);
-      if (bound != IdentityPlan::kLiteral) referent = Name(ValueOfClass(engine_, reader_.Plan(firing), firing, bound));
+      if (bound != IdentityPlan::kLiteral)
+        referent = Name(ValueOfClass(reader_.Plan(firing), bound, uses_.instantiations.Trace(firing), uses_.memory));
     }
     identities.push_back(sign + of);
     values.push_back(sign + referent);
@@ -168,7 +178,7 @@ ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value
 }
 
 ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id) {
-  const Preference& preference = engine_.memory.preference(id);
+  const Preference& preference = uses_.memory.preference(id);
   const Production* const rule = reader_.Rule(preference.instantiation);
   ExplainedRule::Action out;
   out.type = preference.type;
@@ -182,7 +192,7 @@ ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id) {
     field.text = field.value;
     if (term != nullptr) {
       field.text.clear();
-      AppendRhsValue(field.text, engine_.symbols, *term);
+      AppendRhsValue(field.text, uses_.symbols, *term);
     }
     return field;
   };
@@ -197,18 +207,18 @@ ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id) {
 }
 
 ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explanation& explanation) {
-  const Instantiation& instantiation = engine_.instantiations[id];
+  const Instantiation& instantiation = uses_.instantiations[id];
   const Production* const rule = reader_.Rule(id);
   ExplainedRule::Firing out;
   out.serial = instantiation.serial;
-  out.rule = engine_.ProductionName(id);
+  out.rule = uses_.descriptions.ProductionName(id);
   out.level = instantiation.level;
-  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(id);
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(id);
   const auto describe = [&](std::size_t n, const Condition* source) {
-    const Wme& wme = engine_.memory.wme(traces[n].wme);
+    const Wme& wme = uses_.memory.wme(traces[n].wme);
     ExplainedRule::Condition condition;
     condition.acceptable = wme.acceptable;
-    condition.operational = engine_.memory.level(wme.id) < explanation.level;
+    condition.operational = uses_.memory.level(wme.id) < explanation.level;
     for (const Field field : kAllFields) {
       ExplainedRule::Field& part = field == Field::kId          ? condition.id
                                    : field == Field::kAttribute ? condition.attribute
@@ -219,9 +229,9 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
       ForEachTest(source->id, [&](const Test& part) { condition.tests_state |= part.kind == TestKind::kState; });
     }
     if (!condition.operational && traces[n].preference != PreferenceId::kNone) {
-      const InstantiationId maker = engine_.memory.preference(traces[n].preference).instantiation;
-      condition.creator = engine_.instantiations[maker].serial;
-      condition.creator_rule = engine_.ProductionName(maker);
+      const InstantiationId maker = uses_.memory.preference(traces[n].preference).instantiation;
+      condition.creator = uses_.instantiations[maker].serial;
+      condition.creator_rule = uses_.descriptions.ProductionName(maker);
     }
     out.conditions.push_back(std::move(condition));
   };
@@ -242,7 +252,7 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
     for (; positive < traces.size(); ++positive) describe(positive, nullptr);
   }
   for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
-       p = engine_.memory.preference(p).next_of_instantiation) {
+       p = uses_.memory.preference(p).next_of_instantiation) {
     out.actions.push_back(DescribeAction(p));
     out.made_result |= std::ranges::find(explanation.results, p) != explanation.results.end();
   }
@@ -252,7 +262,9 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
 
 ProductionPtr ExplanationLog::Instantiated(const Condition& negation, InstantiationId firing) {
   Arena arena;
-  ConditionDraft literal = InstantiateNegation(engine_, negation, firing, arena);
+  ConditionDraft literal =
+      InstantiateNegation(negation, *uses_.rete.production(uses_.instantiations[firing].production),
+                          uses_.instantiations.Trace(firing), uses_.memory, arena);
   RuleDraft rule;
   rule.conditions.Add(&literal);
   return Production::Make(rule);
@@ -264,7 +276,7 @@ std::string ExplanationLog::IdentityText(const Test& test, InstantiationId firin
     if (part.kind == TestKind::kState || part.kind == TestKind::kImpasse) return;
     std::string text;
     if (part.kind == TestKind::kDisjunction || part.kind == TestKind::kBlank) {
-      AppendTest(text, engine_.symbols, part);
+      AppendTest(text, uses_.symbols, part);
     } else {
       text = SignOf(part.kind);
       IdentityGraph::Node node = IdentityGraph::kNone;
@@ -284,7 +296,7 @@ ExplainedRule::Condition ExplanationLog::DescribeNegated(const Condition& writte
   ExplainedRule::Condition out;
   out.negated = true;
   out.conjunction = written.kind == ConditionKind::kConjunctiveNegation;
-  AppendCondition(out.id.text, engine_.symbols, written);
+  AppendCondition(out.id.text, uses_.symbols, written);
   const auto add = [&](auto&& self, const Condition& as_written, const Condition& as_source,
                        const Condition& as_literal) -> void {
     if (as_written.kind == ConditionKind::kConjunctiveNegation) {
@@ -302,7 +314,7 @@ ExplainedRule::Condition ExplanationLog::DescribeNegated(const Condition& writte
     };
     const auto plain = [&](const Test& test) {
       std::string text;
-      AppendTest(text, engine_.symbols, test);
+      AppendTest(text, uses_.symbols, test);
       return text;
     };
     ExplainedRule::Condition::Part& part = out.parts.emplace_back();
@@ -310,7 +322,7 @@ ExplainedRule::Condition ExplanationLog::DescribeNegated(const Condition& writte
     part.identity = row(as_source, [&](const Test& test) { return IdentityText(test, firing); });
     part.value = row(as_literal, plain);
     const Symbol object = EqualitySymbol(as_literal.id);
-    part.operational = (object.IsIdentifier() ? engine_.memory.level(object) : 0) < level;
+    part.operational = (object.IsIdentifier() ? uses_.memory.level(object) : 0) < level;
   };
   add(add, written, source, literal);
   return out;
@@ -318,7 +330,7 @@ ExplainedRule::Condition ExplanationLog::DescribeNegated(const Condition& writte
 
 /// The conditions and actions of the learned rule beside the identities that they came from.
 void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& explanation) {
-  const ShortestPaths paths(engine_, explanation);
+  const ShortestPaths paths(uses_.instantiations, uses_.memory, explanation);
   const auto describe = [&](std::uint32_t index, const Condition* learned) {
     ExplainedRule::Condition condition;
     const bool known = index < explanation.grounds.size();
@@ -327,7 +339,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       const Production* const rule = reader_.Rule(ground.firing);
       const Condition* const source =
           rule != nullptr ? reader_.TestedBy(ground.firing, ground.condition).condition : nullptr;
-      const Wme& wme = engine_.memory.wme(ground.wme);
+      const Wme& wme = uses_.memory.wme(ground.wme);
       for (const Field field : kAllFields) {
         ExplainedRule::Field& part = field == Field::kId          ? condition.id
                                      : field == Field::kAttribute ? condition.attribute
@@ -411,7 +423,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
     std::size_t place = 0;
     for (const Condition& learned : out.rule->conditions) {
       if (learned.kind != ConditionKind::kPositive) continue;
-      const Wme& wme = engine_.memory.wme(builder_.elements()[place]);
+      const Wme& wme = uses_.memory.wme(builder_.elements()[place]);
       for (const Field field : kAllFields) {
         const Symbol variable = EqualitySymbol(TestOf(learned, field));
         if (variable.IsVariable()) value_of_variable.try_emplace(variable.bits(), FieldOf(wme, field));
@@ -428,7 +440,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
     std::size_t positive = 0, negated = 0;
     for (const Condition& learned : out.rule->conditions) {
       if (learned.kind == ConditionKind::kPositive) {
-        const Wme& wme = engine_.memory.wme(builder_.elements()[positive]);
+        const Wme& wme = uses_.memory.wme(builder_.elements()[positive]);
         out.conditions.push_back(describe(builder_.ground_of_condition()[positive++], &learned));
         ExplainedRule::Condition& described = out.conditions.back();
         described.id.value = matched(learned.id, wme.id);
@@ -452,8 +464,8 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
     std::set<std::uint32_t> states;
     for (std::uint32_t n = 0; n < explanation.grounds.size(); ++n) {
       out.conditions.push_back(describe(n, nullptr));
-      const Symbol id = engine_.memory.wme(explanation.grounds[n].wme).id;
-      out.conditions.back().tests_state = engine_.memory.identifier(id).is_goal && states.insert(id.bits()).second;
+      const Symbol id = uses_.memory.wme(explanation.grounds[n].wme).id;
+      out.conditions.back().tests_state = uses_.memory.identifier(id).is_goal && states.insert(id.bits()).second;
     }
   }
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
@@ -463,7 +475,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       field.text = field.value;
       if (term == nullptr) return;
       field.text.clear();
-      AppendRhsValue(field.text, engine_.symbols, *term);
+      AppendRhsValue(field.text, uses_.symbols, *term);
       if (term->kind == RhsValueKind::kConstant) field.identity = "[" + field.value + "]";
     };
     text(action.id, learned ? &learned->id : nullptr);
@@ -487,7 +499,7 @@ void ExplanationLog::Add(const Explanation& explanation, std::uint32_t number, c
   Describe(out, explanation, made);
   bytes_ += out.MemoryBytes();
   // What `chunk stats` says of it is said of recorded rules alone.
-  engine_.chunker.mutable_statistics().identities_in_rules += out.identities.size();
+  uses_.statistics.identities_in_rules += out.identities.size();
 }
 
 void ExplanationLog::Note(const Explanation& explanation, const Made& made) {
@@ -502,35 +514,35 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
   out.name = made.name;
   out.rule = made.rule;
   out.justification = made.rule == nullptr;
-  if (made.instance != InstantiationId::kNone) out.instance = engine_.instantiations[made.instance].serial;
+  if (made.instance != InstantiationId::kNone) out.instance = uses_.instantiations[made.instance].serial;
   out.instance_level = made.level;
-  out.decision = engine_.counters.decision_phases;
+  out.decision = uses_.counters.decision_phases;
   out.level = explanation.level;
   if (explanation.level > 1) {
-    const Goal& goal = engine_.goals.at(explanation.level);
-    const Goal& above = engine_.goals.at(static_cast<GoalLevel>(explanation.level - 1));
+    const Goal& goal = uses_.goals.at(explanation.level);
+    const Goal& above = uses_.goals.at(static_cast<GoalLevel>(explanation.level - 1));
     out.state = Name(goal.id);
     out.superstate = Name(above.id);
     out.impasse = goal.impasse;
     out.on_operator = goal.impasse_on_operator;
-    const Symbol selected = engine_.OperatorOf(above), attribute = engine_.symbols.FindString("name");
-    const Symbol name_of_it = selected && attribute ? engine_.memory.ValueOf(selected, attribute) : Symbol();
+    const Symbol selected = uses_.descriptions.OperatorOf(above), attribute = uses_.symbols.FindString("name");
+    const Symbol name_of_it = selected && attribute ? uses_.memory.ValueOf(selected, attribute) : Symbol();
     if (name_of_it) out.op = Name(name_of_it);
   }
-  out.base = engine_.instantiations[explanation.base].serial;
+  out.base = uses_.instantiations[explanation.base].serial;
   out.local_negation = explanation.local_negation;
   out.quiescence = explanation.quiescence;
   out.long_term_memory = explanation.long_term_memory;
   out.repaired = made.repaired;
-  out.identities_created = engine_.chunker.identities_created();
+  out.identities_created = uses_.chunker.identities_created();
   DescribeLearned(out, explanation);
   for (const PreferenceId result : explanation.results) {
-    const std::uint32_t serial = engine_.instantiations[engine_.memory.preference(result).instantiation].serial;
+    const std::uint32_t serial = uses_.instantiations[uses_.memory.preference(result).instantiation].serial;
     if (serial != out.base && std::ranges::find(out.other_results, serial) == out.other_results.end()) {
       out.other_results.push_back(serial);
     }
   }
-  const ShortestPaths paths(engine_, explanation);
+  const ShortestPaths paths(uses_.instantiations, uses_.memory, explanation);
   for (const InstantiationId firing : explanation.firings) {
     ExplainedRule::Firing described = Describe(firing, explanation);
     described.path = paths.From(firing);
@@ -541,7 +553,7 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
   for (const JoinEvent& event : analysis_.events()) {
     ExplainedRule::Event described;
     described.reason = event.reason;
-    described.firing = engine_.instantiations[event.firing].serial;
+    described.firing = uses_.instantiations[event.firing].serial;
     described.from = analysis_.NumberOfOwn(event.from);
     if (event.to != IdentityGraph::kNone) {
       described.to = analysis_.NumberOfOwn(event.to);
@@ -556,7 +568,7 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
   if (made.rule != nullptr) {
     for (const CarriedTest& test : builder_.constraints()) {
       ExplainedRule::Constraint constraint;
-      constraint.firing = engine_.instantiations[test.firing].serial;
+      constraint.firing = uses_.instantiations[test.firing].serial;
       constraint.text = Name(test.value) + " " + std::string(SignOf(test.kind)) + Name(test.referent);
       constraint.placed = test.placed;
       out.constraints.push_back(std::move(constraint));

@@ -14,13 +14,33 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCounters;
+class Chunker;
+class Descriptions;
+class GoalStack;
+class InstantiationTable;
+struct LearnStatistics;
+class Rete;
+class SymbolTable;
+class WorkingMemory;
 
 /// The explanations that are kept until init-soar, also of rules that have been excised since. Off, nothing is kept.
 class ExplanationLog {
  public:
-  ExplanationLog(Engine& engine, FiringReader& reader, IdentityAnalysis& analysis, RuleBuilder& builder)
-      : engine_(engine), reader_(reader), analysis_(analysis), builder_(builder) {}
+  /// What it uses of the agent.
+  struct Uses {
+    const SymbolTable& symbols;
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    const InstantiationTable& instantiations;
+    const Rete& rete;
+    const AgentCounters& counters;
+    const Descriptions& descriptions;
+    const Chunker& chunker;
+    LearnStatistics& statistics;
+  };
+  ExplanationLog(const Uses& uses, FiringReader& reader, IdentityAnalysis& analysis, RuleBuilder& builder)
+      : uses_(uses), reader_(reader), analysis_(analysis), builder_(builder) {}
 
   bool all = false;             ///< `explain all`
   bool justifications = false;  ///< `explain justifications`
@@ -71,7 +91,7 @@ class ExplanationLog {
   std::string Name(Symbol symbol) const;
   std::string NumberOfVariable(Symbol symbol) const;
 
-  Engine& engine_;
+  Uses uses_;
   FiringReader& reader_;
   IdentityAnalysis& analysis_;
   RuleBuilder& builder_;

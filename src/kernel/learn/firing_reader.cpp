@@ -4,14 +4,19 @@
 #include <algorithm>
 
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/goal_changes.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
 #include "kernel/learn/draft_tests.h"
+#include "kernel/learn/justification.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
   const std::uint32_t index = Index(production);
-  const ProductionPtr& rule = engine_.rete.production(production);
+  const ProductionPtr& rule = uses_.rete.production(production);
   if (rules_.size() <= index) rules_.resize(index + 1u);
   Known& known = rules_[index];
   known.analysis = analysis_;
@@ -69,29 +74,29 @@ FiringReader::Term FiringReader::TermOf(const RhsValue& value, const IdentityPla
 }
 
 const Production* FiringReader::Rule(InstantiationId firing) {
-  const ProductionId production = engine_.instantiations[firing].production;
+  const ProductionId production = uses_.instantiations[firing].production;
   return production == ProductionId::kNone ? nullptr : KnownOf(production).rule.get();
 }
 
 const FiringReader::Tested& FiringReader::TestedBy(InstantiationId firing, std::size_t condition) {
   static const Tested kCopied;
-  const Known& known = KnownOf(engine_.instantiations[firing].production);
+  const Known& known = KnownOf(uses_.instantiations[firing].production);
   return condition < known.positives.size() ? known.positives[condition] : kCopied;
 }
 
 bool FiringReader::CarriesTests(InstantiationId firing) {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   if (instantiation.production != ProductionId::kNone) return KnownOf(instantiation.production).carries_tests;
   return instantiation.justification != Instantiation::kNoJustification &&
-         !engine_.justifier.record(instantiation.justification).tests.empty();
+         !uses_.justifier.record(instantiation.justification).tests.empty();
 }
 
 const IdentityPlan& FiringReader::Plan(InstantiationId firing) {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   if (instantiation.production != ProductionId::kNone && !instantiation.copied) [[likely]]
     return *KnownOf(instantiation.production).plan;
   if (instantiation.justification != Instantiation::kNoJustification) {
-    return *engine_.justifier.record(instantiation.justification).plan;
+    return *uses_.justifier.record(instantiation.justification).plan;
   }
   for (const auto& [known, plan] : without_rule_) {
     if (known == firing) return *plan;
@@ -104,8 +109,8 @@ const IdentityPlan& FiringReader::Plan(InstantiationId firing) {
 /// Identifiers are what they are in each place; constants stand for themselves.
 IdentityPlan FiringReader::PlanOfArchitecture(InstantiationId firing) const {
   IdentityPlan plan;
-  for (const ConditionTrace& trace : engine_.instantiations.Trace(firing)) {
-    const Wme& wme = engine_.memory.wme(trace.wme);
+  for (const ConditionTrace& trace : uses_.instantiations.Trace(firing)) {
+    const Wme& wme = uses_.memory.wme(trace.wme);
     for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) {
       std::uint16_t known = IdentityPlan::kLiteral;
       if (symbol.IsIdentifier()) {
@@ -123,15 +128,15 @@ IdentityPlan FiringReader::PlanOfArchitecture(InstantiationId firing) const {
 }
 
 IdentityPlan FiringReader::PlanWithCopied(InstantiationId firing) {
-  IdentityPlan plan = *KnownOf(engine_.instantiations[firing].production).plan;
+  IdentityPlan plan = *KnownOf(uses_.instantiations[firing].production).plan;
   std::unordered_map<std::uint32_t, std::uint16_t> class_of;
   for (std::uint16_t known = plan.bound(); known-- > 0;) {
-    const Symbol value = ValueOfClass(engine_, plan, firing, known);
+    const Symbol value = ValueOfClass(plan, known, uses_.instantiations.Trace(firing), uses_.memory);
     if (value.IsIdentifier()) class_of[value.bits()] = known;
   }
-  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
   for (std::size_t n = plan.of_field.size() / 3u; n < traces.size(); ++n) {
-    const Wme& wme = engine_.memory.wme(traces[n].wme);
+    const Wme& wme = uses_.memory.wme(traces[n].wme);
     for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) {
       std::uint16_t known = IdentityPlan::kLiteral;
       if (symbol.IsIdentifier()) {
@@ -149,7 +154,7 @@ IdentityPlan FiringReader::PlanWithCopied(InstantiationId firing) {
 }
 
 FiringReader::Term FiringReader::TermOfCopier(const Preference& preference, Part part) {
-  const Instantiation& instantiation = engine_.instantiations[preference.instantiation];
+  const Instantiation& instantiation = uses_.instantiations[preference.instantiation];
   const IdentityPlan& plan = Plan(preference.instantiation);
   const Symbol symbols[] = {preference.id, preference.attribute, preference.value, preference.referent};
   const Symbol symbol = symbols[static_cast<std::size_t>(part)];
@@ -158,7 +163,8 @@ FiringReader::Term FiringReader::TermOfCopier(const Preference& preference, Part
     for (const auto& [copy, original] : copied_[instantiation.serial]) {
       if (copy != symbol) continue;
       for (std::uint16_t known = 0; known < plan.bound(); ++known) {
-        if (ValueOfClass(engine_, plan, preference.instantiation, known) != original) continue;
+        if (ValueOfClass(plan, known, uses_.instantiations.Trace(preference.instantiation), uses_.memory) != original)
+          continue;
         term.kind = Term::Kind::kClass;
         term.identity_class = known;
         return term;
@@ -183,7 +189,7 @@ FiringReader::Term FiringReader::TermOfCopier(const Preference& preference, Part
 }
 
 void FiringReader::NoteCopied(InstantiationId firing, std::span<const RuleContext::Copied> copied) {
-  Instantiation& instantiation = engine_.instantiations[firing];
+  Instantiation& instantiation = uses_.instantiations[firing];
   instantiation.copied = true;
   std::vector<std::pair<Symbol, Symbol>>& known = copied_[instantiation.serial];
   for (const RuleContext::Copied& element : copied) {
@@ -193,21 +199,21 @@ void FiringReader::NoteCopied(InstantiationId firing, std::span<const RuleContex
 }
 
 void FiringReader::ForgetCopied(InstantiationId firing) {
-  copied_.erase(engine_.instantiations[firing].serial);
+  copied_.erase(uses_.instantiations[firing].serial);
 }
 
 void FiringReader::NoteTurned(InstantiationId firing, const std::vector<TurnedTest>& tests) {
   if (tests.empty()) return;
-  engine_.instantiations[firing].turned = true;
-  turned_[engine_.instantiations[firing].serial] = tests;
+  uses_.instantiations[firing].turned = true;
+  turned_[uses_.instantiations[firing].serial] = tests;
 }
 
 void FiringReader::ForgetTurned(InstantiationId firing) {
-  turned_.erase(engine_.instantiations[firing].serial);
+  turned_.erase(uses_.instantiations[firing].serial);
 }
 
 bool FiringReader::IsTurned(InstantiationId firing, std::uint16_t condition, Field field, const Test& test) const {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   if (!instantiation.turned) return false;
   const auto found = turned_.find(instantiation.serial);
   return found != turned_.end() && std::ranges::any_of(found->second, [&](const TurnedTest& turned) {
@@ -222,8 +228,8 @@ std::uint16_t FiringReader::ClassOf(const RhsValue& value, const IdentityPlan& p
 }
 
 FiringReader::Term FiringReader::TermOf(PreferenceId preference_id, Part part) {
-  const Preference& preference = engine_.memory.preference(preference_id);
-  const Instantiation& instantiation = engine_.instantiations[preference.instantiation];
+  const Preference& preference = uses_.memory.preference(preference_id);
+  const Instantiation& instantiation = uses_.instantiations[preference.instantiation];
   const std::size_t place = 4u * preference.action + static_cast<std::size_t>(part);
   if (instantiation.copied && instantiation.has_identities) [[unlikely]]
     return TermOfCopier(preference, part);
@@ -236,7 +242,7 @@ FiringReader::Term FiringReader::TermOf(PreferenceId preference_id, Part part) {
 
 FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, std::size_t place, Part part) {
   const InstantiationId firing = preference.instantiation;
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   Term term;
   if (!instantiation.has_identities) {
     term.kind = Term::Kind::kUnknown;
@@ -255,7 +261,7 @@ FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, st
     }
     term.identity_class = 0;
     if (is_justification) {
-      const ProductionPtr& functions = engine_.justifier.record(instantiation.justification).functions;
+      const ProductionPtr& functions = uses_.justifier.record(instantiation.justification).functions;
       if (functions != nullptr && preference.action < functions->actions.size()) {
         const Action& action = functions->actions[preference.action];
         const RhsValue& value = part == Part::kAttribute ? action.attribute : action.value;
@@ -289,17 +295,17 @@ std::uint32_t FiringReader::RankOfNew(InstantiationId firing, std::uint16_t new_
 }
 
 bool FiringReader::IsSuperstateLink(WmeId id, GoalLevel level) const {
-  const Wme& wme = engine_.memory.wme(id);
-  return wme.attribute == words::kSuperstate && level <= engine_.goals.depth() &&
-         wme.id == engine_.goals.at(level).id && engine_.memory.record(id).kind == WmeKind::kArchitecture;
+  const Wme& wme = uses_.memory.wme(id);
+  return wme.attribute == words::kSuperstate && level <= uses_.goals.depth() && wme.id == uses_.goals.at(level).id &&
+         uses_.memory.record(id).kind == WmeKind::kArchitecture;
 }
 
 bool FiringReader::IsOfSuperstateLink(InstantiationId firing, std::uint16_t identity_class, IdentityGraph::Key& key) {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   const GoalLevel level = instantiation.level;
-  if (level < 2 || level > engine_.goals.depth() || !engine_.goals.at(level).has_identities) return false;
+  if (level < 2 || level > uses_.goals.depth() || !uses_.goals.at(level).has_identities) return false;
   const IdentityPlan& plan = Plan(firing);
-  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
   const auto is_it = [&](std::size_t condition) {
     for (const Part part : {Part::kId, Part::kValue}) {
       if (plan.ClassOf(condition, static_cast<Field>(part)) != identity_class) continue;
@@ -319,32 +325,31 @@ bool FiringReader::IsOfSuperstateLink(InstantiationId firing, std::uint16_t iden
 }
 
 std::uint32_t FiringReader::SuperstateLinksOf(InstantiationId firing) {
-  const GoalLevel level = engine_.instantiations[firing].level;
-  if (level < 2 || level > engine_.goals.depth() || !engine_.goals.at(level).has_identities) return 0;
+  const GoalLevel level = uses_.instantiations[firing].level;
+  if (level < 2 || level > uses_.goals.depth() || !uses_.goals.at(level).has_identities) return 0;
   return static_cast<std::uint32_t>(
-      std::ranges::count_if(engine_.instantiations.Trace(firing),
+      std::ranges::count_if(uses_.instantiations.Trace(firing),
                             [&](const ConditionTrace& trace) { return IsSuperstateLink(trace.wme, level); }));
 }
 
 FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_t place) {
-  const ConditionTrace& trace = engine_.instantiations.Trace(firing)[place / 3u];
+  const ConditionTrace& trace = uses_.instantiations.Trace(firing)[place / 3u];
   const Part part = static_cast<Part>(place % 3u);
   if (trace.preference != PreferenceId::kNone) {
     if (!trace.inherits) return Source::kOwn;
     const Term::Kind kind = TermOf(trace.preference, part).kind;
     return kind == Term::Kind::kClass || kind == Term::Kind::kSymbol ? Source::kMaker : Source::kOwn;
   }
-  const GoalLevel level = engine_.instantiations[firing].level;
-  if (level < 2 || part == Part::kAttribute || level > engine_.goals.depth() ||
-      !engine_.goals.at(level).has_identities) {
+  const GoalLevel level = uses_.instantiations[firing].level;
+  if (level < 2 || part == Part::kAttribute || level > uses_.goals.depth() || !uses_.goals.at(level).has_identities) {
     return Source::kOwn;
   }
   if (IsSuperstateLink(trace.wme, level)) return Source::kSuperstate;
-  const Wme& wme = engine_.memory.wme(trace.wme);
-  if (wme.id == engine_.goals.at(level).id && engine_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
+  const Wme& wme = uses_.memory.wme(trace.wme);
+  if (wme.id == uses_.goals.at(level).id && uses_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
     return Source::kItem;
   }
-  if (wme.id == engine_.goals.at(level).id && part == Part::kValue && !wme.value.IsIdentifier()) {
+  if (wme.id == uses_.goals.at(level).id && part == Part::kValue && !wme.value.IsIdentifier()) {
     return Source::kArchitecture;
   }
   return Source::kOwn;
@@ -352,25 +357,25 @@ FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_
 
 IdentityGraph::Key FiringReader::Origin(InstantiationId& firing, std::uint16_t identity_class) {
   for (;;) {
-    const IdentityGraph::Key own{engine_.instantiations[firing].serial, identity_class};
+    const IdentityGraph::Key own{uses_.instantiations[firing].serial, identity_class};
     const IdentityPlan& plan = Plan(firing);
     if (identity_class >= plan.bound()) return own;
     if (IdentityGraph::Key link; IsOfSuperstateLink(firing, identity_class, link)) return link;
     const std::uint16_t place = plan.first[identity_class];
-    const ConditionTrace& trace = engine_.instantiations.Trace(firing)[place / 3u];
+    const ConditionTrace& trace = uses_.instantiations.Trace(firing)[place / 3u];
     const Part part = static_cast<Part>(place % 3u);
     switch (SourceOf(firing, place)) {
       case Source::kOwn:
       case Source::kArchitecture:
         return own;
       case Source::kSuperstate:
-        return SuperstateLink(engine_.instantiations[firing].level, part);
+        return SuperstateLink(uses_.instantiations[firing].level, part);
       case Source::kItem:
-        return part == Part::kId ? SuperstateLink(engine_.instantiations[firing].level, part) : Item(trace.wme);
+        return part == Part::kId ? SuperstateLink(uses_.instantiations[firing].level, part) : Item(trace.wme);
       case Source::kMaker: {
         const Term term = TermOf(trace.preference, part);
         if (term.kind == Term::Kind::kSymbol) return OfSymbol(term.symbol);
-        firing = engine_.memory.preference(trace.preference).instantiation;
+        firing = uses_.memory.preference(trace.preference).instantiation;
         identity_class = term.identity_class;
         break;
       }

@@ -17,13 +17,27 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class GoalChanges;
+class GoalStack;
+class InstantiationTable;
+class Justifier;
+class Rete;
+class WorkingMemory;
 
 /// Reads the firings of substates for learning: the rule, the classes of its fields, and where identities come from. A
 /// firing may be of a rule, of a justification or of the architecture (what long-term memory recalled).
 class FiringReader {
  public:
-  explicit FiringReader(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    InstantiationTable& instantiations;
+    const Rete& rete;
+    const GoalChanges& goal_changes;
+    const Justifier& justifier;
+  };
+  explicit FiringReader(const Uses& uses) : uses_(uses) {}
 
   /// The rule that fired, or null for justifications and the architecture. Readable also after it was excised.
   const Production* Rule(InstantiationId firing);
@@ -116,7 +130,7 @@ class FiringReader {
   [[gnu::noinline]] IdentityPlan PlanWithCopied(InstantiationId firing);
   [[gnu::noinline]] Term TermOfCopier(const Preference& preference, Part part);
 
-  Engine& engine_;
+  Uses uses_;
   struct Known {
     ProductionPtr rule;
     std::unique_ptr<IdentityPlan> plan;

@@ -4,7 +4,11 @@
 #include <algorithm>
 
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/learn/chunker.h"
+#include "kernel/learn/singletons.h"
+#include "kernel/memory/working_memory.h"
 #include "kernel/rules/functions/builtin_functions.h"
 
 namespace soarbox::kernel {
@@ -18,10 +22,10 @@ constexpr Field kFields[] = {Field::kId, Field::kAttribute, Field::kValue};
 }  // namespace
 
 IdentityGraph::Node IdentityAnalysis::OfClass(InstantiationId firing, std::uint16_t identity_class) {
-  if (identity_class == IdentityPlan::kLiteral || !engine_.instantiations[firing].has_identities) {
+  if (identity_class == IdentityPlan::kLiteral || !uses_.instantiations[firing].has_identities) {
     return IdentityGraph::kNone;
   }
-  const std::uint32_t serial = engine_.instantiations[firing].serial;
+  const std::uint32_t serial = uses_.instantiations[firing].serial;
   if (known_.empty()) known_.resize(std::size_t{1} << kKnownBits);
   KnownClass& known = known_[(serial * 0x9E3779B1u + identity_class * 0x85EBCA77u) >> (32u - kKnownBits)];
   if (known.analysis != analysis_ || known.serial != serial || known.identity_class != identity_class) {
@@ -42,7 +46,7 @@ IdentityGraph::Node IdentityAnalysis::FindOrigin(InstantiationId firing, std::ui
 }
 
 IdentityGraph::Node IdentityAnalysis::OfField(InstantiationId firing, std::size_t condition, Field field) {
-  if (!engine_.instantiations[firing].has_identities) return IdentityGraph::kNone;
+  if (!uses_.instantiations[firing].has_identities) return IdentityGraph::kNone;
   return OfClass(firing, reader_.Plan(firing).ClassOf(condition, field));
 }
 
@@ -56,7 +60,7 @@ IdentityGraph::Node IdentityAnalysis::OfGround(const Explanation::Ground& ground
   if (ground.firing != InstantiationId::kNone) return OfField(ground.firing, ground.condition, field);
   if (field == Field::kAttribute) return IdentityGraph::kNone;
   if (field == Field::kValue) return graph_.Of(FiringReader::Item(ground.item));
-  const GoalLevel level = engine_.memory.level(engine_.memory.wme(ground.item).id);
+  const GoalLevel level = uses_.memory.level(uses_.memory.wme(ground.item).id);
   return graph_.Of(FiringReader::SuperstateLink(level, Part::kValue));
 }
 
@@ -79,16 +83,16 @@ void IdentityAnalysis::LiteralizeArguments(const RhsValue& function, Instantiati
     if (argument.kind == RhsValueKind::kFunction) {
       LiteralizeArguments(argument, firing, tester);
     } else if (argument.kind == RhsValueKind::kBound) {
-      const ConditionTrace& trace = engine_.instantiations.Trace(firing)[argument.site().positive_condition];
-      if (FieldOf(engine_.memory.wme(trace.wme), argument.site().field).IsIdentifier()) continue;
+      const ConditionTrace& trace = uses_.instantiations.Trace(firing)[argument.site().positive_condition];
+      if (FieldOf(uses_.memory.wme(trace.wme), argument.site().field).IsIdentifier()) continue;
       Literalize(tester, OfClass(firing, reader_.ClassOf(argument, firing)), JoinReason::kFunctionArgument);
     }
   }
 }
 
 void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
-  if (!engine_.instantiations[link.firing].has_identities) return;
-  const InstantiationId maker = engine_.memory.preference(link.maker).instantiation;
+  if (!uses_.instantiations[link.firing].has_identities) return;
+  const InstantiationId maker = uses_.memory.preference(link.maker).instantiation;
   const IdentityPlan& plan = reader_.Plan(link.firing);
   for (const Field field : kFields) {
     const Said made = reader_.TermOf(link.maker, static_cast<Part>(field));
@@ -122,11 +126,11 @@ void IdentityAnalysis::JoinSingletons(const Explanation& explanation) {
   for (auto ground = explanation.grounds.rbegin(); ground != explanation.grounds.rend(); ++ground) {
     const auto [known, is_new] = first_ground_.try_emplace(Index(ground->wme), &*ground);
     if (is_new) continue;
-    const Wme& wme = engine_.memory.wme(ground->wme);
-    if (!engine_.chunker.singletons().Fits(ground->wme)) continue;
+    const Wme& wme = uses_.memory.wme(ground->wme);
+    if (!uses_.singletons.Fits(ground->wme)) continue;
     const InstantiationId firing = ground->firing != InstantiationId::kNone ? ground->firing : explanation.base;
     const auto is_literal = [&](const Explanation::Ground& of) {
-      return of.firing != InstantiationId::kNone && engine_.instantiations[of.firing].has_identities &&
+      return of.firing != InstantiationId::kNone && uses_.instantiations[of.firing].has_identities &&
              reader_.Plan(of.firing).ClassOf(of.condition, Field::kValue) == IdentityPlan::kLiteral;
     };
     const Explanation::Ground& other = *known->second;
@@ -148,12 +152,12 @@ std::uint32_t IdentityAnalysis::CountLiteralized() const {
 
 std::uint32_t IdentityAnalysis::NumberOfOwn(IdentityGraph::Node node) {
   const IdentityGraph::Key key = graph_.key(node);
-  if (FiringReader::IsSuperstateLink(key)) return engine_.chunker.NumberOfSpecial(key);
+  if (FiringReader::IsSuperstateLink(key)) return uses_.chunker.NumberOfSpecial(key);
   const auto found = firing_of_serial_.find(key.firing);
   if (found == firing_of_serial_.end()) return 0;
   const InstantiationId firing = found->second;
   const IdentityPlan& plan = reader_.Plan(firing);
-  std::uint32_t number = engine_.instantiations[firing].first_identity;
+  std::uint32_t number = uses_.instantiations[firing].first_identity;
   for (std::uint16_t n = 0; n < plan.bound() && n < key.place; ++n) {
     const FiringReader::Source source = reader_.SourceOf(firing, plan.first[n]);
     if (source == FiringReader::Source::kOwn || source == FiringReader::Source::kArchitecture) ++number;
@@ -170,8 +174,8 @@ void IdentityAnalysis::Analyze(const Explanation& explanation, bool log) {
   firing_of_serial_.clear();
   log_ = log;
   for (const Explanation::Link& test : explanation.superstate_links) {
-    const GoalLevel level = engine_.instantiations[test.firing].level;
-    if (!engine_.goals.at(level).has_identities) continue;
+    const GoalLevel level = uses_.instantiations[test.firing].level;
+    if (!uses_.goals.at(level).has_identities) continue;
     for (const Field field : {Field::kId, Field::kValue}) {
       const IdentityGraph::Node tested = OfField(test.firing, test.condition, field);
       if (tested == IdentityGraph::kNone) continue;
@@ -189,8 +193,8 @@ void IdentityAnalysis::Analyze(const Explanation& explanation, bool log) {
   for (const Explanation::Child& child : explanation.children) {
     const Said id = reader_.TermOf(child.child, Part::kId);
     const Said of = reader_.TermOf(child.parent, child.by_referent ? Part::kReferent : Part::kValue);
-    const InstantiationId parent = engine_.memory.preference(child.parent).instantiation;
-    Join(parent, OfTerm(id, engine_.memory.preference(child.child).instantiation), OfTerm(of, parent),
+    const InstantiationId parent = uses_.memory.preference(child.parent).instantiation;
+    Join(parent, OfTerm(id, uses_.memory.preference(child.child).instantiation), OfTerm(of, parent),
          JoinReason::kChild);
   }
   JoinSingletons(explanation);

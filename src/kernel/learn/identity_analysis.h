@@ -13,7 +13,11 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Chunker;
+class GoalStack;
+class InstantiationTable;
+class Singletons;
+class WorkingMemory;
 
 /// Why two identities are one, or why one stands for a literal value only.
 enum class JoinReason : std::uint8_t {
@@ -39,7 +43,15 @@ struct JoinEvent {
 /// rule, and which must be constants.
 class IdentityAnalysis {
  public:
-  IdentityAnalysis(Engine& engine, FiringReader& reader) : engine_(engine), reader_(reader) {}
+  /// What it uses of the agent.
+  struct Uses {
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    const InstantiationTable& instantiations;
+    const Singletons& singletons;
+    const Chunker& chunker;
+  };
+  IdentityAnalysis(const Uses& uses, FiringReader& reader) : uses_(uses), reader_(reader) {}
 
   void Analyze(const Explanation& explanation, bool log);
 
@@ -66,7 +78,7 @@ class IdentityAnalysis {
   void LiteralizeArguments(const RhsValue& function, InstantiationId firing, InstantiationId tester);
   void JoinSingletons(const Explanation& explanation);
 
-  Engine& engine_;
+  Uses uses_;
   FiringReader& reader_;
   IdentityGraph graph_;
   std::vector<JoinEvent> events_;

@@ -7,8 +7,20 @@
 #include <utility>
 
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/agent_settings.h"
+#include "kernel/decide/firing.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/decide/rule_changes.h"
+#include "kernel/learn/chunker.h"
+#include "kernel/learn/descriptions.h"
 #include "kernel/learn/draft_tests.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/wme_changes.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -30,8 +42,8 @@ ValueDraft Constant(Symbol symbol) {
 /// Whether the actions of the rule that fired last propose an operator to a state. As in Soar 9.6.3 that is not asked
 /// of a rule whose last condition is a negated one.
 bool Justifier::Proposes(InstantiationId base) const {
-  const WorkingMemory& memory = engine_.memory;
-  const Instantiation& instantiation = engine_.instantiations[base];
+  const WorkingMemory& memory = uses_.memory;
+  const Instantiation& instantiation = uses_.instantiations[base];
   if (instantiation.justification != Instantiation::kNoJustification) {
     const Record& record = records_[instantiation.justification];
     return instantiation.match != MatchId::kNone && record.negations == nullptr &&
@@ -41,9 +53,9 @@ bool Justifier::Proposes(InstantiationId base) const {
            });
   }
   if (instantiation.production == ProductionId::kNone) return false;
-  const Production& rule = *engine_.rete.production(instantiation.production);
+  const Production& rule = *uses_.rete.production(instantiation.production);
   if (rule.conditions.empty() || rule.conditions.back().kind != ConditionKind::kPositive) return false;
-  const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(base);
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(base);
   return std::ranges::any_of(rule.actions, [&](const Action& action) {
     if (action.is_function_call || action.preference != PreferenceType::kAcceptable ||
         action.attribute.kind != RhsValueKind::kConstant || action.attribute.symbol() != words::kOperator ||
@@ -56,9 +68,9 @@ bool Justifier::Proposes(InstantiationId base) const {
 }
 
 bool Justifier::IsOSupported(const Explanation& explanation, InstantiationId made, GoalLevel goal_level) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   if (explanation.operator_grounds.empty() || Proposes(explanation.base)) return false;
-  const Symbol goal = engine_.goals.at(goal_level).id;
+  const Symbol goal = uses_.goals.at(goal_level).id;
   bool elaborates = false, applies = false;
   for (const WmeId ground : explanation.operator_grounds) {
     if (memory.wme(ground).id != goal) continue;
@@ -66,9 +78,10 @@ bool Justifier::IsOSupported(const Explanation& explanation, InstantiationId mad
       (memory.preference(result).id == memory.wme(ground).value ? elaborates : applies) = true;
     }
   }
-  if (!elaborates || !applies || !engine_.settings.warn_of_mixed_support) return applies;
-  engine_.Print("\nWARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " +
-                std::string(engine_.ProductionName(made)));
+  if (!elaborates || !applies || !uses_.settings.warn_of_mixed_support) return applies;
+  uses_.observers.Print(
+      "\nWARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " +
+      std::string(uses_.descriptions.ProductionName(made)));
   return false;
 }
 
@@ -97,25 +110,25 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   const std::uint32_t digest = Digest(explanation);
   const std::uint32_t original = OriginalOf(explanation, digest);
   const std::uint32_t number = making.name.empty() ? TakeNumber() : 0;
-  if (engine_.observers.Wants(Event::kLearning)) {
+  if (uses_.observers.Wants(Event::kLearning)) {
     const std::string name = making.name.empty() ? NameOfNumber(number) : making.name;
-    engine_.observers.Notify(Event::kLearning, [&](Observer& o) {
-      o.OnLearning(engine_.agent, name);
-      if (original != Instantiation::kNoJustification) o.OnDuplicateLearned(engine_.agent, name, Name(original));
+    uses_.observers.Notify(Event::kLearning, [&](Observer& o) {
+      o.OnLearning(uses_.agent, name);
+      if (original != Instantiation::kNoJustification) o.OnDuplicateLearned(uses_.agent, name, Name(original));
     });
   }
   if (original != Instantiation::kNoJustification) {
-    engine_.instantiations.SkipSerials(1);
+    uses_.instantiations.SkipSerials(1);
     CountDuplicate(explanation.base);
     // What nothing holds yet goes with the justification that is not made: these firings leave no preferences.
-    for (const PreferenceId result : explanation.results) engine_.preferences.FreeIfUnused(result);
+    for (const PreferenceId result : explanation.results) uses_.preferences.FreeIfUnused(result);
     return InstantiationId::kNone;
   }
   const std::uint32_t index = NewRecord();
-  const InstantiationId id = engine_.instantiations.Make();
+  const InstantiationId id = uses_.instantiations.Make();
   {
-    Instantiation& instantiation = engine_.instantiations[id];
-    instantiation.goal = engine_.goals.at(goal_level).id;
+    Instantiation& instantiation = uses_.instantiations[id];
+    instantiation.goal = uses_.goals.at(goal_level).id;
     instantiation.level = goal_level;
     instantiation.held = true;
     instantiation.justification = index;
@@ -137,7 +150,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   record.grounds.clear();
   for (const Explanation::Ground& ground : explanation.grounds) {
     record.grounds.push_back(ground.wme);
-    engine_.changes.AddReference(ground.wme);
+    uses_.changes.AddReference(ground.wme);
   }
   if (!explanation.negations.empty()) {
     RuleDraft kept;
@@ -150,34 +163,34 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   for (const PreferenceId result : explanation.results) record.results.push_back(ResultOf(result));
   record.digest = digest;
   NoteAlike(index);
-  ++engine_.counters.justifications;
+  ++uses_.counters.justifications;
   if (goal_level > 1) {
-    engine_.firing.TraceConditions(id, record.grounds);
-    if (record.plan != nullptr) engine_.chunker.NoteFiring(id);
+    uses_.firing.TraceConditions(id, record.grounds);
+    if (record.plan != nullptr) uses_.chunker.NoteFiring(id);
   }
 
-  if (engine_.observers.Wants(Event::kLearning)) {
-    const FiringInfo info = engine_.DescribeInstantiation(id);
-    engine_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(engine_.agent, info); });
+  if (uses_.observers.Wants(Event::kLearning)) {
+    const FiringInfo info = uses_.descriptions.DescribeInstantiation(id);
+    uses_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(uses_.agent, info); });
   }
   const bool o_support = IsOSupported(explanation, id, goal_level);
   MakeClones(explanation, id, {}, o_support);
-  engine_.instantiations[id].o_support = o_support;
-  engine_.instantiations[id].match = MatchOf(index, id, goal_level);
-  engine_.preferences.LinkToGoal(id);
-  engine_.firing.made().push_back(id);
+  uses_.instantiations[id].o_support = o_support;
+  uses_.instantiations[id].match = MatchOf(index, id, goal_level);
+  uses_.preferences.LinkToGoal(id);
+  uses_.firing.made().push_back(id);
   return id;
 }
 
 /// Clones of the results, one level up. The list is newest first, so the last result is made first.
 void Justifier::MakeClones(const Explanation& explanation, InstantiationId holder,
                            std::span<const std::uint16_t> actions, bool o_support) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = uses_.memory;
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
     const PreferenceId result = explanation.results[n];
     const Preference& original = memory.preference(result);
-    const PreferenceId clone = engine_.preferences.Make(holder, original.id, original.attribute, original.value,
-                                                        original.referent, original.type, o_support);
+    const PreferenceId clone = uses_.preferences.Make(holder, original.id, original.attribute, original.value,
+                                                      original.referent, original.type, o_support);
     Preference& made = memory.mutable_preference(clone);
     Preference& source = memory.mutable_preference(result);
     made.action = actions.empty() ? static_cast<std::uint16_t>(n) : actions[n];
@@ -196,32 +209,32 @@ MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel go
     Rete::AddOptions options;
     options.refracted = record.grounds;
     options.instantiation = id;
-    const Rete::Added added = engine_.rete.AddProduction(AsRule(index, false), engine_.goal_view(), options);
+    const Rete::Added added = uses_.rete.AddProduction(AsRule(index, false), uses_.memory.goal_view(), options);
     if (added.result == Rete::AddResult::kAdded) {
       record.production = added.production;
       return added.refracted;
     }
   }
-  const auto has_left = [&](WmeId ground) { return !engine_.memory.record(ground).in_match; };
+  const auto has_left = [&](WmeId ground) { return !uses_.memory.record(ground).in_match; };
   if (std::ranges::any_of(record.grounds, has_left)) return MatchId::kNone;
   if (record.plan == nullptr) {
-    return engine_.rete.AddFixedMatch(record.grounds, engine_.instantiations[id].goal, goal_level, id);
+    return uses_.rete.AddFixedMatch(record.grounds, uses_.instantiations[id].goal, goal_level, id);
   }
   // Two conditions may have tested one element.
   std::vector<WmeId> elements;
   for (const WmeId ground : record.grounds) {
     if (std::ranges::find(elements, ground) == elements.end()) elements.push_back(ground);
   }
-  return engine_.rete.AddFixedMatch(elements, engine_.instantiations[id].goal, goal_level, id);
+  return uses_.rete.AddFixedMatch(elements, uses_.instantiations[id].goal, goal_level, id);
 }
 
 void Justifier::InstantiationFreed(InstantiationId id) {
-  const std::uint32_t index = engine_.instantiations[id].justification;
+  const std::uint32_t index = uses_.instantiations[id].justification;
   if (index == Instantiation::kNoJustification) return;
-  if (records_[index].production != ProductionId::kNone) engine_.ExciseLater(records_[index].production);
+  if (records_[index].production != ProductionId::kNone) uses_.rule_changes.LeaveMatch(records_[index].production);
   Record& record = records_[index];
   if (!record.excised) ForgetAlike(index);
-  for (const WmeId ground : record.grounds) engine_.changes.DropReference(ground);
+  for (const WmeId ground : record.grounds) uses_.changes.DropReference(ground);
   record.grounds.clear();
   record.negations.reset();
   record.plan.reset();
@@ -238,9 +251,9 @@ bool Justifier::Excise(std::string_view name) {
     record.excised = true;
     const ProductionId production = std::exchange(record.production, ProductionId::kNone);
     if (production != ProductionId::kNone) {
-      engine_.rete.ExciseProduction(production);
+      uses_.rete.ExciseProduction(production);
     } else {
-      engine_.rete.RetractFixedMatch(engine_.instantiations[record.instantiation].match);
+      uses_.rete.RetractFixedMatch(uses_.instantiations[record.instantiation].match);
     }
     return true;
   }
@@ -291,7 +304,7 @@ ValueDraft LiteralFunction(const RhsValue& function, std::span<const WmeId> grou
 
 ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
   const Record& record = records_[index];
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   Arena arena;
   RuleDraft rule;
   rule.name = Name(index);
@@ -360,7 +373,7 @@ ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
 
 void Justifier::ExciseAll() {
   for (const std::uint32_t index : Live()) {
-    if (records_[index].production != ProductionId::kNone) engine_.ExciseLater(records_[index].production);
+    if (records_[index].production != ProductionId::kNone) uses_.rule_changes.LeaveMatch(records_[index].production);
   }
 }
 

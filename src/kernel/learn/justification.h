@@ -22,7 +22,19 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Agent;
+struct AgentCounters;
+struct AgentSettings;
+class Descriptions;
+class Firing;
+class GoalStack;
+class InstantiationTable;
+class Observers;
+class PreferenceChanges;
+class Rete;
+class RuleChanges;
+class WmeChanges;
+class WorkingMemory;
 
 /// Keeps the results of substates: a rule that fired in a substate and made a preference for an object of a higher
 /// state gets a justification, an instantiation at the level of what the result rests on. It holds the result when the
@@ -33,7 +45,24 @@ struct Engine;
 /// the elements (Rete::AddFixedMatch), or, if negated conditions matter, matches the literal conditions.
 class Justifier {
  public:
-  explicit Justifier(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    Agent& agent;
+    WorkingMemory& memory;
+    const GoalStack& goals;
+    InstantiationTable& instantiations;
+    Rete& rete;
+    WmeChanges& changes;
+    PreferenceChanges& preferences;
+    Firing& firing;
+    Chunker& chunker;
+    const Descriptions& descriptions;
+    const AgentSettings& settings;
+    AgentCounters& counters;
+    const Observers& observers;
+    RuleChanges& rule_changes;
+  };
+  explicit Justifier(const Uses& uses) : uses_(uses) {}
 
   /// What a justification has beside its contents while learning is on.
   struct Making {
@@ -127,7 +156,7 @@ class Justifier {
   MatchId MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level);
   std::uint32_t NewRecord();
 
-  Engine& engine_;
+  Uses uses_;
   std::vector<Record> records_;
   mutable std::vector<std::string> names_;  ///< Of the records; empty until somebody asks.
   std::vector<std::uint32_t> free_records_;

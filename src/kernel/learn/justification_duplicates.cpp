@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/instantiation_table.h"
 #include "kernel/learn/justification.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 std::uint32_t Justifier::Digest(const Explanation& explanation) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   std::uint32_t digest = static_cast<std::uint32_t>(explanation.negations.size());
   const auto mix = [&](Symbol symbol) {
     digest = (digest ^ symbol.bits()) * 0x85EBCA6Bu;
@@ -30,12 +32,12 @@ std::uint32_t Justifier::Digest(const Explanation& explanation) const {
 }
 
 Justifier::Record::Result Justifier::ResultOf(PreferenceId id) const {
-  const Preference& p = engine_.memory.preference(id);
+  const Preference& p = uses_.memory.preference(id);
   return {p.id, p.attribute, p.value, p.referent, p.type};
 }
 
 bool Justifier::SaysTheSame(const Record& record, const Explanation& explanation) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const auto same_element = [&](WmeId a, const Explanation::Ground& b) {
     const Wme &x = memory.wme(a), &y = memory.wme(b.wme);
     return x.id == y.id && x.attribute == y.attribute && x.value == y.value && x.acceptable == y.acceptable;
@@ -89,16 +91,16 @@ void Justifier::ForgetAlike(std::uint32_t index) {
 
 bool Justifier::HasTooManyDuplicates(InstantiationId base, std::uint32_t most) const {
   if (duplicates_.empty()) return false;
-  const auto found = duplicates_.find(engine_.instantiations[base].production);
-  return found != duplicates_.end() && found->second.cycle == engine_.counters.decision_cycles &&
+  const auto found = duplicates_.find(uses_.instantiations[base].production);
+  return found != duplicates_.end() && found->second.cycle == uses_.counters.decision_cycles &&
          found->second.count >= most;
 }
 
 void Justifier::CountDuplicate(InstantiationId base) {
-  const ProductionId rule = engine_.instantiations[base].production;
+  const ProductionId rule = uses_.instantiations[base].production;
   if (rule == ProductionId::kNone) return;
   Duplicates& known = duplicates_[rule];
-  if (known.cycle != engine_.counters.decision_cycles) known = {engine_.counters.decision_cycles, 0};
+  if (known.cycle != uses_.counters.decision_cycles) known = {uses_.counters.decision_cycles, 0};
   ++known.count;
 }
 

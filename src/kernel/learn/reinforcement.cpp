@@ -4,8 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/exploration.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/production_record.h"
+#include "kernel/decide/rule_changes.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -23,8 +31,11 @@ bool HasCorrection(RlPolicy policy) {
 
 }  // namespace
 
-Reinforcement::Reinforcement(Engine& engine)
-    : engine_(engine), values_(engine.symbols), choices_(engine), templates_(engine) {}
+Reinforcement::Reinforcement(const Uses& uses)
+    : uses_(uses),
+      values_(uses.symbols),
+      choices_({uses.symbols, uses.memory, uses.goals, uses.counters, uses.exploration}),
+      templates_({uses.symbols, uses.memory, uses.settings, uses.expected_values, uses.rule_changes}) {}
 
 void Reinforcement::Set(const RlSettings& settings) {
   if (settings_.learning && !settings.learning) {
@@ -55,15 +66,15 @@ void Reinforcement::Forget(GoalRecord& record) {
 // Rules and preferences -----------------------------------------------------------------------------------------------
 
 ProductionId Reinforcement::LearningRuleOf(PreferenceId preference) const {
-  const Instantiation& maker = engine_.instantiations[engine_.memory.preference(preference).instantiation];
+  const Instantiation& maker = uses_.instantiations[uses_.memory.preference(preference).instantiation];
   if (maker.production == ProductionId::kNone || maker.justification != kNoJustification) return ProductionId::kNone;
   // (A rule that has just been excised may still have matches.)
-  if (!engine_.productions[Index(maker.production)].Is(Engine::ProductionRecord::kLive)) return ProductionId::kNone;
-  return engine_.rete.production(maker.production)->is_rl ? maker.production : ProductionId::kNone;
+  if (!uses_.productions[Index(maker.production)].Is(ProductionRecord::kLive)) return ProductionId::kNone;
+  return uses_.rete.production(maker.production)->is_rl ? maker.production : ProductionId::kNone;
 }
 
 Reinforcement::Future Reinforcement::Judge(const Goal& goal, Symbol value) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   Future judged;
   judged.from_rules = false;
   double sum = 0;
@@ -76,28 +87,28 @@ Reinforcement::Future Reinforcement::Judge(const Goal& goal, Symbol value) const
     if (!is_number && preference.type != PreferenceType::kBinaryIndifferent) continue;
     ++count;
     if (!is_number) continue;
-    sum += engine_.symbols.NumberValue(preference.referent);
+    sum += uses_.symbols.NumberValue(preference.referent);
     judged.from_rules = judged.from_rules || LearningRuleOf(p) != ProductionId::kNone;
   }
-  judged.value = count > 0 && engine_.exploration.average_numbers ? sum / count : sum;
+  judged.value = count > 0 && uses_.exploration.average_numbers ? sum / count : sum;
   return judged;
 }
 
 // The hooks -----------------------------------------------------------------------------------------------------------
 
 void Reinforcement::OperatorChosen(GoalLevel level, std::span<const Candidate> candidates, const Candidate& winner) {
-  const Goal& goal = engine_.goals.at(level);
+  const Goal& goal = uses_.goals.at(level);
   if (settings_.trace) KeepChoice(goal, candidates, winner);
-  for (GoalLevel each = 1; each <= engine_.goals.depth(); ++each) Collect(each);
+  for (GoalLevel each = 1; each <= uses_.goals.depth(); ++each) Collect(each);
   Future next = Judge(goal, winner.value);
   chosen_ratio_ = 1;
   if (candidates.size() > 1 && IsOffPolicy(settings_.policy)) {
     // What would have been best counts, whatever was chosen.
     const Candidate* best = &candidates.front();
-    double highest = NumericValue(*best, engine_.exploration);
+    double highest = NumericValue(*best, uses_.exploration);
     std::uint32_t ties = 0;
     for (const Candidate& candidate : candidates) {
-      const double value = NumericValue(candidate, engine_.exploration);
+      const double value = NumericValue(candidate, uses_.exploration);
       if (value > highest) {
         best = &candidate;
         highest = value;
@@ -105,11 +116,11 @@ void Reinforcement::OperatorChosen(GoalLevel level, std::span<const Candidate> c
       }
       if (value == highest) ++ties;
     }
-    const bool greedy = NumericValue(winner, engine_.exploration) == highest;
-    const ExplorationPolicy exploration = engine_.exploration.policy;
+    const bool greedy = NumericValue(winner, uses_.exploration) == highest;
+    const ExplorationPolicy exploration = uses_.exploration.policy;
     if (settings_.policy == RlPolicy::kOffPolicyGqLambda && exploration != ExplorationPolicy::kFirst &&
         exploration != ExplorationPolicy::kLast) {
-      const std::vector<double> chances = SelectionChances(candidates, engine_.exploration);
+      const std::vector<double> chances = SelectionChances(candidates, uses_.exploration);
       const auto at = std::ranges::find(candidates, winner.value, &Candidate::value) - candidates.begin();
       chosen_ratio_ = greedy ? 1.0 / ties / chances[static_cast<std::size_t>(at)] : 0;
     }
@@ -128,13 +139,13 @@ void Reinforcement::KeepChoice(const Goal& goal, std::span<const Candidate> cand
 }
 
 void Reinforcement::Note(GoalRecord& record, ProductionId rule) {
-  ++values_.Of(rule, *engine_.rete.production(rule)).previous_in;
+  ++values_.Of(rule, *uses_.rete.production(rule)).previous_in;
   record.previous.push_back(rule);
 }
 
 void Reinforcement::OperatorInstalled(GoalLevel level, Symbol op) {
-  const Goal& goal = engine_.goals.at(level);
-  const WorkingMemory& memory = engine_.memory;
+  const Goal& goal = uses_.goals.at(level);
+  const WorkingMemory& memory = uses_.memory;
   GoalRecord& record = Record(level);
   bool any = false;
   for (PreferenceId p = memory.slot(goal.operator_slot).others; p != PreferenceId::kNone;
@@ -160,7 +171,7 @@ void Reinforcement::OperatorInstalled(GoalLevel level, Symbol op) {
   }
   if (record.previous.empty()) return;
   if (record.gap == 0) {
-    engine_.observers.Notify(Event::kReinforcement, [&](Observer& o) { o.OnRewardGap(engine_.agent, goal.id, true); });
+    uses_.observers.Notify(Event::kReinforcement, [&](Observer& o) { o.OnRewardGap(uses_.agent, goal.id, true); });
   }
   ++record.gap;
 }
@@ -175,7 +186,7 @@ void Reinforcement::GoalEnds(GoalLevel level) {
 }
 
 void Reinforcement::Halted() {
-  for (auto level = static_cast<GoalLevel>(engine_.goals.depth()); level >= 1; --level) {
+  for (auto level = static_cast<GoalLevel>(uses_.goals.depth()); level >= 1; --level) {
     Collect(level);
     Update(level, {});
   }
@@ -207,7 +218,7 @@ void Reinforcement::Initialized() {
 // Rules that nobody uses ----------------------------------------------------------------------------------------------
 
 bool Reinforcement::IsUnused(ProductionId rule) const {
-  const Production& production = *engine_.rete.production(rule);
+  const Production& production = *uses_.rete.production(rule);
   if (production.type != ProductionType::kChunk) return false;
   if (!production.is_rl) return apoptosis_.mode() == ApoptosisMode::kChunks;
   const RlValue* const value = values_.Find(rule);
@@ -215,25 +226,25 @@ bool Reinforcement::IsUnused(ProductionId rule) const {
 }
 
 void Reinforcement::MatchEnded(ProductionId rule) {
-  if (rule == ProductionId::kNone || !engine_.productions[Index(rule)].Is(Engine::ProductionRecord::kLive)) return;
+  if (rule == ProductionId::kNone || !uses_.productions[Index(rule)].Is(ProductionRecord::kLive)) return;
   if (IsUnused(rule)) apoptosis_.Used(rule);
 }
 
 void Reinforcement::CycleEnds() {
   for (const ProductionId rule : apoptosis_.EndDecision()) {
-    const MatchSet& matches = engine_.rete.matches();
+    const MatchSet& matches = uses_.rete.matches();
     bool matched = false;
     matches.ForEachMatch([&](MatchId match) {
       matched = matched || (matches.ProductionOf(match) == Index(rule) && matches.StateOf(match) == MatchState::kFired);
     });
-    if (!matched && IsUnused(rule)) engine_.agent.Excise(rule);
+    if (!matched && IsUnused(rule)) uses_.rule_changes.Excise(rule);
   }
 }
 
 // Reward --------------------------------------------------------------------------------------------------------------
 
 double Reinforcement::RewardOf(Symbol reward_link) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const SlotId rewards = memory.FindSlot(reward_link, words::kReward);
   if (rewards == SlotId::kNone) return 0;
   double sum = 0;
@@ -243,7 +254,7 @@ double Reinforcement::RewardOf(Symbol reward_link) const {
     if (values == SlotId::kNone) continue;
     for (WmeId value = memory.slot(values).wmes; value != WmeId::kNone; value = memory.record(value).next) {
       const Symbol number = memory.wme(value).value;
-      if (number.IsNumber()) sum += engine_.symbols.NumberValue(number);
+      if (number.IsNumber()) sum += uses_.symbols.NumberValue(number);
     }
   }
   return sum;
@@ -252,12 +263,12 @@ double Reinforcement::RewardOf(Symbol reward_link) const {
 void Reinforcement::Collect(GoalLevel level) {
   GoalRecord& record = Record(level);
   if (record.previous.empty()) return;
-  const double reward = RewardOf(engine_.goals.at(level).reward_link);
+  const double reward = RewardOf(uses_.goals.at(level).reward_link);
   const std::uint32_t age = record.held + (settings_.temporal_discount ? record.gap : 0);
   record.reward += reward * std::pow(settings_.discount_rate, age);
   statistics_.reward = reward;
   statistics_.total_reward += reward;
-  if (settings_.hrl_discount && level < engine_.goals.depth()) ++record.held;
+  if (settings_.hrl_discount && level < uses_.goals.depth()) ++record.held;
 }
 
 // Updating ------------------------------------------------------------------------------------------------------------
@@ -266,14 +277,13 @@ void Reinforcement::Update(GoalLevel level, const Future& future) {
   if (settings_.temporal_extension && !future.from_rules) return;
   GoalRecord& record = Record(level);
   if (!record.previous.empty()) {
-    const Goal& goal = engine_.goals.at(level);
+    const Goal& goal = uses_.goals.at(level);
     if (record.gap > 0 && settings_.temporal_extension) {
-      engine_.observers.Notify(Event::kReinforcement,
-                               [&](Observer& o) { o.OnRewardGap(engine_.agent, goal.id, false); });
+      uses_.observers.Notify(Event::kReinforcement, [&](Observer& o) { o.OnRewardGap(uses_.agent, goal.id, false); });
     }
     const std::uint32_t age = record.held + 1 + (settings_.temporal_discount ? record.gap : 0);
     const double discount = std::pow(settings_.discount_rate, age);
-    AdvanceTraces(record, discount, level < engine_.goals.depth());
+    AdvanceTraces(record, discount, level < uses_.goals.depth());
 
     double current = 0, expected = 0, previous_product = 0, trace_product = 0;
     for (const ProductionId rule : record.previous) {
@@ -347,18 +357,18 @@ void Reinforcement::Move(const Trace& trace, const Step& step, Symbol& shown) {
   const double current = rate * trace.weight * step.current_error;
   const double future = step.expected ? rate * trace.weight * step.future_error : 0;
   const RlUpdate told{trace.rule, value.current, value.future, value.current + current, value.future + future};
-  engine_.observers.Notify(Event::kReinforcement, [&](Observer& o) { o.OnRlUpdate(engine_.agent, told); });
+  uses_.observers.Notify(Event::kReinforcement, [&](Observer& o) { o.OnRlUpdate(uses_.agent, told); });
   value.current += current;
   value.future += future;
   value.correction += settings_.step_size * (current + future);
   value.updates += 1;
   value.mark = update_;
-  shown = value.value = engine_.symbols.Float(value.current + value.future);
+  shown = value.value = uses_.symbols.Float(value.current + value.future);
 }
 
 void Reinforcement::CorrectGradient(const Goal& goal, const GoalRecord& record, double trace_product,
                                     double previous_product) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const double rate = settings_.learning_rate;
   const double towards = rate * settings_.discount_rate * (1 - settings_.trace_decay) * trace_product;
   for (PreferenceId p = memory.slot(goal.operator_slot).others; p != PreferenceId::kNone;
@@ -366,7 +376,7 @@ void Reinforcement::CorrectGradient(const Goal& goal, const GoalRecord& record, 
     if (memory.preference(p).type != PreferenceType::kNumericIndifferent) continue;
     const ProductionId rule = LearningRuleOf(p);
     if (rule == ProductionId::kNone) continue;
-    values_.Of(rule, *engine_.rete.production(rule)).future -= towards;
+    values_.Of(rule, *uses_.rete.production(rule)).future -= towards;
   }
   for (const ProductionId rule : record.previous) {
     values_.Find(rule)->correction -= rate * settings_.step_size * previous_product;
@@ -375,16 +385,15 @@ void Reinforcement::CorrectGradient(const Goal& goal, const GoalRecord& record, 
 
 // As in Soar 9.6.3 all of them get the number of the rule that moved last. Slots are not decided anew.
 void Reinforcement::ShowInPreferences(Symbol shown) {
-  WorkingMemory& memory = engine_.memory;
-  for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) {
+  WorkingMemory& memory = uses_.memory;
+  for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) {
     PreferenceId next;
-    for (PreferenceId p = memory.slot(engine_.goals.at(level).operator_slot).others; p != PreferenceId::kNone;
-         p = next) {
+    for (PreferenceId p = memory.slot(uses_.goals.at(level).operator_slot).others; p != PreferenceId::kNone; p = next) {
       const Preference& preference = memory.preference(p);
       next = preference.next_in_slot;
       if (preference.type != PreferenceType::kNumericIndifferent) continue;
       const ProductionId rule = LearningRuleOf(p);
-      if (rule == ProductionId::kNone || engine_.instantiations[preference.instantiation].match == MatchId::kNone) {
+      if (rule == ProductionId::kNone || uses_.instantiations[preference.instantiation].match == MatchId::kNone) {
         continue;
       }
       const RlValue* const value = values_.Find(rule);

@@ -16,8 +16,20 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Agent;
+struct AgentCounters;
+struct AgentSettings;
+class ExpectedValues;
+struct ExplorationSettings;
 struct Goal;
+class GoalStack;
+class InstantiationTable;
+class Observers;
+class ProductionRecord;
+class Rete;
+class RuleChanges;
+class SymbolTable;
+class WorkingMemory;
 
 /// What `rl --stats` shows.
 struct RlStatistics {
@@ -35,7 +47,23 @@ struct RlStatistics {
 /// networks are only read.
 class Reinforcement {
  public:
-  explicit Reinforcement(Engine& engine);
+  /// What it uses of the agent.
+  struct Uses {
+    Agent& agent;
+    SymbolTable& symbols;
+    WorkingMemory& memory;
+    const GoalStack& goals;
+    const InstantiationTable& instantiations;
+    const Rete& rete;
+    const AgentSettings& settings;
+    const AgentCounters& counters;
+    const ExplorationSettings& exploration;
+    const ExpectedValues& expected_values;
+    const std::vector<ProductionRecord>& productions;
+    const Observers& observers;
+    RuleChanges& rule_changes;
+  };
+  explicit Reinforcement(const Uses& uses);
 
   bool learning() const { return settings_.learning; }
   const RlSettings& settings() const { return settings_; }
@@ -124,7 +152,7 @@ class Reinforcement {
   void KeepChoice(const Goal& goal, std::span<const Candidate> candidates, const Candidate& winner);
   void Note(GoalRecord& record, ProductionId rule);
 
-  Engine& engine_;
+  Uses uses_;
   RlSettings settings_;
   RlValues values_;
   RlStatistics statistics_;

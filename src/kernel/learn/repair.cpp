@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/goal_stack.h"
 #include "kernel/learn/draft_tests.h"
 #include "kernel/learn/rule_builder.h"
+#include "kernel/memory/working_memory.h"
 #include "kernel/rules/variable_index.h"
 
 namespace soarbox::kernel {
@@ -91,7 +92,7 @@ bool RuleBuilder::FindPath(Symbol from, Symbol to, std::vector<WmeId>& path) {
     std::vector<WmeId> elements;
     std::size_t next = 0;
   };
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   visited_.assign(memory.identifier_limit(), 0);
   std::vector<Open> stack;
   path.clear();
@@ -123,7 +124,7 @@ bool RuleBuilder::FindPath(Symbol from, Symbol to, std::vector<WmeId>& path) {
 }
 
 void RuleBuilder::AddLink(WmeId element, Symbol target, Symbol target_variable) {
-  const Wme& wme = engine_.memory.wme(element);
+  const Wme& wme = uses_.memory.wme(element);
   const auto meaning = [&](Symbol symbol) {
     if (symbol == target) return target_variable;
     return symbol.IsIdentifier() ? VariableOfIdentifier(symbol) : symbol;
@@ -151,7 +152,7 @@ Symbol RuleBuilder::IdentifierOf(Symbol variable) const {
 }
 
 bool RuleBuilder::Repair(GoalLevel results_level) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   std::vector<std::pair<Symbol, Symbol>> targets;  // Variable, identifier.
   const auto add = [&](Symbol variable) {
     const Symbol identifier = IdentifierOf(variable);
@@ -175,16 +176,16 @@ bool RuleBuilder::Repair(GoalLevel results_level) {
   for (std::size_t n = 0; n < targets.size(); ++n) {
     const auto& [variable, identifier] = targets[n];
     const GoalLevel level = memory.level(identifier);
-    if (level == 0 || level > results_level || level > engine_.goals.depth()) return false;
+    if (level == 0 || level > results_level || level > uses_.goals.depth()) return false;
     std::vector<WmeId> links;
-    const Symbol goal = engine_.goals.at(level).id;
+    const Symbol goal = uses_.goals.at(level).id;
     std::vector<WmeId> path;
     if (!FindPath(goal, identifier, path)) {
       if (n < hanging) return false;
       continue;
     }
     for (GoalLevel below = results_level; below > level; --below) {
-      for (WmeId wme = memory.identifier(engine_.goals.at(below).id).architecture_wmes; wme != WmeId::kNone;
+      for (WmeId wme = memory.identifier(uses_.goals.at(below).id).architecture_wmes; wme != WmeId::kNone;
            wme = memory.record(wme).next) {
         if (memory.wme(wme).attribute == words::kSuperstate) links.push_back(wme);
       }

@@ -6,15 +6,18 @@
 #include <cstdlib>
 #include <utility>
 
-#include "kernel/decide/engine.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/decide/firing.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 bool ResultCollector::Collect(InstantiationId id, Explanation& out) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   out.results.clear();
   out.children.clear();
-  for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
+  for (PreferenceId p = uses_.instantiations[id].preferences; p != PreferenceId::kNone;
        p = memory.preference(p).next_of_instantiation) {
     if (memory.level(memory.preference(p).id) >= out.level) continue;
     parts_.push_back({p, Symbol(), {}});
@@ -33,9 +36,9 @@ bool ResultCollector::Collect(InstantiationId id, Explanation& out) {
 }
 
 void ResultCollector::Add(PreferenceId preference, const Explanation::Child& from, Explanation& out) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = uses_.memory;
   if (memory.preference(preference).level != out.level) {
-    preference = engine_.firing.CloneAtLevel(preference, out.level);
+    preference = uses_.firing.CloneAtLevel(preference, out.level);
     if (preference == PreferenceId::kNone) return;
   }
   if (from.parent != PreferenceId::kNone) out.children.push_back({preference, from.parent, from.by_referent});
@@ -57,7 +60,7 @@ void ResultCollector::Add(PreferenceId preference, const Explanation::Child& fro
 /// An object of the substate that becomes part of a result brings all it consists of: a state, too, which then hangs on
 /// nothing but what it is made of.
 void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanation::Child& from, Explanation& out) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   if (!id.IsIdentifier() || memory.level(id) < out.level) return;
   if (seen_identifiers_.size() <= id.index()) seen_identifiers_.resize(id.index() + 1u, 0);
   if (std::exchange(seen_identifiers_[id.index()], out.trace_number) == out.trace_number) return;
@@ -84,7 +87,7 @@ void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanat
     }
   }
   // What the same firing says of it is not in its slots yet.
-  for (PreferenceId p = engine_.instantiations[base].preferences; p != PreferenceId::kNone;
+  for (PreferenceId p = uses_.instantiations[base].preferences; p != PreferenceId::kNone;
        p = memory.preference(p).next_of_instantiation) {
     if (memory.preference(p).id == id) parts_.push_back({p, Symbol(), from});
   }
@@ -94,7 +97,7 @@ void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanat
 #ifdef SOARBOX_CHECK_INVARIANTS
 /// What is left out would lose its support with the substate.
 void ResultCollector::Check(const Explanation& explanation) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   std::vector<Symbol> reached;
   const auto reach = [&](Symbol id) {
     if (id.IsIdentifier() && memory.level(id) >= explanation.level && std::ranges::find(reached, id) == reached.end()) {
@@ -109,15 +112,15 @@ void ResultCollector::Check(const Explanation& explanation) const {
     for (SlotId slot = memory.identifier(reached[n]).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
       for (const PreferenceId first : {memory.slot(slot).acceptable, memory.slot(slot).others}) {
         for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
-          const PreferenceId local = engine_.firing.CloneAtLevel(p, explanation.level);
+          const PreferenceId local = uses_.firing.CloneAtLevel(p, explanation.level);
           if (local == PreferenceId::kNone) continue;
           reach(memory.preference(p).value);
           reach(memory.preference(p).referent);
           if (memory.preference(local).seen == explanation.trace_number) continue;
           std::fprintf(stderr, "soarbox: a result lacks a part: (%s ^%s %s)\n",
-                       ToString(engine_.symbols, memory.preference(p).id).c_str(),
-                       ToString(engine_.symbols, memory.preference(p).attribute).c_str(),
-                       ToString(engine_.symbols, memory.preference(p).value).c_str());
+                       ToString(uses_.symbols, memory.preference(p).id).c_str(),
+                       ToString(uses_.symbols, memory.preference(p).attribute).c_str(),
+                       ToString(uses_.symbols, memory.preference(p).value).c_str());
           std::abort();
         }
       }

@@ -8,12 +8,22 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Firing;
+class InstantiationTable;
+class SymbolTable;
+class WorkingMemory;
 
 /// The first stage of learning: what a firing gave to higher states.
 class ResultCollector {
  public:
-  explicit ResultCollector(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    WorkingMemory& memory;
+    InstantiationTable& instantiations;
+    const SymbolTable& symbols;
+    Firing& firing;
+  };
+  explicit ResultCollector(const Uses& uses) : uses_(uses) {}
 
   /// Fills in `results` and `children` of a firing; false if it gave nothing to a higher state.
   bool Collect(InstantiationId firing, Explanation& out);
@@ -25,7 +35,7 @@ class ResultCollector {
   void Add(PreferenceId preference, const Explanation::Child& from, Explanation& out);
   void AddPartsOf(Symbol id, InstantiationId base, const Explanation::Child& from, Explanation& out);
 
-  Engine& engine_;
+  Uses uses_;
   /// Still to be added: a preference, or else all that is said of an object; and the result that led there.
   struct Part {
     PreferenceId preference = PreferenceId::kNone;

@@ -8,7 +8,11 @@
 #include <utility>
 
 #include "kernel/base/characters.h"
-#include "kernel/decide/engine.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/decide/agent_settings.h"
+#include "kernel/decide/rule_changes.h"
+#include "kernel/memory/working_memory.h"
+#include "kernel/rules/expected_values.h"
 #include "kernel/rules/finish_rule.h"
 
 namespace soarbox::kernel {
@@ -18,7 +22,8 @@ namespace {
 /// Puts a match's symbols in place of a template's variables.
 class Substitution {
  public:
-  Substitution(Engine& engine, Arena& arena) : engine_(engine), arena_(arena) {}
+  Substitution(SymbolTable& symbols, const WorkingMemory& memory, Arena& arena)
+      : symbols_(symbols), memory_(memory), arena_(arena) {}
 
   /// What a variable of the template stands for, from the positive conditions.
   void Bind(const Condition& condition, const Wme& wme) {
@@ -31,7 +36,7 @@ class Substitution {
     ConditionDraft draft;
     draft.tests_acceptable = condition.tests_acceptable;
     draft.id = Field(condition.id, wme.id);
-    if (engine_.memory.identifier(wme.id).is_goal && std::ranges::find(goals_, wme.id) == goals_.end()) {
+    if (memory_.identifier(wme.id).is_goal && std::ranges::find(goals_, wme.id) == goals_.end()) {
       goals_.push_back(wme.id);
       draft.id = And(MakeTest(TestKind::kState), draft.id);
     }
@@ -51,9 +56,9 @@ class Substitution {
     if (symbol.IsIdentifier()) {
       const auto known = std::ranges::find(variables_, symbol, &Pair::first);
       if (known != variables_.end()) return known->second;
-      return variables_.emplace_back(symbol, NewVariable(ToLower(engine_.symbols.Letter(symbol)))).second;
+      return variables_.emplace_back(symbol, NewVariable(ToLower(symbols_.Letter(symbol)))).second;
     }
-    SymbolTable& symbols = engine_.symbols;  // Interning pins what an element alone would not keep.
+    SymbolTable& symbols = symbols_;  // Interning pins what an element alone would not keep.
     if (symbol.IsFloat()) return symbols.Float(symbols.FloatValue(symbol));
     if (symbol.IsInteger()) return symbols.Integer(symbols.IntegerValue(symbol));
     return symbol.IsString() ? symbols.String(std::string(symbols.Text(symbol))) : symbol;
@@ -69,7 +74,7 @@ class Substitution {
 
   Symbol NewVariable(char letter) {
     const int number = ++counts_[static_cast<std::size_t>(letter - 'a')];
-    return engine_.symbols.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
+    return symbols_.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
   }
 
   TestDraft And(const TestDraft& first, const TestDraft& second) {
@@ -116,7 +121,8 @@ class Substitution {
     for (TestDraft& part : test.parts) Substitute(part);
   }
 
-  Engine& engine_;
+  SymbolTable& symbols_;
+  const WorkingMemory& memory_;
   Arena& arena_;
   std::vector<Pair> bindings_;   ///< Variables of the template and what they matched.
   std::vector<Pair> variables_;  ///< Identifiers and their variables in the new rule.
@@ -130,7 +136,7 @@ class Substitution {
 RlTemplates::Pattern RlTemplates::PatternOf(ProductionId source, std::span<const WmeId> wmes, Symbol value) const {
   Pattern pattern{Index(source)};
   // (If rules that differ in their number only count as equal, it makes no difference here.)
-  pattern.push_back(engine_.settings.ignore_numbers_of_duplicates ? 0 : value.bits());
+  pattern.push_back(uses_.settings.ignore_numbers_of_duplicates ? 0 : value.bits());
   std::vector<Symbol> seen;
   const auto add = [&](Symbol symbol) {
     if (!symbol.IsIdentifier()) {
@@ -139,12 +145,12 @@ RlTemplates::Pattern RlTemplates::PatternOf(ProductionId source, std::span<const
     }
     auto at = std::ranges::find(seen, symbol);
     if (at == seen.end()) at = seen.insert(at, symbol);
-    const bool is_goal = engine_.memory.identifier(symbol).is_goal;
+    const bool is_goal = uses_.memory.identifier(symbol).is_goal;
     pattern.push_back(static_cast<std::uint64_t>(is_goal ? 3 : 2) << 32 |
                       static_cast<std::uint64_t>(at - seen.begin()));
   };
   for (const WmeId id : wmes) {
-    const Wme& wme = engine_.memory.wme(id);
+    const Wme& wme = uses_.memory.wme(id);
     add(wme.id);
     add(wme.attribute);
     add(wme.value);
@@ -160,14 +166,13 @@ void RlTemplates::Instantiate(ProductionId source, const Production& rule, std::
   std::string name;
   do {
     name = "rl*" + std::string(rule.name) + "*" + std::to_string(next_++);
-  } while (engine_.agent.FindProduction(name) != ProductionId::kNone);
+  } while (uses_.rule_changes.Find(name) != ProductionId::kNone);
   const ProductionPtr made = Build(rule, wmes, value, name);
   if (made == nullptr) {
     next_ = number;
     return;
   }
-  const LoadOutcome outcome = engine_.agent.AddProduction(made);
-  engine_.StopIfBroken();
+  const RuleChanges::Outcome outcome = uses_.rule_changes.Add(made);
   if (!outcome.loaded) next_ = number;
   if (outcome.production != ProductionId::kNone) made_.emplace(std::move(pattern), outcome.production);
 }
@@ -175,27 +180,27 @@ void RlTemplates::Instantiate(ProductionId source, const Production& rule, std::
 ProductionPtr RlTemplates::Build(const Production& rule, std::span<const WmeId> wmes, Symbol value,
                                  std::string_view name) const {
   if (rule.actions.size() != 1) return nullptr;
-  const SymbolTable::PinScope pin(engine_.symbols);
+  const SymbolTable::PinScope pin(uses_.symbols);
   Arena arena;
-  Substitution substitution(engine_, arena);
+  Substitution substitution(uses_.symbols, uses_.memory, arena);
   std::size_t place = 0;
   for (const Condition& condition : rule.conditions) {
-    if (condition.kind == ConditionKind::kPositive) substitution.Bind(condition, engine_.memory.wme(wmes[place++]));
+    if (condition.kind == ConditionKind::kPositive) substitution.Bind(condition, uses_.memory.wme(wmes[place++]));
   }
   RuleDraft draft;
   draft.name = name;
   place = 0;
   for (const Condition& condition : rule.conditions) {
     draft.conditions.Add(arena.New(condition.kind == ConditionKind::kPositive
-                                       ? substitution.Positive(condition, engine_.memory.wme(wmes[place++]))
+                                       ? substitution.Positive(condition, uses_.memory.wme(wmes[place++]))
                                        : substitution.Negative(condition)));
   }
   const Action& source = rule.actions.front();
   const auto term = [&](const RhsValue& written) {
     ValueDraft made;
     if (written.kind == RhsValueKind::kBound) {
-      made.symbol = substitution.TermOf(
-          FieldOf(engine_.memory.wme(wmes[written.site().positive_condition]), written.site().field));
+      made.symbol =
+          substitution.TermOf(FieldOf(uses_.memory.wme(wmes[written.site().positive_condition]), written.site().field));
     } else if (written.kind == RhsValueKind::kConstant) {
       made.symbol = written.symbol();
     }
@@ -214,7 +219,7 @@ ProductionPtr RlTemplates::Build(const Production& rule, std::span<const WmeId> 
   variables.NumberAll(draft.conditions);
   variables.NumberAll(draft.actions);
   ParseOutcome out;
-  if (!FinishRule(draft, variables, {}, engine_.symbols, engine_.expected_values, arena, out)) return nullptr;
+  if (!FinishRule(draft, variables, {}, uses_.symbols, uses_.expected_values, arena, out)) return nullptr;
   return Production::Make(draft);
 }
 

@@ -13,7 +13,11 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentSettings;
+class ExpectedValues;
+class RuleChanges;
+class SymbolTable;
+class WorkingMemory;
 
 /// Makes rules out of templates: for each match of a rule with :template one rule rl*NAME*n that has the matched
 /// constants in place of variables, and whose number is learned on its own. Identifiers stay variables. Of comparisons
@@ -21,7 +25,15 @@ struct Engine;
 /// again.
 class RlTemplates {
  public:
-  explicit RlTemplates(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    SymbolTable& symbols;
+    const WorkingMemory& memory;
+    const AgentSettings& settings;
+    const ExpectedValues& expected_values;
+    RuleChanges& rule_changes;
+  };
+  explicit RlTemplates(const Uses& uses) : uses_(uses) {}
 
   /// A template matched these elements, one for each positive condition, and its action gave this value. No rule is
   /// made of a value that is no number. The new rule is matched at once.
@@ -37,7 +49,7 @@ class RlTemplates {
   Pattern PatternOf(ProductionId source, std::span<const WmeId> wmes, Symbol value) const;
   ProductionPtr Build(const Production& rule, std::span<const WmeId> wmes, Symbol value, std::string_view name) const;
 
-  Engine& engine_;
+  Uses uses_;
   std::uint64_t next_ = 1;                ///< Of all templates together.
   std::map<Pattern, ProductionId> made_;  ///< So that a template that fires again costs little.
 };

@@ -8,9 +8,15 @@
 #include <string>
 #include <tuple>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
 #include "kernel/learn/draft_tests.h"
+#include "kernel/learn/justification.h"
+#include "kernel/learn/learn_settings.h"
+#include "kernel/memory/working_memory.h"
+#include "kernel/rules/expected_values.h"
 #include "kernel/rules/finish_rule.h"
 #include "kernel/rules/variable_index.h"
 
@@ -62,8 +68,8 @@ RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_vi
 Symbol RuleBuilder::NewVariable(Symbol of) {
   char letter = 'c';
   if (of.IsIdentifier()) {
-    letter = static_cast<char>(engine_.symbols.Letter(of) | 0x20);
-    if (engine_.memory.identifier(of).is_goal) {
+    letter = static_cast<char>(uses_.symbols.Letter(of) | 0x20);
+    if (uses_.memory.identifier(of).is_goal) {
       letter = 's';
     } else if (letter == 's') {
       letter = 'c';
@@ -73,7 +79,7 @@ Symbol RuleBuilder::NewVariable(Symbol of) {
   char name[16] = {'<', letter};
   char* end = std::to_chars(name + 2, std::end(name) - 1, number).ptr;
   *end++ = '>';
-  const Symbol variable = engine_.symbols.Variable({name, static_cast<std::size_t>(end - name)});
+  const Symbol variable = uses_.symbols.Variable({name, static_cast<std::size_t>(end - name)});
   if (of.IsIdentifier()) identifier_of_variable_.emplace_back(variable, of);
   return variable;
 }
@@ -89,7 +95,7 @@ Symbol RuleBuilder::Meaning(IdentityGraph::Node node, Symbol value) {
 
 Symbol RuleBuilder::VariableOfIdentifier(Symbol identifier) {
   for (const Made& made : made_) {
-    const Wme& wme = engine_.memory.wme(made.wme);
+    const Wme& wme = uses_.memory.wme(made.wme);
     for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
       if (kernel::FieldOf(wme, field) != identifier) continue;
       const Symbol symbol = EqualitySymbol(FieldOf(*made.draft, field));
@@ -106,7 +112,7 @@ Symbol RuleBuilder::VariableOfIdentifier(Symbol identifier) {
 void RuleBuilder::MakeConditions(const Explanation& explanation) {
   for (std::uint32_t n = 0; n < explanation.grounds.size(); ++n) {
     const Explanation::Ground& ground = explanation.grounds[n];
-    const Wme& wme = engine_.memory.wme(ground.wme);
+    const Wme& wme = uses_.memory.wme(ground.wme);
     Made made;
     made.draft = arena_.New<ConditionDraft>();
     made.wme = ground.wme;
@@ -137,7 +143,7 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
 /// a justification, of the reasoning that it stands for.
 template <typename Visit>
 void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit) {
-  const Instantiation& instantiation = engine_.instantiations[firing];
+  const Instantiation& instantiation = uses_.instantiations[firing];
   if (!instantiation.has_identities) return;
   const bool is_rule = reader_.Rule(firing) != nullptr;
   if (is_rule && !reader_.TestedBy(firing, condition).Carries(field)) return;
@@ -157,7 +163,7 @@ void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition
       if (test.referent.IsVariable()) {
         const std::uint16_t referent = plan.ClassOf(test.referent);
         if (referent == IdentityPlan::kLiteral) return;
-        test.referent = ValueOfClass(engine_, plan, firing, referent);
+        test.referent = ValueOfClass(plan, referent, uses_.instantiations.Trace(firing), uses_.memory);
         test.referent_node = analysis_.OfClass(firing, referent);
         if (const std::uint16_t own = plan.ClassOf(condition, field);
             own != IdentityPlan::kLiteral && reader_.IsTurned(firing, condition, field, part)) {
@@ -173,7 +179,7 @@ void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition
     return;
   }
   if (instantiation.justification == Instantiation::kNoJustification) return;
-  for (const IdentityPlan::KeptTest& kept : engine_.justifier.record(instantiation.justification).tests) {
+  for (const IdentityPlan::KeptTest& kept : uses_.justifier.record(instantiation.justification).tests) {
     if (kept.condition != condition || kept.field != field || kept.of_literal) continue;
     test.kind = kept.kind;
     test.referent = kept.referent;
@@ -185,8 +191,7 @@ void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition
 
 /// False if the test compares with an object of the firing's own state, which the rule above cannot know.
 bool RuleBuilder::MayCarryUp(const CarriedTest& test) const {
-  return !test.referent.IsIdentifier() ||
-         engine_.memory.level(test.referent) < engine_.instantiations[test.firing].level;
+  return !test.referent.IsIdentifier() || uses_.memory.level(test.referent) < uses_.instantiations[test.firing].level;
 }
 
 /// What else the rule that fired asked of the element, unless it has become a constant.
@@ -286,10 +291,10 @@ TestDraft* RuleBuilder::PlaceOf(IdentityGraph::Node node) {
 /// Of all conditions that tested elements of the substate, in the order in which they were visited.
 void RuleBuilder::CollectConstraints(const Explanation& explanation) {
   constraints_.clear();
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   for (const InstantiationId firing : explanation.firings) {
     if (!reader_.CarriesTests(firing)) continue;
-    const std::span<const ConditionTrace> traces = engine_.instantiations.Trace(firing);
+    const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
     for (std::size_t n = 0; n < traces.size(); ++n) {
       const Wme& wme = memory.wme(traces[n].wme);
       if (memory.known_identifier(wme.id).level < explanation.level) continue;
@@ -306,7 +311,7 @@ void RuleBuilder::CollectConstraints(const Explanation& explanation) {
 }
 
 void RuleBuilder::PlaceConstraints() {
-  LearnStatistics& statistics = engine_.chunker.mutable_statistics();
+  LearnStatistics& statistics = uses_.statistics;
   statistics.constraints_found += constraints_.size();
   for (CarriedTest& constraint : constraints_) {
     constraint.placed = PlaceConstraint(constraint);
@@ -346,7 +351,7 @@ bool RuleBuilder::ComparesWithUnreached(const TestDraft& test, InstantiationId f
     const IdentityPlan& plan = reader_.Plan(firing);
     const std::uint16_t bound = plan.ClassOf(other);
     if (bound == IdentityPlan::kLiteral) return false;
-    other = ValueOfClass(engine_, plan, firing, bound);
+    other = ValueOfClass(plan, bound, uses_.instantiations.Trace(firing), uses_.memory);
   }
   return other.IsIdentifier() && !Contains(reached_, other);
 }
@@ -375,7 +380,7 @@ void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
       if (!own) own = NewVariable(Symbol());
       draft.referent = own;
     } else {
-      const Symbol value = ValueOfClass(engine_, plan, firing, bound);
+      const Symbol value = ValueOfClass(plan, bound, uses_.instantiations.Trace(firing), uses_.memory);
       const IdentityGraph::Node node = analysis_.OfClass(firing, bound);
       draft.referent = PlaceOf(node) != nullptr ? Meaning(node, value)
                        : value.IsIdentifier()   ? VariableOfIdentifier(value)
@@ -396,7 +401,7 @@ void RuleBuilder::MakeNegations(const Explanation& explanation) {
   if (explanation.negations.empty()) return;
   reached_.clear();
   for (const Explanation::Ground& ground : explanation.grounds) {
-    const Wme& wme = engine_.memory.wme(ground.wme);
+    const Wme& wme = uses_.memory.wme(ground.wme);
     for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) {
       if (symbol.IsIdentifier()) reached_.push_back(symbol);
     }
@@ -413,7 +418,7 @@ void RuleBuilder::MakeNegations(const Explanation& explanation) {
 // Merging -------------------------------------------------------------------------------------------------------------
 
 void RuleBuilder::MergeConditions() {
-  LearnStatistics& statistics = engine_.chunker.mutable_statistics();
+  LearnStatistics& statistics = uses_.statistics;
   // Most elements stand for one condition only.
   std::array<std::uint8_t, 256> seen{};
   const auto place = [](WmeId wme) { return Index(wme) % 256u; };
@@ -451,7 +456,7 @@ void RuleBuilder::AddStateTests() {
   std::vector<Symbol> states;
   for (const Made& made : made_) {
     const Symbol state = EqualitySymbol(made.draft->id);
-    if (!state.IsVariable() || !engine_.memory.identifier(engine_.memory.wme(made.wme).id).is_goal) continue;
+    if (!state.IsVariable() || !uses_.memory.identifier(uses_.memory.wme(made.wme).id).is_goal) continue;
     if (std::ranges::find(states, state) != states.end()) continue;
     states.push_back(state);
     PrependPart(made.draft->id, arena_.New(MakeTest(TestKind::kState)), arena_);
@@ -470,7 +475,7 @@ ValueDraft RuleBuilder::MakeFunction(const RhsValue& function, InstantiationId f
       copy = MakeFunction(argument, firing);
     } else if (argument.kind == RhsValueKind::kBound) {
       const std::uint16_t bound = reader_.ClassOf(argument, firing);
-      const Wme& wme = engine_.memory.wme(engine_.instantiations.Trace(firing)[argument.site().positive_condition].wme);
+      const Wme& wme = uses_.memory.wme(uses_.instantiations.Trace(firing)[argument.site().positive_condition].wme);
       const Symbol value = kernel::FieldOf(wme, argument.site().field);
       const IdentityGraph::Node node = analysis_.OfClass(firing, bound);
       copy.symbol = PlaceOf(node) != nullptr ? Meaning(node, value) : value;
@@ -486,7 +491,7 @@ ValueDraft RuleBuilder::MakeTerm(PreferenceId result, Part part, Symbol symbol) 
   ValueDraft out;
   out.symbol = symbol;
   if (!symbol) return out;
-  const InstantiationId firing = engine_.memory.preference(result).instantiation;
+  const InstantiationId firing = uses_.memory.preference(result).instantiation;
   const Said term = reader_.TermOf(result, part);
   switch (term.kind) {
     case Said::Kind::kClass:
@@ -514,7 +519,7 @@ void RuleBuilder::MakeActions(const Explanation& explanation) {
   actions_.assign(explanation.results.size(), nullptr);
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
     const PreferenceId result = explanation.results[n];
-    const Preference& preference = engine_.memory.preference(result);
+    const Preference& preference = uses_.memory.preference(result);
     ActionDraft* const action = arena_.New<ActionDraft>();
     action->preference = preference.type;
     action->id = MakeTerm(result, Part::kId, preference.id);
@@ -578,7 +583,7 @@ class Pinner {
 }  // namespace
 
 bool RuleBuilder::Finish(std::string_view name) {
-  const SymbolTable::PinScope pinned(engine_.symbols);
+  const SymbolTable::PinScope pinned(uses_.symbols);
   RuleDraft rule;
   rule.name = name;
   rule.type = ProductionType::kChunk;
@@ -604,17 +609,17 @@ bool RuleBuilder::Finish(std::string_view name) {
   if (!hanging_.empty() && ActionsAreGrounded()) {
     std::string text = "Conditions on the LHS contain tests that are not connected \nto a goal: ";
     for (std::size_t n = 0; n < hanging_.size(); ++n) {
-      text.append(n == 0 ? "" : ", ").append(engine_.symbols.Text(hanging_[n]));
+      text.append(n == 0 ? "" : ", ").append(uses_.symbols.Text(hanging_[n]));
     }
-    engine_.Warn(WarningKind::kLearnedRule, text + "\n\n");
+    uses_.observers.Warn(WarningKind::kLearnedRule, text + "\n\n");
     return false;
   }
-  Pinner pinner(engine_.symbols);
+  Pinner pinner(uses_.symbols);
   pinner.Pin(rule.conditions);
   pinner.Pin(rule.actions);
   ParseOutcome out;
-  if (!FinishRule(rule, variables, SourcePlace{}, engine_.symbols, engine_.expected_values, arena_, out)) {
-    for (const RuleMessage& message : out.late_messages) engine_.Warn(WarningKind::kLearnedRule, message.text);
+  if (!FinishRule(rule, variables, SourcePlace{}, uses_.symbols, uses_.expected_values, arena_, out)) {
+    for (const RuleMessage& message : out.late_messages) uses_.observers.Warn(WarningKind::kLearnedRule, message.text);
     return false;
   }
   elements_.clear();
@@ -649,7 +654,7 @@ bool RuleBuilder::Finish(std::string_view name) {
 std::string RuleBuilder::VariableNameOf(IdentityGraph::Node node) const {
   const IdentityGraph::Node root = analysis_.graph().Root(node);
   const Symbol variable = root < variable_of_.size() ? variable_of_[root] : Symbol();
-  return variable ? std::string(engine_.symbols.Text(variable)) : std::string();
+  return variable ? std::string(uses_.symbols.Text(variable)) : std::string();
 }
 
 void RuleBuilder::CountConstraints() {
@@ -661,7 +666,7 @@ void RuleBuilder::CountConstraints() {
       });
     }
   }
-  engine_.chunker.mutable_statistics().operational_constraints += operational_constraints_;
+  uses_.statistics.operational_constraints += operational_constraints_;
 }
 
 /// Identity sets of a justification as classes: what learns above it generalises through it.
@@ -686,7 +691,7 @@ IdentityPlan RuleBuilder::PlanOfJustification(const Explanation& explanation) {
   }
   std::uint16_t next = plan.bound();
   for (const PreferenceId result : explanation.results) {
-    const Preference& preference = engine_.memory.preference(result);
+    const Preference& preference = uses_.memory.preference(result);
     for (const Part part : {Part::kId, Part::kAttribute, Part::kValue, Part::kReferent}) {
       const Said term = reader_.TermOf(result, part);
       const IdentityGraph::Node node = analysis_.OfTerm(term, preference.instantiation);
@@ -711,7 +716,7 @@ ValueDraft RuleBuilder::MoveFunction(const RhsValue& function, InstantiationId f
     if (argument.kind == RhsValueKind::kFunction) {
       copy = MoveFunction(argument, firing, plan);
     } else if (argument.kind == RhsValueKind::kBound) {
-      const Wme& wme = engine_.memory.wme(engine_.instantiations.Trace(firing)[argument.site().positive_condition].wme);
+      const Wme& wme = uses_.memory.wme(uses_.instantiations.Trace(firing)[argument.site().positive_condition].wme);
       copy.symbol = kernel::FieldOf(wme, argument.site().field);
       const IdentityGraph::Node node = analysis_.OfClass(firing, reader_.ClassOf(argument, firing));
       const auto known = node == IdentityGraph::kNone || analysis_.graph().literal(node)
@@ -735,7 +740,7 @@ ProductionPtr RuleBuilder::FunctionsOfJustification(const Explanation& explanati
   RuleDraft rule;
   bool any = false;
   for (const PreferenceId result : explanation.results) {
-    const Preference& preference = engine_.memory.preference(result);
+    const Preference& preference = uses_.memory.preference(result);
     ActionDraft* const action = arena_.New<ActionDraft>();
     action->preference = PreferenceType::kAcceptable;
     action->id.symbol = preference.id;

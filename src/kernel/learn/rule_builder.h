@@ -19,8 +19,15 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class ExpectedValues;
+class GoalStack;
+class InstantiationTable;
+class Justifier;
+struct LearnStatistics;
+class Observers;
+class SymbolTable;
 class VariableIndex;
+class WorkingMemory;
 
 /// A test of a local condition that the learned rule must make, too: of one identity, against another one or a
 /// constant.
@@ -40,8 +47,19 @@ struct CarriedTest {
 /// what it is known to mean.
 class RuleBuilder {
  public:
-  RuleBuilder(Engine& engine, FiringReader& reader, IdentityAnalysis& analysis)
-      : engine_(engine), reader_(reader), analysis_(analysis) {}
+  /// What it uses of the agent.
+  struct Uses {
+    SymbolTable& symbols;
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    const InstantiationTable& instantiations;
+    const Justifier& justifier;
+    const ExpectedValues& expected_values;
+    const Observers& observers;
+    LearnStatistics& statistics;
+  };
+  RuleBuilder(const Uses& uses, FiringReader& reader, IdentityAnalysis& analysis)
+      : uses_(uses), reader_(reader), analysis_(analysis) {}
 
   enum class Outcome : std::uint8_t { kMade, kRepaired, kFailed };
   /// Makes the rule of an explanation that has been analysed.
@@ -117,7 +135,7 @@ class RuleBuilder {
   bool FindPath(Symbol from, Symbol to, std::vector<WmeId>& path);
   void CountConstraints();
 
-  Engine& engine_;
+  Uses uses_;
   FiringReader& reader_;
   IdentityAnalysis& analysis_;
   Arena arena_;

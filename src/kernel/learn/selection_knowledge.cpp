@@ -4,15 +4,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/preference_changes.h"
 #include "kernel/learn/draft_tests.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 void SelectionKnowledge::OperatorSelected(GoalLevel level, Symbol winner, bool forced) {
   GoalRemoved(level);
-  const SlotId slot = engine_.goals.at(level).operator_slot;
-  if (forced || engine_.memory.slot(slot).others == PreferenceId::kNone) return;
+  const SlotId slot = uses_.goals.at(level).operator_slot;
+  if (forced || uses_.memory.slot(slot).others == PreferenceId::kNone) return;
   collected_.clear();
   Collect(slot, winner);
   if (collected_.empty()) return;
@@ -26,7 +28,7 @@ void SelectionKnowledge::OperatorSelected(GoalLevel level, Symbol winner, bool f
   }
   sets_[index].references = 1;
   sets_[index].preferences = collected_;
-  for (const PreferenceId p : collected_) engine_.preferences.AddReference(p);
+  for (const PreferenceId p : collected_) uses_.preferences.AddReference(p);
   if (of_goal_.size() <= level) of_goal_.resize(level + 1u, kNone);
   of_goal_[level] = index;
 }
@@ -39,8 +41,8 @@ void SelectionKnowledge::GoalRemoved(GoalLevel level) {
 }
 
 bool SelectionKnowledge::SaysTheSame(PreferenceId a, PreferenceId b) const {
-  const Preference& x = engine_.memory.preference(a);
-  const Preference& y = engine_.memory.preference(b);
+  const Preference& x = uses_.memory.preference(a);
+  const Preference& y = uses_.memory.preference(b);
   if (x.type == y.type) return x.value == y.value && x.referent == y.referent;
   const auto compares = [](const Preference& p) {
     return p.type == PreferenceType::kBetter || p.type == PreferenceType::kWorse;
@@ -51,7 +53,7 @@ bool SelectionKnowledge::SaysTheSame(PreferenceId a, PreferenceId b) const {
 /// Of several that say the same the first is enough. Numbers are summed up, so all of them count; all that prohibit an
 /// operator do, too, as in Soar 9.6.3.
 void SelectionKnowledge::Add(PreferenceId preference) {
-  const PreferenceType type = engine_.memory.preference(preference).type;
+  const PreferenceType type = uses_.memory.preference(preference).type;
   if (type != PreferenceType::kNumericIndifferent && type != PreferenceType::kProhibit &&
       std::ranges::any_of(collected_, [&](PreferenceId known) { return SaysTheSame(known, preference); })) {
     return;
@@ -61,7 +63,7 @@ void SelectionKnowledge::Add(PreferenceId preference) {
 
 /// The steps of the decision once more (PreferenceSemantics), each with the preferences that made a difference in it.
 void SelectionKnowledge::Collect(SlotId slot, Symbol winner) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const Slot& record = memory.slot(slot);
   const auto for_each = [&](PreferenceType type, auto&& visit) {
     for (PreferenceId p = record.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
@@ -145,9 +147,9 @@ void SelectionKnowledge::DropReference(std::uint32_t selection, bool later) {
   free_.push_back(selection);
   for (const PreferenceId p : preferences) {
     if (later) {
-      engine_.preferences.DropReferenceLater(p);
+      uses_.preferences.DropReferenceLater(p);
     } else {
-      engine_.preferences.DropReference(p);
+      uses_.preferences.DropReference(p);
     }
   }
 }

@@ -10,7 +10,9 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class GoalStack;
+class PreferenceChanges;
+class WorkingMemory;
 
 /// What decided the operators of substates: the preferences without which another one, or none, would have been
 /// selected. Noted when the operator is selected; a rule that fires in the substate and tests it keeps them, so that
@@ -19,7 +21,13 @@ class SelectionKnowledge {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-  explicit SelectionKnowledge(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    PreferenceChanges& preferences;
+  };
+  explicit SelectionKnowledge(const Uses& uses) : uses_(uses) {}
 
   /// The operator of a substate has been selected: notes what decided it. `forced`: by command, so nothing did.
   void OperatorSelected(GoalLevel level, Symbol winner, bool forced);
@@ -49,7 +57,7 @@ class SelectionKnowledge {
   void Add(PreferenceId preference);
   bool SaysTheSame(PreferenceId a, PreferenceId b) const;
 
-  Engine& engine_;
+  Uses uses_;
   std::vector<Set> sets_;
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> of_goal_;     ///< By level.

@@ -3,14 +3,16 @@
 
 #include <algorithm>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 void Singletons::NoteAll() {
-  for (std::uint32_t index = 0; index < engine_.memory.wmes().size(); ++index) {
-    const Wme& wme = engine_.memory.wmes()[index];
+  for (std::uint32_t index = 0; index < uses_.memory.wmes().size(); ++index) {
+    const Wme& wme = uses_.memory.wmes()[index];
     if (wme.live) Note(wme.attribute);
   }
 }
@@ -21,7 +23,7 @@ bool Singletons::IsArchitecture(Symbol attribute) {
 }
 
 bool Singletons::HasType(Symbol symbol, SingletonType type) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   switch (type) {
     case SingletonType::kAny:
       return true;
@@ -33,8 +35,8 @@ bool Singletons::HasType(Symbol symbol, SingletonType type) const {
       return symbol.IsIdentifier() && memory.identifier(symbol).is_goal;
     case SingletonType::kOperator:
       if (!symbol.IsIdentifier()) return false;
-      for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) {
-        const Slot& slot = memory.slot(engine_.goals.at(level).operator_slot);
+      for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) {
+        const Slot& slot = memory.slot(uses_.goals.at(level).operator_slot);
         for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
           if (memory.preference(p).value == symbol) return true;
         }
@@ -45,9 +47,9 @@ bool Singletons::HasType(Symbol symbol, SingletonType type) const {
 }
 
 bool Singletons::Fits(WmeId id) const {
-  const Wme& wme = engine_.memory.wme(id);
+  const Wme& wme = uses_.memory.wme(id);
   if (!wme.acceptable && (IsArchitecture(wme.attribute) || wme.attribute == words::kAttribute) &&
-      engine_.memory.identifier(wme.id).is_goal) {
+      uses_.memory.identifier(wme.id).is_goal) {
     return true;
   }
   if (!wme.attribute.IsString() || wme.attribute.index() >= codes_.size()) return false;
@@ -84,7 +86,7 @@ std::vector<Singletons::Pattern> Singletons::Patterns() const {
                         static_cast<SingletonType>(code % 5)});
   }
   std::ranges::stable_sort(patterns, [&](const Pattern& a, const Pattern& b) {
-    return engine_.symbols.Stamp(a.attribute) < engine_.symbols.Stamp(b.attribute);
+    return uses_.symbols.Stamp(a.attribute) < uses_.symbols.Stamp(b.attribute);
   });
   return patterns;
 }

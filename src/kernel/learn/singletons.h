@@ -9,7 +9,9 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class GoalStack;
+class SymbolTable;
+class WorkingMemory;
 
 /// What a pattern of `chunk singleton` asks of an identifier or a value.
 enum class SingletonType : std::uint8_t { kAny, kConstant, kIdentifier, kOperator, kState };
@@ -27,7 +29,13 @@ class Singletons {
     SingletonType id = SingletonType::kAny, value = SingletonType::kAny;
   };
 
-  explicit Singletons(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    const SymbolTable& symbols;
+  };
+  explicit Singletons(const Uses& uses) : uses_(uses) {}
 
   /// An element with this attribute has come into working memory.
   void Note(Symbol attribute) {
@@ -62,7 +70,7 @@ class Singletons {
   void Put(const Pattern& pattern);
   bool HasType(Symbol symbol, SingletonType type) const;
 
-  Engine& engine_;
+  Uses uses_;
   std::vector<std::uint8_t> codes_;  ///< By the attribute's index: 0 for none, else 1 + 5 * type of id + type of value.
 };
 

@@ -8,10 +8,15 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/longterm/long_term.h"
 #include "kernel/longterm/recall_words.h"
 #include "kernel/longterm/wm_activation.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -27,8 +32,8 @@ EpisodeCommands::Reach EpisodeCommands::ReachOf(Symbol root) const {
   };
   number(root);
   for (std::uint32_t object = 0; object < reach.objects.size(); ++object) {
-    for (const WmeId wme : engine_.memory.WmesOf(reach.objects[object])) {
-      const Symbol value = engine_.memory.wme(wme).value;
+    for (const WmeId wme : uses_.memory.WmesOf(reach.objects[object])) {
+      const Symbol value = uses_.memory.wme(wme).value;
       reach.elements.push_back({wme, object, value.IsIdentifier() ? number(value) : 0});
     }
   }
@@ -37,14 +42,14 @@ EpisodeCommands::Reach EpisodeCommands::ReachOf(Symbol root) const {
 
 bool EpisodeCommands::ReadElement(Command& command, Symbol attribute, Symbol value) const {
   if (!attribute.IsString()) return false;
-  const std::string_view name = engine_.symbols.Text(attribute);
+  const std::string_view name = uses_.symbols.Text(attribute);
   const auto kind = [&](Kind kind) {
     if (command.kind != Kind::kNone) return false;
     command.kind = kind;
     command.argument = value;
     return kind == Kind::kRetrieve || value.IsIdentifier();
   };
-  const std::int64_t number = value.IsInteger() ? engine_.symbols.IntegerValue(value) : 0;
+  const std::int64_t number = value.IsInteger() ? uses_.symbols.IntegerValue(value) : 0;
   if (name == "next") return kind(Kind::kNext);
   if (name == "previous") return kind(Kind::kPrevious);
   if (name == "query") return kind(Kind::kQuery);
@@ -80,7 +85,7 @@ EpisodeCommands::Command EpisodeCommands::Read(const Reach& reach) const {
   bool good = true;
   for (const Reach::Element& element : reach.elements) {
     if (element.object != 0) break;
-    const Wme& wme = engine_.memory.wme(element.wme);
+    const Wme& wme = uses_.memory.wme(element.wme);
     good = good && ReadElement(command, wme.attribute, wme.value);
   }
   if ((command.refined || !command.negative.IsNone()) && command.kind != Kind::kQuery) good = false;
@@ -96,19 +101,19 @@ EpisodeCommands::Command EpisodeCommands::Read(const Reach& reach) const {
 
 EpisodeCue EpisodeCommands::CueOf(const Reach& reach) const {
   std::vector<EpisodeCueElement> elements;
-  const WmActivation* activation = settings_.balance < 1 ? WmActivation::Find(engine_.long_term) : nullptr;
+  const WmActivation* activation = settings_.balance < 1 ? WmActivation::Find(uses_.long_term) : nullptr;
   for (const Reach::Element& element : reach.elements) {
-    const Wme& wme = engine_.memory.wme(element.wme);
+    const Wme& wme = uses_.memory.wme(element.wme);
     EpisodeCueElement& made = elements.emplace_back();
     made.object = element.object;
     if (wme.acceptable) {
       made.attribute = terms_.Find("operator*");
     } else if (wme.attribute.IsConstant()) {
-      made.attribute = terms_.Find(engine_.symbols, wme.attribute);
+      made.attribute = terms_.Find(uses_.symbols, wme.attribute);
     }
     if (activation != nullptr) made.weight = activation->Of(element.wme);
     made.value_is_object = wme.value.IsIdentifier();
-    made.value = made.value_is_object ? element.value : terms_.Find(engine_.symbols, wme.value);
+    made.value = made.value_is_object ? element.value : terms_.Find(uses_.symbols, wme.value);
   }
   return EpisodeCue(elements, static_cast<std::uint32_t>(reach.objects.size()));
 }
@@ -116,11 +121,11 @@ EpisodeCue EpisodeCommands::CueOf(const Reach& reach) const {
 // Answering -----------------------------------------------------------------------------------------------------------
 
 Symbol EpisodeCommands::Word(const char* text) const {
-  return engine_.symbols.String(text);
+  return uses_.symbols.String(text);
 }
 
 void EpisodeCommands::Say(Output& output, GoalLevel level, const char* attribute, Symbol value) const {
-  output.results.push_back({engine_.goals.at(level).epmem.result, Word(attribute), value});
+  output.results.push_back({uses_.goals.at(level).epmem.result, Word(attribute), value});
 }
 
 std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel level, EpisodeNumber episode,
@@ -159,9 +164,8 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
     for (; fact != facts.end() && store_.triple(*fact).parent == node; ++fact) {
       const EpisodeTriple triple = store_.triple(*fact);
       const Symbol value = triple.value.IsNode() ? object(triple.value.node(), triple.attribute)
-                                                 : terms_.ToSymbol(engine_.symbols, triple.value.term());
-      contents.push_back(
-          {{id, terms_.ToSymbol(engine_.symbols, triple.attribute), value}, *fact, triple.value.IsNode()});
+                                                 : terms_.ToSymbol(uses_.symbols, triple.value.term());
+      contents.push_back({{id, terms_.ToSymbol(uses_.symbols, triple.attribute), value}, *fact, triple.value.IsNode()});
     }
   }
   // Links are made first, then constants, by age; of one attribute the youngest first. (What is said last is made
@@ -204,15 +208,16 @@ void EpisodeCommands::Tell(GoalLevel level, EpisodeNumber episode, std::string_v
   info.number = episode;
   info.question = question;
   info.reason = reason;
-  engine_.observers.Notify(Event::kRecall, [&](Observer& o) { o.OnRecall(engine_.agent, info); });
+  uses_.observers.Notify(Event::kRecall, [&](Observer& o) { o.OnRecall(uses_.agent, info); });
 }
 
 void EpisodeCommands::TellQuery(GoalLevel level, const Command& command, const EpisodeQuery& query,
                                 const EpisodeAnswer& answer) const {
-  if (!engine_.observers.Wants(Event::kRecall)) return;
+  if (!uses_.observers.Wants(Event::kRecall)) return;
   constexpr int kDepth = 5;
-  std::string question = CueWords(engine_, command.argument, kDepth);
-  if (!command.negative.IsNone()) question += " and not " + CueWords(engine_, command.negative, kDepth);
+  std::string question = CueWords(uses_.memory, uses_.symbols, command.argument, kDepth);
+  if (!command.negative.IsNone())
+    question += " and not " + CueWords(uses_.memory, uses_.symbols, command.negative, kDepth);
   if (command.before) question += " before episode " + std::to_string(*command.before);
   if (command.after) question += " after episode " + std::to_string(*command.after);
   std::string reason;
@@ -267,7 +272,7 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
     return;
   }
   const auto objects = Recall(level, answer.episode, output);
-  SymbolTable& symbols = engine_.symbols;
+  SymbolTable& symbols = uses_.symbols;
   Symbol mapping;
   std::vector<Symbol> pairs;
   if (answer.graph_matched) {
@@ -317,7 +322,7 @@ void EpisodeCommands::Execute(GoalLevel level, const Command& command, Output& o
     wanted = state.retrieved == 0 ? 0 : state.retrieved - std::int64_t{1};
   }
   const bool there = wanted > 0 && wanted <= store_.last();
-  if (engine_.observers.Wants(Event::kRecall)) {
+  if (uses_.observers.Wants(Event::kRecall)) {
     const bool by_number = command.kind == Kind::kRetrieve;
     const std::string from = "episode " + std::to_string(state.retrieved);
     const std::string question = by_number                     ? "episode " + std::to_string(wanted)
@@ -332,8 +337,8 @@ void EpisodeCommands::Execute(GoalLevel level, const Command& command, Output& o
   }
   if (there) {
     const auto objects = Recall(level, static_cast<EpisodeNumber>(wanted), output);
-    Say(output, level, "present-id", engine_.symbols.Integer(store_.last() + std::int64_t{1}));
-    Say(output, level, "memory-id", engine_.symbols.Integer(wanted));
+    Say(output, level, "present-id", uses_.symbols.Integer(store_.last() + std::int64_t{1}));
+    Say(output, level, "memory-id", uses_.symbols.Integer(wanted));
     Say(output, level, "retrieved", objects.front().second);
   } else {
     state.retrieved = 0;
@@ -344,13 +349,13 @@ void EpisodeCommands::Execute(GoalLevel level, const Command& command, Output& o
 
 bool EpisodeCommands::ProcessState(GoalLevel level) {
   if (states_.size() < level) states_.resize(level);
-  const MemoryLink& link = engine_.goals.at(level).epmem;
+  const MemoryLink& link = uses_.goals.at(level).epmem;
   const Reach reach = ReachOf(link.command);
   State& state = states_[level - 1u];
   std::uint64_t newest = 0;
   for (const Symbol object : reach.objects) watch_.Watch(object);
   for (const Reach::Element& element : reach.elements) {
-    newest = std::max(newest, engine_.memory.wme(element.wme).timetag);
+    newest = std::max(newest, uses_.memory.wme(element.wme).timetag);
   }
   if (newest == state.newest && reach.elements.size() == state.count) return false;
   state.newest = newest;
@@ -371,7 +376,7 @@ bool EpisodeCommands::ProcessState(GoalLevel level) {
 bool EpisodeCommands::Process() {
   if (!watch_.TakeChanged()) return false;
   bool changed = false;
-  for (std::size_t level = engine_.goals.depth(); level > 0; --level) {
+  for (std::size_t level = uses_.goals.depth(); level > 0; --level) {
     changed = ProcessState(static_cast<GoalLevel>(level)) || changed;
   }
   return changed;
@@ -379,7 +384,7 @@ bool EpisodeCommands::Process() {
 
 void EpisodeCommands::StateRemoved(GoalLevel level) {
   while (states_.size() >= level) {
-    for (const PreferenceId preference : states_.back().made) engine_.preferences.DropReference(preference);
+    for (const PreferenceId preference : states_.back().made) uses_.preferences.DropReference(preference);
     states_.pop_back();
   }
 }

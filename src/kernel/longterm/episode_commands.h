@@ -10,6 +10,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/longterm/agent_parts.h"
 #include "kernel/longterm/command_watch.h"
 #include "kernel/longterm/episode_query.h"
 #include "kernel/longterm/episode_store.h"
@@ -19,15 +20,13 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
-
 /// Answers what rules ask on ^epmem.command of each state: ^retrieve, ^next, ^previous, ^query. A command is answered
 /// once; when anything that hangs on it changes, what it gave leaves ^epmem.result, and it is answered anew.
 class EpisodeCommands {
  public:
-  EpisodeCommands(Engine& engine, const EpisodeStore& store, const EpisodeTerms& terms,
+  EpisodeCommands(const AgentParts& parts, const EpisodeStore& store, const EpisodeTerms& terms,
                   const EpisodicSettings& settings, EpisodicCounters& counters)
-      : engine_(engine), store_(store), terms_(terms), settings_(settings), counters_(counters), installer_(engine) {}
+      : uses_(parts), store_(store), terms_(terms), settings_(settings), counters_(counters), installer_(parts) {}
 
   /// Answers what is new, the lowest state first. True if working memory changed; the caller settles.
   bool Process();
@@ -91,7 +90,7 @@ class EpisodeCommands {
   void TellQuery(GoalLevel level, const Command& command, const EpisodeQuery& query, const EpisodeAnswer& answer) const;
   Symbol Word(const char* text) const;
 
-  Engine& engine_;
+  AgentParts uses_;
   const EpisodeStore& store_;
   const EpisodeTerms& terms_;
   const EpisodicSettings& settings_;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "kernel/decide/engine.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -22,7 +24,7 @@ bool IsExcluded(std::span<const std::string> exclusions, std::string_view attrib
 /// In the order in which elements are taken up: input, then the architecture's, then slots; each newest first.
 template <typename Visit>
 void EpisodeRecorder::ForEachElement(Symbol id, Visit visit) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const IdentifierRecord& object = memory.identifier(id);
   const auto list = [&](WmeId first) {
     for (WmeId wme = first; wme != WmeId::kNone;) {
@@ -43,13 +45,13 @@ void EpisodeRecorder::ForEachElement(Symbol id, Visit visit) const {
 
 void EpisodeRecorder::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
   if (!recording_) return;
-  for (const WmeId wme : added) added_.push_back({wme, engine_.memory.wme(wme).timetag});
+  for (const WmeId wme : added) added_.push_back({wme, uses_.memory.wme(wme).timetag});
   for (const WmeId wme : removed) Drop(wme);
   if (added_.size() > stale_check_at_) DropStale();
 }
 
 bool EpisodeRecorder::IsNew(const Added& added) const {
-  const Wme& wme = engine_.memory.wme(added.wme);
+  const Wme& wme = uses_.memory.wme(added.wme);
   return wme.live && wme.timetag == added.timetag &&
          (Index(added.wme) >= fact_of_.size() || fact_of_[Index(added.wme)] == kNoEpisodeFact);
 }
@@ -117,7 +119,7 @@ void EpisodeRecorder::Bind(EpisodeNode node, Symbol object) {
 
 void EpisodeRecorder::LinkChanged(Symbol id) {
   const EpisodeNode node = NodeOf(id);
-  const auto links = engine_.memory.long_term_identifiers();
+  const auto links = uses_.memory.long_term_identifiers();
   if (node != kNoEpisodeNode) store_.SetLink(node, id.index() < links.size() ? links[id.index()] : 0);
 }
 
@@ -140,19 +142,19 @@ EpisodeNode EpisodeRecorder::Place(EpisodeNode parent, EpisodeTerm attribute, Sy
 }
 
 void EpisodeRecorder::TakeUp(WmeId wme, std::span<const std::string> exclusions) {
-  const Wme& element = engine_.memory.wme(wme);
+  const Wme& element = uses_.memory.wme(wme);
   if (!element.attribute.IsConstant()) return;
-  if (element.attribute.IsString() && IsExcluded(exclusions, engine_.symbols.Text(element.attribute))) return;
+  if (element.attribute.IsString() && IsExcluded(exclusions, uses_.symbols.Text(element.attribute))) return;
   const EpisodeNode parent = node_of_[element.id.index()];
   const EpisodeTerm attribute =
-      element.acceptable ? terms_.Intern("operator*") : terms_.Intern(engine_.symbols, element.attribute);
+      element.acceptable ? terms_.Intern("operator*") : terms_.Intern(uses_.symbols, element.attribute);
   EpisodeTriple triple{parent, attribute, {}};
   if (element.value.IsIdentifier()) {
     EpisodeNode node = NodeOf(element.value);
     if (node == kNoEpisodeNode) node = Place(parent, attribute, element.value);
     triple.value = EpisodeValue::Node(node);
   } else {
-    triple.value = EpisodeValue::Constant(terms_.Intern(engine_.symbols, element.value));
+    triple.value = EpisodeValue::Constant(terms_.Intern(uses_.symbols, element.value));
   }
   const EpisodeFact fact = store_.Intern(triple);
   NoteFact(fact);
@@ -171,13 +173,13 @@ void EpisodeRecorder::TakeUpAll(Symbol id, std::span<const std::string> exclusio
 EpisodeNumber EpisodeRecorder::Record(std::span<const std::string> exclusions) {
   if (!recording_) {
     recording_ = true;
-    Bind(0, engine_.goals.top().id);
+    Bind(0, uses_.goals.top().id);
     nodes_[0].references = 1;  // The top state leads to itself.
   }
   // What came last is taken up first, as it is listed first.
   for (std::size_t n = added_.size(); n-- > 0;) {
     const Added& added = added_[n];
-    if (IsNew(added) && NodeOf(engine_.memory.wme(added.wme).id) != kNoEpisodeNode) TakeUp(added.wme, exclusions);
+    if (IsNew(added) && NodeOf(uses_.memory.wme(added.wme).id) != kNoEpisodeNode) TakeUp(added.wme, exclusions);
   }
   added_.clear();
   // found_ grows as objects are found in objects.

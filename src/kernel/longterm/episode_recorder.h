@@ -15,7 +15,9 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class GoalStack;
+class SymbolTable;
+class WorkingMemory;
 
 /// Makes episodes of working memory: all that hangs on the top state, but for attributes that are excluded. Takes notes
 /// of what comes and goes, so that an episode costs what changed since the last one.
@@ -25,8 +27,14 @@ struct Engine;
 /// leads to any more serves the next object in the same place, so that the store stays as large as memory ever was.
 class EpisodeRecorder {
  public:
-  EpisodeRecorder(Engine& engine, EpisodeStore& store, EpisodeTerms& terms)
-      : engine_(engine), store_(store), terms_(terms) {}
+  /// What it uses of the agent.
+  struct Uses {
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    const SymbolTable& symbols;
+  };
+  EpisodeRecorder(const Uses& uses, EpisodeStore& store, EpisodeTerms& terms)
+      : uses_(uses), store_(store), terms_(terms) {}
 
   /// What came and went in working memory. Removed elements are readable still.
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
@@ -59,7 +67,7 @@ class EpisodeRecorder {
   template <typename Visit>
   void ForEachElement(Symbol id, Visit visit) const;
 
-  Engine& engine_;
+  Uses uses_;
   EpisodeStore& store_;
   EpisodeTerms& terms_;
   bool recording_ = false;

@@ -5,17 +5,24 @@
 #include <memory>
 #include <utility>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/elaboration.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/observers.h"
+#include "kernel/io/output_link.h"
 #include "kernel/longterm/journal.h"
 #include "kernel/longterm/long_term.h"
+#include "kernel/memory/wme_changes.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
-EpisodicMemory::EpisodicMemory(Engine& engine)
-    : engine_(engine),
-      recorder_(engine, store_, terms_),
-      commands_(engine, store_, terms_, settings_, counters_),
+EpisodicMemory::EpisodicMemory(const AgentParts& parts)
+    : uses_(parts),
+      recorder_({parts.memory, parts.goals, parts.symbols}, store_, terms_),
+      commands_(parts, store_, terms_, settings_, counters_),
       writer_(store_, terms_) {}
 
 EpisodicMemory::~EpisodicMemory() = default;
@@ -30,7 +37,7 @@ const EpisodicMemory* EpisodicMemory::Find(const LongTerm& long_term) {
 
 EpisodicMemory& EpisodicMemory::Of(LongTerm& long_term) {
   if (Find(long_term) == nullptr) {
-    long_term.Attach(LongTerm::ModuleKind::kEpisodic, std::make_unique<EpisodicMemory>(long_term.engine()));
+    long_term.Attach(LongTerm::ModuleKind::kEpisodic, std::make_unique<EpisodicMemory>(long_term.parts()));
   }
   return *Find(long_term);
 }
@@ -42,8 +49,8 @@ void EpisodicMemory::SetLearning(bool on) {
   settings_.learning = on;
   if (!on) return;
   // From now on notes are taken, also while it is switched off again: episodes say what changed.
-  engine_.long_term.SetHooks(LongTerm::ModuleKind::kEpisodic, ModuleHook::kFlush | ModuleHook::kAfterDecision |
-                                                                  ModuleHook::kOutput | ModuleHook::kStates);
+  uses_.long_term.SetHooks(LongTerm::ModuleKind::kEpisodic,
+                           ModuleHook::kFlush | ModuleHook::kAfterDecision | ModuleHook::kOutput | ModuleHook::kStates);
   commands_.watch().Touch();
 }
 
@@ -86,7 +93,7 @@ Result<void> EpisodicMemory::TryOpen() {
   }
   Result<void> result = opener_(*this);
   opened_ = result.ok();
-  if (opened_) engine_.long_term.present_id = store_.last() + std::int64_t{1};
+  if (opened_) uses_.long_term.present_id = store_.last() + std::int64_t{1};
   return result;
 }
 
@@ -94,7 +101,7 @@ void EpisodicMemory::EnsureOpen() {
   if (opened_) return;
   const Result<void> result = TryOpen();
   opened_ = true;
-  if (!result) engine_.Print("Episodic memory continues without a file: " + Format(result.error()));
+  if (!result) uses_.observers.Print("Episodic memory continues without a file: " + Format(result.error()));
 }
 
 void EpisodicMemory::SetJournal(std::unique_ptr<Journal> journal) {
@@ -109,7 +116,7 @@ void EpisodicMemory::Keep() {
   writer_.Write(record);
   journal_->Append(record.bytes());
   const Result<void> kept = journal_->Commit();
-  if (!kept && !warned_) engine_.Print("Episodic memory: " + Format(kept.error()));
+  if (!kept && !warned_) uses_.observers.Print("Episodic memory: " + Format(kept.error()));
   warned_ = !kept;
 }
 
@@ -136,7 +143,7 @@ bool EpisodicMemory::Load(std::span<const std::uint8_t> image, std::span<const s
 
 void EpisodicMemory::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
   recorder_.Flushed(added, removed);
-  commands_.watch().Flushed(engine_.memory.wmes(), added, removed);
+  commands_.watch().Flushed(uses_.memory.wmes(), added, removed);
 }
 
 void EpisodicMemory::AfterDecision() {
@@ -154,8 +161,8 @@ bool EpisodicMemory::IsDue() {
   bool due = settings_.trigger == Trigger::kDecision;
   if (settings_.trigger == Trigger::kOutput) {
     const std::uint64_t before = newest_output_;
-    for (const WmeId wme : engine_.memory.WmesOf(engine_.output.identifier())) {
-      newest_output_ = std::max(newest_output_, engine_.memory.wme(wme).timetag);
+    for (const WmeId wme : uses_.memory.WmesOf(uses_.output.identifier())) {
+      newest_output_ = std::max(newest_output_, uses_.memory.wme(wme).timetag);
     }
     due = newest_output_ > before;
   }
@@ -168,24 +175,24 @@ void EpisodicMemory::Respond() {
   EnsureOpen();
   if (IsDue()) {
     recorder_.Record(settings_.exclusions);
-    decisions_.push_back(static_cast<std::uint32_t>(engine_.counters.decision_phases));
+    decisions_.push_back(static_cast<std::uint32_t>(uses_.counters.decision_phases));
     Keep();
     ShowTime();
   }
   // The new time alone waits for the next change of working memory.
-  if (commands_.Process()) engine_.elaboration.ApplyWorkingMemoryChanges();
+  if (commands_.Process()) uses_.elaboration.ApplyWorkingMemoryChanges();
 }
 
 /// Puts the number of the next episode on every state's link.
 void EpisodicMemory::ShowTime() {
-  engine_.long_term.present_id = store_.last() + std::int64_t{1};
-  const Symbol time = engine_.symbols.Integer(engine_.long_term.present_id);
-  for (std::size_t level = 1; level <= engine_.goals.depth(); ++level) {
-    MemoryLink& link = engine_.goals.at(static_cast<GoalLevel>(level)).epmem;
-    if (engine_.memory.wme(link.present_id).value == time) continue;
-    const SlotId slot = engine_.memory.FindSlot(link.link, words::kPresentId);
-    engine_.changes.Remove(link.present_id);
-    link.present_id = engine_.changes.Add(WmeKind::kSlot, link.link, words::kPresentId, time, slot);
+  uses_.long_term.present_id = store_.last() + std::int64_t{1};
+  const Symbol time = uses_.symbols.Integer(uses_.long_term.present_id);
+  for (std::size_t level = 1; level <= uses_.goals.depth(); ++level) {
+    MemoryLink& link = uses_.goals.at(static_cast<GoalLevel>(level)).epmem;
+    if (uses_.memory.wme(link.present_id).value == time) continue;
+    const SlotId slot = uses_.memory.FindSlot(link.link, words::kPresentId);
+    uses_.changes.Remove(link.present_id);
+    link.present_id = uses_.changes.Add(WmeKind::kSlot, link.link, words::kPresentId, time, slot);
   }
 }
 
@@ -202,7 +209,7 @@ void EpisodicMemory::StateRemoved(GoalLevel level) {
 void EpisodicMemory::BeforeInit() {
   Close();
   if (continues_ && settings_.learning) EnsureOpen();
-  engine_.long_term.present_id = store_.last() + std::int64_t{1};
+  uses_.long_term.present_id = store_.last() + std::int64_t{1};
 }
 
 void EpisodicMemory::AfterInit() {

@@ -12,6 +12,7 @@
 #include "diagnostics/result.h"
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/longterm/agent_parts.h"
 #include "kernel/longterm/episode_commands.h"
 #include "kernel/longterm/episode_recorder.h"
 #include "kernel/longterm/episode_records.h"
@@ -34,7 +35,7 @@ class LongTerm;
 /// when the memory is used first, and again after it was closed.
 class EpisodicMemory final : public MemoryModule {
  public:
-  explicit EpisodicMemory(Engine& engine);
+  explicit EpisodicMemory(const AgentParts& parts);
   ~EpisodicMemory() override;
 
   /// The agent's; null while nobody has asked for it.
@@ -99,7 +100,7 @@ class EpisodicMemory final : public MemoryModule {
   void Forget();
   void Keep();
 
-  Engine& engine_;
+  AgentParts uses_;
   EpisodicSettings settings_;
   EpisodicCounters counters_;
   EpisodeStore store_;

@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/longterm/installer.h"
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/elaboration.h"
+#include "kernel/decide/firing.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/decide/run_control.h"
+#include "kernel/learn/chunker.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
+Installer::Installer(const AgentParts& parts)
+    : uses_{parts.memory, parts.goals,   parts.instantiations, parts.preferences,
+            parts.firing, parts.chunker, parts.elaboration,    parts.run} {}
+
 Symbol Installer::NewIdentifier(char letter, GoalLevel level, std::uint64_t long_term_identifier) {
-  const Symbol id = engine_.memory.NewIdentifier(letter, level);
-  if (long_term_identifier != 0) engine_.memory.SetLongTerm(id, long_term_identifier);
+  const Symbol id = uses_.memory.NewIdentifier(letter, level);
+  if (long_term_identifier != 0) uses_.memory.SetLongTerm(id, long_term_identifier);
   return id;
 }
 
 bool Installer::GivesOSupport() const {
-  const Elaboration& elaboration = engine_.elaboration;
+  const Elaboration& elaboration = uses_.elaboration;
   // An apply phase in which nothing fires counts as one of o-supported rules.
-  const bool nothing_fired = engine_.run.phase() == Phase::kOutput && elaboration.count() == 0;
+  const bool nothing_fired = uses_.run.phase() == Phase::kOutput && elaboration.count() == 0;
   return nothing_fired || elaboration.firing_type() == FiringType::kPe;
 }
 
@@ -22,49 +33,49 @@ void Installer::Install(GoalLevel level, std::span<const WmeId> command, std::sp
                         std::vector<PreferenceId>* made) {
   if (triples.empty()) return;
   const bool o_support = GivesOSupport();
-  const InstantiationId id = engine_.instantiations.Make();
+  const InstantiationId id = uses_.instantiations.Make();
   {
-    Instantiation& instantiation = engine_.instantiations[id];
-    instantiation.goal = engine_.goals.at(level).id;
+    Instantiation& instantiation = uses_.instantiations[id];
+    instantiation.goal = uses_.goals.at(level).id;
     instantiation.level = level;
     instantiation.o_support = o_support;
     instantiation.held = true;
   }
   if (level > 1) {
-    engine_.firing.TraceConditions(id, command);
-    if (engine_.chunker.settings().learning()) engine_.chunker.NoteFiring(id);
+    uses_.firing.TraceConditions(id, command);
+    if (uses_.chunker.settings().learning()) uses_.chunker.NoteFiring(id);
   }
   // An instantiation lists its preferences last first.
   std::vector<PreferenceId> preferences;
   preferences.reserve(triples.size());
   for (const Triple& triple : triples) {
-    preferences.push_back(engine_.preferences.Make(id, triple.id, triple.attribute, triple.value, Symbol(),
-                                                   PreferenceType::kAcceptable, o_support));
+    preferences.push_back(uses_.preferences.Make(id, triple.id, triple.attribute, triple.value, Symbol(),
+                                                 PreferenceType::kAcceptable, o_support));
   }
-  engine_.preferences.LinkToGoal(id);
+  uses_.preferences.LinkToGoal(id);
   for (const PreferenceId preference : preferences) {
-    if (!engine_.preferences.Assert(preference)) {
-      engine_.preferences.FreeIfUnused(preference);
+    if (!uses_.preferences.Assert(preference)) {
+      uses_.preferences.FreeIfUnused(preference);
     } else if (made != nullptr) {
-      engine_.preferences.AddReference(preference);
+      uses_.preferences.AddReference(preference);
       made->push_back(preference);
     }
   }
-  engine_.instantiations[id].held = false;
-  engine_.preferences.FreeIfUnused(id);
+  uses_.instantiations[id].held = false;
+  uses_.preferences.FreeIfUnused(id);
 }
 
 void Installer::Retract(std::vector<PreferenceId>& made) {
   while (!made.empty()) {
     const PreferenceId preference = made.back();
     made.pop_back();
-    engine_.preferences.Retract(preference);
-    engine_.preferences.DropReference(preference);
+    uses_.preferences.Retract(preference);
+    uses_.preferences.DropReference(preference);
   }
 }
 
 void Installer::Settle() {
-  engine_.elaboration.ApplyWorkingMemoryChanges();
+  uses_.elaboration.ApplyWorkingMemoryChanges();
 }
 
 }  // namespace soarbox::kernel

@@ -7,10 +7,18 @@
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
 #include "kernel/decide/memory_link.h"
+#include "kernel/longterm/agent_parts.h"
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Chunker;
+class Elaboration;
+class Firing;
+class GoalStack;
+class InstantiationTable;
+class PreferenceChanges;
+class RunControl;
+class WorkingMemory;
 
 /// What a retrieval says of working memory: (id ^attribute value).
 struct Triple {
@@ -27,7 +35,19 @@ struct Triple {
 /// linked; then Settle. In this order the contents get the lower time tags, as in Soar 9.6.3.
 class Installer {
  public:
-  explicit Installer(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    WorkingMemory& memory;
+    const GoalStack& goals;
+    InstantiationTable& instantiations;
+    PreferenceChanges& preferences;
+    Firing& firing;
+    Chunker& chunker;
+    Elaboration& elaboration;
+    const RunControl& run;
+  };
+  explicit Installer(const Uses& uses) : uses_(uses) {}
+  explicit Installer(const AgentParts& parts);
 
   /// A new identifier for the contents, at the level of a state; linked to the long-term identifier if that is not 0.
   Symbol NewIdentifier(char letter, GoalLevel level, std::uint64_t long_term_identifier = 0);
@@ -43,7 +63,7 @@ class Installer {
  private:
   bool GivesOSupport() const;
 
-  Engine& engine_;
+  Uses uses_;
 };
 
 }  // namespace soarbox::kernel

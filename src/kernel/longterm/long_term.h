@@ -10,11 +10,10 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/longterm/agent_parts.h"
 #include "kernel/longterm/memory_module.h"
 
 namespace soarbox::kernel {
-
-struct Engine;
 
 /// Long-term memory of one agent: its modules, and the places of the cycle where they are called. A module is made when
 /// it is asked for first (by its command); an agent that never does pays one test per place and no memory.
@@ -24,7 +23,7 @@ class LongTerm {
  public:
   enum class ModuleKind : std::uint8_t { kSemantic, kActivation, kEpisodic };
 
-  explicit LongTerm(Engine& engine) : engine_(engine) {}
+  explicit LongTerm(const AgentParts& parts) : parts_(parts) {}
   LongTerm(const LongTerm&) = delete;
   LongTerm& operator=(const LongTerm&) = delete;
 
@@ -55,7 +54,7 @@ class LongTerm {
   void LinkChanged(Symbol id);
   std::size_t MemoryBytes() const;
 
-  Engine& engine() { return engine_; }
+  const AgentParts& parts() const { return parts_; }
 
   /// What ^epmem.present-id of a new state says: the number of the next episode.
   std::int64_t present_id = 1;
@@ -66,7 +65,7 @@ class LongTerm {
   template <typename Call>
   void ForEach(ModuleHook hook, Call call);
 
-  Engine& engine_;
+  AgentParts parts_;
   ModuleHooks hooks_ = 0;  ///< Of all modules.
   bool any_ = false;
   std::array<ModuleHooks, kModules> module_hooks_{};

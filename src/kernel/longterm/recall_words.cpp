@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "kernel/decide/engine.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -14,25 +15,24 @@ constexpr std::size_t kMostWords = 8, kMostConstants = 4;
 
 class CueWriter {
  public:
-  explicit CueWriter(const Engine& engine) : engine_(engine) {}
+  CueWriter(const WorkingMemory& memory, const SymbolTable& symbols) : memory_(memory), symbols_(symbols) {}
 
   void Write(Symbol object, const std::string& path, int depth) {
     open_.push_back(object);
     // Newest first is how an object lists its elements.
-    std::vector<WmeId> elements = engine_.memory.WmesOf(object);
-    std::ranges::sort(elements, {}, [&](WmeId wme) { return engine_.memory.wme(wme).timetag; });
+    std::vector<WmeId> elements = memory_.WmesOf(object);
+    std::ranges::sort(elements, {}, [&](WmeId wme) { return memory_.wme(wme).timetag; });
     for (const WmeId element : elements) {
-      const Wme& wme = engine_.memory.wme(element);
-      const std::string here = path + (path.empty() ? "" : ".") + ToString(engine_.symbols, wme.attribute, true);
-      const std::uint64_t linked =
-          wme.value.IsIdentifier() ? engine_.memory.long_term_identifiers()[wme.value.index()] : 0;
+      const Wme& wme = memory_.wme(element);
+      const std::string here = path + (path.empty() ? "" : ".") + ToString(symbols_, wme.attribute, true);
+      const std::uint64_t linked = wme.value.IsIdentifier() ? memory_.long_term_identifiers()[wme.value.index()] : 0;
       if (wme.value.IsIdentifier() && depth > 1 && std::ranges::find(open_, wme.value) == open_.end() &&
-          !engine_.memory.WmesOf(wme.value).empty()) {
+          !memory_.WmesOf(wme.value).empty()) {
         Write(wme.value, here, depth - 1);
       } else if (linked != 0) {
         Say(here, "@" + std::to_string(linked));
       } else {
-        Say(here, wme.value.IsIdentifier() ? "<any>" : ToString(engine_.symbols, wme.value, true));
+        Say(here, wme.value.IsIdentifier() ? "<any>" : ToString(symbols_, wme.value, true));
       }
     }
     open_.pop_back();
@@ -45,7 +45,8 @@ class CueWriter {
     text_ += (text_.empty() ? "^" : " ^") + path + " " + value;
   }
 
-  const Engine& engine_;
+  const WorkingMemory& memory_;
+  const SymbolTable& symbols_;
   std::vector<Symbol> open_;
   std::string text_;
   std::size_t count_ = 0;
@@ -63,8 +64,8 @@ std::string Name(const Knowledge& knowledge, std::uint32_t object) {
 
 }  // namespace
 
-std::string CueWords(const Engine& engine, Symbol cue, int depth) {
-  CueWriter writer(engine);
+std::string CueWords(const WorkingMemory& memory, const SymbolTable& symbols, Symbol cue, int depth) {
+  CueWriter writer(memory, symbols);
   if (cue.IsIdentifier()) writer.Write(cue, {}, depth);
   return writer.Take();
 }
@@ -104,16 +105,16 @@ std::string WhyFound(const Knowledge& knowledge, const Activations& activations,
          Activation(next);
 }
 
-std::string WhyNotFound(const Engine& engine, const Knowledge& knowledge, Symbol cue, bool prohibited_fits) {
+std::string WhyNotFound(const Knowledge& knowledge, const WorkingMemory& memory, const SymbolTable& symbols, Symbol cue,
+                        bool prohibited_fits) {
   if (prohibited_fits) return "all that fit are prohibited";
-  const SymbolTable& symbols = engine.symbols;
   const auto term = [&](Symbol constant) {
     if (constant.IsString()) return knowledge.terms().FindString(symbols.Text(constant));
     if (constant.IsInteger()) return knowledge.terms().FindInteger(symbols.IntegerValue(constant));
     return knowledge.terms().FindFloat(symbols.FloatValue(constant));
   };
-  for (const WmeId element : engine.memory.WmesOf(cue)) {
-    const Wme& wme = engine.memory.wme(element);
+  for (const WmeId element : memory.WmesOf(cue)) {
+    const Wme& wme = memory.wme(element);
     if (!wme.attribute.IsConstant() || wme.value.IsIdentifier()) continue;
     const StoreTerm attribute = term(wme.attribute), value = term(wme.value);
     const std::uint32_t list = attribute && value ? knowledge.FindList(attribute, value) : Knowledge::kNowhere;

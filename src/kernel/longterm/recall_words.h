@@ -11,14 +11,15 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class SymbolTable;
+class WorkingMemory;
 
 /// What rules asked of long-term memory, what came and why, in words: for observers of Event::kRecall. Worked out only
 /// when somebody listens; looking changes nothing.
 
 /// The elements of a cue: "^kind ammo ^site @3 ^room <any>". `depth`: how many levels of objects are opened, as paths:
 /// "^enemy.name bob".
-std::string CueWords(const Engine& engine, Symbol cue, int depth);
+std::string CueWords(const WorkingMemory& memory, const SymbolTable& symbols, Symbol cue, int depth);
 
 /// The first constants of an object: "^kind ammo ^name crate".
 std::string ObjectWords(const Knowledge& knowledge, std::uint32_t object);
@@ -29,6 +30,7 @@ std::string WhyFound(const Knowledge& knowledge, const Activations& activations,
                      std::span<const std::uint32_t> others);
 
 /// Why a query found nothing: "nothing that is known has ^kind mortar". `prohibited_fits`: what is prohibited fits.
-std::string WhyNotFound(const Engine& engine, const Knowledge& knowledge, Symbol cue, bool prohibited_fits);
+std::string WhyNotFound(const Knowledge& knowledge, const WorkingMemory& memory, const SymbolTable& symbols, Symbol cue,
+                        bool prohibited_fits);
 
 }  // namespace soarbox::kernel

@@ -3,10 +3,14 @@
 #include <map>
 #include <utility>
 
+#include "kernel/base/symbol_table.h"
 #include "kernel/base/words.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/observers.h"
+#include "kernel/longterm/long_term.h"
 #include "kernel/longterm/recall_words.h"
 #include "kernel/longterm/semantic_memory.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -45,8 +49,8 @@ WmeId ElementOf(const WorkingMemory& memory, Symbol id, Symbol attribute) {
 }  // namespace
 
 SemanticMemory::Command SemanticMemory::Read(GoalLevel level) {
-  const WorkingMemory& memory = engine_.memory;
-  const Goal& goal = engine_.goals.at(level);
+  const WorkingMemory& memory = uses_.memory;
+  const Goal& goal = uses_.goals.at(level);
   Command command;
   command.wmes.reserve(16);
   watch_.Watch(goal.smem.command);
@@ -78,7 +82,7 @@ SemanticMemory::Command SemanticMemory::Read(GoalLevel level) {
 }
 
 void SemanticMemory::Parse(Command& command) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const Symbol link = command.wmes.empty() ? Symbol() : memory.wme(command.wmes.front()).id;
   int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0, depths = 0, links = 0,
       new_links = 0;
@@ -114,7 +118,7 @@ void SemanticMemory::Parse(Command& command) {
     } else if (wme.attribute == words::kDepth) {
       ++depths;
       bad = bad || !value.IsInteger();
-      if (value.IsInteger()) command.depth = engine_.symbols.IntegerValue(value);
+      if (value.IsInteger()) command.depth = uses_.symbols.IntegerValue(value);
     } else if (wme.attribute == words::kLinkToLtm && (value == words::kYes || value == words::kNo)) {
       ++links;
       command.link = value == words::kYes;
@@ -162,7 +166,7 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
     case Command::Kind::kNone:
       return had;
     case Command::Kind::kBad: {
-      const Goal& goal = engine_.goals.at(level);
+      const Goal& goal = uses_.goals.at(level);
       const Triple bad{goal.smem.result, words::kBadCmd, goal.smem.command};
       installer_.Install(level, command.wmes, {&bad, 1}, &state.results);
       return true;
@@ -185,7 +189,7 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
 // Storing -------------------------------------------------------------------------------------------------------------
 
 void SemanticMemory::AnswerStore(GoalLevel level, const Command& command) {
-  const Symbol result = engine_.goals.at(level).smem.result;
+  const Symbol result = uses_.goals.at(level).smem.result;
   std::vector<Triple> answer;
   for (const Symbol id : command.stored) {
     const bool as_new = command.kind == Command::Kind::kStoreNew && !command.link;
@@ -198,20 +202,20 @@ void SemanticMemory::AnswerStore(GoalLevel level, const Command& command) {
 }
 
 std::uint32_t SemanticMemory::Store(Symbol id, bool as_new) {
-  const std::span<const std::uint64_t> linked = engine_.memory.long_term_identifiers();
+  const std::span<const std::uint64_t> linked = uses_.memory.long_term_identifiers();
   const auto object_of = [&](Symbol identifier) {
     if (linked[identifier.index()] != 0) return ObjectOf(linked[identifier.index()]);
     const std::uint32_t made = NewObject();
-    engine_.memory.SetLongTerm(identifier, knowledge_->NumberAt(made));
-    engine_.long_term.LinkChanged(identifier);
+    uses_.memory.SetLongTerm(identifier, knowledge_->NumberAt(made));
+    uses_.long_term.LinkChanged(identifier);
     return made;
   };
   const std::uint32_t object = as_new ? NewObject() : object_of(id);
   std::vector<std::pair<StoreTerm, StoreTerm>> edges;
-  for (const WmeId element : engine_.memory.WmesOf(id)) {
-    const Wme& wme = engine_.memory.wme(element);
+  for (const WmeId element : uses_.memory.WmesOf(id)) {
+    const Wme& wme = uses_.memory.wme(element);
     if (wme.acceptable || !wme.attribute.IsConstant()) continue;
-    if (engine_.memory.record(element).kind == WmeKind::kArchitecture) continue;
+    if (uses_.memory.record(element).kind == WmeKind::kArchitecture) continue;
     const StoreTerm attribute = TermOf(wme.attribute);
     edges.emplace_back(attribute,
                        wme.value.IsIdentifier() ? StoreTerm::Object(object_of(wme.value)) : TermOf(wme.value));
@@ -228,7 +232,7 @@ std::uint32_t SemanticMemory::Store(Symbol id, bool as_new) {
 // Retrieving ----------------------------------------------------------------------------------------------------------
 
 bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   for (const WmeId element : memory.WmesOf(object)) {
     const Wme& wme = memory.wme(element);
     const StoreTerm attribute = FindTerm(wme.attribute);
@@ -257,7 +261,7 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
         cue.takes_last = cue.takes_last || !attribute;
       } else {
         if (bound.value.IsNumber()) {
-          made.bound = engine_.symbols.NumberValue(bound.value);
+          made.bound = uses_.symbols.NumberValue(bound.value);
         } else {
           cue.impossible = true;  // Nothing is less than a word.
         }
@@ -270,7 +274,7 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
 }
 
 bool SemanticMemory::MakeCue(const Command& command, Cue& cue) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   for (const bool negative : {false, true}) {
     const Symbol object = negative ? command.negative : command.asked;
     if (!object) continue;
@@ -339,13 +343,13 @@ void SemanticMemory::Tell(GoalLevel level, const Command& command, const Cue& cu
   const bool by_number = command.kind == Command::Kind::kRetrieve;
   std::string question, reason;
   if (by_number) {
-    const Lti number = engine_.memory.long_term_identifiers()[command.asked.index()];
+    const Lti number = uses_.memory.long_term_identifiers()[command.asked.index()];
     question = number == 0 ? "an object that is not linked" : "@" + std::to_string(number);
     reason = found ? "asked for by its number" : number == 0 ? "it was never stored" : "there is no such object";
   } else {
-    question = CueWords(engine_, command.asked, 1);
-    if (command.negative) question += " and not " + CueWords(engine_, command.negative, 1);
-    if (command.math) question += " with " + CueWords(engine_, command.math, 2);
+    question = CueWords(uses_.memory, uses_.symbols, command.asked, 1);
+    if (command.negative) question += " and not " + CueWords(uses_.memory, uses_.symbols, command.negative, 1);
+    if (command.math) question += " with " + CueWords(uses_.memory, uses_.symbols, command.math, 2);
     std::size_t candidates = kMostCompared + 1;
     for (const CueElement& element : cue.elements) {
       if (element.negative || !element.attribute) continue;
@@ -363,7 +367,7 @@ void SemanticMemory::Tell(GoalLevel level, const Command& command, const Cue& cu
     } else {
       const bool prohibited_fits =
           !prohibited.empty() && compares && !search_.Find(*knowledge_, cue, {}, 1, spreading).empty();
-      reason = WhyNotFound(engine_, *knowledge_, command.asked, prohibited_fits);
+      reason = WhyNotFound(*knowledge_, uses_.memory, uses_.symbols, command.asked, prohibited_fits);
     }
   }
   const std::string answer = found ? ObjectWords(*knowledge_, object) : std::string();
@@ -373,18 +377,18 @@ void SemanticMemory::Tell(GoalLevel level, const Command& command, const Cue& cu
   info.question = question;
   info.answer = answer;
   info.reason = reason;
-  engine_.observers.Notify(Event::kRecall, [&](Observer& o) { o.OnRecall(engine_.agent, info); });
+  uses_.observers.Notify(Event::kRecall, [&](Observer& o) { o.OnRecall(uses_.agent, info); });
 }
 
 void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
-  const MemoryLink link = engine_.goals.at(level).smem;
+  const MemoryLink link = uses_.goals.at(level).smem;
   std::vector<PreferenceId>& results = states_[level - 1u].results;
   const auto answer = [&](Symbol word, Symbol value) { return Triple{link.result, word, value}; };
   std::uint32_t object = Knowledge::kNowhere;
   bool is_bad = false;
-  const bool is_told = engine_.observers.Wants(Event::kRecall);
+  const bool is_told = uses_.observers.Wants(Event::kRecall);
   if (command.kind == Command::Kind::kRetrieve) {
-    const Lti number = engine_.memory.long_term_identifiers()[command.asked.index()];
+    const Lti number = uses_.memory.long_term_identifiers()[command.asked.index()];
     if (number != 0) object = knowledge_->Find(number);
     if (object != Knowledge::kNowhere) {
       ++counters_.retrieves;
@@ -397,7 +401,7 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
     if (!is_bad) {
       std::vector<std::uint32_t> prohibited;
       for (const Symbol id : command.prohibited) {
-        const std::uint32_t other = knowledge_->Find(engine_.memory.long_term_identifiers()[id.index()]);
+        const std::uint32_t other = knowledge_->Find(uses_.memory.long_term_identifiers()[id.index()]);
         if (other == Knowledge::kNowhere) continue;
         prohibited.push_back(other);
         activations_.Prohibit(other);

@@ -5,11 +5,17 @@
 #include <map>
 #include <utility>
 
-#include "kernel/decide/engine.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/decide/elaboration.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/preference_changes.h"
 #include "kernel/longterm/journal.h"
+#include "kernel/longterm/long_term.h"
 #include "kernel/longterm/semantic_records.h"
 #include "kernel/longterm/shared_knowledge.h"
 #include "kernel/longterm/wm_activation.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -34,12 +40,12 @@ const SemanticMemory* SemanticMemory::Find(const LongTerm& long_term) {
 
 SemanticMemory::SemanticMemory(LongTerm& long_term)
     : long_term_(long_term),
-      engine_(long_term.engine()),
+      uses_(long_term.parts()),
       knowledge_(std::make_shared<Knowledge>()),
       activations_(settings_),
       search_(settings_, activations_),
       spreading_(settings_),
-      installer_(engine_) {}
+      installer_(uses_) {}
 
 SemanticMemory::~SemanticMemory() = default;
 
@@ -131,7 +137,7 @@ bool SemanticMemory::RemoveEdge(std::uint32_t object, StoreTerm attribute, Store
 }
 
 const SymbolTable& SemanticMemory::symbols() const {
-  return engine_.symbols;
+  return uses_.symbols;
 }
 
 void SemanticMemory::SetNextNumber(Lti number) {
@@ -170,7 +176,7 @@ void SemanticMemory::Touch(std::uint32_t object, bool advance) {
 // The trace -----------------------------------------------------------------------------------------------------------
 
 void SemanticMemory::TraceGone(std::uint32_t object) {
-  if (traced_) engine_.Print("<=SMEM: (@" + std::to_string(knowledge_->NumberAt(object)) + " ^* *)\n");
+  if (traced_) uses_.observers.Print("<=SMEM: (@" + std::to_string(knowledge_->NumberAt(object)) + " ^* *)\n");
 }
 
 void SemanticMemory::TraceAdded(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
@@ -187,7 +193,7 @@ void SemanticMemory::TraceAdded(std::uint32_t object, StoreTerm attribute, Store
   } else {
     terms.Append(line, value);
   }
-  engine_.Print(line + ")\n");
+  uses_.observers.Print(line + ")\n");
 }
 
 void SemanticMemory::TraceRewritten(std::uint32_t object) {
@@ -211,7 +217,7 @@ void SemanticMemory::Keep() {
     kept = journal_->Replace(image.bytes());
   }
   // What could not be written stays in memory and is tried again: one warning is enough.
-  if (!kept && !warned_) engine_.Print("Semantic memory: " + Format(kept.error()));
+  if (!kept && !warned_) uses_.observers.Print("Semantic memory: " + Format(kept.error()));
   warned_ = !kept;
 }
 
@@ -220,7 +226,7 @@ void SemanticMemory::EnsureOpen() {
   if (!opener_) return;
   const Opener opener = std::exchange(opener_, nullptr);
   const Result<void> result = opener(*this);
-  if (!result) engine_.Print("Semantic memory continues without a file: " + Format(result.error()));
+  if (!result) uses_.observers.Print("Semantic memory continues without a file: " + Format(result.error()));
 }
 
 void SemanticMemory::Save(RecordWriter& out) const {
@@ -254,7 +260,7 @@ std::size_t SemanticMemory::MemoryBytes() const {
 StoreTerm SemanticMemory::TermOf(Symbol constant) {
   if (const StoreTerm known = FindTerm(constant)) return known;
   Terms& terms = Writable().terms();
-  const SymbolTable& symbols = engine_.symbols;
+  const SymbolTable& symbols = uses_.symbols;
   if (constant.IsString()) return terms.String(symbols.Text(constant));
   if (constant.IsInteger()) return terms.Integer(symbols.IntegerValue(constant));
   return terms.Float(symbols.FloatValue(constant));
@@ -262,11 +268,11 @@ StoreTerm SemanticMemory::TermOf(Symbol constant) {
 
 StoreTerm SemanticMemory::FindTerm(Symbol symbol) const {
   const Terms& terms = knowledge_->terms();
-  const SymbolTable& symbols = engine_.symbols;
+  const SymbolTable& symbols = uses_.symbols;
   if (symbol.IsString()) return terms.FindString(symbols.Text(symbol));
   if (symbol.IsInteger()) return terms.FindInteger(symbols.IntegerValue(symbol));
   if (symbol.IsFloat()) return terms.FindFloat(symbols.FloatValue(symbol));
-  const Lti number = engine_.memory.long_term_identifiers()[symbol.index()];
+  const Lti number = uses_.memory.long_term_identifiers()[symbol.index()];
   const std::uint32_t object = number == 0 ? Knowledge::kNowhere : knowledge_->Find(number);
   return object == Knowledge::kNowhere ? StoreTerm() : StoreTerm::Object(object);
 }
@@ -275,11 +281,11 @@ Symbol SemanticMemory::SymbolOf(StoreTerm constant) {
   const Terms& terms = knowledge_->terms();
   switch (constant.kind()) {
     case TermKind::kString:
-      return engine_.symbols.String(terms.Text(constant));
+      return uses_.symbols.String(terms.Text(constant));
     case TermKind::kInteger:
-      return engine_.symbols.Integer(terms.IntegerValue(constant));
+      return uses_.symbols.Integer(terms.IntegerValue(constant));
     case TermKind::kFloat:
-      return engine_.symbols.Float(terms.FloatValue(constant));
+      return uses_.symbols.Float(terms.FloatValue(constant));
     case TermKind::kObject:
       break;
   }
@@ -289,7 +295,7 @@ Symbol SemanticMemory::SymbolOf(StoreTerm constant) {
 // The cycle -----------------------------------------------------------------------------------------------------------
 
 void SemanticMemory::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
-  watch_.Flushed(engine_.memory.wmes(), added, removed);
+  watch_.Flushed(uses_.memory.wmes(), added, removed);
 }
 
 void SemanticMemory::AfterElaboration() {
@@ -310,7 +316,7 @@ void SemanticMemory::StateMade(GoalLevel) {
 
 void SemanticMemory::StateRemoved(GoalLevel level) {
   if (states_.size() < level) return;
-  for (const PreferenceId result : states_[level - 1u].results) engine_.preferences.DropReference(result);
+  for (const PreferenceId result : states_[level - 1u].results) uses_.preferences.DropReference(result);
   states_.resize(level - 1u);
 }
 
@@ -331,14 +337,14 @@ void SemanticMemory::Respond(bool store_only) {
     Share();
   }
   bool changed = false;
-  for (auto level = static_cast<GoalLevel>(engine_.goals.depth()); level >= 1; --level) {
+  for (auto level = static_cast<GoalLevel>(uses_.goals.depth()); level >= 1; --level) {
     changed = RespondTo(level, store_only) || changed;
   }
   if (!changed) return;
   if (store_only) {
     // In the trace it is one more change of working memory within the elaboration.
-    const FiringType type = engine_.elaboration.firing_type();
-    engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnWorkingMemoryPhase(engine_.agent, type); });
+    const FiringType type = uses_.elaboration.firing_type();
+    uses_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnWorkingMemoryPhase(uses_.agent, type); });
   }
   installer_.Settle();
 }
@@ -347,8 +353,8 @@ void SemanticMemory::Respond(bool store_only) {
 void SemanticMemory::UpdateSources() {
   if (!settings_.spreading) return;
   std::map<std::uint32_t, double> sources;
-  const WmeTable& wmes = engine_.memory.wmes();
-  const std::span<const std::uint64_t> linked = engine_.memory.long_term_identifiers();
+  const WmeTable& wmes = uses_.memory.wmes();
+  const std::span<const std::uint64_t> linked = uses_.memory.long_term_identifiers();
   const WmActivation* const activation = settings_.spreading_wma_source ? WmActivation::Find(long_term_) : nullptr;
   for (const Wme& wme : wmes) {
     if (!wme.live || linked[wme.id.index()] == 0) continue;

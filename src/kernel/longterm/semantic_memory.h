@@ -14,6 +14,7 @@
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
 #include "kernel/longterm/activations.h"
+#include "kernel/longterm/agent_parts.h"
 #include "kernel/longterm/command_watch.h"
 #include "kernel/longterm/installer.h"
 #include "kernel/longterm/knowledge.h"
@@ -172,7 +173,7 @@ class SemanticMemory final : public MemoryModule {
   void NoteEdgeChanged(StoreTerm attribute, StoreTerm value);
 
   LongTerm& long_term_;
-  struct Engine& engine_;
+  AgentParts uses_;
   SmemSettings settings_;
   std::shared_ptr<Knowledge> knowledge_;
   Activations activations_;

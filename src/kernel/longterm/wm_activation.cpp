@@ -5,7 +5,14 @@
 #include <cmath>
 #include <memory>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_counters.h"
+#include "kernel/decide/elaboration.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/match/rete.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
@@ -28,7 +35,7 @@ const WmActivation* WmActivation::Find(const LongTerm& long_term) {
   return static_cast<const WmActivation*>(long_term.module(LongTerm::ModuleKind::kActivation));
 }
 
-WmActivation::WmActivation(LongTerm& long_term) : long_term_(long_term), engine_(long_term.engine()) {}
+WmActivation::WmActivation(LongTerm& long_term) : long_term_(long_term), uses_(long_term.parts()) {}
 
 void WmActivation::SettingsChanged() {
   if (!settings_.activation) {
@@ -43,7 +50,7 @@ void WmActivation::SettingsChanged() {
 }
 
 std::uint64_t WmActivation::now() const {
-  return engine_.counters.decision_phases;
+  return uses_.counters.decision_phases;
 }
 
 // Activation ----------------------------------------------------------------------------------------------------------
@@ -85,33 +92,33 @@ const WmActivation::History* WmActivation::HistoryOf(WmeId wme) const {
 // Uses ----------------------------------------------------------------------------------------------------------------
 
 void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   for (const WmeId wme : added) {
     const WmeRecord& record = memory.record(wme);
     if (!memory.wme(wme).live || record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) continue;
     const Preference& maker = memory.preference(record.preference);
     if (!maker.o_supported || memory.slot(record.slot).is_operator) continue;
     History history;
-    history.pending = UsesAtBirth(engine_.instantiations[maker.instantiation]);
+    history.pending = UsesAtBirth(uses_.instantiations[maker.instantiation]);
     histories_.insert_or_assign(Index(wme), history);
     used_.push_back(Index(wme));
-    engine_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowed(engine_.agent, wme); });
+    uses_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowed(uses_.agent, wme); });
   }
   for (const WmeId wme : removed) {
     if (histories_.erase(Index(wme)) == 0) continue;
     const std::uint64_t timetag = memory.wme(wme).timetag;
-    engine_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowedGone(engine_.agent, timetag); });
+    uses_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowedGone(uses_.agent, timetag); });
   }
 }
 
 void WmActivation::Use(WmeId wme) {
-  const WmeRecord& record = engine_.memory.record(wme);
+  const WmeRecord& record = uses_.memory.record(wme);
   if (record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) return;
-  if (!engine_.memory.preference(record.preference).o_supported) {
+  if (!uses_.memory.preference(record.preference).o_supported) {
     UseWhatHolds(wme);
     return;
   }
-  if (engine_.memory.slot(record.slot).is_operator) return;
+  if (uses_.memory.slot(record.slot).is_operator) return;
   History& history = histories_[Index(wme)];
   if (history.pending++ == 0) used_.push_back(Index(wme));
 }
@@ -120,7 +127,7 @@ void WmActivation::Use(WmeId wme) {
 /// made. Each element is looked at once.
 template <class Held, class Other>
 void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   seen_.resize(memory.wmes().size(), 0);
   ++pass_;
   for (const WmeId wme : open_) seen_[Index(wme)] = pass_;
@@ -137,9 +144,9 @@ void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
       if (!memory.slot(record.slot).is_operator) held(next);
       continue;
     }
-    const Instantiation& instantiation = engine_.instantiations[maker.instantiation];
+    const Instantiation& instantiation = uses_.instantiations[maker.instantiation];
     if (instantiation.match == MatchId::kNone) continue;
-    for (const WmeId ground : engine_.rete.matches().Wmes(instantiation.match)) {
+    for (const WmeId ground : uses_.rete.matches().Wmes(instantiation.match)) {
       if (seen_[Index(ground)] == pass_) continue;
       seen_[Index(ground)] = pass_;
       open_.push_back(ground);
@@ -171,7 +178,7 @@ std::uint64_t WmActivation::UsesAtBirth(const Instantiation& maker) {
   };
   open_.clear();
   if (maker.match != MatchId::kNone) {
-    for (const WmeId ground : engine_.rete.matches().Wmes(maker.match)) open_.push_back(ground);
+    for (const WmeId ground : uses_.rete.matches().Wmes(maker.match)) open_.push_back(ground);
   }
   ForWhatHolds(add, add);
   return 1 + (count == 0 ? 0 : static_cast<std::uint64_t>(sum / static_cast<double>(count)));
@@ -185,10 +192,10 @@ void WmActivation::RulesFire(LongTerm& long_term) {
 
 void WmActivation::CountUses() {
   if (!settings_.activation) return;
-  const MatchSet& matches = engine_.rete.matches();
+  const MatchSet& matches = uses_.rete.matches();
   for (const MatchSet::List list : {MatchSet::List::kIAssertions, MatchSet::List::kOAssertions}) {
     for (const PendingMatch& match : matches.Pending(list)) {
-      if (engine_.rete.production(match.production)->type == ProductionType::kJustification) continue;
+      if (uses_.rete.production(match.production)->type == ProductionType::kJustification) continue;
       // Uses change nothing that the match set holds.
       for (const WmeId wme : matches.Wmes(match.match)) Use(wme);
     }
@@ -221,8 +228,8 @@ void WmActivation::Output(bool) {
     const auto wme = static_cast<WmeId>(index);
     const std::uint64_t uses = found->second.pending;
     Enter(wme, found->second);
-    engine_.observers.Notify(Event::kActivation,
-                             [&](Observer& o) { o.OnUses(engine_.agent, engine_.memory.wme(wme).timetag, uses); });
+    uses_.observers.Notify(Event::kActivation,
+                           [&](Observer& o) { o.OnUses(uses_.agent, uses_.memory.wme(wme).timetag, uses); });
   }
   used_.clear();
 }
@@ -239,7 +246,7 @@ std::uint64_t WmActivation::DueOf(const History& history) const {
 }
 
 bool WmActivation::Forget(WmeId wme) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   const Wme& element = memory.wme(wme);
   if (settings_.forget_linked_only && memory.long_term_identifiers()[element.id.index()] == 0) return false;
   ++forgotten_;
@@ -247,7 +254,7 @@ bool WmActivation::Forget(WmeId wme) {
   PreferenceId next;
   for (PreferenceId p = memory.slot(memory.record(wme).slot).acceptable; p != PreferenceId::kNone; p = next) {
     next = memory.preference(p).next_in_slot;
-    if (memory.preference(p).value == element.value && memory.preference(p).o_supported) engine_.preferences.Retract(p);
+    if (memory.preference(p).value == element.value && memory.preference(p).o_supported) uses_.preferences.Retract(p);
   }
   return true;
 }
@@ -274,11 +281,11 @@ void WmActivation::OutputEnd() {
     }
   }
   // The order in which they are forgotten is that in which they came.
-  std::ranges::sort(low, {}, [&](std::uint32_t index) { return engine_.memory.wmes()[index].timetag; });
+  std::ranges::sort(low, {}, [&](std::uint32_t index) { return uses_.memory.wmes()[index].timetag; });
   low.erase(std::unique(low.begin(), low.end()), low.end());
   bool any = false;
   for (const std::uint32_t index : low) any = Forget(static_cast<WmeId>(index)) || any;
-  if (any) engine_.elaboration.ApplyWorkingMemoryChanges();
+  if (any) uses_.elaboration.ApplyWorkingMemoryChanges();
 }
 
 void WmActivation::AfterInit() {

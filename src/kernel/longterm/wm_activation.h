@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/longterm/agent_parts.h"
 #include "kernel/longterm/memory_module.h"
 
 namespace soarbox::kernel {
 
 class LongTerm;
-struct Engine;
 
 /// What `wm activation --set` sets.
 struct WmaSettings {
@@ -96,7 +96,7 @@ class WmActivation final : public MemoryModule {
   bool Forget(WmeId wme);
 
   LongTerm& long_term_;
-  Engine& engine_;
+  AgentParts uses_;
   WmaSettings settings_;
   std::unordered_map<std::uint32_t, History> histories_;               ///< By WmeId.
   std::vector<std::uint32_t> used_;                                    ///< With uses in this cycle.

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/decide/agent_rules.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "kernel/decide/engine.h"
+
+namespace soarbox::kernel {
+namespace {
+
+/// What a learned rule takes, with about what its conditions take in the network. (They share some of it with other
+/// rules.)
+std::size_t LearnedBytes(const Production& rule) {
+  constexpr std::size_t kNetworkPerCondition_bytes = 256;
+  return rule.MemoryBytes() + rule.conditions.size() * kNetworkPerCondition_bytes;
+}
+
+}  // namespace
+
+ProductionId AgentRules::Find(std::string_view name) const {
+  const Symbol symbol = engine_.symbols.FindString(name);
+  return symbol ? engine_.rules.Named(symbol) : ProductionId::kNone;
+}
+
+AgentRules::Outcome AgentRules::Add(const ProductionPtr& rule) {
+  const LoadOutcome outcome = engine_.agent.AddProduction(rule);
+  engine_.StopIfBroken();
+  return {outcome.production, outcome.loaded};
+}
+
+void AgentRules::NoteAdded(ProductionId id, const ProductionPtr& production) {
+  const bool running = engine_.agent.running();
+  const std::uint32_t index = Index(id);
+  if (engine_.productions.size() <= index) engine_.productions.resize(index + 1u);
+  ProductionRecord record;
+  record.Set(ProductionRecord::kLive, true);
+  record.Set(ProductionRecord::kHasNegations, std::ranges::any_of(production->conditions, [](const Condition& c) {
+               return c.kind != ConditionKind::kPositive;
+             }));
+  record.Set(ProductionRecord::kLearned, running);
+  if (running) engine_.learned_rule_bytes += LearnedBytes(*production);
+  engine_.productions[index] = record;
+  engine_.rules.Add(id, engine_.NameOf(*production), production->type);
+  if (!running) engine_.rules_changed = true;  // What an agent learns is its own.
+  engine_.interrupts.erase(id);
+  engine_.reinforcement.RuleAdded(id, *production);
+  if (engine_.rete.matches().HasInterrupting()) engine_.run.TellInterrupts();
+  engine_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(engine_.agent, id); });
+}
+
+void AgentRules::Excise(ProductionId id) {
+  if (Index(id) >= engine_.productions.size() || !engine_.productions[Index(id)].Is(ProductionRecord::kLive)) return;
+  engine_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(engine_.agent, id); });
+  const ProductionPtr rule = engine_.rete.production(id);
+  engine_.reinforcement.RuleExcised(id);
+  ProductionRecord& record = engine_.productions[Index(id)];
+  if (record.Is(ProductionRecord::kLearned)) engine_.learned_rule_bytes -= LearnedBytes(*rule);
+  record.Set(ProductionRecord::kLive, false);
+  engine_.rules.Remove(id, engine_.NameOf(*rule), rule->type);
+  engine_.rules_changed = true;
+  engine_.chunker.RuleExcised(id);
+  if (engine_.run.running()) {
+    LeaveMatch(id);
+  } else {
+    engine_.rete.ExciseProduction(id);
+  }
+}
+
+void AgentRules::LeaveMatch(ProductionId production) {
+  engine_.excisions.push_back(production);
+}
+
+}  // namespace soarbox::kernel

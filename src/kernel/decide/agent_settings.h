@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "kernel/observer.h"
+
+namespace soarbox::kernel {
+
+/// What `soar` sets. Changes hold from the next phase on.
+struct AgentSettings {
+  int max_elaborations = 100;  ///< Per phase.
+  int max_goal_depth = 23;
+  int max_nil_output_cycles = 15;
+  std::int64_t max_decision_time_us = 0;  ///< 0: unlimited.
+  int max_gp = 20000;
+  /// A rule that needs more partial matches at a time breaks its agent down: see Agent::out_of_memory(). Each takes 64
+  /// bytes, what becomes of it several times as much.
+  std::uint32_t max_partial_matches = 8'000'000;
+  /// An agent whose own memory grows beyond this while it runs breaks down, too. The host sets it, no command does.
+  std::size_t most_memory_bytes = std::numeric_limits<std::size_t>::max();
+  bool keep_all_top_o_preferences = false;
+  bool wait_snc = false;
+  /// What elaborates an operator and applies it at once has i-support, and a warning says so; else it has o-support.
+  bool warn_of_mixed_support = true;
+  /// A rule whose only action is a numeric preference duplicates one that differs from it in the number only.
+  bool ignore_numbers_of_duplicates = true;
+  Phase stop_phase = Phase::kApply;  ///< `run -d` stops before this phase.
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+#include "kernel/base/ids.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::kernel {
+
+/// What those who learn ask of an agent's rules: a new rule must be known by name, be told of and be counted, wherever
+/// it comes from. Engine has the one that does it (agent_rules.h).
+class RuleChanges {
+ public:
+  virtual ~RuleChanges() = default;
+
+  /// The live rule of this name, or kNone.
+  virtual ProductionId Find(std::string_view name) const = 0;
+  struct Outcome {
+    ProductionId production = ProductionId::kNone;  ///< The rule, or the one that it duplicates.
+    bool loaded = false;
+  };
+  /// Adds a rule and matches it, in place of one of its name. Throws std::bad_alloc if that broke the agent down.
+  virtual Outcome Add(const ProductionPtr& rule) = 0;
+  /// Whoever put the rule into the match has done so.
+  virtual void NoteAdded(ProductionId production, const ProductionPtr& rule) = 0;
+  virtual void Excise(ProductionId production) = 0;
+  /// Takes a production out of the match when the elaboration is over: nothing is taken from under a firing.
+  virtual void LeaveMatch(ProductionId production) = 0;
+};
+
+}  // namespace soarbox::kernel

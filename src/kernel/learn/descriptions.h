@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/observer.h"
+
+namespace soarbox::kernel {
+
+struct Goal;
+class InstantiationTable;
+class Justifier;
+class Rete;
+class WorkingMemory;
+
+/// Elements, goals and firings as observers and explanations get them: values instead of handles.
+class Descriptions {
+ public:
+  struct Uses {
+    const WorkingMemory& memory;
+    const InstantiationTable& instantiations;
+    const Rete& rete;
+    const Justifier& justifier;
+  };
+  explicit Descriptions(const Uses& uses) : uses_(uses) {}
+
+  [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
+  [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;
+  [[gnu::noinline]] FiringInfo DescribeInstantiation(InstantiationId id) const;
+  /// The name of the rule or justification that fired, or what stands for the architecture.
+  std::string_view ProductionName(InstantiationId id) const;
+  /// The operator selected in a goal, or none.
+  Symbol OperatorOf(const Goal& goal) const;
+
+ private:
+  Uses uses_;
+};
+
+}  // namespace soarbox::kernel

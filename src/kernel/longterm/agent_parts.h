@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+namespace soarbox::kernel {
+
+class Agent;
+struct AgentCounters;
+class Chunker;
+class Elaboration;
+class Firing;
+class GoalStack;
+class InstantiationTable;
+class LongTerm;
+class Observers;
+class OutputLink;
+class PreferenceChanges;
+class Rete;
+class RunControl;
+class SymbolTable;
+class WmeChanges;
+class WorkingMemory;
+
+/// What long-term memory uses of an agent. LongTerm has it; modules, which are made while the agent lives, take it from
+/// there.
+struct AgentParts {
+  Agent& agent;
+  SymbolTable& symbols;
+  WorkingMemory& memory;
+  GoalStack& goals;
+  InstantiationTable& instantiations;
+  const Rete& rete;
+  const Observers& observers;
+  const AgentCounters& counters;
+  WmeChanges& changes;
+  PreferenceChanges& preferences;
+  Firing& firing;
+  Chunker& chunker;
+  Elaboration& elaboration;
+  const RunControl& run;
+  const OutputLink& output;
+  LongTerm& long_term;
+};
+
+}  // namespace soarbox::kernel
