@@ -264,23 +264,22 @@ InstantiationId Chunker::Learn(InstantiationId base) {
     making.name = NewName(base, false, !failed);
     making.origin = OriginOf(base);
     making.plan = std::make_unique<IdentityPlan>(builder_.PlanOfJustification(explanation_));
-    making.tests = builder_.TestsOfJustification(explanation_);
+    making.tests = builder_.TestsOfJustification(explanation_, !failed);
     making.functions = builder_.FunctionsOfJustification(explanation_, *making.plan);
-    CountJustification();
     if (log_.justifications && explained) {
       log_.Add(explanation_, explanation_number_, {making.name, nullptr, InstantiationId::kNone, goal_level, false});
     }
-    return uses_.justifier.Build(explanation_, goal_level, std::move(making));
+    return CountJustification(uses_.justifier.Build(explanation_, goal_level, std::move(making)));
   }
   if (explanation_.quiescence) ++statistics_.tested_quiescence;
-  CountJustification();
-  return uses_.justifier.Build(explanation_, goal_level, {});
+  return CountJustification(uses_.justifier.Build(explanation_, goal_level, {}));
 }
 
-void Chunker::CountJustification() {
+InstantiationId Chunker::CountJustification(InstantiationId made) {
   if (explanation_.local_negation) ++statistics_.justifications_with_local_negation;
   if (explanation_.long_term_memory) ++statistics_.justifications_with_long_term_memory;
-  ++statistics_.justifications;
+  ++(made == InstantiationId::kNone ? statistics_.duplicates : statistics_.justifications);
+  return made;
 }
 
 // Names ---------------------------------------------------------------------------------------------------------------

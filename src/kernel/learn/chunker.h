@@ -125,7 +125,8 @@ class Chunker {
 
  private:
   InstantiationId Learn(InstantiationId base);
-  void CountJustification();
+  /// `made`: none if it was a duplicate.
+  InstantiationId CountJustification(InstantiationId made);
   /// True if a rule may be learned from the explanation.
   bool MayLearn() const;
   /// Says why nothing is learned from a firing, to those who want to know.

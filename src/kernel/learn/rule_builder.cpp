@@ -216,7 +216,7 @@ void RuleBuilder::SetDisjuncts(TestDraft& test, std::span<const Symbol> disjunct
   test.disjunct_count = static_cast<std::uint32_t>(disjuncts.size());
 }
 
-std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Explanation& explanation) {
+std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Explanation& explanation, bool counts) {
   std::vector<IdentityPlan::KeptTest> kept;
   const auto keep = [&](std::size_t number, Field field, TestKind kind, Symbol referent, IdentityGraph::Node node,
                         std::span<const Symbol> disjuncts, bool of_literal) {
@@ -260,16 +260,27 @@ std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Expl
     }
     return {explanation.grounds.size(), {}};
   };
+  const auto of_conditions = static_cast<std::ptrdiff_t>(kept.size());
+  std::uint64_t placed = 0;
   for (const CarriedTest& test : constraints_) {
     const auto here = place_of(test.tested);
     if (here.first < explanation.grounds.size()) {
       keep(here.first, here.second, test.kind, test.referent, test.referent_node, test.disjuncts, false);
+      ++placed;
       continue;
     }
     const auto there = place_of(test.referent_node);
     if (there.first < explanation.grounds.size() && test.kind != TestKind::kDisjunction) {
       keep(there.first, there.second, TurnedRound(test.kind), test.value, IdentityGraph::kNone, {}, false);
+      ++placed;
     }
+  }
+  // As in a learned rule, they stand before what the conditions ask themselves, the last one first.
+  std::rotate(kept.begin(), kept.begin() + of_conditions, kept.end());
+  std::reverse(kept.begin(), kept.end() - of_conditions);
+  if (counts) {
+    uses_.statistics.constraints_found += constraints_.size();
+    uses_.statistics.constraints_placed += placed;
   }
   return kept;
 }

@@ -87,8 +87,8 @@ class RuleBuilder {
   IdentityPlan PlanOfJustification(const Explanation& explanation);
   /// What its results are computed by, as actions of a rule; none if none is. After PlanOfJustification, with its plan.
   ProductionPtr FunctionsOfJustification(const Explanation& explanation, const IdentityPlan& plan);
-  /// What its conditions test beside. After PlanOfJustification.
-  std::vector<IdentityPlan::KeptTest> TestsOfJustification(const Explanation& explanation);
+  /// What its conditions test beside. After PlanOfJustification. `counts`: its tests are new to the statistics.
+  std::vector<IdentityPlan::KeptTest> TestsOfJustification(const Explanation& explanation, bool counts);
 
  private:
   struct Made {
