@@ -293,6 +293,7 @@ kernel::EpisodeNumber EpisodeOf(CommandCall& call, const std::string& word) {
 
 bool PrintEpisode(CommandCall& call, const std::string& word) {
   const kernel::EpisodeNumber episode = EpisodeOf(call, word);
+  if (!ParseInteger(word)) return call.Fail("Invalid epmem time tag.");
   if (episode == 0) return call.Fail("Invalid episode.");
   Summary summary(40);
   const std::string title = fmt::format("Episode {}", word);
@@ -303,6 +304,7 @@ bool PrintEpisode(CommandCall& call, const std::string& word) {
 
 bool DrawEpisode(CommandCall& call, const std::string& word) {
   const kernel::EpisodeNumber episode = EpisodeOf(call, word);
+  if (!ParseInteger(word)) return call.Fail("Invalid epmem time tag.");
   if (episode == 0) return call.Fail("Invalid episode.");
   call.Out(EpisodeGraph(Memory(call), episode));
   return true;

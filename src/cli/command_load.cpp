@@ -100,8 +100,9 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const bool stars = run.stars_pending && words.front().text != "sp";
     const std::size_t length = call.result.text.size();
     const bool command_ok = call.interpreter.ExecuteWords(call, words);
-    if (stars && call.result.text.size() > length) {
-      // Other output than stars ends their line, unless a command of a file that was read in between did so.
+    if (stars) {
+      // What is no rule ends the line of stars, whether it prints or not, unless a file that was read in between did
+      // so.
       if (call.result.text.compare(length, 2, " \n") != 0) call.result.text.insert(length, " \n");
       run.stars_pending = false;
     }

@@ -245,6 +245,11 @@ bool NotFound(CommandCall& call, const std::string& what) {
   return call.Fail("An Error occured trying to print the prefs.");
 }
 
+/// Links of a state that the architecture makes where rules could: they have room for preferences, but none.
+bool IsLinkToModule(std::string_view attribute) {
+  return attribute == "smem" || attribute == "epmem" || attribute == "reward-link";
+}
+
 }  // namespace
 
 const std::span<const OptionSpec> kPreferencesOptions = kOptions;
@@ -307,7 +312,7 @@ bool CommandPreferences(CommandCall& call) {
   if (!is_operator && !attribute) {
     return NotFound(call, "Could not find prefs for the id,attribute pair: " + id_word + " " + word);
   }
-  if (!is_operator &&
+  if (!is_operator && !(is_goal && IsLinkToModule(attribute_word)) &&
       (slot == SlotId::kNone || (!printer.HasPreferences(slot) && !agent.memory().slot(slot).is_operator))) {
     call.stream().Print("  This is probably an io- or arch-wme and does not have preferences\n");
     return true;

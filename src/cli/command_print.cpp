@@ -179,6 +179,11 @@ void PrintRuleNamed(CommandCall& call, const std::string& word, const RuleListSt
   call.stream().Print("No production named " + word + "\n");
 }
 
+/// As `print --varprint` shows an identifier.
+std::string InBrackets(std::string name, bool as_variable) {
+  return as_variable ? "<" + std::move(name) + ">" : name;
+}
+
 /// A single word: an object, a time tag, a long-term identifier or a rule.
 void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& style, RuleListStyle rule_style) {
   kernel::Agent& agent = call.agent();
@@ -200,7 +205,8 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
     if (id)
       PrintObject(out, agent, id, style, call.result.structured);
     else
-      out.Print(std::string("There is no identifier ") + name->letter + std::to_string(name->number) + ".\n");
+      out.Print("There is no identifier " + InBrackets(name->letter + std::to_string(name->number), style.variables) +
+                ".\n");
   } else if (const auto timetag = ParseInteger(word)) {
     const kernel::WmeId wme =
         *timetag < 0 ? kernel::WmeId::kNone : agent.memory().FindByTimetag(static_cast<std::uint64_t>(*timetag));

@@ -165,6 +165,7 @@ bool Break(CommandCall& call) {
   if ((parsed.Has('s') || parsed.Has('c')) && parsed.arguments.size() != 1) {
     return call.Fail("pbreak --set/--clear takes exactly one argument.");
   }
+  if (parsed.Has('p') && !parsed.arguments.empty()) return call.Fail("pbreak --print takes no arguments.");
   if (parsed.arguments.size() > 1) return call.Fail("pbreak used incorrectly.");
   if (parsed.arguments.empty()) {
     call.result.structured.Add("break");
@@ -200,15 +201,16 @@ bool Find(CommandCall& call) {
   return true;
 }
 
-/// Prints "COUNT:  NAME" lines, largest count first; equal ones oldest first.
+/// Prints "COUNT:  NAME" lines, largest count first; equal ones oldest first. `in_bars`: names that need them.
 bool Counts(CommandCall& call, std::vector<ProductionId> rules, std::size_t limit,
-            const std::function<std::uint64_t(ProductionId)>& count) {
+            const std::function<std::uint64_t(ProductionId)>& count, bool in_bars) {
   std::vector<std::pair<std::uint64_t, ProductionId>> counted;
   for (const ProductionId id : rules) counted.emplace_back(count(id), id);
   std::stable_sort(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   if (limit > 0 && counted.size() > limit) counted.resize(limit);
   for (const auto& [number, id] : counted) {
-    const std::string name = RuleName(call.agent(), call.agent().production(id));
+    const Production& rule = call.agent().production(id);
+    const std::string name = in_bars ? RuleName(call.agent(), rule) : std::string(rule.name);
     call.Out(fmt::format("{:6}:  {}\n", number, name));
     call.AddArgument("name", "string", name);
     call.AddArgument("count", "int", std::to_string(number));
@@ -228,8 +230,14 @@ bool FiringCounts(CommandCall& call) {
     const auto number = ParseLeadingInteger(word);
     if (!number) {
       const ProductionId id = FindRule(call.agent(), word);
+      const bool has_options = !parsed.options.empty();
+      if (has_options) {
+        call.Out("Ignoring unexpected options when printing firing count for a single production.\n");
+      }
       if (id == ProductionId::kNone) return call.Fail("Production not found.");
-      return Counts(call, {id}, 0, count);
+      Counts(call, {id}, 0, count, false);
+      if (has_options) call.failure = CommandCall::Failure::kReported;
+      return !has_options;
     }
     if (*number < 0) return call.Fail("Expected non-negative integer.");
     number_given = true;
@@ -241,12 +249,13 @@ bool FiringCounts(CommandCall& call) {
   // Equal counts show in the order of loading, but default rules after the others.
   std::stable_partition(rules.begin(), rules.end(),
                         [&](ProductionId id) { return call.agent().production(id).type != ProductionType::kDefault; });
-  if (rules.empty()) return call.Fail("No productions in memory of those type(s).");
+  const bool none = rules.empty() && (!parsed.options.empty() || call.agent().Justifications().empty());
+  if (none) return call.Fail("No productions in memory of those type(s).");
   if (parsed.Has('f')) std::erase_if(rules, [&](ProductionId id) { return count(id) == 0; });
   // None at all: those that have never fired.
   if (number_given && limit == 0) std::erase_if(rules, [&](ProductionId id) { return count(id) > 0; });
   const std::size_t listed = rules.size();
-  if (!Counts(call, std::move(rules), limit, count)) return false;
+  if (!Counts(call, std::move(rules), limit, count, false)) return false;
   if (!parsed.options.empty()) return true;
   // Justifications come last: they never fire.
   std::size_t more = limit == 0 ? std::string::npos : limit - std::min(limit, listed);
@@ -285,9 +294,12 @@ bool MemoryUsage(CommandCall& call) {
     const std::string& word = parsed.arguments.front().text;
     const auto number = ParseLeadingInteger(word);
     if (!number) {
+      if (!parsed.options.empty()) {
+        return call.Fail("Do not specify production type when specifying a production name.");
+      }
       const ProductionId id = FindRule(call.agent(), word);
       if (id == ProductionId::kNone) return call.Fail("Production not found.");
-      Counts(call, {id}, 0, count);
+      Counts(call, {id}, 0, count, true);
       call.Out(CrowdText(call.agent(), id));
       return true;
     }
@@ -298,7 +310,7 @@ bool MemoryUsage(CommandCall& call) {
   std::stable_partition(rules.begin(), rules.end(),
                         [&](ProductionId id) { return call.agent().production(id).type == ProductionType::kDefault; });
   if (rules.empty()) return call.Fail("Production not found.");
-  Counts(call, rules, limit, count);
+  Counts(call, rules, limit, count, true);
   for (const ProductionId id : rules) call.Out(CrowdText(call.agent(), id));
   return true;
 }

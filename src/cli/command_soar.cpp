@@ -148,7 +148,22 @@ bool Overview(CommandCall& call) {
   Summary summary(55);
   summary.Rule('=');
   summary.Text(fmt::format("-                   Soar {} Summary                -\n", kSoarVersion)).Rule('=');
-  summary.Row("Enabled:", "Core").Row("Disabled:", "EBC, SMem, EpMem, SVS, RL, WMA, SSA").Rule('-');
+  const SettingStore& store = call.session.settings();
+  // In Soar's order; two of these never are.
+  const std::pair<const char*, bool> modules[] = {{"Core", true},
+                                                  {"EBC", store.Get("chunk", "mode") != "never"},
+                                                  {"SMem", store.IsOn("smem", "learning")},
+                                                  {"EpMem", store.IsOn("epmem", "learning")},
+                                                  {"SVS", false},
+                                                  {"RL", store.IsOn("rl", "learning")},
+                                                  {"WMA", store.IsOn("wma", "activation")},
+                                                  {"SSA", false}};
+  std::string enabled, disabled;
+  for (const auto& [name, is_on] : modules) {
+    std::string& list = is_on ? enabled : disabled;
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  summary.Row("Enabled:", enabled).Row("Disabled:", disabled).Rule('-');
   summary.Row("Number of rules:", std::to_string(rules));
   summary.Row("Number of chunks:", std::to_string(agent.CountProductions(kernel::ProductionType::kChunk)));
   summary.Row("Decisions", std::to_string(agent.counters().decision_cycles + 1));

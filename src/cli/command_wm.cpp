@@ -180,9 +180,6 @@ void ApplyActivation(CommandCall& call) {
 bool SetActivation(CommandCall& call, const std::string& name, const std::string& value) {
   SettingStore& store = call.session.settings();
   if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
-  if (name != "activation" && name != "timers" && store.IsOn("wma", "activation")) {
-    return call.Fail("ERROR: this parameter is protected while WMA is on.");
-  }
   std::string kept = value;
   if (name == "decay-rate" || name == "decay-thresh") {
     // Both are kept with a minus, however they are written.
@@ -191,8 +188,14 @@ bool SetActivation(CommandCall& call, const std::string& name, const std::string
     if (!fits) return call.Fail("Invalid value for activation setting.");
     kept = size == 0 ? "-0" : Shortest(-size);
   }
+  const bool is_protected = name != "activation" && name != "timers" && store.IsOn("wma", "activation");
+  const std::string before = store.Get("wma", name);
   if (store.Set("wma", name, kept) != SettingStore::SetResult::kOk) {
     return call.Fail("Invalid value for activation setting.");
+  }
+  if (is_protected) {
+    store.Set("wma", name, before);
+    return call.Fail("ERROR: this parameter is protected while WMA is on.");
   }
   ApplyActivation(call);
   return true;
@@ -230,14 +233,15 @@ bool Activation(CommandCall& call) {
   for (const char letter : {'g', 's', 'h'}) {
     if (parsed.Has(letter) && !parsed.Argument(letter)) return call.Fail("Too few arguments.");
   }
-  if (parsed.arguments.size() > (parsed.Has('s') ? 1u : 0u)) return call.Fail("Too many arguments.");
+  const bool sets = parsed.Has('s');
+  if (parsed.arguments.size() > (sets ? 1u : 0u)) return call.Fail(sets ? "Too many arguments." : "Too many args.");
   if (parsed.Has('g')) {
     const std::string name = *parsed.Argument('g');
     if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
     call.Out(store.Get("wma", name));
     return true;
   }
-  if (parsed.Has('s')) {
+  if (sets) {
     if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
     return SetActivation(call, *parsed.Argument('s'), parsed.arguments.front().text);
   }

@@ -14,18 +14,8 @@ kernel::RunResult RunAlone(kernel::Agent& agent, const RunRequest& request) {
   }
   if (!request.until_goal_removed) return agent.Run(request.unit, request.count);
 
-  // One step at a time until the state that is the lowest now has gone, or the count is used up.
   if (!agent.goals().empty()) agent.SetGoalToWatch(agent.goals().bottom().id);
-  kernel::RunResult total;
-  const kernel::RunUnit step = request.unit == kernel::RunUnit::kForever ? kernel::RunUnit::kDecision : request.unit;
-  for (std::uint64_t i = 0; request.unit == kernel::RunUnit::kForever || i < request.count; ++i) {
-    const kernel::RunResult part = agent.Run(step, 1);
-    total.reason = part.reason;
-    total.decisions += part.decisions;
-    total.elaborations += part.elaborations;
-    total.firings += part.firings;
-    if (part.reason != kernel::StopReason::kCompleted || agent.watched_goal_gone()) break;
-  }
+  const kernel::RunResult total = agent.Run(request.unit, request.count);
   agent.SetGoalToWatch({});
   return total;
 }

@@ -139,8 +139,9 @@ void PrintList(PrintStream& stream, const Agent& agent, MatchSet::List list, Wme
       else
         ++found->second;
     }
-    for (const auto& [line, count] : counted) {
-      stream.Print(line + (count > 1 ? fmt::format("({})", count) : std::string()) + "\n");
+    // The newest is listed first one by one, and last where they are counted.
+    for (auto entry = counted.rbegin(); entry != counted.rend(); ++entry) {
+      stream.Print(entry->first + (entry->second > 1 ? fmt::format("({})", entry->second) : std::string()) + "\n");
     }
     return;
   }

@@ -53,7 +53,7 @@ class PatternLexer {
 /// Reads a field; false if the word cannot stand there or names nothing that exists.
 bool ReadField(Agent& agent, const std::string& word, Symbol& field) {
   if (word == "*") return true;
-  if (word.empty() || word == ")" || word == "(" || word == "^") return false;
+  if (word.empty() || word == ")" || word == "(" || word == "^" || word.front() == '@') return false;
   if (word.front() != '|' && word.front() != '"') {
     if (IsContextVariable(word) || ParseIdentifierName(word)) {
       field = FindIdentifier(agent, word);

@@ -244,9 +244,6 @@ bool Agent::running() const {
 void Agent::SetGoalToWatch(Symbol goal) {
   engine_->run.WatchGoal(goal);
 }
-bool Agent::watched_goal_gone() const {
-  return engine_->run.watched_goal_gone();
-}
 
 void Agent::InitSoar() {
   if (engine_->run.running()) return;

@@ -144,7 +144,6 @@ class Agent {
   std::string_view breakdown() const;
   /// A goal whose removal ends the run (`run -g`); the none symbol for none.
   void SetGoalToWatch(Symbol goal);
-  bool watched_goal_gone() const;
   /// Empties working memory and starts again with the first state; keeps the rules but justifications. Refused while
   /// running.
   void InitSoar();

@@ -163,7 +163,6 @@ void RunControl::GoalStackLimit() {
 
 void RunControl::WatchGoal(Symbol goal) {
   watched_goal_ = goal;
-  watched_goal_gone_ = false;
 }
 
 bool RunControl::Stop() {
@@ -208,7 +207,7 @@ bool RunControl::Stop() {
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, reason); });
     return true;
   }
-  return watched_goal_gone_;
+  return false;
 }
 
 // Running -------------------------------------------------------------------------------------------------------------
@@ -246,7 +245,7 @@ void RunControl::RunOneDecision() {
 void RunControl::RunOneOutput() {
   for (int idle = 0; idle < std::max(1, engine_.settings.max_nil_output_cycles); ++idle) {
     RunOneDecision();
-    if (MustEnd() || watched_goal_gone_ || output_changed_) return;
+    if (MustEnd() || output_changed_) return;
   }
 }
 
@@ -279,7 +278,7 @@ RunResult RunControl::Step(RunUnit unit) {
     case RunUnit::kForever:
       do {
         RunOneDecision();
-      } while (!MustEnd() && !watched_goal_gone_);
+      } while (!MustEnd());
       break;
   }
   return Finish(start);
@@ -303,7 +302,7 @@ RunResult RunControl::Run(RunUnit unit, std::uint64_t count) {
     total.decisions += part.decisions;
     total.elaborations += part.elaborations;
     total.firings += part.firings;
-    return part.reason == StopReason::kCompleted && !watched_goal_gone_;
+    return part.reason == StopReason::kCompleted;
   };
   if (unit == RunUnit::kForever) {
     add(Step(RunUnit::kForever));
@@ -328,7 +327,6 @@ void RunControl::Clear() {
   in_middle_ = false;
   halted_ = halt_requested_ = goal_stack_limit_ = ended_ = output_changed_ = rule_interrupt_ = false;
   watched_goal_ = Symbol();
-  watched_goal_gone_ = false;
   ClearStop();
 }
 

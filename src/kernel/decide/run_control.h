@@ -52,9 +52,8 @@ class RunControl {
   /// The goal stack is at its limit: the run ends as if halted, but may go on.
   void GoalStackLimit();
   void WatchGoal(Symbol goal);
-  bool watched_goal_gone() const { return watched_goal_gone_; }
   void GoalRemoved(Symbol goal) {
-    if (goal == watched_goal_) watched_goal_gone_ = true;
+    if (goal == watched_goal_) InterruptAfterPhase("Stopped due to substate (goal) retraction.");
   }
   void Clear();
   /// Memory ran out in the middle of something: the agent counts as running for ever, so that nothing changes it.
@@ -72,8 +71,7 @@ class RunControl {
   void EndPhase(Phase next);
   /// After each elaboration and phase: halts or interrupts that were asked for. True if the run must end.
   bool CheckStop() {
-    const bool due = halt_requested_ | goal_stack_limit_ | watched_goal_gone_ | rule_interrupt_ |
-                     stop_.load(std::memory_order_relaxed);
+    const bool due = halt_requested_ | goal_stack_limit_ | rule_interrupt_ | stop_.load(std::memory_order_relaxed);
     return due && Stop();
   }
   [[gnu::noinline]] bool Stop();
@@ -102,7 +100,6 @@ class RunControl {
   bool ended_ = false;           ///< This run was interrupted.
   bool output_changed_ = false;  ///< By the last output phase.
   Symbol watched_goal_;
-  bool watched_goal_gone_ = false;
   std::uint64_t cycle_wme_changes_ = 0, cycle_firings_ = 0;
   std::chrono::steady_clock::time_point cycle_began_;
   std::atomic<bool> stop_{false};

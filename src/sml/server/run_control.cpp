@@ -70,7 +70,7 @@ kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest&
   host_.FireSystem(smlEVENT_SYSTEM_START);
   Begin(addressed, request);
   Rounds(request, InterleaveOf(request, interleave_given));
-  if (EndsAtStopPhase(request) && !request.until_goal_removed) {
+  if (EndsAtStopPhase(request)) {
     for (Runner& runner : runners_) MoveToStopPhase(runner);
   }
   kernel::RunResult result;
@@ -190,7 +190,7 @@ void RunControl::Round(const cli::RunRequest& request, RunUnit interleave) {
       CountStep(runner, request, hosted.agent().counters().decision_cycles - cycles,
                 !hosted.agent().in_middle_of_phase());
     }
-    if (request.until_goal_removed && hosted.agent().watched_goal_gone()) stop_all = true;
+    if (request.until_goal_removed && runner.reason == StopReason::kInterrupted) stop_all = true;
     if (!runner.active && !EndsAtStopPhase(request)) {
       EndInterrupted(runner);
       Finish(runner, true);
